@@ -40,7 +40,7 @@ fn an_improvement_is_one_step_of_undo_and_as_exact() {
     for _ in 0..3 {
         trial.step().expect("regular");
     }
-    let offer = trial.offer();
+    let offer = trial.offer(&session);
     assert!(offer.met && offer.after.energy < offer.before.energy, "{offer:?}");
     assert_eq!(session.positions(), before, "nothing has changed yet");
     assert!(session.make_exact(&trial, false).expect("regular"));

@@ -2,9 +2,10 @@
 //! one step of undo.
 
 use crate::grid::grid;
-use shape_up::mesh::{BoundingSphere, Mesh};
+use shape_up::math;
+use shape_up::mesh::{BoundingSphere, Mesh, folded_faces};
 use shape_up::scene::Scene;
-use shape_up::session::{Session, Verdict};
+use shape_up::session::{Edit, Session, Verdict};
 use shape_up::solve::Require;
 
 /// With the weights of a mesh that somebody opens.
@@ -20,6 +21,17 @@ fn session(mesh: Mesh, more: &str) -> Session {
 
 fn wave() -> Session {
     session(grid(8, 8, |i, j| [f64::from(i), f64::from(j), f64::from(i * j % 5) * 0.3]), "")
+}
+
+/// Bumps whose edges run across the lines of curvature: circular panels would crumple it.
+fn bumps() -> Mesh {
+    let height =
+        |x: u32, y: u32| 2.0 * math::sine(f64::from(x) / 2.0) * math::sine(f64::from(y) / 2.0);
+    grid(12, 12, |i, j| [f64::from(i), f64::from(j), height(i, j)])
+}
+
+fn folded(session: &Session) -> usize {
+    folded_faces(session.mesh(), session.topology(), &session.positions()).len()
 }
 
 /// Until it ends, and the iterations that it took.
@@ -146,4 +158,75 @@ fn a_drag_ends_the_press_and_its_end_meets_again_in_the_same_step() {
     run(&mut session);
     assert!(session.exact().is_some_and(|exact| exact.met));
     assert_eq!(session.undo_and_redo()[0], Some("Make and move handle"));
+}
+
+#[test]
+fn a_press_that_would_fold_ends_without_folds_and_says_within_which_tolerance() {
+    let meshes = [Some(bumps()), crate::shared::mesh("pillow_1.obj")];
+    for (mesh, kind) in meshes.into_iter().flatten().zip(["circle", "circle"]) {
+        let mut session = session(mesh, "");
+        let (before, asked) = (session.scene(), session.tolerance());
+        session.make_panels(kind, asked, false).expect("it has quads");
+        run(&mut session);
+        let verdict = verdict(&mut session);
+        println!("{verdict:?}");
+        assert_eq!((folded(&session), verdict.folded), (0, 0));
+        assert_eq!(verdict.within, verdict.panels);
+        let exact = session.exact().expect("it was met");
+        assert!(exact.met && exact.attempts > 1, "{exact:?}");
+        let reached = verdict.tolerance;
+        assert_eq!(session.document().constraints[0].require, Require::Within(reached));
+        if let Some(eased) = verdict.eased {
+            assert!(eased.folded > 0 && eased.asked == asked && eased.within == reached);
+            assert!(reached > asked && verdict.worst > asked, "{verdict:?}");
+        } else {
+            assert_eq!(reached, asked);
+        }
+        // Another run has nothing to do, and it is one step of undo.
+        let after = session.scene();
+        session.begin_run();
+        run(&mut session);
+        assert_eq!(session.scene(), after);
+        assert_eq!(session.undo().expect("solvable").as_deref(), Some("Make panels circular"));
+        assert_eq!(session.scene(), before);
+        session.redo().expect("solvable");
+        assert_eq!(session.scene(), after);
+    }
+}
+
+#[test]
+fn what_is_asked_exactly_stays_so_and_folds_less_where_it_can() {
+    let Some(mesh) = crate::shared::mesh("M2_eq_quad2.obj") else { return };
+    for (kind, require) in [("circle", Require::Exact), ("plane", Require::Within(5e-4))] {
+        let mut session = session(mesh.clone(), "");
+        session
+            .edit(Edit::MakePanels { kind: kind.to_owned(), within: Some(1.0), afresh: false })
+            .expect("it has quads");
+        let asked = Edit::SetConstraint {
+            index: 0,
+            weight: None,
+            enabled: None,
+            require: Some(require),
+            params: serde_json::Map::new(),
+        };
+        session.edit(asked).expect("it is there");
+        session.solve(false).expect("regular");
+        let exact = session.exact().expect("it was met");
+        assert!(exact.met && exact.attempts > 1 && exact.eased.is_none(), "{kind}: {exact:?}");
+        assert_eq!(folded(&session), 0, "{kind}");
+        assert_eq!(session.document().constraints[0].require, require);
+    }
+}
+
+#[test]
+fn the_end_of_a_drag_stays_near_to_where_it_was_dragged() {
+    let mut session = session(bumps(), "");
+    session.make_panels("circle", session.tolerance(), false).expect("it has quads");
+    run(&mut session);
+    let place = session.positions()[84];
+    session.begin_drag_of_new(vec![84]).expect("it is there");
+    session.drag([(84, [place[0], place[1], place[2] + 0.3])]).expect("it is a handle");
+    session.end_drag(true);
+    run(&mut session);
+    assert_eq!(session.exact().expect("it was met").attempts, 1);
 }

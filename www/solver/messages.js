@@ -188,7 +188,6 @@
  *   with a flaw of a {@link Problem}, or `zero-size-faces`. `results`: what a student hands in.
  * - `verdict`: how many panels are as asked, within a tolerance. `forecast`: how far the mesh will move for that.
  * - `remedies`: changes that lower the worst distance, tried on a copy; ends early when something changes.
- * - `unfolded`: a larger tolerance within which fewer faces are folded, tried in the same way.
  * - `mostFaces`: of a mesh that this machine works with at once.
  * - `faceValues`: of a measure, of the current shape or the original. `cornerValues`: those of the
  *   vertices, where they have any. `originalPositions`: where the vertices of the original are. `angles`:
@@ -234,7 +233,6 @@
  *   | { type: "verdict", tolerance: number }
  *   | { type: "forecast" }
  *   | { type: "remedies" }
- *   | { type: "unfolded", tolerance: number }
  *   | { type: "mostFaces" }
  *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
@@ -305,7 +303,6 @@
  * @property {Verdict | null} verdict null where nothing is asked of the panels
  * @property {string | null} forecast null where no shape is offered for all panels
  * @property {Remedy[]} remedies the greatest help first
- * @property {import("../pkg/solver/shape_up.js").Unfolded | null} unfolded
  * @property {number} mostFaces
  * @property {string} results
  * @property {Parametrization} parametrize

@@ -47,9 +47,6 @@ export function createQueries(solver, reportErrors) {
     /** Changes that would bring the worst constraint nearer. */
     remedies: () => solver.request({ type: 'remedies' }),
 
-    /** A larger tolerance within which fewer faces are folded. @param {number} tolerance the one now, in the unit of the mesh */
-    unfolded: (tolerance) => solver.request({ type: 'unfolded', tolerance }),
-
     /** Where the vertices were when the model was opened, `#V by 3`: asked once. */
     originalPositions: () =>
       (original ??= solver.request({ type: 'originalPositions' }).catch((error) => {

@@ -2,7 +2,7 @@
 
 import { cancelExperiment, comparison, experimentCsv, runExperiment } from './experiment.js';
 import { missingFiles, open } from './open.js';
-import { findRemedies, findUnfolded } from './remedies.js';
+import { findRemedies } from './remedies.js';
 import { inTurns, stopTrials } from './trials.js';
 import { mostFaces, warmUpWhenQuiet } from './warm-up.js';
 
@@ -91,7 +91,6 @@ export function requestHandlers(solver, scheduler, post, died) {
     verdict: ({ tolerance }) => solver.verdict(tolerance),
     forecast: () => solver.forecast(),
     remedies: () => findRemedies(solver),
-    unfolded: ({ tolerance }) => findUnfolded(solver, tolerance),
     mostFaces,
     results: ({ student, time }) => solver.results(student, time),
     select: ({ request }) => solver.select(request),

@@ -3,7 +3,7 @@
  * worst distance, until all are tried, the time is over, or something else is asked.
  */
 
-import { RemedyTrials, UnfoldingTrials } from '../pkg/solver/shape_up.js';
+import { RemedyTrials } from '../pkg/solver/shape_up.js';
 import { inTurns } from './trials.js';
 
 /** How long it tries at most: whoever waits longer does not wait. */
@@ -17,19 +17,6 @@ const MOST_MS = 4000;
  */
 export async function findRemedies(solver) {
   const trials = new RemedyTrials(solver);
-  await inTurns(trials, MOST_MS);
-  const found = trials.found();
-  trials.free();
-  return found;
-}
-
-/**
- * @param {import("../pkg/solver/shape_up.js").Solver} solver
- * @param {number} tolerance within which panels are as asked, and faces are folded
- * @returns {Promise<import("../pkg/solver/shape_up.js").Unfolded | null>} a larger one that folds fewer
- */
-export async function findUnfolded(solver, tolerance) {
-  const trials = new UnfoldingTrials(solver, tolerance);
   await inTurns(trials, MOST_MS);
   const found = trials.found();
   trials.free();

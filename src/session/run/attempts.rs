@@ -25,7 +25,7 @@ const FAR: f64 = 2.0;
 const FEWER: f64 = 0.8;
 
 /// Iterations times vertices of the first attempt beyond which smoother ones would take too long.
-const MOST_WORK: u64 = 4_000_000;
+const MOST_WORK: u64 = 3_000_000;
 
 /// A tolerance is multiplied by this, in turn, and is none beyond this part of the mean edge.
 const EASED: [f64; 6] = [100.0, 50.0, 20.0, 10.0, 5.0, 2.0];

@@ -2,7 +2,6 @@
 //! touching it.
 
 use crate::error::Error;
-use crate::math::Vec3;
 use crate::mesh::Point;
 use crate::session::Session;
 use crate::session::state::{Part, RowValues};
@@ -16,9 +15,8 @@ pub struct ExactTrial {
     /// The rows that are to be exact, and the name of the step of undo.
     rows: Vec<usize>,
     name: &'static str,
-    /// The shape that it began from, and that at rest, `#V by 3`.
+    /// The shape that it began from, `#V by 3`.
     from: Rc<[Point]>,
-    rest: Vec<Point>,
     before: Price,
 }
 
@@ -43,6 +41,8 @@ pub struct ExactOffer {
     pub too_large: bool,
     /// How many constraints cannot.
     pub misses: usize,
+    /// How many faces are folded or dented in the exact shape and are not at rest.
+    pub folded: usize,
     /// The greatest distance that is left.
     pub max_distance: f64,
     /// The shape as it is.
@@ -87,7 +87,7 @@ impl Session {
     fn trial(&self, mut exact: Exact, rows: Vec<usize>, name: &'static str) -> ExactTrial {
         let before = Price { energy: exact.energy().total, moved: self.moved() };
         let from = Rc::clone(self.scene.positions());
-        ExactTrial { exact, rows, name, from, rest: self.rest.positions().to_vec(), before }
+        ExactTrial { exact, rows, name, from, before }
     }
 
     /// Takes the shape of a trial as far as it has come and requires it, as a step of undo or as a part of the last
@@ -132,17 +132,17 @@ impl ExactTrial {
         Ok(self.exact.can_polish() && self.exact.step()? != Stage::Ended)
     }
 
-    /// What it costs, as of now.
-    pub fn offer(&mut self) -> ExactOffer {
+    /// What it costs, as of now, in the `session` that it is of.
+    pub fn offer(&mut self, session: &Session) -> ExactOffer {
         let ExactAnswer { met, unmet, max_distance, moved, .. } = self.exact.answer();
-        let ways = self.exact.positions();
-        let ways = ways.iter().zip(&self.rest);
-        let ways = ways.map(|(&now, &rest)| (Vec3::from(now) - Vec3::from(rest)).length());
-        let after = Price { energy: self.exact.energy().total, moved: Moved::of(ways) };
+        let positions = self.exact.positions();
+        let moved_by = session.rest.moved_by(&positions);
+        let after = Price { energy: self.exact.energy().total, moved: moved_by };
         ExactOffer {
             met,
             too_large: !self.exact.can_polish(),
             misses: unmet.len(),
+            folded: session.rest.folded_by(&positions).len(),
             max_distance,
             before: self.before,
             after,

@@ -2,7 +2,7 @@
 //! and of ways to change a shape that is.
 
 use super::solver::Solver;
-use crate::session::{ExactTrial, Remedies};
+use crate::session::Remedies;
 use crate::solve::{SLIDE, clock};
 use crate::web::plain::{narrow, plain};
 use crate::web::{log_panics, thrown};
@@ -74,7 +74,8 @@ impl Solver {
 
     /// What it costs; null where there is nothing to try.
     pub fn offer(&mut self) -> Result<JsValue, JsValue> {
-        plain(&self.trial.as_mut().map(ExactTrial::offer))
+        let both = self.trial.as_mut().zip(self.session.as_ref());
+        plain(&both.map(|(trial, session)| trial.offer(session)))
     }
 
     /// Takes the exact shape, as a step of undo or as a part of the last one; whether it was of the current shape

@@ -43,9 +43,11 @@ export class MakePanels {
     'div.folds',
     button('Show the folds', () => this.#showFolded()),
     button('Avoid them', () => this.#avoidFolds(), {
-      title: 'Looks for a larger tolerance within which nothing folds, and makes the panels anew',
+      title: 'Makes the panels anew from the original, smoother or within a larger tolerance',
     }),
   );
+  /** The id of the kind that the verdict is about. */
+  #kind = '';
   /** A verdict is asked for. */
   #isBusy = false;
 
@@ -216,8 +218,9 @@ export class MakePanels {
     const { running, numbers } = store.get();
     if (!verdict || store.get().model !== model || this.#shows !== 'verdict') return;
     const words = running || this.#isUnderWay() ? progressWords : verdictWords;
-    const text = words(verdict, tolerance, document?.units ?? '');
+    const text = words(verdict, document?.units ?? '');
     setText(this.#text, text);
+    this.#kind = verdict.kind;
     const isFolded = words === verdictWords && verdict.folded > 0;
     this.#card.classList.toggle('warning', isFolded);
     this.#folds.hidden = !isFolded;
@@ -231,18 +234,10 @@ export class MakePanels {
     if (found) showElements(this.#app, found);
   }
 
-  /** Makes the panels again within a larger tolerance, where one is found that folds fewer faces. */
+  /** Makes the panels again, from the original: a press looks for a shape that does not fold. */
   async #avoidFolds() {
-    const { store, actions } = this.#app;
-    const { model, kinds, tolerance } = store.get();
-    actions.setStatus('Looking for a tolerance within which nothing folds …');
-    const found = await actions.reportErrors(actions.unfolded(tolerance ?? model?.tolerance ?? 0));
-    if (found === undefined || store.get().model !== model) return;
-    if (!found) return actions.setStatus('No larger tolerance that was tried folds less.');
-    const kind = kinds.find(({ id }) => id === found.kind);
-    if (!kind) return;
-    actions.setTolerance(found.tolerance);
-    await this.#make(kind, true);
+    const kind = this.#app.store.get().kinds.find(({ id }) => id === this.#kind);
+    if (kind) await this.#make(kind, true);
   }
 
   /** What is framed is seen whole above the card. */

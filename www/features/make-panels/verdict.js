@@ -17,10 +17,9 @@ function about(value, units) {
 /**
  * How many panels are within the tolerance.
  * @param {Verdict} verdict
- * @param {number} tolerance in the unit of the mesh
  * @param {string} units of the mesh
  */
-export function progressWords({ adjective, panels, within }, tolerance, units) {
+export function progressWords({ adjective, panels, within, tolerance }, units) {
   const limit = `${adjective} within ${about(tolerance, units)}`;
   if (within < panels)
     return `${groupDigits(within)} of ${groupDigits(panels)} panels are ${limit}.`;
@@ -30,17 +29,26 @@ export function progressWords({ adjective, panels, within }, tolerance, units) {
 }
 
 /**
- * The same, with the worst of them and how far the mesh moved.
+ * Why a larger tolerance was taken than the one that was asked.
  * @param {Verdict} verdict
- * @param {number} tolerance in the unit of the mesh
  * @param {string} units of the mesh
  */
-export function verdictWords(verdict, tolerance, units) {
+function easedWords({ eased }, units) {
+  if (!eased) return '';
+  return ` Within ${about(eased.asked, units)}, ${count(eased.folded, 'face')} would fold.`;
+}
+
+/**
+ * The same, with the worst of them and how far the mesh moved.
+ * @param {Verdict} verdict
+ * @param {string} units of the mesh
+ */
+export function verdictWords(verdict, units) {
   const { worst, moved, folded } = verdict;
   const folds =
     folded > 0
       ? ` But ${count(folded, 'face')} ${folded === 1 ? 'is' : 'are'} folded or dented.`
       : '';
   const far = `at most ${about(moved.max, units)}, ${about(moved.mean, units)} on average`;
-  return `${progressWords(verdict, tolerance, units)}${folds} Worst ${about(worst, units)}. Your mesh moved by ${far}.`;
+  return `${progressWords(verdict, units)}${easedWords(verdict, units)}${folds} Worst ${about(worst, units)}. Your mesh moved by ${far}.`;
 }

@@ -105,7 +105,7 @@ async function showCost(app, told) {
   const cost = await exact.offer().catch(() => null);
   if (!group.isConnected || !cost) return group.remove();
   const allowed = tolerance ?? model.tolerance;
-  if (cost.met && cost.moved.max <= allowed) {
+  if (cost.met && cost.moved.max <= allowed && cost.folded === 0) {
     if (await exact.accept(true)) {
       const words = `${met}Made exact as well: farthest ${length(cost.maxDistance, units)}.`;
       showMessage(words, improveButton(app, told));
@@ -121,13 +121,14 @@ async function showCost(app, told) {
     showMessage(`${met}Exactly, ${constraints} could not be met together.`);
     return;
   }
+  const folds = cost.folded > 0 ? `, and ${count(cost.folded, 'face')} would fold` : '';
   const take = async () => {
     if (!(await exact.accept(false))) return;
     const report = store.get().numbers?.exact;
     if (report) showMet(app, told, report);
   };
   showMessage(
-    `${met}Exact, it would move by up to ${length(cost.moved.max, units)} more.`,
+    `${met}Exact, it would move by up to ${length(cost.moved.max, units)} more${folds}.`,
     offer('Make exact', take, 'Takes the shape in the right column'),
   ).append(table(cost, numbers.exact.max_distance, units, 'Exact'));
 }
