@@ -36,7 +36,9 @@ export function meshActions(store, solver, actions) {
     const within = tolerance ?? model?.tolerance ?? 0;
     const found = await actions.verdict(within);
     if (!found) return '';
-    const [worst, limit] = [found.worst, found.tolerance].map((far) => length(far, document?.units ?? ''));
+    const [worst, limit] = [found.worst, found.tolerance].map((far) =>
+      length(far, document?.units ?? ''),
+    );
     return `, ${found.within} of ${found.panels} panels ${found.adjective} within ${limit}, the worst ${worst}`;
   }
 
