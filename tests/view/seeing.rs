@@ -209,3 +209,58 @@ fn a_layer_is_joined_to_the_surface_and_what_fails_is_drawn_over_it() {
     state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &floors()[..9]).unwrap();
     assert!(state.layer_lines().is_empty());
 }
+
+#[test]
+fn a_section_lets_one_see_and_take_what_was_behind() {
+    let mut state = parallel();
+    state.preset("top").unwrap();
+    let middle = CANVAS * 0.5;
+    assert_eq!((state.pick_face(middle), state.screen(0)), (Some(1), None));
+    // Across z, just below the upper floor.
+    state.set_section(Some((2, 0.9, false))).unwrap();
+    assert_eq!(state.pick_face(middle), Some(0));
+    let corner = state.screen(0).unwrap();
+    assert_eq!(state.pick_vertex(corner, 4.0), Some(0));
+    assert!((4..8).all(|vertex| state.screen(vertex).is_none()));
+    let all = Outline::around(Vec2::ZERO, CANVAS);
+    assert_eq!(state.vertices_in(&all, false), [0, 1, 2, 3]);
+    state.set_section(Some((2, 0.9, true))).unwrap();
+    assert_eq!(state.pick_face(middle), Some(1));
+    assert!(state.set_section(Some((3, 0.5, false))).is_err());
+    // Another mesh is whole.
+    let other = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &other).unwrap();
+    assert_eq!(state.camera().section, None);
+}
+
+#[test]
+fn a_line_drawing_ends_at_the_section() {
+    let mut state = parallel();
+    state.preset("top").unwrap();
+    let drawn = |state: &ViewState| shape_up::view::svg::line_drawing::line_drawing(state);
+    let whole = drawn(&state);
+    // Only the half to the left is left: it is not as wide.
+    state.set_section(Some((0, 0.5, false))).unwrap();
+    let half = drawn(&state);
+    // Where lines begin, from left to right.
+    let right = |svg: &str| {
+        let begins = svg.split('M').skip(1).filter_map(|line| line.split([' ', '-']).next());
+        begins.filter_map(|x| x.parse::<f64>().ok()).fold(0.0, f64::max)
+    };
+    assert!(right(&half) < 0.7 * right(&whole), "{} {}", right(&half), right(&whole));
+}
+
+#[test]
+fn a_turntable_turns_the_model_in_front_of_the_eye() {
+    let mut state = state();
+    let before = state.camera();
+    let middle = |state: &ViewState| state.camera().eye().project(glam::Vec3::ZERO).0;
+    let at = middle(&state);
+    for _ in 0..8 {
+        state.spin(std::f32::consts::TAU / 8.0);
+        assert!((middle(&state) - at).length() < 0.5);
+    }
+    let after = state.camera().eye();
+    assert!((after.forward - before.eye().forward).length() < 1e-4);
+    assert!((after.at - before.eye().at).length() < 1e-2 * before.distance);
+}

@@ -237,3 +237,52 @@ test('a file of Rhino with nothing that can be read says so', async ({ page }) =
   await input.setInputFiles(given);
   await expect(page.getByRole('alert')).toContainText('no mesh and no polyline');
 });
+
+test('a picture larger than a tile is the same picture, and so is one for scripts', async ({
+  page,
+}) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const found = await page.evaluate(async () => {
+    const small = async (width) => {
+      const blob = await window.shapeUp.picture({ width, legend: false, ground: 'white' });
+      const image = await createImageBitmap(blob);
+      const [w, h] = [300, Math.round((300 * image.height) / image.width)];
+      const context = new OffscreenCanvas(w, h).getContext('2d');
+      context.imageSmoothingQuality = 'high';
+      context.drawImage(image, 0, 0, w, h);
+      return { width: image.width, data: context.getImageData(0, 0, w, h).data };
+    };
+    // One tile, and two of them side by side.
+    const [one, two] = [await small(1500), await small(3000)];
+    let sum = 0;
+    let plain = 0;
+    one.data.forEach((byte, i) => {
+      sum += Math.abs(byte - two.data[i]);
+      plain += byte < 200 ? 1 : 0;
+    });
+    return { widths: [one.width, two.width], mean: sum / one.data.length, plain };
+  });
+  expect(found.widths).toEqual([1500, 3000]);
+  expect(found.plain, 'there is a picture').toBeGreaterThan(5000);
+  expect(found.mean).toBeLessThan(4);
+});
+
+test('a film shows one turn, where the browser can record', async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const before = await page.evaluate(() => window.shapeUp.screen(0));
+  const film = await page.evaluate(async () => {
+    const blob = await window.shapeUp.turntable(1);
+    const head = new Uint8Array(await blob.slice(0, 4).arrayBuffer());
+    return { type: blob.type, size: blob.size, head: [...head] };
+  });
+  // Matroska's mark.
+  expect(film.head).toEqual([0x1a, 0x45, 0xdf, 0xa3]);
+  expect(film.type).toBe('video/webm');
+  expect(film.size).toBeGreaterThan(2000);
+  const after = await page.evaluate(() => window.shapeUp.screen(0));
+  after.forEach((at, i) => expect(at).toBeCloseTo(before[i], 0));
+  await tool(page, 'More formats');
+  await expect(page.getByRole('button', { name: /^WebM/ })).toBeVisible();
+});

@@ -314,3 +314,63 @@ test('the original is shown for as long as a key, or the Reset button, is held',
   await reset.click();
   await waitForState(page, (later) => later.iteration === 0);
 });
+
+test('a section plane cuts the model open', async ({ page }) => {
+  await openSteps(page);
+  await page.keyboard.press('Shift+Digit7');
+  await expect(page.getByRole('status')).toHaveText('View: isometric');
+  const whole = await middleOfPicture(page);
+  const menu = await openViews(page);
+  await menu.getByRole('button', { name: 'Section plane' }).click();
+  await page.keyboard.press('Escape');
+  const card = page.getByRole('group', { name: 'Section' });
+  await expect(card).toBeVisible();
+  expect(differingBytes(await middleOfPicture(page), whole)).toBeGreaterThan(2000);
+  // Half the way along x the right square is cut off: it cannot be taken.
+  const seen = (vertex) => page.evaluate((v) => window.shapeUp.screen(v), vertex);
+  expect(await seen(5)).toBeNull();
+  expect(await seen(0)).not.toBeNull();
+  await card.getByRole('button', { name: 'Other side' }).click();
+  await expect.poll(() => seen(5)).not.toBeNull();
+  expect(await seen(0)).toBeNull();
+  await card.getByLabel('Section across').selectOption('z');
+  await card.getByRole('slider', { name: 'Place of the section' }).focus();
+  await page.keyboard.press('Home');
+  await expect.poll(() => seen(0)).not.toBeNull();
+  await card.getByRole('button', { name: 'End the section' }).click();
+  await expect(card).toBeHidden();
+  expect(differingBytes(await middleOfPicture(page), whole)).toBe(0);
+});
+
+test('views are kept with the model, and come back', async ({ page }) => {
+  await openSteps(page);
+  await page.keyboard.press('Shift+Digit1');
+  await expect(page.getByRole('status')).toHaveText('View: top');
+  const above = await screenOf(page, 6);
+  let menu = await openViews(page);
+  await menu.getByRole('button', { name: 'Keep this view' }).click();
+  await menu.getByRole('button', { name: 'Front' }).click();
+  await expect.poll(async () => (await screenOf(page, 6))[1]).not.toBeCloseTo(above[1], 0);
+  await menu.getByRole('button', { name: 'View 1', exact: true }).click();
+  await expect.poll(async () => (await screenOf(page, 6))[1]).toBeCloseTo(above[1], 1);
+  await menu.getByRole('button', { name: 'Keep this view' }).click();
+  await menu.getByRole('button', { name: 'Remove View 1' }).click();
+  await expect(menu.getByRole('button', { name: 'View 1', exact: true })).toBeHidden();
+  await expect(menu.getByRole('button', { name: 'View 2', exact: true })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await openText(page, 'other.obj', wavyGrid(2), 9);
+  menu = await openViews(page);
+  await expect(menu.getByRole('button', { name: 'View 2', exact: true })).toBeHidden();
+});
+
+test('the model turns slowly until the view is touched', async ({ page }) => {
+  await openSteps(page);
+  const menu = await openViews(page);
+  const before = await screenOf(page, 6);
+  await menu.getByRole('button', { name: 'Turn slowly' }).click();
+  await expect.poll(async () => (await screenOf(page, 6))[0]).not.toBeCloseTo(before[0], 0);
+  await view(page).click({ position: { x: 20, y: 300 } });
+  const stopped = await screenOf(page, 0);
+  await page.waitForTimeout(300);
+  expect(await screenOf(page, 0)).toEqual(stopped);
+});
