@@ -51,6 +51,27 @@ const view = (page) => page.getByRole('application', { name: '3D view' });
  * @type {Record<string, State[]>}
  */
 export const walks = {
+  'a presentation': [
+    {
+      name: 'its steps',
+      only: 'desktop',
+      reach: async (page) => {
+        await page.getByRole('button', { name: 'Present', exact: true }).click();
+        await page.getByRole('button', { name: 'Add this view' }).click();
+        await page.getByLabel('Text of step 1').fill('What is said beside it.');
+        await page.getByLabel('Text of step 1').blur();
+      },
+    },
+    {
+      name: 'the stage',
+      only: 'desktop',
+      reach: async (page) => {
+        await page.getByRole('button', { name: 'Start', exact: true }).click();
+        await expect(page.getByRole('region', { name: 'Presentation' })).toContainText('1 of 1');
+      },
+      leave: escape,
+    },
+  ],
   'what opens from the tools': [
     { name: 'the start' },
     {

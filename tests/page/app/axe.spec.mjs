@@ -2,7 +2,7 @@
 
 import AxeBuilder from '@axe-core/playwright';
 import { openText } from '../actions.mjs';
-import { quadScene } from '../meshes.mjs';
+import { quadScene, wavyGrid } from '../meshes.mjs';
 import { expect, openPage, state, test, visit, waitForState } from '../support.mjs';
 import { walks, withoutGraphics } from '../walks.mjs';
 
@@ -63,6 +63,21 @@ for (const [title, states] of Object.entries(walks)) {
     }
   });
 }
+
+test.describe('with the essentials alone', () => {
+  test.use({ advanced: false });
+
+  test('axe: the essentials, at each step that comes next', async ({ page }) => {
+    await visit(page);
+    await expectNothing(page, 'solved');
+    await openText(page, 'roof.obj', wavyGrid(6), 49);
+    await expectNothing(page, 'opened');
+    await page.getByRole('button', { name: 'Make panels flat' }).click();
+    await waitForState(page, (now) => now.converged && !now.running);
+    await expect(page.getByRole('group', { name: 'Panels', exact: true })).toContainText('flat');
+    await expectNothing(page, 'made flat');
+  });
+});
 
 test('axe: before anything but the HTML is there', async ({ page }) => {
   await page.route('**/*.wasm', () => {});

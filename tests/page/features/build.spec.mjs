@@ -203,7 +203,7 @@ test('the report is one page with the numbers of the card, which is saved and pr
   const states = await paper.locator('text', { hasText: /^(met|not met)/ }).allTextContents();
   expect(states.map((words) => words === 'met')).toEqual(check.map(({ met }) => met));
   // The link opens this model.
-  await expect(paper.getByRole('link')).toHaveAttribute('href', /#scene=/);
+  await expect(paper.getByRole('link')).toHaveAttribute('href', /#link=/);
 
   const { name, bytes } = await downloaded(page, () =>
     dialog.getByRole('button', { name: 'Save as PDF' }).click(),

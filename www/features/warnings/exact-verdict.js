@@ -149,13 +149,13 @@ function table({ before, after, maxDistance }, distance, units, then) {
       element('td.figure', now),
       element('td.figure', then),
     );
-  const heads = ['', then === 'Exact' ? 'Now' : 'Before', then].map((name) =>
+  const heads = [then === 'Exact' ? 'Now' : 'Before', then].map((name) =>
     element('th', { scope: 'col' }, name),
   );
   return element(
     'table.cost',
     { 'aria-label': then === 'Exact' ? 'What exact would cost' : 'What was gained' },
-    element('thead', element('tr', ...heads)),
+    element('thead', element('tr', element('td'), ...heads)),
     element('tbody', ...rows.map(row)),
   );
 }
