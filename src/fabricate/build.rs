@@ -1,16 +1,14 @@
 //! All parts of one shape: panels with joints and names on sheets, and the offset.
 
 use super::alike::Types;
-use super::beam::{Frame, FrameSize};
+use super::beam::Frame;
 use super::fault::Fault;
 use super::file::{Drawing, places};
 use super::offset::{Axes, OffsetCheck, OffsetKind, check, node_axes};
-use super::panel::{
-    FlatPanel, Point2, inset, is_simple, lay_flat, panel_names, panel_types, rotated, smallest_box,
-};
-use super::paper::{PaperModel, PaperSize, PaperStyle, drawn};
-use super::settings::{BuildSettings, Product};
-use super::sheet::{CutPart, Layout, SheetSize, label, lay_out};
+use super::panel::{FlatPanel, Point2, lay_flat, panel_names, panel_types};
+use super::paper::PaperModel;
+use super::settings::BuildSettings;
+use super::sheet::{CutPart, Layout};
 use super::surface::PanelSurface;
 use crate::mesh::Mesh;
 
@@ -68,6 +66,8 @@ pub struct Build {
     pub dropped_names: usize,
     /// See `dropped_names`.
     pub small_names: usize,
+    /// Holes that have no room.
+    pub dropped_holes: usize,
     /// Where the parts are.
     pub layout: Layout,
     /// Panels that are alike.
@@ -118,6 +118,7 @@ impl Build {
             parts: Vec::new(),
             dropped_names: 0,
             small_names: 0,
+            dropped_holes: 0,
             layout: Layout::default(),
             types,
             frame: None,
@@ -127,12 +128,7 @@ impl Build {
             unit,
         };
         build.offset();
-        match settings.product {
-            Product::Panels => build.cut_panels(),
-            Product::Fins => build.cut_fins(),
-            Product::Paper => build.cut_paper(),
-        }
-        build.lay_out();
+        build.cut();
         Ok(build)
     }
 
@@ -154,129 +150,6 @@ impl Build {
     /// The width of beams as prisms, in the unit of the mesh.
     pub fn beam_width(&self) -> f64 {
         self.settings.beam_width.unwrap_or_else(|| 0.05 * self.surface.mean_edge())
-    }
-
-    fn cut_panels(&mut self) {
-        let model = self.model();
-        let by = 0.5 * (self.settings.joint * model - self.settings.kerf);
-        for f in 0..self.flat.len() {
-            let found = match self.cut_panel(f, model, by) {
-                Ok(cut) => Some(cut),
-                Err(why) => {
-                    self.not_cut.push(NotCut { part: self.names[f].clone(), why });
-                    None
-                }
-            };
-            self.cut.push(found);
-        }
-    }
-
-    fn cut_panel(&mut self, f: usize, model: f64, by: f64) -> Result<CutPanel, &'static str> {
-        let flat = self.flat[f].as_ref().ok_or("it has no area")?;
-        let scaled: Vec<Point2> =
-            flat.corners.iter().map(|corner| corner.map(|x| x * model)).collect();
-        if !is_simple(&scaled) {
-            return Err("laid flat it crosses itself");
-        }
-        let outline = inset(&scaled, by).ok_or("it is too small for the joint")?;
-        let (turn, size) = smallest_box(&outline);
-        let turned =
-            |points: &[Point2]| points.iter().map(|&p| rotated(p, turn)).collect::<Vec<_>>();
-        let (whole, outline) = (turned(&scaled), turned(&outline));
-        let panels = vec![f as u32];
-        let cut = CutPanel { whole, turn, size, part: self.parts.len() };
-        self.parts.push(CutPart {
-            name: self.names[f].clone(),
-            panels,
-            outline,
-            ..CutPart::default()
-        });
-        let across = |&e: &u32| {
-            let other = self.surface.edges[e as usize].across(f as u32)?;
-            Some(self.names[other as usize].clone())
-        };
-        let neighbours: Vec<_> = self.surface.sides.row(f).iter().map(across).collect();
-        self.write_names(&neighbours);
-        // A corner that coincides with the next one is no corner of the part.
-        if let Some(CutPart { outline, .. }) = self.parts.last_mut() {
-            outline.dedup();
-            while outline.len() > 1 && outline.first() == outline.last() {
-                outline.pop();
-            }
-        }
-        Ok(cut)
-    }
-
-    fn cut_fins(&mut self) {
-        let Some((axes, _)) = &self.offset else { return };
-        let model = self.model();
-        let size = FrameSize {
-            height: self.distance(),
-            width: self.beam_width(),
-            thickness: self.settings.thickness / model,
-        };
-        let BuildSettings { alike_deg, mirror, kerf, .. } = self.settings;
-        let frame = Frame::new(&self.surface, &axes.axes, size, alike_deg, mirror);
-        for (e, fin) in frame.fins.iter().enumerate() {
-            let edge = &self.surface.edges[e];
-            let name = beam_name(edge.ends);
-            let fin = fin.as_ref().map_err(|why| *why).and_then(|fin| {
-                let scaled = fin.outline.map(|corner| corner.map(|x| x * model));
-                let outline =
-                    if kerf > 0.0 { inset(&scaled, -0.5 * kerf) } else { Some(scaled.into()) };
-                Ok((fin, outline.ok_or("it is too small for the kerf")?))
-            });
-            match fin {
-                Ok((fin, outline)) => {
-                    let [one, other] = fin.ends.map(|v| Some(node_name(v)));
-                    let panels = edge.panels.into_iter().flatten().collect();
-                    let part = CutPart { name, panels, outline, ..CutPart::default() };
-                    self.parts.push(part);
-                    self.write_names([None, one, None, other].as_slice());
-                }
-                Err(why) => self.not_cut.push(NotCut { part: name, why }),
-            }
-        }
-        self.frame = Some(frame);
-    }
-
-    fn cut_paper(&mut self) {
-        let BuildSettings { sheet, margin, pieces, tab, print_inside, outlines_only, .. } =
-            self.settings;
-        let room = sheet.map(|side| side - 2.0 * margin);
-        let size = PaperSize { model: self.model(), room, tab };
-        let model = PaperModel::new(&self.surface, &self.flat, pieces, size);
-        let style = PaperStyle { inside: print_inside, names: !outlines_only };
-        for number in 0..model.pieces.len() {
-            let (part, dropped, small) = drawn(&model, number, &self.names, style);
-            self.parts.push(part);
-            self.dropped_names += dropped;
-            self.small_names += small;
-        }
-        for &(panel, why) in &model.without {
-            self.not_cut.push(NotCut { part: self.names[panel as usize].clone(), why });
-        }
-        if model.is_without_quads {
-            self.faults.push(Fault::no_strips());
-        }
-        self.paper = Some(model);
-    }
-
-    /// Engraves on the last part its name, and these beside its edges.
-    fn write_names(&mut self, beside: &[Option<String>]) {
-        let Some(part) = self.parts.last_mut().filter(|_| !self.settings.outlines_only) else {
-            return;
-        };
-        let labels = label(&part.outline, &part.name, beside, true);
-        part.engraved = labels.lines;
-        self.dropped_names += labels.dropped;
-        self.small_names += usize::from(labels.small);
-    }
-
-    fn lay_out(&mut self) {
-        let BuildSettings { sheet, margin, gap, order, .. } = self.settings;
-        let sheet = SheetSize { size: sheet, margin, gap };
-        self.layout = lay_out(&self.parts, sheet, order);
     }
 
     fn offset(&mut self) {

@@ -23,33 +23,37 @@
 //! | `sheet` | parts, letters, labels, the layout on sheets |
 //! | `file` | SVG, DXF, PDF, CSV |
 //! | `build` | all of it for one shape |
+//! | `cutting` | its parts: cut, laid out, named |
+//! | `holes` | holes along edges and at the ends of fins |
 //! | `check_card` | the build check: five numbers with their limits, and what is not within them |
 //! | `layer` | the offset as points, and the sides of parts that fail, for the view |
+//! | `numbers` | the numbers that a lesson may bound |
 //! | `tighten` | what a solver could do about it |
 //! | `report` | all numbers |
 //! | `report_page` | the report on one page, as PDF and SVG |
 //! | `tables` | lists of panels, beams, pieces, edges, nodes and types |
-//! | `solids` | panels, offset and beams in space |
-//! | `presentation` | shape, offset and beams in space as one file |
+//! | `space` | the shape with its offset and beams in space |
 //! | `output` | all files of a build |
 
 mod alike;
 pub mod beam;
 mod build;
 mod check_card;
+mod cutting;
 mod fault;
 pub mod file;
+mod holes;
 mod layer;
+mod numbers;
 pub mod offset;
 mod output;
 pub mod panel;
 pub mod paper;
-mod presentation;
 mod report;
 mod report_page;
 mod settings;
 pub mod sheet;
-mod solids;
+mod space;
 mod surface;
 mod tables;
 mod tighten;
@@ -58,12 +62,13 @@ pub use alike::Types;
 pub use build::{Build, CutPanel, LengthInMetres, NotCut};
 pub use check_card::{CheckRow, Failed, Worst};
 pub use fault::Fault;
+pub use numbers::{BUILD_NUMBERS, BuildNumber, NumberUnit};
 pub use offset::OffsetKind;
 pub use output::BuildFile;
 pub use paper::Pieces;
-pub use presentation::PRESENTATION;
 pub use report::{BuildReport, Choice, FrameReport, OffsetReport, PaperReport};
 pub use report_page::{ReportPage, ReportView};
 pub use settings::{BuildPreset, BuildSettings, CheckLimits, Dxf, PRESETS, Page, Product};
+pub use space::{PRESENTATION, SpatialPart};
 pub use surface::{Edge, PanelSurface};
 pub use tighten::{PanelRemedy, Tighten};

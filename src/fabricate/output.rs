@@ -2,7 +2,7 @@
 
 use super::build::Build;
 use super::file::{dxf, pdf, svg};
-use super::solids::solids;
+use super::space::solids;
 use super::tables;
 use crate::mesh::write_obj;
 

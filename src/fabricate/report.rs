@@ -153,6 +153,10 @@ pub struct BuildReport {
     pub dropped_names: usize,
     /// Parts whose own name is smaller than 2 mm.
     pub small_names: usize,
+    /// Holes in parts.
+    pub holes: usize,
+    /// Holes that have no room.
+    pub dropped_holes: usize,
     /// Types of panels.
     pub types: usize,
     /// How many types of panels there are at each tolerance in mm of the building.
@@ -251,6 +255,8 @@ impl Build {
             least_joint_mm: [1.0, -1.0].map(|side| self.least_joint(side)),
             dropped_names: self.dropped_names,
             small_names: self.small_names,
+            holes: self.parts.iter().map(|part| part.holes.len()).sum(),
+            dropped_holes: self.dropped_holes,
             types: self.types.leaders.len(),
             types_curve: curve(&ALIKE_MM, self.flat.len(), |tolerance| {
                 panel_types(&self.flat, tolerance / building, self.settings.mirror)

@@ -36,6 +36,8 @@ pub struct BuildSettings {
     pub gap: f64,
     /// What the tool takes away: outlines are moved out by half of it.
     pub kerf: f64,
+    /// The diameter of holes along the edges where panels meet, and at the ends of fins; 0 drills none.
+    pub hole: f64,
     /// In which order parts are laid out.
     pub order: Order,
     /// How panels are named.
@@ -179,6 +181,7 @@ impl Default for BuildSettings {
             margin: 5.0,
             gap: 3.0,
             kerf: 0.0,
+            hole: 0.0,
             order: Order::Size,
             names: Names::Index,
             alike: 1.0,
@@ -269,6 +272,7 @@ impl BuildSettings {
             ("margin", self.margin, false),
             ("gap", self.gap, false),
             ("kerf", self.kerf, false),
+            ("hole", self.hole, false),
             ("alike", self.alike, false),
             ("tab", self.tab, false),
             ("alike_deg", self.alike_deg, false),

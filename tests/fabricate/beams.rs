@@ -194,3 +194,17 @@ fn without_an_outside_there_are_no_fins_and_it_says_so() {
     let names: Vec<_> = made.files().into_iter().map(|file| file.name).collect();
     assert_eq!(names, ["edges.csv", "nodes.csv", "summary.csv"]);
 }
+
+#[test]
+fn fins_have_a_hole_at_each_end_where_there_is_room() {
+    let made = build(&cube(), &BuildSettings { hole: 5.0, ..settings() });
+    let report = made.report();
+    assert_eq!((report.holes, report.dropped_holes), (24, 0));
+    for part in &made.parts {
+        let [p, q] = [part.holes[0].centre, part.holes[1].centre];
+        // Half a metre and more between them at 1:10, on the middle line of the fin.
+        assert!((p[0] - q[0]).hypot(p[1] - q[1]) > 50.0, "{}", part.name);
+    }
+    let none = build(&cube(), &BuildSettings { hole: 15.0, ..settings() }).report();
+    assert_eq!((none.holes, none.dropped_holes), (0, 24));
+}

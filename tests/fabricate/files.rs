@@ -5,8 +5,8 @@ use super::identities::revolution;
 use super::{build, dxf, metres};
 use shape_up::fabricate::file::{self, svg};
 use shape_up::fabricate::panel::area;
-use shape_up::fabricate::sheet::Order;
-use shape_up::fabricate::{Build, BuildSettings, Dxf};
+use shape_up::fabricate::sheet::{Inscription, Order, Place, label};
+use shape_up::fabricate::{Build, BuildSettings, Dxf, Pieces, Product};
 use shape_up::mesh::Mesh;
 
 /// A vault in metres, 1:10 on several sheets.
@@ -186,7 +186,10 @@ fn every_name_is_once_on_its_panel_and_every_inner_edge_is_named_from_both_sides
             .collect();
         let cut = made.cut[f].as_ref().unwrap();
         let outline = &made.parts[cut.part].outline;
-        let labels = shape_up::fabricate::sheet::label(outline, name, &neighbours, true);
+        let (with_arrow, turn) = (true, [1.0, 0.0]);
+        let (side_names, holes) = (&neighbours[..], &[][..]);
+        let own = Inscription { outline, name, neighbours: side_names, with_arrow, turn, holes };
+        let labels = label(own);
         let mut texts = labels.texts.clone();
         assert_eq!(texts.remove(0), *name);
         let mut expected: Vec<_> = neighbours.into_iter().flatten().collect();
@@ -199,14 +202,23 @@ fn every_name_is_once_on_its_panel_and_every_inner_edge_is_named_from_both_sides
 }
 
 #[test]
-fn names_stand_on_their_feet_on_the_sheet() {
+fn names_stand_on_their_feet_on_the_sheet_though_parts_do_not() {
     let made = build(&vault(), &settings());
     let places: Vec<_> = made.layout.sheets.iter().flat_map(|sheet| &sheet.places).collect();
     assert_eq!(places.len(), made.parts.len());
-    for place in places {
-        // What is written along the part is at most turned to read upwards.
-        assert!((-12.0..=90.001).contains(&place.turn_deg()), "{}", place.turn_deg());
+    // A name begins with a P, whose first stroke goes up.
+    let upwards = |place: &&Place| {
+        let stem = &made.parts[place.part].engraved[0];
+        let [[x, y], [u, v]] = [stem[0], stem[1]].map(|point| place.put(point));
+        let length = (u - x).hypot(v - y);
+        [(u - x) / length, (v - y) / length]
+    };
+    for place in &places {
+        let [x, y] = upwards(place);
+        // At most turned to the left, to read upwards.
+        assert!(x < 0.25 && y > -0.25, "{x} {y}");
     }
+    assert!(places.iter().any(|place| place.turn_deg().abs() > 100.0), "some lie on their heads");
 }
 
 #[test]
@@ -257,8 +269,82 @@ fn parts_lie_on_their_sheet_and_keep_the_gap() {
     }
 }
 
+#[test]
+fn trapezoids_lie_alternately_and_cover_most_of_the_sheet() {
+    // Much narrower at the top: in boxes of their own they would cover two thirds of a row.
+    let cone = grid(24, 2, |i, j| {
+        let (turns, radius) = (f64::from(i) / 24.0, 1.0 + 2.0 * f64::from(j));
+        let (c, s) = (shape_up::math::cosine(turns), shape_up::math::sine(turns));
+        [radius * c, radius * s, -0.5 * radius]
+    });
+    for (order, least) in [(Order::Size, 0.8), (Order::Names, 0.6)] {
+        let own = BuildSettings { scale: 15.0, sheet: [600.0, 320.0], order, ..settings() };
+        let made = build(&cone, &own);
+        let area_of = |place: &Place| area(&made.parts[place.part].outline);
+        let first: f64 = made.layout.sheets[0].places.iter().map(area_of).sum();
+        assert!(made.layout.sheets.len() > 1 && first > least * 600.0 * 320.0, "{first} {order:?}");
+    }
+}
+
+#[test]
+fn arcs_lie_in_each_other() {
+    // A ring of paper, cut into strips that are arcs: their boxes would fill a sheet each.
+    let ring = grid(24, 1, |i, j| {
+        let (turns, radius) = (0.25 * f64::from(i) / 24.0, 10.0 + f64::from(j));
+        [radius * shape_up::math::cosine(turns), radius * shape_up::math::sine(turns), 0.0]
+    });
+    let mut rings = Mesh::default();
+    for k in 0..4 {
+        let first = rings.positions.len() as u32;
+        rings.positions.extend(ring.positions.iter().map(|&[x, y, _]| [x, y, 5.0 * f64::from(k)]));
+        for face in ring.faces.iter() {
+            rings.faces.push(&face.iter().map(|v| v + first).collect::<Vec<_>>());
+        }
+    }
+    let own = BuildSettings {
+        product: Product::Paper,
+        pieces: Pieces::Across,
+        scale: 50.0,
+        ..BuildSettings::default()
+    };
+    let made = build(&rings, &own);
+    assert_eq!((made.parts.len(), made.layout.sheets.len()), (4, 1));
+    let outlines: Vec<Vec<[f64; 2]>> = made.layout.sheets[0]
+        .places
+        .iter()
+        .map(|place| made.parts[place.part].outline.iter().map(|&p| place.put(p)).collect())
+        .collect();
+    for (i, a) in outlines.iter().enumerate() {
+        for b in &outlines[..i] {
+            assert!(!cross(a, b) && between_sides(a, b) >= own.gap - 1e-9);
+        }
+    }
+}
+
+/// Whether any side of one polygon crosses one of another.
+fn cross(a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
+    let sides = |polygon: &[[f64; 2]]| -> Vec<[[f64; 2]; 2]> {
+        (0..polygon.len()).map(|k| [polygon[k], polygon[(k + 1) % polygon.len()]]).collect()
+    };
+    let turn = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
+        (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+    };
+    let others = sides(b);
+    sides(a).iter().any(|&[p, q]| {
+        others.iter().any(|&[r, s]| {
+            turn(p, q, r) * turn(p, q, s) < 0.0 && turn(r, s, p) * turn(r, s, q) < 0.0
+        })
+    })
+}
+
 /// The distance of two convex polygons that do not overlap; negative where no edge of either separates them.
 fn distance(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
+    let inside = a.iter().any(|&p| is_inside(b, p)) || b.iter().any(|&p| is_inside(a, p));
+    if inside { -1.0 } else { between_sides(a, b) }
+}
+
+/// The least distance of a corner of one polygon to a side of the other.
+fn between_sides(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
     let corner_to_side = |p: [f64; 2], a: [f64; 2], b: [f64; 2]| {
         let (s, t) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
         let share = ((s[0] * t[0] + s[1] * t[1]) / (s[0] * s[0] + s[1] * s[1])).clamp(0.0, 1.0);
@@ -271,8 +357,54 @@ fn distance(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
             sides.flat_map(|(p, q)| a.iter().map(move |&corner| corner_to_side(corner, p, q)));
         all.fold(f64::INFINITY, f64::min)
     };
-    let inside = a.iter().any(|&p| is_inside(b, p)) || b.iter().any(|&p| is_inside(a, p));
-    if inside { -1.0 } else { between(a, b).min(between(b, a)) }
+    between(a, b).min(between(b, a))
+}
+
+#[test]
+fn holes_lie_opposite_each_other_and_nothing_is_written_over_them() {
+    let mesh = grid(4, 3, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
+    let own = BuildSettings { hole: 4.0, sheet: [900.0, 900.0], scale: 10.0, ..settings() };
+    let made = build(&mesh, &own);
+    let inner = made.surface.edges.iter().filter(|edge| !edge.is_rim()).count();
+    let report = made.report();
+    assert_eq!((report.holes, report.dropped_holes), (4 * inner, 0));
+    for part in &made.parts {
+        for hole in &part.holes {
+            let outline = hole.outline();
+            assert!(outline.iter().all(|&corner| is_inside(&part.outline, corner)));
+            let away = |[x, y]: [f64; 2]| (x - hole.centre[0]).hypot(y - hole.centre[1]);
+            assert!(part.engraved.iter().flatten().all(|&point| away(point) > hole.radius));
+        }
+    }
+    // Across an edge, the joint between them, each 1.5 diameters from its side.
+    for (edge, e) in made.surface.edges.iter().zip(0..) {
+        let [Some(f), Some(g)] = edge.panels else { continue };
+        let along = |f: u32| -> Vec<f64> {
+            let cut = made.cut[f as usize].as_ref().unwrap();
+            let k = made.surface.sides.row(f as usize).iter().position(|&s| s == e).unwrap();
+            let (p, q) = (cut.whole[k], cut.whole[(k + 1) % cut.whole.len()]);
+            let length = (q[0] - p[0]).hypot(q[1] - p[1]);
+            let t = [(q[0] - p[0]) / length, (q[1] - p[1]) / length];
+            let local = made.parts[cut.part].holes.iter().map(|hole| {
+                let [x, y] = [hole.centre[0] - p[0], hole.centre[1] - p[1]];
+                [x * t[0] + y * t[1], x * -t[1] + y * t[0]]
+            });
+            let beside = local.filter(|[_, y]| (y - (0.5 + 6.0)).abs() < 1e-9);
+            let mut found: Vec<f64> = beside.map(|[x, _]| x).collect();
+            found.sort_by(f64::total_cmp);
+            found.into_iter().chain([length]).collect()
+        };
+        let [a, b] = [along(f), along(g)];
+        let (n, length) = (a.len() - 1, a[a.len() - 1]);
+        assert_eq!((n, b.len() - 1), (2, 2));
+        assert!((a[0] - (length - b[1])).abs() < 1e-9 && (a[1] - (length - b[0])).abs() < 1e-9);
+    }
+    let [text] = &texts(&made, ".dxf")[..] else { panic!("one sheet") };
+    let (closed, _) = polylines(text);
+    assert_eq!(closed.iter().filter(|(layer, _)| layer == "HOLE").count(), 4 * inner);
+    // Panels that are too small have none, and it is said how many are missing.
+    let small = build(&mesh, &BuildSettings { scale: 100.0, ..own }).report();
+    assert_eq!((small.holes, small.dropped_holes), (0, 4 * inner));
 }
 
 #[test]

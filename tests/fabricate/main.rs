@@ -18,6 +18,7 @@ mod glb;
 mod identities;
 mod paper;
 mod report_page;
+mod space;
 
 use shape_up::fabricate::{Build, BuildSettings, LengthInMetres};
 use shape_up::mesh::Mesh;

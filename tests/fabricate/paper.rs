@@ -363,3 +363,16 @@ fn real_and_awkward_meshes_are_folded_without_a_panic() {
         }
     }
 }
+
+#[test]
+fn strips_that_are_longer_than_the_sheet_are_cut_evenly() {
+    // 23 panels of 30 mm, of which some 13 fit on a sheet of A3.
+    let vault = grid(23, 3, |i, j| [f64::from(i), f64::from(j), 0.002 * f64::from(i * i)]);
+    let made = build(
+        &vault,
+        &BuildSettings { scale: 1000.0 / 30.0, tab: 6.0, ..settings(Pieces::Across) },
+    );
+    let mut lengths: Vec<usize> = made.parts.iter().map(|part| part.panels.len()).collect();
+    lengths.sort_unstable();
+    assert_eq!(lengths, [11, 11, 11, 12, 12, 12]);
+}

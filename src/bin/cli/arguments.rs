@@ -75,6 +75,7 @@ pub(super) struct Build {
     pub(super) page: Option<Page>,
     pub(super) material: Option<String>,
     pub(super) thickness: Option<f64>,
+    pub(super) hole: Option<f64>,
     pub(super) kind: Option<OffsetKind>,
     pub(super) distance: Option<f64>,
     pub(super) joint: Option<f64>,
@@ -249,6 +250,7 @@ fn build(mut words: Words) -> Result<Command, String> {
             "--page" => build.page = Some(words.word_of(&name, Page::ALL, Page::word)?),
             "--material" => build.material = Some(words.text(&name)?),
             "--thickness" => build.thickness = Some(words.not_negative(&name)?),
+            "--hole" => build.hole = Some(words.not_negative(&name)?),
             "--kind" => {
                 build.kind = Some(words.word_of(&name, OffsetKind::ALL, OffsetKind::word)?);
             }

@@ -71,6 +71,7 @@ fn settings(asked: &arguments::Build, scene: &Scene) -> BuildSettings {
         page: asked.page.unwrap_or(own.page),
         material: asked.material.clone().unwrap_or(own.material),
         thickness: asked.thickness.unwrap_or(own.thickness),
+        hole: asked.hole.unwrap_or(own.hole),
         kind: asked.kind.or(own.kind),
         distance: asked.distance.or(own.distance),
         joint: asked.joint.unwrap_or(own.joint),
@@ -117,6 +118,9 @@ fn words(report: &BuildReport, remarks: &[String]) -> String {
             "names without room: {} of neighbours left out, {} smaller than 2 mm",
             report.dropped_names, report.small_names
         ));
+    }
+    if report.holes + report.dropped_holes > 0 {
+        lines.push(format!("holes {}, without room {}", report.holes, report.dropped_holes));
     }
     lines.extend(report.problems.iter().map(|problem| format!("problem: {problem}")));
     lines.extend(remarks.iter().map(|remark| format!("note: {remark}")));

@@ -17,7 +17,7 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
                 [--out FILE.obj|FILE.mesh] [--report FILE.json] [--trace]
        shape-up build SCENE|MESH [--product {}] [--kind {}]
                 [--distance D] [--joint J] [--scale S] [--material NAME]
-                [--thickness T] [--sheet WxH] [--pieces {}]
+                [--thickness T] [--sheet WxH] [--hole D] [--pieces {}]
                 [--page {}] [--out DIR] [--report FILE.json]
                 [--report-page FILE.pdf [--link URL]]
        shape-up refine SCENE|MESH [--scheme {}] [--levels N]
@@ -51,10 +51,10 @@ A MESH is solved with the settings that keep it whole, a scene with its own.
 --trace records the energies of every iteration, in the report and on standard output.
 build lays panels, fins along the edges, or a paper model of strips or nets flat on sheets, and checks
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
-tables (CSV) and, with fins, the beams as solids (OBJ). D, negative inwards, and the joint J between
-panels are lengths in the unit of the mesh; the model is 1:S; the material is T mm thick, a sheet W by
-H mm; the PDF is tiled to a --page. What is not given is as in the `build` of the scene. --report-page
-is the report on one page of A4 (PDF): picture, plan, build check, bill of materials, and the --link.
+tables (CSV) and, with fins, the beams as solids (OBJ). The distance D, negative inwards, and the joint J
+between panels are lengths in the unit of the mesh; the model is 1:S; the material is T mm thick, a sheet
+W by H mm; holes of --hole mm for dowels or ties are drilled along edges and at the ends of fins; the PDF is
+tiled to a --page. What is not given is as in the `build` of the scene. --report-page is the report on one page of A4 (PDF): picture, plan, build check, bill of materials, and the --link.
 refine makes several faces of each, N times; the boundary is a curve of its own, and creases and corners
 that turn by more than DEGREES (75) stay sharp. With --panels it solves before the first level and after
 each. The scene goes along: --out writes the mesh, or where the name ends in .json, the scene with it.

@@ -1,7 +1,7 @@
 //! A sheet as lines, each with its role: what all formats write.
 
 use crate::fabricate::panel::Point2;
-use crate::fabricate::sheet::{CutPart, Role, Sheet, strokes, text_width};
+use crate::fabricate::sheet::{CutPart, Hole, Role, Sheet, strokes, text_width};
 
 /// A polyline of a sheet.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,8 +10,8 @@ pub struct DrawnLine {
     pub role: Role,
     /// Its points in mm from the lower left corner of the sheet.
     pub points: Vec<Point2>,
-    /// Whether the last point leads to the first, which is not repeated: so it is for outlines, and for nothing
-    /// else.
+    /// Whether the last point leads to the first, which is not repeated: so it is for outlines and holes, and for
+    /// nothing else.
     pub closed: bool,
     /// The name of its part; empty for the sheet's own lines.
     pub part: String,
@@ -44,7 +44,7 @@ pub struct Drawing {
 const TITLE: f64 = 2.5;
 
 impl Drawing {
-    /// Draws a sheet. `outlines_only` leaves out everything else.
+    /// Draws a sheet. `outlines_only` leaves out everything but them and holes.
     pub fn new(
         name: String,
         title: String,
@@ -62,8 +62,10 @@ impl Drawing {
             for place in &sheet.places {
                 let part = &parts[place.part];
                 let put = |points: &Vec<Point2>| points.iter().map(|&p| place.put(p)).collect();
+                let holes: Vec<Vec<Point2>> = part.holes.iter().map(Hole::outline).collect();
                 let (lines, closed): (&[Vec<Point2>], bool) = match role {
                     Role::Cut => (std::slice::from_ref(&part.outline), true),
+                    Role::Hole => (&holes, true),
                     _ if outlines_only => continue,
                     Role::Engrave => (&part.engraved, false),
                     Role::Fold => (&part.ridges, false),
@@ -75,7 +77,7 @@ impl Drawing {
                     points: put(points),
                     closed,
                     part: part.name.clone(),
-                    panels: if closed { part.panels.clone() } else { Vec::new() },
+                    panels: if role == Role::Cut { part.panels.clone() } else { Vec::new() },
                 }));
             }
         }

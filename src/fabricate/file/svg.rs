@@ -2,7 +2,7 @@
 //! without transforms, styles or references, which simple readers ignore; a group for each layer, as Inkscape
 //! has them.
 
-use super::drawing::Drawing;
+use super::drawing::{Drawing, DrawnLine};
 use super::number::places;
 use crate::fabricate::panel::Point2;
 use crate::fabricate::sheet::Role;
@@ -26,13 +26,15 @@ pub fn svg(drawing: &Drawing) -> String {
         let lines: Vec<_> = lines.collect();
         // The names on a part are one path: programs and pages have less to hold.
         for own in lines.chunk_by(|a, b| role != Role::Cut && a.part == b.part) {
-            let path: String = own.iter().map(|line| path(&line.points, drawing.size[1])).collect();
+            let path = |line: &&DrawnLine| {
+                path(&line.points, drawing.size[1]) + if line.closed { "Z" } else { "" }
+            };
+            let path: String = own.iter().map(path).collect();
             let part = escaped(&own[0].part);
             match role {
                 Role::Cut => {
-                    text += &format!(
-                        "<path id=\"{part}\" d=\"{path}Z\"><title>{part}</title></path>\n"
-                    );
+                    text +=
+                        &format!("<path id=\"{part}\" d=\"{path}\"><title>{part}</title></path>\n");
                 }
                 _ => text += &format!("<path d=\"{path}\"/>\n"),
             }

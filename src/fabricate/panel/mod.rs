@@ -22,4 +22,4 @@ pub use inset::inset;
 pub use name::{Names, panel_names};
 pub(super) use plane::plane_distance;
 pub use polygon::{Point2, area, hull, is_simple, perimeter, roomiest_point, smallest_box};
-pub(super) use polygon::{direction_of, distance_to_outline, is_inside, rotated};
+pub(super) use polygon::{direction_of, distance_to_outline, dot, is_inside, rotated, sides};

@@ -13,7 +13,7 @@ pub(super) fn cross([a, b]: Point2, [c, d]: Point2) -> f64 {
     a * d - b * c
 }
 
-pub(super) fn dot([a, b]: Point2, [c, d]: Point2) -> f64 {
+pub(in crate::fabricate) fn dot([a, b]: Point2, [c, d]: Point2) -> f64 {
     a * c + b * d
 }
 
@@ -22,7 +22,7 @@ pub(super) fn length([a, b]: Point2) -> f64 {
 }
 
 /// The sides of a polygon.
-pub(super) fn sides(polygon: &[Point2]) -> impl Iterator<Item = [Point2; 2]> + '_ {
+pub(in crate::fabricate) fn sides(polygon: &[Point2]) -> impl Iterator<Item = [Point2; 2]> + '_ {
     crate::math::polygon_sides(polygon)
 }
 

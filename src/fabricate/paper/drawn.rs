@@ -3,7 +3,7 @@
 use super::model::{Glue, PaperModel};
 use super::net::OutlineSide;
 use crate::fabricate::panel::{Point2, direction_of, rotated, smallest_box};
-use crate::fabricate::sheet::{CutPart, label, strokes, text_width, upright};
+use crate::fabricate::sheet::{CutPart, Inscription, label, strokes, text_width, upright};
 use crate::math::sort_by_number;
 
 /// Dashes of a valley are so long, in mm, and gaps between them this part of it.
@@ -17,46 +17,43 @@ const LEAST: f64 = 1.8;
 /// Folds of less, in radians, are none: nothing is scored between two panels of one plane.
 const FLAT: f64 = 1e-3;
 
-/// How pieces are printed.
-#[derive(Clone, Copy, Debug)]
-pub struct PaperStyle {
-    /// On the side that will be inside: mirrored, and ridges are valleys.
-    pub inside: bool,
-    /// Whether names are printed.
-    pub names: bool,
+/// Where a point of a piece is on its part: mirrored where that is asked for, then turned.
+#[derive(Clone, Copy)]
+struct Put {
+    inside: bool,
+    turn: Point2,
 }
 
-/// The piece of this number with the names of panels, and how many of the names of neighbours have no room, and how
-/// many panels have a name that is too small to be read well.
-pub fn drawn(
-    model: &PaperModel,
-    number: usize,
-    names: &[String],
-    style: PaperStyle,
-) -> (CutPart, usize, usize) {
-    let (net, piece) = (&model.net, model.pieces[number]);
-    let mirrored = |[x, y]: Point2| if style.inside { [-x, y] } else { [x, y] };
-    let outline = net.outline(piece).unwrap_or_default();
-    let tab_on = |side: &OutlineSide| model.tabs(piece).find(|tab| tab.side == *side);
+impl Put {
+    fn put(self, [x, y]: Point2) -> Point2 {
+        rotated(if self.inside { [-x, y] } else { [x, y] }, self.turn)
+    }
+}
+
+/// The outline of a piece with its tabs, counterclockwise on its part, and where its points are there.
+fn outline(model: &PaperModel, piece: u32, inside: bool) -> (Vec<Point2>, Put) {
+    let as_it_is = Put { inside, turn: [1.0, 0.0] };
     let mut points: Vec<Point2> = Vec::new();
-    for side in &outline {
-        let [p, _] = net.ends((side.facet, side.side));
-        points.push(mirrored(p));
-        if let Some(tab) = tab_on(side) {
-            points.extend(tab.corners[1..3].iter().map(|&corner| mirrored(corner)));
+    for side in model.net.outline(piece).unwrap_or_default() {
+        let [p, _] = model.net.ends((side.facet, side.side));
+        points.push(as_it_is.put(p));
+        if let Some(tab) = model.tabs(piece).find(|tab| tab.side == side) {
+            points.extend(tab.corners[1..3].iter().map(|&corner| as_it_is.put(corner)));
         }
     }
-    if style.inside {
+    if inside {
         points.reverse();
     }
     points.dedup();
     let (turn, _) = smallest_box(&points);
-    let put = |point: Point2| rotated(mirrored(point), turn);
-    let mut part = CutPart {
-        name: format!("S{}", number + 1),
-        outline: points.into_iter().map(|point| rotated(point, turn)).collect(),
-        ..CutPart::default()
-    };
+    (points.into_iter().map(|point| rotated(point, turn)).collect(), Put { inside, turn })
+}
+
+/// The piece of this number: outline and folds.
+pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
+    let (net, piece) = (&model.net, model.pieces[number]);
+    let (outline, place) = outline(model, piece, inside);
+    let mut part = CutPart { name: format!("S{}", number + 1), outline, ..CutPart::default() };
     for &f in &net.pieces[piece as usize] {
         for k in 0..net.facets[f as usize].corners.len() as u32 {
             let Some(joint) = net.facets[f as usize].joints[k as usize] else { continue };
@@ -70,53 +67,70 @@ pub fn drawn(
             if !is_drawn {
                 continue;
             }
-            let [p, q] = net.ends((f, k)).map(put);
-            match (fold >= 0.0) != style.inside {
+            let [p, q] = net.ends((f, k)).map(|point| place.put(point));
+            match (fold >= 0.0) != inside {
                 true => part.ridges.push(vec![p, q]),
                 false => part.valleys.extend(dashes(p, q)),
             }
         }
     }
-    let mut panels: Vec<u32> =
+    part.panels =
         net.pieces[piece as usize].iter().map(|&f| net.facets[f as usize].panel).collect();
-    panels.dedup();
+    part.panels.dedup();
+    part
+}
+
+/// Engraves on a piece, turned so on its sheet, the names of panels and of neighbours: how many of those have no room, and
+/// how many panels have a name that is too small to be read well.
+pub fn write_names(
+    part: &mut CutPart,
+    (model, number): (&PaperModel, usize),
+    names: &[String],
+    inside: bool,
+    turn: Point2,
+) -> (usize, usize) {
+    let piece = model.pieces[number];
+    let (_, place) = outline(model, piece, inside);
+    let put = |point: Point2| place.put(point);
     let (mut dropped, mut small) = (0, 0);
-    if style.names {
-        for &panel in &panels {
-            for own in name_places(model, piece, panel) {
-                let sides = own.iter().map(|&side| named_side(model, names, side, &put));
-                let (mut polygon, mut beside): (Vec<Point2>, Vec<_>) = sides.unzip();
-                if style.inside {
-                    // Counterclockwise again: each name stays with its side.
-                    polygon.reverse();
-                    beside.reverse();
-                    beside.rotate_left(1);
-                }
-                let name = &names[panel as usize];
-                let mut labels = label(&polygon, name, &beside, false);
-                // The first panel also says which piece it is, where that costs nothing else.
-                if part.engraved.is_empty() {
-                    let both = label(&polygon, &format!("{}: {name}", part.name), &beside, false);
-                    if !both.small && both.dropped == labels.dropped {
-                        labels = both;
-                    }
-                }
-                part.engraved.extend(labels.lines);
-                dropped += labels.dropped;
-                small += usize::from(labels.small);
+    for &panel in &part.panels {
+        for own in name_places(model, piece, panel) {
+            let sides = own.iter().map(|&side| named_side(model, names, side, &put));
+            let (mut polygon, mut beside): (Vec<Point2>, Vec<_>) = sides.unzip();
+            if inside {
+                // Counterclockwise again: each name stays with its side.
+                polygon.reverse();
+                beside.reverse();
+                beside.rotate_left(1);
             }
-        }
-        for tab in model.tabs(piece) {
-            if let Some((height, name)) = tab_name(model, names, tab.side) {
-                let corners = tab.corners.map(put);
-                let centre = [0, 1].map(|x| 0.25 * corners.iter().map(|p| p[x]).sum::<f64>());
-                let along = upright(direction_of(corners[0], corners[3]));
-                part.engraved.extend(strokes(&name, height, centre, along));
+            let (outline, neighbours, with_arrow) = (&polygon[..], &beside[..], false);
+            let holes = &[][..];
+            let named = |name: &str| {
+                label(Inscription { outline, name, neighbours, with_arrow, turn, holes })
+            };
+            let name = &names[panel as usize];
+            let mut labels = named(name);
+            // The first panel also says which piece it is, where that costs nothing else.
+            if part.engraved.is_empty() {
+                let both = named(&format!("{}: {name}", part.name));
+                if !both.small && both.dropped == labels.dropped {
+                    labels = both;
+                }
             }
+            part.engraved.extend(labels.lines);
+            dropped += labels.dropped;
+            small += usize::from(labels.small);
         }
     }
-    part.panels = panels;
-    (part, dropped, small)
+    for tab in model.tabs(piece) {
+        if let Some((height, name)) = tab_name(model, names, tab.side) {
+            let corners = tab.corners.map(put);
+            let centre = [0, 1].map(|x| 0.25 * corners.iter().map(|p| p[x]).sum::<f64>());
+            let along = upright(direction_of(corners[0], corners[3]), turn);
+            part.engraved.extend(strokes(&name, height, centre, along));
+        }
+    }
+    (dropped, small)
 }
 
 /// Where the names of a panel go: round all of it where it is in one piece, else round each of its facets.

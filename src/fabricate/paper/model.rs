@@ -2,7 +2,7 @@
 
 use super::facet::facets;
 use super::net::PaperNet;
-use super::strip::{Pieces, foldable};
+use super::strip::{Foldable, Pieces, foldable};
 use super::tab::{Tab, tab};
 use crate::fabricate::panel::{FlatPanel, Point2};
 use crate::fabricate::surface::PanelSurface;
@@ -56,12 +56,10 @@ impl PaperModel {
         let (facets, joints, without) = facets(surface, flat, size.model);
         let order = foldable(surface, &joints, pieces);
         let is_without_quads = order.is_none();
-        let order = order.or_else(|| foldable(surface, &joints, Pieces::Nets)).unwrap_or_default();
-        let mut net = PaperNet::new(facets, joints);
-        let room = size.room.map(|side| side - 2.0 * size.tab);
-        for joint in order {
-            net.fold(joint, room, size.tab);
-        }
+        let order = order.or_else(|| foldable(surface, &joints, Pieces::Nets));
+        let unfolded = PaperNet::new(facets, joints);
+        let mut net =
+            order.map_or_else(|| unfolded.clone(), |order| folded(&unfolded, &order, size));
         let mut pieces: Vec<u32> =
             (0..net.pieces.len() as u32).filter(|&p| !net.pieces[p as usize].is_empty()).collect();
         net.pieces.iter_mut().for_each(|own| own.sort_unstable());
@@ -77,6 +75,29 @@ impl PaperModel {
             _ => None,
         })
     }
+}
+
+/// All joints folded that may be and can. Strips that are too long for the sheet are cut evenly where that makes no more
+/// pieces.
+fn folded(unfolded: &PaperNet, order: &Foldable, size: PaperSize) -> PaperNet {
+    let room = size.room.map(|side| side - 2.0 * size.tab);
+    let all = |cuts: &[bool]| {
+        let mut net = unfolded.clone();
+        for &joint in order.always.iter().chain(order.strips.iter().flatten()) {
+            if !cuts[joint as usize] {
+                net.fold(joint, room, size.tab);
+            }
+        }
+        net
+    };
+    let longest = all(&vec![false; unfolded.joints.len()]);
+    let cuts = order.even_cuts(&longest.folded);
+    if !cuts.contains(&true) {
+        return longest;
+    }
+    let even = all(&cuts);
+    let count = |net: &PaperNet| net.pieces.iter().filter(|own| !own.is_empty()).count();
+    if count(&even) <= count(&longest) { even } else { longest }
 }
 
 /// Tabs on the piece that comes first, else on the other side.

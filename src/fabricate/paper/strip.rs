@@ -33,17 +33,41 @@ impl Pieces {
     }
 }
 
-/// The joints that may be folded, in order: creases first. None where strips are asked for and there are no quads.
+/// The joints that may be folded.
+pub(super) struct Foldable {
+    /// In any case, in order: creases, and the edges of nets.
+    pub always: Vec<u32>,
+    /// One after another along each strip.
+    pub strips: Vec<Vec<u32>>,
+}
+
+impl Foldable {
+    /// Of all `joints`, those at which strips end early so that each is cut into pieces of about as many panels as there
+    /// would be pieces if each were as long as possible, as in `folded`.
+    pub(super) fn even_cuts(&self, folded: &[bool]) -> Vec<bool> {
+        let mut cuts = vec![false; folded.len()];
+        for strip in &self.strips {
+            let pieces = 1 + strip.iter().filter(|&&joint| !folded[joint as usize]).count();
+            let panels = strip.len() + 1;
+            (1..pieces).for_each(|k| cuts[strip[k * panels / pieces - 1] as usize] = true);
+        }
+        cuts
+    }
+}
+
+/// The joints that may be folded. None where strips are asked for and there are no quads.
 pub(super) fn foldable(
     surface: &PanelSurface,
     joints: &[Joint],
     pieces: Pieces,
-) -> Option<Vec<u32>> {
-    let (mut creases, mut of_edges): (Vec<u32>, Vec<u32>) =
+) -> Option<Foldable> {
+    let (mut always, mut of_edges): (Vec<u32>, Vec<u32>) =
         (0..joints.len() as u32).partition(|&j| joints[j as usize].edge.is_none());
+    let mut own_strips = Vec::new();
     match pieces {
         Pieces::Nets => {
             sort_by_number(&mut of_edges, |&j| key_of_number(joints[j as usize].fold.abs()));
+            always.extend(of_edges);
         }
         Pieces::Strips | Pieces::Across => {
             let along = strips(surface, usize::from(pieces == Pieces::Across))?;
@@ -53,17 +77,19 @@ pub(super) fn foldable(
                     of_edge[edge as usize] = Some(j);
                 }
             }
-            of_edges = along.into_iter().filter_map(|edge| of_edge[edge as usize]).collect();
+            let joints = |strip: Vec<u32>| {
+                strip.into_iter().filter_map(|edge| of_edge[edge as usize]).collect()
+            };
+            own_strips = along.into_iter().map(joints).collect();
         }
     }
-    creases.extend(of_edges);
-    Some(creases)
+    Some(Foldable { always, strips: own_strips })
 }
 
-/// The edges that strips of quads cross, strip after strip; the strip through the first quad of a part leads through
+/// The edges that strips of quads cross, strip by strip; the strip through the first quad of a part leads through
 /// its side `first`. None without quads. Where the mesh is no grid the direction turns at some edge, and a strip
 /// ends there.
-fn strips(surface: &PanelSurface, first: usize) -> Option<Vec<u32>> {
+fn strips(surface: &PanelSurface, first: usize) -> Option<Vec<Vec<u32>>> {
     let faces = surface.faces.len();
     let is_quad = |f: u32| surface.faces.row(f as usize).len() == 4;
     let sides = |f: u32| surface.sides.row(f as usize);
@@ -98,7 +124,7 @@ fn strips(surface: &PanelSurface, first: usize) -> Option<Vec<u32>> {
         (crossed[g as usize] == Some(back % 2)).then_some((e, g, (back + 2) % 4))
     };
     let mut is_seen = vec![false; faces];
-    let mut edges = Vec::new();
+    let mut strips = Vec::new();
     for start in 0..faces as u32 {
         let Some(own) = crossed[start as usize].filter(|_| !is_seen[start as usize]) else {
             continue;
@@ -113,6 +139,7 @@ fn strips(surface: &PanelSurface, first: usize) -> Option<Vec<u32>> {
         }
         k = (k + 2) % 4;
         is_seen[f as usize] = true;
+        let mut edges = Vec::new();
         while let Some((e, g, on)) = ahead(f, k) {
             if std::mem::replace(&mut is_seen[g as usize], true) {
                 break;
@@ -120,6 +147,7 @@ fn strips(surface: &PanelSurface, first: usize) -> Option<Vec<u32>> {
             edges.push(e);
             (f, k) = (g, on);
         }
+        strips.push(edges);
     }
-    Some(edges)
+    Some(strips)
 }

@@ -1,10 +1,11 @@
 //! Names inside an outline: its own in the middle, an arrow to edge 0 where it is asked for, and along each edge that of the
-//! neighbour. What does not fit is made smaller, down to a height that can still be read, and then left out
-//! and counted.
+//! neighbour, or across a short edge. What does not fit is made smaller, down to a height that can still be read, and then
+//! left out and counted. A part may lie on its head on its sheet: names stand on their feet there.
 
 use super::lettering::{strokes, text_width};
+use super::part::Hole;
 use crate::fabricate::panel::{
-    Point2, direction_of, distance_to_outline, is_inside, roomiest_point,
+    Point2, direction_of, distance_to_outline, is_inside, roomiest_point, rotated,
 };
 
 /// The letters of neighbours are at most so high, in mm.
@@ -19,6 +20,8 @@ const OWN: [f64; 3] = [1.7, 1.3, 1.0];
 const LEANING: f64 = 0.2;
 /// The name of a neighbour is at most this part of its edge long.
 const OF_EDGE: f64 = 0.7;
+/// Names of neighbours are this part of their greatest height before they are written across their edge.
+const SMALL: f64 = 0.7;
 /// Room around a text, in its heights.
 const ROOM: f64 = 0.35;
 
@@ -48,6 +51,10 @@ impl Box2 {
         let room = ROOM * height;
         let half = [0.5 * text_width(text, height) + room, 0.5 * height + room];
         Box2 { centre, along, half }
+    }
+
+    fn of_hole(hole: &Hole) -> Box2 {
+        Box2 { centre: hole.centre, along: [1.0, 0.0], half: [hole.radius; 2] }
     }
 
     fn corners(&self) -> [Point2; 4] {
@@ -89,19 +96,30 @@ impl Box2 {
     }
 }
 
-/// Labels for an outline in mm: its `name`, and for each of its edges the name of the neighbour there, if
-/// any. Edge `k` goes from corner `k` to the next one; an arrow to edge 0 is there where it is asked for.
-pub fn label(
-    outline: &[Point2],
-    name: &str,
-    neighbours: &[Option<String>],
-    with_arrow: bool,
-) -> Labels {
-    let room = roomiest_point(outline);
+/// What is written inside of an outline.
+#[derive(Clone, Copy, Debug)]
+pub struct Inscription<'a> {
+    /// The outline in mm, counterclockwise.
+    pub outline: &'a [Point2],
+    /// Its name.
+    pub name: &'a str,
+    /// For each edge the name of the neighbour there, if any. Edge `k` goes from corner `k` to the next one.
+    pub neighbours: &'a [Option<String>],
+    /// Whether an arrow shows edge 0.
+    pub with_arrow: bool,
+    /// The turn of the part on its sheet, as cosine and sine.
+    pub turn: Point2,
+    /// Holes in the part, which nothing is written over.
+    pub holes: &'a [Hole],
+}
+
+/// The labels that have room.
+pub fn label(own: Inscription<'_>) -> Labels {
+    let room = roomiest_point(own.outline);
     let mut best: Option<(usize, Labels)> = None;
-    for own in OWN {
-        let (labels, has_arrow) = label_of_height(outline, name, neighbours, with_arrow, room, own);
-        let missing = labels.dropped + usize::from(with_arrow && !has_arrow);
+    for height in OWN {
+        let (labels, has_arrow) = label_of_height(own, room, height);
+        let missing = labels.dropped + usize::from(own.with_arrow && !has_arrow);
         if best.as_ref().is_none_or(|(least, _)| missing < *least) {
             best = Some((missing, labels));
         }
@@ -114,10 +132,7 @@ pub fn label(
 
 /// The same with the `own` name so many times as high as those of the neighbours, and whether the arrow is there.
 fn label_of_height(
-    outline: &[Point2],
-    name: &str,
-    neighbours: &[Option<String>],
-    with_arrow: bool,
+    Inscription { outline, name, neighbours, with_arrow, turn, holes }: Inscription<'_>,
     (centre, radius): (Point2, f64),
     own: f64,
 ) -> (Labels, bool) {
@@ -134,12 +149,14 @@ fn label_of_height(
     let longest = longest.unwrap_or(0);
     let across = direction_of(outline[longest], outline[(longest + 1) % n]);
     let beside = (OF_RADIUS * radius).clamp(LEAST, TALLEST);
+    let mut taken: Vec<Box2> = holes.iter().map(Box2::of_hole).collect();
     let (mut height, mut own) = (own * beside, None);
-    // Along x, else along the longest edge, ever smaller until it is inside.
+    // Along the sheet, else along the longest edge, ever smaller until it is inside.
     while own.is_none() && height > 0.02 * beside {
-        for along in [[1.0, 0.0], upright(across)] {
+        for along in [[turn[0], -turn[1]], upright(across, turn)] {
             let found = Box2::of_text(name, height, centre, along);
-            if own.is_none() && found.is_in(outline) {
+            let is_free = found.is_in(outline) && taken.iter().all(|hole| found.is_apart(hole));
+            if own.is_none() && is_free {
                 own = Some(found);
             }
         }
@@ -154,46 +171,59 @@ fn label_of_height(
     labels.small = height < LEAST;
     labels.lines.extend(strokes(name, height, centre, own.along));
     labels.texts.push(name.to_owned());
-    let mut taken = vec![own];
+    taken.insert(0, own);
     let has_arrow = with_arrow && arrow(outline, &mut labels, &mut taken, height, radius);
     for (k, neighbour) in neighbours.iter().enumerate() {
         let Some(neighbour) = neighbour else { continue };
-        if !beside_edge(outline, k, neighbour, beside.min(height), &mut labels, &mut taken) {
-            labels.dropped += 1;
+        let edge = [outline[k], outline[(k + 1) % outline.len()]];
+        let found = beside_edge(outline, edge, (neighbour, beside.min(height)), turn, &taken);
+        match found {
+            Some((height, own)) => {
+                labels.lines.extend(strokes(neighbour, height, own.centre, own.along));
+                labels.texts.push(neighbour.clone());
+                taken.push(own);
+            }
+            None => labels.dropped += 1,
         }
     }
     (labels, has_arrow)
 }
 
-/// The name of a neighbour inside its edge, read from inside; false where there is no room.
+/// The height of the name of a neighbour beside its edge, and its box: along the edge, else across it, as high as there is
+/// room, and at most `tallest`; none where it cannot be read.
 fn beside_edge(
     outline: &[Point2],
-    k: usize,
-    name: &str,
-    tallest: f64,
-    labels: &mut Labels,
-    taken: &mut Vec<Box2>,
-) -> bool {
-    let (p, q) = (outline[k], outline[(k + 1) % outline.len()]);
+    [p, q]: [Point2; 2],
+    (name, tallest): (&str, f64),
+    turn: Point2,
+    taken: &[Box2],
+) -> Option<(f64, Box2)> {
+    let length = distance(p, q);
     let along = direction_of(p, q);
     let inwards = [-along[1], along[0]];
     let mut height = tallest;
     loop {
-        let fits = text_width(name, height) <= OF_EDGE * distance(p, q);
-        // In the middle of the edge, else a little to either side.
-        for share in [0.5, 0.38, 0.62] {
-            let away = height * (0.5 + ROOM) + 0.4;
-            let centre = [0, 1].map(|x| p[x] + share * (q[x] - p[x]) + away * inwards[x]);
-            let own = Box2::of_text(name, height, centre, upright(along));
-            if fits && own.is_in(outline) && taken.iter().all(|other| own.is_apart(other)) {
-                labels.lines.extend(strokes(name, height, centre, own.along));
-                labels.texts.push(name.to_owned());
-                taken.push(own);
-                return true;
+        let width = text_width(name, height);
+        // Across it only where along it letters would become small.
+        let directions = [(along, true), (inwards, false)];
+        let tried = if height > SMALL * tallest { &directions[..1] } else { &directions };
+        for &(direction, is_along) in tried {
+            let [size, depth] = if is_along { [width, height] } else { [height, width] };
+            if size > OF_EDGE * length {
+                continue;
+            }
+            let away = 0.5 * depth + ROOM * height + 0.4;
+            // In the middle of the edge, else to either side.
+            for share in [0.5, 0.38, 0.62, 0.28, 0.72] {
+                let centre = [0, 1].map(|x| p[x] + share * (q[x] - p[x]) + away * inwards[x]);
+                let own = Box2::of_text(name, height, centre, upright(direction, turn));
+                if own.is_in(outline) && taken.iter().all(|other| own.is_apart(other)) {
+                    return Some((height, own));
+                }
             }
         }
         if height <= LEAST {
-            return false;
+            return None;
         }
         height = (0.8 * height).max(LEAST);
     }
@@ -223,7 +253,10 @@ fn arrow(
     }
     let found = room(away);
     let tip = [0, 1].map(|x| found.centre[x] + half[0] * along[x]);
-    if !found.is_in(outline) || distance_to_outline(outline, tip) < 0.2 * height {
+    if !taken.iter().all(|other| found.is_apart(other))
+        || !found.is_in(outline)
+        || distance_to_outline(outline, tip) < 0.2 * height
+    {
         return false;
     }
     let at = |x: f64, y: f64| {
@@ -237,10 +270,11 @@ fn arrow(
     true
 }
 
-/// The direction or its opposite, whichever does not put letters on their heads: what is nearly vertical reads
-/// upwards.
-pub(in crate::fabricate) fn upright([c, s]: Point2) -> Point2 {
-    if c < -LEANING || (c <= LEANING && s < 0.0) { [-c, -s] } else { [c, s] }
+/// The direction or its opposite, whichever does not put letters on their heads once the part is turned: what is nearly
+/// vertical on the sheet reads upwards.
+pub(in crate::fabricate) fn upright(along: Point2, turn: Point2) -> Point2 {
+    let [c, s] = rotated(along, turn);
+    if c < -LEANING || (c <= LEANING && s < 0.0) { along.map(|x| -x) } else { along }
 }
 
 fn distance([a, b]: Point2, [c, d]: Point2) -> f64 {
@@ -260,22 +294,41 @@ mod tests {
         })
     }
 
+    const AS_IT_IS: Point2 = [1.0, 0.0];
+
     #[test]
     fn the_own_name_is_larger_than_those_of_the_neighbours() {
         let outline = [[0.0, 0.0], [60.0, 0.0], [60.0, 60.0], [0.0, 60.0]];
-        let own = label(&outline, "H", &[], false);
-        let both = label(&outline, "H", &[Some("H".to_owned())], false);
+        let one = [Some("H".to_owned())];
+        let [own, both] = [&[][..], &one[..]].map(|neighbours| {
+            let (name, with_arrow, turn) = ("H", false, AS_IT_IS);
+            let holes = &[][..];
+            label(Inscription { outline: &outline, name, neighbours, with_arrow, turn, holes })
+        });
         let beside = &both.lines[own.lines.len()..];
         assert!(extent(&own.lines)[1] > 1.5 * extent(beside)[1]);
         assert_eq!((both.dropped, both.texts.len()), (0, 2));
     }
 
     #[test]
-    fn what_is_nearly_vertical_reads_upwards() {
+    fn names_at_the_ends_of_a_slender_part_lie_along_it() {
+        let outline = [[0.0, 0.0], [60.0, 0.0], [60.0, 5.0], [0.0, 5.0]];
+        let neighbours = [None, Some("N12".to_owned()), None, Some("N7".to_owned())];
+        let (name, with_arrow, turn) = ("B7-12", true, AS_IT_IS);
+        let (outline, neighbours, holes) = (&outline[..], &neighbours[..], &[][..]);
+        let found = label(Inscription { outline, name, neighbours, with_arrow, turn, holes });
+        assert_eq!((found.dropped, found.small), (0, false));
+        assert_eq!(found.texts, ["B7-12", "N12", "N7"]);
+    }
+
+    #[test]
+    fn what_is_nearly_vertical_reads_upwards_whatever_the_turn() {
         for degrees in (-180..180).step_by(5) {
             let (s, c) = libm::sincos(f64::from(degrees).to_radians());
-            let [x, y] = upright([c, s]);
-            assert!(x > 0.25 || (y > 0.0 && x > -0.25), "{degrees}");
+            for turn in [AS_IT_IS, [0.0, 1.0], [-1.0, 0.0]] {
+                let [x, y] = rotated(upright([c, s], turn), turn);
+                assert!(x > 0.25 || (y > 0.0 && x > -0.25), "{degrees}");
+            }
         }
     }
 }

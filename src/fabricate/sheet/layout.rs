@@ -1,8 +1,8 @@
-//! Parts on sheets: in shelves of their smallest boxes, on the first sheet and shelf that has room.
+//! Parts on sheets: of several ways to lay them in rows the one that takes least.
 
-use super::label::upright;
 use super::part::CutPart;
-use crate::fabricate::panel::{Point2, rotated, smallest_box};
+use super::shelf::{Resting, Shelves, resting};
+use crate::fabricate::panel::{Point2, rotated};
 use crate::math::{key_of_number, sort_by_number};
 use serde::{Deserialize, Serialize};
 
@@ -80,79 +80,75 @@ impl Layout {
     }
 }
 
-/// A row of boxes on a sheet.
-struct Shelf {
-    sheet: usize,
-    low: f64,
-    height: f64,
-    /// Where the next box begins.
-    next: f64,
-}
-
-/// Lays out all parts.
+/// Lays out all parts: in rows or in columns, along their longer side or across, whichever takes fewest sheets, and least of
+/// the last one. In the order of their names they lie in rows.
 pub fn lay_out(parts: &[CutPart], sheet: SheetSize, order: Order) -> Layout {
-    let [width, height] = sheet.size.map(|size| size - 2.0 * sheet.margin);
-    let mut layout = Layout::default();
-    let mut boxes: Vec<(usize, Point2, [f64; 2])> = Vec::new();
-    for (k, part) in parts.iter().enumerate() {
-        let (turn, size) = smallest_box(&part.outline);
-        // Wide, else high; either way names stand on their feet.
-        let wide = (upright(turn), size);
-        let high = (upright([-turn[1], turn[0]]), [size[1], size[0]]);
-        let fits = |size: [f64; 2]| size[0] <= width && size[1] <= height;
-        match [wide, high].into_iter().find(|(_, size)| fits(*size)) {
-            Some((turn, size)) => boxes.push((k, turn, size)),
-            None => layout.too_large.push(k),
-        }
-    }
-    if order == Order::Size {
-        // The highest first.
-        sort_by_number(&mut boxes, |(_, _, size)| key_of_number(-size[1]));
-    }
-    let mut shelves: Vec<Shelf> = Vec::new();
-    // Above the highest shelf of each sheet.
-    let mut free: Vec<f64> = Vec::new();
-    for (k, turn, size) in boxes {
-        let has_room = |shelf: &Shelf| size[1] <= shelf.height && shelf.next + size[0] <= width;
-        let found = match order {
-            Order::Size => shelves.iter().position(has_room),
-            // Only the last one, which nothing is above: it may grow.
-            Order::Names => shelves.len().checked_sub(1).filter(|&last| {
-                let Shelf { low, next, .. } = shelves[last];
-                next + size[0] <= width && low + size[1] <= height
-            }),
-        };
-        let own = found.unwrap_or_else(|| {
-            let from = match order {
-                Order::Size => 0,
-                Order::Names => free.len().saturating_sub(1),
-            };
-            let sheet_of = (from..free.len()).find(|&s| free[s] + size[1] <= height);
-            let s = sheet_of.unwrap_or_else(|| {
-                free.push(0.0);
-                layout.sheets.push(Sheet::default());
-                free.len() - 1
-            });
-            shelves.push(Shelf { sheet: s, low: free[s], height: 0.0, next: 0.0 });
-            shelves.len() - 1
-        });
-        let shelf = &mut shelves[own];
-        shelf.height = shelf.height.max(size[1]);
-        free[shelf.sheet] = free[shelf.sheet].max(shelf.low + shelf.height + sheet.gap);
-        let low = lower_left(&parts[k].outline, turn);
-        let corner = [sheet.margin + shelf.next, sheet.margin + shelf.low];
-        let offset = [corner[0] - low[0], corner[1] - low[1]];
-        layout.sheets[shelf.sheet].places.push(Place { part: k, turn, offset });
-        shelf.next += size[0] + sheet.gap;
-    }
-    layout
+    /// With more parts only the first way is tried.
+    const MOST_TRIED: usize = 3000;
+    let found = resting(parts);
+    let tried = if order == Order::Names || parts.len() > MOST_TRIED { 1 } else { WAYS.len() };
+    let all = WAYS[..tried].iter().map(|way| way.lay_out(&found, sheet, order));
+    let best = all.reduce(|best, other| {
+        let taken = |laid: &Laid| (laid.layout.too_large.len(), laid.layout.sheets.len());
+        let is_less = taken(&other) < taken(&best)
+            || (taken(&other) == taken(&best) && other.last < best.last - 1e-9);
+        if is_less { other } else { best }
+    });
+    best.map_or_else(Layout::default, |laid| laid.layout)
 }
 
-fn lower_left(outline: &[Point2], turn: Point2) -> Point2 {
-    let mut low = [f64::INFINITY; 2];
-    for point in outline {
-        let point = rotated(*point, turn);
-        low = [low[0].min(point[0]), low[1].min(point[1])];
+/// A way to lay parts out.
+struct Way {
+    /// In columns from the left, else in rows from below.
+    in_columns: bool,
+    /// Along the longer sides of parts, else across.
+    along: bool,
+}
+
+const WAYS: [Way; 4] = [
+    Way { in_columns: false, along: true },
+    Way { in_columns: false, along: false },
+    Way { in_columns: true, along: true },
+    Way { in_columns: true, along: false },
+];
+
+/// A layout, and the share of its last sheet that is taken.
+struct Laid {
+    layout: Layout,
+    last: f64,
+}
+
+impl Way {
+    fn lay_out(&self, parts: &[Resting], sheet: SheetSize, order: Order) -> Laid {
+        let mut layout = Layout::default();
+        let [width, height] = sheet.size.map(|size| size - 2.0 * sheet.margin);
+        let room = if self.in_columns { [height, width] } else { [width, height] };
+        let mut boxes: Vec<Resting> = Vec::new();
+        for (part, resting) in parts.iter().enumerate() {
+            let stances = [resting.clone(), resting.quarter_turned()];
+            let fits = |own: &&Resting| own.size[0] <= room[0] && own.size[1] <= room[1];
+            let mut own = stances.iter().filter(fits);
+            match if self.along { own.next() } else { own.next_back() } {
+                Some(own) => boxes.push(own.clone()),
+                None => layout.too_large.push(part),
+            }
+        }
+        if order == Order::Size {
+            // The highest first; those of one height stay in the order of their names.
+            sort_by_number(&mut boxes, |own| key_of_number(-own.step()));
+        }
+        let mut shelves = Shelves::new(room, sheet.gap, order);
+        for own in boxes {
+            let (number, Place { part, mut turn, offset: [mut x, mut y] }) = shelves.lay(own);
+            if self.in_columns {
+                // All turned to the right.
+                turn = rotated(turn, [0.0, -1.0]);
+                [x, y] = [y, height - x];
+            }
+            layout.sheets.resize_with(layout.sheets.len().max(number + 1), Sheet::default);
+            let offset = [x + sheet.margin, y + sheet.margin];
+            layout.sheets[number].places.push(Place { part, turn, offset });
+        }
+        Laid { layout, last: shelves.height_of_last() / room[1] }
     }
-    low
 }

@@ -5,15 +5,19 @@
 //! | `part` | a part to be cut: outline, engraved lines, what it was |
 //! | `lettering` | single-line letters |
 //! | `label` | names and an arrow inside an outline, where they fit |
-//! | `layout` | parts in shelves on as many sheets as it takes |
+//! | `layout` | sheets with parts, and where each part is |
+//! | `shelf` | parts in rows, each on its feet or on its head |
+//! | `clearance` | how near two parts may come to each other |
 
+mod clearance;
 mod label;
 mod layout;
 mod lettering;
 mod part;
+mod shelf;
 
 pub(super) use label::upright;
-pub use label::{Labels, label};
+pub use label::{Inscription, Labels, label};
 pub use layout::{Layout, Order, Place, Sheet, SheetSize, lay_out};
 pub use lettering::{strokes, text_width};
-pub use part::{CutPart, Role};
+pub use part::{CutPart, Hole, Role};

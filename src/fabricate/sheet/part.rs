@@ -1,12 +1,15 @@
 //! A part to be cut from a sheet.
 
 use crate::fabricate::panel::Point2;
+use crate::math::{cosine, sine};
 
 /// What a line is for: its layer and its colour in every file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// Cut through.
     Cut,
+    /// Cut through, inside of a part and before its outline.
+    Hole,
     /// Scored: a fold that is a ridge seen from the printed side.
     Fold,
     /// Scored from the other side: a fold that is a valley. Drawn as dashes.
@@ -18,13 +21,16 @@ pub enum Role {
 }
 
 impl Role {
-    /// All of them, in the order in which a machine should work: names, folds, then outlines.
-    pub const ALL: [Role; 5] = [Role::Sheet, Role::Engrave, Role::Fold, Role::Valley, Role::Cut];
+    /// All of them, in the order in which a machine should work: names, folds, holes, then
+    /// outlines.
+    pub const ALL: [Role; 6] =
+        [Role::Sheet, Role::Engrave, Role::Fold, Role::Valley, Role::Hole, Role::Cut];
 
     /// The name of its layer.
     pub fn layer(self) -> &'static str {
         match self {
             Role::Cut => "CUT",
+            Role::Hole => "HOLE",
             Role::Fold => "FOLD",
             Role::Valley => "VALLEY",
             Role::Engrave => "ENGRAVE",
@@ -36,6 +42,7 @@ impl Role {
     pub fn aci(self) -> u8 {
         match self {
             Role::Cut => 1,
+            Role::Hole => 30,
             Role::Fold => 5,
             Role::Valley => 6,
             Role::Engrave => 7,
@@ -47,11 +54,34 @@ impl Role {
     pub fn rgb(self) -> [u8; 3] {
         match self {
             Role::Cut => [255, 0, 0],
+            Role::Hole => [255, 127, 0],
             Role::Fold => [0, 0, 255],
             Role::Valley => [255, 0, 255],
             Role::Engrave => [0, 0, 0],
             Role::Sheet => [128, 128, 128],
         }
+    }
+}
+
+/// A round hole, in mm of the sheet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hole {
+    /// Its middle.
+    pub centre: Point2,
+    /// Its radius.
+    pub radius: f64,
+}
+
+impl Hole {
+    /// A closed polygon on the circle: machines that sort by closed outlines find nothing else in a file.
+    pub fn outline(&self) -> Vec<Point2> {
+        const CORNERS: u32 = 32;
+        let corner = |k: u32| {
+            let turns = f64::from(k) / f64::from(CORNERS);
+            let [x, y] = self.centre;
+            [x + self.radius * cosine(turns), y + self.radius * sine(turns)]
+        };
+        (0..CORNERS).map(corner).collect()
     }
 }
 
@@ -64,6 +94,8 @@ pub struct CutPart {
     pub panels: Vec<u32>,
     /// The closed outline that is cut, counterclockwise; the first corner is not repeated.
     pub outline: Vec<Point2>,
+    /// Holes in it.
+    pub holes: Vec<Hole>,
     /// Engraved polylines.
     pub engraved: Vec<Vec<Point2>>,
     /// Folds that are ridges seen from the printed side.

@@ -1,7 +1,7 @@
 //! The shape with its offset and beams in space, as one file for presentations.
 
-use super::build::Build;
-use super::file::{GlbPart, glb};
+use crate::fabricate::build::Build;
+use crate::fabricate::file::{GlbPart, glb};
 use crate::math::Vec3;
 
 /// The name of the file.

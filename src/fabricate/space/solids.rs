@@ -1,11 +1,12 @@
 //! The shape, its offset and its beams in space, as groups of one mesh in the unit and the place of the model.
 
-use super::build::{Build, beam_name};
+use crate::fabricate::beam::Prism;
+use crate::fabricate::build::{Build, beam_name};
 use crate::math::Vec3;
 use crate::mesh::{Group, GroupKeyword, Mesh};
 
 /// Panels, the offset, and every prism by its name; none where no beams are made.
-pub(super) fn solids(build: &Build) -> Option<Mesh> {
+pub(in crate::fabricate) fn solids(build: &Build) -> Option<Mesh> {
     let frame = build.frame.as_ref()?;
     let (axes, _) = build.offset.as_ref()?;
     let mut mesh = Mesh::default();
@@ -18,7 +19,7 @@ pub(super) fn solids(build: &Build) -> Option<Mesh> {
     add(&mut mesh, "offset", &moved(build.distance()), centre, faces());
     for (edge, prism) in build.surface.edges.iter().zip(&frame.prisms) {
         if let Some(prism) = prism {
-            let faces = super::beam::Prism::faces();
+            let faces = Prism::faces();
             add(&mut mesh, &beam_name(edge.ends), &prism.corners, centre, faces);
         }
     }

@@ -1,0 +1,158 @@
+//! The parts of a build: cut, laid out, and then named, so that names stand on their feet on the sheet.
+
+use super::beam::{Frame, FrameSize};
+use super::build::{Build, CutPanel, NotCut, beam_name, node_name};
+use super::fault::Fault;
+use super::panel::{Point2, inset, is_simple, rotated, smallest_box};
+use super::paper::{PaperModel, PaperSize, drawn, write_names};
+use super::settings::{BuildSettings, Product};
+use super::sheet::{CutPart, Inscription, SheetSize, label, lay_out};
+
+/// For each side of a part, what lies beyond it, by name.
+type Beside = Vec<Option<String>>;
+
+impl Build {
+    /// Cuts all parts, lays them out, and names them.
+    pub(super) fn cut(&mut self) {
+        let beside = match self.settings.product {
+            Product::Panels => self.cut_panels(),
+            Product::Fins => self.cut_fins(),
+            Product::Paper => self.cut_paper(),
+        };
+        self.drill();
+        let BuildSettings { sheet, margin, gap, order, outlines_only, .. } = self.settings;
+        self.layout = lay_out(&self.parts, SheetSize { size: sheet, margin, gap }, order);
+        if !outlines_only {
+            self.write_names(&beside);
+        }
+    }
+
+    fn cut_panels(&mut self) -> Vec<Beside> {
+        let model = self.model();
+        let by = 0.5 * (self.settings.joint * model - self.settings.kerf);
+        let mut all = Vec::new();
+        for f in 0..self.flat.len() {
+            let found = match self.cut_panel(f, model, by) {
+                Ok((cut, beside)) => {
+                    all.push(beside);
+                    Some(cut)
+                }
+                Err(why) => {
+                    self.not_cut.push(NotCut { part: self.names[f].clone(), why });
+                    None
+                }
+            };
+            self.cut.push(found);
+        }
+        all
+    }
+
+    fn cut_panel(
+        &mut self,
+        f: usize,
+        model: f64,
+        by: f64,
+    ) -> Result<(CutPanel, Beside), &'static str> {
+        let flat = self.flat[f].as_ref().ok_or("it has no area")?;
+        let scaled: Vec<Point2> =
+            flat.corners.iter().map(|corner| corner.map(|x| x * model)).collect();
+        if !is_simple(&scaled) {
+            return Err("laid flat it crosses itself");
+        }
+        let outline = inset(&scaled, by).ok_or("it is too small for the joint")?;
+        let (turn, size) = smallest_box(&outline);
+        let turned =
+            |points: &[Point2]| points.iter().map(|&p| rotated(p, turn)).collect::<Vec<_>>();
+        let (whole, outline) = (turned(&scaled), turned(&outline));
+        let across = |e: u32| {
+            let other = self.surface.edges[e as usize].across(f as u32)?;
+            Some(self.names[other as usize].clone())
+        };
+        // A corner that coincides with the next one is no corner of the part.
+        let n = outline.len();
+        let (outline, beside) = (0..n)
+            .filter(|&k| outline[k] != outline[(k + 1) % n])
+            .map(|k| (outline[k], across(self.surface.sides.row(f)[k])))
+            .unzip();
+        let cut = CutPanel { whole, turn, size, part: self.parts.len() };
+        let (name, panels) = (self.names[f].clone(), vec![f as u32]);
+        self.parts.push(CutPart { name, panels, outline, ..CutPart::default() });
+        Ok((cut, beside))
+    }
+
+    fn cut_fins(&mut self) -> Vec<Beside> {
+        let Some((axes, _)) = &self.offset else { return Vec::new() };
+        let model = self.model();
+        let size = FrameSize {
+            height: self.distance(),
+            width: self.beam_width(),
+            thickness: self.settings.thickness / model,
+        };
+        let BuildSettings { alike_deg, mirror, kerf, .. } = self.settings;
+        let frame = Frame::new(&self.surface, &axes.axes, size, alike_deg, mirror);
+        let mut all = Vec::new();
+        for (e, fin) in frame.fins.iter().enumerate() {
+            let edge = &self.surface.edges[e];
+            let name = beam_name(edge.ends);
+            let fin = fin.as_ref().map_err(|why| *why).and_then(|fin| {
+                let scaled = fin.outline.map(|corner| corner.map(|x| x * model));
+                let outline =
+                    if kerf > 0.0 { inset(&scaled, -0.5 * kerf) } else { Some(scaled.into()) };
+                Ok((fin, outline.ok_or("it is too small for the kerf")?))
+            });
+            match fin {
+                Ok((fin, outline)) => {
+                    let [one, other] = fin.ends.map(|v| Some(node_name(v)));
+                    let panels = edge.panels.into_iter().flatten().collect();
+                    self.parts.push(CutPart { name, panels, outline, ..CutPart::default() });
+                    all.push(vec![None, one, None, other]);
+                }
+                Err(why) => self.not_cut.push(NotCut { part: name, why }),
+            }
+        }
+        self.frame = Some(frame);
+        all
+    }
+
+    /// What is beside a panel of a piece depends on its tabs.
+    fn cut_paper(&mut self) -> Vec<Beside> {
+        let BuildSettings { sheet, margin, pieces, tab, print_inside, .. } = self.settings;
+        let room = sheet.map(|side| side - 2.0 * margin);
+        let size = PaperSize { model: self.model(), room, tab };
+        let model = PaperModel::new(&self.surface, &self.flat, pieces, size);
+        self.parts = (0..model.pieces.len()).map(|k| drawn(&model, k, print_inside)).collect();
+        for &(panel, why) in &model.without {
+            self.not_cut.push(NotCut { part: self.names[panel as usize].clone(), why });
+        }
+        if model.is_without_quads {
+            self.faults.push(Fault::no_strips());
+        }
+        self.paper = Some(model);
+        Vec::new()
+    }
+
+    /// Engraves on each part its name, and what is `beside` its edges.
+    fn write_names(&mut self, beside: &[Beside]) {
+        let places = self.layout.places(self.parts.len());
+        for (k, part) in self.parts.iter_mut().enumerate() {
+            let turn = places[k].map_or([1.0, 0.0], |(_, place)| place.turn);
+            let (dropped, small) = match &self.paper {
+                Some(model) => {
+                    let inside = self.settings.print_inside;
+                    write_names(part, (model, k), &self.names, inside, turn)
+                }
+                None => {
+                    let (outline, name) = (&part.outline[..], &*part.name);
+                    let (neighbours, with_arrow) = (&beside[k][..], true);
+                    let holes = &part.holes[..];
+                    let own = Inscription { outline, name, neighbours, with_arrow, turn, holes };
+                    let labels = label(own);
+                    part.engraved = labels.lines;
+                    (labels.dropped, usize::from(labels.small))
+                }
+            };
+            self.dropped_names += dropped;
+            self.small_names += small;
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Holes for dowels, bolts or ties: two along every edge where panels meet, on both of them and opposite each other, or
+//! one at each end of a fin.
+
+use super::build::Build;
+use super::panel::{Point2, direction_of, distance_to_outline, is_inside};
+use super::settings::Product;
+use super::sheet::{CutPart, Hole};
+
+/// The middle of a hole is so many diameters away from its edge.
+const FROM_EDGE: f64 = 1.5;
+/// And at least so many from every other edge, and twice as many from the next hole.
+const LEAST: f64 = 1.0;
+/// Where holes are along an edge, as shares of its length.
+const ALONG: [f64; 2] = [0.25, 0.75];
+
+impl Build {
+    /// Drills holes of the diameter that is asked for, where they have room; counts those that have none. A paper model
+    /// has none.
+    pub(super) fn drill(&mut self) {
+        let diameter = self.settings.hole;
+        if diameter <= 0.0 {
+            return;
+        }
+        match self.settings.product {
+            Product::Panels => self.drill_panels(diameter),
+            Product::Fins => self.drill_fins(diameter),
+            Product::Paper => {}
+        }
+    }
+
+    fn drill_panels(&mut self, diameter: f64) {
+        let joint = 0.5 * self.settings.joint * self.model();
+        for (edge, e) in self.surface.edges.iter().zip(0..) {
+            let [Some(f), Some(g)] = edge.panels else { continue };
+            let cut = [f, g].map(|f| self.cut[f as usize].as_ref().map(|cut| (f, cut)));
+            let [Some(one), Some(other)] = cut else { continue };
+            for share in ALONG {
+                // From its own end of the edge, which both panels begin at the other one of: opposite each other.
+                let at = |(f, cut): (u32, &super::build::CutPanel), share: f64| {
+                    let sides = self.surface.sides.row(f as usize);
+                    let k = sides.iter().position(|&side| side == e)?;
+                    let (p, q) = (cut.whole[k], cut.whole[(k + 1) % cut.whole.len()]);
+                    Some((cut.part, beside([p, q], share, joint + FROM_EDGE * diameter)))
+                };
+                let both = at(one, share).zip(at(other, 1.0 - share));
+                let Some(both) = both.map(|(a, b)| [a, b]) else { continue };
+                let has_room = both
+                    .iter()
+                    .all(|&(part, centre)| has_room(&self.parts[part], centre, diameter));
+                match has_room {
+                    true => both.iter().for_each(|&(part, centre)| {
+                        self.parts[part].holes.push(Hole { centre, radius: 0.5 * diameter });
+                    }),
+                    false => self.dropped_holes += 2,
+                }
+            }
+        }
+    }
+
+    fn drill_fins(&mut self, diameter: f64) {
+        for part in &mut self.parts {
+            // The sides at its nodes.
+            for side in [1, 3] {
+                let n = part.outline.len();
+                let ends = [part.outline[side % n], part.outline[(side + 1) % n]];
+                let centre = beside(ends, 0.5, FROM_EDGE * diameter);
+                match has_room(part, centre, diameter) {
+                    true => part.holes.push(Hole { centre, radius: 0.5 * diameter }),
+                    false => self.dropped_holes += 1,
+                }
+            }
+        }
+    }
+}
+
+/// A point at a share of a side, so far inside of it.
+fn beside([p, q]: [Point2; 2], share: f64, away: f64) -> Point2 {
+    let [c, s] = direction_of(p, q);
+    let at = |x: usize| p[x] + share * (q[x] - p[x]);
+    [at(0) - away * s, at(1) + away * c]
+}
+
+fn has_room(part: &CutPart, centre: Point2, diameter: f64) -> bool {
+    let apart = |hole: &Hole| {
+        let [x, y] = [hole.centre[0] - centre[0], hole.centre[1] - centre[1]];
+        (x * x + y * y).sqrt() >= 2.0 * LEAST * diameter
+    };
+    is_inside(&part.outline, centre)
+        && distance_to_outline(&part.outline, centre) >= LEAST * diameter
+        && part.holes.iter().all(apart)
+}

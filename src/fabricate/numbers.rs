@@ -1,0 +1,90 @@
+//! The numbers of a build that a lesson may bound. They are declared here for hosts that build nothing themselves.
+
+use super::build::Build;
+use serde::Serialize;
+
+/// The unit of a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum NumberUnit {
+    /// That of the mesh.
+    Length,
+    /// Degrees.
+    Degrees,
+    /// A count.
+    Count,
+}
+
+/// A number of a build: never negative, and 0 is best.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct BuildNumber {
+    /// Its name in files.
+    pub id: &'static str,
+    /// Its name for people.
+    pub label: &'static str,
+    /// What it is.
+    pub words: &'static str,
+    /// Its unit.
+    pub unit: NumberUnit,
+}
+
+/// All of them.
+pub const BUILD_NUMBERS: [BuildNumber; 6] = [
+    BuildNumber {
+        id: "beam_warp",
+        label: "Beam warp",
+        words: "largest distance of a beam's corners to its plane",
+        unit: NumberUnit::Length,
+    },
+    BuildNumber {
+        id: "distance_error",
+        label: "Distance error",
+        words: "largest difference of the offset from its distance",
+        unit: NumberUnit::Length,
+    },
+    BuildNumber {
+        id: "lean",
+        label: "Lean",
+        words: "largest angle between an inner node axis and the surface normal",
+        unit: NumberUnit::Degrees,
+    },
+    BuildNumber {
+        id: "panel_flatness",
+        label: "Panel flatness",
+        words: "largest distance of a panel's corners to its plane",
+        unit: NumberUnit::Length,
+    },
+    BuildNumber {
+        id: "types",
+        label: "Types of panels",
+        words: "number of types of panels that are alike within the tolerance of the build",
+        unit: NumberUnit::Count,
+    },
+    BuildNumber {
+        id: "sheets",
+        label: "Sheets",
+        words: "number of sheets that the parts take",
+        unit: NumberUnit::Count,
+    },
+];
+
+impl Build {
+    /// Each of [`BUILD_NUMBERS`], lengths in the unit of the mesh; none where it does not apply. Sheets count only where
+    /// every part is on one.
+    pub fn numbers(&self) -> [Option<f64>; BUILD_NUMBERS.len()] {
+        let rows = self.check_rows();
+        let placed: usize = self.layout.sheets.iter().map(|sheet| sheet.places.len()).sum();
+        let is_whole = placed == self.parts.len() && self.not_cut.is_empty();
+        BUILD_NUMBERS.map(|number| match number.id {
+            "types" => Some(self.types.leaders.len() as f64),
+            "sheets" => is_whole.then_some(self.layout.sheets.len() as f64),
+            id => {
+                let value = rows.iter().find(|row| row.id == id)?.value?;
+                let is_length = number.unit == NumberUnit::Length;
+                Some(if is_length { value / self.building() } else { value })
+            }
+        })
+    }
+}

@@ -1,0 +1,244 @@
+//! Parts in rows: each is pushed to the left until it touches the row, on its feet or on its head, whichever leaves more
+//! room, so that trapezoids lie alternately and arcs in each other.
+
+use super::clearance::least_shift;
+use super::layout::{Order, Place};
+use super::part::CutPart;
+use crate::fabricate::panel::{Point2, area, hull, rotated, sides, smallest_box};
+
+/// Heights of shelves are multiples of this, in mm.
+const STEP: f64 = 0.01;
+/// What rounding may add to a height, in steps.
+const ROUNDING: f64 = 1e-3;
+
+/// A part as it rests on its smallest box.
+#[derive(Clone)]
+pub(super) struct Resting {
+    /// Which of the parts.
+    part: usize,
+    /// Cosine and sine of its turn.
+    turn: Point2,
+    /// Convex polygons that cover it after the turn; the lower left corner of its box is at the origin.
+    cover: Vec<Vec<Point2>>,
+    /// By how much it was moved to be there.
+    moved: Point2,
+    /// Width and height of the box.
+    pub size: [f64; 2],
+}
+
+impl Resting {
+    fn new(part: usize, turn: Point2, turned: Vec<Vec<Point2>>) -> Resting {
+        let [low, high] = extent(turned.iter().flatten());
+        let moved = low.map(|x| -x);
+        let put = |polygon: Vec<Point2>| polygon.into_iter().map(|p| plus(p, moved)).collect();
+        let cover = turned.into_iter().map(put).collect();
+        Resting { part, turn, cover, moved, size: [high[0] - low[0], high[1] - low[1]] }
+    }
+
+    /// Turned further.
+    fn turned(&self, by: Point2) -> Resting {
+        let put = |polygon: &Vec<Point2>| {
+            let back = polygon.iter().map(|&[x, y]| [x - self.moved[0], y - self.moved[1]]);
+            back.map(|point| rotated(point, by)).collect()
+        };
+        Resting::new(self.part, rotated(self.turn, by), self.cover.iter().map(put).collect())
+    }
+
+    /// Its height in steps, with what rounding may have added to it: parts of one height are of one step.
+    pub(super) fn step(&self) -> f64 {
+        (self.size[1] / STEP - ROUNDING).ceil()
+    }
+
+    /// Standing on a shorter side of its box.
+    pub(super) fn quarter_turned(&self) -> Resting {
+        self.turned([0.0, 1.0])
+    }
+}
+
+/// All parts, along the longer side of their smallest boxes.
+pub(super) fn resting(parts: &[CutPart]) -> Vec<Resting> {
+    let rest = |(k, part): (usize, &CutPart)| {
+        let (turn, _) = smallest_box(&part.outline);
+        let turned: Vec<_> = part.outline.iter().map(|&point| rotated(point, turn)).collect();
+        Resting::new(k, turn, cover(&turned))
+    };
+    parts.iter().enumerate().map(rest).collect()
+}
+
+/// Convex polygons that cover an outline: its hull, or where that is much larger the hulls of slices across it.
+fn cover(outline: &[Point2]) -> Vec<Vec<Point2>> {
+    const SLICES: u32 = 12;
+    const LARGER: f64 = 1.15;
+    let whole = hull(outline);
+    if area(&whole) <= LARGER * area(outline) {
+        return vec![whole];
+    }
+    let [low, high] = extent(outline.iter());
+    let at = |k: u32| low[0] + f64::from(k) / f64::from(SLICES) * (high[0] - low[0]);
+    let slice = |k: u32| {
+        let [from, to] = [at(k), at(k + 1)];
+        let mut points: Vec<Point2> =
+            outline.iter().copied().filter(|[x, _]| (from..=to).contains(x)).collect();
+        for [p, q] in sides(outline) {
+            let crossing = |x: f64| {
+                let share = (x - p[0]) / (q[0] - p[0]);
+                (share > 0.0 && share < 1.0).then(|| [x, p[1] + share * (q[1] - p[1])])
+            };
+            points.extend([from, to].into_iter().filter_map(crossing));
+        }
+        hull(&points)
+    };
+    (0..SLICES).map(slice).filter(|own| own.len() > 2).collect()
+}
+
+/// The lower left and the upper right corner of the box of some points.
+fn extent<'a>(points: impl Iterator<Item = &'a Point2>) -> [Point2; 2] {
+    points.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], point| {
+        [[0, 1].map(|x| low[x].min(point[x])), [0, 1].map(|x| high[x].max(point[x]))]
+    })
+}
+
+fn plus([a, b]: Point2, [c, d]: Point2) -> Point2 {
+    [a + c, b + d]
+}
+
+/// A row of parts on a sheet.
+struct Shelf {
+    sheet: usize,
+    low: f64,
+    /// Its height, in steps of parts.
+    step: f64,
+    /// The height of its highest part.
+    height: f64,
+    /// How far it reaches.
+    right: f64,
+    /// Convex polygons from its lower left corner, each with its own right end.
+    laid: Vec<(f64, Vec<Point2>)>,
+}
+
+/// Where on a shelf a part would lie.
+struct Found {
+    /// How far it would reach.
+    right: f64,
+    resting: Resting,
+    at: Point2,
+}
+
+impl Shelf {
+    /// Where a part leaves most room; none where it has none.
+    fn room_for(&self, own: &Resting, width: f64, gap: f64, may_grow: bool) -> Option<Found> {
+        let [w, h] = own.size;
+        // A part does not get in between others by more than this share of its width.
+        let overlap = if own.cover.len() > 1 { 1.0 } else { 0.5 };
+        if (own.step() > self.step && !may_grow) || self.right + (1.0 - overlap) * w > width {
+            return None;
+        }
+        let mut best: Option<Found> = None;
+        for resting in [own.clone(), own.turned([-1.0, 0.0])] {
+            let heights = [0.0, self.height - h];
+            for &y in &heights[..if heights[1] > 0.0 { 2 } else { 1 }] {
+                let raised = resting
+                    .cover
+                    .iter()
+                    .map(|own| own.iter().map(|&point| plus(point, [0.0, y])).collect::<Vec<_>>());
+                let mut shift: f64 = 0.0;
+                for moving in raised {
+                    let left = moving.iter().map(|point| point[0]).fold(f64::INFINITY, f64::min);
+                    for (right, laid) in self.laid.iter().rev() {
+                        // To the left of where it is already.
+                        if right + gap > shift + left {
+                            shift = shift.max(least_shift(laid, &moving, gap).unwrap_or(0.0));
+                        }
+                    }
+                }
+                let right = shift + w;
+                // A tie goes to the first, whatever rounding says.
+                let is_better = best.as_ref().is_none_or(|best| right < best.right - 1e-9 * w);
+                if right <= width && is_better {
+                    best = Some(Found { right, resting: resting.clone(), at: [shift, y] });
+                }
+            }
+        }
+        best
+    }
+
+    fn lay(&mut self, Found { right, resting, at }: Found) {
+        for own in &resting.cover {
+            let polygon: Vec<Point2> = own.iter().map(|&point| plus(point, at)).collect();
+            let end = polygon.iter().map(|point| point[0]).fold(f64::NEG_INFINITY, f64::max);
+            self.laid.push((end, polygon));
+        }
+        self.right = self.right.max(right);
+        self.step = self.step.max(resting.step());
+        self.height = self.height.max(resting.size[1]);
+    }
+}
+
+/// Rows on as many sheets as it takes.
+pub(super) struct Shelves {
+    room: [f64; 2],
+    gap: f64,
+    order: Order,
+    shelves: Vec<Shelf>,
+    /// Above the highest shelf of each sheet.
+    free: Vec<f64>,
+}
+
+impl Shelves {
+    /// Sheets with so much room for parts.
+    pub(super) fn new(room: [f64; 2], gap: f64, order: Order) -> Shelves {
+        Shelves { room, gap, order, shelves: Vec::new(), free: Vec::new() }
+    }
+
+    /// How much of the last sheet is taken.
+    pub(super) fn height_of_last(&self) -> f64 {
+        self.free.last().copied().unwrap_or(0.0)
+    }
+
+    /// Lays a part that fits on an empty sheet on the first shelf that has room: the number of the sheet, and the place
+    /// there.
+    pub(super) fn lay(&mut self, own: Resting) -> (usize, Place) {
+        let [width, height] = self.room;
+        let gap = self.gap;
+        let found = match self.order {
+            Order::Size => self
+                .shelves
+                .iter()
+                .enumerate()
+                .find_map(|(s, shelf)| Some((s, shelf.room_for(&own, width, gap, false)?))),
+            // Only the last one, which nothing is above: it may grow.
+            Order::Names => {
+                let last = self.shelves.len().checked_sub(1);
+                last.filter(|&s| self.shelves[s].low + own.size[1] <= height)
+                    .and_then(|s| Some((s, self.shelves[s].room_for(&own, width, gap, true)?)))
+            }
+        };
+        let (s, found) = found.unwrap_or_else(|| {
+            let from = match self.order {
+                Order::Size => 0,
+                Order::Names => self.free.len().saturating_sub(1),
+            };
+            let sheet = (from..self.free.len()).find(|&s| self.free[s] + own.size[1] <= height);
+            let sheet = sheet.unwrap_or_else(|| {
+                self.free.push(0.0);
+                self.free.len() - 1
+            });
+            let low = self.free[sheet];
+            let (step, height) = (own.step(), own.size[1]);
+            let shelf = Shelf { sheet, low, step, height, right: 0.0, laid: Vec::new() };
+            self.shelves.push(shelf);
+            let right = own.size[0];
+            (self.shelves.len() - 1, Found { right, resting: own, at: [0.0; 2] })
+        });
+        let shelf = &mut self.shelves[s];
+        let Resting { part, turn, moved, .. } = found.resting;
+        let [x, y] = found.at;
+        let offset = [x + moved[0], shelf.low + y + moved[1]];
+        let sheet = shelf.sheet;
+        shelf.lay(found);
+        // As high as any part of the same step.
+        let top = shelf.low + (shelf.step + ROUNDING) * STEP;
+        self.free[sheet] = self.free[sheet].max(top + gap);
+        (sheet, Place { part, turn, offset })
+    }
+}

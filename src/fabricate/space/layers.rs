@@ -1,0 +1,108 @@
+//! Everything that is built as objects on layers, for CAD programs: panels, offset, beams, the axes of nodes, and beside
+//! the shape its sheets at their real size.
+
+use crate::fabricate::beam::Prism;
+use crate::fabricate::build::{Build, beam_name, node_name};
+use crate::fabricate::sheet::Role;
+use crate::math::Vec3;
+use serde::Serialize;
+
+/// An object on a layer, in the unit of the mesh; z is up.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct SpatialPart {
+    /// The name of its layer.
+    pub layer: String,
+    /// The colour of the layer: red, green, blue.
+    pub colour: [u8; 3],
+    /// Its name; empty of what has none.
+    pub name: String,
+    /// Its points.
+    pub points: Vec<[f64; 3]>,
+    /// Its faces over the points, counterclockwise seen from outside; a line has none.
+    pub faces: Vec<Vec<u32>>,
+    /// Whether a line leads back to its first point, which is not repeated.
+    pub closed: bool,
+}
+
+/// Sheets are so far from the shape and from each other, as a part of their width.
+const BESIDE: f64 = 0.1;
+
+impl Build {
+    /// All objects. `z_up` says which axis of the mesh is up, z or y; they are turned so that it is z.
+    pub fn spatial_parts(&self, z_up: bool) -> Vec<SpatialPart> {
+        let surface = &self.surface;
+        let turned = |point: Vec3<f64>| -> [f64; 3] {
+            let [x, y, z] = (point + surface.centre).into();
+            if z_up { [x, y, z] } else { [x, -z, y] }
+        };
+        let on = |layer: &str, colour, name: &str, points: &[Vec3<f64>]| SpatialPart {
+            layer: layer.to_owned(),
+            colour,
+            name: name.to_owned(),
+            points: points.iter().map(|&point| turned(point)).collect(),
+            faces: Vec::new(),
+            closed: false,
+        };
+        let faces: Vec<Vec<u32>> = surface.faces.iter().map(<[u32]>::to_vec).collect();
+        let (grey, violet, brown, blue) =
+            ([110, 110, 115], [90, 50, 165], [115, 75, 45], [0, 90, 160]);
+        let mut parts = vec![SpatialPart {
+            faces: faces.clone(),
+            ..on("Surface", grey, "", &surface.positions)
+        }];
+        for (face, name) in faces.iter().zip(&self.names) {
+            let corners: Vec<_> = face.iter().map(|&v| surface.at(v)).collect();
+            parts.push(SpatialPart { closed: true, ..on("Panels", grey, name, &corners) });
+        }
+        if let Some((axes, _)) = &self.offset {
+            let above = surface.positions.iter().zip(&axes.axes);
+            let above: Vec<_> = above.map(|(p, n)| *p + *n * self.distance()).collect();
+            parts.push(SpatialPart { faces, ..on("Offset", violet, "", &above) });
+            for (v, (&low, &high)) in (0..).zip(surface.positions.iter().zip(&above)) {
+                if low != high {
+                    parts.push(on("Nodes", blue, &node_name(v), &[low, high]));
+                }
+            }
+        }
+        let prisms = self.frame.iter().flat_map(|frame| &frame.prisms);
+        for (edge, prism) in surface.edges.iter().zip(prisms) {
+            if let Some(prism) = prism {
+                let name = beam_name(edge.ends);
+                let own = on("Beams", brown, &name, &prism.corners);
+                parts.push(SpatialPart { faces: Prism::faces(), ..own });
+            }
+        }
+        let beside = parts.iter().flat_map(|part| &part.points);
+        let (mut right, mut front) = (f64::NEG_INFINITY, f64::INFINITY);
+        for [x, y, _] in beside {
+            (right, front) = (right.max(*x), front.min(*y));
+        }
+        parts.extend(self.sheets_from([right, front]));
+        parts
+    }
+
+    /// The lines of all sheets at their real size, side by side to the right of this place on the ground.
+    fn sheets_from(&self, [right, front]: [f64; 2]) -> Vec<SpatialPart> {
+        let of_mm = 1.0 / self.building();
+        let mut parts = Vec::new();
+        let mut left = right;
+        for drawing in self.drawings() {
+            left += BESIDE * drawing.size[0] * of_mm;
+            for line in &drawing.lines {
+                let put = |&[x, y]: &[f64; 2]| [left + x * of_mm, front + y * of_mm, 0.0];
+                let title = if line.role == Role::Sheet { &drawing.name } else { &line.part };
+                parts.push(SpatialPart {
+                    layer: format!("Sheets {}", line.role.layer()),
+                    colour: line.role.rgb(),
+                    name: title.clone(),
+                    points: line.points.iter().map(put).collect(),
+                    faces: Vec::new(),
+                    closed: line.closed,
+                });
+            }
+            left += drawing.size[0] * of_mm;
+        }
+        parts
+    }
+}

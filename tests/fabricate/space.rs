@@ -1,0 +1,59 @@
+//! What is built as objects on layers: every part is there, where it is and as large as it is.
+
+use super::build;
+use super::identities::revolution;
+use shape_up::fabricate::panel::area;
+use shape_up::fabricate::{Build, BuildSettings, Product, SpatialPart};
+
+fn made() -> Build {
+    let own = BuildSettings { product: Product::Fins, thickness: 3.0, ..BuildSettings::default() };
+    build(&revolution(9, 7), &own)
+}
+
+fn on<'a>(parts: &'a [SpatialPart], layer: &str) -> Vec<&'a SpatialPart> {
+    parts.iter().filter(|part| part.layer == layer).collect()
+}
+
+#[test]
+fn every_panel_beam_node_and_part_of_a_sheet_is_on_its_layer_by_name() {
+    let made = made();
+    let parts = made.spatial_parts(true);
+    let names = |layer: &str| -> Vec<String> {
+        on(&parts, layer).iter().map(|part| part.name.clone()).collect()
+    };
+    assert_eq!(names("Panels"), made.names);
+    assert_eq!(names("Nodes").len(), made.surface.positions.len());
+    let prisms = made.frame.as_ref().unwrap().prisms.iter().flatten().count();
+    assert_eq!(names("Beams").len(), prisms);
+    let mut cut = names("Sheets CUT");
+    let mut expected: Vec<_> = made.parts.iter().map(|part| part.name.clone()).collect();
+    cut.sort();
+    expected.sort();
+    assert_eq!(cut, expected);
+    assert_eq!((on(&parts, "Surface").len(), on(&parts, "Offset").len()), (1, 1));
+}
+
+#[test]
+fn sheets_have_their_real_size_beside_the_shape() {
+    let made = made();
+    let parts = made.spatial_parts(true);
+    let cut = on(&parts, "Sheets CUT");
+    // A mesh in metres.
+    let found: f64 = cut
+        .iter()
+        .map(|part| area(&part.points.iter().map(|p| [1e3 * p[0], 1e3 * p[1]]).collect::<Vec<_>>()))
+        .sum();
+    let expected = made.report().cut_area_mm2;
+    assert!((found - expected).abs() < 1e-6 * expected, "{found} {expected}");
+    let right = made.surface.positions.iter().map(|p| p.x + made.surface.centre.x);
+    let right = right.fold(f64::NEG_INFINITY, f64::max);
+    assert!(cut.iter().flat_map(|part| &part.points).all(|p| p[0] > right && p[2] == 0.0));
+}
+
+#[test]
+fn y_up_is_turned_so_that_z_is() {
+    let made = made();
+    let [z_up, y_up] = [true, false].map(|up| made.spatial_parts(up));
+    let ([x, y, z], turned) = (z_up[0].points[5], y_up[0].points[5]);
+    assert_eq!(turned, [x, -z, y]);
+}
