@@ -2,7 +2,10 @@
 
 use super::{log_panics, plain_object as plain, thrown};
 use crate::fabricate::file::{path, svg};
-use crate::fabricate::{Build, BuildPreset, BuildSettings, LengthInMetres, PRESETS, ReportView};
+use crate::fabricate::sheet::Role;
+use crate::fabricate::{
+    BUILD_NUMBERS, Build, BuildPreset, BuildSettings, LengthInMetres, PRESETS, ReportView,
+};
 use crate::mesh::{Mesh, Ragged};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -108,11 +111,21 @@ impl Builder {
             panels: drawing
                 .lines
                 .iter()
-                .filter(|line| line.closed)
+                .filter(|line| line.role == Role::Cut)
                 .map(|line| line.panels.clone())
                 .collect(),
         });
         plain(&own.collect::<Vec<_>>())
+    }
+
+    /// The numbers that a lesson may bound, lengths in the unit of the mesh: pairs of an id and a value; those that do not
+    /// apply are left out.
+    ///
+    /// # Errors
+    /// None: they are plain data.
+    pub fn numbers(&self) -> Result<JsValue, JsValue> {
+        let known = BUILD_NUMBERS.iter().zip(self.build.numbers());
+        plain(&known.filter_map(|(number, value)| Some((number.id, value?))).collect::<Vec<_>>())
     }
 
     /// Where the offset has the vertices, `#V by 3`; nothing where offsets are not offered.
@@ -156,6 +169,15 @@ impl Builder {
     /// Shape, offset and beams as binary glTF; `z_up` says which axis of the mesh is up, z or y.
     pub fn presentation(&self, z_up: bool) -> Vec<u8> {
         self.build.presentation(z_up)
+    }
+
+    /// Everything that is built as objects on layers, for CAD programs; `z_up` says which axis of the mesh is up, z or y.
+    ///
+    /// # Errors
+    /// None: they are plain data.
+    #[wasm_bindgen(js_name = spatialParts)]
+    pub fn spatial_parts(&self, z_up: bool) -> Result<JsValue, JsValue> {
+        plain(&self.build.spatial_parts(z_up))
     }
 
     /// The report on one page of A4: `pdf` and `svg`. `z_up` says which axis of the mesh is up, z or y; the `camera` is

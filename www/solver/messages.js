@@ -234,6 +234,8 @@
  *   | { type: "forecast" }
  *   | { type: "remedies" }
  *   | { type: "mostFaces" }
+ *   | { type: "buildNumbers" }
+ *   | { type: "tellBuild", ids: string[], values: Float64Array }
  *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
  *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
@@ -304,6 +306,8 @@
  * @property {string | null} forecast null where no shape is offered for all panels
  * @property {Remedy[]} remedies the greatest help first
  * @property {number} mostFaces
+ * @property {BuildNumber[]} buildNumbers
+ * @property {null} tellBuild
  * @property {string} results
  * @property {Parametrization} parametrize
  * @property {FewerFlips | null} fewerFlips
@@ -390,9 +394,10 @@ export const TRACE_WIDTH = 6;
 
 /**
  * What the worker for files of Rhino is asked, once: to read one, as the mesh in it, or to write a scene
- * with the table of the errors of its faces.
- * @typedef {{ type: "read", file: NamedBytes } | { type: "write", scene: string, errors: string }} RhinoRequest
- * @typedef {{ read: NamedBytes, write: Uint8Array<ArrayBuffer> }} RhinoReplies
+ * with the table of the errors of its faces, or what is built.
+ * @typedef {{ type: "read", file: NamedBytes } | { type: "write", scene: string, errors: string }
+ *   | { type: "writeParts", parts: SpatialPart[], symbol: string }} RhinoRequest
+ * @typedef {{ read: NamedBytes, write: Uint8Array<ArrayBuffer>, writeParts: Uint8Array<ArrayBuffer> }} RhinoReplies
  * @typedef {{ value: RhinoReplies[keyof RhinoReplies] } | { refused: string }} RhinoAnswer
  */
 
@@ -402,6 +407,8 @@ export const TRACE_WIDTH = 6;
 /** @typedef {import("../pkg/build/shape_up.js").CheckRow} CheckRow */
 /** @typedef {import("../pkg/build/shape_up.js").Choice} BuildChoice */
 /** @typedef {import("../pkg/build/shape_up.js").SheetPicture} SheetPicture */
+/** @typedef {import("../pkg/build/shape_up.js").SpatialPart} SpatialPart */
+/** @typedef {import("../pkg/build/shape_up.js").BuildNumber} BuildNumber */
 /** @typedef {import("../pkg/build/shape_up.js").ReportPage} ReportPage */
 
 /**
@@ -415,7 +422,7 @@ export const TRACE_WIDTH = 6;
  * many metres, and draws so many `sheets` at most; the others are about what was built last. `moveLayer` gives its
  * offset another distance; `reportPage` has a picture as a camera sees it that is turned and tilted by two angles in radians, or as
  * one sees a mesh first.
- * @typedef {{ type: "offers" } | { type: "choices" } | { type: "zip", zUp: boolean } | { type: "moveLayer", distance: number }
+ * @typedef {{ type: "offers" } | { type: "choices" } | { type: "numbers" } | { type: "zip", zUp: boolean } | { type: "spatialParts", zUp: boolean } | { type: "moveLayer", distance: number }
  *   | { type: "reportPage", title: string, zUp: boolean, camera: Float64Array | null, link: string }
  *   | { type: "build", positions: Float64Array, offsets: Uint32Array, indices: Uint32Array,
  *       settings: BuildSettings, symbol: string, metres: number, sheets: number }} BuildRequest
@@ -424,7 +431,9 @@ export const TRACE_WIDTH = 6;
  * @property {{ report: BuildReport, sheets: SheetPicture[], layer: OffsetLayer }} build
  * @property {{ report: BuildReport, layer: OffsetLayer } | null} moveLayer
  * @property {BuildChoice[]} choices
+ * @property {[string, number][]} numbers that a lesson may bound, by id
  * @property {ReportPage | null} reportPage
+ * @property {SpatialPart[]} spatialParts
  * @property {Uint8Array<ArrayBuffer>} zip
  */
 

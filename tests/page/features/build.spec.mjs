@@ -176,6 +176,32 @@ test('fins and a paper model are made of the same shape, and saved', async ({ pa
   await expect(panel(page).locator('.cut path.chosen')).toHaveCount(1);
 });
 
+test('what is built goes to Rhino, with its layers and names', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  await openBuild(page);
+  await panel(page).getByLabel('Make').selectOption('fins');
+  const { build } = await waitForState(page, (now) => now.build?.product === 'fins');
+  const { name, bytes } = await downloaded(page, () =>
+    panel(page).getByRole('button', { name: 'Rhino' }).click(),
+  );
+  expect(name).toBe('roof-parts.3dm');
+  const { default: openRhino } = await import('rhino3dm');
+  const rhino = await openRhino();
+  const written = rhino.File3dm.fromByteArray(new Uint8Array(bytes));
+  expect(written.settings().modelUnitSystem).toBe(rhino.UnitSystem.Meters);
+  /** @type {Record<string, string[]>} */
+  const named = {};
+  for (let i = 0; i < written.objects().count; i++) {
+    const attributes = written.objects().get(i).attributes();
+    (named[written.layers().get(attributes.layerIndex).name] ??= []).push(attributes.name);
+  }
+  expect(named.Panels).toHaveLength(FACES);
+  expect(named.Nodes).toHaveLength(25);
+  expect(named.Beams).toContain('B0-1');
+  expect(named['Sheets CUT']).toHaveLength(build.placed);
+});
+
 test('a tolerance is chosen by how many types of panels it leaves', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
@@ -219,3 +245,102 @@ test('the report is one page with the numbers of the card, which is saved and pr
   await expect(dialog.getByRole('button')).toHaveCount(0);
   await expect(panel(page)).toBeHidden();
 });
+
+test('a lesson has goals on what is built, which are measured when the shape is at rest', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  const scene = await sceneOf(page);
+  scene.lesson = {
+    text: 'Build it flat, on one sheet.',
+    goals: [
+      { build: 'panel_flatness', at_most: 0.001 },
+      { build: 'sheets', at_most: 1 },
+    ],
+  };
+  await openText(page, 'lesson.shapeup.json', JSON.stringify(scene), 25);
+  const goals = page.getByRole('list', { name: 'Goals', exact: true });
+  await expect(goals).toContainText('Sheets: at most 1');
+  await expect(goals.getByRole('listitem').nth(1)).toContainText('✓');
+  await expect(goals.getByRole('listitem').nth(0)).toContainText('✗');
+  await page.getByRole('button', { name: 'Make panels circular' }).click();
+  await waitForState(page, (now) => now.iteration > 0 && !now.running);
+  await expect(goals.getByRole('listitem').nth(0)).toContainText('✓');
+});
+
+const STRANGE = [
+  ['points', 'v 0 0 0\nv 1 0 0\nv 0 1 0\n', 3, /no faces: there is nothing to cut/],
+  ['an open curve', 'v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n', 3, /no faces: there is nothing to cut/],
+  [
+    'triangles',
+    'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 .5\nf 1 2 3\nf 1 3 4\n',
+    4,
+    /2 panels on 1 sheet/,
+  ],
+  [
+    'several components',
+    'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 5 0 0\nv 6 0 0\nv 6 1 0\nf 1 2 3\nf 4 5 6\n',
+    6,
+    /2 panels on 1 sheet/,
+  ],
+  [
+    'an edge without length',
+    'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 1 0\nv 2 0 0\nf 1 2 3 4\nf 2 5 3\n',
+    5,
+    /2 panels on 1 sheet/,
+  ],
+];
+for (const [what, text, vertices, words] of STRANGE) {
+  test(`${what}: what is offered is, and what is not is not`, async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'strange.obj', text, vertices);
+    await showPanel(page, 'Model');
+    await page.getByRole('button', { name: 'Build', exact: true }).click();
+    await expect(panel(page)).toContainText(words);
+    const save = panel(page).getByRole('button', { name: 'Save drawings' });
+    if (/no faces/.test(words.source)) {
+      await expect(save).toBeDisabled();
+      return;
+    }
+    const archive = await downloaded(page, () =>
+      panel(page).getByRole('button', { name: 'Save drawings' }).click(),
+    );
+    expect(Object.keys(filesOf(archive.bytes))).toContain('sheet-01.dxf');
+  });
+}
+
+test('folded panels and a surface with one side say why there is no offset', async ({ page }) => {
+  await openPage(page);
+  // An inner vertex beyond its neighbour.
+  const folded = wavyGrid(3).split('\n');
+  folded[5] = 'v 2.6 2.5 0';
+  await openText(page, 'folded.obj', folded.join('\n'), 16);
+  const { problems, offset } = await openBuild(page);
+  expect(offset).toBe(null);
+  expect(problems.join()).toContain('folded over');
+  await expect(panel(page)).toContainText('folded over');
+  await expect(panel(page).getByLabel('Distance')).toBeHidden();
+
+  await openText(page, 'one-sided.obj', moebius(8), 16);
+  const other = await waitForState(page, (now) => now.build?.panels === 8);
+  expect(other.build.problems.join()).toContain('one side only');
+  await expect(panel(page)).toContainText('8 panels on');
+});
+
+/** A strip of quads that is glued together upside down. */
+function moebius(quads) {
+  const lines = [];
+  for (let i = 0; i < quads; i++) {
+    const turn = (2 * Math.PI * i) / quads;
+    for (const side of [-0.5, 0.5]) {
+      const radius = 3 + side * Math.cos(turn / 2);
+      const [x, y] = [radius * Math.cos(turn), radius * Math.sin(turn)];
+      lines.push(`v ${x.toFixed(6)} ${y.toFixed(6)} ${(side * Math.sin(turn / 2)).toFixed(6)}`);
+    }
+  }
+  const at = (i, side) => 1 + 2 * (i % quads) + (i < quads ? side : 1 - side);
+  for (let i = 0; i < quads; i++)
+    lines.push(`f ${at(i, 0)} ${at(i + 1, 0)} ${at(i + 1, 1)} ${at(i, 1)}`);
+  return `${lines.join('\n')}\n`;
+}

@@ -7,8 +7,9 @@
 
 import { NAMES, ROLE, rhino } from './rhino.js';
 import { byLayer } from './rhino-layers.js';
+import { addLayer, addMesh, addPolyline, attributesOf } from './rhino-objects.js';
 
-/** @typedef {[number, number, number]} Point */
+/** @typedef {import("./rhino-objects.js").Point} Point */
 
 const PLANARITY = 'shape-up:planarity';
 const CURVES = 'Curves';
@@ -33,16 +34,20 @@ export async function rhinoFile(text, errors) {
     file.applicationName = 'Shape-Up';
     for (const [name, members] of byLayer(faces.length, groups)) {
       const layer = addLayer(api, file, name);
-      addMesh(api, file, layer, members, faces, points, inWords, distances);
+      addPanels(api, file, layer, members, faces, points, inWords, distances);
       for (const face of members.filter((member) => faces[member].length > 4)) {
         const corners = faces[face];
         const text = { [ROLE]: 'panel', [PLANARITY]: inWords(distances[face]) };
-        addPolyline(api, file, layer, [...corners, corners[0]], points, text);
+        const loop = [...corners, corners[0]].map((vertex) => points[vertex]);
+        addPolyline(api, file, loop, attributesOf(api, layer, text));
       }
     }
     if (curves.length > 0) {
       const layer = addLayer(api, file, CURVES);
-      for (const curve of curves) addPolyline(api, file, layer, curve, points, { [ROLE]: 'curve' });
+      for (const curve of curves) {
+        const line = curve.map((/** @type {number} */ vertex) => points[vertex]);
+        addPolyline(api, file, line, attributesOf(api, layer, { [ROLE]: 'curve' }));
+      }
     }
     return file.toByteArray();
   } finally {
@@ -66,49 +71,6 @@ function planarities(csv) {
 }
 
 /**
- * @param {any} api
- * @param {any} file
- * @param {string} name
- * @returns {number}
- */
-function addLayer(api, file, name) {
-  const layer = new api.Layer();
-  layer.name = name;
-  const index = file.layers().add(layer);
-  layer.delete();
-  return index;
-}
-
-/**
- * @param {any} api
- * @param {number} layer
- * @param {Record<string, string>} text
- */
-function attributesOf(api, layer, text) {
-  const attributes = new api.ObjectAttributes();
-  attributes.layerIndex = layer;
-  for (const [key, value] of Object.entries(text)) attributes.setUserString(key, value);
-  return attributes;
-}
-
-/**
- * @param {any} api
- * @param {any} file
- * @param {number} layer
- * @param {number[]} vertices
- * @param {Point[]} points
- * @param {Record<string, string>} text
- */
-function addPolyline(api, file, layer, vertices, points, text) {
-  const list = new api.Point3dList(vertices.length);
-  for (const vertex of vertices) list.add(...points[vertex]);
-  const attributes = attributesOf(api, layer, text);
-  file.objects().addPolyline(list, attributes);
-  attributes.delete();
-  list.delete();
-}
-
-/**
  * The triangles and quads among some faces, as one mesh.
  * @param {any} api
  * @param {any} file
@@ -119,28 +81,16 @@ function addPolyline(api, file, layer, vertices, points, text) {
  * @param {(worst: number) => string} planarity in words
  * @param {number[]} distances
  */
-function addMesh(api, file, layer, members, faces, points, planarity, distances) {
+function addPanels(api, file, layer, members, faces, points, planarity, distances) {
   const flat = members.filter((face) => faces[face].length <= 4);
   if (flat.length === 0) return;
-  const mesh = new api.Mesh();
   /** @type {Map<number, number>} */
   const places = new Map();
-  const place = (/** @type {number} */ vertex) => {
-    const known = places.get(vertex);
-    if (known !== undefined) return known;
-    mesh.vertices().addPoint3d(...points[vertex]);
-    places.set(vertex, places.size);
-    return places.size - 1;
-  };
-  for (const face of flat) {
-    const corners = faces[face].map(place);
-    if (corners.length === 3) mesh.faces().addTriFace(...corners);
-    else mesh.faces().addQuadFace(...corners);
-  }
-  mesh.normals().computeNormals();
+  for (const vertex of flat.flatMap((face) => faces[face]))
+    if (!places.has(vertex)) places.set(vertex, places.size);
+  const own = [...places.keys()].map((vertex) => points[vertex]);
+  const corners = flat.map((face) => faces[face].map((vertex) => places.get(vertex) ?? 0));
   const worst = flat.reduce((most, face) => Math.max(most, distances[face]), 0);
-  const attributes = attributesOf(api, layer, { [PLANARITY]: planarity(worst) });
-  file.objects().addMesh(mesh, attributes);
-  attributes.delete();
-  mesh.delete();
+  const text = { [PLANARITY]: planarity(worst) };
+  addMesh(api, file, { points: own, faces: corners }, attributesOf(api, layer, text));
 }

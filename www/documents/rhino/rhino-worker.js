@@ -6,6 +6,7 @@
 import { messageOf } from '../../solver/messages.js';
 import { meshFromRhino } from './rhino-in.js';
 import { rhinoFile } from './rhino-out.js';
+import { rhinoParts } from './rhino-parts.js';
 
 /** @typedef {import("../../solver/messages.js").RhinoRequest} RhinoRequest */
 /** @typedef {import("../../solver/messages.js").RhinoAnswer} RhinoAnswer */
@@ -22,5 +23,7 @@ onmessage = async ({ data }) => {
  */
 async function answerTo(request) {
   if (request.type === 'read') return { value: await meshFromRhino(request.file) };
+  if (request.type === 'writeParts')
+    return { value: await rhinoParts(request.parts, request.symbol) };
   return { value: await rhinoFile(request.scene, request.errors) };
 }

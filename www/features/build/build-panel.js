@@ -57,6 +57,9 @@ async function buildPanel(app) {
   const words = element('p', { 'aria-live': 'polite' });
   const notes = element('div');
   const save = button('Save drawings and tables', saveAll, { class: 'primary' });
+  const rhino = button('Rhino', () => actions.reportErrors(saveForRhino()), {
+    title: 'Panels, beams, nodes and sheets as layers of a .3dm file',
+  });
   const report = button('Report', () => actions.reportErrors(showReport(app, live)));
   const panel = element(
     'section.docked',
@@ -66,6 +69,7 @@ async function buildPanel(app) {
       element('h2', { id: 'heading-parts' }, 'Parts and sheets'),
       words,
       report,
+      rhino,
       save,
       closeButton('Close parts and sheets', () => place.close()),
     ),
@@ -90,13 +94,14 @@ async function buildPanel(app) {
   function show({ report: found, sheets, layer }) {
     if (panel.hidden) return;
     actions.look({ build: found });
+    check.card.hidden = false;
     words.textContent = sheetsInWords(found);
     showOffset({ report: found, layer });
     types.update(found, live.settings());
     notes.replaceChildren(...warnings(found).map((line) => element('p.notice', line)));
     pictures.show(sheets, new Set(layer.panels), Math.max(0, found.sheets - MOST_SHEETS));
     pictures.mark(store.get().selection.faces);
-    save.disabled = report.disabled = false;
+    save.disabled = rhino.disabled = report.disabled = false;
     offerKinds();
   }
 
@@ -113,7 +118,9 @@ async function buildPanel(app) {
     notes.replaceChildren(element('p.notice', why));
     pictures.show([], new Set(), 0);
     layer.show(null);
-    save.disabled = report.disabled = true;
+    actions.look({ build: null });
+    for (const own of [check.card, thickness.place, types.place]) own.hidden = true;
+    save.disabled = rhino.disabled = report.disabled = true;
   }
 
   /** @param {Partial<BuildSettings>} own */
@@ -139,6 +146,14 @@ async function buildPanel(app) {
     if (bytes) files.save('-parts.zip', bytes, 'application/zip');
   }
 
+  /** The writer of Rhino's files is large, and comes only for this. */
+  async function saveForRhino() {
+    const { askRhino } = await import('../../documents/rhino/rhino-client.js');
+    const [parts, { symbol }] = [await live.spatialParts(), live.unit()];
+    const bytes = await askRhino({ type: 'writeParts', parts, symbol });
+    files.save('-parts.3dm', bytes, 'model/vnd.3dm');
+  }
+
   const place = docked(panel, {
     opened() {
       form.show(live.settings(), live.unit().symbol);
@@ -154,7 +169,7 @@ async function buildPanel(app) {
 
   store.subscribe(['document', 'numbers', 'running', 'model'], ({ document: scene, model }) => {
     if (panel.hidden) return;
-    if (!model?.faces) return place.close();
+    if (!model) return place.close();
     if (!scene) return;
     form.show(live.settings(), live.unit().symbol);
     live.update();

@@ -39,9 +39,11 @@ const ANSWERS = {
     builder.moveLayer(distance);
     return { report: builder.report(), layer: layerOf(builder) };
   },
+  numbers: () => builder?.numbers() ?? [],
   choices: () => builder?.choices() ?? [],
   reportPage: ({ title, zUp, camera, link }) =>
     builder?.reportPage(title, zUp, camera, link) ?? null,
+  spatialParts: ({ zUp }) => builder?.spatialParts(zUp) ?? [],
   zip({ zUp }) {
     /** @type {{ name: string, text: string }[]} */
     const files = builder?.files() ?? [];

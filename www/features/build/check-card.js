@@ -103,6 +103,7 @@ export function warnings({
   not_cut: uncut,
   dropped_names: dropped,
   small_names: small,
+  dropped_holes: undrilled,
   paper,
 }) {
   const bare = paper?.without_tab ?? [];
@@ -116,6 +117,7 @@ export function warnings({
     uncut.length > 0 && `Not cut: ${some(uncut)}.`,
     dropped > 0 && `${groupDigits(dropped)} names of neighbours have no room.`,
     small > 0 && `${count(small, 'part')} with a name smaller than 2 mm.`,
+    undrilled > 0 && `${count(undrilled, 'hole')} without room.`,
     bare.length > 0 && `No room for a tab between ${some(bare)}.`,
     creased > 0 && `${count(creased, 'panel')} not flat, creased along a diagonal.`,
   ].filter((line) => line !== false);

@@ -79,6 +79,12 @@ export class LiveBuild {
     const { model, numbers, document, running } = store.get();
     const { geometry } = solver;
     if (!model || !document || !geometry || !this.#defaults) return;
+    if (!model.faces) {
+      this.#key = '';
+      return this.#refuse(
+        'The model has no faces: there is nothing to cut. Parts are made of panels.',
+      );
+    }
     if (running && model.vertices > MOST_LIVE_VERTICES) return;
     const settings = this.settings();
     const { symbol, metres } = this.unit();
@@ -109,6 +115,16 @@ export class LiveBuild {
   /** All files in one. */
   zip() {
     return this.#client.ask({ type: 'zip', zUp: this.#isZUp() });
+  }
+
+  /** The numbers that a lesson may bound. */
+  numbers() {
+    return this.#client.ask({ type: 'numbers' });
+  }
+
+  /** Everything in space, and its sheets, for CAD programs. */
+  spatialParts() {
+    return this.#client.ask({ type: 'spatialParts', zUp: this.#isZUp() });
   }
 
   /** The report on one page. @param {{ title: string, camera: Float64Array | null, link: string }} view */

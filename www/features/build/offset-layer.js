@@ -13,6 +13,9 @@ export function offsetLayer({ store, actions, viewport }) {
   /** What of it is tinted. @type {import("../../store/state.js").Tint | null} */
   let tint = null;
 
+  /** The mesh that it belongs to. @type {import("../../store/state.js").State["model"]} */
+  let tinted = null;
+
   function draw() {
     const { points = new Float64Array(0), edges = NONE, vertices = NONE } = layer ?? {};
     // Another mesh may have come since.
@@ -31,13 +34,16 @@ export function offsetLayer({ store, actions, viewport }) {
     draw();
     const before = tint;
     tint = layer?.panels.length ? { faces: layer.panels, vertices: NONE, colour: FAILED } : null;
-    const shown = store.get().tint;
+    const { tint: shown, model } = store.get();
+    tinted = model;
     if (shown === before || shown === null) actions.tint(tint);
   }
 
   viewport.on('ready', draw);
   // Whoever points at something tints that, and nothing afterwards.
   store.subscribe(['tint'], (now) => {
+    // Of another mesh nothing is known yet.
+    if (now.model !== tinted) tint = null;
     if (tint && !now.tint) actions.tint(tint);
   });
   return { show };

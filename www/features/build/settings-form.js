@@ -69,6 +69,7 @@ export function settingsForm({ presets }, change) {
   const pieces = wordChoice('pieces', change, PIECES);
   const page = wordChoice('page', change, PAGES);
   const tab = number('parts-tab', (tab) => change({ tab }), true);
+  const hole = number('parts-hole', (hole) => change({ hole }), true);
   const alike = number('parts-alike', (own) => change({ alike_deg: own }), true);
   const inside = checkbox('Print on the inside', (own) => change({ print_inside: own }));
   const order = wordChoice('order', change, ORDERS);
@@ -76,10 +77,10 @@ export function settingsForm({ presets }, change) {
   const dxf = wordChoice('dxf', change, DXF);
   const only = checkbox('Outlines only, without names', (own) => change({ outlines_only: own }));
   const unitOfJoint = element('span');
-  /** What is shown of one product only. @type {HTMLElement[]} */
+  /** What is shown of some products only. @type {HTMLElement[]} */
   const onlyOf = [];
-  const of = (/** @type {string} */ product, /** @type {HTMLElement} */ own) => {
-    own.dataset.of = product;
+  const of = (/** @type {string} */ products, /** @type {HTMLElement} */ own) => {
+    own.dataset.of = products;
     onlyOf.push(own);
     return own;
   };
@@ -96,6 +97,7 @@ export function settingsForm({ presets }, change) {
     row('Sheet width, mm', 'parts-width', width.field),
     row('Sheet height, mm', 'parts-height', height.field),
     of('panels', row(['Joint', unitOfJoint], 'parts-joint', joint.field)),
+    of('panels fins', row('Holes, mm', 'parts-hole', hole.field)),
     of('fins', row('Nodes alike, °', 'parts-alike', alike.field)),
     element(
       'details',
@@ -124,10 +126,11 @@ export function settingsForm({ presets }, change) {
       preset.value = own < 0 ? '' : String(own);
       preset.options[0].hidden = own >= 0;
       product.value = settings.product;
-      for (const own of onlyOf) own.hidden = own.dataset.of !== settings.product;
+      for (const own of onlyOf) own.hidden = !own.dataset.of?.split(' ').includes(settings.product);
       pieces.value = settings.pieces;
       page.value = settings.page;
       tab.show(settings.tab);
+      hole.show(settings.hole);
       alike.show(settings.alike_deg);
       inside.box.checked = settings.print_inside;
       scale.show(settings.scale);

@@ -1,0 +1,30 @@
+/** What is built as a file of Rhino: objects with their names, on layers with their colours. */
+
+import { NAMES, rhino } from './rhino.js';
+import { addLayer, addMesh, addPolyline, attributesOf } from './rhino-objects.js';
+
+/**
+ * @param {import("../../solver/messages.js").SpatialPart[]} parts
+ * @param {string} symbol of the unit of their coordinates
+ * @returns {Promise<Uint8Array<ArrayBuffer>>}
+ */
+export async function rhinoParts(parts, symbol) {
+  const api = await rhino();
+  const file = new api.File3dm();
+  /** @type {Map<string, number>} */
+  const layers = new Map();
+  try {
+    file.settings().modelUnitSystem = api.UnitSystem[NAMES[symbol] ?? 'None'];
+    file.applicationName = 'Shape-Up';
+    for (const { layer, colour, name, points, faces, closed } of parts) {
+      const index = layers.get(layer) ?? addLayer(api, file, layer, colour);
+      layers.set(layer, index);
+      const attributes = attributesOf(api, index, {}, name);
+      if (faces.length > 0) addMesh(api, file, { points, faces }, attributes);
+      else addPolyline(api, file, closed ? [...points, points[0]] : points, attributes);
+    }
+    return file.toByteArray();
+  } finally {
+    file.delete();
+  }
+}
