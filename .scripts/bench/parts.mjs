@@ -42,7 +42,7 @@ async function moduleOfParts() {
 }
 
 function partsOf({ Builder, buildOffers }, { positions, offsets, indices }, rounds) {
-  const times = { build: [], axes: [], distance: [], sheets: [], files: [] };
+  const times = { build: [], fins: [], paper: [], axes: [], distance: [], sheets: [], files: [] };
   const timed = (key, run) => {
     const started = performance.now();
     const value = run();
@@ -50,11 +50,12 @@ function partsOf({ Builder, buildOffers }, { positions, offsets, indices }, roun
     return value;
   };
   const { defaults } = buildOffers();
+  const builderOf = (product) =>
+    new Builder(positions, offsets, indices, { ...defaults, product }, 'm', 1);
   for (let round = 0; round < rounds; round++) {
-    const builder = timed(
-      'build',
-      () => new Builder(positions, offsets, indices, defaults, 'm', 1),
-    );
+    timed('fins', () => builderOf('fins')).free();
+    timed('paper', () => builderOf('paper')).free();
+    const builder = timed('build', () => builderOf('panels'));
     timed('axes', () => builder.choices());
     timed('distance', () => {
       builder.moveLayer(0.1);

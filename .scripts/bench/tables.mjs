@@ -171,13 +171,13 @@ export function factorTable(rows) {
 
 /** From a shape to drawings. */
 export function partsTable(rows) {
-  const head = ['panels', 'where', 'build', 'axes of three kinds', 'another distance'];
-  head.push('pictures of all sheets', 'all files');
+  const head = ['panels', 'where', 'build', 'fins', 'paper', 'axes of three kinds'];
+  head.push('another distance', 'pictures of all sheets', 'all files');
   return table(
     head,
-    rows.map(({ panels, where, build, axes, distance, sheets, files }) => [
+    rows.map(({ panels, where, build, fins, paper, axes, distance, sheets, files }) => [
       ...[number(panels), where],
-      ...[build, axes, distance, sheets, files].map(number),
+      ...[build, fins, paper, axes, distance, sheets, files].map(number),
     ]),
   );
 }

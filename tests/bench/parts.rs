@@ -3,7 +3,7 @@
 use super::{black_box, timed};
 use serde::Serialize;
 use shape_up::fabricate::file::svg;
-use shape_up::fabricate::{Build, BuildSettings, LengthInMetres};
+use shape_up::fabricate::{Build, BuildSettings, LengthInMetres, Product};
 use shape_up::mesh::read;
 
 /// Milliseconds of each round.
@@ -11,6 +11,10 @@ use shape_up::mesh::read;
 pub(super) struct Parts {
     /// Panels flat, named, laid out; the offset with the smaller errors.
     build: Vec<f64>,
+    /// The same with fins along the edges instead of panels.
+    fins: Vec<f64>,
+    /// The same with a paper model.
+    paper: Vec<f64>,
     /// The axes of all three kinds, and their checks.
     axes: Vec<f64>,
     /// The same axes at another distance.
@@ -27,9 +31,15 @@ pub(super) fn parts(path: &str, rounds: usize) -> Parts {
     let mesh = mesh.expect("the mesh can be read").mesh;
     let mut found = Parts::default();
     for _ in 0..rounds {
-        let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
-        let (build, ms) = timed(|| Build::new(&mesh, &BuildSettings::default(), unit));
-        let mut build = build.expect("it can be built");
+        let of = |product| {
+            let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
+            let settings = BuildSettings { product, ..BuildSettings::default() };
+            let (build, ms) = timed(|| Build::new(&mesh, &settings, unit));
+            (build.expect("it can be built"), ms)
+        };
+        found.fins.push(of(Product::Fins).1);
+        found.paper.push(of(Product::Paper).1);
+        let (mut build, ms) = of(Product::Panels);
         found.build.push(ms);
         found.axes.push(timed(|| build.choices()).1);
         let moved = timed(|| {
