@@ -49,4 +49,6 @@ pub enum GoalOf {
     /// The worst error of the enabled rows of constraints that are called so: by their name, or by
     /// the label of their kind where they have none.
     Constraint(String),
+    /// A number of what is built of the shape with the settings of the scene, by its id; lengths in the unit of the mesh.
+    Build(String),
 }

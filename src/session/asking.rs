@@ -121,7 +121,14 @@ impl Session {
         is_quick.then(|| Forecast::of(self.mesh(), self.topology())).flatten()
     }
 
-    /// The value of each goal of the lesson on the shape as it is, in their order; empty without a lesson.
+    /// Takes over numbers of what is built of the shape as it is, by the ids of
+    /// [`crate::fabricate::BUILD_NUMBERS`]: they are measured elsewhere, and hold until the shape moves.
+    pub fn tell_build(&mut self, numbers: Vec<(String, f64)>) {
+        self.measured.tell(&self.scene, numbers);
+    }
+
+    /// The value of each goal of the lesson on the shape as it is, in their order; empty without a lesson. One on what is
+    /// built has none until [`Session::tell_build`].
     pub fn goals(&mut self) -> Vec<GoalResult> {
         report::goals(&mut self.measuring())
     }

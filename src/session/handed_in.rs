@@ -3,9 +3,11 @@
 use super::Session;
 use super::edit::{is_of_solver, settings_of};
 use crate::error::Error;
-use crate::mesh::Mesh;
+use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres};
+use crate::mesh::{Mesh, Point};
 use crate::scene::{
-    ClosenessTo, ConstraintSpec, GoalResult, Lock, MeshSource, Results, Scene, SceneError,
+    ClosenessTo, ConstraintSpec, GoalOf, GoalResult, Lock, MeshSource, Results, Scene, SceneError,
+    UNITS,
 };
 
 impl Session {
@@ -77,6 +79,8 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     let mut altered: Vec<Lock> = altered.into_iter().map(|(part, _)| part).collect();
     altered.dedup();
 
+    let is_built = lesson.goals.iter().any(|goal| matches!(goal.of, GoalOf::Build(_)));
+    let numbers = if is_built { numbers(&results.positions, &scene, &mesh) } else { Vec::new() };
     // Nothing may move a vertex: neither handles nor a boundary that is held exactly.
     let mut still = Scene::new(MeshSource::Inline(Box::default()));
     still.closeness.to = ClosenessTo::None;
@@ -85,6 +89,7 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     still.constraints = scene.constraints;
     still.current = Some(results.positions.clone());
     let mut still = Session::open(still, mesh)?;
+    still.tell_build(numbers);
     Ok(Checked {
         goals: still.goals(),
         moved: still.moved().max,
@@ -92,6 +97,17 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         altered,
         changed: changed.into_iter().map(|(_, words)| words).collect(),
     })
+}
+
+/// The numbers of what is built of a shape, `#V by 3`, with the settings of the scene; none where nothing can be built.
+fn numbers(positions: &[Point], scene: &Scene, mesh: &Mesh) -> Vec<(String, f64)> {
+    let unit = UNITS.iter().find(|unit| unit.symbol == scene.units).unwrap_or(&UNITS[0]);
+    let unit = LengthInMetres { symbol: unit.symbol.to_owned(), metres: unit.metres };
+    let mesh = Mesh { positions: positions.to_vec(), ..mesh.clone() };
+    let settings = scene.build.as_deref().cloned().unwrap_or_default();
+    let Ok(build) = Build::new(&mesh, &settings, unit) else { return Vec::new() };
+    let known = BUILD_NUMBERS.iter().zip(build.numbers());
+    known.filter_map(|(number, value)| Some((number.id.to_owned(), value?))).collect()
 }
 
 /// What is otherwise than in the scene that was given, in words: by the part that it belongs to.

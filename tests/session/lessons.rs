@@ -244,3 +244,53 @@ fn a_file_that_is_not_of_results_is_refused_at_its_place() {
         assert!(error.to_string().starts_with(place), "{error}");
     }
 }
+
+#[test]
+fn goals_on_what_is_built_are_told_and_measured_again_when_they_are_handed_in() {
+    let mut own = scene();
+    let lesson = r#"{ "text": "Flat, and on one sheet.", "goals": [
+        { "build": "panel_flatness", "at_most": 0.001 }, { "build": "sheets", "at_most": 1 } ] }"#;
+    let read = Lesson::from_json(lesson).expect("it is a lesson");
+    own.lesson = Some(read.clone());
+    let again = Scene::from_json(&own.to_json(&bumpy(5))).expect("it reads what it writes");
+    assert_eq!(again.lesson, Some(read));
+
+    let mut session = Session::open(own.clone(), bumpy(5)).expect("it fits");
+    session.solve(false).expect("positions stay finite");
+    assert_eq!(met(&mut session), [false, false], "nobody has built it");
+    session.tell_build(vec![("panel_flatness".to_owned(), 2e-4), ("sheets".to_owned(), 3.0)]);
+    assert_eq!(met(&mut session), [true, false]);
+    let results = session.results("Ada", "").expect("there is a lesson");
+    assert_eq!(results.goals[1].value, Some(3.0));
+    session.edit(Edit::Reset).expect("it can be reset");
+    assert_eq!(session.goals()[0].value, None, "of another shape nothing was told");
+
+    // What was told is not believed: the shape is built, at 1:50 on one sheet of A3.
+    let text = results.to_json();
+    let results = Results::from_json(&text).expect("it reads what it writes");
+    let checked = check_results(&results, own, bumpy(5)).expect("it is of the scene");
+    assert!(checked.goals.iter().all(|goal| goal.met), "{:?}", checked.goals);
+    assert_eq!(checked.goals[1].value, Some(1.0));
+    let flatness = checked.goals[0].value.expect("it is measured");
+    assert!((flatness - session_flatness(&results)).abs() < 1e-9);
+}
+
+/// The largest distance of a panel to its plane, as the session measures it.
+fn session_flatness(results: &Results) -> f64 {
+    let mut own = scene();
+    own.current = Some(results.positions.clone());
+    let session = Session::open(own, bumpy(5)).expect("it fits");
+    session.measures().planarity.max_distance
+}
+
+#[test]
+fn a_goal_on_something_that_is_not_built_is_refused() {
+    let mut own = scene();
+    let goal = r#"{ "text": "", "goals": [{ "build": "warp", "at_most": 1 }] }"#;
+    own.lesson = Some(Lesson::from_json(goal).expect("it is a lesson"));
+    let refused = Session::open(own, bumpy(5)).err().expect("there is none").to_string();
+    assert!(
+        refused.contains("lesson.goals[0].build") && refused.contains("beam_warp"),
+        "{refused}"
+    );
+}

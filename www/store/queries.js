@@ -109,6 +109,20 @@ export function createQueries(solver, reportErrors) {
     /** The samples of the experiment that ran last, as CSV. */
     experimentCsv: () => solver.request({ type: 'experimentCsv' }),
 
+    /** The numbers of what is built that a lesson may bound. */
+    buildNumbers: () => solver.request({ type: 'buildNumbers' }),
+
+    /**
+     * Tells the session numbers of what is built of the shape, which goals of a lesson may be on.
+     * @param {[string, number][]} numbers by id
+     */
+    tellBuild: (numbers) =>
+      solver.request({
+        type: 'tellBuild',
+        ids: numbers.map(([id]) => id),
+        values: Float64Array.from(numbers, ([, value]) => value),
+      }),
+
     /** What is handed in of a lesson. @param {string} student @param {string} time */
     results: (student, time) => solver.request({ type: 'results', student, time }),
   };

@@ -92,6 +92,13 @@ export function requestHandlers(solver, scheduler, post, died) {
     forecast: () => solver.forecast(),
     remedies: () => findRemedies(solver),
     mostFaces,
+    buildNumbers: () => solver.buildNumbers(),
+    tellBuild({ ids, values }) {
+      solver.tellBuild(ids, values);
+      scheduler.frames.due = true;
+      scheduler.sendFrame();
+      return null;
+    },
     results: ({ student, time }) => solver.results(student, time),
     select: ({ request }) => solver.select(request),
     scene: () => solver.scene(),

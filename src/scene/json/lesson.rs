@@ -4,7 +4,8 @@
 //! { "text": "Make every panel flat.",
 //!   "goals": [ { "measure": "planarity", "at_most": 0.001 },
 //!              { "measure": "planarity", "beyond": 0.001, "at_most": 3 },
-//!              { "constraint": "Eaves", "at_most": 0.01 } ],
+//!              { "constraint": "Eaves", "at_most": 0.01 },
+//!              { "build": "beam_warp", "at_most": 0.001 } ],
 //!   "lock": ["mesh", "constraints"] }
 //! ```
 
@@ -47,6 +48,8 @@ struct GoalFile {
     #[serde(default, deserialize_with = "present")]
     measure: Option<String>,
     #[serde(default, deserialize_with = "present")]
+    build: Option<String>,
+    #[serde(default, deserialize_with = "present")]
     constraint: Option<String>,
     #[serde(default, deserialize_with = "present")]
     beyond: Option<f64>,
@@ -59,6 +62,8 @@ struct GoalFile {
 struct ResultFile {
     #[serde(default, deserialize_with = "present")]
     measure: Option<String>,
+    #[serde(default, deserialize_with = "present")]
+    build: Option<String>,
     #[serde(default, deserialize_with = "present")]
     constraint: Option<String>,
     #[serde(default, deserialize_with = "present")]
@@ -88,32 +93,33 @@ impl<'de> Deserialize<'de> for Goal {
 
 impl<'de> Deserialize<'de> for GoalResult {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<GoalResult, D::Error> {
-        let ResultFile { measure, constraint, beyond, at_most, value, met } =
+        let ResultFile { measure, build, constraint, beyond, at_most, value, met } =
             ResultFile::deserialize(from)?;
-        let goal = goal_of(GoalFile { measure, constraint, beyond, at_most });
+        let goal = goal_of(GoalFile { measure, build, constraint, beyond, at_most });
         Ok(GoalResult { goal: goal.map_err(D::Error::custom)?, value, met })
     }
 }
 
 fn goal_of(file: GoalFile) -> Result<Goal, JsonError> {
-    const WHAT: &str = "{\"measure\": ...} or {\"constraint\": ...}";
+    const WHAT: &str = "{\"measure\": ...}, {\"constraint\": ...} or {\"build\": ...}";
     let error = |message: String| Err(JsonError::new("", message));
     let from_zero = |key: &str, value: f64| match value >= 0.0 {
         true => Ok(value),
         false => Err(found(&value.into(), "a number from 0").below_key(key)),
     };
     let beyond = file.beyond.map(|beyond| from_zero("beyond", beyond)).transpose()?;
-    let of = match (file.measure, file.constraint) {
-        (Some(measure), None) => match beyond {
+    let of = match (file.measure, file.constraint, file.build) {
+        (Some(measure), None, None) => match beyond {
             Some(tolerance) => GoalOf::Beyond { measure, tolerance },
             None => GoalOf::Measure(measure),
         },
-        (None, Some(_)) if beyond.is_some() => {
+        (None, ..) if beyond.is_some() => {
             return error("`beyond` counts faces by a measure, expected a \"measure\"".to_owned());
         }
-        (None, Some(name)) => GoalOf::Constraint(name),
-        (None, None) => return error(format!("the goal is about nothing, expected {WHAT}")),
-        (Some(_), Some(_)) => return error(format!("the goal is about two, expected {WHAT}")),
+        (None, Some(name), None) => GoalOf::Constraint(name),
+        (None, None, Some(id)) => GoalOf::Build(id),
+        (None, None, None) => return error(format!("the goal is about nothing, expected {WHAT}")),
+        _ => return error(format!("the goal is about two, expected {WHAT}")),
     };
     let at_most = file.at_most.ok_or_else(|| JsonError::missing_field("at_most"))?;
     Ok(Goal { of, at_most: from_zero("at_most", at_most)? })
@@ -138,6 +144,7 @@ fn goal_fields(goal: &Goal) -> Vec<String> {
             vec![field("measure", text(measure)), field("beyond", number(*tolerance))]
         }
         GoalOf::Constraint(name) => vec![field("constraint", text(name))],
+        GoalOf::Build(id) => vec![field("build", text(id))],
     };
     fields.push(field("at_most", number(goal.at_most)));
     fields

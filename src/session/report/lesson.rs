@@ -2,6 +2,7 @@
 
 use super::face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, face_values};
 use super::measuring::{Measuring, Shape};
+use crate::fabricate::{BUILD_NUMBERS, BuildNumber, NumberUnit};
 use crate::mesh::Mesh;
 use crate::scene::{ConstraintSpec, Goal, GoalOf, GoalResult, Lesson, Scene, SceneError};
 use crate::solve::exact_tolerance;
@@ -20,8 +21,10 @@ pub struct GoalWords<'a> {
     pub unit: MeasureUnit,
     /// The largest value that meets the goal, in that unit.
     pub at_most: f64,
-    /// The id of the measure; none where it is about a constraint.
+    /// The id of the measure; none where it is about something else.
     pub measure: Option<&'static str>,
+    /// The id of the number of what is built; none where it is about something else.
+    pub build: Option<&'static str>,
     /// Where faces beyond this value are counted, the value, in that unit; `at_most` is a count then.
     pub beyond: Option<f64>,
 }
@@ -39,6 +42,7 @@ pub(crate) fn check_lesson(scene: &Scene, mesh: &Mesh) -> Result<(), SceneError>
                 ("measure", check_measure(id, mesh))
             }
             GoalOf::Constraint(name) => ("constraint", check_constraint(name, scene)),
+            GoalOf::Build(id) => ("build", check_build(id, mesh)),
         };
         let path = || format!("lesson.goals[{i}].{key}");
         checked.map_err(|message| SceneError { path: path(), message })?;
@@ -60,8 +64,15 @@ pub(crate) fn check_presentation(scene: &Scene, mesh: &Mesh) -> Result<(), Scene
 }
 
 fn check_measure(id: &str, mesh: &Mesh) -> Result<(), String> {
-    if declared(id).is_none() {
-        let known: Vec<_> = FACE_MEASURES.iter().map(|measure| measure.id).collect();
+    check_known(id, FACE_MEASURES.iter().map(|measure| measure.id).collect(), mesh)
+}
+
+fn check_build(id: &str, mesh: &Mesh) -> Result<(), String> {
+    check_known(id, BUILD_NUMBERS.iter().map(|number| number.id).collect(), mesh)
+}
+
+fn check_known(id: &str, known: Vec<&str>, mesh: &Mesh) -> Result<(), String> {
+    if !known.contains(&id) {
         return Err(format!("found {id:?}, expected one of {}", known.join(", ")));
     }
     if mesh.faces.is_empty() {
@@ -109,6 +120,7 @@ fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
                 unit: measure.unit,
                 at_most: goal.at_most,
                 measure: Some(measure.id),
+                build: None,
                 beyond: match goal.of {
                     GoalOf::Beyond { tolerance, .. } => Some(tolerance),
                     _ => None,
@@ -121,8 +133,29 @@ fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
             unit: MeasureUnit::Length,
             at_most: goal.at_most,
             measure: None,
+            build: None,
             beyond: None,
         },
+        GoalOf::Build(id) => {
+            let declared = BUILD_NUMBERS.iter().find(|number| number.id == id);
+            let &BuildNumber { id, label, words, unit } =
+                declared.expect("goals are checked when a scene is taken over");
+            let unit = match unit {
+                NumberUnit::Length => MeasureUnit::Length,
+                NumberUnit::Degrees => MeasureUnit::Degrees,
+                NumberUnit::Count => MeasureUnit::Number,
+            };
+            let (measure, beyond) = (None, None);
+            GoalWords {
+                label,
+                words,
+                unit,
+                at_most: goal.at_most,
+                measure,
+                build: Some(id),
+                beyond,
+            }
+        }
     }
 }
 
@@ -136,7 +169,7 @@ pub(crate) fn goals(model: &mut Measuring<'_>) -> Vec<GoalResult> {
         // At most zero asks for exact, which rounding keeps from zero itself.
         let at_most = match goal.of {
             GoalOf::Constraint(_) => goal.at_most.max(exact),
-            GoalOf::Measure(_) | GoalOf::Beyond { .. } => goal.at_most,
+            GoalOf::Measure(_) | GoalOf::Beyond { .. } | GoalOf::Build(_) => goal.at_most,
         };
         GoalResult { met: value.is_some_and(|value| value <= at_most), goal, value }
     };
@@ -156,6 +189,7 @@ fn worst_of(model: &mut Measuring<'_>, of: &GoalOf) -> Option<f64> {
             let beyond = values.iter().filter(|value| *value > tolerance).count();
             has_one.then_some(beyond as f64)
         }
+        GoalOf::Build(id) => model.cache.told(model.scene, id),
         GoalOf::Constraint(name) => {
             let specs = model.scene.document().constraints.iter();
             let enabled = specs.filter(|spec| spec.enabled);

@@ -21,6 +21,8 @@ struct Measured {
     recent: Option<(Rc<Measures>, f64)>,
     /// `#V`
     surface_distances: Option<Rc<[f64]>>,
+    /// What others measured of this shape, by name.
+    told: Vec<(String, f64)>,
     /// The triangle of the original that was closest to each vertex last, `#V`; none before the first search.
     closest: Vec<u32>,
 }
@@ -64,6 +66,20 @@ impl MeasureCache {
         };
         Rc::clone(surface_distances.get_or_insert_with(search))
     }
+
+    /// Keeps what others measured of the current shape, by name.
+    pub(crate) fn tell(&self, scene: &SolvedScene, values: Vec<(String, f64)>) {
+        let mut measured = self.0.borrow_mut();
+        measured.begin(scene.positions());
+        measured.told = values;
+    }
+
+    /// What others measured of the current shape; none where they did not.
+    pub(crate) fn told(&self, scene: &SolvedScene, name: &str) -> Option<f64> {
+        let mut measured = self.0.borrow_mut();
+        measured.begin(scene.positions());
+        measured.told.iter().find(|(own, _)| own == name).map(|(_, value)| *value)
+    }
 }
 
 impl Measured {
@@ -72,6 +88,7 @@ impl Measured {
         let is_same = |known: &Rc<[Point]>| Rc::ptr_eq(known, positions) || known == positions;
         if !self.positions.as_ref().is_some_and(is_same) {
             (self.measures, self.surface_distances) = (None, None);
+            self.told.clear();
         }
         self.positions = Some(Rc::clone(positions));
     }

@@ -1,7 +1,8 @@
 //! Steps of undo and unfinished work as bytes, to go on after a restart, and what a student hands in.
 
 use super::solver::Solver;
-use crate::web::thrown;
+use crate::fabricate::BUILD_NUMBERS;
+use crate::web::{plain_object, thrown};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -23,6 +24,20 @@ impl Solver {
     /// can be restored is, also when an error says that something cannot.
     pub fn restore(&mut self, history: &[u8], progress: &[u8]) -> Result<(), JsValue> {
         self.open_mut()?.restore(history, progress).map_err(thrown)
+    }
+
+    /// The numbers of what is built that a lesson may bound.
+    #[wasm_bindgen(js_name = buildNumbers)]
+    pub fn build_numbers(&self) -> Result<JsValue, JsValue> {
+        plain_object(&BUILD_NUMBERS)
+    }
+
+    /// Takes over numbers of what is built of the shape as it is: `ids` and as many `values`.
+    #[wasm_bindgen(js_name = tellBuild)]
+    pub fn tell_build(&mut self, ids: Vec<String>, values: &[f64]) -> Result<(), JsValue> {
+        let numbers = ids.into_iter().zip(values.iter().copied()).collect();
+        self.open_mut()?.tell_build(numbers);
+        Ok(())
     }
 
     /// The file that `student` hands in.

@@ -11,8 +11,15 @@ export default {
       action: () =>
         app.actions.reportErrors(import('./build-panel.js').then((it) => it.toggleBuild(app))),
       needsModel: true,
-      enabled: ({ model }) => Boolean(model?.faces),
       pressed: ({ build }) => build !== null,
+    },
+  ],
+  parts: [
+    {
+      keys: ['document'],
+      isNeeded: ({ document }) => Boolean(document?.lesson?.goals.some(({ build }) => build)),
+      load: (app) =>
+        import('./build-goals.js').then((it) => app.actions.reportErrors(it.buildGoals(app))),
     },
   ],
 };

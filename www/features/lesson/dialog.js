@@ -15,7 +15,7 @@ const ERROR_AT = /^goals\[(\d+)\]/;
 /**
  * @param {import("../../app/context.js").AppContext} app
  */
-export function write(app) {
+export async function write(app) {
   const { store, files, actions } = app;
   const share = () => app.commands.find(({ id }) => id === 'share')?.action();
   const state = store.get();
@@ -23,6 +23,7 @@ export function write(app) {
   if (!scene) return;
   // Goals are written in the unit of the tolerance.
   const { tolerance } = state;
+  const numbers = state.model?.faces ? await actions.buildNumbers() : [];
   const { unit, factor } = lengthUnit(tolerance ?? 0, scene.units);
   const lengths = { unit: unit || 'unit of the mesh', factor };
   const measures = state.model?.faces ? state.measures : [];
@@ -42,6 +43,12 @@ export function write(app) {
       label: `Constraint: ${label}`,
       ...lengths,
       goal: { constraint: label },
+    })),
+    ...numbers.map(({ id, label, unit }) => ({
+      value: `build ${id}`,
+      label: `Build: ${label}`,
+      ...(unit === 'length' ? lengths : { unit: unit === 'degrees' ? '°' : '', factor: 1 }),
+      goal: { build: id },
     })),
   ];
 
@@ -118,12 +125,15 @@ export function write(app) {
   const add = button('Add goal', addEmpty, { disabled: about.length === 0 });
   const asked = declared(state, state.measure ?? measureOfScene(state));
   const first = `measure ${asked?.id ?? ''}`;
-  for (const { measure, label, atMost, beyond } of scene.lesson?.goals ?? []) {
+  for (const { measure, build, label, atMost, beyond } of scene.lesson?.goals ?? []) {
     if (measure && beyond !== null) {
       const counted = counting(measure, beyond);
       if (!about.some(({ value }) => value === counted.value)) about.push(counted);
       addGoal(counted.value, atMost);
-    } else addGoal(measure ? `measure ${measure}` : `constraint ${label}`, atMost);
+    } else {
+      const other = build ? `build ${build}` : `constraint ${label}`;
+      addGoal(measure ? `measure ${measure}` : other, atMost);
+    }
   }
   if (goals.length === 0 && about.length > 0)
     addGoal(first, asked ? toleranceOf(state, asked) : null);

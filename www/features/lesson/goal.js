@@ -24,10 +24,14 @@ export function goalInWords(goal, units) {
     if (goal.atMost === 0) return `${goal.label}: no panel beyond ${beyond}`;
     return `${goal.label} beyond ${beyond}: at most ${count(goal.atMost, 'panel')}`;
   }
-  if (goal.measure === null && goal.atMost === 0) return `${goal.label} exact`;
+  if (goal.measure === null && !goal.build && goal.atMost === 0) return `${goal.label} exact`;
+  if (isCount(goal)) return `${goal.label}: at most ${goal.atMost}`;
   const most = valueInWords(measureOf(goal), goal.atMost, units);
   return `Worst ${goal.label.toLowerCase()} at most ${most}`;
 }
+
+/** Whether it bounds how many there are of what is built. @param {Goal} goal */
+const isCount = ({ build, unit }) => build !== null && unit === 'number';
 
 /**
  * The value of a goal as it is now.
@@ -37,6 +41,7 @@ export function goalInWords(goal, units) {
  */
 export function nowInWords(goal, value, { units, size }) {
   if (goal.beyond !== null) return count(value, 'panel');
+  if (isCount(goal)) return String(value);
   const measure = measureOf(goal);
   const shown = value < roundingOf(measure, size) ? 0 : value;
   // As the goal is written: both are read against each other.

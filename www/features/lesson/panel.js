@@ -67,7 +67,9 @@ export function lessonPanel(app) {
       const { mark, value: place, row } = rows[index];
       const words =
         value === null
-          ? 'nothing has it'
+          ? goals[index].build
+            ? 'told when the shape is at rest'
+            : 'nothing has it'
           : nowInWords(goals[index], value, { units: document.units, size });
       row.className = met ? 'goal-met' : 'goal-missed';
       setText(mark, met ? MARKS.met : MARKS.missed);

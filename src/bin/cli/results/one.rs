@@ -60,7 +60,7 @@ fn measured(goal: &GoalResult) -> String {
         GoalOf::Beyond { measure, tolerance } => {
             format!("panels with {measure} beyond {tolerance}")
         }
-        GoalOf::Constraint(name) => name.clone(),
+        GoalOf::Constraint(name) | GoalOf::Build(name) => name.clone(),
     };
     let value = goal.value.map_or("none".to_owned(), |value| value.to_string());
     format!("{of}: {value}, at most {}", goal.goal.at_most)
