@@ -64,6 +64,8 @@ await main(() => {
   const isOfRefining = (path) => /^refine/.test(basename(path));
   // The dialog of New mesh comes when it is asked for, too.
   const isOfBegin = (path) => /^dialog-new-mesh/.test(basename(path));
+  // So does the card about curvature, with its worker.
+  const isOfCurvature = (path) => /^curvature/.test(basename(path));
   const isOfVariations = (path) => /^(variation|docked)/.test(basename(path));
   // An embedded view, once it is started, and the dialog of Share with its code to scan come for themselves.
   const isOfSharing = (path) => /^(embedded-view|dialog-share|share)/.test(basename(path));
@@ -83,6 +85,7 @@ await main(() => {
     !isOfVariations(path) &&
     !isOfRefining(path) &&
     !isOfBegin(path) &&
+    !isOfCurvature(path) &&
     !isOfSharing(path) &&
     !isOfPresenting(path) &&
     !isOfLinks(path) &&
@@ -108,8 +111,9 @@ await main(() => {
     row('plots', code.filter(isPlot), 30 * kB),
     row('parts and sheets', code.filter(isOfParts), 18 * kB),
     row('variations', code.filter(isOfVariations), 9 * kB),
-    // The plan that is drawn is 4 kB of it, what calls the module of parts another 4 kB.
-    row('new mesh', code.filter(isOfBegin), 11 * kB),
+    // The plan that is drawn is 4 kB of it, surfaces between curves 1 kB, what calls the module of parts another 4 kB.
+    row('new mesh', code.filter(isOfBegin), 13 * kB),
+    row('curvature', code.filter(isOfCurvature), 9 * kB),
     row('refining', code.filter(isOfRefining), 4 * kB),
     row('presentations', code.filter(isOfPresenting), 6 * kB),
     row('links', code.filter(isOfLinks), 8 * kB),

@@ -23,9 +23,9 @@ export const sizeFlags = [
 /** The rooms of `src/` that a view is compiled from; `src/lib.rs` says so. */
 const isOfView = (path) => /^src\/(lib\.rs|math\/|view\/|web\/(mod\.rs|page\/))/.test(path);
 
-/** The rooms that the module of parts, and of meshes to begin with, is compiled from. */
+/** The rooms that the module of parts, of meshes to begin with and of curvature is compiled from. */
 const isOfBuild = (path) =>
-  /^src\/(lib\.rs|math\/|mesh\/|sparse\/|example\/|begin\/|fabricate\/|web\/(mod|begin|build)\.rs)/.test(
+  /^src\/(lib\.rs|math\/|mesh\/|sparse\/|example\/|begin\/|fabricate\/|web\/(mod|begin|build|curvature)\.rs)/.test(
     path,
   );
 

@@ -28,7 +28,7 @@
 //! | [`scene`] | the scene file: serde form and validation; the problem that it poses | math, json, mesh, constraint, sparse, solve, fabricate |
 //! | [`error`] | the one error that hosts see | mesh, scene, solve |
 //! | [`example`] | the example scenes, and the generators of their meshes | math, mesh, constraint, scene |
-//! | [`begin`] | meshes to begin with, by kinds and sizes, or from a plan | math, json, mesh, sparse, example |
+//! | [`begin`] | meshes to begin with, by kinds and sizes, from a plan, or between curves | math, json, mesh, sparse, example |
 //! | [`session`] | what every host drives: load, edit, drag, step, undo, report | all above |
 //! | [`experiment`] | the paper's comparisons with other methods (Fig. 10, 11), run live | all above |
 //! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |

@@ -361,8 +361,8 @@ async fn both_sides_of_a_split_picture_have_what_the_single_one_has() {
     view.set_split(0.5);
     let original = Some(flat_square());
     let values = |k: f32| Some(vec![0.1 * k, 0.3 * k, 0.6 * k, 0.9 * k]);
-    view.set_split_side(0, original.clone(), values(1.0), None, 1.0, None).unwrap();
-    view.set_split_side(1, None, values(20.0), None, 20.0, None).unwrap();
+    view.set_split_side(0, original.clone(), values(1.0), None, 0.0, 1.0, None).unwrap();
+    view.set_split_side(1, None, values(20.0), None, 0.0, 20.0, None).unwrap();
     view.draw().unwrap();
     let mut before = pixels(&canvas);
     let mut both_change = |view: &mut View, what: &str| {
@@ -380,12 +380,12 @@ async fn both_sides_of_a_split_picture_have_what_the_single_one_has() {
     assert_eq!(view.ramp_colours(Some(1)).len(), view.band_limits(Some(1)).len() + 1);
     // Isolines go through the faces by the values of the vertices.
     let corners = |k: f32| Some((0..9).map(|v| 0.1 * k * v as f32).collect());
-    view.set_split_side(0, original, values(1.0), corners(1.0), 1.0, None).unwrap();
-    view.set_split_side(1, None, values(20.0), corners(20.0), 20.0, None).unwrap();
+    view.set_split_side(0, original, values(1.0), corners(1.0), 0.0, 1.0, None).unwrap();
+    view.set_split_side(1, None, values(20.0), corners(20.0), 0.0, 20.0, None).unwrap();
     both_change(&mut view, "isolines");
     view.set_surroundings(false, true);
     both_change(&mut view, "ground");
-    view.set_split_side(0, None, values(1.0), None, 1.0, None).unwrap();
+    view.set_split_side(0, None, values(1.0), None, 0.0, 1.0, None).unwrap();
     view.draw().unwrap();
     before = pixels(&canvas);
     view.set_surroundings(true, true);

@@ -32,7 +32,10 @@ pub use bounds::{BoundingSphere, FARTHEST, too_far};
 pub use closest::{
     BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, Polyline, Surface,
 };
-pub use curvature::{Curvature, CurvatureLines, curvatures};
+pub use curvature::{
+    Curvature, CurvatureField, CurvatureLine, CurvatureLines, Family, SurfacePlace, curvatures,
+    face_curvatures,
+};
 pub use diagnostics::{ElementsWithProblem, diagnose, elements_with_problem};
 pub use edit::{
     Combinations, Edited, KEPT_TURN, MESH_OPERATIONS, MeshOperation, OperationError, Origins,

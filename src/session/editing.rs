@@ -2,7 +2,7 @@
 
 use super::Session;
 use super::edit::{
-    Carried, Edit, Moment, OfferedOperation, Remeshing, RemeshingPreview, apply, carry,
+    Carried, Edit, Moment, OfferedOperation, Refinement, Remeshing, RemeshingPreview, apply, carry,
     check_locks, offered,
 };
 use super::report::{MeasureCache, check_lesson, check_presentation};
@@ -11,10 +11,19 @@ use super::state::{RestMesh, SceneChange, SolvedScene, resolve_rows};
 use super::undo::{Change, SavedState, read_history, read_state, write_history, write_state};
 use crate::error::Error;
 use crate::mesh::{
-    Edited, Mesh, MeshOperation, OperationError, Point, SubdivideError, Subdivision, Task, counted,
+    Edited, Mesh, MeshOperation, OperationError, Point, Scheme, SubdivideError, SubdividedCounts,
+    Subdivision, Task, counted,
 };
 use crate::scene::{Scene, SceneError};
 use std::rc::Rc;
+
+/// Refining is offered so often at most, and as long as no more faces come of it.
+const MOST_REFINEMENTS: u32 = 5;
+const MANY_FACES: usize = 100_000;
+
+fn cannot_be_refined(why: SubdivideError) -> SceneError {
+    SceneError { path: "mesh".to_owned(), message: why.to_string() }
+}
 
 impl Session {
     /// Makes an edit, and returns whether it is a step of undo: one that changes nothing is none.
@@ -147,12 +156,33 @@ impl Session {
     /// # Errors
     /// When the mesh cannot be subdivided so, or the system would be singular; nothing has changed then.
     fn refine(&mut self, subdivision: &Subdivision) -> Result<(String, Change), Error> {
-        let refused =
-            |why: SubdivideError| SceneError { path: "mesh".to_owned(), message: why.to_string() };
-        let refined = subdivision.apply(self.mesh(), self.topology()).map_err(refused)?;
+        let refined = subdivision.apply(self.mesh(), self.topology());
+        let refined = refined.map_err(cannot_be_refined)?;
         let name = format!("Refine to {}", counted(refined.mesh.faces.len(), "face", "faces"));
         let (rest, carried) = self.carried_to(&refined, self.rest.positions());
         Ok((name, self.go_to_mesh(rest, carried)?))
+    }
+
+    /// What refining by a scheme would make of the mesh, once, twice and so on: as often as no more than 100,000 faces
+    /// come of it, and at least once.
+    ///
+    /// # Errors
+    /// When the mesh cannot be subdivided so.
+    pub fn refinements(&self, scheme: Scheme, keep: f64) -> Result<Vec<Refinement>, Error> {
+        let mut made: Vec<Refinement> = Vec::new();
+        let mut edge = self.rest.mean_edge();
+        for levels in 1..=MOST_REFINEMENTS {
+            let subdivision = Subdivision { scheme, levels, keep };
+            let counts = subdivision.counts(self.mesh(), self.topology());
+            let SubdividedCounts { vertices, faces } = match counts {
+                Ok(counts) if levels == 1 || counts.faces <= MANY_FACES => counts,
+                Err(why) if levels == 1 => return Err(cannot_be_refined(why).into()),
+                _ => break,
+            };
+            edge *= 0.5;
+            made.push(Refinement { vertices, faces, edge });
+        }
+        Ok(made)
     }
 
     /// Changes the mesh by an operation; its name and the way back.

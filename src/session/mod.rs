@@ -51,8 +51,8 @@ pub use crate::solve::Moved;
 pub use composition::Session;
 pub use dragging::DragPhase;
 pub use edit::{
-    ConstraintTarget, Edit, NewConstraint, OfferedOperation, Preview, Remeshing, RemeshingPreview,
-    SETTINGS, Setting, settings_of,
+    ConstraintTarget, Edit, NewConstraint, OfferedOperation, Preview, Refinement, Remeshing,
+    RemeshingPreview, SETTINGS, Setting, settings_of,
 };
 pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};

@@ -1,7 +1,7 @@
 //! Meshes to begin with, for the page. They are in the module of parts, which comes when it is first asked for.
 
-use super::{log_panics, plain_object as plain, thrown};
-use crate::begin::{NEW_KINDS, NewKind, Plan};
+use super::{log_panics, mesh_of, plain_object as plain, rows_of, thrown};
+use crate::begin::{NEW_KINDS, NewKind, Plan, PlanError, SpanCurve, SpanError, fill, loft};
 use crate::mesh::{Mesh, write_obj};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -32,23 +32,92 @@ pub fn new_kinds() -> Result<JsValue, JsValue> {
 #[wasm_bindgen(js_name = newMesh)]
 pub fn new_mesh(kind: &str, sizes: &[f64], units: &str) -> Result<String, JsValue> {
     let kind = NewKind::of(kind).ok_or_else(|| thrown(format!("unknown kind {kind:?}")))?;
-    Ok(obj(&kind.mesh(sizes).map_err(thrown)?, units))
+    Ok(obj(&kind.mesh(sizes).map_err(thrown)?, units, "z"))
 }
 
 /// The surface over a drawn plan.
 ///
 /// # Errors
-/// What is wrong with the plan, in one sentence.
+/// What is wrong with the plan, in one sentence; where sides cross, the error has them as `sides`: the loop and the point
+/// where it begins of each, the outline being loop 0.
 #[wasm_bindgen(js_name = newPlan, unchecked_return_type = "NewPlan")]
 pub fn new_plan(
     #[wasm_bindgen(unchecked_param_type = "Plan")] plan: JsValue,
     units: &str,
 ) -> Result<JsValue, JsValue> {
     let plan: Plan = serde_wasm_bindgen::from_value(plan).map_err(thrown)?;
-    let surface = plan.surface().map_err(thrown)?;
-    plain(&NewPlan { text: obj(&surface.mesh, units), feet: surface.feet })
+    let surface = plan.surface().map_err(|why| refused(&why))?;
+    plain(&NewPlan { text: obj(&surface.mesh, units, "z"), feet: surface.feet })
 }
 
-fn obj(mesh: &Mesh, units: &str) -> String {
-    format!("# units: {units}\n# up: z\n{}", write_obj(mesh, &mesh.positions))
+fn refused(why: &PlanError) -> JsValue {
+    let error = thrown(why);
+    if let PlanError::Crossing(sides) = why {
+        let numbers = sides.map(|side| [side.hole.map_or(0, |hole| hole + 1), side.point]);
+        let numbers: js_sys::Array =
+            numbers.as_flattened().iter().map(|&number| JsValue::from(number as u32)).collect();
+        // An object that was just made takes every property.
+        let _ = js_sys::Reflect::set(&error, &"sides".into(), &numbers);
+    }
+    error
+}
+
+/// The curves of a mesh, and the surfaces between them.
+#[wasm_bindgen]
+pub struct NewSpans {
+    curves: Vec<SpanCurve>,
+    units: String,
+    up: String,
+}
+
+#[wasm_bindgen]
+impl NewSpans {
+    /// Of a mesh of `positions`, `#V by 3`, with faces and polylines as offsets and indices; `up` is its upright axis,
+    /// z or y.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        positions: &[f64],
+        face_offsets: &[u32],
+        face_indices: &[u32],
+        curve_offsets: &[u32],
+        curve_indices: &[u32],
+        units: String,
+        up: String,
+    ) -> NewSpans {
+        let mut mesh = mesh_of(positions, face_offsets, face_indices);
+        mesh.curves = rows_of(curve_offsets, curve_indices);
+        NewSpans { curves: SpanCurve::all(&mesh), units, up }
+    }
+
+    /// Its polylines, then the boundaries of its faces.
+    ///
+    /// # Errors
+    /// None: they are plain data.
+    #[wasm_bindgen(unchecked_return_type = "CurveWords[]")]
+    pub fn curves(&self) -> Result<JsValue, JsValue> {
+        plain(&SpanCurve::words(&self.curves))
+    }
+
+    /// The surface between two of them, or where the second is not given inside one, with panels of that size, as the
+    /// text of an OBJ file.
+    ///
+    /// # Errors
+    /// Why there is none, in one sentence.
+    pub fn mesh(&self, first: usize, second: Option<usize>, size: f64) -> Result<String, JsValue> {
+        let mesh = self.surface(first, second, size).map_err(thrown)?;
+        Ok(obj(&mesh, &self.units, &self.up))
+    }
+
+    fn surface(&self, first: usize, second: Option<usize>, size: f64) -> Result<Mesh, SpanError> {
+        let first = SpanCurve::of(&self.curves, first)?;
+        match second {
+            Some(second) => loft(first, SpanCurve::of(&self.curves, second)?, size),
+            None => fill(first, size),
+        }
+    }
+}
+
+fn obj(mesh: &Mesh, units: &str, up: &str) -> String {
+    let units = if units.is_empty() { String::new() } else { format!("# units: {units}\n") };
+    format!("{units}# up: {up}\n{}", write_obj(mesh, &mesh.positions))
 }

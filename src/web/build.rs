@@ -1,12 +1,11 @@
 //! Sheets and the build check for the page: a module of its own, which is loaded when it is first asked for.
 
-use super::{log_panics, plain_object as plain, thrown};
+use super::{log_panics, mesh_of, plain_object as plain, thrown};
 use crate::fabricate::file::{path, svg};
 use crate::fabricate::sheet::Role;
 use crate::fabricate::{
     BUILD_NUMBERS, Build, BuildPreset, BuildSettings, LengthInMetres, PRESETS, ReportView,
 };
-use crate::mesh::{Mesh, Ragged};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -78,12 +77,7 @@ impl Builder {
         metres: f64,
     ) -> Result<Builder, JsValue> {
         let settings: BuildSettings = serde_wasm_bindgen::from_value(settings).map_err(thrown)?;
-        let mut faces = Ragged::new();
-        offsets
-            .windows(2)
-            .for_each(|ends| faces.push(&indices[ends[0] as usize..ends[1] as usize]));
-        let points = positions.chunks_exact(3).map(|point| [point[0], point[1], point[2]]);
-        let mesh = Mesh { positions: points.collect(), faces, ..Mesh::default() };
+        let mesh = mesh_of(positions, offsets, indices);
         let build = Build::new(&mesh, &settings, LengthInMetres { symbol, metres });
         Ok(Builder { build: build.map_err(thrown)? })
     }

@@ -20,6 +20,7 @@ mod improving;
 mod lessons;
 mod locks;
 mod make_panels;
+mod measures;
 mod offers;
 mod operators;
 mod own_mesh;

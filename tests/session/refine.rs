@@ -174,3 +174,22 @@ fn level_by_level_the_panels_of_a_real_mesh_become_flat_and_it_is_as_good_as_all
     let [a, b] = [&level_by_level, &at_once].map(|session| session.solver().energy().total);
     assert!(a < 1.05 * b, "{a} {b}");
 }
+
+#[test]
+fn what_refining_makes_is_said_beforehand() {
+    let said = |session: &Session, scheme| session.refinements(scheme, KEPT_TURN);
+    let mut session = open(ALL, bumpy(4));
+    let made = said(&session, Scheme::CatmullClark).expect("it can be refined");
+    assert!(made.len() >= 3);
+    for (levels, known) in (1..).zip(&made[..3]) {
+        session.edit(refine(Scheme::CatmullClark, levels)).expect("it can be refined");
+        let mesh = session.mesh();
+        assert_eq!((mesh.positions.len(), mesh.faces.len()), (known.vertices, known.faces));
+        let edge = session.mean_edge() / known.edge;
+        assert!((0.8..1.1).contains(&edge), "about: {edge}");
+        session.undo().expect("it was solvable");
+    }
+    // No scheme for triangles on quads, and no more faces than anybody solves here.
+    assert!(said(&session, Scheme::Loop).is_err());
+    assert!(made.iter().all(|one| one.faces <= 100_000));
+}

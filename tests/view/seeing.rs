@@ -4,6 +4,7 @@ use glam::{DVec3, Vec2};
 use shape_up::view::appearance::LineKind;
 use shape_up::view::camera::CameraProjection;
 use shape_up::view::gizmo::DragDirection;
+use shape_up::view::overlay::SurfaceLines;
 use shape_up::view::state::{Outline, Taking, ViewState};
 
 const CANVAS: Vec2 = Vec2::new(900.0, 600.0);
@@ -263,4 +264,24 @@ fn a_turntable_turns_the_model_in_front_of_the_eye() {
     let after = state.camera().eye();
     assert!((after.forward - before.eye().forward).length() < 1e-4);
     assert!((after.at - before.eye().at).length() < 1e-2 * before.distance);
+}
+
+#[test]
+fn lines_over_the_surface_are_of_two_kinds_and_go_with_the_mesh() {
+    let mut state = state();
+    state.take_changed_surface_lines();
+    let points = [0.0, 0.0, 4.0, 5.0, 0.0, 4.0, 10.0, 0.0, 4.0, 0.0, 5.0, 4.0, 10.0, 5.0, 4.0];
+    let lines = SurfaceLines::new(&points, vec![0, 3, 5], 1).unwrap();
+    state.set_surface_lines(lines);
+    let (lines, places) = state.take_changed_surface_lines().expect("they are new");
+    let [larger, smaller] = [LineKind::Larger, LineKind::Smaller].map(|kind| kind as u32);
+    assert_eq!(lines, [[0, 1, larger], [1, 2, larger], [3, 4, smaller]]);
+    assert!(((places[2] - places[0]).length() - 10.0).abs() < 1e-5);
+    assert_eq!(state.take_changed_surface_lines(), None, "they are drawn");
+    assert!(SurfaceLines::new(&points, vec![0, 3, 6], 1).is_err());
+    assert!(SurfaceLines::new(&points[..4], vec![0, 1], 1).is_err());
+    assert!(SurfaceLines::new(&[f64::NAN; 3], vec![0, 1], 1).is_err());
+    // Another mesh has none of the one before.
+    state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &floors()[..9]).unwrap();
+    assert_eq!(state.take_changed_surface_lines(), Some((vec![], vec![])));
 }

@@ -201,7 +201,8 @@
  *   corners, as CSV.
  * - `trace`: the energies of the iterations that led to the current shape; of very many as many as a plot
  *   can show, evenly spaced.
- * - `meshOperations`: what can be done to the mesh. `remeshing`: what one of them would make of it.
+ * - `meshOperations`: what can be done to the mesh. `remeshing`: what one of them would make of it, `refinements`: what
+ *   refining would, once, twice and so on.
  * - `comparison`: what the experiment on whatever is open declares.
  * - `runExperiment`: starts the experiment of an example, on its files, the scene first, or the comparison on
  *   what is open, from its original shape; the model that is open is not touched. `experimentCsv`: what was
@@ -248,6 +249,7 @@
  *   | { type: "runExperiment", of: { example: string, files: NamedBytes[] } | null, iterations: number }
  *   | { type: "experimentCsv" }
  *   | { type: "meshOperations" }
+ *   | { type: "refinements", scheme: string, keep: number }
  *   | { type: "remeshing", asked: import("../pkg/solver/shape_up.js").Remeshing }} Request
  */
 
@@ -321,6 +323,7 @@
  * @property {string} experimentCsv
  * @property {import("../pkg/solver/shape_up.js").OfferedOperation[]} meshOperations
  * @property {import("../pkg/solver/shape_up.js").RemeshingPreview} remeshing
+ * @property {import("../pkg/solver/shape_up.js").Refinement[]} refinements
  */
 
 /**

@@ -60,26 +60,8 @@ export function meshActions(store, solver, actions) {
       return model?.notes ?? [];
     },
 
-    /**
-     * The numbers of vertices and faces that it makes.
-     * @param {Refinement} how
-     * @param {boolean} triangles whether all faces are triangles
-     */
-    counts({ scheme, levels }, triangles) {
-      const { connectivity } = solver.geometry ?? {};
-      if (!connectivity) return { vertices: 0, faces: 0 };
-      const { edges: ends, faceOffsets, faceIndices } = connectivity;
-      const { vertices: before = 0 } = store.get().model ?? {};
-      let [vertices, edges] = [before, ends.length / 2];
-      let [faces, corners] = [faceOffsets.length - 1, faceIndices.length];
-      const splits = triangles && scheme !== 'catmull-clark';
-      for (let level = 0; level < levels; level++) {
-        [vertices, edges] = [vertices + edges + (splits ? 0 : faces), 2 * edges + corners];
-        faces = splits ? 4 * faces : corners;
-        corners = (splits ? 3 : 4) * faces;
-      }
-      return { vertices, faces };
-    },
+    /** What refining would make of the mesh, once, twice and so on. @param {Refinement["scheme"]} scheme @param {number} keep */
+    refinements: (scheme, keep) => solver.request({ type: 'refinements', scheme, keep }),
 
     /**
      * Refines; or solves, refines once and solves again until it is refined so often or somebody pauses.

@@ -32,6 +32,7 @@
  * @property {Float64Array | undefined} positions of the original, where it is shown
  * @property {Float32Array | undefined} values of the faces
  * @property {Float32Array | undefined} corners values of the vertices whose greatest those are, for bands
+ * @property {number} low of the range of the colours: its beginning
  * @property {number} top of the range of the colours
  * @property {number | null} tolerance where the range begins: up to it the faces keep the material
  */

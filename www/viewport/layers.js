@@ -63,8 +63,9 @@ export function showValues(view, state, geometry) {
   const about = declared(state, state.measure);
   const allowed = about && toleranceOf(state, about);
   const tolerance = full ? null : allowed;
+  const isLog = log && !about?.signed;
   view.setColourMap(map, allowed ?? undefined);
-  view.setFaceValues(values ?? undefined, ...state.range, tolerance ?? undefined, log);
+  view.setFaceValues(values ?? undefined, ...state.range, tolerance ?? undefined, isLog);
 }
 
 /**

@@ -20,7 +20,7 @@ export function showSplit(view, { split }) {
   if (before?.at !== split.at) view.setSplit(split.at);
   split.sides.forEach((side, i) => {
     if (side === before?.sides[i]) return;
-    const { positions, values, corners, top, tolerance } = side;
-    view.setSplitSide(i, positions, values, corners, top, tolerance ?? undefined);
+    const { positions, values, corners, low, top, tolerance } = side;
+    view.setSplitSide(i, positions, values, corners, low, top, tolerance ?? undefined);
   });
 }

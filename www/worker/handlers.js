@@ -116,5 +116,6 @@ export function requestHandlers(solver, scheduler, post, died) {
     experimentCsv,
     meshOperations: () => solver.meshOperations(),
     remeshing: ({ asked }) => solver.remeshing(asked),
+    refinements: ({ scheme, keep }) => solver.refinements(scheme, keep),
   };
 }

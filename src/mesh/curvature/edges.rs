@@ -9,9 +9,9 @@ use crate::mesh::{Point, Ragged, Topology};
 
 /// The difference of the principal curvatures as a part of the sum of their sizes below which they are taken to be
 /// equal: what is left then is the error of the fit.
-const UMBILIC: f64 = 0.2;
+pub(super) const UMBILIC: f64 = 0.2;
 /// An edge that turns by less than this over its length, in radians, is on a surface that is flat there.
-const FLAT: f64 = 1e-3;
+pub(super) const FLAT: f64 = 1e-3;
 
 /// The edges of faces against the principal directions of the surface.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -76,3 +76,19 @@ pub fn curvatures(
     };
     (0..positions.len() as u32).map(of_vertex).collect()
 }
+
+/// A quantity of the curvature on each face, `#F`: the mean of its corners that have one; not a number where none has.
+pub fn face_curvatures(
+    positions: &[Point],
+    faces: &Ragged,
+    topology: &Topology,
+    quantity: impl Fn(&Curvature) -> f64,
+) -> Vec<f64> {
+    let known = curvatures(positions, faces, topology);
+    let mean = |face: &[u32]| {
+        let corners = face.iter().filter_map(|&v| known[v as usize].as_ref()).map(&quantity);
+        let (sum, count) = corners.fold((0.0, 0.0), |(sum, n), value| (sum + value, n + 1.0));
+        if count > 0.0 { sum / count } else { f64::NAN }
+    };
+    faces.iter().map(mean).collect()
+}

@@ -2,7 +2,7 @@
 
 use super::ask::panel_offers;
 use crate::constraint::{KINDS, Kind};
-use crate::mesh::{CurvatureLines, Mesh, Ragged, Topology, curvatures};
+use crate::mesh::{Curvature, CurvatureLines, Mesh, Ragged, Topology, face_curvatures};
 use crate::solve::{Constraints, least_move};
 use serde::Serialize;
 
@@ -13,8 +13,8 @@ const A_LITTLE: f64 = 0.03;
 const NOTHING: f64 = 1e-6;
 /// Edges off the lines of curvature by fewer degrees are not why a mesh has to move.
 const OFF: f64 = 10.0;
-/// A vertex is on a saddle where the product of the principal curvatures is below this part of the sum of their
-/// squares, negative; and a surface bends both ways where so many of the vertices that have curvatures are.
+/// A face is on a saddle where the product of the principal curvatures at its corners is below this part of the sum of
+/// their squares, on average; and it is told where more than such a part of the faces is.
 const SADDLE: f64 = -0.02;
 const SOME: f64 = 0.05;
 
@@ -56,10 +56,10 @@ pub struct Forecast {
     /// most faces are no quads, whose edges need not follow them.
     #[serde(skip)]
     pub off_curvature_lines: Option<f64>,
-    /// The part of the vertices with known curvatures that is on saddles, where most faces have more than four corners;
-    /// none where they have not.
+    /// How many faces with more than four corners are on saddles, and how many there are with known curvatures, where most
+    /// faces have so many corners; none where they have not.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub saddles: Option<f64>,
+    pub saddles: Option<[usize; 2]>,
 }
 
 impl Forecast {
@@ -75,7 +75,7 @@ impl Forecast {
                 .is_quad_dominant()
                 .then(|| CurvatureLines::new(&mesh.positions, &mesh.faces, topology).mean)
                 .flatten(),
-            saddles: has_large_faces(&mesh.faces).then(|| saddles(mesh, topology)).flatten(),
+            saddles: has_large_faces(&mesh.faces).then(|| saddles(mesh, topology)),
         })
     }
 
@@ -104,11 +104,11 @@ impl Forecast {
             (Some(HowFar::Lot), None) => ". A larger tolerance needs less.".to_owned(),
             _ => ".".to_owned(),
         };
-        if let Some(part) = self.saddles.filter(|&part| part >= SOME) {
-            let percent = 100.0 * part;
+        let some = |&[on_saddles, all]: &[usize; 2]| on_saddles as f64 > SOME * all as f64;
+        if let Some([on_saddles, all]) = self.saddles.filter(some) {
             words += &format!(
-                " It is a saddle at {percent:.0}% of its vertices, where flat panels with more than four \
-                 corners cannot be convex."
+                " {on_saddles} of {all} faces with more than four corners are where it is a saddle: flat panels \
+                 cannot be convex there."
             );
         }
         words
@@ -153,13 +153,16 @@ fn has_large_faces(faces: &Ragged) -> bool {
     2 * faces.iter().filter(|face| face.len() > 4).count() > faces.len()
 }
 
-/// The part of the vertices with known curvatures that are on saddles; none where none is known.
-fn saddles(mesh: &Mesh, topology: &Topology) -> Option<f64> {
-    let (mut saddles, mut known) = (0.0, 0.0);
-    for one in curvatures(&mesh.positions, &mesh.faces, topology).into_iter().flatten() {
-        let [a, b] = one.principal;
-        known += 1.0;
-        saddles += if a * b < SADDLE * (a * a + b * b) { 1.0 } else { 0.0 };
-    }
-    (known > 0.0).then(|| saddles / known)
+/// How many faces of more than four corners are on saddles, and how many there are where the curvature is known.
+fn saddles(mesh: &Mesh, topology: &Topology) -> [usize; 2] {
+    let (faces, at) = (&mesh.faces, &mesh.positions);
+    let product = face_curvatures(at, faces, topology, Curvature::gauss);
+    let squares = face_curvatures(at, faces, topology, |one| {
+        one.principal.iter().map(|value| value * value).sum()
+    });
+    let known = faces.iter().zip(product.into_iter().zip(squares));
+    let known = known.filter(|(face, (product, _))| face.len() > 4 && !product.is_nan());
+    known.fold([0, 0], |[on_saddles, all], (_, (product, squares))| {
+        [on_saddles + usize::from(product < SADDLE * squares), all + 1]
+    })
 }

@@ -38,6 +38,6 @@ pub(crate) use locks::{check_lock, check_locks};
 pub use preview::Preview;
 pub(crate) use preview::previews;
 pub(crate) use remeshing::offered;
-pub use remeshing::{OfferedOperation, Remeshing, RemeshingPreview};
+pub use remeshing::{OfferedOperation, Refinement, Remeshing, RemeshingPreview};
 pub(crate) use settings::is_of_solver;
 pub use settings::{SETTINGS, Setting, settings_of};

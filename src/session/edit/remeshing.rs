@@ -50,6 +50,18 @@ fn two_digits(number: f64) -> f64 {
     format!("{number:.1e}").parse().unwrap_or(number)
 }
 
+/// What refining makes of the mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Refinement {
+    /// `#V`
+    pub vertices: usize,
+    /// `#F`
+    pub faces: usize,
+    /// About the mean length of an edge, in the unit of the mesh.
+    pub edge: f64,
+}
+
 /// What an operation would make of the mesh.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]

@@ -8,7 +8,7 @@ use super::measuring::{Measuring, Shape};
 use super::moved::displacements;
 use super::projected::residuals;
 use crate::math::{Vec3, angle, polygon_corners, polygon_sides};
-use crate::mesh::{CurvatureLines, Point, diagonal_ratio};
+use crate::mesh::{Curvature, CurvatureLines, Point, diagonal_ratio, face_curvatures};
 use crate::session::state::{RestMesh, SolvedScene};
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -26,9 +26,13 @@ pub enum MeasureUnit {
     Degrees,
     /// A number without a unit.
     Number,
+    /// One over the unit of the mesh.
+    PerLength,
+    /// One over its square.
+    PerArea,
 }
 
-/// A measure of faces: never negative, and 0 is best.
+/// A measure of faces: never negative and best at 0, unless it is signed.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct FaceMeasure {
@@ -44,6 +48,10 @@ pub struct FaceMeasure {
     pub unit: MeasureUnit,
     /// Whether the fabrication tolerance of the model applies to it, a length.
     pub toleranced: bool,
+    /// Whether it tells how the surface bends.
+    pub curvature: bool,
+    /// Whether values have both signs: 0 is in the middle, and neither best nor worst.
+    pub signed: bool,
     #[serde(skip)]
     values: fn(&mut Measuring<'_>, Shape) -> Vec<f64>,
 }
@@ -57,6 +65,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel is flat",
         unit: MeasureUnit::Length,
         toleranced: true,
+        curvature: false,
+        signed: false,
         values: |model, shape| model.measures(shape).planarity_distances.clone(),
     },
     FaceMeasure {
@@ -66,6 +76,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel is flat",
         unit: MeasureUnit::Percent,
         toleranced: false,
+        curvature: false,
+        signed: false,
         values: diagonals,
     },
     FaceMeasure {
@@ -75,6 +87,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel is flat",
         unit: MeasureUnit::Percent,
         toleranced: false,
+        curvature: false,
+        signed: false,
         values: diagonals_by_edge,
     },
     FaceMeasure {
@@ -84,6 +98,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel is flat",
         unit: MeasureUnit::Percent,
         toleranced: false,
+        curvature: false,
+        signed: false,
         values: planarity_by_edge,
     },
     FaceMeasure {
@@ -93,6 +109,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel is flat",
         unit: MeasureUnit::Length,
         toleranced: true,
+        curvature: false,
+        signed: false,
         values: fourth_corners,
     },
     FaceMeasure {
@@ -102,6 +120,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel is flat",
         unit: MeasureUnit::Number,
         toleranced: false,
+        curvature: false,
+        signed: false,
         values: |model, shape| model.measures(shape).e_p.clone(),
     },
     FaceMeasure {
@@ -111,6 +131,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "the corners of each panel lie on a circle",
         unit: MeasureUnit::Length,
         toleranced: true,
+        curvature: false,
+        signed: false,
         values: |model, shape| model.measures(shape).circularity_distances.clone(),
     },
     FaceMeasure {
@@ -120,6 +142,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "the corners of each panel lie on a circle",
         unit: MeasureUnit::Number,
         toleranced: false,
+        curvature: false,
+        signed: false,
         values: |model, shape| model.measures(shape).e_c.clone(),
     },
     FaceMeasure {
@@ -129,6 +153,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel meets its constraints",
         unit: MeasureUnit::Length,
         toleranced: true,
+        curvature: false,
+        signed: false,
         values: residuals,
     },
     FaceMeasure {
@@ -138,6 +164,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each edge is as long as it was",
         unit: MeasureUnit::Percent,
         toleranced: false,
+        curvature: false,
+        signed: false,
         values: edge_changes,
     },
     FaceMeasure {
@@ -147,6 +175,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "the angles of each panel are equal",
         unit: MeasureUnit::Degrees,
         toleranced: false,
+        curvature: false,
+        signed: false,
         values: angles,
     },
     FaceMeasure {
@@ -156,7 +186,31 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "the edges follow the lines of curvature",
         unit: MeasureUnit::Degrees,
         toleranced: false,
+        curvature: true,
+        signed: false,
         values: off_curvature_lines,
+    },
+    FaceMeasure {
+        id: "gauss-curvature",
+        label: "Gauss curvature",
+        words: "product of the principal curvatures: above 0 on a bowl, below on a saddle",
+        met: "the surface can be laid flat",
+        unit: MeasureUnit::PerArea,
+        toleranced: false,
+        curvature: true,
+        signed: true,
+        values: |model, shape| curvature(model, shape, Curvature::gauss),
+    },
+    FaceMeasure {
+        id: "mean-curvature",
+        label: "Mean curvature",
+        words: "mean of the principal curvatures: above 0 where the front of a face bulges",
+        met: "the surface is minimal, as a soap film",
+        unit: MeasureUnit::PerLength,
+        toleranced: false,
+        curvature: true,
+        signed: true,
+        values: |model, shape| curvature(model, shape, |one| -one.mean()),
     },
     FaceMeasure {
         id: "surface",
@@ -165,6 +219,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel lies on the original",
         unit: MeasureUnit::Length,
         toleranced: false,
+        curvature: false,
+        signed: false,
         values: worst_surface_distances,
     },
     FaceMeasure {
@@ -174,6 +230,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel is where it was",
         unit: MeasureUnit::Length,
         toleranced: false,
+        curvature: false,
+        signed: false,
         values: worst_displacements,
     },
 ];
@@ -290,6 +348,12 @@ fn off_curvature_lines(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     CurvatureLines::new(&model.positions(shape), faces, topology).of_faces(faces, topology)
 }
 
+/// Of the smooth surface through the vertices.
+fn curvature(model: &mut Measuring<'_>, shape: Shape, quantity: fn(&Curvature) -> f64) -> Vec<f64> {
+    let (faces, topology) = (model.faces(), model.rest.topology());
+    face_curvatures(&model.positions(shape), faces, topology, quantity)
+}
+
 fn worst_surface_distances(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     worst_corner(model, &model.surface_distances(shape))
 }
@@ -309,72 +373,4 @@ fn length(positions: &[Point], ends: [u32; 2]) -> f64 {
 /// 0 over 0 is no change.
 fn ratio(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mesh::Mesh;
-    use crate::scene::{MeshSource, Scene};
-    use crate::session::Session;
-
-    /// A unit square, two of whose opposite corners are lifted by 0.02, opened from a flat one.
-    fn lifted() -> Session {
-        let square =
-            |lift| vec![[0.0, 0.0, lift], [1.0, 0.0, 0.0], [1.0, 1.0, lift], [0.0, 1.0, 0.0]];
-        let mesh = Mesh {
-            positions: square(0.0),
-            faces: [[0, 1, 2, 3]].into_iter().collect(),
-            ..Mesh::default()
-        };
-        let mut scene = Scene::new(MeshSource::File(String::new()));
-        scene.current = Some(square(0.02));
-        Session::open(scene, mesh).expect("it opens")
-    }
-
-    #[test]
-    fn conventions_of_the_same_panel_differ_as_they_are_known_to() {
-        let mut session = lifted();
-        let mut value = |id| session.face_values(id).expect("there is one")[0];
-        let near = |value: f64, expected: f64| assert!((value - expected).abs() < 2e-3 * expected);
-        near(value("planarity"), 0.01);
-        near(value("diagonals"), 1.414);
-        near(value("diagonals-by-edge"), 2.0);
-        near(value("planarity-by-edge"), 1.0);
-        near(value("fourth-corner"), 0.04);
-        near(value("e-p"), 0.5e-4);
-        near(value("displacement"), 0.02);
-        near(value("surface"), 0.02);
-        near(value("edges"), 0.02);
-        assert!(value("angles") < 0.05);
-    }
-
-    #[test]
-    fn values_of_corners_are_what_their_faces_have_the_largest_of() {
-        let mut session = lifted();
-        for measure in FACE_MEASURES {
-            let Some(corners) = session.corner_values(measure.id) else { continue };
-            let faces = session.face_values(measure.id).expect("it is declared");
-            assert_eq!(corners.len(), 4);
-            assert_eq!(corners.into_iter().fold(0.0, f64::max), faces[0]);
-        }
-        assert!(session.corner_values("displacement").is_some());
-        assert!(session.corner_values("planarity").is_none());
-    }
-
-    #[test]
-    fn every_measure_is_nothing_for_a_square_at_rest() {
-        let mut session = lifted();
-        let rest = session.mesh().positions.clone();
-        let mut scene = session.scene();
-        scene.current = Some(rest);
-        session = Session::open(scene, session.mesh().clone()).expect("it opens");
-        for measure in FACE_MEASURES {
-            let value = session.face_values(measure.id).expect("it is declared")[0];
-            // What is flat has no lines of curvature.
-            let none = measure.id == "curvature-lines" && value.is_nan();
-            assert!(none || value.abs() < 1e-12, "{}: {value}", measure.id);
-        }
-        assert!(session.face_values("beauty").is_none());
-    }
 }

@@ -24,13 +24,20 @@ pub(crate) fn errors_csv(model: &mut Measuring<'_>) -> String {
     let mut text = "face,corners,groups".to_owned();
     let mut columns = Vec::new();
     for measure in FACE_MEASURES {
-        let unit = match measure.unit {
-            MeasureUnit::Length => model.scene.document().units.as_str(),
-            MeasureUnit::Percent => "%",
-            MeasureUnit::Degrees => "°",
-            MeasureUnit::Number => "",
+        let length = model.scene.document().units.as_str();
+        let per = |power: &str| match length {
+            "" => String::new(),
+            length => ["1/", length, power].concat(),
         };
-        text.push_str(&format!(",{}{}", measure.label, bracketed(unit)));
+        let unit = match measure.unit {
+            MeasureUnit::Length => length.to_owned(),
+            MeasureUnit::Percent => "%".to_owned(),
+            MeasureUnit::Degrees => "°".to_owned(),
+            MeasureUnit::Number => String::new(),
+            MeasureUnit::PerLength => per(""),
+            MeasureUnit::PerArea => per("²"),
+        };
+        text.push_str(&format!(",{}{}", measure.label, bracketed(&unit)));
         let values = face_values(model, measure.id, Shape::Now);
         columns.push(values.expect("the measure is one of the list"));
     }

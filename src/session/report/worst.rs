@@ -27,7 +27,7 @@ pub struct WorstElement {
     pub vertices: Vec<u32>,
 }
 
-/// The `count` faces with the largest values of the measure `id`, largest first, of equal ones
+/// The `count` faces with the largest values of the measure `id`, of either sign, largest first, of equal ones
 /// the first of the mesh; those without a value are left out. `None` when no measure is called so.
 pub(crate) fn worst_faces(
     model: &mut Measuring<'_>,
@@ -36,7 +36,7 @@ pub(crate) fn worst_faces(
 ) -> Option<Vec<WorstElement>> {
     let values = face_values(model, id, Shape::Now)?;
     let value = |face: u32| values[face as usize];
-    let descending = argsort(values.iter().map(|&value| !key_of_number(value)));
+    let descending = argsort(values.iter().map(|&value| !key_of_number(value.abs())));
     let with_value = descending.into_iter().filter(|&face| !value(face).is_nan());
     let faces: Vec<u32> = with_value.take(count).collect();
     let pulling = pulling_rows(model, &faces);

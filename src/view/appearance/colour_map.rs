@@ -3,6 +3,8 @@
 //! one for values beyond a tolerance. No error is light in all of them: what is asked for is calm, and what
 //! is wrong is seen.
 //!
+//! Values of both signs have a map that is pale at zero and as dark at both ends.
+//!
 //! Values within the tolerance have the colour of the material, light or dark. So the map of those beyond
 //! it begins pale, but where it differs from every grey, and ends before it is dark: a shape that is
 //! nearly as asked is calm, and the worst faces are seen on both themes. Our own maps go along straight lines
@@ -26,6 +28,8 @@ pub enum ColourMap {
     Diverging(f64),
     /// For values beyond a tolerance: from apricot over coral and magenta to violet.
     Beyond,
+    /// For values of both signs, with nothing in the middle: from blue over pale grey to orange.
+    AroundZero,
 }
 
 /// Which map somebody wants for all values.
@@ -77,6 +81,15 @@ const ABOVE: [DVec3; 4] = [
     DVec3::new(0.36, 0.125, 0.030),
 ];
 
+/// Where [`ColourMap::AroundZero`] turns; its middle is that of the map, both ways are alike in lightness.
+const AROUND_ZERO: [DVec3; 5] = [
+    DVec3::new(0.42, -0.025, -0.135),
+    DVec3::new(0.68, -0.045, -0.085),
+    DVec3::new(0.945, 0.0, 0.004),
+    DVec3::new(0.70, 0.075, 0.095),
+    DVec3::new(0.44, 0.105, 0.085),
+];
+
 /// The colour at a part of the way along a polyline in Oklab.
 fn along(line: &[DVec3], part: f64) -> colorous::Color {
     let sides = || line.windows(2).map(|ends| (ends[0], ends[1]));
@@ -125,6 +138,11 @@ impl ColourMap {
             ColourMap::Diverging(middle) if middle >= 1.0 => along(&WITHIN, 1.0),
             ColourMap::Diverging(middle) => along(&ABOVE, (part - middle) / (1.0 - middle)),
             ColourMap::Beyond => along(&BEYOND, part),
+            ColourMap::AroundZero => {
+                // Nothing is in the middle, whichever way is longer.
+                let half = if part < 0.5 { &AROUND_ZERO[..3] } else { &AROUND_ZERO[2..] };
+                along(half, if part < 0.5 { 2.0 * part } else { 2.0 * part - 1.0 })
+            }
         }
     }
 
@@ -185,7 +203,7 @@ mod tests {
 
     #[test]
     fn the_legend_and_the_texture_show_the_same_colours() {
-        for map in ALL {
+        for map in ALL.into_iter().chain([ColourMap::AroundZero]) {
             let texels = map.texels();
             assert_eq!(texels.len(), TEXELS * 4);
             let stops = map.stops(3);
@@ -292,6 +310,22 @@ mod tests {
         for i in 0..8 {
             let step = lightness(i) - lightness(i + 1);
             assert!((7.5..12.0).contains(&step), "{step} at {i}");
+        }
+    }
+
+    #[test]
+    fn around_zero_both_signs_are_alike_and_nothing_is_palest() {
+        let at = |part: f64| lab(ColourMap::AroundZero.colour(texel(part)));
+        let middle = at(0.5);
+        assert!(middle.x > 88.0 && middle.y.abs() < 3.0 && middle.z.abs() < 5.0, "{middle}");
+        let mut before = middle.x;
+        for step in 1..=8 {
+            let away = 0.0625 * f64::from(step);
+            let [low, high] = [at(0.5 - away), at(0.5 + away)];
+            assert!((low.x - high.x).abs() < 6.0, "{low} {high}");
+            assert!(low.distance(high) > 8.0 * f32::from(step as u8).min(6.0), "{low} {high}");
+            assert!(low.x < before && high.x < before + 3.0, "it grows darker");
+            before = low.x;
         }
     }
 }

@@ -24,6 +24,11 @@ impl ColourScale {
         ColourScale { low, high, tolerance: None, logarithmic: false }
     }
 
+    /// Whether values have both signs: the range is as long to both sides of 0.
+    pub fn is_signed(&self) -> bool {
+        self.low < 0.0
+    }
+
     /// Whether a value keeps the material.
     pub fn is_within(&self, value: f32) -> bool {
         self.tolerance.is_some_and(|tolerance| value <= tolerance)

@@ -15,7 +15,7 @@ pub enum FaceColour {
     Plain,
     /// A row of constraints: its place among the colours of rows, from 1 on.
     Row(u8),
-    /// A value: its texel on the full colour map.
+    /// A value: its texel on the map of all values, or of both signs.
     Value(u8),
     /// A value beyond the tolerance: its texel on the map of these.
     Beyond(u8),
@@ -165,14 +165,15 @@ impl Appearance {
         self.values.is_some()
     }
 
-    /// Whether all faces have colours of values; with a tolerance, only those beyond it have.
+    /// Whether all faces have colours of values from light to dark; with a tolerance, only those beyond it have.
     pub fn has_full_map(&self) -> bool {
-        self.has_values() && self.map() != ColourMap::Beyond
+        self.has_values() && !matches!(self.map(), ColourMap::Beyond | ColourMap::AroundZero)
     }
 
     /// The map of the values.
     pub fn map(&self) -> ColourMap {
         match &self.values {
+            Some((_, scale)) if scale.is_signed() => ColourMap::AroundZero,
             Some((_, ColourScale { tolerance: Some(_), .. })) => ColourMap::Beyond,
             values => self.full_map(values.as_ref().map(|(_, scale)| scale)),
         }
@@ -247,7 +248,7 @@ impl Appearance {
             return match texel {
                 None => FaceColour::NoValue,
                 Some(_) if scale.is_within(value) => FaceColour::Plain,
-                Some(texel) if scale.tolerance.is_some() => FaceColour::Beyond(texel),
+                Some(texel) if self.map() == ColourMap::Beyond => FaceColour::Beyond(texel),
                 Some(texel) => FaceColour::Value(texel),
             };
         }
@@ -343,6 +344,19 @@ mod tests {
         assert_eq!((ends - begins, appearance.corner_in_steps(1)), (5.0, begins + 1.0));
         assert_eq!(appearance.corner_in_steps(2), begins);
         assert_eq!(appearance.band_of(0), None);
+    }
+
+    #[test]
+    fn values_of_both_signs_lie_around_the_middle_of_a_map_of_their_own() {
+        let mut appearance = Appearance::default();
+        let scale = ColourScale::linear(-2.0, 2.0);
+        appearance.set_values(Some(vec![-2.0, 0.0, 5.0, f32::NAN]), scale, 4).unwrap();
+        let colours = [0, 1, 2, 3].map(|face| appearance.colour_of(face));
+        let [low, middle, high] = [0, 128, 255].map(FaceColour::Value);
+        assert_eq!(colours, [low, middle, high, FaceColour::NoValue]);
+        assert_eq!(appearance.map(), ColourMap::AroundZero);
+        // Its edges are not those that are light on a dark map.
+        assert!(!appearance.has_full_map());
     }
 
     #[test]

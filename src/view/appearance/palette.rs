@@ -63,6 +63,10 @@ pub enum LineKind {
     Layer = 12,
     /// Of the layer, where it cannot be built.
     Failed = 13,
+    /// Over the surface, along the larger principal curvature; the shader knows its number.
+    Larger = 14,
+    /// Over the surface, along the smaller one; the shader knows its number.
+    Smaller = 15,
 }
 
 /// The meaning of a dot; its number is its place in [`Palette::dots`].
@@ -91,7 +95,7 @@ pub enum DotKind {
 }
 
 /// How many kinds of lines there are.
-pub const LINE_KINDS: usize = 14;
+pub const LINE_KINDS: usize = 16;
 /// How many kinds of dots there are.
 pub const DOT_KINDS: usize = 10;
 
@@ -191,6 +195,8 @@ pub const LIGHT: Palette = Palette {
         stroke([0.84, 0.16, 0.20, 1.0], 2.6),
         seen_through(0.26, [0.40, 0.22, 0.70, 0.80], 1.2),
         seen_through(0.45, [0.84, 0.16, 0.20, 1.0], 2.8),
+        stroke([0.78, 0.20, 0.10, 1.0], 2.0),
+        stroke([0.05, 0.33, 0.72, 1.0], 2.0),
     ],
     edge_of_values: [0.10, 0.12, 0.17, 0.50],
     check: [0.20, 0.26, 0.36, 0.94],
@@ -240,6 +246,8 @@ pub const DARK: Palette = Palette {
         stroke([1.0, 0.40, 0.38, 1.0], 2.6),
         seen_through(0.26, [0.74, 0.62, 1.0, 0.75], 1.2),
         seen_through(0.45, [1.0, 0.40, 0.38, 1.0], 2.8),
+        stroke([1.0, 0.58, 0.36, 1.0], 2.0),
+        stroke([0.50, 0.76, 1.0, 1.0], 2.0),
     ],
     edge_of_values: [0.05, 0.06, 0.09, 0.60],
     check: [0.125, 0.145, 0.185, 0.95],

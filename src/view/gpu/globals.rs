@@ -66,6 +66,9 @@ pub fn numbers(state: &ViewState, veil: Colour, placement: Placement) -> Vec<f32
     } else if state.appearance().has_full_map() {
         strokes[LineKind::Edge as usize].colour = palette.edge_of_values;
     }
+    for kind in [LineKind::Larger, LineKind::Smaller] {
+        strokes[kind as usize].colour = state.colour_over_surface(kind);
+    }
     for stroke in &strokes {
         extend_stroke(&mut numbers, stroke, 1);
     }

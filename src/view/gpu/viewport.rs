@@ -15,6 +15,7 @@ pub struct Viewport {
     pub tables: GpuTables,
     around: SurroundingLines,
     layer: SurroundingLines,
+    over: SurroundingLines,
     bands: VertexBuffer,
 }
 
@@ -25,6 +26,7 @@ impl Viewport {
             tables: like.beside(device, queue),
             around: SurroundingLines::new(device, queue, like),
             layer: SurroundingLines::new(device, queue, like),
+            over: SurroundingLines::new(device, queue, like),
             bands: VertexBuffer::new(device),
         }
     }
@@ -46,12 +48,14 @@ impl Viewport {
         let changed = state.take_changed_layer();
         let new = changed.then(|| (state.layer_lines(), state.layer_points().collect()));
         self.layer.update((device, queue), state, new, state.palette().layer, placement);
+        let new = state.take_changed_surface_lines();
+        self.over.update((device, queue), state, new, state.palette().layer, placement);
         if state.changes().mesh || state.changes().appearance {
             self.bands.write(device, queue, &lines.between_bands(state));
         }
     }
 
-    /// Draws the surface, what is about it, its edges, and the layer beside it; leaves the group of the tables bound.
+    /// Draws the surface, what is about it, its edges, the lines over it, and the layer beside it; leaves the group of the tables bound.
     pub fn draw(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
@@ -64,6 +68,7 @@ impl Viewport {
         self.around.draw(pass, faces, lines, &self.tables);
         lines.draw(pass, show_edges);
         lines.draw_others(pass, &self.bands, 0);
+        self.over.draw(pass, faces, lines, &self.tables);
         self.layer.draw(pass, faces, lines, &self.tables);
     }
 }

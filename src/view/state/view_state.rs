@@ -10,7 +10,7 @@ use crate::view::gizmo::GizmoState;
 use crate::view::model::{
     Checks, Lists, ProjectionMarks, RenderMesh, ViewError, check_indices, read_points,
 };
-use crate::view::overlay::{ShownLayer, Surroundings};
+use crate::view::overlay::{ShownLayer, SurfaceLines, Surroundings};
 use glam::{DVec3, Vec3, Vec4};
 
 /// The state of a view. Its setters note what has changed; whoever draws takes that with
@@ -24,6 +24,8 @@ pub struct ViewState {
     pub(super) around: Surroundings,
     /// The layer beside the surface.
     pub(super) layer: ShownLayer,
+    /// The lines over the surface.
+    pub(super) lines: SurfaceLines,
     pub(super) gizmo: GizmoState,
     /// Since the last picture.
     pub(super) changes: Changes,
@@ -37,6 +39,7 @@ impl Default for ViewState {
             viewpoint: Viewpoint::default(),
             around: Surroundings::default(),
             layer: ShownLayer { changed: true, ..ShownLayer::default() },
+            lines: SurfaceLines::none(),
             gizmo: GizmoState::default(),
             changes: Changes::ALL,
         }
@@ -70,6 +73,7 @@ impl ViewState {
         self.changes = Changes::ALL;
         self.layer = ShownLayer { changed: true, ..ShownLayer::default() };
         self.viewpoint.camera.section = None;
+        self.lines = SurfaceLines::none();
         self.leave_surroundings();
         self.preset("home")
     }

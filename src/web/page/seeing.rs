@@ -1,8 +1,8 @@
 //! Ways of seeing beside the plain picture: projection, flights to views, ghost, ground, layer, bands, tape.
 
 use super::view::View;
-use crate::view::appearance::Bands;
-use crate::view::overlay::scale_bar;
+use crate::view::appearance::{Bands, LineKind};
+use crate::view::overlay::{SurfaceLines, scale_bar};
 use crate::view::svg::line_drawing::line_drawing;
 use crate::web::thrown;
 use wasm_bindgen::prelude::*;
@@ -109,6 +109,34 @@ impl View {
         failed_vertices: Vec<u32>,
     ) -> Result<(), JsValue> {
         self.model().set_layer(points, failed_edges, failed_vertices).map_err(thrown)
+    }
+
+    /// Shows lines over the surface instead of those before: polyline `k` goes through the points, #points by 3, from
+    /// `offsets[k]` to `offsets[k + 1]`. The first `count` are along the larger principal curvature.
+    ///
+    /// # Errors
+    /// Arrays that do not fit together; the lines stay.
+    #[wasm_bindgen(js_name = setSurfaceLines)]
+    pub fn set_surface_lines(
+        &mut self,
+        points: &[f64],
+        offsets: Vec<u32>,
+        count: usize,
+    ) -> Result<(), JsValue> {
+        let lines = SurfaceLines::new(points, offsets, count).map_err(thrown)?;
+        self.model().set_surface_lines(lines);
+        Ok(())
+    }
+
+    /// CSS colours of the lines along the larger and the smaller principal curvature, for a legend.
+    #[wasm_bindgen(js_name = lineColours)]
+    pub fn line_colours(&self) -> Vec<String> {
+        let model = self.pictures.model();
+        let css = |kind: LineKind| {
+            let [r, g, b, _] = model.colour_over_surface(kind).map(|part| 255.0 * part);
+            format!("rgb({r:.0} {g:.0} {b:.0})")
+        };
+        [LineKind::Larger, LineKind::Smaller].map(css).to_vec()
     }
 
     /// From one line of the grid on the ground to the next, in the unit of the file; nothing where there

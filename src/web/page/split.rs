@@ -16,8 +16,8 @@ impl View {
 
     /// Sets what the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or the shape
     /// as it is, with its faces coloured by a value each (#F), and by those of the vertices (#V) whose
-    /// greatest they are, where they are such. The colours go from the tolerance, up to which the faces
-    /// keep the material, or from 0, to `high`.
+    /// greatest they are, where they are such. The colours go from `low` to `high`; up to a tolerance the
+    /// faces keep the material.
     ///
     /// # Errors
     /// Arrays that do not fit the mesh.
@@ -28,11 +28,11 @@ impl View {
         original: Option<Vec<f64>>,
         values: Option<Vec<f32>>,
         corners: Option<Vec<f32>>,
+        low: f32,
         high: f32,
         tolerance: Option<f32>,
     ) -> Result<(), JsValue> {
-        let scale =
-            ColourScale { tolerance, ..ColourScale::linear(tolerance.unwrap_or(0.0), high) };
+        let scale = ColourScale { tolerance, ..ColourScale::linear(low, high) };
         let colours = Colours { values, corners, scale };
         self.pictures.set_split_side(side, original.as_deref(), colours).map_err(thrown)
     }

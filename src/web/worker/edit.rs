@@ -1,5 +1,6 @@
 //! Edits as the page sends them, and what it asks before it sends one.
 
+use super::parametrize::of_word;
 use super::solver::Solver;
 use crate::error::Error;
 use crate::session::{ConstraintTarget, Edit, Remeshing};
@@ -62,6 +63,17 @@ impl Solver {
     ) -> Result<JsValue, JsValue> {
         let asked = Remeshing::from_json(&text(&asked)?).map_err(|error| thrown_at(&error))?;
         plain(&self.open()?.remeshing(&asked).map_err(refused)?)
+    }
+
+    /// What refining by a scheme would make of the mesh, once, twice and so on; turns of more than `keep` degrees stay
+    /// sharp.
+    ///
+    /// # Errors
+    /// When the mesh cannot be refined so.
+    #[wasm_bindgen(unchecked_return_type = "Refinement[]")]
+    pub fn refinements(&self, scheme: &str, keep: f64) -> Result<JsValue, JsValue> {
+        let scheme = of_word("scheme", scheme)?;
+        plain(&self.open()?.refinements(scheme, keep).map_err(refused)?)
     }
 
     /// How many constraints a row of each kind would hold at each of the places, which are selectors as

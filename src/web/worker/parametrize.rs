@@ -93,7 +93,7 @@ impl Solver {
 }
 
 /// The choice that a word of the command line names.
-fn of_word<T: NamedEnum>(what: &str, word: &str) -> Result<T, JsValue> {
+pub(super) fn of_word<T: NamedEnum>(what: &str, word: &str) -> Result<T, JsValue> {
     let unknown = || thrown(format!("{what} \"{word}\", expected one of {}", T::list(", ")));
     T::of_word(word).ok_or_else(unknown)
 }

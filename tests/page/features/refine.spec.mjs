@@ -27,6 +27,10 @@ test('a mesh is refined as the dialog says, with its scene, and back by one step
   await expect(dialog.getByText(`${FACES} faces become 64 faces, with 81 vertices.`)).toBeVisible();
   // Nothing is asked yet: there is nothing to solve.
   await expect(dialog.getByRole('button', { name: 'Refine and solve' })).toBeHidden();
+  // Each choice says the panels that it leads to.
+  await expect(dialog.getByLabel('How often').locator('option').nth(2)).toHaveText(
+    /^Three times: 1024 faces of about 0\.1\d+( m)?$/,
+  );
   await dialog.getByLabel('How often').selectOption('2');
   await dialog.getByLabel('New faces').selectOption('linear');
   await expect(dialog.getByText('256 faces, with 289 vertices')).toBeVisible();

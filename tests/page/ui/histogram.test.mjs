@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BINS, countsOf, spreadOf } from '../../../www/ui/plot/histogram.js';
+import { BINS, countsOf, greatestOf, spreadOf } from '../../../www/ui/plot/histogram.js';
 import { axisOf, placeOn, roundUp, valueAt } from '../../../www/ui/plot/value-axis.js';
 
 test('a place on an axis and its value are each other’s inverse, evenly and by the logarithm', () => {
@@ -37,4 +37,22 @@ test('every face with a value is in one bar, the greatest in the last', () => {
     values,
   );
   assert.deepEqual([faces, within, greatest, original.greatest], [4, 2, 2, 2]);
+});
+
+test('values of both signs are counted on an axis around zero, and the greatest is of either sign', () => {
+  const values = Float32Array.of(-3, -1, 0, 0.5, 2, NaN);
+  const axis = axisOf(-4, 4, false);
+  const { greatest, faces, counts } = spreadOf('gauss', values, axis, null);
+  assert.equal(greatest, 3);
+  assert.equal(greatestOf(values), 3);
+  assert.equal(faces, 5);
+  assert.equal(
+    counts.reduce((sum, count) => sum + count),
+    5,
+  );
+  const middle = counts.length / 2;
+  assert.equal(
+    counts.slice(0, middle).reduce((sum, count) => sum + count),
+    2,
+  );
 });

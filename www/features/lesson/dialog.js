@@ -4,12 +4,11 @@ import './lesson.css';
 import { openDialog } from '../../ui/controls/dialog.js';
 import { button, checkbox, choice, closeButton } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
-import { declared, measureOfScene, toleranceOf } from '../../store/colours/measures.js';
+import { declared, measureOfScene, toleranceOf, unitOf } from '../../store/colours/measures.js';
 import { length, lengthUnit } from '../../ui/format.js';
 import { messageOf } from '../../solver/messages.js';
 import { LOCKS } from './locks.js';
 
-const UNITS = { percent: '%', degrees: '°', number: '' };
 const ERROR_AT = /^goals\[(\d+)\]/;
 
 /**
@@ -26,14 +25,16 @@ export async function write(app) {
   const numbers = state.model?.faces ? await actions.buildNumbers() : [];
   const { unit, factor } = lengthUnit(tolerance ?? 0, scene.units);
   const lengths = { unit: unit || 'unit of the mesh', factor };
-  const measures = state.model?.faces ? state.measures : [];
+  // A value of either sign is no error.
+  const errors = state.measures.filter(({ signed }) => !signed);
+  const measures = state.model?.faces ? errors : [];
   /** @type {{ value: string, label: string, unit: string, factor: number, goal: object }[]} */
   const about = [
-    ...measures.map(({ id, label, unit }) => ({
-      value: `measure ${id}`,
-      label,
-      ...(unit === 'length' ? lengths : { unit: UNITS[unit], factor: 1 }),
-      goal: { measure: id },
+    ...measures.map((measure) => ({
+      value: `measure ${measure.id}`,
+      label: measure.label,
+      ...(measure.unit === 'length' ? lengths : unitOf(measure, 1, scene.units)),
+      goal: { measure: measure.id },
     })),
     ...measures
       .filter(({ toleranced }) => toleranced && tolerance)

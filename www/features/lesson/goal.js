@@ -11,7 +11,8 @@ import { count } from '../../ui/format.js';
  * @returns {import("../../solver/messages.js").FaceMeasure}
  */
 export function measureOf({ measure, label, words, unit }) {
-  return { id: measure ?? '', label, words, unit, met: '', toleranced: unit === 'length' };
+  const about = { id: measure ?? '', label, words, unit, met: '' };
+  return { ...about, toleranced: unit === 'length', curvature: false, signed: false };
 }
 
 /**

@@ -2,9 +2,10 @@
 
 import './refine.css';
 import { openDialog } from '../../ui/controls/dialog.js';
-import { button, choice } from '../../ui/controls/fields.js';
+import { messageOf } from '../../solver/messages.js';
+import { button, choice, setOptions } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
-import { count } from '../../ui/format.js';
+import { count, length } from '../../ui/format.js';
 import { meshActions } from '../../store/mesh-actions.js';
 
 /** @type {[string, string][]} */
@@ -14,6 +15,7 @@ const SCHEMES = [
 ];
 /** @type {[string, string]} */
 const FOR_TRIANGLES = ['loop', 'Loop, smooth'];
+const OFTEN = ['Once', 'Twice', 'Three times', 'Four times', 'Five times'];
 /** A turn that stays sharp, in degrees. */
 const KEEP = 75;
 
@@ -25,14 +27,11 @@ export function openRefine({ store, solver, actions, alerts }) {
   const triangles = geometry?.connectivity.faceIndices.length === 3 * (offsets.length - 1);
   const hasRows = store.get().document?.constraints.some((row) => row.enabled) ?? false;
 
-  const scheme = choice({}, show, triangles ? [FOR_TRIANGLES, ...SCHEMES] : SCHEMES);
-  const levels = choice({}, show, [
-    ['1', 'Once'],
-    ['2', 'Twice'],
-    ['3', 'Three times'],
-  ]);
+  const scheme = choice({}, ask, triangles ? [FOR_TRIANGLES, ...SCHEMES] : SCHEMES);
+  const levels = choice({}, say);
   const keep = element('input', {
     ...{ type: 'number', min: '0', max: '180', step: '1', value: String(KEEP) },
+    onchange: ask,
   });
   const said = element('p', { 'aria-live': 'polite' });
   const refine = button('Refine now', () => start(false), {
@@ -49,9 +48,37 @@ export function openRefine({ store, solver, actions, alerts }) {
     keep: keep.validity.valid && keep.value !== '' ? keep.valueAsNumber : KEEP,
   });
 
+  /** What refining makes of the mesh, once, twice and so on. @type {import("../../solver/messages.js").Replies["refinements"]} */
+  let made = [];
+
+  /** Finds what comes of each number of levels. */
+  async function ask() {
+    const { scheme, keep } = how();
+    try {
+      made = await refining.refinements(scheme, keep);
+      setOptions(levels, made.map(words));
+      say();
+    } catch (error) {
+      made = [];
+      setText(said, messageOf(error));
+    }
+    refine.disabled = solve.disabled = made.length === 0;
+  }
+
+  /**
+   * The goal that a number of levels leads to.
+   * @param {(typeof made)[number]} each
+   * @param {number} i
+   */
+  function words({ faces, edge }, i) {
+    const far = length(Number(edge.toPrecision(2)), store.get().document?.units ?? '');
+    const times = OFTEN[i] ?? `${i + 1} times`;
+    return [String(i + 1), `${times}: ${count(faces, 'face')} of about ${far}`];
+  }
+
   /** Says beforehand what comes of it. */
-  function show() {
-    const { faces, vertices } = refining.counts(how(), triangles);
+  function say() {
+    const { faces, vertices } = made[Number(levels.value) - 1];
     const now = count(store.get().model?.faces ?? 0, 'face');
     const words = `${now} become ${count(faces, 'face')}, with ${count(vertices, 'vertex', 'vertices')}.`;
     setText(said, words);
@@ -80,5 +107,5 @@ export function openRefine({ store, solver, actions, alerts }) {
       element('div.dialog-buttons', solve, refine),
     ),
   );
-  show();
+  ask();
 }

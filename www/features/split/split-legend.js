@@ -34,6 +34,7 @@ export class SplitLegend {
   #histogram = element('div.histogram', { role: 'img' }, this.#bars, this.#before);
   #ramp = element('div.ramp');
   #steps = element('span.quiet');
+  #least = element('span');
   #top = element('span');
   #facts = element('p.facts-line');
   element;
@@ -67,7 +68,7 @@ export class SplitLegend {
       element('div.choices', this.#shape, this.#measure),
       this.#histogram,
       this.#ramp,
-      element('div.ends.figure', element('span', '0'), this.#steps, this.#top),
+      element('div.ends.figure', this.#least, this.#steps, this.#top),
       this.#facts,
     );
   }
@@ -92,11 +93,11 @@ export class SplitLegend {
     setOptions(this.#shape, [['original', 'Original'], ['now', 'Now'], ...kept]);
     this.#shape.value = side.variant ? KEPT : side.original ? 'original' : 'now';
 
-    const axis = axisOf(0, side.top, false);
+    const axis = axisOf(about.signed ? -side.top : 0, side.top, false);
     drawBars(this.#bars, countsOf(side.values, axis));
     const before = side.original || !original ? null : countsOf(original, axis);
     drawOutline(this.#before, before, Math.max(...(before ?? [])));
-    const from = 100 * placeOn(axis, side.tolerance ?? 0);
+    const from = about.signed ? 0 : 100 * placeOn(axis, side.tolerance ?? 0);
     const ends = /** @type {[number, number]} */ ([from, 100]);
     this.#ramp.style.background = rampOf(this.#viewport, ends, {
       side: this.#side,
@@ -111,11 +112,12 @@ export class SplitLegend {
     const words = (/** @type {number} */ value) => valueInWords(about, value, units, like);
     const { mean, faces } = meanOf(side.values);
     const worst = words(greatestOf(side.values));
+    setText(this.#least, about.signed ? words(-side.top) : '0');
     setText(this.#top, words(side.top));
     const moved = side.original || side.variant ? '' : movedInWords(state);
     setText(this.#facts, `mean ${words(mean)}, worst ${worst}${moved && ` · moved ${moved}`}`);
     const outlined = before && original ? `; originally up to ${words(greatestOf(original))}` : '';
-    this.#histogram.ariaLabel = `${groupDigits(faces)} faces between 0 and ${worst}${outlined}`;
+    this.#histogram.ariaLabel = `${groupDigits(faces)} faces between ${about.signed ? words(-greatestOf(side.values)) : 0} and ${worst}${outlined}`;
     this.#histogram.title = before ? 'Outline: the original' : '';
   }
 }

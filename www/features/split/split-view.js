@@ -164,6 +164,7 @@ export class SplitView {
         positions: choice.variant?.positions ?? (choice.original ? original : undefined),
         values: values[i],
         corners: corners[i],
+        low: this.#lowOf(choice.measure),
         top: this.#tops.get(choice.measure) ?? 1,
         tolerance: this.#toleranceOf(choice.measure),
       };
@@ -214,6 +215,12 @@ export class SplitView {
     const twice = 2 * (this.#toleranceOf(measure) ?? 0);
     const before = this.#tops.get(measure) ?? Math.max(least, twice);
     this.#tops.set(measure, Math.max(before, greatestOf(values)));
+  }
+
+  /** Where the colours begin: nothing is in the middle of values of both signs. @param {string} measure */
+  #lowOf(measure) {
+    const top = this.#tops.get(measure) ?? 1;
+    return declared(this.#store.get(), measure)?.signed ? -top : (this.#toleranceOf(measure) ?? 0);
   }
 
   /**

@@ -48,6 +48,7 @@ export function buildViewMenu(menu, commands, app) {
     button('ground', 'Ground grid'),
     button('tape', 'Measure a distance', true),
     button('section', 'Section plane'),
+    button('curvature', 'Curvature', true),
     button('turn-slowly', 'Turn slowly', true),
     keptViews(app),
   );

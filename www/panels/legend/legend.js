@@ -90,6 +90,7 @@ export function legend(place, { store, viewport, actions }, fit) {
     facts,
     element('div.ends.switches', map, log.label),
   );
+  const toleranceRow = /** @type {HTMLElement} */ (tolerance.closest('div'));
 
   /** The unit of all values of the measure: that of its tolerance, or of its greatest value. */
   function unitNow() {
@@ -131,6 +132,9 @@ export function legend(place, { store, viewport, actions }, fit) {
     log.box.checked = display.log;
     if (!spread) return;
     const allowed = toleranceOf(state, about);
+    // Values of both signs have a map of their own, no tolerance, and a range that is as long to both sides.
+    map.hidden = log.label.hidden = toleranceRow.hidden = about.signed;
+    low.disabled = about.signed;
     // Without a tolerance there is nothing to be beyond of, and no middle.
     setOptions(
       map,
@@ -163,8 +167,8 @@ export function legend(place, { store, viewport, actions }, fit) {
     ramp.style.background = rampOf(viewport, [from, to], { neutral });
     const rounding = roundingOf(about, state.size);
     const words = (/** @type {number} */ value) =>
-      valueInWords(about, value < rounding ? 0 : value, units, allowed);
-    ends.forEach((end, i) => end.show(axis, range, words(range[i])));
+      valueInWords(about, Math.abs(value) < rounding ? 0 : value, units, allowed);
+    ends.forEach((end, i) => end.show(axis, range, words(range[i]), i === 0 && about.signed));
     drawBars(now, spread.counts);
     tick.hidden = allowed === null || allowed > axis.high;
     if (allowed !== null) tick.style.left = `${100 * placeOn(axis, allowed)}%`;
@@ -172,7 +176,7 @@ export function legend(place, { store, viewport, actions }, fit) {
     const worst = words(spread.greatest);
     const was = spread.original && words(spread.original.greatest);
     const compared = was === null ? '' : `; originally up to ${was}`;
-    const named = `${groupDigits(spread.faces)} faces between 0 and ${worst}${compared}`;
+    const named = `${groupDigits(spread.faces)} faces between ${about.signed ? words(-spread.greatest) : 0} and ${worst}${compared}`;
     setAttribute(histogram, 'aria-label', named);
     // Each is drawn to its own highest bar: it is how they are spread that is compared.
     drawOutline(
@@ -185,7 +189,7 @@ export function legend(place, { store, viewport, actions }, fit) {
     setText(within, allowed === null ? '' : `${met} of ${all}`);
     setAttribute(within, 'class', allowed !== null && met === all ? 'within met' : 'within');
     const moved = movedInWords(state);
-    setText(facts, `Worst ${worst}${moved && `\nMoved ${moved}`}`);
+    setText(facts, `${about.signed ? 'Greatest' : 'Worst'} ${worst}${moved && `\nMoved ${moved}`}`);
   }
   store.subscribe(
     [

@@ -15,7 +15,8 @@ const APART = 0.01;
  * @param {"low" | "high"} end
  * @param {HTMLElement} ramp
  * @param {import("../../store/actions.js").Actions} actions
- * @returns {{ show: (axis: Axis, range: [number, number], words: string) => void }}
+ * @returns {{ show: (axis: Axis, range: [number, number], words: string, follows: boolean) => void }} an end that
+ *   follows the other one is not seen
  */
 export function rangeEnd(end, ramp, actions) {
   const isLow = end === 'low';
@@ -48,7 +49,8 @@ export function rangeEnd(end, ramp, actions) {
   });
 
   return {
-    show(axis, range, words) {
+    show(axis, range, words, follows) {
+      handle.hidden = follows;
       shown = { axis, range };
       placeOnTrack(handle, placeOn(axis, range[isLow ? 0 : 1]), words);
     },

@@ -61,7 +61,8 @@ export function statusBar(places, store) {
       const shown = worst < roundingOf(about, size) ? 0 : worst;
       set('worst', valueInWords(about, shown, units, toleranceOf(state, about)));
       // A sphere on a region is no panel.
-      setText(cells.get('worst').label, about.id === 'residual' ? 'worst distance' : 'worst panel');
+      const what = about.signed ? 'greatest' : 'worst panel';
+      setText(cells.get('worst').label, about.id === 'residual' ? 'worst distance' : what);
       setAttribute(cells.get('worst').row, 'title', `${about.label}: ${about.words}`);
     } else {
       set('worst', '');

@@ -128,7 +128,7 @@ export function worstElements(panel, app) {
       const text = about
         ? valueInWords(
             about,
-            worst.value < roundingOf(about, size) ? 0 : worst.value,
+            Math.abs(worst.value) < roundingOf(about, size) ? 0 : worst.value,
             units,
             tolerance,
           )

@@ -97,16 +97,21 @@ export function colourFaces(store, solver) {
     const before = original?.length === values.length ? original : null;
 
     const tolerance = toleranceOf(state, about);
-    const { log, full } = state.display;
+    const { signed } = about;
+    const { full } = state.display;
+    const log = state.display.log && !signed;
     const greatest = greatestOf(values);
     const worst = Math.max(greatest, before ? greatestOf(before) : 0, 2 * (tolerance ?? 0));
     const top = roundUp(Math.max(worst, LEAST_RANGE * roundingOf(about, size)));
     const high = ownRange.high ?? top;
     const isPart = tolerance !== null && !full;
     const first = isPart && tolerance > 0 ? tolerance : log ? LOG_RANGE * high : 0;
-    const low = Math.min(ownRange.low ?? first, high);
-    const begin = log ? Math.min(low, tolerance ? LOG_WITHIN * tolerance : low) : 0;
-    const axis = axisOf(begin, Math.max(ownRange.top ?? top, high, greatest), log);
+    // Nothing is in the middle of values of both signs.
+    const low = signed ? -high : Math.min(ownRange.low ?? first, high);
+    const end = Math.max(ownRange.top ?? top, high, greatest);
+    const least = signed ? -end : 0;
+    const begin = log ? Math.min(low, tolerance ? LOG_WITHIN * tolerance : low) : least;
+    const axis = axisOf(begin, end, log);
     const now = spreadOf(about.id, values, axis, tolerance, before);
     if (low !== range[0] || high !== range[1]) store.set({ range: [low, high] });
     if (JSON.stringify(now) !== JSON.stringify(spread)) store.set({ spread: now });

@@ -1,6 +1,6 @@
 /** Which measure of faces a scene is about, how its values read, and what is nothing but rounding. */
 
-import { length, lengthUnit, number } from '../../ui/format.js';
+import { METRES, length, lengthUnit, number } from '../../ui/format.js';
 import { ROUNDING } from '../../ui/rounding.js';
 
 /** @typedef {import("../../solver/messages.js").Measure} Measure */
@@ -8,6 +8,8 @@ import { ROUNDING } from '../../ui/rounding.js';
 /** @typedef {Readonly<import("../state.js").State>} State */
 
 const SIGNS = { percent: '%', degrees: '°', number: '' };
+/** The power of the unit of the mesh that a unit is. @type {Partial<Record<FaceMeasure["unit"], number>>} */
+const POWERS = { length: 1, 'per-length': -1, 'per-area': -2 };
 
 /**
  * The declaration of a measure.
@@ -23,7 +25,8 @@ export const declared = ({ measures }, measure) => measures.find(({ id }) => id 
  * @param {number} size of the mesh
  */
 export function roundingOf({ unit }, size) {
-  if (unit === 'length') return ROUNDING * size;
+  const power = POWERS[unit];
+  if (power) return ROUNDING * size ** power;
   // Per cent and degrees have two digits before the point; e_p and e_c are squares.
   return unit === 'number' ? ROUNDING ** 2 : 100 * ROUNDING;
 }
@@ -34,7 +37,8 @@ export function roundingOf({ unit }, size) {
  * @param {State} state
  * @param {FaceMeasure} measure
  */
-export function toleranceOf({ tolerance, tolerances }, { id, toleranced }) {
+export function toleranceOf({ tolerance, tolerances }, { id, toleranced, signed }) {
+  if (signed) return null;
   return toleranced ? tolerance : (tolerances[id] ?? null);
 }
 
@@ -45,7 +49,12 @@ export function toleranceOf({ tolerance, tolerances }, { id, toleranced }) {
  * @param {string} units of the mesh
  */
 export function unitOf({ unit }, size, units) {
-  return unit === 'length' ? lengthUnit(size, units) : { unit: SIGNS[unit], factor: 1 };
+  if (unit === 'length') return lengthUnit(size, units);
+  const power = POWERS[unit];
+  if (!power) return { unit: SIGNS[/** @type {keyof typeof SIGNS} */ (unit)], factor: 1 };
+  // Curvatures are read by their radius, in metres.
+  const metres = METRES[units];
+  return { unit: metres ? `1/m${power < -1 ? '²' : ''}` : '', factor: (metres ?? 1) ** power };
 }
 
 /**
@@ -55,10 +64,10 @@ export function unitOf({ unit }, size, units) {
  * @param {string} units of the mesh
  * @param {number | null} [like] the value that decides the unit: errors have that of their tolerance
  */
-export function valueInWords({ unit }, value, units, like = null) {
-  if (unit === 'length') return length(value, units, like ?? value);
-  const sign = SIGNS[unit];
-  return sign === '%' ? `${number(value)} ${sign}` : `${number(value)}${sign}`;
+export function valueInWords(measure, value, units, like = null) {
+  if (measure.unit === 'length') return length(value, units, like ?? value);
+  const { unit, factor } = unitOf(measure, value, units);
+  return `${number(value * factor)}${unit.length > 1 || unit === '%' ? ' ' : ''}${unit}`;
 }
 
 /**

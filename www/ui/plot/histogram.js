@@ -8,7 +8,7 @@ export const BINS = 36;
 /**
  * @typedef {object} Spread
  * @property {import("../../solver/messages.js").Measure} measure
- * @property {number} greatest
+ * @property {number} greatest of either sign
  * @property {import("./value-axis.js").Axis} axis of the bars
  * @property {number[]} counts faces per bar, `#bins`
  * @property {number} faces that have a value
@@ -33,7 +33,7 @@ export function spreadOf(measure, values, axis, tolerance, original = null) {
     if (Number.isNaN(value)) continue;
     faces += 1;
     if (value <= limit) within += 1;
-    if (value > greatest) greatest = value;
+    greatest = Math.max(greatest, Math.abs(value));
   }
   return {
     measure,
@@ -63,7 +63,7 @@ export function countsOf(values, axis) {
   return counts;
 }
 
-/** @param {Float32Array} values some of which may be no numbers */
+/** The greatest size of values, some of which may be no numbers. @param {Float32Array} values */
 export function greatestOf(values) {
-  return values.reduce((greatest, value) => (value > greatest ? value : greatest), 0);
+  return values.reduce((most, value) => (Math.abs(value) > most ? Math.abs(value) : most), 0);
 }

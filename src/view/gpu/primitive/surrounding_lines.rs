@@ -1,5 +1,5 @@
-//! Draws ghost and ground, or the layer beside the surface: lines between points of their own, in the picture
-//! of the stage, and the surface of ghost or layer.
+//! Draws ghost and ground, or the layer beside the surface, or lines over it: lines between points of their own, in
+//! the picture of the stage, and the surface of ghost or layer.
 
 use super::faces::Faces;
 use super::lines::Lines;
@@ -7,6 +7,9 @@ use crate::view::appearance::{Colour, LineKind};
 use crate::view::gpu::{GpuTables, Placement, VertexBuffer};
 use crate::view::state::ViewState;
 use glam::Vec3;
+
+/// Lines that the surface hides.
+const HIDDEN: [LineKind; 3] = [LineKind::Ground, LineKind::Larger, LineKind::Smaller];
 
 /// The points and lines on the GPU.
 #[derive(Debug)]
@@ -24,8 +27,8 @@ impl SurroundingLines {
         SurroundingLines { tables: beside.beside(device, queue), lines, through: 0 }
     }
 
-    /// Takes lines, of which those of the ground are last, and points, where they are new; for a picture that
-    /// lies so on the canvas.
+    /// Takes lines, of which those that are seen through the surface are first, and points, where they are new;
+    /// for a picture that lies so on the canvas.
     pub fn update(
         &mut self,
         (device, queue): (&wgpu::Device, &wgpu::Queue),
@@ -35,7 +38,7 @@ impl SurroundingLines {
         placement: Placement,
     ) {
         let points = new.map(|(lines, points)| {
-            let is_through = |line: &&[u32; 3]| line[2] != LineKind::Ground as u32;
+            let is_through = |line: &&[u32; 3]| !HIDDEN.iter().any(|&kind| kind as u32 == line[2]);
             self.through = lines.iter().filter(is_through).count() as u32;
             self.lines.write(device, queue, &lines);
             points

@@ -19,14 +19,16 @@ fn corner_of_line(
     let stroke = scene.strokes[kind];
     let ratio = scene.canvas.z;
     let half_width = 0.5 * stroke.size.x * ratio;
+    // Lines over the surface cross its faces, which are drawn as flat pieces.
+    let lift = select(LIFT, 4.0 * LIFT, kind >= OVER);
     let from_point = position_of(ends.x);
     let to_point = position_of(ends.y);
     var quad: StrokeCorner;
     if kind == GROUND || kind == PULL {
         // What is about the model is not cut.
-        quad = stroke_corner(from_point, to_point, corner, half_width, LIFT);
+        quad = stroke_corner(from_point, to_point, corner, half_width, lift);
     } else {
-        quad = cut_stroke_corner(from_point, to_point, corner, half_width, LIFT);
+        quad = cut_stroke_corner(from_point, to_point, corner, half_width, lift);
     }
     var out: Corner;
     out.position = quad.position;
@@ -51,6 +53,7 @@ const PULL: u32 = 3u;
 const GHOST: u32 = 7u;
 const GROUND: u32 = 8u;
 const LAYER: u32 = 12u;
+const OVER: u32 = 14u;
 
 @fragment
 fn in_front(in: Corner) -> @location(0) vec4f {

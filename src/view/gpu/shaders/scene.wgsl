@@ -53,7 +53,7 @@ struct Scene {
     // The light of faces that are seen from behind is multiplied by this.
     back: vec4f,
     circle: Stroke,
-    strokes: array<Stroke, 14>,
+    strokes: array<Stroke, 16>,
     dots: array<Dot, 10>,
 }
 

@@ -1,0 +1,125 @@
+//! The curves of a file, and points in even steps along them.
+
+use super::error::SpanError;
+use crate::math::{Vec3, angle};
+use crate::mesh::{Mesh, Topology};
+use serde::Serialize;
+
+/// A turn of so many degrees is a corner, which stays one.
+const CORNER: f64 = 30.0;
+
+/// A polyline in space.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpanCurve {
+    /// In order; of a closed one each once.
+    pub(super) points: Vec<Vec3<f64>>,
+    pub(super) closed: bool,
+    /// It is a boundary of faces, not a polyline.
+    is_boundary: bool,
+}
+
+/// A curve as hosts list it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct CurveWords {
+    /// Its name: "Curve 1", "Boundary 2".
+    pub label: String,
+    /// In the unit of the mesh.
+    pub length: f64,
+    /// Whether it ends where it begins.
+    pub closed: bool,
+}
+
+impl SpanCurve {
+    /// The polylines of `mesh`, then the boundaries of its faces.
+    pub fn all(mesh: &Mesh) -> Vec<SpanCurve> {
+        let at = |&v: &u32| Vec3::from(mesh.positions[v as usize]);
+        let polylines = mesh.curves.iter().map(|curve| {
+            let closed = curve.len() > 3 && curve.first() == curve.last();
+            let distinct = &curve[..curve.len() - usize::from(closed)];
+            SpanCurve { points: distinct.iter().map(at).collect(), closed, is_boundary: false }
+        });
+        let topology = Topology::new(mesh);
+        let loops = topology.boundary_loops().iter().map(|vertices| SpanCurve {
+            points: vertices.iter().map(at).collect(),
+            closed: true,
+            is_boundary: true,
+        });
+        polylines.chain(loops).collect()
+    }
+
+    /// How hosts list them.
+    pub fn words(curves: &[SpanCurve]) -> Vec<CurveWords> {
+        let mut counts = [0; 2];
+        let word = |curve: &SpanCurve| {
+            let count = &mut counts[usize::from(curve.is_boundary)];
+            *count += 1;
+            let name = if curve.is_boundary { "Boundary" } else { "Curve" };
+            let length = length_of(&curve.ring());
+            CurveWords { label: format!("{name} {count}"), length, closed: curve.closed }
+        };
+        curves.iter().map(word).collect()
+    }
+
+    /// The curve of that number.
+    ///
+    /// # Errors
+    /// When there is none, or it has no length.
+    pub fn of(curves: &[SpanCurve], number: usize) -> Result<&SpanCurve, SpanError> {
+        let curve = curves.get(number);
+        let curve = curve.ok_or(SpanError::Missing { asked: number, found: curves.len() })?;
+        if length_of(&curve.ring()) > 0.0 { Ok(curve) } else { Err(SpanError::NoLength) }
+    }
+
+    /// Its points from end to end: a closed one has its first at the end again.
+    pub(super) fn ring(&self) -> Vec<Vec3<f64>> {
+        let again = self.points.first().filter(|_| self.closed);
+        self.points.iter().chain(again).copied().collect()
+    }
+
+    /// Its corners, the numbers of points that turn by more than 30 degrees, with the turn in degrees; ends are none.
+    pub(super) fn corners(&self) -> Vec<(usize, f64)> {
+        let n = self.points.len();
+        let inner = if self.closed { 0..n } else { 1..n.max(2) - 1 };
+        let turn = |k: usize| {
+            let [before, here, after] = [k + n - 1, k, k + 1].map(|k| self.points[k % n]);
+            let (a, b) = (here - before, after - here);
+            angle(a.dot(b), a.cross(b).length()).to_degrees()
+        };
+        inner.map(|k| (k, turn(k))).filter(|&(_, degrees)| degrees > CORNER).collect()
+    }
+}
+
+/// The length of a polyline.
+pub(super) fn length_of(points: &[Vec3<f64>]) -> f64 {
+    points.windows(2).map(|ends| (ends[1] - ends[0]).length()).sum()
+}
+
+/// `n + 1` points in even steps along a polyline from end to end; those of its points that are `corners` are among them
+/// where there are enough.
+pub(super) fn even_steps(points: &[Vec3<f64>], corners: &[usize], n: usize) -> Vec<Vec3<f64>> {
+    let mut ends = vec![0.0];
+    for pair in points.windows(2) {
+        ends.push(ends[ends.len() - 1] + (pair[1] - pair[0]).length());
+    }
+    let whole = ends[ends.len() - 1];
+    let mut at: Vec<f64> = (0..=n).map(|k| whole * k as f64 / n as f64).collect();
+    let mut last = 0;
+    for &corner in corners {
+        let nearest = ((ends[corner] / whole * n as f64).round() as usize).max(last + 1);
+        if nearest < n {
+            at[nearest] = ends[corner];
+            last = nearest;
+        }
+    }
+    let point = |&s: &f64| {
+        let k = ends[1..points.len() - 1].partition_point(|&end| end <= s);
+        let part = ((s - ends[k]) / (ends[k + 1] - ends[k])).clamp(0.0, 1.0);
+        match part {
+            0.0 => points[k],
+            1.0 => points[k + 1],
+            _ => points[k] + (points[k + 1] - points[k]) * part,
+        }
+    };
+    at.iter().map(point).collect()
+}

@@ -1,0 +1,56 @@
+//! Why there is no surface between curves.
+
+use crate::begin::declaration::MOST_FACES;
+use std::fmt;
+
+/// Why there is no surface between curves.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SpanError {
+    /// A curve that is not there.
+    Missing {
+        /// Its number, from 0.
+        asked: usize,
+        /// How many there are.
+        found: usize,
+    },
+    /// A curve without length.
+    NoLength,
+    /// Only one of two curves is closed.
+    OneClosed,
+    /// A closed curve was expected.
+    Open,
+    /// The two curves are the same.
+    Same,
+    /// A size of panels that is no length.
+    Size(f64),
+    /// More faces than are made, see the number.
+    TooMany(f64),
+    /// A surface in the curve would be folded.
+    Folded,
+}
+
+impl fmt::Display for SpanError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            SpanError::Missing { asked, found } => write!(
+                f,
+                "there is no curve {asked}: polylines and boundaries are {found}, counted from 0"
+            ),
+            SpanError::NoLength => f.write_str("a curve without length has nothing beside it"),
+            SpanError::OneClosed => {
+                f.write_str("one curve is closed and the other is not: expected both alike")
+            }
+            SpanError::Open => f.write_str("expected a closed curve or a boundary"),
+            SpanError::Same => f.write_str("expected two different curves"),
+            SpanError::Size(found) => write!(f, "expected a size of panels above 0, found {found}"),
+            SpanError::TooMany(faces) => {
+                write!(f, "that would be {faces:.0} faces, expected at most {MOST_FACES}")
+            }
+            SpanError::Folded => f.write_str(
+                "the surface would be folded: the curve turns back between its four corners",
+            ),
+        }
+    }
+}
+
+impl std::error::Error for SpanError {}

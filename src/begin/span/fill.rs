@@ -1,0 +1,102 @@
+//! The surface inside a closed curve: Coons' patch between four corners.
+
+use super::curve::{SpanCurve, even_steps, length_of};
+use super::error::SpanError;
+use super::loft::{few, quads, turn_up};
+use crate::math::{Vec3, argsort, key_of_number, twice_vector_area};
+use crate::mesh::{Mesh, Point, Topology};
+
+/// Quads of about `size` inside a closed curve, between its four sharpest corners; where it has fewer, between points at
+/// quarters of its length from its first corner on. Seen from above they are counterclockwise. The curve itself goes
+/// through in even steps, with its other corners.
+///
+/// # Errors
+/// A size that is no length, an open curve, too many faces, or a surface that would be folded.
+pub fn fill(curve: &SpanCurve, size: f64) -> Result<Mesh, SpanError> {
+    if !(size > 0.0 && size.is_finite()) {
+        return Err(SpanError::Size(size));
+    }
+    if !curve.closed {
+        return Err(SpanError::Open);
+    }
+    let sides = four_sides(curve);
+    let lengths = sides.each_ref().map(|side| length_of(&side.0));
+    let count = |a: f64, b: f64| (0.5 * (a + b) / size).round().max(1.0);
+    let [along, across] = [count(lengths[0], lengths[2]), count(lengths[1], lengths[3])];
+    few(along * across)?;
+    let counts = [along as usize, across as usize];
+    let [south, east, north, west] = [0, 1, 2, 3].map(|k| {
+        let (points, corners) = &sides[k];
+        even_steps(points, corners, counts[k % 2])
+    });
+    let [nx, ny] = counts;
+    let mut mesh = Mesh { faces: quads(counts, false), ..Mesh::default() };
+    for j in 0..=ny {
+        for i in 0..=nx {
+            let (u, v) = (i as f64 / nx as f64, j as f64 / ny as f64);
+            mesh.positions.push(Point::from(match (i, j) {
+                (_, 0) => south[i],
+                (_, j) if j == ny => north[nx - i],
+                (0, _) => west[ny - j],
+                (i, _) if i == nx => east[j],
+                _ => {
+                    let sides = south[i] * (1.0 - v) + north[nx - i] * v;
+                    let others = west[ny - j] * (1.0 - u) + east[j] * u;
+                    let low = south[0] * (1.0 - u) + south[nx] * u;
+                    let high = north[nx] * (1.0 - u) + north[0] * u;
+                    sides + others - low * (1.0 - v) - high * v
+                }
+            }));
+        }
+    }
+    turn_up(&mut mesh);
+    if is_folded(&mesh) { Err(SpanError::Folded) } else { Ok(mesh) }
+}
+
+/// The points of the four sides, each from corner to corner, and which of them are corners in between.
+fn four_sides(curve: &SpanCurve) -> [(Vec<Vec3<f64>>, Vec<usize>); 4] {
+    let sharp = curve.corners();
+    let n = curve.points.len();
+    // The sharpest first, of equal ones those that come first.
+    let order = argsort(sharp.iter().map(|&(_, turn)| !key_of_number(turn)));
+    let mut ends: Vec<usize> = order.iter().take(4).map(|&k| sharp[k as usize].0).collect();
+    let mut points = curve.points.clone();
+    let mut corners: Vec<usize> = sharp.iter().map(|&(k, _)| k).collect();
+    if ends.len() < 4 {
+        let first = corners.first().copied().unwrap_or(0);
+        points.rotate_left(first);
+        let mut ring = points.clone();
+        ring.push(points[0]);
+        corners.iter_mut().for_each(|k| *k = (*k + n - first) % n);
+        corners.sort_unstable();
+        // As many points as there were at least, with its quarters among them.
+        let quarter = n.div_ceil(4);
+        let inner: Vec<usize> = corners.iter().copied().filter(|&k| k > 0).collect();
+        points = even_steps(&ring, &inner, 4 * quarter);
+        points.pop();
+        corners.clear();
+        ends = (0..4).map(|k| k * quarter).collect();
+    }
+    ends.sort_unstable();
+    let n = points.len();
+    [0, 1, 2, 3].map(|k| {
+        let (from, to) = (ends[k], ends[(k + 1) % 4]);
+        let steps = (to + n - from) % n;
+        let side = (0..=steps).map(|step| points[(from + step) % n]).collect();
+        let is_corner = |step: &usize| corners.contains(&((from + step) % n));
+        (side, (1..steps).filter(is_corner).collect())
+    })
+}
+
+/// Whether faces on both sides of an edge look to opposite sides.
+fn is_folded(mesh: &Mesh) -> bool {
+    let area = |face: u32| {
+        let corners = mesh.faces.row(face as usize).iter();
+        twice_vector_area(corners.map(|&v| Vec3::from(mesh.positions[v as usize])))
+    };
+    let topology = Topology::new(mesh);
+    topology.edge_faces().iter().any(|faces| match *faces {
+        [a, b] => area(a).dot(area(b)) <= 0.0,
+        _ => false,
+    })
+}

@@ -1,0 +1,105 @@
+//! The surface between two curves: straight from each point of the one to a point of the other.
+
+use super::curve::{SpanCurve, even_steps, length_of};
+use super::error::SpanError;
+use crate::begin::declaration::MOST_FACES;
+use crate::math::{Vec3, twice_vector_area};
+use crate::mesh::{Mesh, Point, Ragged};
+
+/// Quads of about `size` between two open curves, or two closed ones; seen from above counterclockwise where they are
+/// seen from above. Where the curves have equally many points, these are joined one to one; else points are in even
+/// steps along both, with their corners. The direction of the curves, and the first point of closed ones, do not
+/// matter: the nearest way to join them is taken.
+///
+/// # Errors
+/// A size that is no length, one curve closed and the other not, or too many faces.
+pub fn loft(first: &SpanCurve, second: &SpanCurve, size: f64) -> Result<Mesh, SpanError> {
+    if !(size > 0.0 && size.is_finite()) {
+        return Err(SpanError::Size(size));
+    }
+    if first == second {
+        return Err(SpanError::Same);
+    }
+    if first.closed != second.closed {
+        return Err(SpanError::OneClosed);
+    }
+    let closed = first.closed;
+    let rings = [first.ring(), second.ring()];
+    let same = rings[0].len() == rings[1].len() && rings[0].len() > 2;
+    let along = match same {
+        true => rings[0].len() - 1,
+        false => {
+            let mean = 0.5 * (length_of(&rings[0]) + length_of(&rings[1]));
+            ((mean / size).round() as usize).max(if closed { 3 } else { 1 })
+        }
+    };
+    few(along as f64)?;
+    let sides = [(first, &rings[0]), (second, &rings[1])].map(|(curve, ring)| {
+        let corners: Vec<usize> = curve.corners().into_iter().map(|(k, _)| k).collect();
+        let mut points = if same { ring.clone() } else { even_steps(ring, &corners, along) };
+        points.truncate(along + usize::from(!closed));
+        points
+    });
+    let other = joined(&sides[0], &sides[1], closed);
+    let distances = sides[0].iter().zip(&other).map(|(&a, &b)| (b - a).length());
+    let mean = distances.sum::<f64>() / other.len() as f64;
+    let across = (mean / size).round().max(1.0);
+    few(along as f64 * across)?;
+    let rows = across as usize;
+    let mut mesh = Mesh::default();
+    for row in 0..=rows {
+        let part = row as f64 / rows as f64;
+        let point = |(&a, &b): (&Vec3<f64>, &Vec3<f64>)| match row {
+            0 => Point::from(a),
+            row if row == rows => Point::from(b),
+            _ => Point::from(a * (1.0 - part) + b * part),
+        };
+        mesh.positions.extend(sides[0].iter().zip(&other).map(point));
+    }
+    mesh.faces = quads([along, rows], closed);
+    turn_up(&mut mesh);
+    Ok(mesh)
+}
+
+/// The points of the second curve in the order that is nearest to the first, in the sum of squares.
+fn joined(first: &[Vec3<f64>], second: &[Vec3<f64>], closed: bool) -> Vec<Vec3<f64>> {
+    let n = second.len();
+    let shifts = if closed { n } else { 1 };
+    let ways = (0..shifts).flat_map(|shift| [(shift, false), (shift, true)]);
+    let place = |k: usize, (shift, back): (usize, bool)| {
+        let k = (k + shift) % n;
+        if back { n - 1 - k } else { k }
+    };
+    let far = |way: (usize, bool)| -> f64 {
+        (0..n).map(|k| (second[place(k, way)] - first[k]).length_squared()).sum()
+    };
+    let best = ways.map(|way| (way, far(way))).min_by(|(_, a), (_, b)| a.total_cmp(b));
+    let way = best.map_or((0, false), |(way, _)| way);
+    (0..n).map(|k| second[place(k, way)]).collect()
+}
+
+/// Quads between rows of vertices, `along` in each.
+pub(super) fn quads([along, rows]: [usize; 2], closed: bool) -> Ragged {
+    let columns = along + usize::from(!closed);
+    let at = |i: usize, j: usize| (j * columns + i % columns) as u32;
+    let faces = (0..rows).flat_map(|j| {
+        (0..along).map(move |i| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])
+    });
+    faces.collect()
+}
+
+/// Makes faces turn counterclockwise as seen from above, on the whole.
+pub(super) fn turn_up(mesh: &mut Mesh) {
+    let area = |face: &[u32]| {
+        twice_vector_area(face.iter().map(|&v| Vec3::from(mesh.positions[v as usize]))).z
+    };
+    if mesh.faces.iter().map(area).sum::<f64>() < 0.0 {
+        let turned = mesh.faces.iter().map(|face| face.iter().rev().copied().collect::<Vec<_>>());
+        mesh.faces = turned.collect();
+    }
+}
+
+/// Refuses more faces than are made.
+pub(super) fn few(faces: f64) -> Result<(), SpanError> {
+    if faces > MOST_FACES { Err(SpanError::TooMany(faces)) } else { Ok(()) }
+}

@@ -1,0 +1,321 @@
+//! The directions of principal curvature all over a surface: second fundamental forms at the corners of triangles,
+//! and what lies between them.
+
+use super::principal::{Curvature, curvatures};
+use crate::math::{Vec3, argsort, key_of_pair};
+use crate::mesh::{Mesh, Point, Topology};
+
+/// No triangle.
+const NONE: u32 = u32::MAX;
+
+/// A symmetric tensor: xx, yy, zz, xy, xz, yz.
+type Tensor = [f64; 6];
+
+/// One of the two families of lines of curvature, at right angles to each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// Along the larger principal curvature.
+    Larger = 0,
+    /// Along the smaller one.
+    Smaller = 1,
+}
+
+/// A place on the surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfacePlace {
+    pub(super) triangle: u32,
+    /// In the plane of the triangle.
+    pub(super) at: Vec3<f64>,
+}
+
+/// A surface of triangles with second fundamental forms at their corners. Faces of more than three corners are
+/// triangles around their centre. All triangles of a part turn the same way where that can be, so that each part
+/// bends towards its normals on the whole: the curvatures of a dome are positive.
+#[derive(Clone, Debug)]
+pub struct CurvatureField {
+    points: Vec<Vec3<f64>>,
+    /// #points; none where the curvature is not known.
+    forms: Vec<Option<(Tensor, Vec3<f64>)>>,
+    triangles: Vec<[u32; 3]>,
+    /// The face that each triangle is a part of.
+    faces: Vec<u32>,
+    normals: Vec<Vec3<f64>>,
+    /// Of each triangle those beyond its sides, the first of which is from corner 0 to corner 1.
+    beyond: Vec<[u32; 3]>,
+    mean_edge: f64,
+}
+
+impl CurvatureField {
+    /// Of the faces of `mesh` at `positions`, `#V by 3`.
+    pub fn new(positions: &[Point], mesh: &Mesh, topology: &Topology) -> CurvatureField {
+        let mut points: Vec<Vec3<f64>> = positions.iter().map(|&p| Vec3::from(p)).collect();
+        let known = curvatures(positions, &mesh.faces, topology);
+        let mut forms: Vec<_> = known.iter().map(|one| one.as_ref().map(form_of)).collect();
+        let (mut triangles, mut faces) = (Vec::new(), Vec::new());
+        for (f, face) in (0..).zip(mesh.faces.iter()) {
+            if let &[a, b, c] = face {
+                triangles.push([a, b, c]);
+                faces.push(f);
+                continue;
+            }
+            let centre = points.len() as u32;
+            let corners = face.iter().map(|&v| points[v as usize]);
+            let sum = corners.fold(Vec3::zero(), |sum, corner| sum + corner);
+            points.push(sum * (1.0 / face.len() as f64));
+            forms.push(mean_form(face.iter().map(|&v| forms[v as usize])));
+            for (k, &a) in face.iter().enumerate() {
+                triangles.push([a, face[(k + 1) % face.len()], centre]);
+                faces.push(f);
+            }
+        }
+        let mean_edge = topology.mean_edge(positions);
+        let mut field = CurvatureField {
+            points,
+            forms,
+            normals: vec![Vec3::zero(); triangles.len()],
+            beyond: vec![[NONE; 3]; triangles.len()],
+            triangles,
+            faces,
+            mean_edge,
+        };
+        field.join();
+        field.orient();
+        field
+    }
+
+    /// The mean length of an edge of the mesh.
+    pub fn mean_edge(&self) -> f64 {
+        self.mean_edge
+    }
+
+    /// The middles of the faces, in their order; none of a face without area.
+    pub fn middles(&self) -> impl Iterator<Item = SurfacePlace> + '_ {
+        let of_face = self.faces.chunk_by(|a, b| a == b).scan(0, |next, same| {
+            let first = *next;
+            *next += same.len();
+            Some(self.middle(first, same.len()))
+        });
+        of_face.flatten()
+    }
+
+    /// Of the face that the triangles from `first` are the pieces of, whose last corner is its centre.
+    fn middle(&self, first: usize, pieces: usize) -> Option<SurfacePlace> {
+        let triangle = first as u32;
+        let [a, b, c] = self.corners(triangle);
+        let at = if pieces > 1 { c } else { (a + b + c) * (1.0 / 3.0) };
+        let place = SurfacePlace { triangle, at };
+        (self.normal(place) != Vec3::zero()).then_some(place)
+    }
+
+    /// A place at a vertex; none without a face with an area there.
+    pub fn at_vertex(&self, vertex: u32) -> Option<SurfacePlace> {
+        let with_it = self.triangles.iter().position(|corners| corners.contains(&vertex))?;
+        let place = SurfacePlace { triangle: with_it as u32, at: self.points[vertex as usize] };
+        (self.normal(place) != Vec3::zero()).then_some(place)
+    }
+
+    /// The middle of a face; none without an area.
+    pub fn at_face(&self, face: u32) -> Option<SurfacePlace> {
+        let first = self.faces.partition_point(|&other| other < face);
+        let pieces = self.faces[first..].iter().take_while(|&&other| other == face).count();
+        (pieces > 0).then(|| self.middle(first, pieces)).flatten()
+    }
+
+    /// The point of a place.
+    pub fn point(&self, place: SurfacePlace) -> Point {
+        place.at.into()
+    }
+
+    /// The unit normal there.
+    pub(super) fn normal(&self, place: SurfacePlace) -> Vec3<f64> {
+        self.normals[place.triangle as usize]
+    }
+
+    pub(super) fn corners(&self, triangle: u32) -> [Vec3<f64>; 3] {
+        self.triangles[triangle as usize].map(|v| self.points[v as usize])
+    }
+
+    /// The triangle beyond a side, and which of its sides that is; none at the boundary.
+    pub(super) fn over(&self, triangle: u32, side: usize) -> Option<(u32, usize)> {
+        let next = self.beyond[triangle as usize][side];
+        let back = (0..3).find(|&k| {
+            next != NONE && self.beyond[next as usize][k] == triangle && {
+                let corners = |t: u32, k: usize| {
+                    let corners = self.triangles[t as usize];
+                    [corners[k], corners[(k + 1) % 3]]
+                };
+                let [a, b] = corners(triangle, side);
+                corners(next, k) == [b, a]
+            }
+        });
+        back.map(|k| (next, k))
+    }
+
+    /// Barycentric coordinates in the triangle, of a point above or below it.
+    fn weights(&self, SurfacePlace { triangle, at }: SurfacePlace) -> [f64; 3] {
+        let corners = self.corners(triangle);
+        let normal = self.normals[triangle as usize];
+        let part = |k: usize| {
+            let [a, b] = [corners[(k + 1) % 3], corners[(k + 2) % 3]];
+            (b - a).cross(at - a).dot(normal)
+        };
+        let parts = [part(0), part(1), part(2)];
+        let sum = parts[0] + parts[1] + parts[2];
+        parts.map(|part| part / sum)
+    }
+
+    /// The unit direction of a family there. None where the curvature is not known, where the surface is flat over the
+    /// length of an edge, and where the difference of the principal curvatures is less than the part `umbilic` of the
+    /// sum of their sizes.
+    pub(super) fn direction(
+        &self,
+        place: SurfacePlace,
+        family: Family,
+        umbilic: f64,
+    ) -> Option<Vec3<f64>> {
+        let normal = self.normal(place);
+        if normal == Vec3::zero() {
+            return None;
+        }
+        let (mut tensor, mut up) = ([0.0; 6], Vec3::zero());
+        let corners = self.triangles[place.triangle as usize];
+        for (v, weight) in corners.into_iter().zip(self.weights(place)) {
+            let (form, normal_there) = self.forms[v as usize]?;
+            let weight = if normal_there.dot(normal) < 0.0 { -weight } else { weight };
+            tensor.iter_mut().zip(form).for_each(|(sum, part)| *sum += weight * part);
+            up += normal_there * weight;
+        }
+        // In the tangent plane of the smooth surface, which is not quite that of the triangle.
+        let (_, up) = up.length_and_direction();
+        let up = up?;
+        let x = up.across();
+        let y = up.cross(x);
+        let [l, m, n] = [on(&tensor, x, x), on(&tensor, x, y), on(&tensor, y, y)];
+        let (mean, half) = (0.5 * (l + n), 0.5 * (l - n));
+        let radius = (half * half + m * m).sqrt();
+        let size = (mean + radius).abs() + (mean - radius).abs();
+        if 2.0 * radius <= umbilic * size || size * self.mean_edge < super::edges::FLAT {
+            return None;
+        }
+        // Of the two equations of an eigenvector the one without cancellation.
+        let (u, v) = if half >= 0.0 { (radius + half, m) } else { (m, radius - half) };
+        let larger = (x * u + y * v) * (1.0 / (u * u + v * v).sqrt());
+        let way = match family {
+            Family::Larger => larger,
+            Family::Smaller => up.cross(larger),
+        };
+        let (_, way) = (way - normal * normal.dot(way)).length_and_direction();
+        way
+    }
+
+    /// Finds what lies beyond the sides: the other triangle, where there are two.
+    fn join(&mut self) {
+        let mut sides = Vec::new();
+        for (t, corners) in (0..).zip(&self.triangles) {
+            sides.extend((0..3).map(|k| {
+                (corners[k].min(corners[(k + 1) % 3]), corners[k].max(corners[(k + 1) % 3]), t, k)
+            }));
+        }
+        let order = argsort(sides.iter().map(|&(a, b, ..)| key_of_pair([a, b])));
+        let sides: Vec<(u32, u32, u32, usize)> =
+            order.into_iter().map(|i| sides[i as usize]).collect();
+        for same in sides.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+            if let &[(.., t, k), (.., u, l)] = same {
+                self.beyond[t as usize][k] = u;
+                self.beyond[u as usize][l] = t;
+            }
+        }
+    }
+
+    /// Turns the triangles of each part the same way, and so that it bends towards its normals; nothing is beyond a side
+    /// where that cannot be.
+    fn orient(&mut self) {
+        let count = self.triangles.len();
+        let mut is_seen = vec![false; count];
+        let mut part = Vec::new();
+        for first in 0..count {
+            if std::mem::replace(&mut is_seen[first], true) {
+                continue;
+            }
+            part.clear();
+            part.push(first);
+            let mut next = 0;
+            while let Some(&t) = part.get(next) {
+                next += 1;
+                for k in 0..3 {
+                    let other = self.beyond[t][k];
+                    if other == NONE || std::mem::replace(&mut is_seen[other as usize], true) {
+                        continue;
+                    }
+                    if self.over(t as u32, k).is_none() {
+                        self.turn(other as usize);
+                    }
+                    part.push(other as usize);
+                }
+            }
+            let bend: f64 = part.iter().map(|&t| self.bend(t)).sum();
+            if bend < 0.0 {
+                part.iter().for_each(|&t| self.turn(t));
+            }
+        }
+        for t in 0..count {
+            let [a, b, c] = self.corners(t as u32);
+            let (_, normal) = (b - a).cross(c - a).length_and_direction();
+            self.normals[t] = normal.unwrap_or_else(Vec3::zero);
+        }
+    }
+
+    /// Makes a triangle turn the other way.
+    fn turn(&mut self, triangle: usize) {
+        self.triangles[triangle].swap(0, 1);
+        self.beyond[triangle].swap(1, 2);
+    }
+
+    /// Twice the mean curvature towards the side from which the triangle turns counterclockwise, times its area.
+    fn bend(&self, triangle: usize) -> f64 {
+        let [a, b, c] = self.corners(triangle as u32);
+        let area = (b - a).cross(c - a);
+        let of_corner = |v: u32| {
+            self.forms[v as usize].map_or(0.0, |([xx, yy, zz, ..], up)| {
+                if up.dot(area) < 0.0 { -(xx + yy + zz) } else { xx + yy + zz }
+            })
+        };
+        let sum: f64 = self.triangles[triangle].into_iter().map(of_corner).sum();
+        sum * area.length()
+    }
+}
+
+fn form_of(curvature: &Curvature) -> (Tensor, Vec3<f64>) {
+    let mut tensor = [0.0; 6];
+    for (value, Vec3 { x, y, z }) in curvature.principal.into_iter().zip(curvature.directions) {
+        let square = [x * x, y * y, z * z, x * y, x * z, y * z];
+        tensor.iter_mut().zip(square).for_each(|(sum, part)| *sum += value * part);
+    }
+    (tensor, curvature.normal)
+}
+
+/// The mean of forms, of the sign that the first normal gives; none where one is not known.
+fn mean_form(
+    forms: impl ExactSizeIterator<Item = Option<(Tensor, Vec3<f64>)>>,
+) -> Option<(Tensor, Vec3<f64>)> {
+    let share = 1.0 / forms.len() as f64;
+    let mut mean: Option<(Tensor, Vec3<f64>)> = None;
+    for form in forms {
+        let (form, up) = form?;
+        let (tensor, normal) = mean.get_or_insert(([0.0; 6], Vec3::zero()));
+        let sign = if up.dot(*normal) < 0.0 { -1.0 } else { 1.0 };
+        tensor.iter_mut().zip(form).for_each(|(sum, part)| *sum += sign * share * part);
+        *normal += up * (sign * share);
+    }
+    mean
+}
+
+/// The value of a tensor on two vectors.
+fn on([xx, yy, zz, xy, xz, yz]: &Tensor, a: Vec3<f64>, b: Vec3<f64>) -> f64 {
+    xx * a.x * b.x
+        + yy * a.y * b.y
+        + zz * a.z * b.z
+        + xy * (a.x * b.y + a.y * b.x)
+        + xz * (a.x * b.z + a.z * b.x)
+        + yz * (a.y * b.z + a.z * b.y)
+}

@@ -1,0 +1,92 @@
+//! Directions and lines of curvature for the page. They are in the module of parts, which comes when it is first asked
+//! for.
+
+use super::{log_panics, mesh_of, thrown};
+use crate::mesh::{CurvatureField, CurvatureLine, Family, Point, SurfacePlace, Topology};
+use wasm_bindgen::prelude::*;
+
+const FAMILIES: [Family; 2] = [Family::Larger, Family::Smaller];
+/// Lines so near that there would be more than so many beside each other over the surface are not drawn.
+const MOST_LINES: f64 = 200.0;
+
+/// Polylines over the surface, as the view takes them.
+#[wasm_bindgen(getter_with_clone)]
+pub struct CurvatureDrawing {
+    /// #points by 3.
+    pub points: Vec<f64>,
+    /// Polyline `k` has the points from `offsets[k]` to `offsets[k + 1]`.
+    pub offsets: Vec<u32>,
+    /// So many of them, the first ones, are along the larger principal curvature.
+    pub count: u32,
+}
+
+/// The directions in which a shape bends most and least.
+#[wasm_bindgen]
+pub struct SurfaceCurvature {
+    field: CurvatureField,
+    size: f64,
+}
+
+#[wasm_bindgen]
+impl SurfaceCurvature {
+    /// Of a mesh of `positions`, `#V by 3`, and faces: face `f` has the corners from `offsets[f]` to `offsets[f + 1]`
+    /// of `indices`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(positions: &[f64], offsets: &[u32], indices: &[u32]) -> SurfaceCurvature {
+        log_panics();
+        let mesh = mesh_of(positions, offsets, indices);
+        let field = CurvatureField::new(&mesh.positions, &mesh, &Topology::new(&mesh));
+        let size = crate::mesh::BoundingSphere::of(&mesh.positions).diameter();
+        SurfaceCurvature { field, size }
+    }
+
+    /// A distance of lines that shows the surface and leaves it to be seen, in the unit of the mesh.
+    pub fn distance(&self) -> f64 {
+        (0.04 * self.size).max(1.5 * self.field.mean_edge())
+    }
+
+    /// Short strokes on every face.
+    pub fn strokes(&self) -> CurvatureDrawing {
+        drawing(FAMILIES.map(|family| {
+            self.field.strokes(family).into_iter().map(|ends| ends.to_vec()).collect()
+        }))
+    }
+
+    /// Lines of curvature so far apart, in the unit of the mesh.
+    ///
+    /// # Errors
+    /// A distance that is not positive, or so small that there would be too many lines.
+    pub fn lines(&self, distance: f64) -> Result<CurvatureDrawing, JsValue> {
+        let least = self.size / MOST_LINES;
+        if distance.is_nan() || distance < least || distance <= 0.0 {
+            return Err(thrown(format!("expected a distance from {least:.3e}, found {distance}")));
+        }
+        Ok(drawing(FAMILIES.map(|family| polylines(&self.field.spaced_lines(family, distance)))))
+    }
+
+    /// The lines of curvature through vertices and through the middles of faces.
+    #[wasm_bindgen(js_name = linesThrough)]
+    pub fn lines_through(&self, vertices: &[u32], faces: &[u32]) -> CurvatureDrawing {
+        let at_vertices = vertices.iter().filter_map(|&v| self.field.at_vertex(v));
+        let at_faces = faces.iter().filter_map(|&f| self.field.at_face(f));
+        let places: Vec<SurfacePlace> = at_vertices.chain(at_faces).collect();
+        drawing(FAMILIES.map(|family| {
+            let lines = places.iter().filter_map(|&place| self.field.line_through(place, family));
+            polylines(&lines.collect::<Vec<_>>())
+        }))
+    }
+}
+
+fn polylines(lines: &[CurvatureLine]) -> Vec<Vec<Point>> {
+    lines.iter().map(|line| line.points().collect()).collect()
+}
+
+fn drawing(families: [Vec<Vec<Point>>; 2]) -> CurvatureDrawing {
+    let count = families[0].len() as u32;
+    let mut drawing = CurvatureDrawing { points: Vec::new(), offsets: vec![0], count };
+    for line in families.iter().flatten() {
+        drawing.points.extend(line.as_flattened());
+        drawing.offsets.push((drawing.points.len() / 3) as u32);
+    }
+    drawing
+}

@@ -1,0 +1,189 @@
+//! Meshes between curves of a file: on the curves, sound, the same whichever way the curves run, and refused where they
+//! cannot be.
+
+use shape_up::begin::{SpanCurve, SpanError, fill, loft};
+use shape_up::math::{Vec3, cosine, sine, twice_vector_area};
+use shape_up::mesh::{Mesh, Point, Topology, diagnose};
+
+/// Polylines, each with vertices of its own; a closed one names its first vertex again.
+fn curves(polylines: &[(Vec<Point>, bool)]) -> Vec<SpanCurve> {
+    let mut mesh = Mesh::default();
+    for (points, closed) in polylines {
+        let first = mesh.positions.len() as u32;
+        mesh.positions.extend(points);
+        let mut curve: Vec<u32> = (first..mesh.positions.len() as u32).collect();
+        if *closed {
+            curve.push(first);
+        }
+        mesh.curves.push(&curve);
+    }
+    SpanCurve::all(&mesh)
+}
+
+fn arch(n: u32, y: f64, rise: f64) -> Vec<Point> {
+    let at = |k: u32| 0.5 * f64::from(k) / f64::from(n);
+    (0..=n).map(|k| [-8.0 * cosine(at(k)), y, rise * sine(at(k))]).collect()
+}
+
+fn circle(n: u32, radius: f64, z: f64, turn: f64) -> Vec<Point> {
+    let at = |k: u32| turn + f64::from(k) / f64::from(n);
+    (0..n).map(|k| [radius * cosine(at(k)), radius * sine(at(k)), z]).collect()
+}
+
+fn reversed(points: &[Point]) -> Vec<Point> {
+    points.iter().rev().copied().collect()
+}
+
+fn assert_sound(mesh: &Mesh) {
+    assert!(diagnose(mesh).is_empty(), "{:?}", diagnose(mesh));
+    let topology = Topology::new(mesh);
+    assert!(topology.edge_faces().iter().all(|faces| (1..=2).contains(&faces.len())));
+    // Neighbours turn the same way: no side is there twice in the same direction.
+    let mut sides: Vec<[u32; 2]> = mesh
+        .faces
+        .iter()
+        .flat_map(|face| (0..face.len()).map(|k| [face[k], face[(k + 1) % face.len()]]))
+        .collect();
+    let count = sides.len();
+    sides.sort_unstable();
+    sides.dedup();
+    assert_eq!(sides.len(), count);
+}
+
+fn area(mesh: &Mesh) -> f64 {
+    let corners = |face: &[u32]| -> Vec<_> {
+        face.iter().map(|&v| Vec3::from(mesh.positions[v as usize])).collect()
+    };
+    mesh.faces.iter().map(|face| 0.5 * twice_vector_area(corners(face)).length()).sum()
+}
+
+#[test]
+fn a_loft_goes_from_curve_to_curve_whichever_way_they_run() {
+    let [low, high] = [arch(24, 0.0, 3.0), arch(40, 15.0, 6.0)];
+    let made = |a: &[Point], b: &[Point]| {
+        let curves = curves(&[(a.to_vec(), false), (b.to_vec(), false)]);
+        loft(&curves[0], &curves[1], 1.5).unwrap()
+    };
+    let mesh = made(&low, &high);
+    assert_sound(&mesh);
+    assert_eq!(mesh.faces.len() % 10, 0, "15 m in rows of 1.5");
+    // Its ends are where those of the curves are, exactly.
+    for end in [low[0], low[24], high[0], high[40]] {
+        assert!(mesh.positions.contains(&end));
+    }
+    // Every vertex is in a plane between the two, and seen from above it turns counterclockwise.
+    assert!(mesh.positions.iter().all(|p| p[1] >= 0.0 && p[1] <= 15.0 && p[2] >= -1e-12));
+    for other in [made(&low, &reversed(&high)), made(&reversed(&low), &high), made(&high, &low)] {
+        assert_sound(&other);
+        assert!((area(&other) - area(&mesh)).abs() < 1e-9 * area(&mesh));
+    }
+    assert_eq!(made(&low, &high), mesh, "it is deterministic");
+}
+
+#[test]
+fn equally_many_points_are_joined_one_to_one() {
+    let [low, high] = [arch(9, 0.0, 3.0), arch(9, 4.0, 5.0)];
+    let curves = curves(&[(low.clone(), false), (high.clone(), false)]);
+    let mesh = loft(&curves[0], &curves[1], 100.0).unwrap();
+    assert_eq!((mesh.positions.len(), mesh.faces.len()), (20, 9));
+    assert!(low.iter().chain(&high).all(|point| mesh.positions.contains(point)));
+}
+
+#[test]
+fn corners_of_a_curve_stay_corners() {
+    let bent = vec![[0.0, 0.0, 0.0], [4.1, 0.0, 0.0], [4.1, 7.3, 0.0]];
+    let other = vec![[0.0, 3.0, 5.0], [2.0, 3.0, 5.0], [2.0, 9.0, 5.0], [2.0, 11.0, 5.0]];
+    let curves = curves(&[(bent.clone(), false), (other.clone(), false)]);
+    let mesh = loft(&curves[0], &curves[1], 1.0).unwrap();
+    for corner in [bent[1], other[1]] {
+        assert!(mesh.positions.contains(&corner), "{corner:?}");
+    }
+}
+
+#[test]
+fn closed_curves_are_joined_where_they_are_nearest() {
+    // Frustums: the second circle begins elsewhere, runs the other way, and has other points.
+    for (second, points) in
+        [(circle(32, 3.0, 6.0, 0.3), 32), (reversed(&circle(50, 3.0, 6.0, 0.7)), 50)]
+    {
+        let curves = curves(&[(circle(32, 5.0, 0.0, 0.0), true), (second, true)]);
+        let mesh = loft(&curves[0], &curves[1], 1.0).unwrap();
+        assert_sound(&mesh);
+        let topology = Topology::new(&mesh);
+        assert_eq!(topology.boundary_loops().len(), 2);
+        let exact = std::f64::consts::PI * 8.0 * (4.0_f64 + 36.0).sqrt();
+        assert!((area(&mesh) / exact - 1.0).abs() < 0.02, "{points}: {} {exact}", area(&mesh));
+    }
+}
+
+#[test]
+fn a_filled_boundary_is_a_surface_with_that_boundary() {
+    // A rectangle with bent sides, a circle in space, an opening of a mesh.
+    let mut loops: Vec<(Vec<Point>, usize)> = Vec::new();
+    let mut frame: Vec<Point> = arch(20, 0.0, 3.0);
+    frame.extend(reversed(&arch(20, 9.0, 5.0)));
+    loops.push((frame, 4));
+    loops.push((circle(48, 4.0, 2.0, 0.1), 0));
+    for (points, corners) in loops {
+        let curves = curves(&[(points.clone(), true)]);
+        let mesh = fill(&curves[0], 0.8).unwrap();
+        assert_sound(&mesh);
+        let topology = Topology::new(&mesh);
+        assert_eq!(topology.boundary_loops().len(), 1);
+        let rim: Vec<Point> =
+            topology.boundary_loops().row(0).iter().map(|&v| mesh.positions[v as usize]).collect();
+        // The rim is on the curve: as long, up to what its chords cut off.
+        let length = |points: &[Point]| {
+            let ends = points.iter().zip(points.iter().cycle().skip(1));
+            ends.map(|(&a, &b)| (Vec3::from(b) - Vec3::from(a)).length()).sum::<f64>()
+        };
+        assert!((length(&rim) / length(&points) - 1.0).abs() < 0.02);
+        if corners == 4 {
+            for k in [0, 20, 21, 41] {
+                assert!(rim.contains(&points[k]), "corner {k}");
+            }
+        }
+        let up = mesh.faces.iter().map(|face| {
+            twice_vector_area(face.iter().map(|&v| Vec3::from(mesh.positions[v as usize]))).z
+        });
+        assert!(up.sum::<f64>() > 0.0, "seen from above counterclockwise");
+    }
+    // The boundary of a mesh is a curve as well, after its polylines.
+    let grid = crate::grid::grid(6, 4, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let curves = SpanCurve::all(&grid);
+    let words = SpanCurve::words(&curves);
+    assert_eq!(
+        (words[0].label.as_str(), words[0].length, words[0].closed),
+        ("Boundary 1", 20.0, true)
+    );
+    assert_eq!(fill(&curves[0], 1.0).unwrap().faces.len(), 24);
+}
+
+#[test]
+fn what_cannot_be_is_refused_with_the_reason() {
+    let line = |y: f64| vec![[0.0, y, 0.0], [3.0, y, 0.0]];
+    let known = curves(&[
+        (line(0.0), false),
+        (line(2.0), false),
+        (circle(12, 2.0, 0.0, 0.0), true),
+        (vec![[1.0; 3], [1.0; 3]], false),
+    ]);
+    assert!(loft(&known[0], &known[1], 0.5).is_ok());
+    assert_eq!(loft(&known[0], &known[2], 0.5), Err(SpanError::OneClosed));
+    assert_eq!(loft(&known[0], &known[0], 0.5), Err(SpanError::Same));
+    assert_eq!(loft(&known[0], &known[1], 0.0), Err(SpanError::Size(0.0)));
+    assert!(matches!(loft(&known[0], &known[1], 1e-4), Err(SpanError::TooMany(_))));
+    assert_eq!(fill(&known[0], 0.5), Err(SpanError::Open));
+    assert!(matches!(fill(&known[2], 1e-4), Err(SpanError::TooMany(_))));
+    assert_eq!(SpanCurve::of(&known, 3), Err(SpanError::NoLength));
+    assert_eq!(SpanCurve::of(&known, 9), Err(SpanError::Missing { asked: 9, found: 4 }));
+    // A star whose arms lie across Coons' patch.
+    let star: Vec<Point> = (0..16)
+        .map(|k| {
+            let radius = if k % 2 == 0 { 5.0 } else { 0.6 };
+            let turn = f64::from(k) / 16.0;
+            [radius * cosine(turn), radius * sine(turn), 0.0]
+        })
+        .collect();
+    assert_eq!(fill(&curves(&[(star, true)])[0], 0.3), Err(SpanError::Folded));
+}

@@ -1,0 +1,102 @@
+//! What the measures of faces are.
+
+use crate::grid::grid;
+use shape_up::mesh::Mesh;
+use shape_up::scene::{MeshSource, Scene};
+use shape_up::session::{FACE_MEASURES, Session};
+
+/// A unit square, two of whose opposite corners are lifted by 0.02, opened from a flat one.
+fn lifted() -> Session {
+    let square = |lift| vec![[0.0, 0.0, lift], [1.0, 0.0, 0.0], [1.0, 1.0, lift], [0.0, 1.0, 0.0]];
+    let mesh = Mesh {
+        positions: square(0.0),
+        faces: [[0, 1, 2, 3]].into_iter().collect(),
+        ..Mesh::default()
+    };
+    let mut scene = Scene::new(MeshSource::File(String::new()));
+    scene.current = Some(square(0.02));
+    Session::open(scene, mesh).expect("it opens")
+}
+
+#[test]
+fn conventions_of_the_same_panel_differ_as_they_are_known_to() {
+    let mut session = lifted();
+    let mut value = |id| session.face_values(id).expect("there is one")[0];
+    let near = |value: f64, expected: f64| assert!((value - expected).abs() < 2e-3 * expected);
+    near(value("planarity"), 0.01);
+    near(value("diagonals"), 1.414);
+    near(value("diagonals-by-edge"), 2.0);
+    near(value("planarity-by-edge"), 1.0);
+    near(value("fourth-corner"), 0.04);
+    near(value("e-p"), 0.5e-4);
+    near(value("displacement"), 0.02);
+    near(value("surface"), 0.02);
+    near(value("edges"), 0.02);
+    assert!(value("angles") < 0.05);
+}
+
+#[test]
+fn values_of_corners_are_what_their_faces_have_the_largest_of() {
+    let mut session = lifted();
+    for measure in FACE_MEASURES {
+        let Some(corners) = session.corner_values(measure.id) else { continue };
+        let faces = session.face_values(measure.id).expect("it is declared");
+        assert_eq!(corners.len(), 4);
+        assert_eq!(corners.into_iter().fold(0.0, f64::max), faces[0]);
+    }
+    assert!(session.corner_values("displacement").is_some());
+    assert!(session.corner_values("planarity").is_none());
+}
+
+#[test]
+fn every_measure_is_nothing_for_a_square_at_rest() {
+    let mut session = lifted();
+    let rest = session.mesh().positions.clone();
+    let mut scene = session.scene();
+    scene.current = Some(rest);
+    session = Session::open(scene, session.mesh().clone()).expect("it opens");
+    for measure in FACE_MEASURES {
+        let value = session.face_values(measure.id).expect("it is declared")[0];
+        // A lone face has no curvature.
+        let none = measure.id.contains("curvature") && value.is_nan();
+        assert!(none || value.abs() < 1e-12, "{}: {value}", measure.id);
+    }
+    assert!(session.face_values("beauty").is_none());
+}
+
+#[test]
+fn curvatures_of_faces_have_both_signs_and_the_units_that_they_say() {
+    // A dome, a saddle and a vault, once more at ten times the size, and with all faces the other way.
+    let surface = |bend: [f64; 2], size: f64, flip: bool| {
+        let mut mesh = grid(16, 16, |i, j| {
+            let [x, y] = [i, j].map(|k| 0.05 * (f64::from(k) - 8.0));
+            [x, y, 0.5 * (bend[0] * x * x + bend[1] * y * y)].map(|x| size * x)
+        });
+        if flip {
+            mesh.faces = mesh
+                .faces
+                .iter()
+                .map(|face| face.iter().rev().copied().collect::<Vec<_>>())
+                .collect();
+        }
+        Session::open(Scene::new(MeshSource::File(String::new())), mesh).expect("it opens")
+    };
+    for (bend, size, flip) in [
+        ([-1.0, -0.5], 1.0, false),
+        ([-1.0, 1.5], 1.0, false),
+        ([0.0, -2.0], 1.0, false),
+        ([-1.0, -0.5], 10.0, false),
+        ([-1.0, -0.5], 1.0, true),
+    ] {
+        let mut session = surface(bend, size, flip);
+        let middle = 8 * 16 + 8;
+        let mut value = |id| session.face_values(id).expect("it is declared")[middle] * size;
+        let gauss = bend[0] * bend[1];
+        let mean = if flip { 0.5 } else { -0.5 } * (bend[0] + bend[1]);
+        assert!((value("gauss-curvature") * size - gauss).abs() < 0.02, "{bend:?}");
+        assert!((value("mean-curvature") - mean).abs() < 0.02, "{bend:?} {mean}");
+    }
+    for measure in FACE_MEASURES {
+        assert!(!(measure.signed && measure.toleranced), "a tolerance is a distance from 0");
+    }
+}

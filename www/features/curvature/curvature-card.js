@@ -1,0 +1,176 @@
+/**
+ * The card about how the surface bends: strokes along the principal directions or lines of curvature over it, how it
+ * is coloured, and what that means for panels.
+ */
+
+import './curvature.css';
+import { declared, unitOf } from '../../store/colours/measures.js';
+import { choice, closeButton } from '../../ui/controls/fields.js';
+import { RENEW_MS, element, setText, throttled } from '../../ui/dom.js';
+import { number } from '../../ui/format.js';
+import { surfaceLines } from './surface-lines.js';
+
+/** @type {{ toggle: () => void } | null} */
+let only = null;
+
+/** @param {import("../../app/context.js").AppContext} app */
+export function toggle(app) {
+  only ??= curvatureCard(app);
+  only.toggle();
+}
+
+/** @param {import("../../app/context.js").AppContext} app */
+function curvatureCard(app) {
+  const { store, solver, viewport, actions } = app;
+  /** How faces were coloured before it was opened. @type {string | null} */
+  let before = null;
+  /** The model that the sentence is of. @type {unknown} */
+  let told = null;
+
+  const lines = choice({ 'aria-label': 'Lines' }, update, [
+    ['strokes', 'Principal directions'],
+    ['lines', 'Lines of curvature'],
+    ['through', 'Lines through the selection'],
+    ['', 'No lines'],
+  ]);
+  lines.value = 'strokes';
+  const distance = element('input', {
+    type: 'number',
+    min: '0',
+    step: 'any',
+    'aria-label': 'Distance of the lines',
+    onchange: update,
+  });
+  const unit = element('span.unit');
+  const apart = element('label.apart', element('span', 'Apart'), distance, unit);
+  const colours = choice({ 'aria-label': 'Coloured by' }, () =>
+    actions.colourBy(colours.value || null),
+  );
+  const keys = ['Larger curvature', 'Smaller curvature'].map((words) => {
+    const line = element('i');
+    return { line, entry: element('span', line, words) };
+  });
+  const said = element('p.quiet', { 'aria-live': 'polite' });
+  const sentence = element('p');
+  const card = element(
+    'section.card',
+    { id: 'curvature', 'aria-labelledby': 'heading-curvature', hidden: true },
+    element(
+      'div.title',
+      element('h2', { id: 'heading-curvature' }, 'Curvature'),
+      closeButton('Close curvature', close),
+    ),
+    lines,
+    apart,
+    element('div.key', ...keys.map(({ entry }) => entry)),
+    element('label.by', element('span', 'Colours'), colours),
+    said,
+    sentence,
+  );
+  viewport.element.after(card);
+
+  const NONE = new Uint32Array(0);
+  const drawing = surfaceLines(
+    app,
+    () => {
+      if (card.hidden || !lines.value) return null;
+      const draw = /** @type {"strokes" | "lines" | "through"} */ (lines.value);
+      const { mode, selection } = store.get();
+      const through = draw === 'through';
+      return {
+        draw,
+        distance: draw === 'lines' && distance.valueAsNumber > 0 ? distance.valueAsNumber : null,
+        vertices: through && mode !== 'faces' ? Uint32Array.from(actions.chosenVertices()) : NONE,
+        faces: through && mode === 'faces' ? Uint32Array.from(selection.faces) : NONE,
+      };
+    },
+    (answer, refused) => {
+      if (answer && !distance.value) distance.placeholder = number(answer.distance);
+      setText(said, refused || wordsOf(answer));
+    },
+  );
+
+  /** @param {import("./curvature-worker.js").Answer | null} answer */
+  function wordsOf(answer) {
+    const found = (answer?.offsets.length ?? 1) - 1;
+    if (lines.value === 'strokes')
+      return found ? '' : 'No directions: it is flat, or bends alike to all sides.';
+    if (found) return '';
+    return lines.value === 'through'
+      ? 'Select vertices or faces: the lines through them are drawn.'
+      : 'No lines of curvature: it is flat, or bends alike to all sides.';
+  }
+
+  function update() {
+    apart.hidden = lines.value !== 'lines';
+    for (const { entry } of keys) entry.hidden = lines.value === '';
+    const colours = viewport.unmeasured((view) => view.lineColours());
+    keys.forEach(({ line }, i) => (line.style.background = colours?.[i] ?? ''));
+    setText(unit, store.get().document?.units ?? '');
+    drawing.update();
+  }
+
+  /** What the curvature means for panels; asked once for each model. */
+  async function tell() {
+    const { model } = store.get();
+    if (told === model || !model) return;
+    told = model;
+    distance.value = '';
+    sentence.hidden = true;
+    const words = await actions.forecast().catch(() => null);
+    if (store.get().model !== model) return;
+    setText(sentence, words ?? '');
+    sentence.hidden = !words;
+  }
+
+  function open() {
+    const { measure, measures } = store.get();
+    card.hidden = false;
+    before = measure;
+    const own = measures.filter(({ curvature }) => curvature);
+    if (!own.some(({ id }) => id === measure)) actions.colourBy(own[0]?.id ?? null);
+    tell();
+    update();
+    lines.focus();
+  }
+
+  function close() {
+    card.hidden = true;
+    const { measure } = store.get();
+    const about = declared(store.get(), measure);
+    if (about?.curvature) actions.colourBy(before);
+    update();
+  }
+
+  card.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    event.stopPropagation();
+    close();
+    viewport.element.focus();
+  });
+  store.subscribe(['measure', 'measures', 'document'], (state) => {
+    const own = state.measures.filter(({ curvature }) => curvature);
+    const units = state.document?.units ?? '';
+    colours.replaceChildren(
+      ...own.map((about) => {
+        const { unit: sign } = unitOf(about, 1, units);
+        return element('option', { value: about.id }, `${about.label}${sign && ` (${sign})`}`);
+      }),
+      element('option', { value: '' }, 'Something else'),
+    );
+    colours.value = own.some(({ id }) => id === state.measure) ? (state.measure ?? '') : '';
+  });
+  const updateSoon = throttled(RENEW_MS, () => {
+    if (!card.hidden) update();
+  });
+  // Lines have other colours on other colours of the faces.
+  store.subscribe(['selection', 'mode', 'dark', 'running', 'measure', 'spread'], updateSoon);
+  store.subscribe(['model'], () => {
+    if (card.hidden) return;
+    tell();
+    updateSoon();
+  });
+  solver.on('frame', updateSoon);
+
+  return { toggle: () => (card.hidden ? open() : close()) };
+}

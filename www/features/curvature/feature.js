@@ -1,0 +1,17 @@
+/** How the surface bends: directions and lines of curvature over it, and its curvature as colours. */
+
+/** @type {import("../../app/context.js").Feature} */
+export default {
+  commands: (app) => [
+    {
+      id: 'curvature',
+      group: 'View',
+      label: 'Curvature',
+      keys: [],
+      action: () =>
+        app.actions.reportErrors(import('./curvature-card.js').then((it) => it.toggle(app))),
+      needsModel: true,
+      enabled: ({ model, renderer }) => Boolean(model?.faces) && renderer !== 'none',
+    },
+  ],
+};
