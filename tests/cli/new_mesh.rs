@@ -47,3 +47,25 @@ fn a_roof_over_a_drawn_plan_becomes_circular_panels() {
     folder.run(&["new", "plan", "wrong.json"]).refused(&["wrong.json", "stands"]);
     folder.run(&["new", "plan"]).misused("new plan needs the file of a plan");
 }
+
+#[test]
+fn a_loft_between_two_curves_and_a_filled_boundary_are_made_from_files() {
+    let folder = Folder::new("new-span");
+    folder.write(
+        "curves.obj",
+        "v 0 0 0\nv 6 0 2\nv 12 0 0\nv 0 9 0\nv 6 9 4\nv 9 9 3\nv 12 9 0\nl 1 2 3\nl 7 6 5 4\n",
+    );
+    let loft = ["new", "loft", "curves.obj", "--size", "1.5", "--out", "loft.obj"];
+    assert_eq!(folder.run(&loft).done(), "loft.obj: 70 vertices, 54 faces\n");
+    folder.run(&["check", "loft.obj"]).done();
+    // The boundary of what was made, filled again: its four corners are those of the curves.
+    let fill = ["new", "fill", "loft.obj", "--size=1.5", "--out", "fill.obj"];
+    let filled = folder.run(&fill).done();
+    assert!(filled.starts_with("fill.obj: ") && filled.ends_with(" faces\n"), "{filled}");
+    folder.run(&["new", "fill", "curves.obj"]).refused(&["curves.obj", "closed curve"]);
+    folder.run(&["new", "loft", "loft.obj"]).refused(&["loft.obj", "there is no curve 1"]);
+    folder
+        .run(&["new", "loft", "curves.obj", "--curves", "0"])
+        .misused("--curves needs 2 numbers, found `0`");
+    folder.run(&["new", "fill"]).misused("new fill needs a file with curves or faces");
+}

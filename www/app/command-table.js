@@ -87,9 +87,13 @@ export function commandTable(app, pointer, fileInput) {
       group: 'Edit',
       label: 'Undo',
       keys: ['Ctrl+Z'],
-      action: actions.undo,
-      enabled: ({ document, dragged }) => Boolean(document?.undo) && dragged.length === 0,
-      title: ({ document }) => (document?.undo ? `Undo: ${document.undo}` : 'Nothing to undo'),
+      action: () => (store.get().document?.undo ? actions.undo() : files.goBack()),
+      enabled: ({ document, dragged, isNew }) =>
+        Boolean(document?.undo || isNew) && dragged.length === 0,
+      title: ({ document, isNew }) => {
+        const what = document?.undo || (isNew && 'New mesh');
+        return what ? `Undo: ${what}` : 'Nothing to undo';
+      },
     },
     {
       id: 'redo',

@@ -25,7 +25,9 @@ import { rememberedFrame } from './units-prompt.js';
  * @property {string} [text] of its scene as it is kept
  * @property {import("../solver/messages.js").Saved} [saved] beside its scene
  * @property {boolean} [asItCame] its vertices are not welded
+ * @property {Before | null} [before] what was open before, which Undo opens again
  */
+/** @typedef {{ given: NamedBytes[], origin: Origin }} Before */
 
 const IS_RHINO = /\.3dm$/i;
 
@@ -116,6 +118,7 @@ export class Files extends Emitter {
         firstExample: Boolean(origin.first),
         fileName: origin.title ?? main.name,
         example: origin.example ?? null,
+        isNew: Boolean(origin.before),
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
       if (loaded.welded) this.#reportWelded(loaded.welded, loaded.units);
@@ -150,6 +153,14 @@ export class Files extends Emitter {
   /** A mesh or a scene of the examples. @param {string} name */
   exampleFile(name) {
     return exampleFile(name);
+  }
+
+  /** Opens what was open before a new mesh. */
+  async goBack() {
+    const { before } = this.origin;
+    if (!before) return;
+    await this.open(before.given, before.origin).catch(() => {});
+    this.#actions.setStatus('Undid: New mesh');
   }
 
   /** The list of examples. @returns {Promise<Example[]>} */

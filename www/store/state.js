@@ -63,6 +63,7 @@
  * @property {boolean} advanced every control is shown, not the essentials alone
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
+ * @property {boolean} isNew the model is a new mesh, and something was open before it
  * @property {string} saved what became of the autosave, in words
  * @property {string} status what happened last, in words
  */
@@ -159,6 +160,7 @@ const INITIAL = {
   advanced: false,
   dark: false,
   renderer: 'starting',
+  isNew: false,
   saved: '',
   status: '',
 };

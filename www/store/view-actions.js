@@ -47,7 +47,7 @@ export function createViewActions(store) {
     /** What the pointer is over. @param {Pick<State, "gizmoPart" | "pointedAt">} over */
     pointAt: (over) => store.set(over),
 
-    /** Whence the model comes, and whether it is kept. @param {Partial<Pick<State, "firstExample" | "fileName" | "example" | "saved" | "status">>} file */
+    /** Whence the model comes, and whether it is kept. @param {Partial<Pick<State, "firstExample" | "fileName" | "example" | "isNew" | "saved" | "status">>} file */
     describeFile: (file) => store.set(file),
 
     /**

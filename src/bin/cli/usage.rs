@@ -30,6 +30,7 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
        shape-up check FOLDER [--scene SCENE] [--csv FILE.csv]
        shape-up new KIND [--SIZE VALUE ...] [--units UNIT] [--out FILE.obj]
        shape-up new plan PLAN.json [--units UNIT] [--out FILE.obj]
+       shape-up new loft|fill MESH [--curves N[,N]] [--size LENGTH] [--units UNIT] [--out FILE.obj]
        shape-up parametrize MESH [--weights {}] [--norm {}]
                 [--out UV.obj] [--report FILE.json]
        shape-up examples [--out DIR]
@@ -70,6 +71,8 @@ new makes a mesh to begin with, of lengths in the UNIT (m); what is not given is
 new plan makes one over an outline on the ground. PLAN.json has the outline and holes as lists of points
 {{\"at\": [X, Y], \"bulge\": RISE/HALF_CHORD, \"corner\": true|false}}, the layout follow|cut, the
 size of a panel, the turn of a grid that is cut, the height, and what stands: outline|corners.
+new loft makes one between two curves of a file, new fill one inside a closed curve: its polylines and then
+the boundaries of its faces, counted from 0 (0,1). The size of a panel is a twentieth of the first one.
 parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.
 experiment solves a scene by several methods, and prints how far each came; --csv writes all iterations.
 Without a scene it lists the examples that have a comparison of the paper. The limits are per method.

@@ -46,3 +46,55 @@ test('Cancel brings back what was open', async ({ page }) => {
   expect((await sceneOf(page)).mesh).toEqual(mesh);
   expect((await state(page)).running).toBe(false);
 });
+
+test('Undo goes back to what was open before a new mesh, with its own steps of undo', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  const undo = page.getByRole('button', { name: 'Undo', exact: true });
+  await expect(undo).toHaveAttribute('title', /^Undo: /);
+  const before = await sceneOf(page);
+  const title = await undo.getAttribute('title');
+  const dialog = await openNewMesh(page);
+  await waitForState(page, (now) => now.vertices !== 25);
+  await dialog.getByRole('button', { name: 'Begin with this' }).click();
+  await expect(undo).toHaveAttribute('title', 'Undo: New mesh (Ctrl+Z)');
+  await undo.click();
+  await waitForState(page, (now) => now.vertices === 25);
+  expect(await sceneOf(page)).toEqual(before);
+  await expect(undo).toHaveAttribute('title', title);
+  await undo.click();
+  await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
+});
+
+test('a surface between two curves of what is open, and one inside a boundary', async ({
+  page,
+}) => {
+  await openPage(page);
+  const arches = [0, 10].flatMap((y) =>
+    [0, 1, 2, 3, 4].map((x) => `v ${3 * x} ${y} ${(0.2 + 0.05 * y) * x * (4 - x)}`),
+  );
+  const text = `# units: m\n${arches.join('\n')}\nl 1 2 3 4 5\nl 10 9 8 7 6\n`;
+  await openText(page, 'arches.obj', text, 10);
+  const dialog = await openNewMesh(page);
+  await dialog.getByLabel('Shape').selectOption({ label: 'Between curves' });
+  await dialog.getByLabel('Size of a panel').fill('2');
+  await waitForState(page, (now) => now.faces === 20 && now.vertices === 30);
+  await dialog.getByLabel('Made').selectOption('Inside a closed curve');
+  await expect(dialog.getByText('None of the curves is closed.')).toBeVisible();
+  await dialog.getByLabel('Made').selectOption('Between two curves');
+  await waitForState(page, (now) => now.faces === 20);
+  await dialog.getByRole('button', { name: 'Begin with this' }).click();
+  await expect(dialog).toBeHidden();
+  const again = await openNewMesh(page);
+  await again.getByLabel('Shape').selectOption({ label: 'Between curves' });
+  // Its boundary is the one curve that there is, and closed.
+  await expect(again.getByLabel('Made')).toHaveValue('inside');
+  await again.getByLabel('Size of a panel').fill('2.5');
+  await waitForState(page, (now) => now.faces > 15 && now.faces !== 20);
+  await again.getByRole('button', { name: 'Cancel' }).click();
+  await waitForState(page, (now) => now.faces === 20);
+});

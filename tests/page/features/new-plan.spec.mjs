@@ -136,3 +136,35 @@ test('points are moved, added and removed by keys', async ({ page }) => {
   await page.keyboard.press('Delete');
   await expect(point(dialog, 5)).toHaveCount(0);
 });
+
+test('sides that cross are marked in the drawing, and the plan is there for the next time', async ({
+  page,
+}) => {
+  const dialog = await openPlan(page);
+  const crossing = dialog.getByRole('group', { name: 'Plan' }).locator('.crossing');
+  await expect(crossing).toHaveCount(0);
+  await point(dialog, 3).focus();
+  const [x, y] = [dialog.getByLabel('x', { exact: true }), dialog.getByLabel('y', { exact: true })];
+  await x.fill('-6');
+  await x.press('Enter');
+  await y.fill('6');
+  await y.press('Enter');
+  await expect(dialog.getByText(/cross or touch/)).toBeVisible();
+  await expect(crossing).toHaveCount(2);
+  await expect(dialog.getByRole('button', { name: 'Begin with this' })).toBeDisabled();
+  await x.fill('26');
+  await x.press('Enter');
+  await expect(crossing).toHaveCount(0);
+  await dialog.getByRole('button', { name: 'Begin with this' }).click();
+  await expect(dialog).toBeHidden();
+  // Another time, in another unit, it is the plan that was left.
+  await page.getByRole('button', { name: 'Examples' }).click();
+  await page.getByRole('menuitem', { name: 'New mesh' }).click();
+  await dialog.getByLabel('Unit').selectOption('mm');
+  await dialog.getByLabel('Shape').selectOption({ label: 'From a plan' });
+  await expect(point(dialog, 3)).toHaveAccessibleName(/26000, 6000 mm/);
+  await dialog.getByRole('button', { name: 'Start over' }).click();
+  await expect(point(dialog, 3)).toHaveAccessibleName(/20000, 12000 mm/);
+  await dialog.getByRole('button', { name: 'Undo' }).click();
+  await expect(point(dialog, 3)).toHaveAccessibleName(/26000, 6000 mm/);
+});

@@ -12,20 +12,23 @@ import init, { newKinds, newMesh as meshOf, newPlan } from '../../pkg/build/shap
 import { messageOf } from '../../solver/messages.js';
 import { UNITS } from '../../ui/units.js';
 import { planForm } from './plan-form.js';
+import { spanForm } from './span-form.js';
 import { sizesForm } from './sizes-form.js';
 
 /** The unit of the defaults. */
 const METRE = 'm';
 /** What is drawn, not a kind with sizes. */
 const PLAN = { id: 'plan', label: 'From a plan' };
+const SPAN = { id: 'span', label: 'Between curves' };
 /** So long nobody types before a mesh is made. */
 const QUIET_MS = 150;
 
 /** @param {import("../../app/context.js").AppContext} app */
-export async function newMesh({ store, files, actions, alerts }) {
+export async function newMesh({ store, solver, files, actions, alerts }) {
   await init();
   const kinds = newKinds();
   const before = await whatIsOpen();
+  const open = openMesh();
   /** One work for all that is tried. */
   const work = crypto.randomUUID();
   let kept = false;
@@ -39,7 +42,7 @@ export async function newMesh({ store, files, actions, alerts }) {
   const kind = choice(
     {},
     showForm,
-    [...kinds, PLAN].map(({ id, label }) => [id, label]),
+    [...kinds, PLAN, SPAN].map(({ id, label }) => [id, label]),
   );
   const units = choice(
     {},
@@ -50,33 +53,44 @@ export async function newMesh({ store, files, actions, alerts }) {
   let unit = METRE;
   const said = element('p', { 'aria-live': 'polite' });
   const place = element('div.form');
-  /** @type {ReturnType<typeof planForm>} */
+  /** @type {Pick<ReturnType<typeof planForm>, "element" | "show" | "made" | "convert"> & { kept?: () => void }} */
   let form;
   const keep = button('Begin with this', keepIt, { class: 'primary' });
 
+  /** With its steps of undo, which belong to the text that the solver sent last. */
   async function whatIsOpen() {
     const { document: scene, fileName } = store.get();
     if (!scene) return null;
-    const bytes = new TextEncoder().encode(await actions.sceneText());
-    const origin = { ...files.origin, first: false };
+    const { saved, sceneText } = solver;
+    const bytes = new TextEncoder().encode(sceneText ?? (await actions.sceneText()));
+    const origin = { ...files.origin, first: false, saved };
     return {
       given: [{ name: `${files.name}.shapeup.json`, bytes }],
       origin: { ...origin, title: fileName },
     };
   }
 
-  const chosen = () => kinds.find(({ id }) => id === kind.value) ?? PLAN;
+  /** The mesh whose curves there are. */
+  function openMesh() {
+    const { document: scene } = store.get();
+    const { geometry } = solver;
+    if (!scene || !geometry) return null;
+    const { positions, connectivity } = geometry;
+    return { positions: positions.slice(), connectivity, units: scene.units, up: scene.up };
+  }
+
+  const chosen = () => [...kinds, PLAN, SPAN].find(({ id }) => id === kind.value) ?? PLAN;
 
   function showForm() {
     const found = kinds.find(({ id }) => id === kind.value);
     const given = { unit, metre: 1 / metresOf(unit), onchange: changed };
-    form = found
-      ? sizesForm(found, {
-          ...given,
-          make: (sizes, units) => meshOf(found.id, Float64Array.from(sizes), units),
-        })
-      : planForm({ ...given, make: newPlan });
-    dialog.classList.toggle('wide', !found);
+    const isPlan = kind.value === PLAN.id;
+    if (found) {
+      const make = (/** @type {number[]} */ sizes, /** @type {string} */ units) =>
+        meshOf(found.id, Float64Array.from(sizes), units);
+      form = sizesForm(found, { ...given, make });
+    } else form = isPlan ? planForm({ ...given, make: newPlan }) : spanForm(open, changed);
+    dialog.classList.toggle('wide', isPlan);
     place.replaceChildren(form.element);
     form.show();
     changed();
@@ -117,7 +131,8 @@ export async function newMesh({ store, files, actions, alerts }) {
     try {
       const { text, feet } = form.made(units.value);
       const bytes = new TextEncoder().encode(text);
-      const loaded = await files.open([{ name: `${label}.obj`, bytes }], { work, title: label });
+      const origin = { work, title: label, before };
+      const loaded = await files.open([{ name: `${label}.obj`, bytes }], origin);
       const vertices = count(loaded.vertices, 'vertex', 'vertices');
       setText(said, `${count(loaded.faces, 'face')}, ${vertices}.`);
       held = feet;
@@ -129,9 +144,20 @@ export async function newMesh({ store, files, actions, alerts }) {
 
   async function keepIt() {
     kept = true;
+    keep.disabled = true;
+    form.kept?.();
+    // Whatever is pressed next is for the mesh with its feet.
+    if (held.length) await hold(held);
     dialog.close();
-    if (held.length) await actions.addHandles(held, true);
     actions.setStatus(`New mesh: ${chosen().label}`);
+  }
+
+  /** Holds vertices where they are, as a part of the new mesh: Undo goes back to what was open before. @param {number[]} vertices */
+  async function hold(vertices) {
+    await actions.addHandles(vertices, true);
+    const bytes = new TextEncoder().encode(await actions.sceneText());
+    const origin = { work, title: chosen().label, before };
+    await files.open([{ name: `${files.name}.shapeup.json`, bytes }], origin);
   }
 
   const dialog = openDialog(

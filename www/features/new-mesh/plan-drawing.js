@@ -1,7 +1,7 @@
 /** The plan as a drawing: points that are dragged, arcs that are pulled out of sides, loops that are drawn anew. */
 
 import { element } from '../../ui/dom.js';
-import { bulgeThrough, extentOf, pathOf, roundStep, sideOf } from './plan-geometry.js';
+import { bulgeThrough, extentOf, pathOf, roundStep, sideOf, sidePathOf } from './plan-geometry.js';
 
 /** @typedef {import("../../pkg/build/shape_up.js").PlanPoint} PlanPoint */
 /** @typedef {import("./plan-geometry.js").Place} Place */
@@ -47,6 +47,8 @@ export function planDrawing(on) {
   /** @type {Spot} */
   let selected = { loop: 0, point: 0 };
   let unit = '';
+  /** Sides that cross, by the points where they begin. @type {Spot[]} */
+  let crossing = [];
   /** What of the ground is shown: its middle, and pixels for a unit. */
   let view = { middle: /** @type {Place} */ ([0, 0]), scale: 1 };
   let step = 1;
@@ -176,6 +178,14 @@ export function planDrawing(on) {
     picture.replaceChildren(
       grid(),
       svg('path', { class: 'shape', d: shape, 'fill-rule': 'evenodd' }),
+      ...crossing
+        .filter(({ loop, point }) => loops[loop]?.[point])
+        .map(({ loop, point }) =>
+          svg('path', {
+            class: 'crossing',
+            d: sidePathOf(loops[loop], point, onto, view.scale),
+          }),
+        ),
       ...(drawing ? [] : handles),
       ...sketch(),
     );
@@ -301,6 +311,12 @@ export function planDrawing(on) {
       show();
     },
     focus: () => focusOn(selected),
+    /** Marks sides that cross. @param {Spot[]} sides */
+    mark(sides) {
+      if (sides.length === 0 && crossing.length === 0) return;
+      crossing = sides;
+      draw();
+    },
     /** Begins to draw a loop. */
     draw() {
       drawing = [];

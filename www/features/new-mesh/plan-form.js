@@ -5,6 +5,7 @@ import { button, checkbox, choice } from '../../ui/controls/fields.js';
 import { sizeField } from '../../ui/controls/size-field.js';
 import { element, setText } from '../../ui/dom.js';
 import { planDrawing } from './plan-drawing.js';
+import { recall, remember as keep } from '../../ui/safe-storage.js';
 import { clamped, loopThrough, sideOf } from './plan-geometry.js';
 
 /** @typedef {Required<import("../../pkg/build/shape_up.js").Plan>} Plan */
@@ -44,6 +45,29 @@ const firstPlan = (metre) => {
   };
 };
 
+/** The plan that was begun with last, in metres. */
+const LAST = 'shape-up.plan';
+
+/** It, in the unit; none where there is none. @param {number} metre in the unit @returns {Plan | null} */
+function lastPlan(metre) {
+  try {
+    const plan = JSON.parse(recall(LAST) ?? 'null');
+    return plan && scaled(plan, metre);
+  } catch {
+    return null;
+  }
+}
+
+/** @param {Plan} plan @param {number} factor @returns {Plan} */
+function scaled(plan, factor) {
+  const copy = structuredClone(plan);
+  for (const { at } of [copy.outline, ...copy.holes].flat())
+    at.splice(0, 2, at[0] * factor, at[1] * factor);
+  copy.size *= factor;
+  copy.height *= factor;
+  return copy;
+}
+
 /** @param {number} value */
 const rounded = (value) => Number(value.toPrecision(DIGITS));
 
@@ -76,7 +100,7 @@ function lengthField(name, onchange) {
  * @param {(plan: Plan, units: string) => { text: string, feet: number[] }} given.make
  */
 export function planForm({ unit, metre, onchange, make }) {
-  let plan = firstPlan(metre);
+  let plan = lastPlan(metre) ?? firstPlan(metre);
   /** @type {Spot} */
   let selected = { loop: 0, point: 0 };
   /** Earlier plans. @type {Plan[]} */
@@ -294,6 +318,7 @@ export function planForm({ unit, metre, onchange, make }) {
       'div.dialog-buttons',
       button('Draw the outline', () => begin('outline')),
       button('Draw a hole', () => begin('hole')),
+      button('Start over', () => step(() => (plan = firstPlan(metre)))),
       back,
     ),
     drawing.element,
@@ -327,7 +352,26 @@ export function planForm({ unit, metre, onchange, make }) {
     element: form,
     show,
     /** @param {string} units */
-    made: (units) => make(plan, units),
+    made(units) {
+      try {
+        const surface = make(plan, units);
+        drawing.mark([]);
+        return surface;
+      } catch (error) {
+        const [a, b, c, d] = /** @type {{ sides?: number[] }} */ (error).sides ?? [];
+        const crossing =
+          d === undefined
+            ? []
+            : [
+                [a, b],
+                [c, d],
+              ];
+        drawing.mark(crossing.map(([loop, point]) => ({ loop, point })));
+        throw error;
+      }
+    },
+    /** It is begun with: the next plan goes on from it. */
+    kept: () => keep(LAST, JSON.stringify(scaled(plan, 1 / metre))),
     /**
      * The same plan in another unit.
      * @param {string} symbol
@@ -335,9 +379,8 @@ export function planForm({ unit, metre, onchange, make }) {
      */
     convert(symbol, factor) {
       unit = symbol;
-      for (const { at } of loops().flat()) at.splice(0, 2, at[0] * factor, at[1] * factor);
-      plan.size *= factor;
-      plan.height *= factor;
+      metre *= factor;
+      plan = scaled(plan, factor);
       steps.length = 0;
       show();
     },

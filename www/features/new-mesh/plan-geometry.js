@@ -61,17 +61,37 @@ export const clamped = (bulge) => Math.min(Math.max(bulge, -1), 1);
  * @param {number} scale of `onto`
  */
 export function pathOf(points, onto, scale) {
-  const clockwise = isClockwise(points.map(({ at }) => at));
-  const drawn = points.map(({ bulge = 0 }, k) => {
-    const { to, chord } = sideOf(points, k);
-    const end = onto(to).join(' ');
-    if (Math.abs(bulge) < 1e-6) return `L${end}`;
-    const radius = (scale * chord * (1 + bulge * bulge)) / (4 * Math.abs(bulge));
-    // Downward y turns the direction around.
-    const sweep = bulge > 0 === clockwise ? 1 : 0;
-    return `A${radius} ${radius} 0 0 ${sweep} ${end}`;
-  });
+  const drawn = points.map((_, k) => lineTo(points, k, onto, scale));
   return `M${onto(points[0].at).join(' ')}${drawn.join('')}Z`;
+}
+
+/**
+ * The side from a point to the next one, in the same way.
+ * @param {PlanPoint[]} points
+ * @param {number} k
+ * @param {(place: Place) => Place} onto
+ * @param {number} scale of `onto`
+ */
+export function sidePathOf(points, k, onto, scale) {
+  return `M${onto(points[k].at).join(' ')}${lineTo(points, k, onto, scale)}`;
+}
+
+/**
+ * The same from where the path is.
+ * @param {PlanPoint[]} points
+ * @param {number} k
+ * @param {(place: Place) => Place} onto
+ * @param {number} scale of `onto`
+ */
+function lineTo(points, k, onto, scale) {
+  const { bulge = 0 } = points[k];
+  const { to, chord } = sideOf(points, k);
+  const end = onto(to).join(' ');
+  if (Math.abs(bulge) < 1e-6) return `L${end}`;
+  const radius = (scale * chord * (1 + bulge * bulge)) / (4 * Math.abs(bulge));
+  // Downward y turns the direction around.
+  const sweep = bulge > 0 === isClockwise(points.map(({ at }) => at)) ? 1 : 0;
+  return `A${radius} ${radius} 0 0 ${sweep} ${end}`;
 }
 
 /**

@@ -2,7 +2,7 @@
 
 use crate::cli::words::{Word, Words};
 use crate::cli::{Failure, input, output};
-use shape_up::begin::{NEW_KINDS, NewKind, Plan};
+use shape_up::begin::{NEW_KINDS, NewKind, Plan, SpanCurve, fill, loft};
 use shape_up::mesh::{Mesh, counted, write_obj};
 use shape_up::scene::{UnitsAndUp, Up};
 use std::path::{Path, PathBuf};
@@ -22,18 +22,38 @@ enum From {
     Kind(&'static str, Vec<f64>),
     /// The file of a plan.
     Plan(PathBuf),
+    /// Between curves of a file.
+    Span(Span),
 }
+
+/// `new loft` and `new fill`.
+#[derive(Debug, PartialEq)]
+struct Span {
+    file: PathBuf,
+    /// One that is filled, or two.
+    curves: Vec<usize>,
+    /// Of a panel.
+    size: Option<f64>,
+}
+
+/// The size of a panel where none is given, as a part of the length of the first curve.
+const PANEL: f64 = 0.05;
 
 /// Reads the arguments: the kind comes first, because it says which sizes there are.
 pub(in crate::cli) fn parse(mut words: Words) -> Result<New, String> {
-    let known =
-        || NEW_KINDS.iter().map(|kind| kind.id).collect::<Vec<_>>().join(", ") + " or plan FILE";
+    let known = || {
+        NEW_KINDS.iter().map(|kind| kind.id).collect::<Vec<_>>().join(", ")
+            + " or plan, loft, fill FILE"
+    };
     let Some(Word::File(id)) = words.next()? else {
         return Err(format!("new needs a kind first: {}", known()));
     };
     let id = id.to_string_lossy();
-    if id == "plan" {
-        return parse_plan(words);
+    match &*id {
+        "plan" => return parse_plan(words),
+        "loft" => return parse_span(words, "new loft", 2),
+        "fill" => return parse_span(words, "new fill", 1),
+        _ => {}
     }
     let kind = NewKind::of(&id).ok_or_else(|| format!("new makes {}, found `{id}`", known()))?;
     let mut sizes = kind.defaults();
@@ -73,6 +93,35 @@ fn parse_plan(mut words: Words) -> Result<New, String> {
     Ok(New { from: From::Plan(file), units, out })
 }
 
+fn parse_span(mut words: Words, name: &str, count: usize) -> Result<New, String> {
+    let (mut units, mut out, mut file) = ("m".to_owned(), None, None);
+    let (mut curves, mut size): (Vec<usize>, _) = ((0..count).collect(), None);
+    while let Some(option) = words.option(&mut file)? {
+        match option.as_str() {
+            "--units" => units = words.text(&option)?,
+            "--out" => out = Some(words.mesh(&option, &["obj"])?),
+            "--size" => size = Some(words.positive(&option)?),
+            "--curves" => {
+                let list = words.text(&option)?;
+                let numbers: Result<Vec<usize>, _> = list.split(',').map(str::parse).collect();
+                curves =
+                    numbers.ok().filter(|numbers| numbers.len() == count).ok_or_else(|| {
+                        format!(
+                            "--curves needs {}, found `{list}`",
+                            counted(count, "number", "numbers")
+                        )
+                    })?;
+            }
+            _ => {
+                let takes = "--curves, --size, --units, --out";
+                return Err(format!("{name} takes {takes}, found `{option}`"));
+            }
+        }
+    }
+    let file = file.ok_or_else(|| format!("{name} needs a file with curves or faces"))?;
+    Ok(New { from: From::Span(Span { file, curves, size }), units, out })
+}
+
 /// Writes it to the file, or to standard output.
 pub(in crate::cli) fn make(command: &New) -> Result<(), Failure> {
     let mesh = mesh(&command.from)?;
@@ -94,6 +143,19 @@ fn mesh(from: &From) -> Result<Mesh, Failure> {
             let text = String::from_utf8_lossy(&input::bytes(file)?).into_owned();
             let plan = Plan::from_json(&text).and_then(|plan| plan.mesh());
             plan.map_err(|error| Failure::Input(format!("{}: {error}", file.display())))
+        }
+        From::Span(Span { file, curves, size }) => {
+            let known = SpanCurve::all(&input::read_mesh(file)?.mesh);
+            let lengths = SpanCurve::words(&known);
+            let made = curves.iter().map(|&number| SpanCurve::of(&known, number));
+            let made = made.collect::<Result<Vec<_>, _>>().and_then(|asked| {
+                let size = size.unwrap_or_else(|| PANEL * lengths[curves[0]].length);
+                match asked[..] {
+                    [first, second] => loft(first, second, size),
+                    _ => fill(asked[0], size),
+                }
+            });
+            made.map_err(|error| Failure::Input(format!("{}: {error}", file.display())))
         }
     }
 }

@@ -1,0 +1,106 @@
+/** A mesh between curves of what is open: two of them, or inside a closed one. */
+
+import { choice } from '../../ui/controls/fields.js';
+import { sizeField } from '../../ui/controls/size-field.js';
+import { element } from '../../ui/dom.js';
+import { length, number } from '../../ui/format.js';
+import { NewSpans } from '../../pkg/build/shape_up.js';
+
+/** The size of a panel at first, of the longest curve. */
+const PANEL = 0.05;
+
+/**
+ * What was open, whose curves there are.
+ * @typedef {object} OpenMesh
+ * @property {Float64Array} positions
+ * @property {import("../../solver/messages.js").Connectivity} connectivity
+ * @property {string} units
+ * @property {string} up
+ */
+
+/**
+ * @param {OpenMesh | null} open
+ * @param {() => void} onchange
+ */
+export function spanForm(open, onchange) {
+  const spans = open && spansOf(open);
+  const curves = spans?.curves() ?? [];
+  const units = open?.units ?? '';
+  const words = curves.map(({ label, length: far }) => `${label}, ${length(far, units)}`);
+  const all = words.map((word, i) => [String(i), word]);
+  const closed = all.filter((_, i) => curves[i].closed);
+  const first = choice({}, onchange);
+  const second = choice({}, onchange);
+  const how = choice({}, offer, [
+    ['between', 'Between two curves'],
+    ['inside', 'Inside a closed curve'],
+  ]);
+  const longest = Math.max(0, ...curves.map(({ length: far }) => far));
+  const size = sizeField(
+    { label: 'Size of a panel', of: 'length', least: 1e-6 * longest, most: longest },
+    { value: Number(number(PANEL * longest)), unit: units, onchange },
+  );
+  const to = element('label', element('span', 'To'), second);
+  const sizes = element(
+    'div.sizes',
+    element('label', element('span', 'Made'), how),
+    element('label', element('span', 'Curve'), first),
+    to,
+    size,
+  );
+
+  function offer() {
+    const isInside = how.value === 'inside';
+    fill(first, isInside ? closed : all, 0);
+    fill(second, all, 1);
+    to.hidden = isInside;
+    onchange();
+  }
+
+  return {
+    element: element(
+      'div.kind',
+      element(
+        'p.quiet',
+        'From the curves of what was open: its polylines, and the boundaries of its faces.',
+      ),
+      curves.length > 0 ? sizes : '',
+    ),
+    show() {
+      if (curves.length < 2) how.value = 'inside';
+      offer();
+    },
+    /** @returns {{ text: string, feet: number[] }} */
+    made() {
+      if (!spans || curves.length === 0)
+        throw new Error(
+          'What was open has no curves: open a file with polylines, or a mesh with a boundary, first.',
+        );
+      const isInside = how.value === 'inside';
+      if (!first.value) throw new Error('None of the curves is closed.');
+      const panel = /** @type {HTMLInputElement} */ (size.querySelector('input')).valueAsNumber;
+      const other = isInside ? undefined : Number(second.value);
+      return { text: spans.mesh(Number(first.value), other, panel), feet: [] };
+    },
+    /** It has the unit of what was open. */
+    convert() {},
+  };
+}
+
+/** @param {OpenMesh} open */
+function spansOf({ positions, connectivity, units, up }) {
+  const { faceOffsets, faceIndices, curveOffsets, curveIndices } = connectivity;
+  return new NewSpans(positions, faceOffsets, faceIndices, curveOffsets, curveIndices, units, up);
+}
+
+/**
+ * @param {HTMLSelectElement} select
+ * @param {string[][]} options
+ * @param {number} at what is chosen at first
+ */
+function fill(select, options, at) {
+  const before = select.value;
+  select.replaceChildren(...options.map(([value, label]) => element('option', { value }, label)));
+  const known = options.some(([value]) => value === before);
+  select.value = known ? before : (options[at]?.[0] ?? '');
+}
