@@ -77,12 +77,13 @@ export function scriptApi(store, solver, viewport, files) {
 
     /** Resolves when the picture shows all that was asked for so far. */
     async drawn() {
-      viewport.refine();
       // A frame may have waited for the picture before it.
       for (let turn = 0; turn < 2; turn++) {
         await solver.request({ type: 'scene' });
         await new Promise(requestAnimationFrame);
       }
+      viewport.refine();
+      await new Promise(requestAnimationFrame);
     },
 
     /** The scene as JSON (an object), as of the last edit or the end of the last run. */

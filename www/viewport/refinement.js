@@ -62,7 +62,11 @@ export class Refinement {
     const fits = view.occlusionFits();
     if (!fits && !this.#begins) this.#step = null;
     this.#isMoved = this.#step === null && !fits && view.needsDraw();
-    if (this.#step !== null) view.setOcclusion(STEPS[this.#step]);
+    if (this.#step !== null) {
+      view.setOcclusion(STEPS[this.#step]);
+      // It is there already.
+      if (!view.needsDraw()) this.#step = null;
+    }
     // What is still as it was keeps its look, whatever else is new.
     else if (this.#isMoved) view.setOcclusion(this.#budget.isLive ? 1 : 0);
   }
