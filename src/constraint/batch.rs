@@ -98,6 +98,20 @@ pub struct Batch {
     scratch: Vec<Vec3<Lanes>>,
 }
 
+/// What a local step sums up, in lanes.
+struct Residuals {
+    /// Squared distances of the points to their centred projections.
+    squared: Lanes,
+    /// The largest squared distance to the shape that fits.
+    worst: Lanes,
+}
+
+impl Default for Residuals {
+    fn default() -> Self {
+        Residuals { squared: Lanes::zero(), worst: Lanes::zero() }
+    }
+}
+
 /// A [`Projection`] whose type is not known: what is not a matter of the kind is compiled once.
 trait Operator {
     /// See [`Projection::prepare`].
@@ -114,12 +128,13 @@ impl<P: Projection> Operator for P {
     }
 
     fn project(&self, rest: &[Vec3<Lanes>], v: &[Vec3<Lanes>], projected: &mut [Vec3<Lanes>]) {
-        // What the arity rules out is not compiled.
+        // What the arity rules out is not compiled. Most panels have four corners.
         let closed_form = match v.len() {
             2 if const { matches!(P::INFO.arity, Arity::Exactly(2)) } => closed_form_of_few::<P, 2>,
             3 if const { matches!(P::INFO.arity, Arity::Exactly(3)) } => closed_form_of_few::<P, 3>,
             4 if const { matches!(P::INFO.arity, Arity::Exactly(4)) } => closed_form_of_few::<P, 4>,
             5 if const { matches!(P::INFO.arity, Arity::Exactly(5)) } => closed_form_of_few::<P, 5>,
+            4 if const { P::INFO.panels.is_some() } => closed_form_of_few::<P, 4>,
             _ if const { matches!(P::INFO.arity, Arity::AtLeast(_)) } => closed_form_of_many::<P>,
             n => unreachable!("{} takes {}, not {n}", P::INFO.id, P::INFO.arity),
         };
@@ -177,7 +192,7 @@ impl Batch {
         }
         let mut rest = Vec::new();
         if reads_rest {
-            rest = nodes.iter().map(|point| gather(make.rest, point)).collect();
+            rest = nodes.iter().map(|point| Vec3::of_rows(make.rest, point)).collect();
             for chunk in rest.chunks_mut(n) {
                 centre_as(centring, chunk);
                 for lane in 0..LANES {
@@ -210,20 +225,25 @@ impl Batch {
     /// the residual is centred in both cases. Only the normal matrix differs.
     pub fn local_step(&mut self, x: &[Row], gradient: &mut [Row], scale: f64) -> LocalStep {
         let scale = scale * self.weight;
-        let mut all = LocalStep::default();
+        // One sum for each lane: no chunk waits for the sum of the lanes of the one before.
+        let mut all = Residuals::default();
         let mut scratch = std::mem::take(&mut self.scratch);
         for chunk in 0..self.count.div_ceil(LANES) {
             let rows = (x, &mut *gradient);
-            let found = match self.n {
-                3 => self.step_few::<3>(chunk, rows, scale),
-                4 => self.step_few::<4>(chunk, rows, scale),
-                _ => self.step_chunk(chunk, scratch.split_at_mut(self.n), rows, scale),
-            };
-            all.energy += found.energy;
-            all.worst_squared = all.worst_squared.max(found.worst_squared);
+            match self.n {
+                3 => self.step_few::<3>(chunk, rows, scale, &mut all),
+                4 => self.step_few::<4>(chunk, rows, scale, &mut all),
+                _ => self.step_chunk(chunk, scratch.split_at_mut(self.n), rows, scale, &mut all),
+            }
         }
         self.scratch = scratch;
-        all
+        let Residuals { squared, worst } = all;
+        let mut found = LocalStep::default();
+        for lane in 0..LANES {
+            found.energy += self.weight * squared.lane(lane);
+            found.worst_squared = found.worst_squared.max(worst.lane(lane));
+        }
+        found
     }
 
     /// Gives `each` the projection of every constraint at positions `x`: its nodes, and the way from
@@ -265,11 +285,12 @@ impl Batch {
         (centred, projected): (&mut [Vec3<Lanes>], &mut [Vec3<Lanes>]),
         (x, gradient): (&[Row], &mut [Row]),
         scale: f64,
-    ) -> LocalStep {
+        all: &mut Residuals,
+    ) {
         let n = centred.len();
         let first = chunk * n;
         for (point, nodes) in centred.iter_mut().zip(&self.nodes[first..first + n]) {
-            *point = gather(x, nodes);
+            *point = Vec3::of_rows(x, nodes);
         }
         centre_as(self.centring, centred);
         let rest = self.rest.get(first..first + n).unwrap_or_default();
@@ -296,21 +317,10 @@ impl Batch {
         for ((v, p), nodes) in points {
             let residual = *v - *p;
             sum += residual.length_squared();
-            let scaled = residual * scale;
-            for lane in 0..LANES {
-                let row = &mut gradient[nodes[lane] as usize];
-                row[0] += scaled.x.lane(lane);
-                row[1] += scaled.y.lane(lane);
-                row[2] += scaled.z.lane(lane);
-            }
+            (residual * scale).add_to_rows(gradient, nodes);
         }
-        let (sum, worst) = (sum * counts, worst * counts);
-        let mut found = LocalStep::default();
-        for lane in 0..LANES {
-            found.energy += self.weight * sum.lane(lane);
-            found.worst_squared = found.worst_squared.max(worst.lane(lane));
-        }
-        found
+        all.squared += sum * counts;
+        all.worst = all.worst.max(worst * counts);
     }
 
     /// [`Batch::step_chunk`] for `N` points.
@@ -320,9 +330,10 @@ impl Batch {
         chunk: usize,
         rows: (&[Row], &mut [Row]),
         scale: f64,
-    ) -> LocalStep {
+        all: &mut Residuals,
+    ) {
         let (mut centred, mut projected) = ([Vec3::zero(); N], [Vec3::zero(); N]);
-        self.step_chunk(chunk, (&mut centred, &mut projected), rows, scale)
+        self.step_chunk(chunk, (&mut centred, &mut projected), rows, scale, all);
     }
 
     /// Notes the ways from points to projections of the chunk whose points start at `first`.
@@ -382,15 +393,4 @@ fn centre_as(centring: Centring, points: &mut [Vec3<Lanes>]) {
         }),
         Centring::Placed => {}
     }
-}
-
-#[inline(always)]
-fn gather(x: &[Row], nodes: &[u32; LANES]) -> Vec3<Lanes> {
-    // A loop: `map` of an array is a function that may stay one, and this is done for every point.
-    let mut point = Vec3::zero();
-    for (lane, &node) in nodes.iter().enumerate() {
-        let [px, py, pz, _] = x[node as usize];
-        point.set_lane(lane, Vec3::new(px, py, pz));
-    }
-    point
 }

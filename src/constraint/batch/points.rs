@@ -1,9 +1,9 @@
 //! The constraints of a batch one by one: their points and projections, for solvers that shift points before
 //! they are projected, or project displaced copies of them.
 
-use super::{Batch, centre_as, gather};
+use super::{Batch, centre_as};
 use crate::constraint::{Centring, Row};
-use crate::math::{LANES, Lanes, Vec3};
+use crate::math::{LANES, Lane, Lanes, Vec3};
 
 impl Batch {
     /// Points of each constraint.
@@ -24,8 +24,11 @@ impl Batch {
     /// One in the lanes of chunk `chunk` that are constraints, zero in those that only pad the last chunk.
     #[inline(always)]
     pub fn counts(&self, chunk: usize) -> Lanes {
-        let lanes = LANES.min(self.count - chunk * LANES);
-        Lanes(std::array::from_fn(|lane| f64::from(u8::from(lane < lanes))))
+        let lanes = self.count - chunk * LANES;
+        if lanes >= LANES {
+            return Lanes::one();
+        }
+        Lanes::from_fn(|lane| f64::from(u8::from(lane < lanes)))
     }
 
     /// Which points are centred together.
@@ -49,7 +52,7 @@ impl Batch {
     pub fn gather(&self, chunk: usize, x: &[Row], points: &mut [Vec3<Lanes>]) {
         let nodes = &self.nodes[chunk * self.n..][..points.len()];
         for (point, nodes) in points.iter_mut().zip(nodes) {
-            *point = gather(x, nodes);
+            *point = Vec3::of_rows(x, nodes);
         }
         self.centre(points);
     }

@@ -55,6 +55,8 @@ impl Projection for Circle {
 
     const USUAL_FOR: &'static [TargetShape] = &[TargetShape::Panels, TargetShape::Loop];
 
+    // In place, so that the number of corners is known where it is called with four.
+    #[inline(always)]
     fn closed_form<S: Lane>(
         &self,
         _rest: &[Vec3<S>],

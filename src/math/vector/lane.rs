@@ -1,10 +1,11 @@
 //! One scalar, or the same scalar of several constraints side by side.
 //!
 //! An operator is written once over [`Lane`]. With `f64` it treats one constraint, with [`Lanes`]
-//! several; plain arrays compile to `simd128` in wasm and to SSE2
-//! natively, so no intrinsics are needed. Only operations that IEEE 754 rounds exactly are
-//! offered, so that both give the same bits.
+//! several. Only operations that IEEE 754 rounds exactly are offered, so that both give the same
+//! bits, in wasm and natively.
 
+use super::Vec3;
+use super::register::Register;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// How many constraints a batch treats at a time. One register holds two; two registers side by
@@ -12,7 +13,7 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 pub const LANES: usize = 4;
 
 /// Two things side by side in one 128-bit register.
-pub type Pair = Lanes<2>;
+pub type Pair = Lanes<1>;
 
 /// A scalar (`f64`) or one scalar for each of several constraints ([`Lanes`]).
 pub trait Lane:
@@ -96,89 +97,232 @@ impl Lane for f64 {
     }
 }
 
-/// The same scalar of `N` constraints.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The same scalar of `2 * P` constraints, in `P` registers.
+#[derive(Clone, Copy)]
 #[repr(C, align(16))]
-pub struct Lanes<const N: usize = LANES>(pub [f64; N]);
+pub struct Lanes<const P: usize = { LANES / 2 }>([Register; P]);
 
-impl<const N: usize> Lanes<N> {
+impl<const P: usize> Lanes<P> {
+    /// A value for each lane.
     #[inline(always)]
-    fn map2(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        Lanes(std::array::from_fn(|i| f(self.0[i], other.0[i])))
+    pub fn from_fn(value: impl Fn(usize) -> f64) -> Self {
+        Lanes(std::array::from_fn(|k| Register::new(value(2 * k), value(2 * k + 1))))
+    }
+
+    // Loops: functions that take an array apart may stay functions.
+    #[inline(always)]
+    fn map(mut self, f: impl Fn(Register) -> Register) -> Self {
+        for register in &mut self.0 {
+            *register = f(*register);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn map2(mut self, other: Self, f: impl Fn(Register, Register) -> Register) -> Self {
+        for k in 0..P {
+            self.0[k] = f(self.0[k], other.0[k]);
+        }
+        self
     }
 }
 
-macro_rules! lane_by_lane {
+/// Points in lanes and the rows of their coordinates, which are apart in memory: the fourth number of a row is
+/// padding.
+impl Vec3<Lanes> {
+    /// The points of these rows, one in each lane.
+    #[inline(always)]
+    pub fn of_rows(rows: &[[f64; 4]], at: &[u32; LANES]) -> Self {
+        let mut points = Self::zero();
+        for k in 0..LANES / 2 {
+            let [a, b] = [rows[at[2 * k] as usize], rows[at[2 * k + 1] as usize]];
+            let [xy, next_xy] = [Register::new(a[0], a[1]), Register::new(b[0], b[1])];
+            points.x.0[k] = xy.lows(next_xy);
+            points.y.0[k] = xy.highs(next_xy);
+            points.z.0[k] = Register::new(a[2], b[2]);
+        }
+        points
+    }
+
+    /// Adds the vector of each lane to its row, one after another: lanes may share a row.
+    #[inline(always)]
+    pub fn add_to_rows(self, rows: &mut [[f64; 4]], at: &[u32; LANES]) {
+        for k in 0..LANES / 2 {
+            let (x, y, z) = (self.x.0[k], self.y.0[k], self.z.0[k]);
+            let halves = [(x.lows(y), z.low()), (x.highs(y), z.high())];
+            for (half, (xy, z)) in halves.into_iter().enumerate() {
+                let row = &mut rows[at[2 * k + half] as usize];
+                let sum = Register::new(row[0], row[1]).add(xy);
+                (row[0], row[1]) = (sum.low(), sum.high());
+                row[2] += z;
+            }
+        }
+    }
+}
+
+impl<const P: usize> std::fmt::Debug for Lanes<P> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_list().entries((0..Self::WIDTH).map(|i| self.lane(i))).finish()
+    }
+}
+
+impl<const P: usize> PartialEq for Lanes<P> {
+    fn eq(&self, other: &Self) -> bool {
+        (0..Self::WIDTH).all(|i| self.lane(i) == other.lane(i))
+    }
+}
+
+macro_rules! register_by_register {
     ($($op:ident $method:ident),*) => {$(
-        impl<const N: usize> $op for Lanes<N> {
+        impl<const P: usize> $op for Lanes<P> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                self.map2(other, |a, b| a.$method(b))
+                self.map2(other, Register::$method)
             }
         }
     )*};
 }
-lane_by_lane!(Add add, Sub sub, Mul mul, Div div);
+register_by_register!(Add add, Sub sub, Mul mul, Div div);
 
-impl<const N: usize> Neg for Lanes<N> {
+impl<const P: usize> Neg for Lanes<P> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Lanes(self.0.map(|a| -a))
+        self.map(Register::neg)
     }
 }
 
-impl<const N: usize> AddAssign for Lanes<N> {
+impl<const P: usize> AddAssign for Lanes<P> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl<const N: usize> SubAssign for Lanes<N> {
+impl<const P: usize> SubAssign for Lanes<P> {
     #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 
-impl<const N: usize> Lane for Lanes<N> {
-    const WIDTH: usize = N;
+impl<const P: usize> Lane for Lanes<P> {
+    const WIDTH: usize = 2 * P;
     #[inline(always)]
     fn splat(x: f64) -> Self {
-        Lanes([x; N])
+        Lanes([Register::splat(x); P])
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        Lanes(self.0.map(f64::sqrt))
+        self.map(Register::sqrt)
     }
     #[inline(always)]
     fn abs(self) -> Self {
-        Lanes(self.0.map(f64::abs))
+        self.map(Register::abs)
     }
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        self.map2(other, Lane::max)
+        self.map2(other, Register::max)
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        self.map2(other, Lane::min)
+        self.map2(other, Register::min)
     }
     #[inline(always)]
-    fn if_greater(self, bound: Self, yes: Self, no: Self) -> Self {
-        Lanes(std::array::from_fn(|i| if self.0[i] > bound.0[i] { yes.0[i] } else { no.0[i] }))
+    fn if_greater(mut self, bound: Self, yes: Self, no: Self) -> Self {
+        for k in 0..P {
+            self.0[k] = self.0[k].if_greater(bound.0[k], yes.0[k], no.0[k]);
+        }
+        self
     }
     #[inline(always)]
     fn all_greater(self, bound: Self) -> bool {
-        (0..N).all(|i| self.0[i] > bound.0[i])
+        (0..P).all(|k| self.0[k].all_greater(bound.0[k]))
     }
     #[inline(always)]
     fn lane(self, i: usize) -> f64 {
-        self.0[i]
+        let register = self.0[i / 2];
+        if i % 2 == 0 { register.low() } else { register.high() }
     }
     #[inline(always)]
     fn set_lane(&mut self, i: usize, x: f64) {
-        self.0[i] = x;
+        let register = &mut self.0[i / 2];
+        *register = if i % 2 == 0 {
+            Register::new(x, register.high())
+        } else {
+            Register::new(register.low(), x)
+        };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LANES, Lane, Lanes, Pair, Vec3};
+
+    const NUMBERS: [f64; 10] =
+        [0.0, -0.0, 1.0, -2.5, 1e-310, 3e200, -7e-200, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
+
+    /// That `lanes` does in each lane what `one` does with a number, whatever stands in the other lanes.
+    fn same<L: Lane>(lanes: impl Fn(L, L) -> L, one: impl Fn(f64, f64) -> f64) {
+        for i in 0..NUMBERS.len() {
+            for shift in 0..NUMBERS.len() {
+                let (mut a, mut b) = (L::zero(), L::zero());
+                let number = |k: usize| NUMBERS[k % NUMBERS.len()];
+                for lane in 0..L::WIDTH {
+                    a.set_lane(lane, number(i + lane));
+                    b.set_lane(lane, number(i + lane + shift));
+                }
+                let found = lanes(a, b);
+                for lane in 0..L::WIDTH {
+                    let (a, b) = (number(i + lane), number(i + lane + shift));
+                    let (found, expected) = (found.lane(lane), one(a, b));
+                    let both_nan = found.is_nan() && expected.is_nan();
+                    assert!(both_nan || found.to_bits() == expected.to_bits(), "{a}, {b}: {found}");
+                }
+            }
+        }
+    }
+
+    fn all<L: Lane>() {
+        same::<L>(|a, b| a + b, |a, b| a + b);
+        same::<L>(|a, b| a - b, |a, b| a - b);
+        same::<L>(|a, b| a * b, |a, b| a * b);
+        same::<L>(|a, b| a / b, |a, b| a / b);
+        same::<L>(|a, _| -a, |a, _| -a);
+        same::<L>(|a, _| a.abs(), |a, _| a.abs());
+        same::<L>(|a, _| a.sqrt(), |a, _| a.sqrt());
+        same::<L>(L::max, |a, b| Lane::max(a, b));
+        same::<L>(L::min, |a, b| Lane::min(a, b));
+        same::<L>(|a, b| a.if_greater(b, L::one(), a), |a, b| if a > b { 1.0 } else { a });
+        for (k, x) in NUMBERS.into_iter().enumerate() {
+            let mut one_is_not = L::splat(4e200);
+            one_is_not.set_lane(k % L::WIDTH, x);
+            assert_eq!(one_is_not.all_greater(L::splat(3e200)), x == f64::INFINITY, "{x}");
+        }
+    }
+
+    #[test]
+    fn every_lane_gets_the_bits_of_a_number_alone() {
+        all::<f64>();
+        all::<Pair>();
+        all::<Lanes>();
+    }
+
+    #[test]
+    fn points_come_from_rows_and_sums_go_back_where_lanes_share_one() {
+        let rows = [[1.0, 2.0, 3.0, 9.0], [4.0, 5.0, 6.0, 9.0], [7.0, 8.0, 10.0, 9.0]];
+        let at: [u32; LANES] = [2, 0, 2, 1];
+        let points = Vec3::of_rows(&rows, &at);
+        for (lane, &row) in at.iter().enumerate() {
+            assert_eq!(
+                [points.x, points.y, points.z].map(|x| x.lane(lane)),
+                rows[row as usize][..3]
+            );
+        }
+        let mut sums = rows;
+        points.add_to_rows(&mut sums, &at);
+        let expected = [[2.0, 4.0, 6.0, 9.0], [8.0, 10.0, 12.0, 9.0], [21.0, 24.0, 30.0, 9.0]];
+        assert_eq!(sums, expected);
     }
 }

@@ -3,9 +3,11 @@
 //! | file | holds |
 //! |---|---|
 //! | `lane` | one scalar, or the same scalar of several constraints side by side |
+//! | `register` | two numbers in one 128-bit register |
 //! | `vec3` | a 3-vector whose components are lanes |
 
 mod lane;
+mod register;
 mod vec3;
 
 pub use lane::{LANES, Lane, Lanes, Pair};

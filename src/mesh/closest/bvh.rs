@@ -115,7 +115,8 @@ impl Bvh {
         loop {
             if child.is_node() {
                 let node = &self.nodes[child.first as usize];
-                let [left, right] = node.distances_squared(p).0;
+                let distances = node.distances_squared(p);
+                let [left, right] = [distances.lane(0), distances.lane(1)];
                 let [(near, near_at), (far, far_at)] = if left <= right {
                     [(node.children[0], left), (node.children[1], right)]
                 } else {

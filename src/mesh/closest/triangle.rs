@@ -4,7 +4,7 @@
 //! distance below which the triangle cannot be. The bound is met wherever the closest point is
 //! inside or on a side, so that of all triangles around a point few are looked at twice.
 
-use crate::math::{Lane, Lanes, Pair, Vec3};
+use crate::math::{Lane, Pair, Vec3};
 use crate::mesh::Point;
 
 /// The plane of a triangle, and the planes through its sides that stand on it and look outwards.
@@ -51,7 +51,7 @@ impl Planes {
         };
         let mut planes = Planes {
             normals: [Vec3::new(Pair::zero(), Pair::zero(), Pair::zero()); 2],
-            offsets: [Lanes([plane.1, ab.1]), Lanes([bc.1, ca.1])],
+            offsets: [pair(plane.1, ab.1), pair(bc.1, ca.1)],
         };
         for (i, pair) in [[plane, ab], [bc, ca]].into_iter().enumerate() {
             for (lane, (normal, _)) in pair.into_iter().enumerate() {
@@ -66,7 +66,7 @@ impl Planes {
     pub(crate) fn over(&self, p: Vec3<Pair>) -> Over {
         let first = self.normals[0].dot(p) + self.offsets[0];
         let second = self.normals[1].dot(p) + self.offsets[1];
-        Over { height: first.0[0], out: [first.0[1], second.0[0], second.0[1]] }
+        Over { height: first.lane(0), out: [first.lane(1), second.lane(0), second.lane(1)] }
     }
 
     /// The point of the plane of the triangle below or above `p`, which is `over` it.
@@ -121,6 +121,10 @@ impl Over {
 fn plane(through: Vec3<f64>, direction: Vec3<f64>) -> (Vec3<f64>, f64) {
     let normal = direction * (1.0 / direction.length());
     (normal, -normal.dot(through))
+}
+
+fn pair(low: f64, high: f64) -> Pair {
+    Pair::from_fn(|lane| if lane == 0 { low } else { high })
 }
 
 /// The same point in both lanes.
