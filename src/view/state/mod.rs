@@ -12,8 +12,7 @@
 //! | `select_region` | what is inside an outline |
 //! | `gizmo_drag` | what is dragged with the gizmo |
 //! | `surrounding` | the ghost and the ground of a view, and how deep it is |
-//! | `layer` | the layer beside the surface |
-//! | `surface_lines` | the lines over the surface |
+//! | `layer` | the layer beside the surface, and the lines over it |
 //! | `saved_camera` | the camera as numbers, to be kept |
 //! | `tape` | the measuring tape |
 
@@ -27,7 +26,6 @@ pub mod pick;
 pub mod saved_camera;
 pub mod select_region;
 mod set_look;
-mod surface_lines;
 pub mod surrounding;
 pub mod tape;
 pub mod view_state;
