@@ -16,7 +16,7 @@ import { animateFirstPicture } from '../viewport/placeholder/placeholder-scene.j
 import { ended } from '../ui/format.js';
 import { loadFeatures, loadWhenNeeded } from './features.js';
 import { firstHints } from '../features/hints.js';
-import { arrangeForWidth } from './layout.js';
+import { arrangeForWidth } from './arrangement/layout.js';
 import { messageOf } from '../solver/messages.js';
 import { constraintsPanel } from '../panels/constraints/constraints.js';
 import { energiesPanel } from '../panels/energies/energies.js';
@@ -37,7 +37,7 @@ import { SolverClient } from '../solver/solver-client.js';
 import { splitInto } from '../features/split/split.js';
 import { runEarlyPresses } from '../store/press.js';
 import { createStore } from '../store/state.js';
-import { followAdvanced } from './advanced.js';
+import { followAdvanced } from './arrangement/advanced.js';
 import { followTheme } from './theme.js';
 import { bindViewMenu } from '../features/view-tools/view-commands.js';
 import { bindViewKeys } from '../viewport/input/view-keys.js';
@@ -172,7 +172,7 @@ actions.reportErrors(
     it.bindHandleKeys(viewport, store, solver, actions),
   ),
 );
-import('./next-step.js').then((it) => it.followNextStep(store));
+import('./arrangement/next-step.js').then((it) => it.followNextStep(store));
 import('../panels/status-bar/environment-status.js').then((module) =>
   module.environmentStatus(byId('numbers'), app),
 );

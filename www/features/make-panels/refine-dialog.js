@@ -6,7 +6,7 @@ import { messageOf } from '../../solver/messages.js';
 import { button, choice, setOptions } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { count, length } from '../../ui/format.js';
-import { meshActions } from '../../store/mesh-actions.js';
+import { meshActions } from '../../store/actions/mesh-actions.js';
 
 /** @type {[string, string][]} */
 const SCHEMES = [

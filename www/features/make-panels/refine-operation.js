@@ -2,7 +2,7 @@
 
 import './refine.css';
 import { messageOf } from '../../solver/messages.js';
-import { meshActions } from '../../store/mesh-actions.js';
+import { meshActions } from '../../store/actions/mesh-actions.js';
 import { openDialog } from '../../ui/controls/dialog.js';
 import { button, choice } from '../../ui/controls/fields.js';
 import { sizeField } from '../../ui/controls/size-field.js';

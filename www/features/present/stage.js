@@ -3,7 +3,7 @@
 import './present.css';
 import { button } from '../../ui/controls/fields.js';
 import { byId, element, setText } from '../../ui/dom.js';
-import { presentActions } from '../../store/present-actions.js';
+import { presentActions } from '../../store/actions/present-actions.js';
 
 const { dataset } = document.documentElement;
 

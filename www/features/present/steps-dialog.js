@@ -5,7 +5,7 @@ import { openDialog } from '../../ui/controls/dialog.js';
 import { button, checkbox, choice, closeButton } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
-import { presentActions } from '../../store/present-actions.js';
+import { presentActions } from '../../store/actions/present-actions.js';
 import { present } from './stage.js';
 
 /** @typedef {import("../../solver/messages.js").Step} Step */

@@ -5,7 +5,7 @@ import { element } from '../../ui/dom.js';
 import { groupDigits, length, number } from '../../ui/format.js';
 import { measureOfScene } from '../../store/colours/measures.js';
 import { isDrawn } from '../../store/state.js';
-import { variationActions } from '../../store/variation-actions.js';
+import { variationActions } from '../../store/actions/variation-actions.js';
 import { drawShape } from './thumbnail.js';
 
 /** @typedef {import("../../solver/messages.js").VariantRow} VariantRow */

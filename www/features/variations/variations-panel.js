@@ -4,7 +4,7 @@ import './variations.css';
 import { docked } from '../../docked/docked.js';
 import { button, closeButton } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
-import { variationActions } from '../../store/variation-actions.js';
+import { variationActions } from '../../store/actions/variation-actions.js';
 import { keptStrip } from './kept-strip.js';
 import { variationCard } from './variation-card.js';
 

@@ -6,7 +6,7 @@
 import './exact-verdict.css';
 import { element } from '../../ui/dom.js';
 import { count, groupDigits, length, limit, number, part } from '../../ui/format.js';
-import { exactActions } from '../../store/exact-actions.js';
+import { exactActions } from '../../store/actions/exact-actions.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 
 /** @typedef {import("../../solver/messages.js").ConstraintRow} ConstraintRow */

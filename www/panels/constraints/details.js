@@ -4,7 +4,7 @@ import { button } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
 import { Parameters } from '../../ui/kinds/parameters.js';
 import { sketch } from '../../ui/kinds/sketch.js';
-import { exactActions } from '../../store/exact-actions.js';
+import { exactActions } from '../../store/actions/exact-actions.js';
 import { requirementOf } from './requirement.js';
 
 /** @typedef {import("../../solver/messages.js").ConstraintRow} ConstraintRow */

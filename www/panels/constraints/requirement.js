@@ -16,7 +16,7 @@ const OPTIONS = [
  * @param {import("../../solver/messages.js").ConstraintRow} row
  * @param {string} name
  * @param {import("../../store/state.js").Store} store
- * @param {ReturnType<typeof import("../../store/exact-actions.js").exactActions>} actions
+ * @param {ReturnType<typeof import("../../store/actions/exact-actions.js").exactActions>} actions
  */
 export function requirementOf({ index, require }, name, store, actions) {
   const { tolerance, model, document } = store.get();

@@ -3,16 +3,16 @@
  * and where the groups of the toolbar are.
  */
 
-import { itemByKey } from '../ui/controls/arrow-keys.js';
-import { byId, element, icon } from '../ui/dom.js';
-import { placeMenu } from '../ui/controls/menu.js';
+import { itemByKey } from '../../ui/controls/arrow-keys.js';
+import { byId, element, icon } from '../../ui/dom.js';
+import { placeMenu } from '../../ui/controls/menu.js';
 
 const PHONE = matchMedia('(max-width: 699px)');
 /** Where each group of the toolbar is on a phone; the others stay in the header. */
 const IN_BAR = ['group-run', 'group-file'];
 const IN_MORE = ['group-mode', 'group-scene', 'group-page'];
 
-/** @param {import("../store/state.js").Store} store */
+/** @param {import("../../store/state.js").Store} store */
 export function arrangeForWidth(store) {
   const header = byId('header');
   const groups = [...header.querySelectorAll('.group')];
@@ -40,7 +40,7 @@ export function arrangeForWidth(store) {
   }
   PHONE.addEventListener('change', arrange);
   arrange();
-  import('../ui/controls/toolbar.js').then(({ oneTabStop }) => {
+  import('../../ui/controls/toolbar.js').then(({ oneTabStop }) => {
     [tools, bar, byId('select-bar')].forEach(oneTabStop);
   });
   more.addEventListener('click', (event) => {
@@ -57,7 +57,7 @@ export function arrangeForWidth(store) {
 
 /**
  * Two panels in one place: the model and the inspector. On a phone a tab also closes the sheet.
- * @param {import("../store/state.js").Store} store
+ * @param {import("../../store/state.js").Store} store
  */
 function tabs(store) {
   const { dataset } = document.body;

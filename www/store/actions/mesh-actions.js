@@ -1,14 +1,14 @@
 /** What the page can do to the mesh itself: it comes when somebody first asks. */
 
-import { count, length } from '../ui/format.js';
+import { count, length } from '../../ui/format.js';
 
-/** @typedef {import("../pkg/solver/shape_up.js").Remeshing} Remeshing */
-/** @typedef {Omit<Extract<import("../solver/messages.js").Edit, { type: "refine" }>, "type">} Refinement */
+/** @typedef {import("../../pkg/solver/shape_up.js").Remeshing} Remeshing */
+/** @typedef {Omit<Extract<import("../../solver/messages.js").Edit, { type: "refine" }>, "type">} Refinement */
 
 /**
- * @param {import("./state.js").Store} store
- * @param {import("../solver/solver-client.js").SolverClient} solver
- * @param {import("./actions.js").Actions} actions
+ * @param {import("../state.js").Store} store
+ * @param {import("../../solver/solver-client.js").SolverClient} solver
+ * @param {import("../actions.js").Actions} actions
  */
 export function meshActions(store, solver, actions) {
   /** Begins a run, and settles when it has ended: whether nobody has stopped it. @param {() => unknown} begin */
@@ -82,7 +82,7 @@ export function meshActions(store, solver, actions) {
         actions.setStatus(refined());
         return lost;
       }
-      /** @type {import("../solver/messages.js").Edit} */
+      /** @type {import("../../solver/messages.js").Edit} */
       const once = { type: 'refine', ...how, levels: 1 };
       let goesOn = store.get().converged || (await untilEnd(() => solver.send({ type: 'run' })));
       for (let level = 1; level <= how.levels && goesOn; level++) {

@@ -1,10 +1,10 @@
 /** What the page can do with what is required of constraints: it comes when somebody first asks. */
 
-/** @typedef {import("../solver/messages.js").Require} Require */
+/** @typedef {import("../../solver/messages.js").Require} Require */
 
 /**
- * @param {import("../solver/solver-client.js").SolverClient} solver
- * @param {import("./actions.js").Actions} actions
+ * @param {import("../../solver/solver-client.js").SolverClient} solver
+ * @param {import("../actions.js").Actions} actions
  */
 export const exactActions = (solver, { reportErrors }) => ({
   /** Requires something of a row and runs, one step of undo together. @param {number} index @param {Require} require */

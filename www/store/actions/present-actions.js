@@ -1,10 +1,10 @@
 /** What the page can do with the steps of a presentation: it comes when somebody first asks. */
 
-/** @typedef {import("../solver/messages.js").Step} Step */
+/** @typedef {import("../../solver/messages.js").Step} Step */
 
 /**
- * @param {import("./state.js").Store} store
- * @param {import("./actions.js").Actions} actions
+ * @param {import("../state.js").Store} store
+ * @param {import("../actions.js").Actions} actions
  */
 export function presentActions(store, actions) {
   return {

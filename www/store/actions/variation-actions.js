@@ -1,11 +1,11 @@
 /** What the page can do with other shapes that are as exact: it comes when somebody first asks. */
 
-/** @typedef {import("../solver/messages.js").VariationAsk} VariationAsk */
-/** @typedef {import("../solver/messages.js").VariationAnswers} VariationAnswers */
+/** @typedef {import("../../solver/messages.js").VariationAsk} VariationAsk */
+/** @typedef {import("../../solver/messages.js").VariationAnswers} VariationAnswers */
 
 /**
- * @param {import("../solver/solver-client.js").SolverClient} solver
- * @param {import("./actions.js").Actions} actions
+ * @param {import("../../solver/solver-client.js").SolverClient} solver
+ * @param {import("../actions.js").Actions} actions
  */
 export function variationActions(solver, { reportErrors }) {
   /**

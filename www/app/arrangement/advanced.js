@@ -1,12 +1,12 @@
 /** The essentials, or every control: a choice that is remembered. */
 
-import { forget, remember } from '../ui/safe-storage.js';
+import { forget, remember } from '../../ui/safe-storage.js';
 
 /** `index.html` looks there before the first paint. */
 const KEY = 'shape-up.advanced';
 const { dataset } = document.documentElement;
 
-/** @param {import("../store/state.js").Store} store */
+/** @param {import("../../store/state.js").Store} store */
 export function followAdvanced(store) {
   store.set({ advanced: dataset.advanced !== undefined });
   store.subscribe(['advanced'], ({ advanced }) => {

@@ -5,7 +5,7 @@
 
 import './next-step.css';
 
-/** @param {import("../store/state.js").Store} store */
+/** @param {import("../../store/state.js").Store} store */
 export function followNextStep(store) {
   const { dataset } = document.body;
   store.subscribe(
