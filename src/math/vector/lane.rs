@@ -4,7 +4,6 @@
 //! several. Only operations that IEEE 754 rounds exactly are offered, so that both give the same
 //! bits, in wasm and natively.
 
-use super::Vec3;
 use super::register::Register;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -100,7 +99,7 @@ impl Lane for f64 {
 /// The same scalar of `2 * P` constraints, in `P` registers.
 #[derive(Clone, Copy)]
 #[repr(C, align(16))]
-pub struct Lanes<const P: usize = { LANES / 2 }>([Register; P]);
+pub struct Lanes<const P: usize = { LANES / 2 }>(pub(super) [Register; P]);
 
 impl<const P: usize> Lanes<P> {
     /// A value for each lane.
@@ -124,39 +123,6 @@ impl<const P: usize> Lanes<P> {
             self.0[k] = f(self.0[k], other.0[k]);
         }
         self
-    }
-}
-
-/// Points in lanes and the rows of their coordinates, which are apart in memory: the fourth number of a row is
-/// padding.
-impl Vec3<Lanes> {
-    /// The points of these rows, one in each lane.
-    #[inline(always)]
-    pub fn of_rows(rows: &[[f64; 4]], at: &[u32; LANES]) -> Self {
-        let mut points = Self::zero();
-        for k in 0..LANES / 2 {
-            let [a, b] = [rows[at[2 * k] as usize], rows[at[2 * k + 1] as usize]];
-            let [xy, next_xy] = [Register::new(a[0], a[1]), Register::new(b[0], b[1])];
-            points.x.0[k] = xy.lows(next_xy);
-            points.y.0[k] = xy.highs(next_xy);
-            points.z.0[k] = Register::new(a[2], b[2]);
-        }
-        points
-    }
-
-    /// Adds the vector of each lane to its row, one after another: lanes may share a row.
-    #[inline(always)]
-    pub fn add_to_rows(self, rows: &mut [[f64; 4]], at: &[u32; LANES]) {
-        for k in 0..LANES / 2 {
-            let (x, y, z) = (self.x.0[k], self.y.0[k], self.z.0[k]);
-            let halves = [(x.lows(y), z.low()), (x.highs(y), z.high())];
-            for (half, (xy, z)) in halves.into_iter().enumerate() {
-                let row = &mut rows[at[2 * k + half] as usize];
-                let sum = Register::new(row[0], row[1]).add(xy);
-                (row[0], row[1]) = (sum.low(), sum.high());
-                row[2] += z;
-            }
-        }
     }
 }
 
@@ -258,7 +224,7 @@ impl<const P: usize> Lane for Lanes<P> {
 
 #[cfg(test)]
 mod tests {
-    use super::{LANES, Lane, Lanes, Pair, Vec3};
+    use super::{Lane, Lanes, Pair};
 
     const NUMBERS: [f64; 10] =
         [0.0, -0.0, 1.0, -2.5, 1e-310, 3e200, -7e-200, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
@@ -292,8 +258,8 @@ mod tests {
         same::<L>(|a, _| -a, |a, _| -a);
         same::<L>(|a, _| a.abs(), |a, _| a.abs());
         same::<L>(|a, _| a.sqrt(), |a, _| a.sqrt());
-        same::<L>(L::max, |a, b| Lane::max(a, b));
-        same::<L>(L::min, |a, b| Lane::min(a, b));
+        same::<L>(L::max, <f64 as Lane>::max);
+        same::<L>(L::min, <f64 as Lane>::min);
         same::<L>(|a, b| a.if_greater(b, L::one(), a), |a, b| if a > b { 1.0 } else { a });
         for (k, x) in NUMBERS.into_iter().enumerate() {
             let mut one_is_not = L::splat(4e200);
@@ -307,22 +273,5 @@ mod tests {
         all::<f64>();
         all::<Pair>();
         all::<Lanes>();
-    }
-
-    #[test]
-    fn points_come_from_rows_and_sums_go_back_where_lanes_share_one() {
-        let rows = [[1.0, 2.0, 3.0, 9.0], [4.0, 5.0, 6.0, 9.0], [7.0, 8.0, 10.0, 9.0]];
-        let at: [u32; LANES] = [2, 0, 2, 1];
-        let points = Vec3::of_rows(&rows, &at);
-        for (lane, &row) in at.iter().enumerate() {
-            assert_eq!(
-                [points.x, points.y, points.z].map(|x| x.lane(lane)),
-                rows[row as usize][..3]
-            );
-        }
-        let mut sums = rows;
-        points.add_to_rows(&mut sums, &at);
-        let expected = [[2.0, 4.0, 6.0, 9.0], [8.0, 10.0, 12.0, 9.0], [21.0, 24.0, 30.0, 9.0]];
-        assert_eq!(sums, expected);
     }
 }

@@ -4,10 +4,12 @@
 //! |---|---|
 //! | `lane` | one scalar, or the same scalar of several constraints side by side |
 //! | `register` | two numbers in one 128-bit register |
+//! | `rows` | points in lanes from rows of coordinates, and sums back |
 //! | `vec3` | a 3-vector whose components are lanes |
 
 mod lane;
 mod register;
+mod rows;
 mod vec3;
 
 pub use lane::{LANES, Lane, Lanes, Pair};
