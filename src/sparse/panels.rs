@@ -212,8 +212,10 @@ impl<S: Scalar> Panels<S> {
         let mut own: [[S; R]; W] = std::array::from_fn(|c| {
             x[first + c].map(|value| value * self.inverse_pivots[first + c])
         });
-        for (&row, values) in rows.iter().zip(block) {
-            let below = x[row as usize];
+        let height = rows.len();
+        for k in 0..height {
+            let k = if S::FROM_LAST_ROW { height - 1 - k } else { k };
+            let (below, values) = (x[rows[k] as usize], &block[k]);
             for c in 0..W {
                 own[c] = minus(own[c], values[c], below);
             }
