@@ -11,7 +11,7 @@ const FROM_EDGE: f64 = 1.5;
 /// And at least so many from every other edge, and twice as many from the next hole.
 const LEAST: f64 = 1.0;
 /// Where holes are along an edge, as shares of its length.
-const ALONG: [f64; 2] = [0.25, 0.75];
+const ALONG: [f64; 2] = [1.0 / 3.0, 2.0 / 3.0];
 
 impl Build {
     /// Drills holes of the diameter that is asked for, where they have room; counts those that have none. A paper model

@@ -8,6 +8,8 @@ use crate::fabricate::panel::{Point2, area, hull, rotated, sides, smallest_box};
 
 /// Heights of shelves are multiples of this, in mm.
 const STEP: f64 = 0.01;
+/// After so many parts that had no room a shelf is full.
+const MOST_MISSES: u32 = 30;
 /// What rounding may add to a height, in steps.
 const ROUNDING: f64 = 1e-3;
 
@@ -112,6 +114,8 @@ struct Shelf {
     height: f64,
     /// How far it reaches.
     right: f64,
+    /// How many parts were tried that had no room.
+    misses: u32,
     /// Convex polygons from its lower left corner, each with its own right end.
     laid: Vec<(f64, Vec<Point2>)>,
 }
@@ -126,11 +130,15 @@ struct Found {
 
 impl Shelf {
     /// Where a part leaves most room; none where it has none.
-    fn room_for(&self, own: &Resting, width: f64, gap: f64, may_grow: bool) -> Option<Found> {
+    fn room_for(&mut self, own: &Resting, width: f64, gap: f64, may_grow: bool) -> Option<Found> {
         let [w, h] = own.size;
         // A part does not get in between others by more than this share of its width.
         let overlap = if own.cover.len() > 1 { 1.0 } else { 0.5 };
         if (own.step() > self.step && !may_grow) || self.right + (1.0 - overlap) * w > width {
+            return None;
+        }
+        // Full: otherwise every part would be tried on every shelf.
+        if self.misses >= MOST_MISSES && !may_grow {
             return None;
         }
         let mut best: Option<Found> = None;
@@ -159,6 +167,7 @@ impl Shelf {
                 }
             }
         }
+        self.misses += u32::from(best.is_none());
         best
     }
 
@@ -203,7 +212,7 @@ impl Shelves {
         let found = match self.order {
             Order::Size => self
                 .shelves
-                .iter()
+                .iter_mut()
                 .enumerate()
                 .find_map(|(s, shelf)| Some((s, shelf.room_for(&own, width, gap, false)?))),
             // Only the last one, which nothing is above: it may grow.
@@ -225,7 +234,8 @@ impl Shelves {
             });
             let low = self.free[sheet];
             let (step, height) = (own.step(), own.size[1]);
-            let shelf = Shelf { sheet, low, step, height, right: 0.0, laid: Vec::new() };
+            let (right, misses, laid) = (0.0, 0, Vec::new());
+            let shelf = Shelf { sheet, low, step, height, right, misses, laid };
             self.shelves.push(shelf);
             let right = own.size[0];
             (self.shelves.len() - 1, Found { right, resting: own, at: [0.0; 2] })
