@@ -57,7 +57,8 @@ await main(() => {
   // The plots, and uPlot with them, load when they are first shown.
   const isPlot = (path) => basename(path).toLowerCase().includes('plot');
   // Parts and sheets, and meshes to begin with, come with their own module: the check in the view and the thickness took 3 kB and 5 kB.
-  const isOfParts = (path) => /^(build-worker|build-panel|build-goals|live-build)/.test(basename(path));
+  const isOfParts = (path) =>
+    /^(build-worker|build-panel|build-goals|live-build)/.test(basename(path));
   // Variations come when they are first looked at; 26 kB of the solver module are theirs.
   // The dialog of refining comes when it is asked for; 15 kB of the solver module are subdivision and what goes along.
   // Improving what is exact is about 4 kB of it, the sixteen operations on the mesh 32 kB.
