@@ -277,13 +277,11 @@ fn trapezoids_lie_alternately_and_cover_most_of_the_sheet() {
         let (c, s) = (shape_up::math::cosine(turns), shape_up::math::sine(turns));
         [radius * c, radius * s, -0.5 * radius]
     });
-    for (order, least) in [(Order::Size, 0.8), (Order::Names, 0.6)] {
-        let own = BuildSettings { scale: 15.0, sheet: [600.0, 320.0], order, ..settings() };
-        let made = build(&cone, &own);
-        let area_of = |place: &Place| area(&made.parts[place.part].outline);
-        let first: f64 = made.layout.sheets[0].places.iter().map(area_of).sum();
-        assert!(made.layout.sheets.len() > 1 && first > least * 600.0 * 320.0, "{first} {order:?}");
-    }
+    let own = BuildSettings { scale: 15.0, sheet: [600.0, 320.0], ..settings() };
+    let made = build(&cone, &own);
+    let area_of = |place: &Place| area(&made.parts[place.part].outline);
+    let first: f64 = made.layout.sheets[0].places.iter().map(area_of).sum();
+    assert!(made.layout.sheets.len() > 1 && first > 0.75 * 600.0 * 320.0, "{first}");
 }
 
 #[test]
@@ -390,14 +388,14 @@ fn holes_lie_opposite_each_other_and_nothing_is_written_over_them() {
                 [x * t[0] + y * t[1], x * -t[1] + y * t[0]]
             });
             let beside = local.filter(|[_, y]| (y - (0.5 + 6.0)).abs() < 1e-9);
-            let mut found: Vec<f64> = beside.map(|[x, _]| x).collect();
+            // As shares: panels that are not flat are a little longer or shorter on the sheet.
+            let mut found: Vec<f64> = beside.map(|[x, _]| x / length).collect();
             found.sort_by(f64::total_cmp);
-            found.into_iter().chain([length]).collect()
+            found
         };
         let [a, b] = [along(f), along(g)];
-        let (n, length) = (a.len() - 1, a[a.len() - 1]);
-        assert_eq!((n, b.len() - 1), (2, 2));
-        assert!((a[0] - (length - b[1])).abs() < 1e-9 && (a[1] - (length - b[0])).abs() < 1e-9);
+        assert_eq!((a.len(), b.len()), (2, 2));
+        assert!((a[0] - (1.0 - b[1])).abs() < 1e-9 && (a[1] - (1.0 - b[0])).abs() < 1e-9);
     }
     let [text] = &texts(&made, ".dxf")[..] else { panic!("one sheet") };
     let (closed, _) = polylines(text);

@@ -5,6 +5,7 @@
 //! | `part` | a part to be cut: outline, engraved lines, what it was |
 //! | `lettering` | single-line letters |
 //! | `label` | names and an arrow inside an outline, where they fit |
+//! | `place` | where a part is, and in which order parts are laid out |
 //! | `layout` | sheets with parts, and where each part is |
 //! | `shelf` | parts in rows, each on its feet or on its head |
 //! | `clearance` | how near two parts may come to each other |
@@ -14,10 +15,12 @@ mod label;
 mod layout;
 mod lettering;
 mod part;
+mod place;
 mod shelf;
 
 pub(super) use label::upright;
 pub use label::{Inscription, Labels, label};
-pub use layout::{Layout, Order, Place, Sheet, SheetSize, lay_out};
+pub use layout::{Layout, Sheet, lay_out};
 pub use lettering::{strokes, text_width};
 pub use part::{CutPart, Hole, Role};
+pub use place::{Order, Place, SheetSize};

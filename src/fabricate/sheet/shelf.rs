@@ -2,8 +2,8 @@
 //! room, so that trapezoids lie alternately and arcs in each other.
 
 use super::clearance::least_shift;
-use super::layout::{Order, Place};
 use super::part::CutPart;
+use super::place::{Order, Place};
 use crate::fabricate::panel::{Point2, area, hull, rotated, sides, smallest_box};
 
 /// Heights of shelves are multiples of this, in mm.
