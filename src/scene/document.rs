@@ -3,7 +3,7 @@
 use super::SceneError;
 use super::closeness::Closeness;
 use super::lesson::Lesson;
-use super::presentation::Step;
+use super::presentation::Slide;
 use crate::constraint::{Kind, Selector, Sets};
 use crate::fabricate::BuildSettings;
 use crate::json::present;
@@ -64,9 +64,9 @@ pub struct Scene {
     /// Shapes that were kept.
     #[serde(default)]
     pub variants: Variants,
-    /// The steps in which it is shown to others, [`Step::MOST`] at most.
+    /// The steps in which it is shown to others, [`Slide::MOST`] at most.
     #[serde(default)]
-    pub steps: Vec<Step>,
+    pub steps: Vec<Slide>,
 }
 
 impl Scene {

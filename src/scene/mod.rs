@@ -50,7 +50,7 @@ pub use frame::UnitsAndUp;
 pub use json::{FORMAT, VERSION};
 pub use lesson::{Goal, GoalOf, Lesson, Lock};
 pub use panels::{Forecast, ForecastOfKind, HowFar, PanelOffer, panel_offers};
-pub use presentation::Step;
+pub use presentation::Slide;
 pub use presets::{PRESETS, Preset, PresetOffer};
 pub use results::{GoalResult, Results};
 pub use units::{LengthUnit, UNITS};

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct Step {
+pub struct Slide {
     /// Its title.
     pub title: String,
     /// What is said beside it; lines are kept.
@@ -41,7 +41,7 @@ pub struct Step {
     pub run: bool,
 }
 
-impl Step {
+impl Slide {
     /// A presentation has no more.
     pub const MOST: usize = 99;
 }

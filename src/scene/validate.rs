@@ -1,7 +1,7 @@
 //! The checks of a scene beyond its form: numbers in range, and indices and names that the mesh has.
 
 use super::{
-    ClosenessTo, HandleSpec, Hold, NamedEnum, Scene, SceneError, Step, Target, Variant, Variants,
+    ClosenessTo, HandleSpec, Hold, NamedEnum, Scene, SceneError, Slide, Target, Variant, Variants,
     Weighting,
 };
 use crate::constraint::Selector;
@@ -78,10 +78,10 @@ impl Scene {
     /// Checks that the steps of the presentation go to variants that there are, with weights that there can be.
     pub(crate) fn check_steps(&self) -> Result<(), SceneError> {
         let (count, kept) = (self.steps.len(), self.variants.kept.len());
-        if count > Step::MOST {
-            return error("steps", format!("found {count}, expected {} at most", Step::MOST));
+        if count > Slide::MOST {
+            return error("steps", format!("found {count}, expected {} at most", Slide::MOST));
         }
-        for (i, Step { original, variant, weights, .. }) in self.steps.iter().enumerate() {
+        for (i, Slide { original, variant, weights, .. }) in self.steps.iter().enumerate() {
             let path = format!("steps[{i}].variant");
             match variant {
                 Some(index) if *index >= kept => {

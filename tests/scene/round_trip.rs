@@ -8,7 +8,7 @@ use shape_up::mesh::Mesh;
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight,
     ConstraintSpec, Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, Lock, MeshSource,
-    NamedEnum, Pose, Require, Scene, Smoothness, SmoothnessOf, SolverSettings, Step, Up, Variant,
+    NamedEnum, Pose, Require, Scene, Slide, Smoothness, SmoothnessOf, SolverSettings, Up, Variant,
     Variants, Weighting, Weights,
 };
 
@@ -69,8 +69,8 @@ prop_compose! {
         measure in prop::option::of(".{0,6}"),
         variant in prop::option::of(0..20usize),
         weights in prop::option::of(prop::array::uniform3(not_negative())),
-    ) -> Step {
-        Step {
+    ) -> Slide {
+        Slide {
             title: texts.0,
             text: texts.1,
             camera,

@@ -2,7 +2,7 @@
 
 use crate::grid::bumpy;
 use serde_json::{Value, json};
-use shape_up::scene::{Scene, Step, Variant, Variants, Weights};
+use shape_up::scene::{Scene, Slide, Variant, Variants, Weights};
 use shape_up::session::{Edit, Session};
 
 /// Two steps: the rest shape with other weights, and a shape that was kept.
@@ -64,7 +64,7 @@ fn steps_are_written_set_and_undone() {
     let edit = json!({ "type": "setSteps", "steps": [{ "title": "Only one" }] }).to_string();
     let edit = Edit::from_json(&edit, session.document()).expect("it is an edit");
     assert!(session.edit(edit).expect("they fit"));
-    let only = Step { title: "Only one".to_owned(), ..Step::default() };
+    let only = Slide { title: "Only one".to_owned(), ..Slide::default() };
     assert_eq!(session.document().steps, [only]);
     session.undo().expect("it was solvable");
     assert_eq!(session.document().steps, before);
@@ -104,7 +104,7 @@ fn steps_that_cannot_be_are_refused_with_their_path() {
         assert!(error.to_string().contains(path), "{error}");
         assert_eq!(session.document().steps.len(), 2, "nothing has changed");
     }
-    let many: Vec<_> = (0..=Step::MOST).map(|_| step(json!({}))).collect();
+    let many: Vec<_> = (0..=Slide::MOST).map(|_| step(json!({}))).collect();
     let error = Session::open(scene_with(&json!(many)), bumpy(3)).err().expect("too many");
     assert!(error.to_string().contains("steps: found 100"), "{error}");
     for (wrong, path) in [

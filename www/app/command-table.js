@@ -1,7 +1,7 @@
 /** The commands of the page: what each is called, its keys, and when there is something to do. */
 
 import { byId } from '../ui/dom.js';
-import { halfStepTitle } from '../store/half-step.js';
+import { halfStepTitle } from '../store/half-step/half-step.js';
 import { featureCommands } from './features.js';
 import { isDrawn } from '../store/state.js';
 import { fly } from '../viewport/flight.js';

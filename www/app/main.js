@@ -22,7 +22,7 @@ import { constraintsPanel } from '../panels/constraints/constraints.js';
 import { energiesPanel } from '../panels/energies/energies.js';
 import { Startup } from './startup.js';
 import { handlesPanel } from '../panels/handles/handles.js';
-import { bindHalfStepSwitches } from '../store/half-step.js';
+import { bindHalfStepSwitches } from '../store/half-step/half-step.js';
 import { HoldOriginal } from '../features/hold-original.js';
 import { modelPanel } from '../panels/model/model.js';
 import { statusBar } from '../panels/status-bar/status-bar.js';

@@ -27,7 +27,7 @@
 /** @typedef {import("../pkg/solver/shape_up.js").HalfStep} Half */
 /** @typedef {import("../pkg/solver/shape_up.js").HandleRow} Handle */
 /** @typedef {import("../pkg/solver/shape_up.js").LessonWords} LessonWords */
-/** @typedef {import("../pkg/solver/shape_up.js").Step} Step */
+/** @typedef {import("../pkg/solver/shape_up.js").Slide} Slide */
 /** @typedef {import("../pkg/solver/shape_up.js").Moved} Moved */
 /** @typedef {import("../pkg/solver/shape_up.js").PanelOffer} PanelOffer */
 /** @typedef {import("../pkg/solver/shape_up.js").PresetOffer} Preset */

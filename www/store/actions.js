@@ -135,7 +135,7 @@ export function createActions(store, solver, alerts) {
 
     /** The local step, or the global step after it. */
     async halfStep() {
-      const words = import('./half-step-words.js');
+      const words = import('./half-step/half-step-words.js');
       const done = await reportErrors(solver.request({ type: 'halfStep' }));
       const loaded = await reportErrors(words);
       if (done && loaded) setStatus(loaded.halfStepWords(done));

@@ -7,7 +7,7 @@ use crate::constraint::Set;
 use crate::fabricate::BuildSettings;
 use crate::json::indices;
 use crate::mesh::Mesh;
-use crate::scene::{MeshSource, NamedEnum, Pose, Scene, Step, Up, Variants};
+use crate::scene::{MeshSource, NamedEnum, Pose, Scene, Slide, Up, Variants};
 use serde_json::{Map, Value};
 
 impl Scene {
@@ -108,7 +108,7 @@ fn write(scene: &Scene, mesh: &Mesh) -> String {
     format!("{{\n  {}\n}}\n", fields.join(",\n  "))
 }
 
-fn write_step(step: &Step) -> String {
+fn write_step(step: &Slide) -> String {
     serde_json::to_string(step).expect("a step is an object")
 }
 

@@ -3,6 +3,7 @@
 use super::closeness_weights::{set_closeness_weight, strengthen_closeness};
 use super::constraint_target::ConstraintTarget;
 use super::edit_list::{Edit, NewConstraint};
+use super::moment::{Moment, back_to_rest, reset};
 use super::{presenting, settings, variants};
 use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{Read, counted, read};
@@ -10,19 +11,10 @@ use crate::scene::{
     ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose, SceneError, Target, Variants,
 };
 use crate::session::report::{check_lesson, check_presentation};
-use crate::session::run::Start;
 use crate::session::state::{Draft, Part, RowValues};
 use crate::solve::{Handle, HandleIndex, Require};
 use serde_json::{Map, Value};
 use std::rc::Rc;
-
-/// The place of a state among the iterations.
-pub(crate) struct Moment {
-    /// Iterations up to it.
-    pub(crate) iteration: u32,
-    /// The shape from which they led to it, since somebody last changed something.
-    pub(crate) start: Option<Rc<Start>>,
-}
 
 /// Makes an edit of a draft, and gives its name.
 ///
@@ -204,7 +196,11 @@ pub(crate) fn apply(
         Edit::ShowStep { index } => presenting::show(index, draft, moment)?,
         Edit::KeepVariant { start } => variants::keep(start, draft)?,
         Edit::GoToVariant { index } => variants::go_to(index, draft)?,
-        Edit::RemoveVariant { index } => variants::remove(index, draft)?,
+        Edit::RemoveVariant { index } => {
+            let words = variants::remove(index, draft)?;
+            presenting::forget_variant(index, draft);
+            words
+        }
         Edit::AddHandles { vertices, fixed } => {
             let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };
             draft.put_handles(with_handles(&vertices, hold, draft)?);
@@ -235,19 +231,6 @@ pub(crate) fn apply(
     check_lesson(draft.document(), draft.mesh())?;
     check_presentation(draft.document(), draft.mesh())?;
     Ok(name)
-}
-
-/// Goes back to the rest shape; the variants that were kept stay.
-pub(super) fn reset(draft: &mut Draft<'_>, moment: &mut Moment) {
-    let kept = draft.document().variants.kept.clone();
-    back_to_rest(Variants { kept, design: None }, draft, moment);
-}
-
-/// Goes back to the rest shape, with these variants.
-fn back_to_rest(variants: Variants, draft: &mut Draft<'_>, moment: &mut Moment) {
-    draft.put_positions(draft.mesh().positions.as_slice().into());
-    draft.put(Part::Variants(variants));
-    *moment = Moment { iteration: 0, start: None };
 }
 
 /// Reads the text of a mesh file that an edit brings.

@@ -5,7 +5,7 @@ use crate::constraint::Set;
 use crate::fabricate::BuildSettings;
 use crate::json::indices::{self, Indices};
 use crate::mesh::{KEPT_TURN, Point, Scheme};
-use crate::scene::{ConstraintSpec, Lesson, Step, Up, Weights};
+use crate::scene::{ConstraintSpec, Lesson, Slide, Up, Weights};
 use crate::solve::Require;
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
@@ -161,7 +161,7 @@ pub enum Edit {
     /// Replaces the steps of the presentation.
     SetSteps {
         /// All of them; none for no presentation.
-        steps: Vec<Step>,
+        steps: Vec<Slide>,
     },
     /// Makes the shape and the weights those of step `index` of the presentation.
     ShowStep {

@@ -11,6 +11,7 @@
 //! | `closeness_weights` | how close single vertices are kept |
 //! | `locks` | which edits a lesson refuses |
 //! | `variants` | shapes that were kept |
+//! | `moment` | the place of a state among the iterations |
 //! | `presenting` | the steps of a presentation |
 //! | `carry` | a scene carried over to another mesh |
 //! | `remeshing` | an operation on the mesh, and what it would make |
@@ -23,6 +24,7 @@ mod constraint_target;
 mod edit_json;
 mod edit_list;
 mod locks;
+mod moment;
 mod presenting;
 mod preview;
 mod remeshing;
@@ -30,11 +32,12 @@ mod settings;
 mod target_shape;
 mod variants;
 
-pub(crate) use apply::{Moment, apply};
+pub(crate) use apply::apply;
 pub(crate) use carry::{Carried, carry};
 pub use constraint_target::ConstraintTarget;
 pub use edit_list::{Edit, NewConstraint};
 pub(crate) use locks::{check_lock, check_locks};
+pub(crate) use moment::Moment;
 pub use preview::Preview;
 pub(crate) use preview::previews;
 pub(crate) use remeshing::offered;

@@ -1,15 +1,15 @@
 //! Edits of a presentation: its steps, and the shape and the weights of one of them.
 
-use super::apply::{Moment, reset};
+use super::moment::{Moment, reset};
 use super::variants;
-use crate::scene::{SceneError, Step};
+use crate::scene::{SceneError, Slide};
 use crate::session::state::{Draft, Part};
 
 /// Replaces the steps.
 ///
 /// # Errors
 /// When there are too many, or one names a variant or has a weight that there cannot be.
-pub(super) fn set(steps: Vec<Step>, draft: &mut Draft<'_>) -> Result<String, SceneError> {
+pub(super) fn set(steps: Vec<Slide>, draft: &mut Draft<'_>) -> Result<String, SceneError> {
     draft.put(Part::Steps(steps));
     draft.document().check_steps()?;
     Ok("Change presentation".to_owned())
@@ -30,7 +30,7 @@ pub(super) fn show(
         message: format!("there is none: the presentation has {}", steps.len()),
     })?;
     let words = format!("Show {}", step.title);
-    let Step { original, variant, weights, .. } = *step;
+    let Slide { original, variant, weights, .. } = *step;
     if original {
         reset(draft, moment);
     }

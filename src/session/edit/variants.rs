@@ -1,6 +1,5 @@
 //! Edits of the shapes that were kept.
 
-use super::presenting;
 use crate::mesh::Point;
 use crate::scene::{Hold, SceneError, Variant, Variants};
 use crate::session::state::{Draft, Part};
@@ -57,7 +56,6 @@ pub(super) fn remove(index: usize, draft: &mut Draft<'_>) -> Result<String, Scen
     variants.kept.remove(index);
     variants.design = variants.design.map(|design| design - usize::from(design > index));
     draft.put(Part::Variants(variants));
-    presenting::forget_variant(index, draft);
     Ok(words)
 }
 

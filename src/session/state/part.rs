@@ -5,7 +5,7 @@ use crate::constraint::{Kind, Selector, Set, Sets};
 use crate::fabricate;
 use crate::scene::{
     BoundaryCloseness, ClosenessTo, ClosenessWeight, ConstraintSpec, Goal, Lesson, Pose, Scene,
-    Smoothness, SolverSettings, Step, Target, Up, Variants, Weights,
+    Slide, Smoothness, SolverSettings, Target, Up, Variants, Weights,
 };
 use crate::solve::Require;
 use std::mem::{size_of_val, swap};
@@ -18,7 +18,7 @@ pub(crate) enum Part {
     Lesson(Option<Lesson>),
     Build(Option<Box<fabricate::BuildSettings>>),
     Variants(Variants),
-    Steps(Vec<Step>),
+    Steps(Vec<Slide>),
     Settings(Settings),
     ClosenessWeights(Vec<ClosenessWeight>),
     /// A named set; none takes it away.
@@ -286,8 +286,8 @@ fn bytes_of_set(set: &Set) -> usize {
     size_of_val(&*set.vertices) + size_of_val(&*set.faces)
 }
 
-fn bytes_of_step(step: &Step) -> usize {
-    size_of::<Step>() + step.title.len() + step.text.len()
+fn bytes_of_step(step: &Slide) -> usize {
+    size_of::<Slide>() + step.title.len() + step.text.len()
 }
 
 fn bytes_of_lesson(lesson: &Lesson) -> usize {

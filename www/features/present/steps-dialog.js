@@ -8,7 +8,7 @@ import { count } from '../../ui/format.js';
 import { presentActions } from '../../store/actions/present-actions.js';
 import { present } from './stage.js';
 
-/** @typedef {import("../../solver/messages.js").Step} Step */
+/** @typedef {import("../../solver/messages.js").Slide} Slide */
 
 /** @param {import("../../app/context.js").AppContext} app */
 export function openSteps(app) {
@@ -23,7 +23,7 @@ export function openSteps(app) {
     return change([...steps, ways.stepNow(`Step ${steps.length + 1}`)]);
   });
 
-  /** @param {Step[]} steps */
+  /** @param {Slide[]} steps */
   async function change(steps) {
     await ways.setSteps(steps);
     show();
@@ -34,11 +34,11 @@ export function openSteps(app) {
     return actions.reportErrors(present(app));
   }
 
-  /** @param {number} index @param {Partial<Step>} values */
+  /** @param {number} index @param {Partial<Slide>} values */
   const changed = (index, values) =>
     stepsNow().map((step, i) => (i === index ? { ...step, ...values } : step));
 
-  /** What is written stays in its field. @param {number} index @param {Partial<Step>} words */
+  /** What is written stays in its field. @param {number} index @param {Partial<Slide>} words */
   const say = (index, words) => ways.setSteps(changed(index, words));
 
   /** @param {number} index @param {number} by */
@@ -49,7 +49,7 @@ export function openSteps(app) {
     return change(steps);
   }
 
-  /** @param {Step} step @param {number} index @param {number} all */
+  /** @param {Slide} step @param {number} index @param {number} all */
   function row(step, index, all) {
     const number = index + 1;
     const title = element('input', {
@@ -99,7 +99,7 @@ export function openSteps(app) {
     );
   }
 
-  /** Which shape a step shows. @param {Step} step @param {number} index */
+  /** Which shape a step shows. @param {Slide} step @param {number} index */
   function shapeOf(step, index) {
     const variants = store.get().document?.variants ?? [];
     const shape = choice(

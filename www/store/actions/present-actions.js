@@ -1,6 +1,6 @@
 /** What the page can do with the steps of a presentation: it comes when somebody first asks. */
 
-/** @typedef {import("../../solver/messages.js").Step} Step */
+/** @typedef {import("../../solver/messages.js").Slide} Slide */
 
 /**
  * @param {import("../state.js").Store} store
@@ -8,10 +8,10 @@
  */
 export function presentActions(store, actions) {
   return {
-    /** A step that shows what is seen now. @param {string} title @returns {Step} */
+    /** A step that shows what is seen now. @param {string} title @returns {Slide} */
     stepNow(title) {
       const { camera, parallel, measure, document: scene } = store.get();
-      /** @type {Step} */
+      /** @type {Slide} */
       const step = { title };
       if (camera) step.camera = [...camera];
       if (parallel) step.parallel = true;
@@ -21,7 +21,7 @@ export function presentActions(store, actions) {
       return step;
     },
 
-    /** @param {Step[]} steps */
+    /** @param {Slide[]} steps */
     setSteps: (steps) => actions.edit({ type: 'setSteps', steps }),
 
     /**

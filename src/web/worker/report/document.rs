@@ -2,7 +2,7 @@
 
 use super::lesson::LessonWords;
 use crate::constraint::describe;
-use crate::scene::{Hold, NamedEnum, PRESETS, Preset, PresetOffer, Step};
+use crate::scene::{Hold, NamedEnum, PRESETS, Preset, PresetOffer, Slide};
 use crate::session::{Paired, Session, settings_of};
 use crate::solve::Require;
 use serde::Serialize;
@@ -47,7 +47,7 @@ pub(crate) struct Document<'a> {
     pinned: &'a [u32],
     lesson: Option<LessonWords<'a>>,
     /// The presentation.
-    steps: &'a [Step],
+    steps: &'a [Slide],
     /// What is to be made of the shape.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Required<BuildSettings> | null"))]
     build: Option<Value>,

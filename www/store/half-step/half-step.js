@@ -9,7 +9,7 @@ export function halfStepTitle({ halfway }) {
 
 /**
  * Its switches, in the toolbar and in the menu of a phone, are on between the two halves.
- * @param {import("./state.js").Store} store
+ * @param {import("../state.js").Store} store
  */
 export function bindHalfStepSwitches(store) {
   const switches = [...document.querySelectorAll('[data-command="half-step"]')];

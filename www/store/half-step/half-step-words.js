@@ -1,10 +1,10 @@
 /** The two halves of an iteration (Fig. 4 of the paper) in words, when they are first done. */
 
-import { groupDigits } from '../ui/format.js';
+import { groupDigits } from '../../ui/format.js';
 
 /**
  * What a half has done, and what comes next.
- * @param {import("../solver/messages.js").Half} done
+ * @param {import("../../solver/messages.js").Half} done
  */
 export function halfStepWords(done) {
   if (done.half === 'local') {
