@@ -22,6 +22,9 @@ export const wavyGrid = (n) =>
 /** One over bumps so steep that some circular panels fold. */
 export const bumpyGrid = (n) => gridText(n, (x, y) => 2 * Math.sin(0.5 * x) * Math.sin(0.5 * y));
 
+/** One of steps that cannot be flat without folds. */
+export const steppedGrid = (n) => gridText(n, (x, y) => 0.3 * ((x * y) % 5));
+
 /** A tube of 12 by 4 quads, open at both ends: the text of an OBJ file. */
 export function tube() {
   const [around, along] = [12, 4];

@@ -5,7 +5,7 @@ use crate::grid::grid;
 use shape_up::math;
 use shape_up::mesh::{BoundingSphere, Mesh, folded_faces};
 use shape_up::scene::Scene;
-use shape_up::session::{Edit, Session, Verdict};
+use shape_up::session::{Session, Verdict};
 use shape_up::solve::Require;
 
 /// With the weights of a mesh that somebody opens.
@@ -25,8 +25,9 @@ fn wave() -> Session {
 
 /// Bumps whose edges run across the lines of curvature: circular panels would crumple it.
 fn bumps() -> Mesh {
-    let height =
-        |x: u32, y: u32| 2.0 * math::sine(f64::from(x) / 2.0) * math::sine(f64::from(y) / 2.0);
+    let sine = |n: u32| math::sine(f64::from(n) / 2.0);
+    // To six digits, as in a file.
+    let height = |i: u32, j: u32| (2e6 * sine(i) * sine(j)).round() / 1e6;
     grid(12, 12, |i, j| [f64::from(i), f64::from(j), height(i, j)])
 }
 
@@ -68,9 +69,10 @@ fn a_press_brings_all_panels_of_real_meshes_within_the_tolerance() {
             let shortest = session.shortest_edge();
             assert!(shortest >= 0.3 * (1.0 - 1e-3), "{file} {kind}: {shortest}");
             assert_eq!(within, panels, "{file} {kind}: worst {worst:e}");
-            // It costs not much more than to be nearly there, although edges keep their length.
+            // It costs not much more than to be nearly there, although edges keep their length and nothing folds.
+            assert_eq!(folded(&session), 0, "{file} {kind}");
             let size = BoundingSphere::of(&session.mesh().positions).diameter();
-            assert!(moved.mean < 2.0 * cheaper.mean + 1e-3 * size, "{file} {kind}");
+            assert!(moved.mean < 2.5 * cheaper.mean + 1e-3 * size, "{file} {kind}");
         }
     }
 }
@@ -198,18 +200,9 @@ fn a_press_that_would_fold_ends_without_folds_and_says_within_which_tolerance() 
 fn what_is_asked_exactly_stays_so_and_folds_less_where_it_can() {
     let Some(mesh) = crate::shared::mesh("M2_eq_quad2.obj") else { return };
     for (kind, require) in [("circle", Require::Exact), ("plane", Require::Within(5e-4))] {
-        let mut session = session(mesh.clone(), "");
-        session
-            .edit(Edit::MakePanels { kind: kind.to_owned(), within: Some(1.0), afresh: false })
-            .expect("it has quads");
-        let asked = Edit::SetConstraint {
-            index: 0,
-            weight: None,
-            enabled: None,
-            require: Some(require),
-            params: serde_json::Map::new(),
-        };
-        session.edit(asked).expect("it is there");
+        let mut scene = Scene::opened("own.obj");
+        scene.ask_of_panels(kind, require, &mesh).expect("it has quads");
+        let mut session = Session::open(scene, mesh.clone()).expect("it fits");
         session.solve(false).expect("regular");
         let exact = session.exact().expect("it was met");
         assert!(exact.met && exact.attempts > 1 && exact.eased.is_none(), "{kind}: {exact:?}");
