@@ -2,7 +2,6 @@
 //! one step of undo.
 
 use crate::grid::grid;
-use shape_up::math;
 use shape_up::mesh::{BoundingSphere, Mesh, folded_faces};
 use shape_up::scene::Scene;
 use shape_up::session::{Session, Verdict};
@@ -25,7 +24,7 @@ fn wave() -> Session {
 
 /// Bumps whose edges run across the lines of curvature: circular panels would crumple it.
 fn bumps() -> Mesh {
-    let sine = |n: u32| math::sine(f64::from(n) / 2.0);
+    let sine = |n: u32| libm::sin(f64::from(n) / 2.0);
     // To six digits, as in a file.
     let height = |i: u32, j: u32| (2e6 * sine(i) * sine(j)).round() / 1e6;
     grid(12, 12, |i, j| [f64::from(i), f64::from(j), height(i, j)])
