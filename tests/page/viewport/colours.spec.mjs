@@ -192,6 +192,9 @@ test('the legend counts the faces within a tolerance', async ({ page }) => {
   await expect(page.getByLabel('Colours to')).toHaveValue('2.50');
 });
 
+/** So many bytes of a picture may differ where the light from all around is found anew: of a million. */
+const FOUND_ANEW = 60;
+
 /** The ends of the range as the legend has them. */
 const rangeOf = async (page) =>
   Promise.all(['Colours from', 'Colours to'].map((name) => page.getByLabel(name).inputValue()));
@@ -222,7 +225,7 @@ test('choosing a measure again gives the same picture, whatever came between', a
   await drawn(page);
   await colours.selectOption('circularity');
   await expect.poll(() => rangeOf(page)).toEqual(before[0]);
-  expect(differingBytes(await middleOfPicture(page), before[1])).toBe(0);
+  expect(differingBytes(await middleOfPicture(page), before[1])).toBeLessThan(FOUND_ANEW);
   // All values and back.
   const map = page.getByLabel('Colour map');
   await map.selectOption('Viridis');
@@ -234,7 +237,7 @@ test('choosing a measure again gives the same picture, whatever came between', a
     expect(differingBytes(await middleOfPicture(page), viridis)).toBeGreaterThan(2000);
   }
   await map.selectOption('Beyond tolerance');
-  expect(differingBytes(await middleOfPicture(page), before[1])).toBe(0);
+  expect(differingBytes(await middleOfPicture(page), before[1])).toBeLessThan(FOUND_ANEW);
 });
 
 test('the ends of the range are dragged and moved by keys; the scale can be logarithmic', async ({
