@@ -209,12 +209,12 @@ impl<const P: usize> Lane for Lanes<P> {
     #[inline(always)]
     fn lane(self, i: usize) -> f64 {
         let register = self.0[i / 2];
-        if i % 2 == 0 { register.low() } else { register.high() }
+        if i.is_multiple_of(2) { register.low() } else { register.high() }
     }
     #[inline(always)]
     fn set_lane(&mut self, i: usize, x: f64) {
         let register = &mut self.0[i / 2];
-        *register = if i % 2 == 0 {
+        *register = if i.is_multiple_of(2) {
             Register::new(x, register.high())
         } else {
             Register::new(register.low(), x)
