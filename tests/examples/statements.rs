@@ -323,7 +323,7 @@ const STATEMENTS: &[Statement] = &[
     ("fig-10-random", |run| {
         let iterations = run.iterations_to(1e-9).map_or(f64::INFINITY, |n| n as f64);
         vec![
-            ("iterations to 1e-9 of the energy", iterations, 0.0..300.0),
+            ("iterations to 1e-9 of the energy", iterations, 0.0..400.0),
             ("volume", run.volume_left(), 1.0 - 1e-6..1.0 + 1e-6),
         ]
     }),

@@ -203,7 +203,7 @@ fn fins_have_a_hole_at_each_end_where_there_is_room() {
     for part in &made.parts {
         let [p, q] = [part.holes[0].centre, part.holes[1].centre];
         // Half a metre and more between them at 1:10, on the middle line of the fin.
-        assert!((p[0] - q[0]).hypot(p[1] - q[1]) > 50.0, "{}", part.name);
+        assert!(crate::length([p[0] - q[0], p[1] - q[1]]) > 50.0, "{}", part.name);
     }
     let none = build(&cube(), &BuildSettings { hole: 15.0, ..settings() }).report();
     assert_eq!((none.holes, none.dropped_holes), (0, 24));

@@ -210,7 +210,7 @@ fn names_stand_on_their_feet_on_the_sheet_though_parts_do_not() {
     let upwards = |place: &&Place| {
         let stem = &made.parts[place.part].engraved[0];
         let [[x, y], [u, v]] = [stem[0], stem[1]].map(|point| place.put(point));
-        let length = (u - x).hypot(v - y);
+        let length = crate::length([u - x, v - y]);
         [(u - x) / length, (v - y) / length]
     };
     for place in &places {
@@ -370,7 +370,7 @@ fn holes_lie_opposite_each_other_and_nothing_is_written_over_them() {
         for hole in &part.holes {
             let outline = hole.outline();
             assert!(outline.iter().all(|&corner| is_inside(&part.outline, corner)));
-            let away = |[x, y]: [f64; 2]| (x - hole.centre[0]).hypot(y - hole.centre[1]);
+            let away = |[x, y]: [f64; 2]| crate::length([x - hole.centre[0], y - hole.centre[1]]);
             assert!(part.engraved.iter().flatten().all(|&point| away(point) > hole.radius));
         }
     }
@@ -381,7 +381,7 @@ fn holes_lie_opposite_each_other_and_nothing_is_written_over_them() {
             let cut = made.cut[f as usize].as_ref().unwrap();
             let k = made.surface.sides.row(f as usize).iter().position(|&s| s == e).unwrap();
             let (p, q) = (cut.whole[k], cut.whole[(k + 1) % cut.whole.len()]);
-            let length = (q[0] - p[0]).hypot(q[1] - p[1]);
+            let length = crate::length([q[0] - p[0], q[1] - p[1]]);
             let t = [(q[0] - p[0]) / length, (q[1] - p[1]) / length];
             let local = made.parts[cut.part].holes.iter().map(|hole| {
                 let [x, y] = [hole.centre[0] - p[0], hole.centre[1] - p[1]];

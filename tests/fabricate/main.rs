@@ -32,3 +32,8 @@ pub(crate) fn metres() -> LengthInMetres {
 pub(crate) fn build(mesh: &Mesh, settings: &BuildSettings) -> Build {
     Build::new(mesh, settings, metres()).expect("it can be built")
 }
+
+/// The length of a vector of the plane.
+fn length([x, y]: [f64; 2]) -> f64 {
+    (x * x + y * y).sqrt()
+}

@@ -38,7 +38,8 @@ fn the_worst_faces_are_those_with_the_largest_values() {
         let worst = session.worst_faces(measure.id, 5).expect("it is declared");
         assert_eq!(worst.len(), 5, "{}", measure.id);
         let mut sorted: Vec<f64> = values.iter().copied().filter(|value| !value.is_nan()).collect();
-        sorted.sort_by(|a, b| b.total_cmp(a));
+        let size = |value: f64| if measure.signed { value.abs() } else { value };
+        sorted.sort_by(|&a, &b| size(b).total_cmp(&size(a)));
         for (element, value) in worst.iter().zip(&sorted) {
             assert_eq!(element.value, *value, "{}", measure.id);
             assert_eq!(values[element.faces[0] as usize], element.value);

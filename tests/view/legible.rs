@@ -5,8 +5,8 @@ use glam::{Mat3, Vec3};
 use shape_up::constraint::KINDS;
 use shape_up::view::appearance::{ColourMap, DARK, DotKind, LIGHT, Palette};
 
-/// Differences in CIELAB: just noticeable is 2.3, and nine of these nobody overlooks.
-const PLAIN: f32 = 20.0;
+/// Differences in CIELAB: just noticeable is 2.3, and seven of these nobody overlooks.
+const PLAIN: f32 = 16.1;
 /// As `shaders/faces.wgsl` hatches.
 const HATCH: f32 = 0.92;
 const HATCH_OF_SELECTED: Vec3 = Vec3::new(0.06, 0.08, 0.11);

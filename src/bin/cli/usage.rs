@@ -54,8 +54,9 @@ build lays panels, fins along the edges, or a paper model of strips or nets flat
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
 tables (CSV) and, with fins, the beams as solids (OBJ). The distance D, negative inwards, and the joint J
 between panels are lengths in the unit of the mesh; the model is 1:S; the material is T mm thick, a sheet
-W by H mm; holes of --hole mm for dowels or ties are drilled along edges and at the ends of fins; the PDF is
-tiled to a --page. What is not given is as in the `build` of the scene. --report-page is the report on one page of A4 (PDF): picture, plan, build check, bill of materials, and the --link.
+W by H mm; holes of --hole mm for dowels or ties are drilled along edges and at the ends of fins; the
+PDF is tiled to a --page. What is not given is as in the `build` of the scene. --report-page is the
+report on one page of A4 (PDF): picture, plan, build check, bill of materials, and the --link.
 refine makes several faces of each, N times; the boundary is a curve of its own, and creases and corners
 that turn by more than DEGREES (75) stay sharp. With --panels it solves before the first level and after
 each. The scene goes along: --out writes the mesh, or where the name ends in .json, the scene with it.
@@ -71,8 +72,8 @@ new makes a mesh to begin with, of lengths in the UNIT (m); what is not given is
 new plan makes one over an outline on the ground. PLAN.json has the outline and holes as lists of points
 {{\"at\": [X, Y], \"bulge\": RISE/HALF_CHORD, \"corner\": true|false}}, the layout follow|cut, the
 size of a panel, the turn of a grid that is cut, the height, and what stands: outline|corners.
-new loft makes one between two curves of a file, new fill one inside a closed curve: its polylines and then
-the boundaries of its faces, counted from 0 (0,1). The size of a panel is a twentieth of the first one.
+new loft makes one between two curves of a file, new fill one inside a closed curve: its polylines and
+then the boundaries of its faces, counted from 0 (0,1). The size of a panel is a twentieth of the first.
 parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.
 experiment solves a scene by several methods, and prints how far each came; --csv writes all iterations.
 Without a scene it lists the examples that have a comparison of the paper. The limits are per method.

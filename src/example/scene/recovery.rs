@@ -20,7 +20,7 @@ pub(super) const RANDOM: Example = Example {
     id: "fig-10-random",
     title: "Animal, scattered, recovers",
     summary: "All vertices start at random places in a box: nothing of the animal is left but who is whose neighbour, and the shape of each piece.",
-    statement: "With the quasi-Newton accelerator the energy falls to a billionth of that at the start in fewer than 300 iterations, and the animal has all of its volume again.",
+    statement: "With the quasi-Newton accelerator the energy falls to a billionth of that at the start in fewer than 400 iterations, and the animal has all of its volume again.",
     ending: "obj",
     make: random,
 };

@@ -189,8 +189,8 @@ fn label_of_height(
     (labels, has_arrow)
 }
 
-/// The height of the name of a neighbour beside its edge, and its box: along the edge, else across it, as high as there is
-/// room, and at most `tallest`; none where it cannot be read.
+/// The height of the name of a neighbour beside its edge, and its box: along the edge, else across it, as high as
+/// there is room, and at most `tallest`; none where it cannot be read.
 fn beside_edge(
     outline: &[Point2],
     [p, q]: [Point2; 2],
@@ -206,7 +206,8 @@ fn beside_edge(
         let width = text_width(name, height);
         // Across it only where along it letters would become small.
         let directions = [(along, true), (inwards, false)];
-        let tried = if height > SMALL * tallest { &directions[..1] } else { &directions };
+        let is_tall = height > LEAST.max(SMALL * tallest);
+        let tried = if is_tall { &directions[..1] } else { &directions };
         for &(direction, is_along) in tried {
             let [size, depth] = if is_along { [width, height] } else { [height, width] };
             if size > OF_EDGE * length {

@@ -3,6 +3,7 @@
 
 use super::view_state::ViewState;
 use crate::math::polygon_sides;
+use crate::view::camera::{Camera, Eye};
 use crate::view::model::{RenderMesh, ViewError, check_indices};
 use crate::view::picking::DepthMap;
 use glam::{Vec2, Vec3};
@@ -122,8 +123,9 @@ impl ViewState {
         let seen = Seen::new(self, through);
         let count = seen.mesh.positions.len() as u32;
         let inside = |&vertex: &u32| {
-            let (at, depth) = seen.project(seen.mesh.positions[vertex as usize]);
-            depth > 0.0 && outline.holds(at) && seen.shows(at, depth)
+            let point = seen.mesh.positions[vertex as usize];
+            let (at, depth) = seen.project(point);
+            depth > 0.0 && outline.holds(at) && seen.shows(point)
         };
         (0..count).filter(inside).collect()
     }
@@ -159,7 +161,11 @@ impl ViewState {
             } else {
                 polygon_sides(&corners).all(|[a, b]| outline.has(a, b))
             };
-            within && shown.as_ref().is_none_or(|shown| shown[face as usize])
+            let is_left = || {
+                let mut row = seen.mesh.faces.row(face as usize).iter();
+                row.any(|&v| seen.camera.keeps(seen.mesh.positions[v as usize]))
+            };
+            within && shown.as_ref().is_none_or(|shown| shown[face as usize]) && is_left()
         };
         (0..seen.mesh.faces.len() as u32).filter(inside).collect()
     }
@@ -169,28 +175,32 @@ impl ViewState {
 struct Seen<'a> {
     mesh: &'a RenderMesh,
     edges: &'a [[u32; 2]],
-    eye: crate::view::camera::Eye,
+    camera: Camera,
+    eye: Eye,
     /// None where hidden things count too.
     map: Option<&'a DepthMap>,
 }
 
 impl<'a> Seen<'a> {
     fn new(state: &'a mut ViewState, through: bool) -> Seen<'a> {
-        let eye = state.viewpoint.camera.eye();
         if !through {
             state.look();
         }
         let state = &*state;
+        let camera = state.camera();
+        let eye = camera.eye();
         let map = if through { None } else { state.depth_map() };
-        Seen { mesh: &state.content.mesh, edges: &state.content.edges, eye, map }
+        Seen { mesh: &state.content.mesh, edges: &state.content.edges, camera, eye, map }
     }
 
     fn project(&self, point: Vec3) -> (Vec2, f32) {
         self.eye.project(point)
     }
 
-    fn shows(&self, at: Vec2, depth: f32) -> bool {
-        self.map.is_none_or(|map| map.shows(at, depth))
+    /// Whether a point is left by the section, and not hidden where that counts.
+    fn shows(&self, point: Vec3) -> bool {
+        let (at, depth) = self.project(point);
+        self.camera.keeps(point) && self.map.is_none_or(|map| map.shows(at, depth))
     }
 
     /// Where the ends of an edge are, with their depths; nothing where one is behind the eye.
@@ -201,8 +211,7 @@ impl<'a> Seen<'a> {
 
     fn shows_edge(&self, edge: u32) -> bool {
         let [a, b] = self.edges[edge as usize].map(|v| self.mesh.positions[v as usize]);
-        let (at, depth) = self.project((a + b) * 0.5);
-        self.shows(at, depth)
+        self.shows((a + b) * 0.5)
     }
 
     /// Per face whether it is in sight; none where hidden ones count too.
@@ -213,8 +222,8 @@ impl<'a> Seen<'a> {
         for (triangle, &face) in self.mesh.triangles.iter().zip(&self.mesh.triangle_face) {
             if !shown[face as usize] {
                 let corners = triangle.map(|v| self.mesh.positions[v as usize]);
-                let (at, depth) = self.project((corners[0] + corners[1] + corners[2]) / 3.0);
-                shown[face as usize] = depth > 0.0 && map.shows(at, depth);
+                let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+                shown[face as usize] = self.project(middle).1 > 0.0 && self.shows(middle);
             }
         }
         Some(shown)
