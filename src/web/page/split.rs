@@ -21,6 +21,10 @@ impl View {
     ///
     /// # Errors
     /// Arrays that do not fit the mesh.
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "numbers and arrays cross as they are, without an object"
+    )]
     #[wasm_bindgen(js_name = setSplitSide)]
     pub fn set_split_side(
         &mut self,
