@@ -1,4 +1,4 @@
-//! What a kind of mesh to begin with says of itself, and what sizes it refuses.
+//! The declaration of a kind of new mesh, and the errors of its sizes.
 
 use crate::mesh::{Mesh, Size, SizeError};
 use serde::Serialize;
@@ -17,7 +17,7 @@ pub struct NewKind {
     pub label: &'static str,
     /// One sentence.
     pub summary: &'static str,
-    /// What it is made by, in the order of the values of [`NewKind::mesh`].
+    /// Its parameters, in the order of the values of [`NewKind::mesh`].
     pub sizes: &'static [Size],
     #[serde(skip)]
     pub(super) make: fn(&[f64]) -> Result<Mesh, NewMeshError>,
@@ -30,7 +30,7 @@ pub enum NewMeshError {
     Size(SizeError),
     /// Two sizes do not go together.
     Together {
-        /// What was expected of them.
+        /// The condition that they break.
         expected: &'static str,
     },
     /// More faces than are made, see the number.

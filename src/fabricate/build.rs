@@ -46,7 +46,7 @@ pub struct NotCut {
 /// A shape as parts.
 #[derive(Clone, Debug)]
 pub struct Build {
-    /// What was asked for.
+    /// The settings.
     pub settings: BuildSettings,
     /// The unit of the mesh.
     pub unit: LengthInMetres,
@@ -60,7 +60,7 @@ pub struct Build {
     pub cut: Vec<Option<CutPanel>>,
     /// The parts that are not cut.
     pub not_cut: Vec<NotCut>,
-    /// What is cut.
+    /// The parts to cut.
     pub parts: Vec<CutPart>,
     /// Names of neighbours without room, and panels whose own name is too small to be read well.
     pub dropped_names: usize,
@@ -199,7 +199,7 @@ impl Build {
             .collect()
     }
 
-    /// What is printed on a sheet: both units where they meet.
+    /// The title of a sheet, with the units of the model and of the sheet.
     fn title(&self, number: usize, count: usize) -> String {
         let scale = places(self.settings.scale, 6);
         // Only letters that every program reads.

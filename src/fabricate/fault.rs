@@ -1,4 +1,4 @@
-//! What a mesh or a setting has that stands in the way of building it, and what is offered all the same.
+//! Reasons why a mesh or a setting cannot be built, and the products that are offered all the same.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! What a build is as files: drawings of the sheets, tables, solids.
+//! The files of a build: drawings of the sheets, tables, solids.
 
 use super::build::Build;
 use super::file::{dxf, pdf, svg};
@@ -11,7 +11,7 @@ use crate::mesh::write_obj;
 pub struct BuildFile {
     /// Its name, without folders.
     pub name: String,
-    /// What is in it: ASCII, but for names of units and materials in tables.
+    /// Its content: ASCII, except for names of units and materials in tables.
     pub text: String,
 }
 

@@ -12,7 +12,7 @@ use super::surface::distinct;
 use super::tighten::Tighten;
 use serde::Serialize;
 
-/// What one kind of offset would have for errors, before it is chosen.
+/// The errors that one kind of offset would have, before it is chosen.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Choice {
@@ -30,7 +30,7 @@ pub struct Choice {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct OffsetReport {
-    /// What keeps its distance.
+    /// The elements that keep their distance.
     pub kind: OffsetKind,
     /// Whether it does so exactly; else the axes are the least-squares fit.
     pub exact: bool,
@@ -108,7 +108,7 @@ pub struct PaperReport {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct BuildReport {
-    /// What is made.
+    /// The product.
     pub product: Product,
     /// Parts that can be cut: panels, fins, or pieces of paper.
     pub parts: usize,
@@ -177,9 +177,9 @@ pub struct BuildReport {
     pub paper: Option<PaperReport>,
     /// The five numbers of the card.
     pub check: Vec<CheckRow>,
-    /// What would help against those that are not within their limits.
+    /// Remedies for the numbers that exceed their limits.
     pub tighten: Tighten,
-    /// What is not offered, and why.
+    /// Products that are not offered, each with the reason.
     pub problems: Vec<String>,
 }
 
@@ -196,7 +196,7 @@ fn curve(tolerances: &[f64], things: usize, types: impl Fn(f64) -> Types) -> Vec
 }
 
 impl OffsetCheck {
-    /// What kinds are compared by.
+    /// The error by which kinds are compared.
     pub(super) fn worst_error(&self) -> f64 {
         self.warp.max(self.distance_error)
     }
@@ -276,7 +276,7 @@ impl Build {
         }
     }
 
-    /// What every kind would have for errors; none where offsets are not offered.
+    /// The errors of every kind of offset; empty where offsets are not offered.
     pub fn choices(&self) -> Vec<Choice> {
         if self.offset.is_none() {
             return Vec::new();

@@ -1,4 +1,4 @@
-//! What is asked once: scale, sheet, joint, distance; and the presets that have answers.
+//! The settings of a build: scale, sheet, joint, distance; and their presets.
 
 use super::offset::OffsetKind;
 use super::panel::Names;
@@ -12,9 +12,9 @@ use serde::{Deserialize, Serialize};
 #[serde(default, deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct BuildSettings {
-    /// What is made of the shape.
+    /// The product.
     pub product: Product,
-    /// What keeps its distance in the offset; null proposes the kind with the smaller errors.
+    /// The elements that keep their distance in the offset; null chooses the kind with the smaller errors.
     pub kind: Option<OffsetKind>,
     /// The distance of the offset and the depth of beams, positive outwards; null takes a fifth of the mean edge.
     pub distance: Option<f64>,
@@ -30,11 +30,11 @@ pub struct BuildSettings {
     pub thickness: f64,
     /// Width and height of a sheet.
     pub sheet: [f64; 2],
-    /// What stays free at the edges of a sheet.
+    /// The margin at the edges of a sheet.
     pub margin: f64,
-    /// What stays free between parts.
+    /// The gap between parts.
     pub gap: f64,
-    /// What the tool takes away: outlines are moved out by half of it.
+    /// The width of cut: outlines are moved out by half of it.
     pub kerf: f64,
     /// The diameter of holes along the edges where panels meet, and at the ends of fins; 0 drills none.
     pub hole: f64,
@@ -52,7 +52,7 @@ pub struct BuildSettings {
     pub beam_width: Option<f64>,
     /// Nodes whose angles differ by no more are of one type, in degrees.
     pub alike_deg: f64,
-    /// What a paper model is made of.
+    /// The kind of pieces of a paper model.
     pub pieces: Pieces,
     /// The height of tabs on paper; 0 makes none.
     pub tab: f64,
@@ -66,7 +66,7 @@ pub struct BuildSettings {
     pub limits: CheckLimits,
 }
 
-/// What is made of a shape.
+/// A product.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
@@ -215,7 +215,7 @@ pub struct BuildPreset {
     pub sheet: [f64; 2],
 }
 
-/// What people build with most often.
+/// Common scales, sheets and materials.
 pub const PRESETS: [BuildPreset; 5] = [
     BuildPreset {
         label: "Card model 1:50, A3",

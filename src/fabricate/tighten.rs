@@ -1,4 +1,4 @@
-//! What a solver could do about numbers of the build check that are not within their limits.
+//! Remedies for numbers of the build check that exceed their limits: constraints for the solver.
 
 use super::build::Build;
 use super::check_card::CheckRow;
@@ -18,7 +18,7 @@ pub struct PanelRemedy {
     pub within: f64,
 }
 
-/// What would help.
+/// The remedies.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Tighten {
@@ -29,7 +29,7 @@ pub struct Tighten {
 }
 
 impl Build {
-    /// What would help against the numbers of the card that are not within their limits.
+    /// The remedies for the numbers of the card that exceed their limits.
     pub(super) fn tighten(&self, rows: &[CheckRow]) -> Tighten {
         let limit = |id: &str| {
             let row = rows.iter().find(|row| row.id == id && row.met == Some(false));

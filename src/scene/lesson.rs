@@ -7,7 +7,7 @@ pub struct Lesson {
     pub text: String,
     /// The goals, at least one; all of them have to be met.
     pub goals: Vec<Goal>,
-    /// What students may not change; sessions refuse edits of it.
+    /// The parts of the scene that students may not change; a session refuses edits of them.
     pub lock: Vec<Lock>,
 }
 

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 pub struct Slide {
     /// Its title.
     pub title: String,
-    /// What is said beside it; lines are kept.
+    /// The text shown with it; line breaks are kept.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub text: String,
     /// Where it is seen from: pivot, distance, turn, tilt, and whether it is framed

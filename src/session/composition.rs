@@ -22,7 +22,7 @@ pub struct Session {
     pub(super) met: Option<Met>,
     /// The same of the shape before the variation that is shown.
     pub(super) met_before: Option<Met>,
-    /// What the run that is under way is meeting.
+    /// The hard constraints that the run under way is meeting.
     pub(super) meeting: Option<Meeting>,
     /// What may be done for it not to fold faces.
     pub(super) unfolding: Unfolding,
@@ -39,7 +39,7 @@ impl Session {
         self.rest.generation()
     }
 
-    /// What could not be carried over to the mesh from the one before it: a sentence each.
+    /// A sentence for each thing that was not carried over from the mesh before.
     pub fn lost(&self) -> &[String] {
         self.rest.lost()
     }

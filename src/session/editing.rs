@@ -200,7 +200,7 @@ impl Session {
         offered(self.rest.mean_edge())
     }
 
-    /// What an operation would make of the mesh, before it does.
+    /// A preview of an operation on the mesh.
     ///
     /// # Errors
     /// When the operation is refused.

@@ -37,7 +37,7 @@ impl Session {
     }
 }
 
-/// What was found when results were measured again.
+/// The outcome of measuring handed-in results again.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Checked {
     /// The goals as measured.
@@ -46,9 +46,9 @@ pub struct Checked {
     pub moved: f64,
     /// The largest distance of a vertex to the shape of a constraint of the scene, in that unit.
     pub distance: f64,
-    /// What the lesson locks, and is not as in the scene.
+    /// The locked parts that differ from the scene.
     pub altered: Vec<Lock>,
-    /// What else the student changed, in words.
+    /// Other changes, in words.
     pub changed: Vec<String>,
 }
 
@@ -110,7 +110,7 @@ fn numbers(positions: &[Point], scene: &Scene, mesh: &Mesh) -> Vec<(String, f64)
     known.filter_map(|(number, value)| Some((number.id.to_owned(), value?))).collect()
 }
 
-/// What is otherwise than in the scene that was given, in words: by the part that it belongs to.
+/// The differences from the given scene, in words, each with the part of the scene that it belongs to.
 fn differences(results: &Results, given: &Scene) -> Vec<(Lock, String)> {
     let mut found = Vec::new();
     match results.weights {

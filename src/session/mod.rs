@@ -11,11 +11,11 @@
 //! | `editing` | edits, undo and redo, and their restoring after a restart |
 //! | `dragging` | drags and runs, one step of undo each |
 //! | `iterating` | iterations, whole and in halves |
-//! | `meeting` | hard constraints met |
+//! | `hard_constraints` | hard constraints met, during a run or at once |
 //! | `unfolding` | other ways to meet them where faces fold |
 //! | `variations` | ways to change the shape while hard constraints stay met: shown, brought back, kept |
 //! | `variant_table` | the numbers of the shapes that were kept |
-//! | `asking` | what hosts ask: selections, measures, reports, files |
+//! | `queries` | queries of hosts: selections, measures, reports, files |
 //! | `handed_in` | the results of a lesson, and their check |
 //! | `trial` | what would help and what it would cost, tried on a copy |
 //! | `state` | the parts: the mesh at rest, and the scene with its solver; how that changes |
@@ -26,17 +26,17 @@
 //! | `report` | measures, reports, lists of the worst |
 //! | `export` | the current state as OBJ and as a scene |
 
-mod asking;
 mod composition;
 mod dragging;
 mod edit;
 mod editing;
 mod export;
 mod handed_in;
+mod hard_constraints;
 mod iterating;
 mod load;
-mod meeting;
 mod opened_file;
+mod queries;
 mod report;
 mod run;
 mod selection;

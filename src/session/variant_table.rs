@@ -71,7 +71,7 @@ impl Session {
         self.at(positions, |session| session.face_values(id))
     }
 
-    /// What `ask` gives at other positions, `#V by 3`; the current ones stay.
+    /// The result of `ask` at other positions, `#V by 3`; the current ones stay.
     fn at<T>(
         &mut self,
         positions: Rc<[Point]>,

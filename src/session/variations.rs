@@ -15,7 +15,7 @@ pub struct Variations {
     space: ShapeSpace,
     /// The shape, `#V by 3`.
     from: Rc<[Point]>,
-    /// What was reached last, if that is what is shown.
+    /// The last answer, if it is the shape shown.
     reached: Option<ExactAnswer>,
 }
 

@@ -12,7 +12,7 @@ use std::rc::Rc;
 pub struct Problem<'a> {
     /// The rest shape `V'`; lengths of everything else are in its unit.
     pub mesh: &'a Mesh,
-    /// What closeness and smoothness hold the shape to, `#V by 3`, where that is not the rest shape.
+    /// The positions to which closeness and smoothness hold the shape, `#V by 3`, where these are not the rest shape.
     pub design: Option<&'a [Point]>,
     /// Positions, `#V by 3`, from which the kinds that keep a rest shape take it, in place of those of `mesh`.
     pub pose: Option<&'a [Point]>,

@@ -55,7 +55,7 @@ pub enum Weighting {
     Polygon,
 }
 
-/// What edges keep of their length, unless the scene says otherwise: without a bound vertices that coincide would
+/// The least part of their length that edges keep by default: without a bound, coincident vertices would
 /// meet most constraints.
 pub const SHORTEST_EDGE: f64 = 0.3;
 
@@ -142,7 +142,7 @@ impl Default for BoundaryCloseness {
     }
 }
 
-/// What is asked of boundary vertices.
+/// The requirement on boundary vertices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BoundaryRequire {
     /// They are kept close to their curve, weighed against all else.

@@ -9,7 +9,7 @@ use crate::fabricate::{
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// What the form of the settings is made from.
+/// The choices and presets of the settings form.
 #[derive(Serialize)]
 struct Offers {
     presets: &'static [BuildPreset],
@@ -152,7 +152,7 @@ impl Builder {
         self.build.failed().nodes
     }
 
-    /// What each kind of offset would have for errors.
+    /// The errors of each kind of offset.
     ///
     /// # Errors
     /// None: they are plain data.

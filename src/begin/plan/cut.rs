@@ -222,7 +222,7 @@ impl Cells {
         (along(p, t, by), first.1)
     }
 
-    /// What each cell has inside, counterclockwise.
+    /// The part of each cell inside the outline, as a face, counterclockwise.
     fn faces(&self) -> Vec<Vec<u32>> {
         let [nx, ny] = self.count;
         let mut faces = Vec::new();

@@ -1,4 +1,4 @@
-//! What a plan says, and what is wrong with one.
+//! The description of a plan, and its errors.
 
 use crate::begin::declaration::MOST_FACES;
 use serde::Deserialize;
@@ -26,7 +26,7 @@ pub struct Plan {
     pub turn: f64,
     /// The height of the highest vertex.
     pub height: f64,
-    /// What of it stays on the ground.
+    /// The part of the surface that stays on the ground.
     pub stands: Standing,
 }
 
@@ -57,7 +57,7 @@ pub enum PlanLayout {
     Cut,
 }
 
-/// What of a surface stays on the ground.
+/// The part of a surface that stays on the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
@@ -88,14 +88,14 @@ impl fmt::Display for PlanSide {
     }
 }
 
-/// What is wrong with a plan.
+/// An error in a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlanError {
     /// An entry of its text, by its JSON path.
     Entry {
         /// Such as `outline[3].bulge`; empty for the whole text.
         path: String,
-        /// What was found and expected there.
+        /// The value found, and what was expected.
         message: String,
     },
     /// Two sides meet that should not.

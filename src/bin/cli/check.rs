@@ -37,7 +37,7 @@ struct Check {
     gauss_curvature: Option<GaussCurvature>,
     strips: Vec<StripReport>,
     curvature: Curvature,
-    /// What to expect of panels of one shape; none where no such shape is offered.
+    /// The forecast for panels of one shape; none where no such shape is offered.
     #[serde(skip_serializing_if = "Option::is_none")]
     forecast: Option<Forecast>,
     problems: Vec<Problem>,

@@ -1,4 +1,4 @@
-//! What section 5 states as a limit, and what section 6 names as other uses.
+//! The limits of section 5, and the other uses of section 6.
 
 use super::parts::{constraint, each, fixed, moved};
 use crate::constraint::Kind;

@@ -6,7 +6,7 @@ use crate::fabricate::sheet::{CutPart, Hole, Role, Sheet, strokes, text_width};
 /// A polyline of a sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnLine {
-    /// What it is for.
+    /// Its purpose, which gives its layer and colour.
     pub role: Role,
     /// Its points in mm from the lower left corner of the sheet.
     pub points: Vec<Point2>,
@@ -32,7 +32,7 @@ impl DrawnLine {
 pub struct Drawing {
     /// Its name, such as `sheet-01`.
     pub name: String,
-    /// What is printed on it: scale, unit, material, number.
+    /// The title line: scale, unit, material, number.
     pub title: String,
     /// Width and height in mm.
     pub size: [f64; 2],

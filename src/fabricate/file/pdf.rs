@@ -69,7 +69,7 @@ fn content(lines: &[DrawnLine]) -> String {
     text
 }
 
-/// What comes before the content of a sheet on one of its pages, and after it: the unit, the part that is seen, a
+/// The operators before and after the content of a sheet on one of its pages: the unit, the clipping rectangle, a
 /// ruler, and marks for cutting.
 fn around(drawing: &Drawing, tile: &Tile) -> (String, String) {
     let scale = places(POINTS, 9);

@@ -1,6 +1,6 @@
 //! Sheets larger than a page of paper, tiled: pages overlap by 10 mm, with a frame along which they are cut.
 
-/// What printers leave free at the edges of a page, in mm.
+/// The unprintable margin of a page, in mm.
 pub(super) const FREE: f64 = 5.0;
 /// By how much neighbouring pages overlap, in mm.
 pub(super) const OVERLAP: f64 = 10.0;

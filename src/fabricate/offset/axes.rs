@@ -46,7 +46,7 @@ const MOST_LEAN: f64 = 30.0;
 pub struct Axes {
     /// `#V` node axes; zero at vertices of no panel.
     pub axes: Vec<Vec3<f64>>,
-    /// What keeps its distance.
+    /// The elements that keep their distance.
     pub kind: OffsetKind,
     /// Whether they come from the exact pass.
     pub exact: bool,

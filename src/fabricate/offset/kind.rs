@@ -1,4 +1,4 @@
-//! What keeps its distance in an offset.
+//! The elements that keep their distance in an offset.
 
 use serde::{Deserialize, Serialize};
 

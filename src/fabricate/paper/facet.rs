@@ -28,7 +28,7 @@ pub struct Facet {
     normal: Vec3<f64>,
 }
 
-/// What is between two facets.
+/// The joint between two facets.
 #[derive(Clone, Copy, Debug)]
 pub struct Joint {
     /// The facets and the sides of them.

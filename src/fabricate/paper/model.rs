@@ -13,13 +13,13 @@ use crate::math::sort_by_number;
 pub struct PaperSize {
     /// Millimetres of the sheet in a unit of the mesh.
     pub model: f64,
-    /// What a piece may measure, with its tabs.
+    /// The largest size of a piece with its tabs.
     pub room: [f64; 2],
     /// The height of tabs; 0 makes none.
     pub tab: f64,
 }
 
-/// What becomes of a joint.
+/// How a joint is made.
 #[derive(Clone, Copy, Debug)]
 pub enum Glue {
     /// It is folded.
@@ -35,7 +35,7 @@ pub enum Glue {
 pub struct PaperModel {
     /// Facets, joints and where they lie.
     pub net: PaperNet,
-    /// What becomes of each joint.
+    /// How each joint is made.
     pub glue: Vec<Glue>,
     /// The pieces of the net that have facets, by the first of those.
     pub pieces: Vec<u32>,

@@ -2,7 +2,7 @@
 
 use crate::fabricate::panel::{Point2, direction_of};
 
-/// What stays free between parts of a piece that have no corner in common, in mm: scissors go between them.
+/// The gap between parts of a piece without a common corner, in mm: room for scissors.
 const CLEARANCE: f64 = 0.5;
 /// Corners that are so near are the same, in mm.
 pub(super) const SAME: f64 = 0.05;

@@ -5,7 +5,7 @@ use crate::fabricate::surface::PanelSurface;
 use crate::math::{key_of_number, sort_by_number};
 use serde::{Deserialize, Serialize};
 
-/// What a paper model is made of.
+/// The kind of pieces of a paper model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]

@@ -1,4 +1,4 @@
-//! What has to be bought and made.
+//! The bill of materials.
 
 use super::words::{area, count, length, short};
 use crate::fabricate::build::Build;
@@ -9,7 +9,7 @@ use crate::fabricate::settings::Product;
 /// A line of the bill: what, and how much of it.
 pub(super) type Line = (&'static str, String);
 
-/// What the model is made of, and what is done to it; and what the building has.
+/// The bills of the model and of the building.
 pub(super) fn bill(build: &Build, report: &BuildReport) -> [Vec<Line>; 2] {
     [model(build, report), building(build, report)]
 }

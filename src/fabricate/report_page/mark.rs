@@ -1,4 +1,4 @@
-//! What is on a page, in mm from its lower left corner, y upwards.
+//! The marks on a page, in mm from its lower left corner, y upwards.
 
 use super::helvetica::width;
 use crate::fabricate::panel::Point2;

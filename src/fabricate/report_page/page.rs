@@ -1,4 +1,4 @@
-//! What is where on the page.
+//! The layout of the page.
 
 use super::bill::{Line, bill, noun};
 use super::helvetica::{fitting, lines, width};
@@ -15,7 +15,7 @@ use crate::fabricate::report::BuildReport;
 
 /// A4, upright.
 const SIZE: [f64; 2] = [210.0, 297.0];
-/// What stays free at its edges.
+/// The margin.
 const MARGIN: f64 = 14.0;
 /// Where the contents end to the right.
 const RIGHT: f64 = SIZE[0] - MARGIN;
@@ -36,7 +36,7 @@ const FIRST: [f64; 2] = [0.55, 0.65];
 /// So many lines of a link are written out; a longer one is only pressed.
 const MOST_LINK: usize = 4;
 
-/// What the report shows beside the parts.
+/// The model as the report shows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReportView {
     /// The name of the model.
@@ -258,7 +258,7 @@ impl Page {
     }
 }
 
-/// What is said of a link, in lines from above: all of it where that is not too long.
+/// A link as lines of text, shortened where it is too long.
 fn shown_link(link: &str) -> Vec<String> {
     // Beside the last line is the name of the program.
     let mut found = lines(link, SMALL, RIGHT - MARGIN - 25.0);

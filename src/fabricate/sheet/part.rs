@@ -3,7 +3,7 @@
 use crate::fabricate::panel::Point2;
 use crate::math::{cosine, sine};
 
-/// What a line is for: its layer and its colour in every file.
+/// The purpose of a line: its layer and its colour in every file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// Cut through.

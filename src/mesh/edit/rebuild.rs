@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 /// that nothing uses any more go. It begins without faces.
 pub(super) struct Rebuild<'a> {
     mesh: &'a Mesh,
-    /// What each old vertex is called.
+    /// The new vertex of each old one.
     names: Vec<u32>,
     /// Old and new ones.
     vertices: Vec<Vertex>,

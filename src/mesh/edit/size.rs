@@ -3,7 +3,7 @@
 use serde::Serialize;
 use std::fmt;
 
-/// What a size counts.
+/// The quantity that a size measures.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
@@ -24,9 +24,9 @@ pub struct Size {
     pub id: &'static str,
     /// Its name.
     pub label: &'static str,
-    /// What it counts.
+    /// The quantity.
     pub of: SizeOf,
-    /// What it is where nobody says. A length: of a mesh to begin with in metres, of an edit in mean edges.
+    /// The default. Lengths are in metres for a new mesh, in mean edges for an edit.
     pub default: f64,
     /// The smallest that is taken.
     pub least: f64,

@@ -32,7 +32,7 @@ pub enum HowFar {
     Lot,
 }
 
-/// What to expect of panels of one kind.
+/// The forecast for panels of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ForecastOfKind {
     /// The id of the kind.
@@ -47,7 +47,7 @@ pub struct ForecastOfKind {
     pub how_far: HowFar,
 }
 
-/// What to expect of each kind that is offered for all panels.
+/// The forecasts for all kinds that are offered for panels.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Forecast {
     /// In the order of [`KINDS`].

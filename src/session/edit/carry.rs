@@ -18,7 +18,7 @@ pub(crate) struct Carried {
     pub(crate) handles: Vec<Handle>,
     /// `#V by 3`.
     pub(crate) positions: Vec<Point>,
-    /// What could not be carried over, or means something else now: a sentence each.
+    /// A sentence for each thing that was not carried over, or whose meaning changed.
     pub(crate) lost: Vec<String>,
 }
 

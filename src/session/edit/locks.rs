@@ -1,4 +1,4 @@
-//! What a lesson keeps as it is: which edits it refuses.
+//! The locks of a lesson: which edits it refuses.
 
 use super::edit_list::Edit;
 use super::settings::is_of_solver;

@@ -62,7 +62,7 @@ pub struct Refinement {
     pub edge: f64,
 }
 
-/// What an operation would make of the mesh.
+/// A preview of an operation on the mesh.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct RemeshingPreview {
@@ -72,7 +72,7 @@ pub struct RemeshingPreview {
     pub faces: [usize; 2],
     /// How many of the faces are triangles, quads, and larger, after.
     pub corners: [usize; 3],
-    /// What could not be carried over: a sentence each.
+    /// A sentence for each thing that cannot be carried over.
     pub lost: Vec<String>,
 }
 

@@ -99,7 +99,7 @@ pub struct ExactReport {
     pub attempts: u32,
     /// The larger tolerance that was taken for that.
     pub eased: Option<Eased>,
-    /// What an improvement gained, where one was asked for.
+    /// The gain of an improvement, where one was asked for.
     pub improved: Option<Improved>,
     /// Seconds of all of it.
     pub seconds: f64,

@@ -12,7 +12,7 @@ pub(crate) struct RestMesh {
     diameter: f64,
     /// How many meshes it was made through from the one that was opened.
     generation: u32,
-    /// What could not be carried over to it: a sentence each.
+    /// A sentence for each thing that was not carried over to it.
     lost: Vec<String>,
 }
 
@@ -40,7 +40,7 @@ impl RestMesh {
         self.generation
     }
 
-    /// What could not be carried over to it: a sentence each.
+    /// A sentence for each thing that was not carried over to it.
     pub(crate) fn lost(&self) -> &[String] {
         &self.lost
     }

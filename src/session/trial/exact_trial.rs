@@ -1,4 +1,4 @@
-//! What it would cost to be exact, or what an improvement would gain, tried from the current shape on without
+//! The cost of exactness, or the gain of an improvement, found from the current shape on without
 //! touching it.
 
 use crate::error::Error;
@@ -20,7 +20,7 @@ pub struct ExactTrial {
     before: Price,
 }
 
-/// What a shape costs.
+/// The cost of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Price {
@@ -30,7 +30,7 @@ pub struct Price {
     pub moved: Moved,
 }
 
-/// What it costs to be exact. Lengths are in the unit of the mesh.
+/// The cost of exactness. Lengths are in the unit of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]

@@ -1,4 +1,4 @@
-//! What is tried on a copy of the session, beside whatever is done to it.
+//! Trials on a copy of the session, which do not disturb it.
 //!
 //! | file | holds |
 //! |---|---|

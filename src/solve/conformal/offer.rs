@@ -1,4 +1,4 @@
-//! What to ask for where a flat map turns faces over.
+//! Better weights and norm where a flat map turns faces over.
 
 use super::{ConformalNorm, ConformalWeights, Parametrization};
 use crate::mesh::{Mesh, Topology};
@@ -6,9 +6,9 @@ use crate::mesh::{Mesh, Topology};
 /// Settings of a map that turn fewer faces over.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FewerFlips {
-    /// What faces weigh.
+    /// The weights of the faces.
     pub weights: ConformalWeights,
-    /// What is kept from shrinking.
+    /// The norm that is kept.
     pub norm: ConformalNorm,
     /// How many faces that map turns over.
     pub flipped: usize,

@@ -1,4 +1,4 @@
-//! What has come of it, said as it is.
+//! The answer: distances reached, constraints that are not met.
 
 use super::guard;
 use super::hard_rows::HardBatch;
@@ -41,7 +41,7 @@ impl Moved {
     }
 }
 
-/// What an improvement gained: energies of all but the hard rows, in squared units of the mesh.
+/// The gain of an improvement: energies of all but the hard rows, in squared units of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Improved {
@@ -82,7 +82,7 @@ pub struct ExactAnswer {
     pub block_factors: u32,
     /// Steps of the polish.
     pub steps: u32,
-    /// What an improvement gained; none where none was asked for, or none was possible.
+    /// The gain of an improvement; none where none was asked for, or none was possible.
     pub improved: Option<Improved>,
     /// Seconds of all of it.
     pub seconds: f64,

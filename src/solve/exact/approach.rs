@@ -71,7 +71,7 @@ pub(super) struct Approach {
     /// All iterations so far, and all rounds: numeric factors of the scalar matrix.
     pub iterations: u32,
     pub rounds: u32,
-    /// What is minimised, at the positions at hand.
+    /// The objective at the current positions.
     merit: f64,
     gradient: Vec<Row>,
     previous: (Vec<Row>, Vec<Row>),

@@ -57,7 +57,7 @@ pub(in crate::solve) struct BlockSystem {
 /// Passes of the multipliers for a step downhill.
 const DOWNHILL: u32 = 4;
 
-/// What of a direction may be left across the constraints.
+/// The largest part of a direction that may remain across the constraints.
 const TANGENT: f64 = 1e-9;
 
 impl BlockSystem {
@@ -184,7 +184,7 @@ impl BlockSystem {
         self.matrix.solve_columns(right);
     }
 
-    /// What of a displacement, `#nodes`, is across the normal spaces: three numbers for each point of each constraint.
+    /// The part of a displacement (`#nodes`) in the normal spaces: three numbers for each point of each constraint.
     pub(in crate::solve) fn across(&mut self, displacement: &[Row]) -> Vec<f64> {
         self.batches.iter_mut().for_each(|batch| batch.residuals.fill(0.0));
         self.update_images(displacement);

@@ -66,7 +66,7 @@ impl Improve {
         }
     }
 
-    /// What it has gained so far.
+    /// The gain so far.
     pub(super) fn gained(&self) -> Improved {
         Improved { before: self.before, after: self.energy, steps: self.steps }
     }

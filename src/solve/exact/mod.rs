@@ -74,7 +74,7 @@ const MOST_BYTES: usize = 400_000_000;
 /// Constraints on so many points couple all of them in the system of the polish.
 const MOST_COUPLED: usize = 20_000_000;
 
-/// What a call of [`Exact::step`] has done.
+/// The stage after a call of [`Exact::step`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     /// An iteration of the approach.
@@ -365,7 +365,7 @@ impl Exact {
         self.model.parts.energies.evaluate(&self.model.x, &mut gradient, &mut seconds)
     }
 
-    /// What has come of it at the current positions.
+    /// The answer at the current positions.
     pub fn answer(&self) -> ExactAnswer {
         let polish = self.polish.as_ref();
         let measured = self.model.measure(&self.model.x);

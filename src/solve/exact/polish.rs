@@ -27,7 +27,7 @@ const ROUGHLY: f64 = 0.1;
 /// The factor serves as long as a step with it leaves less than this part of the residuals.
 const SERVES: f64 = 0.9;
 
-/// What is left of the denominator of a correction: with less, the steps so far say nothing.
+/// The least relative denominator of a correction: below it, the steps so far carry no information.
 const LEAST_LEFT: f64 = 0.05;
 
 /// A step is halved down to this.
@@ -51,7 +51,7 @@ pub(in crate::solve) struct Polish {
     taken: Vec<Vec<Row>>,
 }
 
-/// What a step has come to.
+/// The outcome of a step.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::solve) enum Polished {
     /// There is another step to take.

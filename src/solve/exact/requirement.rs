@@ -1,4 +1,4 @@
-//! What is asked of a row of constraints, and of the edges meanwhile.
+//! The requirement on a row of constraints, and on the edges meanwhile.
 
 /// How a row of constraints counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -19,7 +19,7 @@ impl Require {
     }
 }
 
-/// What is to be met, and how.
+/// The hard constraints, and the settings for meeting them.
 #[derive(Clone, Copy, Debug)]
 pub struct Requirements<'a> {
     /// One for each row of constraints of the problem.

@@ -108,7 +108,7 @@ pub struct Palette {
     pub backdrop: Colour,
     /// The shadow on the ground; the opacity is that where all light is kept off.
     pub shadow: Colour,
-    /// What the light of faces that are seen from behind is multiplied by.
+    /// The factor of the light of back faces.
     pub back: Colour,
     /// Faces in full light.
     pub material: Colour,

@@ -73,7 +73,7 @@ pub struct Camera {
     pub canvas: Vec2,
     /// At the lower edge of the canvas, what framing leaves free for what lies over it, CSS pixels.
     pub covered: f32,
-    /// What is seen of the model; all of it without one.
+    /// The section plane; without one all of the model is drawn.
     pub section: Option<Section>,
 }
 

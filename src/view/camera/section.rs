@@ -73,7 +73,7 @@ impl Section {
         Some([met.next()?, met.next()?])
     }
 
-    /// What is left of a segment; nothing where all of it is cut off.
+    /// The part of a segment that is kept; none where all of it is cut off.
     pub fn cut(&self, [a, b]: [Vec3; 2]) -> Option<[Vec3; 2]> {
         let (from, to) = (self.within(a), self.within(b));
         if from < 0.0 && to < 0.0 {
@@ -84,7 +84,7 @@ impl Section {
     }
 }
 
-/// What is left of a convex polygon where `within` is not negative, which is linear.
+/// The part of a convex polygon where the linear function `within` is not negative.
 pub fn clipped(corners: &[Vec3], within: impl Fn(Vec3) -> f32) -> Vec<Vec3> {
     let mut kept = Vec::with_capacity(corners.len() + 1);
     for (i, &from) in corners.iter().enumerate() {

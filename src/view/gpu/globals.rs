@@ -9,7 +9,7 @@ use glam::{Mat4, Vec3, Vec4};
 /// How many numbers there are.
 pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 7 + 2 + 4 + 3) + 8 + 8 * LINE_KINDS + 12 * DOT_KINDS;
 
-/// What lies farther than this part of the size of the model keeps no light off a point.
+/// The reach of occlusion, as a part of the size of the model.
 const REACH: f32 = 0.26;
 
 /// The numbers for a picture that lies so on the canvas, with a veil of this colour.

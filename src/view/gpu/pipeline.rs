@@ -24,7 +24,7 @@ pub enum Layer {
     Over,
 }
 
-/// What a pipeline draws onto.
+/// The target of a pipeline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Onto {
     /// The picture, whose canvas has this format, with several samples per pixel.

@@ -36,7 +36,7 @@ impl Placement {
         [x, y, right, -down]
     }
 
-    /// What the canvas shows of the picture: left, top, width, height on the canvas. Nothing where the
+    /// The part of the picture that the canvas shows: left, top, width, height on the canvas. None where the
     /// picture is beside it.
     pub fn shown(&self) -> Option<[u32; 4]> {
         let along = |size: u32, at: i32, canvas: u32| {

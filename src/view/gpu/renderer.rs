@@ -41,7 +41,7 @@ pub struct Renderer {
     gizmo: GizmoMarks,
 }
 
-/// What the occlusion depends on, beside the shape: camera, near and far depth, size of the picture.
+/// The inputs of the occlusion beside the shape: camera, near and far depth, size of the picture.
 type Seen = (Camera, (f32, f32), (u32, u32));
 
 impl Renderer {

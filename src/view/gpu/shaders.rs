@@ -7,7 +7,7 @@ const SCENE: &str = include_str!("shaders/scene.wgsl");
 const STROKE: &str = include_str!("shaders/stroke.wgsl");
 const DEPTH: &str = include_str!("shaders/depth.wgsl");
 
-/// What is behind the model.
+/// The background.
 pub const BACKDROP: [&str; 2] = [SCENE, include_str!("shaders/backdrop.wgsl")];
 /// Lit faces.
 pub const FACES: [&str; 3] = [SCENE, DEPTH, include_str!("shaders/faces.wgsl")];

@@ -1,4 +1,4 @@
-//! What is drawn beside the mesh.
+//! Overlays: everything drawn beside the mesh.
 //!
 //! | file | holds |
 //! |---|---|

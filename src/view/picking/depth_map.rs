@@ -133,7 +133,7 @@ impl DepthMap {
         })
     }
 
-    /// What hides a point at a depth is nearer than this.
+    /// The nearness above which a sample hides a point at this depth.
     fn nearness_of(&self, depth: f32, tolerance: f32) -> f32 {
         match self.parallel {
             None => (1.0 + tolerance) / depth,

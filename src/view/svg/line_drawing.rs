@@ -1,4 +1,4 @@
-//! What is seen of a model as lines in ink, for print: edges, outlines and fitted circles of a surface, without what
+//! A line drawing of a model for print: visible edges, outlines and fitted circles of a surface, without what
 //! the surface hides.
 //!
 //! Each line is cut where it is hidden, by samples against a depth buffer with a pixel of about a tenth of a
@@ -20,7 +20,7 @@ const SHEET: Vec2 = Vec2::new(27_700.0, 19_000.0);
 const PIXELS: f32 = 2560.0;
 /// A line is sampled at each pixel, at most so often.
 const MOST_SAMPLES: f32 = 4000.0;
-/// What is seen of a longer line over fewer samples is a speck, as where a hidden edge begins at an outline.
+/// Visible runs of fewer samples on a longer line are dropped as specks, as where a hidden edge meets an outline.
 const SPECK: usize = 8;
 /// A circle is drawn as so many chords.
 const CHORDS: usize = 48;
@@ -143,13 +143,13 @@ enum Seen {
     Outline,
 }
 
-/// What is seen from where.
+/// The depth buffer and the eye point.
 struct Sight {
     map: DepthMap,
     eye: Eye,
     /// The depth in front of which nothing is drawn.
     near: f32,
-    /// What is cut off is not drawn.
+    /// The section plane, if there is one.
     section: Option<Section>,
     /// Samples per CSS pixel.
     samples: f32,

@@ -55,7 +55,7 @@ impl Solver {
         plain(&self.open()?.operations())
     }
 
-    /// What an operation would make of the mesh.
+    /// A preview of an operation on the mesh.
     #[wasm_bindgen(unchecked_return_type = "RemeshingPreview")]
     pub fn remeshing(
         &self,

@@ -21,7 +21,7 @@ pub struct Solver {
     pub(super) generation: u32,
     /// Milliseconds that the last step took.
     pub(super) step_ms: f64,
-    /// What it would cost to be exact, tried.
+    /// The trial of exactness that is under way.
     pub(super) trial: Option<ExactTrial>,
     /// Ways to change the shape.
     pub(super) variations: Option<Variations>,

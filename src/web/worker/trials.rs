@@ -72,7 +72,7 @@ impl Solver {
         Ok(false)
     }
 
-    /// What it costs; null where there is nothing to try.
+    /// The cost of exactness; null where nothing is hard.
     pub fn offer(&mut self) -> Result<JsValue, JsValue> {
         let both = self.trial.as_mut().zip(self.session.as_ref());
         plain(&both.map(|(trial, session)| trial.offer(session)))

@@ -15,7 +15,7 @@ pub(in crate::cli) struct New {
     out: Option<PathBuf>,
 }
 
-/// What the mesh is made from.
+/// The source of the mesh.
 #[derive(Debug, PartialEq)]
 enum From {
     /// The id of a kind, and sizes in the order of its own.

@@ -16,7 +16,7 @@ use std::time::Instant;
 struct RefineReport {
     /// From the mesh as it came to the last level.
     levels: Vec<Level>,
-    /// What could not be carried over, a sentence each.
+    /// A sentence for each thing that was not carried over.
     lost: Vec<String>,
     /// Of the last level.
     report: Report,

@@ -22,7 +22,7 @@ const HEAD: [&str; 9] = [
     "file",
 ];
 
-/// What a table says where a file cannot be read or is of something else.
+/// The entry of a table for a file that cannot be read or is of something else.
 const NOT_RESULTS: &str = "unreadable";
 const OTHER: &str = "another mesh or lesson";
 

@@ -53,7 +53,7 @@ fn words(results: &Results, checked: &Checked, units: &str) -> String {
     lines.join("\n") + "\n"
 }
 
-/// What a goal is about, its value, and what is asked.
+/// The subject of a goal, its value, and its limit.
 fn measured(goal: &GoalResult) -> String {
     let of = match &goal.goal.of {
         GoalOf::Measure(id) => id.clone(),

@@ -1,4 +1,4 @@
-//! What an operation says of itself, and what it refuses.
+//! The declaration of an operation, and its errors.
 
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Touching;
@@ -17,7 +17,7 @@ pub struct MeshOperation {
     pub label: &'static str,
     /// One sentence.
     pub summary: &'static str,
-    /// What is picked for it.
+    /// The elements to select for it.
     pub picks: Picks,
     /// The numbers that it takes, in the order of [`Task::sizes`].
     pub sizes: &'static [Size],
@@ -25,7 +25,7 @@ pub struct MeshOperation {
     pub(super) apply: fn(&Task<'_>) -> Result<Edited, OperationError>,
 }
 
-/// What is picked for an operation.
+/// The elements that an operation takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
@@ -40,7 +40,7 @@ pub enum Picks {
     AnyVertices,
 }
 
-/// What an operation is applied to.
+/// The input of an operation.
 #[derive(Clone, Copy, Debug)]
 pub struct Task<'a> {
     /// The mesh as it is seen.

@@ -18,7 +18,7 @@ pub struct Occlusion {
     textures: Textures,
 }
 
-/// What the passes draw to.
+/// The textures that the passes draw to.
 #[derive(Debug)]
 struct Textures {
     size: (u32, u32),
@@ -75,7 +75,7 @@ impl Occlusion {
         &self.layout
     }
 
-    /// What has been found, to be read while the faces are drawn.
+    /// The result, to be read while the faces are drawn.
     pub fn group(&self) -> &wgpu::BindGroup {
         &self.textures.groups[2]
     }

@@ -48,7 +48,7 @@ pub(crate) struct Document<'a> {
     lesson: Option<LessonWords<'a>>,
     /// The presentation.
     steps: &'a [Slide],
-    /// What is to be made of the shape.
+    /// The settings for building the shape.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Required<BuildSettings> | null"))]
     build: Option<Value>,
     /// The names of the shapes that were kept.

@@ -10,7 +10,7 @@ use serde::Serialize;
 pub(crate) struct LessonWords<'a> {
     text: &'a str,
     goals: Vec<GoalWords<'a>>,
-    /// What may not be changed.
+    /// The locked parts.
     #[cfg_attr(
         target_arch = "wasm32",
         tsify(type = "(\"weights\" | \"constraints\" | \"handles\" | \"mesh\")[]")

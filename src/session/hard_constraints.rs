@@ -11,7 +11,7 @@ use crate::solve::{
 };
 
 impl Session {
-    /// What meets the hard constraints from the current shape on, to be stepped by the host and given to
+    /// The exact solver of the hard constraints, from the current shape on, to be stepped by the host and given to
     /// [`Session::accept`]; none where there are no hard constraints.
     ///
     /// # Errors
@@ -147,7 +147,7 @@ impl Session {
         self.meeting.is_some()
     }
 
-    /// What was met, if that is the current shape.
+    /// The result of the exact solver, if it is the current shape.
     pub(super) fn met_here(&self) -> Option<&Met> {
         self.met.as_ref().filter(|met| met.is_of(&self.scene))
     }
