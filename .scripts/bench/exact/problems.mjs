@@ -82,6 +82,6 @@ export function exactProblem({ surface, kind, within, vertices }) {
     closeness: { to: 'rest' },
     smoothness: { of: 'displacement', weighting: 'uniform' },
   };
-  const none = { move: [], from: [], handles: [], spare: [] };
+  const none = { move: [], from: [], handles: [], spare: [], traced: false };
   return { ...none, scene: JSON.stringify(scene), mesh, size, vertices: side * side };
 }

@@ -133,6 +133,20 @@ test('while colours say nothing else, faces have those of their constraints', as
   expect((await tints())[0]).toBeLessThan(plain - 20);
 });
 
+/** The middle of the picture once nothing changes any more: light from all around comes after the shape. */
+async function stillPicture(page) {
+  let last = await middleOfPicture(page);
+  await expect
+    .poll(async () => {
+      const next = await middleOfPicture(page);
+      const change = differingBytes(next, last);
+      last = next;
+      return change;
+    })
+    .toBe(0);
+  return last;
+}
+
 test('residuals are arrows to the projected shapes, until there are none', async ({ page }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');
@@ -144,15 +158,15 @@ test('residuals are arrows to the projected shapes, until there are none', async
     const [outlines, arrows] = ['Projected shapes', 'Residual arrows'].map((name) =>
       page.getByRole('checkbox', { name }),
     );
-    const before = await middleOfPicture(page);
+    const before = await stillPicture(page);
     await outlines.check();
-    const outlined = await middleOfPicture(page);
+    const outlined = await stillPicture(page);
     expect(differingBytes(outlined, before)).toBeGreaterThan(2000);
     await arrows.check();
-    const changed = differingBytes(await middleOfPicture(page), outlined);
+    const changed = differingBytes(await stillPicture(page), outlined);
     await arrows.uncheck();
     await outlines.uncheck();
-    expect(differingBytes(await middleOfPicture(page), before)).toBe(0);
+    expect(differingBytes(await stillPicture(page), before)).toBe(0);
     return changed;
   };
   const rough = await changes();
@@ -227,7 +241,7 @@ test('choosing a measure again gives the same picture, whatever came between', a
   await expect.poll(() => rangeOf(page)).toEqual(before[0]);
   expect(differingBytes(await middleOfPicture(page), before[1])).toBeLessThan(FOUND_ANEW);
   // All values and back.
-  const map = page.getByLabel('Colour map');
+  const map = page.getByLabel('Colour map', { exact: true });
   await map.selectOption('Viridis');
   await expect(page.getByLabel('Colours from')).toHaveValue('0');
   expect(differingBytes(await middleOfPicture(page), before[1])).toBeGreaterThan(2000);
