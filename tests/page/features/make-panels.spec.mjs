@@ -75,7 +75,7 @@ test('panels that would fold are within a larger tolerance, and it is said why',
   await expect(offer(page).getByRole('button', { name: 'Show the folds' })).toBeHidden();
   // It is one step of undo.
   await tool(page, 'Undo');
-  expect((await state(page)).constraints).toEqual({});
+  await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
 });
 
 test('panels that fold within any tolerance are said to, and shown', async ({ page }) => {
