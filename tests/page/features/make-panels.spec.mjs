@@ -2,7 +2,7 @@
 
 import { downloaded, openText, showPanel, tool } from '../actions.mjs';
 import { bumpyGrid, quadScene, steppedGrid, triangleScene, wavyGrid } from '../meshes.mjs';
-import { expect, openPage, screenOf, state, test, waitForState } from '../support.mjs';
+import { expect, openPage, screenOf, test, waitForState } from '../support.mjs';
 
 test.use({ pixels: false });
 
