@@ -93,8 +93,8 @@ test('a surface between two curves of what is open, and one inside a boundary', 
   await again.getByLabel('Shape').selectOption({ label: 'Between curves' });
   // Its boundary is the one curve that there is, and closed.
   await expect(again.getByLabel('Made')).toHaveValue('inside');
-  await again.getByLabel('Size of a panel').fill('2.5');
-  await waitForState(page, (now) => now.faces > 15 && now.faces !== 20);
+  await again.getByLabel('Size of a panel').fill('1.5');
+  await waitForState(page, (now) => now.faces > 30);
   await again.getByRole('button', { name: 'Cancel' }).click();
   await waitForState(page, (now) => now.faces === 20);
 });
