@@ -8,7 +8,7 @@ use crate::scene::SmoothnessOf;
 use crate::solve::{Exact, ExactAnswer, Require, Requirements, Weights};
 
 impl Session {
-    /// What is to be tried to meet the hard constraints.
+    /// The attempts at the hard constraints.
     pub(super) fn attempts(&self) -> Attempts {
         let document = self.document();
         // A surface that is smoother is another one.
@@ -17,7 +17,7 @@ impl Session {
         Attempts::new(self.unfolding, is_smooth, self.rest.mean_edge())
     }
 
-    /// Turns what is being met, which has ended, to the next attempt; false where there is none.
+    /// Goes on to the next attempt, after one that has ended; false where there is none.
     ///
     /// # Errors
     /// As [`Session::meeting`].
@@ -40,7 +40,7 @@ impl Session {
         }))
     }
 
-    /// What meets the hard constraints in this way, from `start` (`#V by 3`) on.
+    /// The exact solver of an attempt, from `start` (`#V by 3`) on.
     fn attempt(&self, attempt: Attempt, start: &[Point]) -> Result<Option<Exact>, Error> {
         let Attempt { smoother, within, iterations } = attempt;
         let instead = |require| match (require, self.unfolding, within) {

@@ -7,7 +7,7 @@ use crate::solve::{Exact, SolveError, Stage, clock};
 /// Positions on the way are shown so often, in seconds: each time the energies are evaluated there.
 const SHOWN_EVERY: f64 = 0.03;
 
-/// What meets them, in one attempt or several, and when its positions were shown last.
+/// The exact solver of the attempt at hand, the best attempt so far, and the time when positions were last shown.
 pub(crate) struct Meeting {
     exact: Exact,
     attempts: Attempts,
@@ -16,7 +16,7 @@ pub(crate) struct Meeting {
     shown: f64,
 }
 
-/// What has come of a meeting.
+/// The outcome of a meeting.
 pub(crate) struct MeetingEnd {
     /// The best shape.
     pub(crate) exact: Exact,
@@ -42,20 +42,20 @@ impl Meeting {
         Ok(self.exact.step()? == Stage::Ended)
     }
 
-    /// What meets them in this attempt.
+    /// The exact solver of the attempt at hand.
     pub(crate) fn exact(&self) -> &Exact {
         &self.exact
     }
 
     /// The next attempt, and where it begins, `#V by 3`: at the best shape where the tolerance was larger before, else at
-    /// rest, which is none. There is none after the last. `outcome` is what has come of the attempt at hand.
+    /// rest, which is none. There is none after the last. `outcome` is that of the attempt at hand.
     pub(crate) fn next(&mut self, outcome: Outcome) -> Option<(Attempt, Option<Vec<Point>>)> {
         let next = self.attempts.after(outcome)?;
         let was_eased = self.attempts.now().within.is_some();
         Some((next, was_eased.then(|| self.exact.positions())))
     }
 
-    /// Turns to what meets them in the next attempt.
+    /// Goes on to the exact solver of the next attempt.
     pub(crate) fn turn_to(&mut self, exact: Exact, attempt: Attempt) {
         let before = std::mem::replace(&mut self.exact, exact);
         if let Some(attempt) = self.attempts.begin(attempt) {
