@@ -1,10 +1,16 @@
 //! Fitted circles of a still picture: the ellipses that they are on the screen, over all faces. So it is a
 //! picture for meshes whose faces are all seen.
 
+use crate::view::appearance::LIGHT;
 use crate::view::camera::Eye;
 use crate::view::state::{SHAPE_NUMBERS, ViewState};
 use glam::{Vec2, Vec3};
 use std::fmt::Write;
+
+/// Circles of a smaller radius on the screen are drawn fainter, as in `shaders/circles.wgsl`, CSS pixels.
+const FULL_OPACITY: f32 = 15.0;
+/// What is left of the smallest.
+const LEAST_OPACITY: f32 = 0.22;
 
 /// Axes of ellipses are rounded to so many degrees.
 const TURN: f32 = 6.0;
@@ -27,7 +33,9 @@ struct Ellipse {
 /// All circles as one path, which a script redraws from the fitted shapes; empty where there are none.
 pub(super) fn circles(state: &ViewState, eye: &Eye) -> String {
     let mut path = String::new();
+    let mut sizes = Vec::new();
     for circle in fitted(state) {
+        sizes.push(size_on_screen(&circle, eye));
         // Rounded before anything is computed from them: equal ellipses are equal text, and pack well.
         let Ellipse { centre, axis, minor } = on_screen(&circle, eye);
         let (major, minor) = (half(axis.length()), half(minor));
@@ -42,7 +50,22 @@ pub(super) fn circles(state: &ViewState, eye: &Eye) -> String {
     if path.is_empty() {
         return path;
     }
-    format!(r#"<g><path class="circles" d="{path}"/></g>"#)
+    // One path has one weight: that of the middle. The pieces of the view's circles overlap by half.
+    let middle = sizes.iter().sum::<f32>() / sizes.len() as f32;
+    let [.., alpha] = LIGHT.circle.colour;
+    let clear = 1.0 - alpha * (middle / FULL_OPACITY).clamp(LEAST_OPACITY, 1.0);
+    let opacity = (100.0 * (1.0 - clear * clear)).round() / 100.0;
+    format!(r#"<g opacity="{opacity}"><path class="circles" d="{path}"/></g>"#)
+}
+
+/// The radius in CSS pixels, less where the circle is seen edge on.
+fn size_on_screen(circle: &Circle, eye: &Eye) -> f32 {
+    let [u, v] = circle.radii;
+    let away = eye.seen_from(circle.centre) - circle.centre;
+    let facing = u.cross(v).normalize_or_zero().dot(away.normalize_or_zero()).abs();
+    let (_, depth) = eye.project(circle.centre);
+    let pixel = eye.across(Vec2::X, depth).length();
+    u.length() * (0.4 + 0.6 * facing) / pixel
 }
 
 /// The fitted circles of a scene.

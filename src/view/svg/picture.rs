@@ -133,9 +133,11 @@ pub fn style(has_full_map: bool) -> String {
             width,
         );
     }
-    let Stroke { colour, width, .. } = LIGHT.circle;
-    // The pieces of the view's circles overlap, which leaves little of their transparency.
-    let [light, dark] = [colour, DARK.circle.colour].map(|[r, g, b, _]| [r, g, b, 0.95]);
+    let [light, dark] = [LIGHT, DARK].map(|palette| {
+        let [r, g, b, _] = palette.circle.colour;
+        [r, g, b, 1.0]
+    });
+    let Stroke { width, .. } = LIGHT.circle;
     let stroke = themed(light, dark);
     let _ = write!(style, ".still .circles{{fill:none;stroke:{stroke};stroke-width:{width}}}");
     for kind in [DotKind::Target, DotKind::Handle, DotKind::Fixed] {
