@@ -6,7 +6,7 @@ use super::lesson::Lesson;
 use super::presentation::Slide;
 use crate::constraint::{Kind, Selector, Sets};
 use crate::fabricate::BuildSettings;
-use crate::json::present;
+use crate::json::{indices, present};
 use crate::mesh::{Mesh, Point, Read, counted};
 use crate::solve::{Hold, Require, Smoothness, SolverSettings, Weights};
 use serde::{Deserialize, Deserializer};
@@ -218,6 +218,19 @@ pub struct ConstraintSpec {
     pub name: String,
     /// Whether it is weighed, or met.
     pub require: Require,
+    /// The faces of which less is required.
+    pub eased: Option<EasedFaces>,
+}
+
+/// Faces that are met within a larger length than the other ones of a row, as they would fold nearer.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EasedFaces {
+    /// The length, above zero, in the unit of the mesh.
+    pub within: f64,
+    /// Indices of faces.
+    #[serde(deserialize_with = "indices::deserialize")]
+    pub faces: Vec<u32>,
 }
 
 impl ConstraintSpec {

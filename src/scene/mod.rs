@@ -43,7 +43,8 @@ pub use crate::solve::{
 pub use crate::sparse::Factorization;
 pub use closeness::{Closeness, ClosenessWeight, Target};
 pub use document::{
-    ConstraintSpec, HANDLE_WEIGHT, HandleSpec, MeshSource, Pose, Scene, Up, Variant, Variants,
+    ConstraintSpec, EasedFaces, HANDLE_WEIGHT, HandleSpec, MeshSource, Pose, Scene, Up, Variant,
+    Variants,
 };
 pub use error::SceneError;
 pub use frame::UnitsAndUp;

@@ -1,10 +1,10 @@
 //! The checks of a scene beyond its form: numbers in range, and indices and names that the mesh has.
 
 use super::{
-    ClosenessTo, HandleSpec, Hold, NamedEnum, Scene, SceneError, Slide, Target, Variant, Variants,
-    Weighting,
+    ClosenessTo, ConstraintSpec, HandleSpec, Hold, NamedEnum, Scene, SceneError, Slide, Target,
+    Variant, Variants, Weighting,
 };
-use crate::constraint::Selector;
+use crate::constraint::{Element, Selector};
 use crate::json::push_key;
 use crate::math::argsort;
 use crate::mesh::{FARTHEST, Laplacian, Mesh, too_far};
@@ -147,11 +147,16 @@ impl Scene {
     pub(super) fn check_numbers(&self) -> Result<(), SceneError> {
         for (i, spec) in self.constraints.iter().enumerate() {
             from_zero(&format!("constraints[{i}].weight"), spec.weight)?;
-            if let Require::Within(length) = spec.require
-                && !(length > 0.0 && length.is_finite())
-            {
-                let path = format!("constraints[{i}].require.within");
-                return error(&path, format!("found {length}, expected a length above 0"));
+            let within = match spec.require {
+                Require::Within(length) => Some(("require", length)),
+                Require::Soft | Require::Exact => None,
+            };
+            let eased = spec.eased.as_ref().map(|eased| ("eased", eased.within));
+            for (key, length) in within.into_iter().chain(eased) {
+                if !(length > 0.0 && length.is_finite()) {
+                    let path = format!("constraints[{i}].{key}.within");
+                    return error(&path, format!("found {length}, expected a length above 0"));
+                }
             }
         }
         for (i, handle) in self.handles.iter().enumerate() {
@@ -262,6 +267,7 @@ impl Scene {
         names.extend(self.sets.keys().map(String::as_str).chain(groups));
         for (i, spec) in self.constraints.iter().enumerate() {
             check_selector(&format!("constraints[{i}].on"), &spec.on, &names, mesh)?;
+            check_eased(&format!("constraints[{i}].eased"), spec, mesh)?;
         }
         for (i, entry) in self.closeness.weights.iter().enumerate() {
             check_selector(&format!("closeness.weights[{i}].on"), &entry.on, &names, mesh)?;
@@ -289,6 +295,16 @@ impl Scene {
         }
         Ok(())
     }
+}
+
+/// Less is required of some faces only where single faces are met within a length.
+fn check_eased(path: &str, spec: &ConstraintSpec, mesh: &Mesh) -> Result<(), SceneError> {
+    let Some(eased) = &spec.eased else { return Ok(()) };
+    let on_faces = matches!(spec.on, Selector::Each { element: Element::Face, radius: 0, .. });
+    if !on_faces || !matches!(spec.require, Require::Within(_)) {
+        return error(path, "expected it on faces that are met within a length only");
+    }
+    check_indices(&format!("{path}.faces"), "face", &eased.faces, mesh.faces.len())
 }
 
 /// The names and indices of a selector; `names` are those of sets and groups.

@@ -2,13 +2,13 @@
 //! same call goes on, one iteration or one step at a time, and shows the way now and then.
 
 use super::Session;
-use super::run::{Eased, ExactReport, Meeting, MeetingEnd, Met, Step, Unfolding};
-use super::state::{Part, RowValues};
+use super::requirements::Required;
+use super::run::{ExactReport, Meeting, MeetingEnd, Met, Step};
+use super::state::Part;
 use crate::error::Error;
 use crate::mesh::Point;
-use crate::solve::{
-    Constraints, Exact, Handle, Problem, Require, Requirements, SetupCache, exact_tolerance,
-};
+use crate::scene::ConstraintSpec;
+use crate::solve::Exact;
 
 impl Session {
     /// The exact solver of the hard constraints, from the current shape on, to be stepped by the host and given to
@@ -17,65 +17,17 @@ impl Session {
     /// # Errors
     /// When a set of the scene is not there.
     pub fn meeting(&self) -> Result<Option<Exact>, Error> {
-        self.meeting_with(|require| require)
+        self.meeting_with(Required::of)
     }
 
     /// [`Session::meeting`] with something else required of the rows that are on.
     pub(super) fn meeting_with(
         &self,
-        instead: impl Fn(Require) -> Require,
+        required: impl Fn(&ConstraintSpec) -> Required,
     ) -> Result<Option<Exact>, Error> {
-        self.with_requirements(instead, |problem, requirements, handles, start, cache| {
+        self.with_requirements(required, |problem, requirements, handles, start, cache| {
             Exact::new(&problem, &requirements, handles, start, cache)
         })
-    }
-
-    /// Poses the problem with something else required of the rows that are on, from the current shape on; none where
-    /// nothing is hard then.
-    pub(super) fn with_requirements<T>(
-        &self,
-        instead: impl Fn(Require) -> Require,
-        make: impl FnOnce(Problem<'_>, Requirements<'_>, &[Handle], &[Point], SetupCache) -> T,
-    ) -> Result<Option<T>, Error> {
-        let document = self.document();
-        let places: Vec<usize> = self.scene.enabled_rows().collect();
-        let requires: Vec<Require> =
-            places.iter().map(|&row| instead(document.constraints[row].require)).collect();
-        if !requires.iter().any(|require| require.is_hard()) {
-            return Ok(None);
-        }
-        let (mesh, topology) = (self.mesh(), self.topology());
-        let constraints: Vec<Constraints> =
-            places.iter().map(|&row| self.rows()[row].constraints.clone()).collect();
-        let factors = document.closeness.factors(mesh, topology, &document.sets)?;
-        let problem = document.problem(mesh, topology, &constraints, &factors);
-        let requirements = Requirements {
-            rows: &requires,
-            shortest_edge: document.solver.shortest_edge,
-            iterations: Requirements::ITERATIONS,
-        };
-        let (handles, start) = (self.scene.handles(), self.scene.positions());
-        let cache = self.solver().setup_cache();
-        Ok(Some(make(problem, requirements, handles, start, cache)))
-    }
-
-    /// Whether the mesh is too large for anything to be exact, whatever is asked; within a length it can be met.
-    pub fn is_too_large_for_exact(&self) -> bool {
-        Exact::is_too_large(self.solver().system().factor_nonzeros())
-    }
-
-    /// Said before a run: where exact constraints would not fit in memory, the distance that they are met up to
-    /// instead, in the unit of the mesh.
-    ///
-    /// # Errors
-    /// When a set of the scene is not there.
-    pub fn nearest_to_exact(&self) -> Result<Option<f64>, Error> {
-        let nonzeros = self.solver().system().factor_nonzeros();
-        let nearest = self.with_requirements(
-            |require| require,
-            |problem, requirements, _, _, _| Exact::nearest(&problem, &requirements, nonzeros),
-        )?;
-        Ok(nearest.flatten())
     }
 
     /// Takes the shape that was found, as a part of the run that is under way.
@@ -112,34 +64,6 @@ impl Session {
         self.hard_distance()
             .filter(|(_, _, met)| *met)
             .map(|(most, tolerance, _)| ExactReport::of_what_is_met(most, tolerance))
-    }
-
-    /// The greatest distance to what is hard at the current positions, the greatest that is allowed, and whether all
-    /// are as allowed; none where nothing is hard.
-    pub(super) fn hard_distance(&self) -> Option<(f64, f64, bool)> {
-        let document = self.document();
-        let rows = self.scene.enabled_rows().zip(self.solver().found());
-        let tolerance = exact_tolerance(self.rest.positions());
-        let (mut most, mut allowed, mut met) = (0.0_f64, None, true);
-        for (row, found) in rows {
-            let within = match document.constraints[row].require {
-                Require::Soft => continue,
-                Require::Exact => tolerance,
-                Require::Within(length) => length,
-            };
-            let worst = found.worst_squared.sqrt();
-            // Written so that NaN is not met.
-            met &= worst <= within;
-            most = most.max(worst);
-            allowed = Some(within.max(allowed.unwrap_or(0.0)));
-        }
-        allowed.map(|tolerance| (most, tolerance, met))
-    }
-
-    /// Whether some constraints that are on are hard.
-    pub fn has_hard_rows(&self) -> bool {
-        let rows = &self.document().constraints;
-        self.scene.enabled_rows().any(|row| rows[row].require.is_hard())
     }
 
     /// Whether the run that goes on is meeting hard constraints.
@@ -191,19 +115,15 @@ impl Session {
     /// anything.
     pub(super) fn end_meeting(&mut self, improves: bool) -> Result<bool, Error> {
         let Some(end) = self.meeting.take().map(Meeting::end) else { return Ok(false) };
-        let MeetingEnd { mut exact, within, is_whole, folded_at_first, attempts } = end;
+        let MeetingEnd { mut exact, tolerances, is_whole, folded_at_first, attempts } = end;
         let mut improved = Ok(());
         if improves {
             exact.improve();
             improved = exact.run();
         }
-        let eased = match (self.unfolding, within) {
-            (Unfolding::Eased(asked), Some(within)) => {
-                Some(Eased { asked, within, folded: folded_at_first })
-            }
-            _ => None,
-        };
-        self.go_to(&exact.positions(), self.rows_eased(eased))?;
+        let eased = tolerances.and_then(|it| self.eased(it, folded_at_first));
+        let (parts, eased) = eased.unzip();
+        self.go_to(&exact.positions(), parts.unwrap_or_default())?;
         self.note_met(&exact);
         if let Some(met) = &mut self.met {
             (met.report.attempts, met.report.eased) = (attempts, eased);
@@ -212,18 +132,6 @@ impl Session {
             }
         }
         Ok(improved.map(|()| true)?)
-    }
-
-    /// What makes rows within the tolerance that was asked such within the one that was taken.
-    fn rows_eased(&self, eased: Option<Eased>) -> Vec<Part> {
-        let Some(Eased { asked, within, .. }) = eased else { return Vec::new() };
-        let rows = self.document().constraints.iter().enumerate();
-        let asked = rows.filter(|(_, row)| row.require == Require::Within(asked));
-        let eased = |(index, row)| {
-            let require = Require::Within(within);
-            Part::RowValues(index, RowValues { require, ..RowValues::of(row) })
-        };
-        asked.map(eased).collect()
     }
 
     /// Goes to other positions, `#V by 3`, and puts parts of the document, as a part of the run that is under way.
@@ -238,8 +146,7 @@ impl Session {
 
     /// Notes that the current shape is that of `exact`.
     pub(super) fn note_met(&mut self, exact: &Exact) {
-        let places: Vec<usize> = self.scene.enabled_rows().collect();
-        let report = ExactReport::new(exact.answer(), &places);
+        let report = ExactReport::new(exact.answer(), &self.required_places(false));
         self.met = Some(Met::new(&self.scene, report));
     }
 }

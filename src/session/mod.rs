@@ -12,6 +12,7 @@
 //! | `dragging` | drags and runs, one step of undo each |
 //! | `iterating` | iterations, whole and in halves |
 //! | `hard_constraints` | hard constraints met, during a run or at once |
+//! | `requirements` | what is required of constraints, and how near the shape is to it |
 //! | `unfolding` | other ways to meet them where faces fold |
 //! | `variations` | ways to change the shape while hard constraints stay met: shown, brought back, kept |
 //! | `variant_table` | the numbers of the shapes that were kept |
@@ -38,6 +39,7 @@ mod load;
 mod opened_file;
 mod queries;
 mod report;
+mod requirements;
 mod run;
 mod selection;
 mod state;
@@ -57,8 +59,8 @@ pub use edit::{
 pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
 pub use report::{
-    ConstraintMap, EnergyReport, FACE_MEASURES, FOLDED_FACES, FaceMeasure, GoalWords, MeasureUnit,
-    Projections, Report, RowPalette, Seconds, Shape, Unpaired, Verdict, WorstElement,
+    ConstraintMap, EasedPanels, EnergyReport, FACE_MEASURES, FOLDED_FACES, FaceMeasure, GoalWords,
+    MeasureUnit, Projections, Report, RowPalette, Seconds, Shape, Unpaired, Verdict, WorstElement,
     ZERO_SIZE_FACES, flaw_of, goals_in_words,
 };
 pub use run::{

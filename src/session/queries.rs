@@ -107,11 +107,9 @@ impl Session {
     }
 
     /// How near the panels are to what they are asked to be, by the last row that is on and asks it of
-    /// single faces: distances up to `tolerance` are within, or up to the larger one that was taken in its place. None
-    /// where nothing of the kind is asked.
+    /// single faces: distances up to `tolerance` are within. None where nothing of the kind is asked.
     pub fn verdict(&mut self, tolerance: f64) -> Option<Verdict> {
-        let eased = self.met_here().and_then(|met| met.report.eased);
-        Verdict::of(&mut self.measuring(), tolerance, eased)
+        Verdict::of(&mut self.measuring(), tolerance)
     }
 
     /// How far the mesh as it was opened will move for panels of one shape; none where no such shape is offered, and

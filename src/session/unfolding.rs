@@ -1,10 +1,12 @@
 //! Where faces fold as hard constraints are met: other ways to meet them, one after the other.
 
 use super::Session;
-use super::run::{Attempt, Attempts, Outcome, Unfolding};
+use super::requirements::Required;
+use super::run::{Attempt, Attempts, Eased, Outcome, Tolerances, Unfolding};
+use super::state::{Part, RowValues};
 use crate::error::Error;
 use crate::mesh::Point;
-use crate::scene::SmoothnessOf;
+use crate::scene::{ConstraintSpec, EasedFaces, SmoothnessOf};
 use crate::solve::{Exact, ExactAnswer, Require, Requirements, Weights};
 
 impl Session {
@@ -27,13 +29,15 @@ impl Session {
         let ExactAnswer { met, iterations, .. } = meeting.exact().answer();
         let outcome = Outcome {
             met,
-            folded: self.rest.folded_by(&positions).len(),
+            folded: self.rest.folded_by(&positions),
             moved: self.rest.moved_by(&positions).max,
             work: u64::from(iterations) * positions.len() as u64,
         };
-        let Some((attempt, start)) = meeting.next(outcome) else { return Ok(false) };
+        let rest = &self.rest;
+        let next = meeting.next(&outcome, |faces| rest.faces_around(faces));
+        let Some((attempt, start)) = next else { return Ok(false) };
         let start = start.as_deref().unwrap_or(self.rest.positions());
-        let next = self.attempt(attempt, start)?;
+        let next = self.attempt(&attempt, start)?;
         Ok(self.meeting.as_mut().zip(next).is_some_and(|(meeting, next)| {
             meeting.turn_to(next, attempt);
             true
@@ -41,19 +45,50 @@ impl Session {
     }
 
     /// The exact solver of an attempt, from `start` (`#V by 3`) on.
-    fn attempt(&self, attempt: Attempt, start: &[Point]) -> Result<Option<Exact>, Error> {
-        let Attempt { smoother, within, iterations } = attempt;
-        let instead = |require| match (require, self.unfolding, within) {
-            (Require::Within(length), Unfolding::Eased(asked), Some(within)) if length == asked => {
-                Require::Within(within)
+    fn attempt(&self, attempt: &Attempt, start: &[Point]) -> Result<Option<Exact>, Error> {
+        let Attempt { smoother, tolerances, iterations } = attempt;
+        let required = |row: &ConstraintSpec| match tolerances {
+            Some(Tolerances { within, eased }) if self.may_ease(row) => {
+                Required { require: Require::Within(*within), eased: eased.clone() }
             }
-            _ => require,
+            _ => Required::of(row),
         };
-        self.with_requirements(instead, |mut problem, mut requirements, handles, _, cache| {
+        self.with_requirements(required, |mut problem, mut requirements, handles, _, cache| {
             let weights = problem.weights;
             problem.weights = Weights { smooth: smoother * weights.smooth, ..weights };
             requirements.iterations = iterations.unwrap_or(Requirements::ITERATIONS);
             Exact::new(&problem, &requirements, handles, start, cache)
         })
+    }
+
+    /// Whether it is a row whose tolerance may be eased.
+    fn may_ease(&self, row: &ConstraintSpec) -> bool {
+        matches!(self.unfolding, Unfolding::Eased(asked) if row.require == Require::Within(asked))
+    }
+
+    /// What eases the rows that may be to `tolerances`, and a report of it, where `folded` faces would fold else. Where
+    /// the panels did not come down to the tolerance that is asked, all of them are eased.
+    pub(super) fn eased(
+        &self,
+        tolerances: Tolerances,
+        folded: usize,
+    ) -> Option<(Vec<Part>, Eased)> {
+        let Unfolding::Eased(asked) = self.unfolding else { return None };
+        let Tolerances { within, eased } = tolerances;
+        let mut eased = eased.unwrap_or_else(|| EasedFaces { within, faces: Vec::new() });
+        if within > asked {
+            eased.faces = (0..self.mesh().faces.len() as u32).collect();
+        }
+        if eased.faces.is_empty() {
+            return None;
+        }
+        let report = Eased { asked, within: eased.within, panels: eased.faces.len(), folded };
+        let rows = self.document().constraints.iter().enumerate();
+        let rows = rows.filter(|(_, row)| self.may_ease(row));
+        let ease = |(index, row)| {
+            let eased = Some(eased.clone());
+            Part::RowValues(index, RowValues { eased, ..RowValues::of(row) })
+        };
+        Some((rows.map(ease).collect(), report))
     }
 }

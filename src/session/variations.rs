@@ -3,11 +3,12 @@
 
 use super::Session;
 use super::edit::Edit;
+use super::requirements::Required;
 use super::run::{ExactReport, Met};
 use super::undo::{Change, Transaction};
 use crate::error::Error;
 use crate::mesh::Point;
-use crate::solve::{ExactAnswer, ShapeSpace, Variation};
+use crate::solve::{ExactAnswer, Handle, Problem, Requirements, ShapeSpace, Variation};
 use std::rc::Rc;
 
 /// The ways to change a shape of a session.
@@ -48,15 +49,13 @@ impl Session {
         if !self.exact().is_some_and(|exact| exact.met) {
             return Ok(None);
         }
-        let Some(space) = self.with_requirements(
-            |require| require,
-            |problem, requirements, handles, start, cache| {
-                ShapeSpace::new(&problem, &requirements, handles, start, cache)
-            },
-        )?
-        else {
-            return Ok(None);
-        };
+        let make =
+            |problem: Problem<'_>,
+             requirements: Requirements<'_>,
+             handles: &[Handle],
+             start: &[Point],
+             cache| { ShapeSpace::new(&problem, &requirements, handles, start, cache) };
+        let Some(space) = self.with_requirements(Required::of, make)? else { return Ok(None) };
         let from = Rc::clone(self.scene.positions());
         Ok(Some(Variations { space: space?, from, reached: None }))
     }
@@ -140,9 +139,7 @@ impl Session {
     }
 
     fn note_reached(&mut self, answer: &ExactAnswer) {
-        let rows = &self.document().constraints;
-        let hard = self.scene.enabled_rows().filter(|&row| rows[row].require.is_hard());
-        let places: Vec<usize> = hard.collect();
-        self.met = Some(Met::new(&self.scene, ExactReport::new(answer.clone(), &places)));
+        let report = ExactReport::new(answer.clone(), &self.required_places(true));
+        self.met = Some(Met::new(&self.scene, report));
     }
 }

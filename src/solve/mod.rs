@@ -48,7 +48,7 @@ pub use energy::{Constraints, Energy, Handle, HandleIndex, Hold, IterateSeconds}
 pub use error::SolveError;
 pub use exact::{
     Exact, ExactAnswer, Improved, Moved, Require, Requirements, Stage, Unmet, exact_tolerance,
-    least_move,
+    farthest, least_move,
 };
 pub use problem::Problem;
 pub use rest_projections::rest_projections;

@@ -14,5 +14,6 @@ pub(crate) fn constraint(id: &str, on: Selector) -> ConstraintSpec {
         enabled: true,
         name: String::new(),
         require: Require::Soft,
+        eased: None,
     }
 }

@@ -46,7 +46,7 @@ fn verdict(session: &mut Session) -> Verdict {
 }
 
 #[test]
-fn a_press_brings_all_panels_of_real_meshes_within_the_tolerance() {
+fn a_press_brings_panels_of_real_meshes_within_the_tolerance_but_those_that_would_fold() {
     // With the weights of an opened mesh alone, 36 of 871 panels of the roof were within half a millimetre.
     for file in ["M2_eq_quad2.obj", "botanic-garden-bubble-0.obj", "pillow_1.obj", "halftunnel.off"]
     {
@@ -60,14 +60,16 @@ fn a_press_brings_all_panels_of_real_meshes_within_the_tolerance() {
             let mut session = session(mesh, "");
             session.make_panels(kind, session.tolerance(), false).expect("it has quads");
             let iterations = run(&mut session);
-            let Verdict { panels, within, worst, moved, .. } = verdict(&mut session);
+            let Verdict { panels, within, eased, worst, moved, .. } = verdict(&mut session);
             println!(
                 "{file} {kind}: {within} of {panels}, worst {worst:.2e}, moved {:.3} (soft {:.3}), mean {:.3} (soft {:.3}), {iterations} iterations",
                 moved.max, cheaper.max, moved.mean, cheaper.mean
             );
             let shortest = session.shortest_edge();
             assert!(shortest >= 0.3 * (1.0 - 1e-3), "{file} {kind}: {shortest}");
-            assert_eq!(within, panels, "{file} {kind}: worst {worst:e}");
+            let eased = eased.map_or(0, |eased| eased.panels);
+            assert!(within >= panels - eased, "{file} {kind}: worst {worst:e}");
+            assert!(eased <= panels * 2 / 5, "{file} {kind}: {eased} of {panels} are eased");
             // It costs not much more than to be nearly there, although edges keep their length and nothing folds.
             assert_eq!(folded(&session), 0, "{file} {kind}");
             let size = BoundingSphere::of(&session.mesh().positions).diameter();
@@ -162,7 +164,7 @@ fn a_drag_ends_the_press_and_its_end_meets_again_in_the_same_step() {
 }
 
 #[test]
-fn a_press_that_would_fold_ends_without_folds_and_says_within_which_tolerance() {
+fn a_press_that_would_fold_eases_the_panels_that_would_and_no_others() {
     let meshes = [Some(bumps()), crate::shared::mesh("pillow_1.obj")];
     for (mesh, kind) in meshes.into_iter().flatten().zip(["circle", "circle"]) {
         let mut session = session(mesh, "");
@@ -172,17 +174,18 @@ fn a_press_that_would_fold_ends_without_folds_and_says_within_which_tolerance() 
         let verdict = verdict(&mut session);
         println!("{verdict:?}");
         assert_eq!((folded(&session), verdict.folded), (0, 0));
-        assert_eq!(verdict.within, verdict.panels);
         let exact = session.exact().expect("it was met");
         assert!(exact.met && exact.attempts > 1, "{exact:?}");
-        let reached = verdict.tolerance;
-        assert_eq!(session.document().constraints[0].require, Require::Within(reached));
-        if let Some(eased) = verdict.eased {
-            assert!(eased.folded > 0 && eased.asked == asked && eased.within == reached);
-            assert!(reached > asked && verdict.worst > asked, "{verdict:?}");
-        } else {
-            assert_eq!(reached, asked);
-        }
+        let row = &session.document().constraints[0];
+        assert_eq!(row.require, Require::Within(asked));
+        let Some(eased) = verdict.eased else {
+            assert!(verdict.within == verdict.panels && row.eased.is_none());
+            continue;
+        };
+        assert!(verdict.within >= verdict.panels - eased.panels, "{verdict:?}");
+        assert!(2 * eased.panels < verdict.panels, "{verdict:?}");
+        assert!(verdict.worst > asked && verdict.worst <= eased.within, "{verdict:?}");
+        assert!(exact.eased.is_some_and(|it| it.folded > 0 && it.panels == eased.panels));
         // Another run has nothing to do, and it is one step of undo.
         let after = session.scene();
         session.begin_run();
@@ -192,6 +195,13 @@ fn a_press_that_would_fold_ends_without_folds_and_says_within_which_tolerance() 
         assert_eq!(session.scene(), before);
         session.redo().expect("solvable");
         assert_eq!(session.scene(), after);
+        // A file keeps it, and what it says of it.
+        let text = session.scene().to_json(session.mesh());
+        let mut again =
+            Session::open(Scene::from_json(&text).expect("its own"), session.mesh().clone())
+                .expect("it fits");
+        assert!(again.exact().is_some_and(|exact| exact.met));
+        assert_eq!(again.verdict(asked).expect("it is asked").eased, Some(eased));
     }
 }
 

@@ -10,7 +10,15 @@ pub(crate) fn each(element: Element) -> Selector {
 
 pub(crate) fn constraint(id: &str, on: Selector, weight: f64) -> ConstraintSpec {
     let kind = Kind::new(id, serde_json::json!({})).expect("the kind is in the list of kinds");
-    ConstraintSpec { kind, on, weight, enabled: true, name: String::new(), require: Require::Soft }
+    ConstraintSpec {
+        kind,
+        on,
+        weight,
+        enabled: true,
+        name: String::new(),
+        require: Require::Soft,
+        eased: None,
+    }
 }
 
 /// Vertices that stay where they are.

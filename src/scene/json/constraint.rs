@@ -4,8 +4,8 @@ use super::file::from_json;
 use super::selector;
 use super::text::{field, number, object, text};
 use crate::constraint::{KINDS, Kind, KindError, Selector};
-use crate::json::{JsonError, found, read};
-use crate::scene::{ConstraintSpec, SceneError};
+use crate::json::{JsonError, found, indices, read};
+use crate::scene::{ConstraintSpec, EasedFaces, SceneError};
 use crate::solve::Require;
 use serde::de::{Deserialize, Deserializer, Error};
 use serde_json::{Map, Value};
@@ -31,7 +31,7 @@ impl<'de> Deserialize<'de> for ConstraintSpec {
 }
 
 /// The keys that every constraint has; all others are parameters of its kind.
-const KEYS: [&str; 6] = ["kind", "on", "weight", "enabled", "name", "require"];
+const KEYS: [&str; 7] = ["kind", "on", "weight", "enabled", "name", "require", "eased"];
 
 /// The keys of every constraint.
 #[derive(serde::Deserialize)]
@@ -46,6 +46,7 @@ struct Common {
     name: String,
     #[serde(default)]
     require: Require,
+    eased: Option<EasedFaces>,
 }
 
 fn one() -> f64 {
@@ -62,7 +63,8 @@ fn spec_of(entries: Map<String, Value>) -> Result<ConstraintSpec, JsonError> {
         let part = if KEYS.contains(&&*key) { &mut common } else { &mut params };
         part.insert(key, value);
     }
-    let Common { kind: id, on, weight, enabled, name, require } = read(&Value::Object(common))?;
+    let Common { kind: id, on, weight, enabled, name, require, eased } =
+        read(&Value::Object(common))?;
     let given: Vec<_> = params.keys().cloned().collect();
     let kind = Kind::new(&id, Value::Object(params)).map_err(|error| match error {
         KindError::Unknown => {
@@ -81,7 +83,7 @@ fn spec_of(entries: Map<String, Value>) -> Result<ConstraintSpec, JsonError> {
             }
         }
     })?;
-    Ok(ConstraintSpec { kind, on, weight, enabled, name, require })
+    Ok(ConstraintSpec { kind, on, weight, enabled, name, require, eased })
 }
 
 /// The value of a row that is met within a length.
@@ -144,6 +146,10 @@ pub(super) fn write(spec: &ConstraintSpec) -> String {
         Require::Within(length) => {
             fields.push(field("require", object(vec![field("within", number(length))])));
         }
+    }
+    if let Some(EasedFaces { within, faces }) = &spec.eased {
+        let eased = vec![field("within", number(*within)), field("faces", indices::write(faces))];
+        fields.push(field("eased", object(eased)));
     }
     let defaults = default_params(id);
     if let Value::Object(params) = spec.kind.params() {

@@ -90,6 +90,7 @@ impl Scene {
                 row.enabled = row.enabled || !found;
                 if require.is_hard() && row.require != Require::Exact {
                     row.require = require;
+                    row.eased = None;
                 }
                 found = true;
             } else if info.panels.is_some() && other.panels.is_some() {
@@ -104,6 +105,7 @@ impl Scene {
                 enabled: true,
                 name: String::new(),
                 require,
+                eased: None,
             });
         }
         let held = self.weights.close > 0.0 || self.weights.smooth > 0.0;

@@ -56,6 +56,8 @@ pub(crate) fn apply(
                 kind: with_params(&spec.kind, index, params)?,
                 weight: weight.unwrap_or(spec.weight),
                 enabled: enabled.unwrap_or(spec.enabled),
+                // What is required now is required of all.
+                eased: spec.eased.clone().filter(|_| require.is_none()),
                 require: require.unwrap_or(spec.require),
             };
             draft.put(Part::RowValues(index, values));

@@ -6,7 +6,7 @@
 
 use crate::constraint::{Element, Selector, Sets, describe};
 use crate::mesh::{Edited, Origins, Point, Topology, counted};
-use crate::scene::{ConstraintSpec, Hold, MeshSource, Pose, Scene};
+use crate::scene::{ConstraintSpec, EasedFaces, Hold, MeshSource, Pose, Scene};
 use crate::session::state::{RestMesh, resolve_row};
 use crate::solve::Handle;
 use serde_json::Value;
@@ -71,6 +71,7 @@ pub(crate) fn carry(
     let rows = std::mem::take(&mut document.constraints);
     for mut row in rows {
         let label = named(&row);
+        row.eased = row.eased.take().and_then(|eased| carry_eased(eased, origins));
         let resolved = carry_row(&mut row, before.topology(), origins).and_then(|()| {
             let resolved = resolve_row(&row, &document, after.mesh(), after.topology());
             resolved.map_err(|why| why.to_string())
@@ -90,6 +91,12 @@ pub(crate) fn carry(
 
 fn has_set(name: &str, sets: &Sets, after: &RestMesh) -> bool {
     sets.contains_key(name) || after.mesh().groups.iter().any(|group| group.name == name)
+}
+
+/// Faces of which less is required, where some are left.
+fn carry_eased(eased: EasedFaces, origins: &Origins) -> Option<EasedFaces> {
+    let faces = carry_faces(&eased.faces, origins);
+    (!faces.is_empty()).then_some(EasedFaces { faces, ..eased })
 }
 
 /// Carries the vertices that a row is on.

@@ -50,7 +50,7 @@ pub use projected::Projections;
 pub(crate) use projected::projections;
 pub use run_report::{EnergyReport, Report, Seconds, Unpaired};
 pub(crate) use tables::{convergence_csv, errors_csv};
-pub use verdict::Verdict;
 pub(crate) use verdict::tolerance;
+pub use verdict::{EasedPanels, Verdict};
 pub use worst::WorstElement;
 pub(crate) use worst::{worst_constraints, worst_faces};

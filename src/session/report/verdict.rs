@@ -5,7 +5,6 @@ use super::face_measure::face_values;
 use super::inspect::{asked_measure, members};
 use super::measuring::{Measuring, Shape};
 use super::moved::moved;
-use crate::session::run::Eased;
 use crate::session::state::RestMesh;
 use crate::solve::Moved;
 use serde::Serialize;
@@ -25,8 +24,8 @@ pub struct Verdict {
     pub within: usize,
     /// The tolerance, in the unit of the mesh.
     pub tolerance: f64,
-    /// Where it is larger than the one that is asked, why that is.
-    pub eased: Option<Eased>,
+    /// The panels of which less is required, as they would fold within the tolerance.
+    pub eased: Option<EasedPanels>,
     /// The distance of the worst vertex, units of the mesh.
     pub worst: f64,
     /// The face that it belongs to.
@@ -37,17 +36,20 @@ pub struct Verdict {
     pub moved: Moved,
 }
 
+/// Panels of which less is required.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct EasedPanels {
+    /// How many there are.
+    pub panels: usize,
+    /// The tolerance that they have, in the unit of the mesh.
+    pub within: f64,
+}
+
 impl Verdict {
     /// How near the panels are to what they are asked to be, by the last row that is on and asks it of
     /// single faces: distances up to `tolerance` are within. None where nothing of the kind is asked.
-    /// `eased` is a larger one that was taken.
-    pub(crate) fn of(
-        model: &mut Measuring<'_>,
-        tolerance: f64,
-        eased: Option<Eased>,
-    ) -> Option<Verdict> {
-        let eased = eased.filter(|eased| eased.asked == tolerance);
-        let tolerance = eased.map_or(tolerance, |eased| eased.within);
+    pub(crate) fn of(model: &mut Measuring<'_>, tolerance: f64) -> Option<Verdict> {
         let document = model.scene.document();
         let rows = document.constraints.iter().enumerate().rev();
         let mut asking = rows.filter(|(_, row)| row.enabled);
@@ -57,6 +59,10 @@ impl Verdict {
             Some((index, info, adjective))
         })?;
         let [faces, _] = members(model.scene.rows().get(row), model.rest);
+        let eased = document.constraints[row].eased.as_ref().map(|eased| {
+            let panels = eased.faces.iter().filter(|&face| faces.binary_search(face).is_ok());
+            EasedPanels { panels: panels.count(), within: eased.within }
+        });
         let distances = face_values(model, info.measure?, Shape::Now)?;
         let distance = |face: u32| distances[face as usize];
         let worst_face =

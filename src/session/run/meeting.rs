@@ -1,8 +1,10 @@
 //! Hard constraints that a run is meeting.
 
 use super::attempts::{Attempt, Attempts, Outcome};
+use super::easing::Tolerances;
 use crate::mesh::Point;
 use crate::solve::{Exact, SolveError, Stage, clock};
+use std::collections::BTreeSet;
 
 /// Positions on the way are shown so often, in seconds: each time the energies are evaluated there.
 const SHOWN_EVERY: f64 = 0.03;
@@ -20,8 +22,8 @@ pub(crate) struct Meeting {
 pub(crate) struct MeetingEnd {
     /// The best shape.
     pub(crate) exact: Exact,
-    /// The tolerance that it is within instead of the one that was asked.
-    pub(crate) within: Option<f64>,
+    /// The tolerances that it is within instead of the one that was asked.
+    pub(crate) tolerances: Option<Tolerances>,
     /// Whether all attempts have ended.
     pub(crate) is_whole: bool,
     /// How many faces the first attempt has folded, and how many attempts there were.
@@ -47,12 +49,18 @@ impl Meeting {
         &self.exact
     }
 
-    /// The next attempt, and where it begins, `#V by 3`: at the best shape where the tolerance was larger before, else at
-    /// rest, which is none. There is none after the last. `outcome` is that of the attempt at hand.
-    pub(crate) fn next(&mut self, outcome: Outcome) -> Option<(Attempt, Option<Vec<Point>>)> {
-        let next = self.attempts.after(outcome)?;
-        let was_eased = self.attempts.now().within.is_some();
-        Some((next, was_eased.then(|| self.exact.positions())))
+    /// The next attempt, and where it begins, `#V by 3`: at the last shape within a larger tolerance, else at rest, which
+    /// is none. There is none after the last. `outcome` is that of the attempt at hand; see [`Attempts::after`].
+    pub(crate) fn next(
+        &mut self,
+        outcome: &Outcome,
+        around: impl Fn(&BTreeSet<u32>) -> BTreeSet<u32>,
+    ) -> Option<(Attempt, Option<Vec<Point>>)> {
+        let next = self.attempts.after(outcome, around)?;
+        let was_eased = self.attempts.now().tolerances.is_some();
+        let best = self.best.as_ref().filter(|_| !self.attempts.is_best());
+        let exact = best.map_or(&self.exact, |(exact, _)| exact);
+        Some((next, was_eased.then(|| exact.positions())))
     }
 
     /// Goes on to the exact solver of the next attempt.
@@ -80,8 +88,9 @@ impl Meeting {
         let (folded_at_first, attempts) = (self.attempts.folded_at_first(), self.attempts.count());
         let (exact, attempt) = match self.best {
             Some(best) if !self.attempts.is_best() => best,
-            _ => (self.exact, self.attempts.now()),
+            _ => (self.exact, self.attempts.now().clone()),
         };
-        MeetingEnd { exact, within: attempt.within, is_whole, folded_at_first, attempts }
+        let tolerances = attempt.tolerances;
+        MeetingEnd { exact, tolerances, is_whole, folded_at_first, attempts }
     }
 }

@@ -47,14 +47,16 @@ impl Met {
     }
 }
 
-/// A larger tolerance than was asked, within which no face is folded.
+/// Panels within a larger tolerance than was asked, so that no face is folded.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Eased {
     /// The tolerance that was asked, in the unit of the mesh.
     pub asked: f64,
-    /// The one that was taken.
+    /// The larger one.
     pub within: f64,
+    /// How many faces have it.
+    pub panels: usize,
     /// How many faces were folded within the one that was asked.
     pub folded: usize,
 }
@@ -97,7 +99,7 @@ pub struct ExactReport {
     pub block_factors: u32,
     /// How many ways to meet them were tried, so that no face is folded.
     pub attempts: u32,
-    /// The larger tolerance that was taken for that.
+    /// The panels that have a larger tolerance for that.
     pub eased: Option<Eased>,
     /// The gain of an improvement, where one was asked for.
     pub improved: Option<Improved>,

@@ -10,11 +10,13 @@
 //! | `interactive_size` | how large a mesh can be that is still dragged smoothly |
 //! | `meeting` | hard constraints that a run is meeting |
 //! | `attempts` | the ways to meet them that are tried where faces fold |
+//! | `easing` | a larger tolerance for as few panels as possible |
 //! | `met` | how well hard constraints were met, and where |
 
 mod attempts;
 mod collapse;
 mod collapse_guard;
+mod easing;
 mod half_step;
 mod interactive_size;
 mod meeting;
@@ -26,6 +28,7 @@ pub(crate) use attempts::{Attempt, Attempts, Outcome, Unfolding};
 pub(crate) use collapse::Start;
 pub use collapse::{Collapse, CollapseReason};
 pub(crate) use collapse_guard::CollapseGuard;
+pub(crate) use easing::Tolerances;
 pub(crate) use half_step::fitted;
 pub use half_step::{FittedCount, HalfStep, Step};
 pub use interactive_size::max_interactive_faces;

@@ -4,8 +4,8 @@
 use crate::constraint::{Kind, Selector, Set, Sets};
 use crate::fabricate;
 use crate::scene::{
-    BoundaryCloseness, ClosenessTo, ClosenessWeight, ConstraintSpec, Goal, Lesson, Pose, Scene,
-    Slide, Smoothness, SolverSettings, Target, Up, Variants, Weights,
+    BoundaryCloseness, ClosenessTo, ClosenessWeight, ConstraintSpec, EasedFaces, Goal, Lesson,
+    Pose, Scene, Slide, Smoothness, SolverSettings, Target, Up, Variants, Weights,
 };
 use crate::solve::Require;
 use std::mem::{size_of_val, swap};
@@ -52,6 +52,7 @@ pub(crate) struct RowValues {
     pub(crate) weight: f64,
     pub(crate) enabled: bool,
     pub(crate) require: Require,
+    pub(crate) eased: Option<EasedFaces>,
 }
 
 /// How much of a solver is left when a part is exchanged, least first.
@@ -69,8 +70,8 @@ pub(crate) enum Effect {
 
 impl RowValues {
     pub(crate) fn of(row: &ConstraintSpec) -> RowValues {
-        let ConstraintSpec { kind, weight, enabled, require, .. } = row;
-        RowValues { kind: kind.clone(), weight: *weight, enabled: *enabled, require: *require }
+        let ConstraintSpec { kind, weight, enabled, require, eased, .. } = row.clone();
+        RowValues { kind, weight, enabled, require, eased }
     }
 }
 
@@ -125,12 +126,13 @@ impl Part {
                 };
             }
             Part::RowName(index, name) => swap(name, &mut scene.constraints[*index].name),
-            Part::RowValues(index, RowValues { kind, weight, enabled, require }) => {
+            Part::RowValues(index, RowValues { kind, weight, enabled, require, eased }) => {
                 let row = &mut scene.constraints[*index];
                 swap(kind, &mut row.kind);
                 swap(weight, &mut row.weight);
                 swap(enabled, &mut row.enabled);
                 swap(require, &mut row.require);
+                swap(eased, &mut row.eased);
             }
             Part::Row(index, row) => {
                 *row = match row.take() {
@@ -224,7 +226,8 @@ impl Part {
     pub(crate) fn bytes(&self) -> usize {
         let held = match self {
             Part::Units(text) | Part::RowName(_, text) => text.len(),
-            Part::Up(_) | Part::Settings(_) | Part::RowValues(..) => 0,
+            Part::Up(_) | Part::Settings(_) => 0,
+            Part::RowValues(_, values) => bytes_of_eased(values.eased.as_ref()),
             Part::Lesson(lesson) => lesson.as_ref().map_or(0, bytes_of_lesson),
             Part::Build(build) => {
                 build.as_ref().map_or(0, |_| size_of::<fabricate::BuildSettings>())
@@ -248,7 +251,7 @@ impl Part {
 fn are_named_otherwise(from: &[ConstraintSpec], to: &[ConstraintSpec]) -> bool {
     let alike = |(a, b): (&ConstraintSpec, &ConstraintSpec)| {
         let values = |row: &ConstraintSpec| (row.weight, row.enabled, row.require);
-        (&a.kind, &a.on, values(a)) == (&b.kind, &b.on, values(b))
+        (&a.kind, &a.on, &a.eased, values(a)) == (&b.kind, &b.on, &b.eased, values(b))
     };
     from.len() == to.len() && from.iter().zip(to).all(alike)
 }
@@ -271,7 +274,11 @@ fn same_sets(a: &Sets, b: &Sets) -> bool {
 }
 
 fn bytes_of_row(row: &ConstraintSpec) -> usize {
-    row.name.len() + bytes_of_selector(&row.on)
+    row.name.len() + bytes_of_selector(&row.on) + bytes_of_eased(row.eased.as_ref())
+}
+
+fn bytes_of_eased(eased: Option<&EasedFaces>) -> usize {
+    eased.map_or(0, |eased| size_of_val(&*eased.faces))
 }
 
 fn bytes_of_selector(on: &Selector) -> usize {

@@ -3,6 +3,7 @@
 use crate::math::Vec3;
 use crate::mesh::{BoundingSphere, Group, Mesh, Point, Topology, folded_faces};
 use crate::solve::Moved;
+use std::collections::BTreeSet;
 
 /// A mesh at rest with its topology.
 pub(crate) struct RestMesh {
@@ -69,6 +70,13 @@ impl RestMesh {
     /// The faces that `now` (`#V by 3`) has folded or dented; see [`folded_faces`].
     pub(crate) fn folded_by(&self, now: &[Point]) -> Vec<u32> {
         folded_faces(&self.mesh, &self.topology, now)
+    }
+
+    /// The faces, with those that share a vertex with them.
+    pub(crate) fn faces_around(&self, faces: &BTreeSet<u32>) -> BTreeSet<u32> {
+        let corners = faces.iter().flat_map(|&face| self.mesh.faces.row(face as usize));
+        let around = corners.flat_map(|&v| self.topology.vertex_faces().row(v as usize));
+        around.copied().collect()
     }
 
     /// The distances of `now` (`#V by 3`) from the positions at rest, in the unit of the mesh.

@@ -3,7 +3,9 @@
 
 use crate::error::Error;
 use crate::mesh::Point;
+use crate::scene::ConstraintSpec;
 use crate::session::Session;
+use crate::session::requirements::Required;
 use crate::session::state::{Part, RowValues};
 use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage};
 use serde::Serialize;
@@ -63,9 +65,9 @@ impl Session {
         if rows.is_empty() {
             return Ok(None);
         }
-        let exact = |require| match require {
-            Require::Within(_) => Require::Exact,
-            other => other,
+        let exact = |row: &ConstraintSpec| match row.require {
+            Require::Within(_) => Required { require: Require::Exact, eased: None },
+            _ => Required::of(row),
         };
         let exact = self.meeting_with(exact)?;
         Ok(exact.map(|exact| self.trial(exact, rows, "Make exact")))
@@ -102,7 +104,7 @@ impl Session {
         }
         let values = |&row: &usize| {
             let now = RowValues::of(&self.document().constraints[row]);
-            Part::RowValues(row, RowValues { require: Require::Exact, ..now })
+            Part::RowValues(row, RowValues { require: Require::Exact, eased: None, ..now })
         };
         let mut change = self.way_back();
         change.scene.parts = trial.rows.iter().map(values).collect();

@@ -20,11 +20,13 @@
 //! | `polish` | the second stage |
 //! | `improve` | from an exact shape to a better one |
 //! | `least_move` | how far vertices have to move, before anything is solved |
+//! | `farthest` | how far a shape is from what is required |
 //! | `answer` | what has come of it |
 
 mod answer;
 mod approach;
 pub(super) mod block_system;
+mod farthest;
 mod guard;
 mod hard_rows;
 mod improve;
@@ -35,6 +37,7 @@ pub(super) mod polish;
 mod requirement;
 
 pub use answer::{ExactAnswer, Improved, Moved, Unmet, exact_tolerance};
+pub use farthest::farthest;
 pub use least_move::least_move;
 pub use requirement::{Require, Requirements};
 

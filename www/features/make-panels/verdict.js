@@ -29,13 +29,19 @@ export function progressWords({ adjective, panels, within, tolerance }, units) {
 }
 
 /**
- * Why a larger tolerance was taken than the one that was asked.
+ * How many are, with those that are within a larger one as they would fold.
  * @param {Verdict} verdict
  * @param {string} units of the mesh
  */
-function easedWords({ eased }, units) {
-  if (!eased) return '';
-  return ` Within ${about(eased.asked, units)}, ${count(eased.folded, 'face')} would fold.`;
+function reachedWords(verdict, units) {
+  const { panels, within, tolerance, eased } = verdict;
+  if (!eased) return progressWords(verdict, units);
+  if (eased.panels === panels) {
+    const all = progressWords({ ...verdict, within: panels, tolerance: eased.within }, units);
+    return `${all} Within ${about(tolerance, units)}, faces would fold.`;
+  }
+  const others = panels - within === 1 ? 'The other one' : `The other ${panels - within}`;
+  return `${progressWords(verdict, units)} ${others} would fold: within ${about(eased.within, units)}.`;
 }
 
 /**
@@ -50,5 +56,5 @@ export function verdictWords(verdict, units) {
       ? ` But ${count(folded, 'face')} ${folded === 1 ? 'is' : 'are'} folded or dented.`
       : '';
   const far = `at most ${about(moved.max, units)}, ${about(moved.mean, units)} on average`;
-  return `${progressWords(verdict, units)}${easedWords(verdict, units)}${folds} Worst ${about(worst, units)}. Your mesh moved by ${far}.`;
+  return `${reachedWords(verdict, units)}${folds} Worst ${about(worst, units)}. Your mesh moved by ${far}.`;
 }

@@ -2,7 +2,7 @@
 
 import { amountField, choice } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
-import { lengthUnit } from '../../ui/format.js';
+import { count, length as lengthText, lengthUnit } from '../../ui/format.js';
 
 /** @typedef {import("../../solver/messages.js").Require} Require */
 
@@ -18,7 +18,7 @@ const OPTIONS = [
  * @param {import("../../store/state.js").Store} store
  * @param {ReturnType<typeof import("../../store/actions/exact-actions.js").exactActions>} actions
  */
-export function requirementOf({ index, require }, name, store, actions) {
+export function requirementOf({ index, require, eased }, name, store, actions) {
   const { tolerance, model, document } = store.get();
   const usual = tolerance ?? model?.tolerance ?? 0;
   const length = typeof require === 'object' ? require.within : usual;
@@ -40,11 +40,16 @@ export function requirementOf({ index, require }, name, store, actions) {
   for (const option of select.options) {
     option.disabled = isTooLarge && option.value === 'exact' && required !== 'exact';
   }
+  const units = document?.units ?? '';
+  const less =
+    eased &&
+    `${count(eased.panels, 'panel')} within ${lengthText(eased.within, units)}: would fold.`;
   return element(
     'label.requirement',
     'Required',
     select,
     ...(required === 'within' ? [within.field, element('span', unit)] : []),
+    ...(less ? [element('small', less)] : []),
     ...(isTooLarge ? [element('small', 'Too large to be exact: Within can be met.')] : []),
   );
 }

@@ -3,7 +3,7 @@
 use super::lesson::LessonWords;
 use crate::constraint::describe;
 use crate::scene::{Hold, NamedEnum, PRESETS, Preset, PresetOffer, Slide};
-use crate::session::{Paired, Session, settings_of};
+use crate::session::{EasedPanels, Paired, Session, settings_of};
 use crate::solve::Require;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -92,6 +92,8 @@ struct ConstraintRow<'a> {
     /// As in a scene file.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Require"))]
     require: Value,
+    /// The panels of which less is required.
+    eased: Option<EasedPanels>,
     /// The id of the measure of single faces that it is about, if it is on faces.
     measure: Option<&'static str>,
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
@@ -155,6 +157,10 @@ impl<'a> Document<'a> {
                     weight: spec.weight,
                     enabled: spec.enabled,
                     require: require(spec.require),
+                    eased: spec.eased.as_ref().map(|eased| EasedPanels {
+                        panels: eased.faces.len(),
+                        within: eased.within,
+                    }),
                     measure: session.asked_measure(index),
                     params: spec.kind.params(),
                 }

@@ -1,0 +1,207 @@
+//! A larger tolerance, for as few panels as possible, where faces fold within the one that is asked.
+//!
+//! The first attempt has the largest tolerance for all panels. Where that folds nothing, the tolerance becomes smaller in
+//! steps down to the one that is asked, each attempt from the last shape without folds. Faces that fold on the way are
+//! eased, with those around them, and the step is tried again; where it cannot be made without folds, those that folded
+//! within what is asked are. At last the tolerance of eased faces is halved as long as that folds nothing.
+
+use super::attempts::Outcome;
+use crate::scene::EasedFaces;
+use std::collections::BTreeSet;
+
+/// The tolerance that is asked is multiplied by this, in turn; the first is no larger than this part of the mean edge.
+const STEPS: [f64; 3] = [100.0, 10.0, 1.0];
+const LARGEST: f64 = 0.15;
+
+/// The tolerance of eased faces, in those that all panels have at first: less often folds again what is between tight
+/// panels.
+const EASED: f64 = 2.0;
+
+/// Steps are tried again so many times in all.
+const MOST_AGAIN: u32 = 12;
+
+/// Iterations times vertices of all attempts, at most.
+const MOST_WORK: u64 = 25_000_000;
+
+/// Tolerances of one attempt, in the unit of the mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Tolerances {
+    /// Of the panels that are not eased.
+    pub(crate) within: f64,
+    /// Those that are, and their tolerance.
+    pub(crate) eased: Option<EasedFaces>,
+}
+
+/// The attempts within larger tolerances.
+#[derive(Debug)]
+pub(crate) struct Easing {
+    /// Not tried yet, the next one last.
+    steps: Vec<f64>,
+    now: f64,
+    largest: f64,
+    /// The tolerance of eased faces, and whether that becomes smaller already.
+    of_eased: f64,
+    is_last: bool,
+    /// The faces that are eased.
+    faces: BTreeSet<u32>,
+    again: u32,
+    work: u64,
+    /// The faces that folded within what is asked, with those around them.
+    resisting: BTreeSet<u32>,
+}
+
+impl Easing {
+    /// From a tolerance that is asked, in the unit of the mesh; none where every larger one is too large.
+    pub(crate) fn new(asked: f64, mean_edge: f64) -> Option<Easing> {
+        let steps = STEPS.map(|times| times * asked);
+        let steps = steps.into_iter().filter(|&within| within <= LARGEST * mean_edge);
+        let mut steps: Vec<f64> = steps.collect();
+        steps.reverse();
+        let largest = steps.pop().filter(|&largest| largest > asked)?;
+        Some(Easing {
+            steps,
+            now: largest,
+            largest,
+            of_eased: EASED * largest,
+            is_last: false,
+            faces: BTreeSet::new(),
+            again: 0,
+            work: 0,
+            resisting: BTreeSet::new(),
+        })
+    }
+
+    /// Takes the faces that folded within what is asked, with those around them.
+    pub(crate) fn expect(&mut self, resisting: BTreeSet<u32>) {
+        self.resisting = resisting;
+    }
+
+    /// The tolerances to be tried now.
+    pub(crate) fn tolerances(&self) -> Tolerances {
+        let eased = (!self.faces.is_empty()).then(|| EasedFaces {
+            within: self.of_eased,
+            faces: self.faces.iter().copied().collect(),
+        });
+        Tolerances { within: self.now, eased }
+    }
+
+    /// Takes what has come of these tolerances: whether nothing is folded within them, and whether there are others to be
+    /// tried. `around` gives faces with those that share a vertex with them.
+    pub(crate) fn take(
+        &mut self,
+        outcome: &Outcome,
+        around: impl Fn(&BTreeSet<u32>) -> BTreeSet<u32>,
+    ) -> (bool, bool) {
+        self.work += outcome.work;
+        let is_whole = outcome.met && outcome.folded.is_empty();
+        let has_time = self.work < MOST_WORK;
+        if is_whole {
+            return (true, has_time && self.go_on());
+        }
+        let is_first = self.now == self.largest;
+        if is_first || self.is_last || self.again == MOST_AGAIN || !has_time {
+            return (false, false);
+        }
+        self.again += 1;
+        if outcome.folded.is_empty() {
+            let helps = !self.resisting.is_subset(&self.faces);
+            self.faces.append(&mut self.resisting);
+            return (false, helps);
+        }
+        let (known, new): (BTreeSet<u32>, BTreeSet<u32>) =
+            outcome.folded.iter().partition(|face| self.faces.contains(face));
+        if new.is_empty() {
+            // Where a face folds that is eased already, it takes more around it.
+            let mut more = known;
+            while more.is_subset(&self.faces) {
+                let before = more.len();
+                more = around(&more);
+                if more.len() == before {
+                    return (false, false);
+                }
+            }
+            self.faces.extend(more);
+        }
+        self.faces.extend(around(&new));
+        (false, true)
+    }
+
+    /// Goes on to smaller tolerances, where there are any.
+    fn go_on(&mut self) -> bool {
+        if let Some(next) = self.steps.pop() {
+            self.now = next;
+            return true;
+        }
+        self.is_last = true;
+        self.of_eased *= 0.5;
+        !self.faces.is_empty() && self.of_eased > self.now
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn outcome(folded: &[u32]) -> Outcome {
+        Outcome { met: true, folded: folded.to_vec(), moved: 1.0, work: 1 }
+    }
+
+    /// Faces in a row.
+    fn around(faces: &BTreeSet<u32>) -> BTreeSet<u32> {
+        faces.iter().flat_map(|&face| face.saturating_sub(1)..=(face + 1).min(99)).collect()
+    }
+
+    fn easing() -> Easing {
+        Easing::new(1e-3, 1.0).expect("there are larger ones")
+    }
+
+    fn tolerances(within: f64, faces: &[u32]) -> Tolerances {
+        let eased = EasedFaces { within: EASED * 0.1, faces: faces.to_vec() };
+        Tolerances { within, eased: (!faces.is_empty()).then_some(eased) }
+    }
+
+    #[test]
+    fn all_panels_come_down_to_what_is_asked_but_those_that_fold() {
+        let mut easing = easing();
+        assert_eq!(easing.tolerances(), tolerances(0.1, &[]));
+        assert_eq!(easing.take(&outcome(&[]), around), (true, true));
+        assert_eq!(easing.tolerances(), tolerances(0.01, &[]));
+        assert_eq!(easing.take(&outcome(&[7]), around), (false, true));
+        assert_eq!(easing.tolerances(), tolerances(0.01, &[6, 7, 8]));
+        assert_eq!(easing.take(&outcome(&[7, 20]), around), (false, true));
+        assert_eq!(easing.tolerances(), tolerances(0.01, &[6, 7, 8, 19, 20, 21]));
+        // All around it is eased already.
+        assert_eq!(easing.take(&outcome(&[7]), around), (false, true));
+        assert_eq!(easing.tolerances(), tolerances(0.01, &[5, 6, 7, 8, 9, 19, 20, 21]));
+        assert_eq!(easing.take(&outcome(&[]), around), (true, true));
+        assert_eq!(easing.tolerances().within, 1e-3);
+        // What is eased comes nearer, too, as long as nothing folds.
+        for of_eased in [0.1, 0.05] {
+            assert_eq!(easing.take(&outcome(&[]), around), (true, true));
+            let eased = easing.tolerances().eased.expect("some are");
+            assert_eq!((eased.within, eased.faces.len()), (of_eased, 8));
+        }
+        assert_eq!(easing.take(&outcome(&[7]), around), (false, false));
+    }
+
+    #[test]
+    fn what_folded_at_first_is_eased_where_a_step_is_not_met() {
+        let mut easing = easing();
+        easing.expect([40, 41].into());
+        easing.take(&outcome(&[]), around);
+        let missed = Outcome { met: false, ..outcome(&[]) };
+        assert_eq!(easing.take(&missed, around), (false, true));
+        assert_eq!(easing.tolerances(), tolerances(0.01, &[40, 41]));
+        assert_eq!(easing.take(&missed, around), (false, false));
+    }
+
+    #[test]
+    fn it_ends_where_the_largest_folds_or_nothing_helps() {
+        assert_eq!(easing().take(&outcome(&[3]), around), (false, false));
+        let mut easing = easing();
+        easing.take(&outcome(&[]), around);
+        let again = (0..100).take_while(|_| easing.take(&outcome(&[3]), around).1).count();
+        assert_eq!(again as u32, MOST_AGAIN);
+        assert!(Easing::new(1e-3, 1e-3).is_none());
+    }
+}
