@@ -4,6 +4,7 @@
 //! on often end in a valley without folds. Where they do not, and the tolerance may be eased, it is: see [`Easing`].
 
 use super::easing::{Easing, Tolerances};
+use super::outcome::Outcome;
 use std::collections::BTreeSet;
 
 /// What may be done for faces not to fold.
@@ -41,18 +42,6 @@ pub(crate) struct Attempt {
     pub(crate) tolerances: Option<Tolerances>,
     /// Iterations of the approach at most; none for those that are usual.
     pub(crate) iterations: Option<u32>,
-}
-
-/// What has come of one.
-#[derive(Clone, Debug)]
-pub(crate) struct Outcome {
-    pub(crate) met: bool,
-    /// The faces that are folded or dented.
-    pub(crate) folded: Vec<u32>,
-    /// The longest way of a vertex from its rest position.
-    pub(crate) moved: f64,
-    /// Iterations times vertices.
-    pub(crate) work: u64,
 }
 
 /// The attempts of one meeting.

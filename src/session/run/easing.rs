@@ -5,7 +5,7 @@
 //! eased, with those around them, and the step is tried again; where it cannot be made without folds, those that folded
 //! within what is asked are. At last the tolerance of eased faces is halved as long as that folds nothing.
 
-use super::attempts::Outcome;
+use super::outcome::Outcome;
 use crate::scene::EasedFaces;
 use std::collections::BTreeSet;
 

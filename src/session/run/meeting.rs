@@ -1,7 +1,8 @@
 //! Hard constraints that a run is meeting.
 
-use super::attempts::{Attempt, Attempts, Outcome};
+use super::attempts::{Attempt, Attempts};
 use super::easing::Tolerances;
+use super::outcome::Outcome;
 use crate::mesh::Point;
 use crate::solve::{Exact, SolveError, Stage, clock};
 use std::collections::BTreeSet;

@@ -11,6 +11,7 @@
 //! | `meeting` | hard constraints that a run is meeting |
 //! | `attempts` | the ways to meet them that are tried where faces fold |
 //! | `easing` | a larger tolerance for as few panels as possible |
+//! | `outcome` | what has come of one of these |
 //! | `met` | how well hard constraints were met, and where |
 
 mod attempts;
@@ -21,10 +22,11 @@ mod half_step;
 mod interactive_size;
 mod meeting;
 mod met;
+mod outcome;
 mod progress;
 mod trace;
 
-pub(crate) use attempts::{Attempt, Attempts, Outcome, Unfolding};
+pub(crate) use attempts::{Attempt, Attempts, Unfolding};
 pub(crate) use collapse::Start;
 pub use collapse::{Collapse, CollapseReason};
 pub(crate) use collapse_guard::CollapseGuard;
@@ -35,5 +37,6 @@ pub use interactive_size::max_interactive_faces;
 pub(crate) use meeting::{Meeting, MeetingEnd};
 pub(crate) use met::Met;
 pub use met::{Eased, ExactReport};
+pub(crate) use outcome::Outcome;
 pub(crate) use progress::Progress;
 pub use trace::TraceEntry;
