@@ -9,7 +9,7 @@ fn sheets_tables_and_a_report_are_written_whole() {
     let asked = ["build", "roof.obj", "--kind", "face", "--distance", "-0.1", "--joint", "0.02"];
     let rest = ["--scale=20", "--sheet=1200x600", "--out", "parts", "--report", "r.json"];
     let words = folder.run(&[&asked[..], &rest[..]].concat()).done();
-    assert!(words.contains("4 of 4 panels on 1 sheets of 1200 x 600 mm"), "{words}");
+    assert!(words.contains("4 of 4 panels on 1 sheet of 1200 x 600 mm"), "{words}");
     assert!(words.contains("no unit"), "{words}");
     let report = folder.json("r.json");
     assert_eq!(report["offset"]["kind"], "face");
@@ -49,7 +49,7 @@ fn fins_and_paper_models_are_made_on_demand() {
     let fins = ["build", "roof.obj", "--product", "fins", "--thickness", "3", "--out", "fins"];
     let words = folder.run(&fins).done();
     assert!(
-        words.contains("12 of 12 fins on 1 sheets") && words.contains("types of nodes"),
+        words.contains("12 of 12 fins on 1 sheet") && words.contains("types of nodes"),
         "{words}"
     );
     for name in ["beams.csv", "beams.obj", "fins.csv", "node-beams.csv", "node-types.csv"] {

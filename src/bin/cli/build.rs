@@ -89,8 +89,9 @@ fn words(report: &BuildReport, remarks: &[String]) -> String {
     };
     let [width, height] = report.sheet_mm;
     let used = 100.0 * report.used;
+    let noun = if *sheets == 1 { "sheet" } else { "sheets" };
     let mut lines = vec![format!(
-        "{placed} of {parts} {product} on {sheets} sheets of {width} x {height} mm, {used:.0} % covered, scale 1:{scale}, unit {}",
+        "{placed} of {parts} {product} on {sheets} {noun} of {width} x {height} mm, {used:.0} % covered, scale 1:{scale}, unit {}",
         report.unit
     )];
     lines.push(format!("types of panels {types}, of edges {}", report.edge_types));
