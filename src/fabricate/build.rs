@@ -4,7 +4,7 @@ use super::alike::Types;
 use super::beam::Frame;
 use super::fault::Fault;
 use super::file::{Drawing, places};
-use super::offset::{Axes, OffsetCheck, OffsetKind, check, node_axes};
+use super::offset::{Axes, AxesSolver, Choice, OffsetCheck, OffsetKind, check};
 use super::panel::{FlatPanel, Point2, lay_flat, panel_names, panel_types};
 use super::paper::PaperModel;
 use super::settings::BuildSettings;
@@ -78,6 +78,8 @@ pub struct Build {
     pub paper: Option<PaperModel>,
     /// The node axes of the offset with their check; none where the surface has no outside.
     pub offset: Option<(Axes, OffsetCheck)>,
+    /// The errors of the kinds of offsets that were looked at for it.
+    pub(super) tried: Vec<Choice>,
     /// Sentences on what is not offered.
     pub faults: Vec<Fault>,
 }
@@ -124,6 +126,7 @@ impl Build {
             frame: None,
             paper: None,
             offset: None,
+            tried: Vec::new(),
             faults: Vec::new(),
             unit,
         };
@@ -162,24 +165,30 @@ impl Build {
             self.faults.push(Fault::folded_over(&folded));
             return;
         }
-        self.offset = match self.settings.kind {
-            Some(kind) => Some(self.offset_of(kind)),
-            // A box or a mesh with holes is no case for corners: the smaller errors win.
-            None => [OffsetKind::Face, OffsetKind::Corner]
-                .map(|kind| self.offset_of(kind))
-                .into_iter()
-                .min_by(|(_, a), (_, b)| a.worst_error().total_cmp(&b.worst_error())),
+        // A box or a mesh with holes is no case for corners: the smaller errors win.
+        let kinds = match &self.settings.kind {
+            Some(kind) => std::slice::from_ref(kind),
+            None => &[OffsetKind::Face, OffsetKind::Corner],
         };
+        let tried = self.offsets_of(kinds);
+        let building = self.building();
+        self.tried = tried.iter().map(|(axes, check)| Choice::of(axes, check, building)).collect();
+        self.offset =
+            tried.into_iter().min_by(|(_, a), (_, b)| a.worst_error().total_cmp(&b.worst_error()));
     }
 
-    /// The axes of one kind, and their check.
-    pub fn offset_of(&self, kind: OffsetKind) -> (Axes, OffsetCheck) {
+    /// The axes of some kinds, and their checks.
+    pub(super) fn offsets_of(&self, kinds: &[OffsetKind]) -> Vec<(Axes, OffsetCheck)> {
         let distance = self.distance();
         let limits = self.settings.limits;
         let tolerance = 0.1 * limits.warp.min(limits.distance) / self.building();
-        let axes = node_axes(&self.surface, kind, self.settings.follow, distance, tolerance);
-        let found = check(&self.surface, &axes.axes, kind, distance);
-        (axes, found)
+        let mut solver = AxesSolver::new(&self.surface);
+        let of = |&kind: &OffsetKind| {
+            let axes = solver.axes(kind, self.settings.follow, distance, tolerance);
+            let found = check(&self.surface, &axes.axes, kind, distance);
+            (axes, found)
+        };
+        kinds.iter().map(of).collect()
     }
 
     /// The sheets as lines.

@@ -4,27 +4,13 @@ use super::alike::Types;
 use super::beam::{edge_types, node_types};
 use super::build::Build;
 use super::check_card::CheckRow;
-use super::offset::{OffsetCheck, OffsetKind, closing};
+use super::offset::{Choice, OffsetCheck, OffsetKind, closing};
 use super::panel::{area, panel_types, perimeter};
 use super::paper::{Glue, Joint, PaperModel};
 use super::settings::Product;
 use super::surface::distinct;
 use super::tighten::Tighten;
 use serde::Serialize;
-
-/// The errors that one kind of offset would have, before it is chosen.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub struct Choice {
-    /// Which.
-    pub kind: OffsetKind,
-    /// Whether it is exact.
-    pub exact: bool,
-    /// The beam warp in mm of the building.
-    pub warp_mm: f64,
-    /// The distance error in mm of the building.
-    pub distance_error_mm: f64,
-}
 
 /// The offset.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -281,18 +267,14 @@ impl Build {
         if self.offset.is_none() {
             return Vec::new();
         }
+        let is_new = |kind: &OffsetKind| self.tried.iter().all(|choice| choice.kind != *kind);
+        let others: Vec<_> = OffsetKind::ALL.into_iter().filter(is_new).collect();
+        let others = self.offsets_of(&others);
         let building = self.building();
-        let choice = |kind| {
-            let (axes, check) = self.offset_of(kind);
-            let warp_mm = check.warp * building;
-            Choice {
-                kind,
-                exact: axes.exact,
-                warp_mm,
-                distance_error_mm: check.distance_error * building,
-            }
-        };
-        OffsetKind::ALL.map(choice).into()
+        let others = others.iter().map(|(axes, check)| Choice::of(axes, check, building));
+        let mut all: Vec<_> = self.tried.iter().cloned().chain(others).collect();
+        all.sort_by_key(|choice| OffsetKind::ALL.iter().position(|kind| *kind == choice.kind));
+        all
     }
 
     /// Panels of a thickness `T` on one side close towards each other over an edge of fold `theta` on that side:

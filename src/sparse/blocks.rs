@@ -109,6 +109,34 @@ impl BlockMatrix {
         }
     }
 
+    /// Makes `product` this matrix times `vectors`, a row for each node.
+    pub(crate) fn times(&self, vectors: &[Row], product: &mut [Row]) {
+        product.fill([0.0; 4]);
+        let values = self.matrix.data();
+        for v in 0..vectors.len() {
+            let rows = &self.rows[self.columns[v] as usize..self.columns[v + 1] as usize];
+            let (above, own) = (rows.len() - 1, vectors[v]);
+            let mut start = self.starts[v] as usize;
+            for c in 0..TIMES as usize {
+                let column = &values[start..][..TIMES as usize * above + c + 1];
+                start += column.len();
+                let (blocks, diagonal) = column.split_at(TIMES as usize * above);
+                let mut sum = diagonal[c] * own[c];
+                for (block, &row) in blocks.chunks_exact(TIMES as usize).zip(rows) {
+                    for (r, value) in block.iter().enumerate() {
+                        product[row as usize][r] += value * own[c];
+                        sum += value * vectors[row as usize][r];
+                    }
+                }
+                for r in 0..c {
+                    product[v][r] += diagonal[r] * own[c];
+                    sum += diagonal[r] * own[r];
+                }
+                product[v][c] += sum;
+            }
+        }
+    }
+
     /// Factors it. The rows and columns of `fixed` nodes are those of the identity.
     ///
     /// # Errors
@@ -162,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn it_solves_as_a_dense_matrix_does() {
+    fn it_multiplies_and_solves_as_a_dense_matrix_does() {
         let n = 23;
         let analysis = SymbolicAnalysis::new(pattern(n));
         let mut scalar = analysis.zeros();
@@ -201,6 +229,14 @@ mod tests {
         let mut rows: Vec<Row> =
             (0..n).map(|v| [v as f64, 1.0 - v as f64, (v % 5) as f64, 0.0]).collect();
         let right = DVector::from_fn(3 * n, |i, _| rows[i / 3][i % 3]);
+        let mut product = vec![[f64::NAN; 4]; n];
+        blocks.times(&rows, &mut product);
+        let of_dense = &dense * &right;
+        for (v, row) in product.iter().enumerate() {
+            for k in 0..3 {
+                assert!((row[k] - of_dense[3 * v + k]).abs() < 1e-12, "{row:?} of node {v}");
+            }
+        }
         blocks.solve(&mut rows);
         let expected = dense.cholesky().expect("it is positive definite").solve(&right);
         for (v, row) in rows.iter().enumerate() {

@@ -71,6 +71,25 @@ fn panels_of_a_conical_mesh_keep_their_distance_exactly_and_so_does_the_offset_o
 }
 
 #[test]
+fn a_kind_is_exact_where_the_shape_allows_it_whether_it_is_chosen_proposed_or_asked_for_later() {
+    let exact = revolution(9, 7);
+    let noisy = moved(&exact, |[x, y, z]| [x, y, z + 0.01 * sine(1.4 * x * y)]);
+    for (mesh, is_exact) in [(exact, true), (noisy, false)] {
+        let build = |kind| build(&mesh, &BuildSettings { kind, ..BuildSettings::default() });
+        let choices = build(None).choices();
+        for (kind, choice) in OffsetKind::ALL.into_iter().zip(&choices) {
+            let own = build(Some(kind));
+            assert_eq!(own.choices(), choices, "{kind:?}");
+            let offset = own.report().offset.unwrap();
+            assert_eq!((offset.kind, offset.exact), (kind, choice.exact));
+            assert_eq!(offset.warp_mm, choice.warp_mm);
+        }
+        let found = choices.iter().map(|choice| choice.exact).collect::<Vec<_>>();
+        assert_eq!(found, [is_exact, is_exact, false]);
+    }
+}
+
+#[test]
 fn three_flat_panels_at_every_vertex_have_an_exact_offset_of_panels() {
     let Some(mesh) = shared::mesh("gc_dodecahedron_poly.obj") else { return };
     // Any affine image of flat panels has flat panels.

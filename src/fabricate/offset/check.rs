@@ -96,7 +96,7 @@ pub fn check(
         *range = [range[0].min(value), range[1].max(value)];
     };
     let mut errors = Worst::default();
-    let (mut warp, mut lean, mut inner_lean) =
+    let (mut warp, mut lean_at, mut inner_lean) =
         (Worst::default(), Worst::default(), Worst::default());
     let mut slopes: [f64; 2] = [0.0; 2];
     for (edge, e) in surface.edges.iter().zip(0..) {
@@ -145,9 +145,9 @@ pub fn check(
         if kind == OffsetKind::Corner {
             errors.add_of_node(length - distance.abs(), v, &mut found.nodes);
         }
-        let angle = libm::atan2(axis.cross(*normal).length(), axis.dot(*normal)).to_degrees();
+        let angle = lean(*axis, *normal);
         found.mean_lean_deg += angle;
-        lean.add(angle, v);
+        lean_at.add(angle, v);
         let node = &mut found.nodes[v as usize];
         node.lean_deg = angle;
         if node.is_inner {
@@ -156,7 +156,7 @@ pub fn check(
     }
     found.mean_lean_deg /= f64::from(used.max(1));
     (found.warp, found.warp_edge) = (warp.value.abs(), warp.element);
-    (found.lean_deg, found.lean_vertex) = (lean.value, lean.element);
+    (found.lean_deg, found.lean_vertex) = (lean_at.value, lean_at.element);
     (found.inner_lean_deg, found.inner_lean_vertex) = (inner_lean.value, inner_lean.element);
     (found.distance_error, found.distance_vertex) = (errors.value.abs(), errors.element);
     // So many edges away there is no limit: what is left of k is rounding.
@@ -165,6 +165,45 @@ pub fn check(
     found.safe_distance = [inverse(slopes[0]), inverse(slopes[1])];
     (found.offset_flatness, found.offset_panel) = flatness(surface, axes, distance);
     found
+}
+
+/// Whether beam warp and distance error of these axes, `#V`, stay below `tolerance`: tells at the first beam or node
+/// that says no.
+pub(super) fn within(
+    surface: &PanelSurface,
+    axes: &[Vec3<f64>],
+    kind: OffsetKind,
+    depth: f64,
+    tolerance: f64,
+) -> bool {
+    let is_kept = |length: f64| (depth * (length - 1.0)).abs() <= tolerance;
+    let axis = |v: u32| axes[v as usize];
+    let keeps_distance = match kind {
+        OffsetKind::Corner => (axes.iter().zip(&surface.normals))
+            .all(|(axis, normal)| *normal == Vec3::zero() || is_kept(axis.length())),
+        OffsetKind::Face => surface.faces.iter().zip(0..).all(|(face, f)| {
+            let normal = surface.normal(f);
+            normal == Vec3::zero() || face.iter().all(|&v| is_kept(normal.dot(axis(v))))
+        }),
+        OffsetKind::Edge => surface.edges.iter().all(|edge| {
+            let t = surface.direction(edge);
+            edge.ends.iter().all(|&v| is_kept(across_edge(axis(v), t).length()))
+        }),
+    };
+    keeps_distance
+        && surface.edges.iter().all(|edge| beam_warp(surface, edge.ends, axes, depth) <= tolerance)
+}
+
+/// The largest angle between an axis and the normal of the surface, in degrees.
+pub(super) fn most_lean(surface: &PanelSurface, axes: &[Vec3<f64>]) -> f64 {
+    let of_panels =
+        axes.iter().zip(&surface.normals).filter(|(_, normal)| **normal != Vec3::zero());
+    of_panels.map(|(axis, normal)| lean(*axis, *normal)).fold(0.0, f64::max)
+}
+
+/// The angle between an axis and the normal of the surface, in degrees.
+fn lean(axis: Vec3<f64>, normal: Vec3<f64>) -> f64 {
+    libm::atan2(axis.cross(normal).length(), axis.dot(normal)).to_degrees()
 }
 
 /// The largest of some values, by size, with its element.

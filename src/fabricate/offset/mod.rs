@@ -10,18 +10,26 @@
 //! |---|---|
 //! | `kind` | what keeps its distance: corners, panels or beams |
 //! | `system` | the sparse system of 3 by 3 blocks of one step |
-//! | `axes` | node axes: an exact pass, else the least-squares fit |
+//! | `axes` | node axes: the exact ones, else the least-squares fit |
+//! | `newton` | the least-squares fit |
+//! | `exact` | the exact pass, and whether it is worth its time |
 //! | `closing` | why corner offsets are not exact: panels that do not close, holes that turn |
 //! | `check` | the numbers that say whether it can be built |
+//! | `choice` | those by which kinds are compared |
 
 mod axes;
 mod check;
+mod choice;
 mod closing;
+mod exact;
 mod kind;
+mod newton;
 mod system;
 
-pub use axes::{Axes, exact, fit, node_axes};
+pub(super) use axes::AxesSolver;
+pub use axes::{Axes, exact, fit};
 pub use check::{BeamCheck, NodeCheck, OffsetCheck, check};
+pub use choice::Choice;
 pub use closing::{Closing, closing};
 pub use kind::OffsetKind;
 pub(super) use system::across_edge;

@@ -4,6 +4,11 @@ use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
 use crate::sparse::{BlockMatrix, SymbolicAnalysis, UpperTriangle};
 
+/// Conjugate gradients take so many rounds at most: to factor costs about as much as this many sweeps.
+const MOST_ROUNDS: usize = 15;
+/// What is left of the square of the way has to be less than this part.
+const ENOUGH: f64 = 0.01;
+
 /// `A n = b` with a block of `A` for each vertex and each edge. What is added to it is a square form: the
 /// matrix has `c c'` for every term `(c . n - 1)^2`, the right-hand side `c`.
 pub(super) struct System {
@@ -78,19 +83,84 @@ impl System {
 
     /// The solution for the right-hand side, `#V` vectors.
     pub(super) fn solve(&mut self) -> Vec<Vec3<f64>> {
-        let mut rows = vec![[0.0; 4]; self.right.len()];
-        for (v, (right, &place)) in self.right.iter().zip(self.analysis.place_of()).enumerate() {
+        let mut rows = self.in_places(&self.right);
+        self.matrix.solve(&mut rows);
+        self.by_vertices(&rows)
+    }
+
+    /// The same from `near` on by conjugate gradients, with what was factored last as the preconditioner, until no more
+    /// than `accuracy` of the way is left, or for as long as to factor takes. None where most of the way is left
+    /// then, or where the matrix is not positive definite.
+    pub(super) fn solve_near(
+        &mut self,
+        near: &[Vec3<f64>],
+        accuracy: f64,
+    ) -> Option<Vec<Vec3<f64>>> {
+        let mut found = self.in_places(near);
+        let mut left = self.in_places(&self.right);
+        let mut product = vec![[0.0; 4]; left.len()];
+        self.matrix.times(&found, &mut product);
+        add(&mut left, -1.0, &product);
+        let mut towards = left.clone();
+        self.matrix.solve(&mut towards);
+        let mut size = inner(&left, &towards);
+        let first = size;
+        for _ in 0..MOST_ROUNDS {
+            if size <= accuracy * accuracy * first {
+                return Some(self.by_vertices(&found));
+            }
+            self.matrix.times(&towards, &mut product);
+            let curvature = inner(&towards, &product);
+            if curvature <= 0.0 || curvature.is_nan() {
+                return None;
+            }
+            add(&mut found, size / curvature, &towards);
+            add(&mut left, -size / curvature, &product);
+            product.copy_from_slice(&left);
+            self.matrix.solve(&mut product);
+            let next = inner(&left, &product);
+            add(&mut product, next / size, &towards);
+            towards.copy_from_slice(&product);
+            size = next;
+        }
+        (size < ENOUGH * first).then(|| self.by_vertices(&found))
+    }
+
+    /// Vectors of vertices in the order of elimination; zero where they are of no panel.
+    fn in_places(&self, vectors: &[Vec3<f64>]) -> Vec<[f64; 4]> {
+        let mut rows = vec![[0.0; 4]; vectors.len()];
+        for (v, (vector, &place)) in vectors.iter().zip(self.analysis.place_of()).enumerate() {
             if !self.excluded[v] {
-                rows[place as usize] = [right.x, right.y, right.z, 0.0];
+                rows[place as usize] = [vector.x, vector.y, vector.z, 0.0];
             }
         }
-        self.matrix.solve(&mut rows);
+        rows
+    }
+
+    /// The inverse of `in_places`.
+    fn by_vertices(&self, rows: &[[f64; 4]]) -> Vec<Vec3<f64>> {
         let at = |&place: &u32| {
             let [x, y, z, _] = rows[place as usize];
             Vec3::new(x, y, z)
         };
         self.analysis.place_of().iter().map(at).collect()
     }
+}
+
+/// Adds so many times `vectors`.
+fn add(to: &mut [[f64; 4]], times: f64, vectors: &[[f64; 4]]) {
+    for (to, vector) in to.iter_mut().zip(vectors) {
+        to.iter_mut().zip(vector).for_each(|(to, value)| *to += times * value);
+    }
+}
+
+/// The inner product.
+fn inner(a: &[[f64; 4]], b: &[[f64; 4]]) -> f64 {
+    let mut sums = [0.0; 4];
+    for (a, b) in a.iter().zip(b) {
+        (0..4).for_each(|k| sums[k] += a[k] * b[k]);
+    }
+    sums.iter().sum()
 }
 
 /// `c c'`.

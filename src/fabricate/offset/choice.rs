@@ -1,0 +1,32 @@
+//! What one kind of offset would have for errors.
+
+use super::axes::Axes;
+use super::check::OffsetCheck;
+use super::kind::OffsetKind;
+use serde::Serialize;
+
+/// The errors that one kind of offset would have, before it is chosen.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct Choice {
+    /// Which.
+    pub kind: OffsetKind,
+    /// Whether it is exact.
+    pub exact: bool,
+    /// The beam warp in mm of the building.
+    pub warp_mm: f64,
+    /// The distance error in mm of the building.
+    pub distance_error_mm: f64,
+}
+
+impl Choice {
+    /// Of these axes with their check, so many mm of the building in a unit of the mesh.
+    pub(in crate::fabricate) fn of(axes: &Axes, check: &OffsetCheck, building: f64) -> Choice {
+        Choice {
+            kind: axes.kind,
+            exact: axes.exact,
+            warp_mm: check.warp * building,
+            distance_error_mm: check.distance_error * building,
+        }
+    }
+}

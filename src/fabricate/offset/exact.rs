@@ -1,0 +1,126 @@
+//! The exact pass: `mu -> 0` without a choice of `mu`, and whether it is worth its time.
+
+use super::kind::OffsetKind;
+use super::newton::{Until, add_faces, descend, energy};
+use super::system::{System, identity_and_outer};
+use crate::fabricate::surface::{PanelSurface, unit};
+use crate::math::{Vec3, symmetric_eigen};
+
+/// The weight of a proximal step.
+const PROXIMAL: f64 = 1e-6;
+/// Proximal steps of an exact pass.
+const PROXIMAL_STEPS: usize = 10;
+/// On a shape with exact axes of beams the energy without `mu` falls with `mu^2`. Where it does not fall to this
+/// part of it for a tenth of `mu`, there are none.
+const FALLS: f64 = 0.3;
+/// The least `mu` of axes of beams.
+const LEAST_MU: f64 = 1e-8;
+/// Around a vertex, normals that differ by less than the root of this differ by rounding.
+const ONE_PLANE: f64 = 1e-12;
+
+/// The axes of the exact pass. Those of beams begin at the least-squares axes `fitted` of a weight `mu`.
+pub(super) fn exact_pass(
+    system: &mut System,
+    surface: &PanelSurface,
+    kind: OffsetKind,
+    (mu, fitted): (f64, Vec<Vec3<f64>>),
+) -> Vec<Vec3<f64>> {
+    if kind == OffsetKind::Edge {
+        return of_beams(system, surface, (mu, fitted));
+    }
+    let mut axes = surface.normals.clone();
+    system.begin(PROXIMAL, &axes);
+    for edge in &surface.edges {
+        let t = surface.direction(edge);
+        let [i, j] = edge.ends;
+        let (own, across) = match kind {
+            OffsetKind::Corner => ((1.0, 0.0), (-1.0, 2.0)),
+            _ => ((1.0, -1.0), (-1.0, 1.0)),
+        };
+        system.add(i, identity_and_outer(own.0, own.1, t));
+        system.add(j, identity_and_outer(own.0, own.1, t));
+        system.couple(i, j, identity_and_outer(across.0, across.1, t));
+    }
+    let of_faces = (kind == OffsetKind::Face).then(|| add_faces(system, surface));
+    if !system.factor() {
+        return axes;
+    }
+    for _ in 0..PROXIMAL_STEPS {
+        system.aim(PROXIMAL, &axes);
+        for &(v, pull) in of_faces.iter().flatten() {
+            system.pull(v, pull);
+        }
+        axes = system.solve();
+        if kind == OffsetKind::Corner {
+            axes.iter_mut().for_each(|axis| *axis = unit(*axis));
+        }
+    }
+    axes
+}
+
+/// The axes of beams, with a weight that falls by tens.
+fn of_beams(
+    system: &mut System,
+    surface: &PanelSurface,
+    (mut mu, mut axes): (f64, Vec<Vec3<f64>>),
+) -> Vec<Vec3<f64>> {
+    let kind = OffsetKind::Edge;
+    let mut left = energy(surface, kind, 0.0, &axes);
+    while mu > 2.0 * LEAST_MU {
+        mu *= 0.1;
+        let until = if mu > 2.0 * LEAST_MU { Until::Settled } else { Until::Still };
+        axes = descend(system, surface, kind, mu, axes, until);
+        let energy = energy(surface, kind, 0.0, &axes);
+        if energy > FALLS * left {
+            break;
+        }
+        left = energy;
+    }
+    axes
+}
+
+/// False where no axes can have distance errors below `tolerance` at the distance `depth`: for panels, each vertex
+/// by itself tells how far the planes around it are from touching a common cone.
+pub(super) fn can_be_exact(
+    surface: &PanelSurface,
+    kind: OffsetKind,
+    depth: f64,
+    tolerance: f64,
+) -> bool {
+    if kind != OffsetKind::Face {
+        return true;
+    }
+    let mut around: Vec<Vec<Vec3<f64>>> = vec![Vec::new(); surface.positions.len()];
+    for (face, f) in surface.faces.iter().zip(0..) {
+        let normal = surface.normal(f);
+        face.iter().for_each(|&v| around[v as usize].push(normal));
+    }
+    // The greatest of some numbers is at least their root mean square.
+    around.iter().all(|normals| {
+        let most = tolerance * tolerance * normals.len() as f64;
+        normals.len() <= 3 || depth * depth * from_a_cone(normals) <= most
+    })
+}
+
+/// The least sum of `(N . n - 1)^2` over some unit normals `N` that any `n` has.
+fn from_a_cone(normals: &[Vec3<f64>]) -> f64 {
+    let mut matrix = [[0.0; 3]; 3];
+    let mut sum = Vec3::zero();
+    for &normal in normals {
+        let n = [normal.x, normal.y, normal.z];
+        for r in 0..3 {
+            (0..3).for_each(|c| matrix[r][c] += n[r] * n[c]);
+        }
+        sum += normal;
+    }
+    let (values, vectors) = symmetric_eigen(matrix);
+    let most = values.iter().copied().fold(0.0, f64::max);
+    let mut axis = Vec3::zero();
+    for (value, direction) in values.into_iter().zip(vectors) {
+        if value > ONE_PLANE * most {
+            let direction = Vec3::from(direction);
+            axis += direction * (direction.dot(sum) / value);
+        }
+    }
+    normals.iter().map(|normal| normal.dot(axis) - 1.0).map(|error| error * error).sum()
+}

@@ -1,0 +1,170 @@
+//! Newton's method for the least-squares axes.
+
+use super::kind::OffsetKind;
+use super::system::{System, across_edge, identity_and_outer, outer};
+use crate::fabricate::surface::{PanelSurface, unit};
+use crate::math::Vec3;
+
+/// Steps at most; corners take about 5, edges 10, and several times as many without second derivatives.
+const MOST_STEPS: usize = 300;
+/// The fit has ended when no axis moves by more in a step: with second derivatives, which double the digits, and
+/// without.
+const STILL: [f64; 2] = [1e-7, 1e-12];
+/// Where no axis moved by more than this in the last step, the matrix hardly differs: conjugate gradients with the
+/// factor at hand are faster than another one.
+const NEAR: f64 = 0.1;
+/// They leave this part of the way, or less near the end: as much as the last step was long, so that the digits go
+/// on doubling, until so many are enough.
+const ACCURACY: [f64; 2] = [1e-4, 0.03];
+/// Where the axes are but on the way to others, a step that lowers the energy by less than this part is the last.
+const WORTH: f64 = 0.1;
+
+/// How far to go.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Until {
+    /// The energy hardly falls.
+    Settled,
+    /// The axes do not move.
+    Still,
+}
+
+/// Newton's method from `axes`; a step that would raise the energy is halved.
+pub(super) fn descend(
+    system: &mut System,
+    surface: &PanelSurface,
+    kind: OffsetKind,
+    mu: f64,
+    mut axes: Vec<Vec3<f64>>,
+    until: Until,
+) -> Vec<Vec3<f64>> {
+    let mut lowest = energy(surface, kind, mu, &axes);
+    let mut last = f64::INFINITY;
+    for _ in 0..MOST_STEPS {
+        let near = (last < NEAR).then(|| {
+            assemble(system, surface, kind, mu, &axes, true);
+            system.solve_near(&axes, last.clamp(ACCURACY[0], ACCURACY[1]))
+        });
+        let (aim, curved) = match near.flatten() {
+            Some(aim) => (aim, true),
+            None => {
+                let factored = [true, false].into_iter().find(|&curved| {
+                    assemble(system, surface, kind, mu, &axes, curved);
+                    system.factor()
+                });
+                let Some(curved) = factored else { break };
+                (system.solve(), curved)
+            }
+        };
+        let mut share = 1.0;
+        let (next, value) = loop {
+            let towards = |(from, to): (&Vec3<f64>, &Vec3<f64>)| *from + (*to - *from) * share;
+            let next: Vec<_> = axes.iter().zip(&aim).map(towards).collect();
+            let value = energy(surface, kind, mu, &next);
+            if value <= lowest * (1.0 + 1e-14) || share < 1e-4 {
+                break (next, value);
+            }
+            share *= 0.5;
+        };
+        if value > lowest * (1.0 + 1e-14) || value.is_nan() {
+            break;
+        }
+        let step = axes.iter().zip(&next).map(|(from, to)| (*to - *from).length());
+        let step = step.fold(0.0, f64::max);
+        let is_settled = value > lowest * (1.0 - WORTH);
+        (axes, lowest, last) = (next, value.min(lowest), step);
+        let still = if curved && share == 1.0 { STILL[0] } else { STILL[1] };
+        if step <= still || kind == OffsetKind::Face || (until == Until::Settled && is_settled) {
+            break;
+        }
+    }
+    axes
+}
+
+/// The system of one step; not `curved`, that of Gauss-Newton.
+fn assemble(
+    system: &mut System,
+    surface: &PanelSurface,
+    kind: OffsetKind,
+    mu: f64,
+    axes: &[Vec3<f64>],
+    curved: bool,
+) {
+    // `c` of a vector of this length.
+    let across_axis = |length: f64| if curved && length > 0.0 { 1.0 - 1.0 / length } else { 0.0 };
+    system.begin(mu, &surface.normals);
+    for edge in &surface.edges {
+        let t = surface.direction(edge);
+        let [i, j] = edge.ends;
+        let across = identity_and_outer(1.0, -1.0, t);
+        system.add(i, across);
+        system.add(j, across);
+        system.couple(i, j, identity_and_outer(-1.0, 1.0, t));
+        if kind == OffsetKind::Edge {
+            for v in edge.ends {
+                let p = across_edge(axes[v as usize], t);
+                let (u, c) = (unit(p), across_axis(p.length()));
+                system.add(v, identity_and_outer(c, 1.0 - c, u));
+                system.add(v, identity_and_outer(0.0, -c, t));
+                system.pull(v, u);
+            }
+        }
+    }
+    match kind {
+        OffsetKind::Corner => {
+            for v in 0..axes.len() {
+                if !system.is_excluded(v) {
+                    let (u, c) = (unit(axes[v]), across_axis(axes[v].length()));
+                    system.add(v as u32, identity_and_outer(c, 1.0 - c, u));
+                    system.pull(v as u32, u);
+                }
+            }
+        }
+        OffsetKind::Face => {
+            for (v, pull) in add_faces(system, surface) {
+                system.pull(v, pull);
+            }
+        }
+        OffsetKind::Edge => {}
+    }
+}
+
+/// `E(n)`.
+pub(super) fn energy(surface: &PanelSurface, kind: OffsetKind, mu: f64, axes: &[Vec3<f64>]) -> f64 {
+    let mut sum = 0.0;
+    let square = |x: f64| x * x;
+    for edge in &surface.edges {
+        let t = surface.direction(edge);
+        let [n, m] = edge.ends.map(|v| axes[v as usize]);
+        sum += across_edge(m - n, t).length_squared();
+        if kind == OffsetKind::Edge {
+            sum += square(across_edge(n, t).length() - 1.0);
+            sum += square(across_edge(m, t).length() - 1.0);
+        }
+    }
+    for (axis, normal) in axes.iter().zip(&surface.normals) {
+        sum += mu * (*axis - *normal).length_squared();
+        if kind == OffsetKind::Corner && *normal != Vec3::zero() {
+            sum += square(axis.length() - 1.0);
+        }
+    }
+    if kind == OffsetKind::Face {
+        for (face, f) in surface.faces.iter().zip(0..) {
+            let normal = surface.normal(f);
+            sum += face.iter().map(|&v| square(normal.dot(axes[v as usize]) - 1.0)).sum::<f64>();
+        }
+    }
+    sum
+}
+
+/// Adds `D` of faces, and gives what it adds to the right-hand side.
+pub(super) fn add_faces(system: &mut System, surface: &PanelSurface) -> Vec<(u32, Vec3<f64>)> {
+    let mut pulls = Vec::new();
+    for (face, f) in surface.faces.iter().zip(0..) {
+        let normal = surface.normal(f);
+        for &v in face {
+            system.add(v, outer(normal));
+            pulls.push((v, normal));
+        }
+    }
+    pulls
+}
