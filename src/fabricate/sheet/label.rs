@@ -5,7 +5,7 @@
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
 use crate::fabricate::panel::{
-    Point2, direction_of, distance_to_outline, is_inside, roomiest_point, rotated,
+    Point2, direction_of, distance_to_outline, is_inside, roomiest_point, rotated, sides,
 };
 
 /// The letters of neighbours are at most so high, in mm.
@@ -151,15 +151,15 @@ fn label_of_height(
     let beside = (OF_RADIUS * radius).clamp(LEAST, TALLEST);
     let mut taken: Vec<Box2> = holes.iter().map(Box2::of_hole).collect();
     let (mut height, mut own) = (own * beside, None);
-    // Along the sheet, else along the longest edge, ever smaller until it is inside.
+    // Where there is most room, which may be beside a hole at one end of a slender part, else in the middle; along
+    // the sheet, else along the longest edge; ever smaller until it is inside.
+    let middle = middle(outline);
     while own.is_none() && height > 0.02 * beside {
-        for along in [[turn[0], -turn[1]], upright(across, turn)] {
-            let found = Box2::of_text(name, height, centre, along);
-            let is_free = found.is_in(outline) && taken.iter().all(|hole| found.is_apart(hole));
-            if own.is_none() && is_free {
-                own = Some(found);
-            }
-        }
+        own = [centre, middle]
+            .into_iter()
+            .flat_map(|centre| [[turn[0], -turn[1]], upright(across, turn)].map(|to| (centre, to)))
+            .map(|(centre, along)| Box2::of_text(name, height, centre, along))
+            .find(|own| own.is_in(outline) && taken.iter().all(|hole| own.is_apart(hole)));
         if own.is_none() {
             height *= 0.85;
         }
@@ -169,7 +169,7 @@ fn label_of_height(
         return (labels, false);
     };
     labels.small = height < LEAST;
-    labels.lines.extend(strokes(name, height, centre, own.along));
+    labels.lines.extend(strokes(name, height, own.centre, own.along));
     labels.texts.push(name.to_owned());
     taken.insert(0, own);
     let has_arrow = with_arrow && arrow(outline, &mut labels, &mut taken, height, radius);
@@ -278,6 +278,17 @@ pub(in crate::fabricate) fn upright(along: Point2, turn: Point2) -> Point2 {
     if c < -LEANING || (c <= LEANING && s < 0.0) { along.map(|x| -x) } else { along }
 }
 
+/// The mean of all points of an outline.
+fn middle(outline: &[Point2]) -> Point2 {
+    let (mut sum, mut whole) = ([0.0; 2], 0.0);
+    for [p, q] in sides(outline) {
+        let length = distance(p, q);
+        (0..2).for_each(|x| sum[x] += 0.5 * length * (p[x] + q[x]));
+        whole += length;
+    }
+    sum.map(|sum| sum / whole)
+}
+
 fn distance([a, b]: Point2, [c, d]: Point2) -> f64 {
     let [x, y] = [a - c, b - d];
     (x * x + y * y).sqrt()
@@ -320,6 +331,21 @@ mod tests {
         let found = label(Inscription { outline, name, neighbours, with_arrow, turn, holes });
         assert_eq!((found.dropped, found.small), (0, false));
         assert_eq!(found.texts, ["B7-12", "N12", "N7"]);
+    }
+
+    #[test]
+    fn the_name_of_a_slender_part_keeps_away_from_the_holes_at_its_ends() {
+        // A little wider at its end, as a fin is: there is most room, but for the hole.
+        let outline = [[0.0, 0.0], [80.0, 0.0], [80.0, 10.2], [0.0, 10.0]];
+        let holes = [4.0, 76.0].map(|x| Hole { centre: [x, 5.0], radius: 1.0 });
+        let (outline, name, neighbours, turn) = (&outline[..], "B10-11", &[][..], AS_IT_IS);
+        let height = |holes: &[Hole]| {
+            let own = Inscription { outline, name, neighbours, with_arrow: false, turn, holes };
+            let found = label(own);
+            assert!(!found.small);
+            extent(&found.lines)[1]
+        };
+        assert!((height(&holes) - height(&[])).abs() < 1e-9);
     }
 
     #[test]
