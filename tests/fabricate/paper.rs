@@ -4,7 +4,7 @@ use super::grid::grid;
 use super::identities::revolution;
 use super::{build, shared};
 use shape_up::fabricate::panel::{Point2, area};
-use shape_up::fabricate::paper::{Glue, PaperModel};
+use shape_up::fabricate::paper::{Glue, PaperModel, write_names};
 use shape_up::fabricate::{Build, BuildSettings, Page, Pieces, Product};
 use shape_up::mesh::Mesh;
 
@@ -207,6 +207,22 @@ fn every_inner_edge_is_folded_or_glued_and_flat_quads_leave_no_edge_bare() {
         assert!(20 * bare <= inner, "{name}: {bare} of {inner}");
         assert!(made.layout.too_large.is_empty(), "{name}");
     }
+}
+
+#[test]
+fn a_piece_says_which_it_is_on_a_panel_that_has_room_for_that() {
+    // Those at the ends are narrow.
+    let x = [0.0, 0.02, 1.0, 2.0, 3.0, 3.02];
+    let mesh = grid(5, 1, |i, j| [x[i as usize], f64::from(j), 0.05 * x[i as usize].powi(2)]);
+    let made = build(&mesh, &settings(Pieces::Nets));
+    assert_eq!(made.parts.len(), 1);
+    let engraved = |name: &str| {
+        let mut part = made.parts[0].clone();
+        (part.name, part.engraved) = (name.to_owned(), Vec::new());
+        write_names(&mut part, (model(&made), 0), &made.names, false, [1.0, 0.0]);
+        part.engraved
+    };
+    assert_ne!(engraved("S1"), engraved("S777"));
 }
 
 #[test]

@@ -92,7 +92,7 @@ pub fn write_names(
     let piece = model.pieces[number];
     let (_, place) = outline(model, piece, inside);
     let put = |point: Point2| place.put(point);
-    let (mut dropped, mut small) = (0, 0);
+    let (mut dropped, mut small, mut is_named) = (0, 0, false);
     for &panel in &part.panels {
         for own in name_places(model, piece, panel) {
             let sides = own.iter().map(|&side| named_side(model, names, side, &put));
@@ -110,11 +110,11 @@ pub fn write_names(
             };
             let name = &names[panel as usize];
             let mut labels = named(name);
-            // The first panel also says which piece it is, where that costs nothing else.
-            if part.engraved.is_empty() {
+            // The first panel on which that costs nothing else also says which piece it is.
+            if !is_named {
                 let both = named(&format!("{}: {name}", part.name));
                 if !both.small && both.dropped == labels.dropped {
-                    labels = both;
+                    (labels, is_named) = (both, true);
                 }
             }
             part.engraved.extend(labels.lines);
