@@ -84,6 +84,11 @@ pub struct Build {
     pub faults: Vec<Fault>,
 }
 
+/// Each panel in its plane.
+pub(super) fn all_flat(surface: &PanelSurface) -> Vec<Option<FlatPanel>> {
+    (0..surface.faces.len() as u32).map(|f| lay_flat(surface, f)).collect()
+}
+
 /// The name of a vertex as a node.
 pub(super) fn node_name(vertex: u32) -> String {
     format!("N{vertex}")
@@ -107,7 +112,7 @@ impl Build {
         settings.check().map_err(|(key, message)| Fault(format!("build.{key}: {message}")))?;
         let surface = PanelSurface::new(mesh)?;
         let names = panel_names(&surface, settings.names);
-        let flat: Vec<_> = (0..surface.faces.len() as u32).map(|f| lay_flat(&surface, f)).collect();
+        let flat = all_flat(&surface);
         let to_building = 1000.0 * unit.metres;
         let types = panel_types(&flat, settings.alike / to_building, settings.mirror);
         let mut build = Build {
@@ -130,7 +135,7 @@ impl Build {
             faults: Vec::new(),
             unit,
         };
-        build.offset();
+        build.make_offset(build.settings.kind);
         build.cut();
         Ok(build)
     }
@@ -155,18 +160,20 @@ impl Build {
         self.settings.beam_width.unwrap_or_else(|| 0.05 * self.surface.mean_edge())
     }
 
-    fn offset(&mut self) {
-        if let Some(fault) = &self.surface.one_sided {
-            self.faults.push(fault.clone());
-            return;
-        }
+    /// The offset of a kind, or of that with the smaller errors. Why there is none comes first of all faults.
+    pub(super) fn make_offset(&mut self, kind: Option<OffsetKind>) {
         let folded = self.surface.folded_over();
-        if !folded.is_empty() {
-            self.faults.push(Fault::folded_over(&folded));
+        let fault = match &self.surface.one_sided {
+            Some(fault) => Some(fault.clone()),
+            None => (!folded.is_empty()).then(|| Fault::folded_over(&folded)),
+        };
+        if let Some(fault) = fault {
+            self.faults.insert(0, fault);
+            self.offset = None;
             return;
         }
         // A box or a mesh with holes is no case for corners: the smaller errors win.
-        let kinds = match &self.settings.kind {
+        let kinds = match &kind {
             Some(kind) => std::slice::from_ref(kind),
             None => &[OffsetKind::Face, OffsetKind::Corner],
         };

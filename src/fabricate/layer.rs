@@ -1,6 +1,6 @@
-//! The offset as points in space, and where on the sheets something is not within a limit.
+//! The offset as points in space, at another distance and of a shape that moves, and where on the sheets something is not within a limit.
 
-use super::build::Build;
+use super::build::{Build, all_flat};
 use super::check_card::Failed;
 use super::offset::check;
 use super::panel::Point2;
@@ -24,6 +24,19 @@ impl Build {
         if let Some((axes, found)) = &mut self.offset {
             *found = check(&self.surface, &axes.axes, axes.kind, distance);
         }
+    }
+
+    /// Moves the shape to `positions`, `#V by 3`: its offset, of the same kind, and how flat its panels are. Parts, sheets
+    /// and types stay those of the shape before, until the next build.
+    pub fn reshape(&mut self, positions: &[[f64; 3]]) {
+        self.surface.move_to(positions);
+        self.flat = all_flat(&self.surface);
+        if self.offset.is_none() {
+            // It says why.
+            self.faults.remove(0);
+        }
+        let before = self.offset.as_ref().map(|(axes, _)| axes.kind);
+        self.make_offset(self.settings.kind.or(before));
     }
 
     /// By sheets: the sides of panels whose beams fail, and as one point each their corners at nodes that fail; in

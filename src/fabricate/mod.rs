@@ -26,7 +26,8 @@
 //! | `cutting` | its parts: cut, laid out, named |
 //! | `holes` | holes along edges and at the ends of fins |
 //! | `check_card` | the build check: five numbers with their limits, and what is not within them |
-//! | `layer` | the offset as points, and the sides of parts that fail, for the view |
+//! | `card` | the card: what follows while somebody moves the shape |
+//! | `layer` | the offset as points, moved and of another shape, and the sides of parts that fail, for the view |
 //! | `numbers` | the numbers that a lesson may bound |
 //! | `tighten` | what a solver could do about it |
 //! | `report` | all numbers |
@@ -38,6 +39,7 @@
 mod alike;
 pub mod beam;
 mod build;
+mod card;
 mod check_card;
 mod cutting;
 mod fault;
@@ -60,13 +62,14 @@ mod tighten;
 
 pub use alike::Types;
 pub use build::{Build, CutPanel, LengthInMetres, NotCut};
+pub use card::{BuildCard, OffsetReport};
 pub use check_card::{CheckRow, Failed, Worst};
 pub use fault::Fault;
 pub use numbers::{BUILD_NUMBERS, BuildNumber, NumberUnit};
 pub use offset::{Choice, OffsetKind};
 pub use output::BuildFile;
 pub use paper::Pieces;
-pub use report::{BuildReport, FrameReport, OffsetReport, PaperReport};
+pub use report::{BuildReport, FrameReport, PaperReport};
 pub use report_page::{ReportPage, ReportView};
 pub use settings::{BuildPreset, BuildSettings, CheckLimits, Dxf, PRESETS, Page, Product};
 pub use space::{PRESENTATION, SpatialPart};

@@ -86,14 +86,7 @@ impl PanelSurface {
             }
         }
         let (positions, centre) = about_the_centre(&mesh.positions);
-        let at = |v: u32| positions[v as usize];
-        let areas: Vec<_> =
-            faces.iter().map(|face| twice_vector_area(face.iter().map(|&v| at(v))) * 0.5).collect();
-        let mut normals = vec![Vec3::zero(); positions.len()];
-        for (face, area) in faces.iter().zip(&areas) {
-            face.iter().for_each(|&v| normals[v as usize] += *area);
-        }
-        normals.iter_mut().for_each(|normal| *normal = unit(*normal));
+        let (areas, normals) = areas_and_normals(&positions, &faces);
         let mut sides = Ragged::new();
         let mut edges: Vec<Edge> =
             topology.edges().iter().map(|&ends| Edge { ends, panels: [None; 2] }).collect();
@@ -121,6 +114,12 @@ impl PanelSurface {
             normals,
             one_sided,
         })
+    }
+
+    /// Moves its vertices to `positions`, `#V by 3`.
+    pub fn move_to(&mut self, positions: &[[f64; 3]]) {
+        (self.positions, self.centre) = about_the_centre(positions);
+        (self.areas, self.normals) = areas_and_normals(&self.positions, &self.faces);
     }
 
     /// Where a vertex is, about the centre of the box.
@@ -176,6 +175,19 @@ impl PanelSurface {
 /// The unit vector; zero where there is no direction.
 pub(super) fn unit(v: Vec3<f64>) -> Vec3<f64> {
     v.length_and_direction().1.unwrap_or(Vec3::zero())
+}
+
+/// The area vectors of panels, and the normals of vertices.
+fn areas_and_normals(positions: &[Vec3<f64>], faces: &Ragged) -> (Vec<Vec3<f64>>, Vec<Vec3<f64>>) {
+    let at = |v: u32| positions[v as usize];
+    let areas: Vec<_> =
+        faces.iter().map(|face| twice_vector_area(face.iter().map(|&v| at(v))) * 0.5).collect();
+    let mut normals = vec![Vec3::zero(); positions.len()];
+    for (face, area) in faces.iter().zip(&areas) {
+        face.iter().for_each(|&v| normals[v as usize] += *area);
+    }
+    normals.iter_mut().for_each(|normal| *normal = unit(*normal));
+    (areas, normals)
 }
 
 fn about_the_centre(positions: &[[f64; 3]]) -> (Vec<Vec3<f64>>, Vec3<f64>) {

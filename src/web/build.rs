@@ -90,6 +90,14 @@ impl Builder {
         plain(&self.build.report())
     }
 
+    /// Those of the card, which follow while the shape moves.
+    ///
+    /// # Errors
+    /// None: they are plain data.
+    pub fn card(&self) -> Result<JsValue, JsValue> {
+        plain(&self.build.card())
+    }
+
     /// The sheets from `first`, `count` of them at most: `name`, `svg`, and the `panels` of each of its outlines.
     ///
     /// # Errors
@@ -131,6 +139,11 @@ impl Builder {
     #[wasm_bindgen(js_name = moveLayer)]
     pub fn move_layer(&mut self, distance: f64) {
         self.build.move_layer(distance);
+    }
+
+    /// Takes another shape of the same mesh for its offset, `#V by 3`; parts and sheets stay.
+    pub fn reshape(&mut self, positions: &[f64]) {
+        self.build.reshape(positions.as_chunks().0);
     }
 
     /// Panels that are not within a limit.

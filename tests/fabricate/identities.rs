@@ -90,6 +90,31 @@ fn a_kind_is_exact_where_the_shape_allows_it_whether_it_is_chosen_proposed_or_as
 }
 
 #[test]
+fn the_offset_of_a_shape_that_moves_is_that_of_a_new_build() {
+    let before = revolution(9, 7);
+    let after = moved(&before, |[x, y, z]| [x, y, z + 0.01 * sine(1.4 * x * y)]);
+    for kind in OffsetKind::ALL.map(Some).into_iter().chain([None]) {
+        let of_kind = |kind| BuildSettings { kind, ..BuildSettings::default() };
+        let mut made = build(&before, &of_kind(kind));
+        let shown = made.card().offset.unwrap().kind;
+        made.reshape(&after.positions);
+        let again = build(&after, &of_kind(Some(shown)));
+        assert_eq!(made.card().offset, again.card().offset);
+        assert_eq!(made.card().check, again.card().check);
+        assert_eq!(made.layer(), again.layer());
+    }
+    // An inner vertex beyond its neighbour, and back.
+    let mut folded = before.positions.clone();
+    let inner = 3 * 10 + 4;
+    folded[inner] = std::array::from_fn(|k| 2.2 * folded[inner + 1][k] - 1.2 * folded[inner][k]);
+    let mut made = build(&before, &BuildSettings::default());
+    made.reshape(&folded);
+    assert!(made.card().offset.is_none() && made.card().problems[0].contains("folded over"));
+    made.reshape(&before.positions);
+    assert!(made.card().offset.is_some() && made.card().problems.is_empty());
+}
+
+#[test]
 fn three_flat_panels_at_every_vertex_have_an_exact_offset_of_panels() {
     let Some(mesh) = shared::mesh("gc_dodecahedron_poly.obj") else { return };
     // Any affine image of flat panels has flat panels.

@@ -407,6 +407,7 @@ export const TRACE_WIDTH = 6;
 /** All of them: a scene has those that are not the default. @typedef {Required<import("../pkg/build/shape_up.js").BuildSettings>} BuildSettings */
 /** @typedef {import("../pkg/build/shape_up.js").BuildPreset} BuildPreset */
 /** @typedef {import("../pkg/build/shape_up.js").BuildReport} BuildReport */
+/** @typedef {import("../pkg/build/shape_up.js").BuildCard} BuildCard */
 /** @typedef {import("../pkg/build/shape_up.js").CheckRow} CheckRow */
 /** @typedef {import("../pkg/build/shape_up.js").Choice} BuildChoice */
 /** @typedef {import("../pkg/build/shape_up.js").SheetPicture} SheetPicture */
@@ -423,16 +424,18 @@ export const TRACE_WIDTH = 6;
 /**
  * What the worker that makes parts is asked. `build` makes them of a shape (positions `#V by 3`) in a unit of so
  * many metres, and draws so many `sheets` at most; the others are about what was built last. `moveLayer` gives its
- * offset another distance; `reportPage` has a picture as a camera sees it that is turned and tilted by two angles in radians, or as
+ * offset another distance, and `reshape` makes that of other positions, while somebody moves something; `reportPage` has a picture as a camera sees it that is turned and tilted by two angles in radians, or as
  * one sees a mesh first.
  * @typedef {{ type: "offers" } | { type: "choices" } | { type: "numbers" } | { type: "zip", zUp: boolean } | { type: "spatialParts", zUp: boolean } | { type: "moveLayer", distance: number }
+ *   | { type: "reshape", positions: Float64Array }
  *   | { type: "reportPage", title: string, zUp: boolean, camera: Float64Array | null, link: string }
  *   | { type: "build", positions: Float64Array, offsets: Uint32Array, indices: Uint32Array,
  *       settings: BuildSettings, symbol: string, metres: number, sheets: number }} BuildRequest
  * @typedef {object} BuildReplies
  * @property {{ presets: BuildPreset[], defaults: BuildSettings }} offers
  * @property {{ report: BuildReport, sheets: SheetPicture[], layer: OffsetLayer }} build
- * @property {{ report: BuildReport, layer: OffsetLayer } | null} moveLayer
+ * @property {{ report: BuildCard, layer: OffsetLayer } | null} moveLayer
+ * @property {{ report: BuildCard, layer: OffsetLayer } | null} reshape
  * @property {BuildChoice[]} choices
  * @property {[string, number][]} numbers that a lesson may bound, by id
  * @property {ReportPage | null} reportPage

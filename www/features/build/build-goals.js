@@ -8,7 +8,11 @@ import { LiveBuild } from './live-build.js';
 /** @param {import("../../app/context.js").AppContext} app */
 export async function buildGoals(app) {
   const { store, actions } = app;
-  const live = new LiveBuild(app, tell, () => actions.tellBuild([]));
+  const live = new LiveBuild(app, {
+    show: tell,
+    showOffset: () => {},
+    refuse: () => actions.tellBuild([]),
+  });
   await live.offers();
 
   async function tell() {

@@ -17,7 +17,7 @@ import { typesCurve } from './types-curve.js';
 
 /** @typedef {import("../../solver/messages.js").BuildReport} BuildReport */
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
-/** @typedef {import("../../solver/messages.js").BuildReplies["build"]} Built */
+/** @typedef {import("../../solver/messages.js").BuildReplies} BuildReplies */
 
 /** The colour of the panels of the part that is pointed at on a sheet. @type {[number, number, number]} */
 const POINTED = [230, 120, 20];
@@ -34,7 +34,7 @@ export async function toggleBuild(app) {
 /** @param {import("../../app/context.js").AppContext} app */
 async function buildPanel(app) {
   const { store, actions, files } = app;
-  const live = new LiveBuild(app, show, refuse);
+  const live = new LiveBuild(app, { show, showOffset, refuse });
   const offers = await live.offers();
   const form = settingsForm(offers, change);
   const check = checkCard(showWorst, tighten);
@@ -81,7 +81,7 @@ async function buildPanel(app) {
     ),
   );
 
-  /** What depends on the distance. @param {Omit<Built, "sheets"> | null} built */
+  /** What depends on the distance, and follows a drag. @param {BuildReplies["reshape"]} built */
   function showOffset(built) {
     if (panel.hidden || !built) return;
     const { metres } = live.unit();
@@ -90,7 +90,7 @@ async function buildPanel(app) {
     layer.show(built.layer);
   }
 
-  /** @param {Built} built */
+  /** @param {BuildReplies["build"]} built */
   function show({ report: found, sheets, layer }) {
     if (panel.hidden) return;
     actions.look({ build: found });
@@ -107,8 +107,8 @@ async function buildPanel(app) {
 
   /** Says what each kind of offset would have for errors, when the shape is at rest. */
   async function offerKinds() {
-    const { running, model } = store.get();
-    if (!running && (model?.vertices ?? 0) <= MOST_LIVE_VERTICES)
+    const { running, dragged, model } = store.get();
+    if (!running && !dragged.length && (model?.vertices ?? 0) <= MOST_LIVE_VERTICES)
       thickness.offer(await live.choices());
   }
 
@@ -167,13 +167,16 @@ async function buildPanel(app) {
     },
   });
 
-  store.subscribe(['document', 'numbers', 'running', 'model'], ({ document: scene, model }) => {
-    if (panel.hidden) return;
-    if (!model) return place.close();
-    if (!scene) return;
-    form.show(live.settings(), live.unit().symbol);
-    live.update();
-  });
+  store.subscribe(
+    ['document', 'numbers', 'running', 'dragged', 'model'],
+    ({ document: scene, model }) => {
+      if (panel.hidden) return;
+      if (!model) return place.close();
+      if (!scene) return;
+      form.show(live.settings(), live.unit().symbol);
+      live.update();
+    },
+  );
   store.subscribe(['selection'], ({ selection }) => {
     if (!panel.hidden) pictures.mark(selection.faces);
   });

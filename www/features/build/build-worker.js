@@ -16,6 +16,28 @@ const PRESENTATION = 'model.glb';
 const ready = init();
 /** What was built last. @type {Builder | null} */
 let builder = null;
+/** Of what shape: its offset may be that of other positions since. @type {Shape | null} */
+let shape = null;
+let isReshaped = false;
+
+/** @typedef {Omit<Extract<BuildRequest, { type: "build" }>, "type" | "sheets">} Shape */
+
+/** @param {Shape} next */
+function build(next) {
+  const { positions, offsets, indices, settings, symbol, metres } = next;
+  builder?.free();
+  builder = shape = null;
+  builder = new Builder(positions, offsets, indices, settings, symbol, metres);
+  shape = next;
+  isReshaped = false;
+  return builder;
+}
+
+/** All parts of one shape: what is saved while somebody moves it is built first. */
+function whole() {
+  if (shape && isReshaped) build(shape);
+  return builder;
+}
 
 /** @param {Builder} builder @returns {import("../../solver/messages.js").OffsetLayer} */
 const layerOf = (builder) => ({
@@ -28,23 +50,29 @@ const layerOf = (builder) => ({
 /** @type {{ [Type in keyof BuildReplies]: (request: Extract<BuildRequest, { type: Type }>) => BuildReplies[Type] }} */
 const ANSWERS = {
   offers: () => buildOffers(),
-  build({ positions, offsets, indices, settings, symbol, metres, sheets }) {
-    builder?.free();
-    builder = null;
-    builder = new Builder(positions, offsets, indices, settings, symbol, metres);
+  build({ sheets, ...shape }) {
+    const builder = build(shape);
     return { report: builder.report(), sheets: builder.sheets(0, sheets), layer: layerOf(builder) };
   },
   moveLayer({ distance }) {
     if (!builder) return null;
     builder.moveLayer(distance);
-    return { report: builder.report(), layer: layerOf(builder) };
+    return { report: builder.card(), layer: layerOf(builder) };
   },
-  numbers: () => builder?.numbers() ?? [],
+  reshape({ positions }) {
+    if (!builder || !shape) return null;
+    builder.reshape(positions);
+    shape = { ...shape, positions };
+    isReshaped = true;
+    return { report: builder.card(), layer: layerOf(builder) };
+  },
+  numbers: () => whole()?.numbers() ?? [],
   choices: () => builder?.choices() ?? [],
   reportPage: ({ title, zUp, camera, link }) =>
-    builder?.reportPage(title, zUp, camera, link) ?? null,
-  spatialParts: ({ zUp }) => builder?.spatialParts(zUp) ?? [],
+    whole()?.reportPage(title, zUp, camera, link) ?? null,
+  spatialParts: ({ zUp }) => whole()?.spatialParts(zUp) ?? [],
   zip({ zUp }) {
+    const builder = whole();
     /** @type {{ name: string, text: string }[]} */
     const files = builder?.files() ?? [];
     /** @type {[string, Uint8Array<ArrayBuffer>][]} */

@@ -4,6 +4,7 @@ import { button } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { count, groupDigits } from '../../ui/format.js';
 
+/** @typedef {import("../../solver/messages.js").BuildCard} BuildCard */
 /** @typedef {import("../../solver/messages.js").BuildReport} BuildReport */
 /** @typedef {import("../../solver/messages.js").CheckRow} CheckRow */
 /** @typedef {BuildReport["tighten"]["remedies"][number]} Remedy */
@@ -36,7 +37,7 @@ export function checkCard(show, tighten) {
   return {
     card,
     /**
-     * @param {BuildReport} report
+     * @param {BuildCard} report
      * @param {Pick<import("../../store/state.js").State, "model" | "kinds">} state
      * @param {number} metres of the unit of the mesh
      */

@@ -5,10 +5,13 @@ import { UNITS } from '../../ui/units.js';
 import { BuildClient } from './build-client.js';
 
 /** @typedef {import("../../solver/messages.js").BuildReplies["build"]} Built */
+/** @typedef {import("../../solver/messages.js").BuildReplies["reshape"]} Reshaped */
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
 
 /** Larger meshes are built when they have come to rest. */
 export const MOST_LIVE_VERTICES = 3000;
+/** While a shape moves, its sheets follow where they take no longer than this; its offset always does. */
+const LIVE_MS = 100;
 /** So many sheets are drawn. */
 export const MOST_SHEETS = 24;
 
@@ -19,21 +22,30 @@ export class LiveBuild {
   #isStale = false;
   /** What was built last. */
   #key = '';
+  /** What of it does not move: the mesh, the unit and the settings. @type {{ mesh: object, settings: string } | null} */
+  #unmoved = null;
+  /** How long it took. */
+  #milliseconds = 0;
   /** @type {BuildSettings | null} */
   #defaults = null;
   /** @type {(built: Built) => void} */
   #show;
+  /** @type {(reshaped: Reshaped) => void} */
+  #showOffset;
   /** @type {(why: string) => void} */
   #refuse;
 
   /**
    * @param {import("../../app/context.js").AppContext} app
-   * @param {(built: Built) => void} show
-   * @param {(why: string) => void} refuse
+   * @param {object} on
+   * @param {(built: Built) => void} on.show
+   * @param {(reshaped: Reshaped) => void} on.showOffset while the shape moves
+   * @param {(why: string) => void} on.refuse
    */
-  constructor(app, show, refuse) {
+  constructor(app, { show, showOffset, refuse }) {
     this.#app = app;
     this.#show = show;
+    this.#showOffset = showOffset;
     this.#refuse = refuse;
   }
 
@@ -76,7 +88,7 @@ export class LiveBuild {
 
   async #once() {
     const { store, solver } = this.#app;
-    const { model, numbers, document, running } = store.get();
+    const { model, numbers, document, running, dragged } = store.get();
     const { geometry } = solver;
     if (!model || !document || !geometry || !this.#defaults) return;
     if (!model.faces) {
@@ -85,19 +97,35 @@ export class LiveBuild {
         'The model has no faces: there is nothing to cut. Parts are made of panels.',
       );
     }
-    if (running && model.vertices > MOST_LIVE_VERTICES) return;
+    const isMoving = running || dragged.length > 0;
+    if (isMoving && model.vertices > MOST_LIVE_VERTICES) return;
     const settings = this.settings();
     const { symbol, metres } = this.unit();
-    const { faceOffsets: offsets, faceIndices: indices } = geometry.connectivity;
+    const { connectivity: mesh } = geometry;
     const positions = geometry.positions.slice();
-    const key = [numbers?.iteration, sum(positions), symbol, JSON.stringify(settings)].join();
+    const unmoved = { mesh, settings: [symbol, JSON.stringify(settings)].join() };
+    const key = [numbers?.iteration, sum(positions), unmoved.settings].join();
     if (key === this.#key) return;
-    this.#key = key;
-    const shape = { positions, offsets, indices, symbol, metres };
+    const { mesh: before, settings: agreed } = this.#unmoved ?? {};
+    const isOther = before !== mesh || agreed !== unmoved.settings;
+    const isSlow = this.#milliseconds > LIVE_MS;
     try {
+      if (isMoving && isSlow && !isOther) {
+        // What was built is no longer of this shape.
+        this.#key = '';
+        return this.#showOffset(await this.#client.ask({ type: 'reshape', positions }));
+      }
+      this.#key = key;
+      this.#unmoved = unmoved;
+      const { faceOffsets: offsets, faceIndices: indices } = mesh;
+      const shape = { positions, offsets, indices, symbol, metres };
       const request = { type: /** @type {const} */ ('build'), ...shape, settings };
-      this.#show(await this.#client.ask({ ...request, sheets: MOST_SHEETS }));
+      const begun = performance.now();
+      const built = await this.#client.ask({ ...request, sheets: MOST_SHEETS });
+      this.#milliseconds = performance.now() - begun;
+      this.#show(built);
     } catch (error) {
+      this.#unmoved = null;
       this.#refuse(messageOf(error));
     }
   }

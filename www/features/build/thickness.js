@@ -6,7 +6,7 @@
 import { element, setText } from '../../ui/dom.js';
 import { millimetres } from './check-card.js';
 
-/** @typedef {import("../../solver/messages.js").BuildReport} BuildReport */
+/** @typedef {import("../../solver/messages.js").BuildCard} BuildCard */
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
 /** @typedef {import("../../solver/messages.js").BuildChoice} BuildChoice */
 
@@ -82,7 +82,7 @@ export function thicknessForm({ tryDistance, change }) {
   return {
     place,
     /**
-     * @param {BuildReport} report
+     * @param {BuildCard} report
      * @param {BuildSettings} settings
      * @param {number} metres of the unit of the mesh
      */
