@@ -1,0 +1,142 @@
+// The panel of parts on thousands of panels: it can be used, and what is built follows a drag.
+
+import AxeBuilder from '@axe-core/playwright';
+import { openText, showPanel } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import { expect, openPage, screenOf, state, test, waitForState } from '../support.mjs';
+
+test.use({ pixels: false });
+
+/** Panels along a side. */
+const SIDE = 50;
+const VERTICES = (SIDE + 1) ** 2;
+/** So many elements the panel has at most beside the outlines of parts, one each, whatever the model. */
+const MOST_ELEMENTS = 500;
+/**
+ * The page is busy for so long at a time at most, as a multiple of what `otherWork` takes. Where this was written that is
+ * 3.2 ms, and the page takes half a second to read the sheets; a third program beside it doubles that.
+ */
+const BUSY = 600;
+/** The offset is that of a new place of the pointer after so long at most, in the same measure. */
+const FOLLOWS = 60;
+
+const panel = (page) => page.getByRole('region', { name: 'Parts and sheets' });
+const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
+
+/** In the page: milliseconds of the same work, some times over, since machines differ. */
+const otherWork = (page) =>
+  page
+    .evaluate(() =>
+      Array.from({ length: 9 }, () => {
+        const begun = performance.now();
+        let sum = 0;
+        for (let i = 1; i < 2_000_000; i++) sum += 1 / i;
+        return sum > 0 ? performance.now() - begun : 0;
+      }),
+    )
+    .then(median);
+
+async function openBuild(page) {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(SIDE)}`, VERTICES);
+  await showPanel(page, 'Model');
+  await page.evaluate(() => {
+    window.busy = [];
+    const note = (list) => window.busy.push(...list.getEntries().map((entry) => entry.duration));
+    new PerformanceObserver(note).observe({ type: 'longtask' });
+  });
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  await waitForState(page, (now, panels) => now.build?.panels === panels, SIDE * SIDE);
+  await expect(panel(page).getByRole('button', { name: 'Corners' })).toContainText('mm');
+}
+
+test('2500 panels leave a page that is never busy for long, and complete by keyboard', async ({
+  page,
+}) => {
+  await openBuild(page);
+  const longest = await page.evaluate(() => Math.max(0, ...window.busy));
+  const unit = await otherWork(page);
+  const outlines = await panel(page).locator('.cut path').count();
+  const elements = (await panel(page).locator('*').count()) - outlines;
+  const said = `busy ${longest} ms, other work ${unit} ms, ${elements} elements beside ${outlines}`;
+  test.info().annotations.push({ type: 'measured', description: said });
+  expect(outlines).toBeLessThanOrEqual(SIDE * SIDE);
+  expect(elements).toBeLessThan(MOST_ELEMENTS);
+  expect(longest, said).toBeLessThan(BUSY * unit);
+
+  const { violations } = await new AxeBuilder({ page })
+    .setLegacyMode()
+    .include('#parts-panel')
+    .analyze();
+  expect(violations.map(({ id, nodes }) => [id, nodes.map(({ target }) => target)])).toEqual([]);
+
+  // From the first field on to the sheets and back out, without a pointer.
+  await expect(panel(page).locator('select').first()).toBeFocused();
+  const sheets = panel(page).getByRole('group', { name: 'Sheets' });
+  const isAtSheets = () => sheets.evaluate((own) => own === document.activeElement);
+  for (let presses = 0; presses < 60 && !(await isAtSheets()); presses++)
+    await page.keyboard.press('Tab');
+  await expect(sheets).toBeFocused();
+  await page.keyboard.press('PageDown');
+  await expect
+    .poll(() => sheets.evaluate((own) => own.scrollTop + own.scrollLeft))
+    .toBeGreaterThan(0);
+  await page.keyboard.press('Escape');
+  await expect(panel(page)).toBeHidden();
+});
+
+test('the offset of 2500 panels follows the slider and a drag, and the sheets come after it', async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    window.asked = [];
+    window.Worker = class extends Worker {
+      #begun = new Map();
+      constructor(...about) {
+        super(...about);
+        this.addEventListener('message', ({ data }) => {
+          const own = this.#begun.get(data.id);
+          if (own) window.asked.push({ ...own, took: performance.now() - own.begun });
+        });
+      }
+      postMessage(message, ...rest) {
+        if (message.request) {
+          const { type } = message.request;
+          this.#begun.set(message.id, { type, begun: performance.now() });
+        }
+        super.postMessage(message, ...rest);
+      }
+    };
+  });
+  await openBuild(page);
+  const took = (type) =>
+    page.evaluate(
+      (type) => window.asked.filter((own) => own.type === type).map((own) => own.took),
+      type,
+    );
+  const unit = await otherWork(page);
+  await panel(page).getByLabel('Distance').press('ArrowRight');
+  await expect.poll(async () => (await took('moveLayer')).length).toBeGreaterThan(0);
+  const slides = median(await took('moveLayer'));
+  await expect.poll(async () => (await took('choices')).length).toBe(2);
+
+  const vertex = (VERTICES - 1) / 2;
+  const [x, y] = await screenOf(page, vertex);
+  await page.mouse.dblclick(x, y);
+  await waitForState(page, (now) => now.handles.length === 1);
+  await page.evaluate(() => (window.asked.length = 0));
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let step = 1; (await took('reshape')).length < 5; step++)
+    await page.mouse.move(x, y - 2 * (step % 20));
+  expect(await took('build')).toEqual([]);
+  const follows = median(await took('reshape'));
+  await page.mouse.up();
+  // At rest all parts are made.
+  await expect.poll(async () => (await took('build')).length).toBeGreaterThan(0);
+  const said = `drag ${follows} ms, slider ${slides} ms, other work ${unit} ms`;
+  test.info().annotations.push({ type: 'measured', description: said });
+  expect(follows, said).toBeLessThan(FOLLOWS * unit);
+  expect(slides, said).toBeLessThan(FOLLOWS * unit);
+  expect((await state(page)).build.panels).toBe(SIDE * SIDE);
+});
