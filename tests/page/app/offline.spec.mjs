@@ -3,9 +3,10 @@
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { unzipSync } from 'fflate';
 import { at } from '../../../.scripts/project.mjs';
 import { serve } from '../../../.scripts/serve.mjs';
-import { exported, openExample, runToTheEnd } from '../actions.mjs';
+import { downloaded, exported, openExample, runToTheEnd, showPanel } from '../actions.mjs';
 import { expect, keptOffline, state, test, visit, waitForState } from '../support.mjs';
 
 test.use({ serviceWorkers: 'allow', pixels: false });
@@ -24,6 +25,24 @@ test('after one visit the page works without a network', async ({ page, context 
   // A parameter of the address does not lead out.
   await visit(page, `backend=${(await state(page)).renderer}`);
   expect((await state(page)).vertices).toBeGreaterThan(0);
+});
+
+test('what was never opened before is built without a network, and saved', async ({
+  page,
+  context,
+}) => {
+  await visit(page);
+  await keptOffline(page);
+  await context.setOffline(true);
+  await visit(page);
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  const { build } = await waitForState(page, (now) => now.build !== null);
+  const save = page.getByRole('button', { name: 'Save drawings' });
+  const { name, bytes } = await downloaded(page, () => save.click());
+  expect(name).toMatch(/-parts\.zip$/);
+  const drawings = Object.keys(unzipSync(bytes)).filter((file) => file.endsWith('.dxf'));
+  expect(drawings).toHaveLength(build.sheets);
 });
 
 test('the gallery has all its pictures without a network, once it was opened', async ({
