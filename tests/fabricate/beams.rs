@@ -208,3 +208,14 @@ fn fins_have_a_hole_at_each_end_where_there_is_room() {
     let none = build(&cube(), &BuildSettings { hole: 15.0, ..settings() }).report();
     assert_eq!((none.holes, none.dropped_holes), (0, 24));
 }
+
+#[test]
+fn the_nodes_of_a_fin_are_named_beyond_the_holes_at_its_ends() {
+    let of = |hole| {
+        build(&revolution(9, 7), &BuildSettings { hole, scale: 8.0, distance: None, ..settings() })
+    };
+    let [plain, drilled] = [0.0, 2.0].map(of);
+    assert!(drilled.parts.iter().all(|part| part.holes.len() == 2));
+    assert_eq!((drilled.dropped_names, drilled.small_names), (0, 0));
+    assert_eq!((plain.dropped_names, plain.small_names), (0, 0));
+}

@@ -176,7 +176,8 @@ fn label_of_height(
     for (k, neighbour) in neighbours.iter().enumerate() {
         let Some(neighbour) = neighbour else { continue };
         let edge = [outline[k], outline[(k + 1) % outline.len()]];
-        let found = beside_edge(outline, edge, (neighbour, beside.min(height)), turn, &taken);
+        let tallest = beside.min(height);
+        let found = beside_edge(outline, edge, (neighbour, tallest), turn, (&taken, holes));
         match found {
             Some((height, own)) => {
                 labels.lines.extend(strokes(neighbour, height, own.centre, own.along));
@@ -190,17 +191,23 @@ fn label_of_height(
 }
 
 /// The height of the name of a neighbour beside its edge, and its box: along the edge, else across it, as high as
-/// there is room, and at most `tallest`; none where it cannot be read.
+/// there is room, and at most `tallest`; where a hole is in the way, beyond the one that is nearest to the edge. None
+/// where it cannot be read.
 fn beside_edge(
     outline: &[Point2],
     [p, q]: [Point2; 2],
     (name, tallest): (&str, f64),
     turn: Point2,
-    taken: &[Box2],
+    (taken, holes): (&[Box2], &[Hole]),
 ) -> Option<(f64, Box2)> {
     let length = distance(p, q);
     let along = direction_of(p, q);
     let inwards = [-along[1], along[0]];
+    let depth_of = |hole: &Hole| {
+        let [x, y] = [0, 1].map(|x| hole.centre[x] - p[x]);
+        x * inwards[0] + y * inwards[1] + hole.radius
+    };
+    let beyond = holes.iter().map(depth_of).reduce(f64::min);
     let mut height = tallest;
     loop {
         let width = text_width(name, height);
@@ -214,12 +221,14 @@ fn beside_edge(
                 continue;
             }
             let away = 0.5 * depth + ROOM * height + 0.4;
-            // In the middle of the edge, else to either side.
-            for share in [0.5, 0.38, 0.62, 0.28, 0.72] {
-                let centre = [0, 1].map(|x| p[x] + share * (q[x] - p[x]) + away * inwards[x]);
-                let own = Box2::of_text(name, height, centre, upright(direction, turn));
-                if own.is_in(outline) && taken.iter().all(|other| own.is_apart(other)) {
-                    return Some((height, own));
+            for away in [Some(away), beyond.map(|beyond| beyond + away)].into_iter().flatten() {
+                // In the middle of the edge, else to either side.
+                for share in [0.5, 0.38, 0.62, 0.28, 0.72] {
+                    let centre = [0, 1].map(|x| p[x] + share * (q[x] - p[x]) + away * inwards[x]);
+                    let own = Box2::of_text(name, height, centre, upright(direction, turn));
+                    if own.is_in(outline) && taken.iter().all(|other| own.is_apart(other)) {
+                        return Some((height, own));
+                    }
                 }
             }
         }
