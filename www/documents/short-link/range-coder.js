@@ -26,14 +26,34 @@ const SPAN = 256;
 class Coder {
   /** @type {Map<number, Context>} */
   #contexts = new Map();
+  #range = 2 ** 32 - 1;
 
   /**
-   * @param {number} _zero of 65536, the probability of a 0
+   * The bit: the range before the bound is that of a 0, the range from there on that of a 1.
+   * @param {number} _bound
    * @param {number} bit
    * @returns {number}
    */
-  code(_zero, bit) {
+  choose(_bound, bit) {
     return bit;
+  }
+
+  /** The range was made larger by a byte. */
+  shift() {}
+
+  /**
+   * @param {number} zero of 65536, the probability of a 0
+   * @param {number} bit
+   */
+  code(zero, bit) {
+    const bound = (this.#range >>> 16) * zero;
+    const coded = this.choose(bound, bit);
+    this.#range = coded ? this.#range - bound : bound;
+    while (this.#range < TOP) {
+      this.#range *= 256;
+      this.shift();
+    }
+    return coded;
   }
 
   /**
@@ -88,26 +108,18 @@ export class RangeWriter extends Coder {
   /** @type {number[]} */
   #bytes = [];
   #low = 0;
-  #range = 2 ** 32 - 1;
   #held = 0;
   /** Bytes of 255 after the held one, which a carry would turn over. */
   #pending = -1;
 
-  /** @override @param {number} zero @param {number} bit */
-  code(zero, bit) {
-    const bound = (this.#range >>> 16) * zero;
-    if (bit) {
-      this.#low += bound;
-      this.#range -= bound;
-    } else this.#range = bound;
-    while (this.#range < TOP) {
-      this.#range *= 256;
-      this.#shift();
-    }
+  /** @override @param {number} bound @param {number} bit */
+  choose(bound, bit) {
+    if (bit) this.#low += bound;
     return bit;
   }
 
-  #shift() {
+  /** @override */
+  shift() {
     if (this.#low < 255 * TOP || this.#low >= 2 ** 32) {
       const carry = this.#low >= 2 ** 32 ? 1 : 0;
       // The first of all would be a 0 that says nothing.
@@ -123,7 +135,7 @@ export class RangeWriter extends Coder {
 
   /** All that was written; zeros at the end are read from nothing. */
   bytes() {
-    for (let i = 0; i < 5; i++) this.#shift();
+    for (let i = 0; i < 5; i++) this.shift();
     while (this.#bytes.at(-1) === 0) this.#bytes.pop();
     return Uint8Array.from(this.#bytes);
   }
@@ -132,32 +144,24 @@ export class RangeWriter extends Coder {
 export class RangeReader extends Coder {
   #bytes;
   #at = 0;
-  #range = 2 ** 32 - 1;
   #code = 0;
 
   /** @param {Uint8Array} bytes */
   constructor(bytes) {
     super();
     this.#bytes = bytes;
-    for (let i = 0; i < 4; i++) this.#shift();
+    for (let i = 0; i < 4; i++) this.shift();
   }
 
-  /** @override @param {number} zero */
-  code(zero) {
-    const bound = (this.#range >>> 16) * zero;
-    const bit = this.#code < bound ? 0 : 1;
-    if (bit) {
-      this.#code -= bound;
-      this.#range -= bound;
-    } else this.#range = bound;
-    while (this.#range < TOP) {
-      this.#range *= 256;
-      this.#shift();
-    }
-    return bit;
+  /** @override @param {number} bound */
+  choose(bound) {
+    if (this.#code < bound) return 0;
+    this.#code -= bound;
+    return 1;
   }
 
-  #shift() {
+  /** @override */
+  shift() {
     this.#code = this.#code * 256 + (this.#bytes[this.#at] ?? 0);
     this.#at += 1;
   }
