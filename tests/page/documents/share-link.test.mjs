@@ -72,6 +72,39 @@ test('nine hundred panels are in 6,000 characters, rounded to a hundredth of the
   assert.deepEqual({ ...back, mesh: null, handles: null }, { ...scene, mesh: null, handles: null });
 });
 
+/** Uneven quads, each of which is flat but for a distance of at most `off`: 900 of them. */
+function unevenQuads(off) {
+  const n = 30;
+  const random = numbers(3);
+  const about = (size) => (2 * random() - 1) * size;
+  const positions = [];
+  const at = (x, y) => positions[y * (n + 1) + x];
+  for (let y = 0; y <= n; y++)
+    for (let x = 0; x <= n; x++) {
+      if (x === 0 || y === 0) {
+        positions.push([x + about(0.2), y + about(0.2), Math.sin(0.2 * (x + y)) + about(0.2)]);
+        continue;
+      }
+      const [a, b, c] = [at(x - 1, y), at(x, y - 1), at(x - 1, y - 1)];
+      const [p, q] = [1 + about(0.02), 1 + about(0.02)];
+      positions.push(c.map((value, k) => value + p * (a[k] - value) + q * (b[k] - value)));
+      positions.at(-1)[2] += about(off);
+    }
+  const faces = Array.from({ length: n * n }, (_, i) => {
+    const corner = Math.floor(i / n) * (n + 1) + (i % n);
+    return [corner, corner + 1, corner + n + 2, corner + n + 1];
+  });
+  return { positions, faces };
+}
+
+test('flat panels make a link a fifth shorter, and fit into 6,000 characters however uneven they are', async () => {
+  const [flat, bent] = await Promise.all(
+    [0, 0.02].map(async (off) => (await linkOf(sceneWith(unevenQuads(off)))).fragment.length),
+  );
+  assert.ok(flat <= 6000, `${flat} characters`);
+  assert.ok(flat <= 0.8 * bent, `${flat} of ${bent} characters`);
+});
+
 test('meshes of any sort come back with their vertices and faces in their order', async () => {
   const random = numbers(7);
   for (let turn = 0; turn < 60; turn++) {
@@ -138,6 +171,14 @@ test('links of earlier versions open', async () => {
   const text = JSON.stringify(sceneWith(meshOf(wavyGrid(3))));
   const code = deflateRawSync(Buffer.from(text)).toString('base64url');
   assert.deepEqual(await readLink(`#scene=${code}&run`), { example: null, text, run: true });
+  // Positions that were foretold without the planes of faces.
+  const early =
+    'AwAAAFMATa8c_9hkmh8L0MQnaj7ssgH7ZDgHOAcLeKHT10ibXPN1UCUE7nhJ5W0JLKcNrm6-3j4Pz-R6DjJ0CsZKkhU7GIZkihhEeY_nxFtGYDrXSpLnbyXLMQ6AIAxG4bv8Mw6uvYpxaLBEohRC0YVwd6PO73sd5kUF1BFyTdxAsJ2LTFeZ_uRwS7WYFTQ7JLEd1IeDz2qtctRmoKXjiLqBUE7-ptcjsBfDWMd4APS-Bxg';
+  const { mesh } = await opened(`#link=${early}`);
+  assert.deepEqual(mesh.faces, meshOf(wavyGrid(3)).faces);
+  mesh.positions.flat().forEach((value, i) => {
+    assert.ok(Math.abs(value - meshOf(wavyGrid(3)).positions.flat()[i]) <= 0.5001e-5);
+  });
   const edits = await readLink(`#example=hypar&edits=${code}`);
   assert.deepEqual(edits, { example: 'hypar', text, run: false });
   await assert.rejects(readLink(`#scene=${code.slice(0, -9)}`), /incomplete or damaged/);

@@ -62,15 +62,17 @@ export function writeMesh({ positions, faces }, step) {
     coder,
     codeFaces(coder, positions.length, faces.length, faces),
     Int32Array.from(places.flat()),
+    true,
   );
   return coder.bytes();
 }
 
 /**
  * @param {Uint8Array} bytes
+ * @param {boolean} inPlanes whether it was written with the planes of its faces
  * @returns {Mesh}
  */
-export function readMesh(bytes) {
+export function readMesh(bytes, inPlanes) {
   const coder = new RangeReader(bytes);
   const empty = { step: { factor: 1, exponent: 0 }, origin: [0, 0, 0], vertices: 0, faces: 0 };
   const { step, origin, vertices, faces: count } = codeHead(coder, empty);
@@ -78,7 +80,7 @@ export function readMesh(bytes) {
     throw new RangeError('not a mesh');
   const faces = codeFaces(coder, vertices, count, []);
   const places = new Int32Array(3 * vertices);
-  codePositions(coder, faces, places);
+  codePositions(coder, faces, places, inPlanes);
   const along = (/** @type {number} */ vertex, /** @type {number} */ axis) =>
     scaled(origin[axis] + places[3 * vertex + axis], step);
   const positions = Array.from({ length: vertices }, (_, vertex) => {

@@ -19,6 +19,8 @@ const PART = 0.01;
 /** What the first byte says. */
 const RUN = 1;
 const HAS_MESH = 2;
+/** Its positions were foretold by planes, too: those of the first links were not. */
+const IN_PLANES = 4;
 const LENGTH_BYTES = 4;
 
 /** @typedef {Record<string, any>} SceneFile */
@@ -55,7 +57,7 @@ export async function packScene({ scene, example, run, tolerance }) {
 async function packed(content, run, mesh) {
   const text = await deflate(JSON.stringify(content));
   const head = new DataView(new ArrayBuffer(1 + (mesh ? LENGTH_BYTES : 0)));
-  head.setUint8(0, (run ? RUN : 0) | (mesh ? HAS_MESH : 0));
+  head.setUint8(0, (run ? RUN : 0) | (mesh ? HAS_MESH | IN_PLANES : 0));
   if (mesh) head.setUint32(1, mesh.length);
   const parts = [new Uint8Array(head.buffer), mesh ?? new Uint8Array(), text];
   return writeCode(Uint8Array.from(parts.flatMap((part) => [...part])));
@@ -70,7 +72,7 @@ export async function unpackScene(code) {
   if (!bytes?.length) throw damaged();
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   const holds = view.getUint8(0);
-  if (holds > (RUN | HAS_MESH))
+  if (holds > (RUN | HAS_MESH | IN_PLANES))
     throw new Error('The link is one of a later version of this page: reload it, or update it.');
   const run = (holds & RUN) !== 0;
   if (!(holds & HAS_MESH)) {
@@ -80,7 +82,7 @@ export async function unpackScene(code) {
   const start = 1 + LENGTH_BYTES;
   const end = start + view.getUint32(1);
   const { scene } = JSON.parse(await inflate(bytes.subarray(end)));
-  const { positions, faces } = readMesh(bytes.subarray(start, end));
+  const { positions, faces } = readMesh(bytes.subarray(start, end), (holds & IN_PLANES) !== 0);
   // Keys that the mesh has beside them are curves, tetrahedra and groups.
   const mesh = { positions, faces, ...scene.mesh };
   return { text: JSON.stringify({ ...scene, mesh }), example: null, run };

@@ -1,58 +1,56 @@
 /**
- * Positions in a link: a vertex is foretold by the faces around it, and its difference to that is coded.
- * The foretelling is that of a parallelogram, or of a straight line; what the twist and the bend of the
- * faces beside it say more is learned on the way.
+ * Positions in a link: a vertex is foretold by the faces around it, and its difference to that is coded. Where a
+ * face says its plane, the coordinate that leaves the plane fastest comes last, and the others foretell it.
  */
 
-import { LeastSquares } from './least-squares.js';
-import { Neighbourhood } from './neighbourhood.js';
+import { Foretelling } from './foretelling.js';
 
 /** @typedef {import("./range-coder.js").RangeCoder} RangeCoder */
-/** @typedef {[number, number, number]} Vector */
 
-/** Features are about 1 where a step is a hundredth of a tolerance that is a thousandth of an edge. */
-const UNIT = 1e5;
 /** Contexts go by the length of the last differences, in steps of two bits. */
 const LENGTHS = 7;
 const KEY = 1 << 16;
+/** That of differences to planes: they are as short as none. */
+const PLANE_KEY = KEY + 3 * LENGTHS;
+const [LEVEL_BEGIN, PLANE_LEVEL_BEGIN] = [6, 1];
+/** Of the first difference, in bits. */
+const FIRST = 12;
 
 /** Nothing is foretold farther away, in steps. */
 const FARTHEST = 2 ** 30;
-
-/** @param {Vector[]} vectors @returns {Vector} */
-const mean = (vectors) => {
-  const sum = (/** @type {number} */ axis) =>
-    vectors.reduce((total, vector) => total + vector[axis], 0) / vectors.length;
-  return [sum(0), sum(1), sum(2)];
-};
-
-/** @param {Vector} a @param {Vector} b @returns {Vector} */
-const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 
 /**
  * Writes positions, or reads them.
  * @param {RangeCoder} coder
  * @param {number[][]} faces
  * @param {Int32Array} places `#V by 3`, in steps; a reader fills it
+ * @param {boolean} inPlanes whether faces say their planes: in the first links they did not
  */
-export function codePositions(coder, faces, places) {
-  const foretelling = new Foretelling(faces, places);
-  /** The length of the last differences, in bits. */
-  let length = 12;
+export function codePositions(coder, faces, places, inPlanes) {
+  const foretelling = new Foretelling(faces, places, inPlanes);
+  /** The lengths of the last differences, in bits: of those in a plane, and of those to it. */
+  let [length, planeLength] = [FIRST, FIRST];
+
+  /** Codes a coordinate; returns the length of its difference. @type {(at: number, value: number, key: number) => number} */
+  const coordinate = (at, value, key) => {
+    const foretold = Math.abs(value) < FARTHEST ? Math.round(value) : 0;
+    const difference = coder.integer(key, places[at] - foretold);
+    places[at] = foretold + difference;
+    return 32 - Math.clz32(Math.abs(difference));
+  };
+
   const code = (/** @type {number} */ vertex) => {
-    const { kind, at, learn } = foretelling.of(vertex);
-    const level = Math.min(Math.max(Math.round((length - 6) / 2), 0), LENGTHS - 1);
+    const { kind, at, plane, learn } = foretelling.of(vertex);
+    const key = KEY + kind * LENGTHS + levelOf(length, LEVEL_BEGIN);
+    const axes = [0, 1, 2].filter((axis) => axis !== plane?.axis);
     let bits = 0;
-    at.forEach((value, axis) => {
-      const foretold = Math.abs(value) < FARTHEST ? Math.round(value) : 0;
-      const difference = coder.integer(
-        KEY + kind * LENGTHS + level,
-        places[3 * vertex + axis] - foretold,
-      );
-      places[3 * vertex + axis] = foretold + difference;
-      bits += 32 - Math.clz32(Math.abs(difference));
-    });
-    length = (length + bits / 3) / 2;
+    for (const axis of axes) bits += coordinate(3 * vertex + axis, at[axis], key);
+    length = (length + bits / axes.length) / 2;
+    if (plane) {
+      const planeKey = PLANE_KEY + levelOf(planeLength, PLANE_LEVEL_BEGIN);
+      const bitsOff = coordinate(3 * vertex + plane.axis, plane.foretold(), planeKey);
+      planeLength = (planeLength + bitsOff) / 2;
+    }
     learn();
     foretelling.know(vertex);
   };
@@ -63,192 +61,6 @@ export function codePositions(coder, faces, places) {
     if (!foretelling.isKnown[vertex]) code(vertex);
 }
 
-class Foretelling {
-  #places;
-  #last = /** @type {Vector} */ ([0, 0, 0]);
-  /** One for each sort of what is known. @type {Map<string, LeastSquares>} */
-  #learned = new Map();
-
-  /**
-   * @param {number[][]} faces
-   * @param {Int32Array} places
-   */
-  constructor(faces, places) {
-    this.#places = places;
-    this.around = new Neighbourhood(faces, places.length / 3);
-    this.isKnown = new Uint8Array(places.length / 3);
-  }
-
-  /** @param {number} vertex */
-  know(vertex) {
-    this.isKnown[vertex] = 1;
-    this.#last = this.#sum([1, vertex]);
-  }
-
-  /** The vertex of a face that is to come, with most known beside it; -1 where all are known. @param {number[]} face */
-  next(face) {
-    let best = -1;
-    let most = -1;
-    face.forEach((vertex, at) => {
-      if (this.isKnown[vertex]) return;
-      const beside = [face[(at + 1) % face.length], face[(at + face.length - 1) % face.length]];
-      const known = beside.filter((other) => this.isKnown[other]).length;
-      if (known > most) [best, most] = [vertex, known];
-    });
-    return best;
-  }
-
-  /** Where a vertex will be, in steps. @param {number} vertex */
-  of(vertex) {
-    const shapes = this.#parallelograms(vertex);
-    const lines = this.#lines(vertex);
-    /** @type {Vector[]} */
-    const features = [];
-    let sort = `${Math.min(shapes.length, 2)}`;
-    let base = null;
-    if (shapes.length > 0)
-      base = mean(shapes.map(([a, b, across]) => this.#sum([1, a], [1, b], [-1, across])));
-    if (lines.length > 0) {
-      const straight = mean(lines.map(([near, far]) => this.#sum([2, near], [-1, far])));
-      if (base) features.push(minus(straight, base));
-      base ??= straight;
-      const longer = lines.filter(([, , end]) => end >= 0);
-      if (longer.length > 0)
-        features.push(
-          mean(longer.map(([near, far, end]) => this.#sum([1, near], [-2, far], [1, end]))),
-        );
-      sort += `,${Math.min(lines.length, 2)},${longer.length > 0}`;
-    }
-    if (shapes.length > 0) {
-      const twists = this.#twists(vertex, shapes[0]);
-      features.push(...twists);
-      sort += `,${twists.length}`;
-    }
-    const kind = shapes.length > 0 ? 0 : lines.length > 0 ? 1 : 2;
-    const beside = this.around.beside[vertex].filter((other) => this.isKnown[other]);
-    base ??= beside.length > 0 ? mean(beside.map((other) => this.#sum([1, other]))) : this.#last;
-    return { kind, ...this.#improved(vertex, base, features, sort) };
-  }
-
-  /**
-   * What was learned where as much was known.
-   * @param {number} vertex
-   * @param {Vector} base
-   * @param {Vector[]} features
-   * @param {string} sort
-   */
-  #improved(vertex, base, features, sort) {
-    if (features.length === 0) return { at: base, learn: () => {} };
-    const learned = this.#learned.get(sort) ?? new LeastSquares(features.length);
-    this.#learned.set(sort, learned);
-    const along = base.map((_, axis) => features.map((feature) => feature[axis] / UNIT));
-    return {
-      at: base.map((value, axis) => value + UNIT * learned.predict(along[axis])),
-      learn: () =>
-        along.forEach((one, axis) =>
-          learned.learn(one, (this.#places[3 * vertex + axis] - base[axis]) / UNIT),
-        ),
-    };
-  }
-
-  /**
-   * A sum of positions with factors.
-   * @param {...[number, number]} terms factor and vertex
-   * @returns {Vector}
-   */
-  #sum(...terms) {
-    const along = (/** @type {number} */ axis) =>
-      terms.reduce((sum, [factor, vertex]) => sum + factor * this.#places[3 * vertex + axis], 0);
-    return [along(0), along(1), along(2)];
-  }
-
-  /**
-   * Two known neighbours and the vertex across from it, in each face that has them; of two triangles
-   * across their common side.
-   * @param {number} vertex
-   * @returns {[number, number, number][]}
-   */
-  #parallelograms(vertex) {
-    const { faces, facesAt } = this.around;
-    /** @type {[number, number, number][]} */
-    const found = [];
-    for (const index of facesAt[vertex]) {
-      const face = faces[index];
-      const at = face.indexOf(vertex);
-      const [a, across] = [face[(at + 1) % face.length], face[(at + 2) % face.length]];
-      const b = face[(at + face.length - 1) % face.length];
-      if (!this.isKnown[a] || !this.isKnown[b]) continue;
-      const far = face.length > 3 ? across : this.#acrossSide(a, b, vertex);
-      if (far >= 0 && this.isKnown[far]) found.push([a, b, far]);
-    }
-    return found;
-  }
-
-  /**
-   * A known vertex of the face on the other side of two vertices; -1 where there is none.
-   * @param {number} a
-   * @param {number} b
-   * @param {number} vertex on this side
-   */
-  #acrossSide(a, b, vertex) {
-    const { faces, facesAt } = this.around;
-    const other = facesAt[a].find(
-      (face) => facesAt[b].includes(face) && !faces[face].includes(vertex),
-    );
-    if (other === undefined) return -1;
-    return faces[other].find((one) => one !== a && one !== b && this.isKnown[one]) ?? -1;
-  }
-
-  /**
-   * Known vertices in a line with a vertex: its neighbour, the one beyond it, and the one beyond that or -1.
-   * @param {number} vertex
-   * @returns {[number, number, number][]}
-   */
-  #lines(vertex) {
-    /** @type {[number, number, number][]} */
-    const found = [];
-    for (const near of this.around.beside[vertex]) {
-      if (!this.isKnown[near]) continue;
-      const far = this.#beyond(vertex, near);
-      if (far >= 0) found.push([near, far, this.#beyond(near, far)]);
-    }
-    return found;
-  }
-
-  /** The known neighbour of `near` that shares no face with `vertex`, or -1. @param {number} vertex @param {number} near */
-  #beyond(vertex, near) {
-    const isBeyond = (/** @type {number} */ other) =>
-      this.isKnown[other] === 1 && other !== vertex && !this.around.share(other, vertex);
-    return this.around.beside[near].find(isBeyond) ?? -1;
-  }
-
-  /**
-   * How far the known quads beside a parallelogram are from parallelograms.
-   * @param {number} vertex
-   * @param {[number, number, number]} shape
-   */
-  #twists(vertex, [a, b, across]) {
-    const { faces, facesAt } = this.around;
-    return [
-      [a, b],
-      [b, a],
-    ].flatMap(([near, other]) => {
-      const isTwisted = (/** @type {number} */ index) => {
-        const face = faces[index];
-        return (
-          face.length === 4 &&
-          facesAt[across].includes(index) &&
-          !face.includes(vertex) &&
-          !face.includes(other) &&
-          face.every((one) => this.isKnown[one])
-        );
-      };
-      const found = facesAt[near].find(isTwisted);
-      if (found === undefined) return [];
-      const face = faces[found];
-      const from = face.indexOf(across);
-      const corner = (/** @type {number} */ k) => face[(from + k) % 4];
-      return [this.#sum([1, across], [-1, corner(1)], [1, corner(2)], [-1, corner(3)])];
-    });
-  }
-}
+/** @param {number} length in bits @param {number} begin that of the lowest level */
+const levelOf = (length, begin) =>
+  Math.min(Math.max(Math.round((length - begin) / 2), 0), LENGTHS - 1);

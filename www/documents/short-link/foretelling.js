@@ -1,0 +1,244 @@
+/**
+ * Where a vertex will be, by what is known of its neighbours: a parallelogram, or a straight line; what the twist
+ * and the bend of the faces beside it say more is learned on the way.
+ */
+
+import { alongPlane, planeAlong } from './foretold-plane.js';
+import { LeastSquares } from './least-squares.js';
+import { Neighbourhood } from './neighbourhood.js';
+import { dot, mean, minus } from './vectors.js';
+
+/** @typedef {import("./vectors.js").Vector} Vector */
+
+/** Features are about 1 where a step is a hundredth of a tolerance that is a thousandth of an edge. */
+const UNIT = 1e5;
+
+export class Foretelling {
+  #places;
+  #inPlanes;
+  #last = /** @type {Vector} */ ([0, 0, 0]);
+  /** One for each sort of what is known. @type {Map<string, LeastSquares>} */
+  #learned = new Map();
+
+  /**
+   * @param {number[][]} faces
+   * @param {Int32Array} places
+   * @param {boolean} inPlanes whether faces say their planes
+   */
+  constructor(faces, places, inPlanes) {
+    this.#places = places;
+    this.#inPlanes = inPlanes;
+    this.around = new Neighbourhood(faces, places.length / 3);
+    this.isKnown = new Uint8Array(places.length / 3);
+  }
+
+  /** @param {number} vertex */
+  know(vertex) {
+    this.isKnown[vertex] = 1;
+    this.#last = this.#sum([1, vertex]);
+  }
+
+  /** The vertex of a face that is to come, with most known beside it; -1 where all are known. @param {number[]} face */
+  next(face) {
+    let best = -1;
+    let most = -1;
+    face.forEach((vertex, at) => {
+      if (this.isKnown[vertex]) return;
+      const beside = [face[(at + 1) % face.length], face[(at + face.length - 1) % face.length]];
+      const known = beside.filter((other) => this.isKnown[other]).length;
+      if (known > most) [best, most] = [vertex, known];
+    });
+    return best;
+  }
+
+  /** Where a vertex will be, in steps. @param {number} vertex */
+  of(vertex) {
+    const shapes = this.#parallelograms(vertex);
+    const lines = this.#lines(vertex);
+    /** @type {Vector[]} */
+    const features = [];
+    let sort = `${Math.min(shapes.length, 2)}`;
+    let base = null;
+    if (shapes.length > 0)
+      base = mean(shapes.map(([a, b, across]) => this.#sum([1, a], [1, b], [-1, across])));
+    if (lines.length > 0) {
+      const straight = mean(lines.map(([near, far]) => this.#sum([2, near], [-1, far])));
+      if (base) features.push(minus(straight, base));
+      base ??= straight;
+      const longer = lines.filter(([, , end]) => end >= 0);
+      if (longer.length > 0)
+        features.push(
+          mean(longer.map(([near, far, end]) => this.#sum([1, near], [-2, far], [1, end]))),
+        );
+      sort += `,${Math.min(lines.length, 2)},${longer.length > 0}`;
+    }
+    if (shapes.length > 0) {
+      const twists = this.#twists(vertex, shapes[0]);
+      features.push(...twists);
+      sort += `,${twists.length}`;
+    }
+    const kind = shapes.length > 0 ? 0 : lines.length > 0 ? 1 : 2;
+    const beside = this.around.beside[vertex].filter((other) => this.isKnown[other]);
+    base ??= beside.length > 0 ? mean(beside.map((other) => this.#sum([1, other]))) : this.#last;
+    const plane =
+      this.#inPlanes && shapes.length > 0
+        ? this.#plane(vertex, shapes[0], base, features, sort)
+        : null;
+    const { at, learn } = this.#improved(vertex, base, features, sort);
+    const learnAll = () => {
+      learn();
+      plane?.learn();
+    };
+    return { kind, at, plane, learn: learnAll };
+  }
+
+  /**
+   * The axis that leaves the plane of a face fastest, and what the other two coordinates say along it.
+   * @param {number} vertex
+   * @param {[number, number, number]} shape
+   * @param {Vector} base
+   * @param {Vector[]} features
+   * @param {string} sort
+   */
+  #plane(vertex, [a, b, across], base, features, sort) {
+    const plane = planeAlong(this.#sum([1, a], [-1, across]), this.#sum([1, b], [-1, across]));
+    if (!plane) return null;
+    const { axis, slopes } = plane;
+    const learned = this.#learnedOf(`plane,${sort}`, features.length);
+    const off = features.map((feature) => dot(slopes, feature) / UNIT);
+    const flat = () => alongPlane(plane, base, this.#sum([1, vertex]));
+    return {
+      axis,
+      foretold: () => flat() + UNIT * learned.predict(off),
+      learn: () => learned.learn(off, (this.#places[3 * vertex + axis] - flat()) / UNIT),
+    };
+  }
+
+  /** @param {string} sort @param {number} features */
+  #learnedOf(sort, features) {
+    const learned = this.#learned.get(sort) ?? new LeastSquares(features);
+    this.#learned.set(sort, learned);
+    return learned;
+  }
+
+  /**
+   * What was learned where as much was known.
+   * @param {number} vertex
+   * @param {Vector} base
+   * @param {Vector[]} features
+   * @param {string} sort
+   */
+  #improved(vertex, base, features, sort) {
+    if (features.length === 0) return { at: base, learn: () => {} };
+    const learned = this.#learnedOf(sort, features.length);
+    const along = base.map((_, axis) => features.map((feature) => feature[axis] / UNIT));
+    return {
+      at: base.map((value, axis) => value + UNIT * learned.predict(along[axis])),
+      learn: () =>
+        along.forEach((one, axis) =>
+          learned.learn(one, (this.#places[3 * vertex + axis] - base[axis]) / UNIT),
+        ),
+    };
+  }
+
+  /**
+   * A sum of positions with factors.
+   * @param {...[number, number]} terms factor and vertex
+   * @returns {Vector}
+   */
+  #sum(...terms) {
+    const along = (/** @type {number} */ axis) =>
+      terms.reduce((sum, [factor, vertex]) => sum + factor * this.#places[3 * vertex + axis], 0);
+    return [along(0), along(1), along(2)];
+  }
+
+  /**
+   * Two known neighbours and the vertex across from it, in each face that has them; of two triangles
+   * across their common side.
+   * @param {number} vertex
+   * @returns {[number, number, number][]}
+   */
+  #parallelograms(vertex) {
+    const { faces, facesAt } = this.around;
+    /** @type {[number, number, number][]} */
+    const found = [];
+    for (const index of facesAt[vertex]) {
+      const face = faces[index];
+      const at = face.indexOf(vertex);
+      const [a, across] = [face[(at + 1) % face.length], face[(at + 2) % face.length]];
+      const b = face[(at + face.length - 1) % face.length];
+      if (!this.isKnown[a] || !this.isKnown[b]) continue;
+      const far = face.length > 3 ? across : this.#acrossSide(a, b, vertex);
+      if (far >= 0 && this.isKnown[far]) found.push([a, b, far]);
+    }
+    return found;
+  }
+
+  /**
+   * A known vertex of the face on the other side of two vertices; -1 where there is none.
+   * @param {number} a
+   * @param {number} b
+   * @param {number} vertex on this side
+   */
+  #acrossSide(a, b, vertex) {
+    const { faces, facesAt } = this.around;
+    const other = facesAt[a].find(
+      (face) => facesAt[b].includes(face) && !faces[face].includes(vertex),
+    );
+    if (other === undefined) return -1;
+    return faces[other].find((one) => one !== a && one !== b && this.isKnown[one]) ?? -1;
+  }
+
+  /**
+   * Known vertices in a line with a vertex: its neighbour, the one beyond it, and the one beyond that or -1.
+   * @param {number} vertex
+   * @returns {[number, number, number][]}
+   */
+  #lines(vertex) {
+    /** @type {[number, number, number][]} */
+    const found = [];
+    for (const near of this.around.beside[vertex]) {
+      if (!this.isKnown[near]) continue;
+      const far = this.#beyond(vertex, near);
+      if (far >= 0) found.push([near, far, this.#beyond(near, far)]);
+    }
+    return found;
+  }
+
+  /** The known neighbour of `near` that shares no face with `vertex`, or -1. @param {number} vertex @param {number} near */
+  #beyond(vertex, near) {
+    const isBeyond = (/** @type {number} */ other) =>
+      this.isKnown[other] === 1 && other !== vertex && !this.around.share(other, vertex);
+    return this.around.beside[near].find(isBeyond) ?? -1;
+  }
+
+  /**
+   * How far the known quads beside a parallelogram are from parallelograms.
+   * @param {number} vertex
+   * @param {[number, number, number]} shape
+   */
+  #twists(vertex, [a, b, across]) {
+    const { faces, facesAt } = this.around;
+    return [
+      [a, b],
+      [b, a],
+    ].flatMap(([near, other]) => {
+      const isTwisted = (/** @type {number} */ index) => {
+        const face = faces[index];
+        return (
+          face.length === 4 &&
+          facesAt[across].includes(index) &&
+          !face.includes(vertex) &&
+          !face.includes(other) &&
+          face.every((one) => this.isKnown[one])
+        );
+      };
+      const found = facesAt[near].find(isTwisted);
+      if (found === undefined) return [];
+      const face = faces[found];
+      const from = face.indexOf(across);
+      const corner = (/** @type {number} */ k) => face[(from + k) % 4];
+      return [this.#sum([1, across], [-1, corner(1)], [1, corner(2)], [-1, corner(3)])];
+    });
+  }
+}
