@@ -42,7 +42,7 @@ fn what_is_as_asked_does_not_move() {
     }
     assert_eq!(
         forecast(&vault(0.0)).words(),
-        "This mesh will move not at all for flat or circular panels."
+        "This mesh will not move at all for flat or circular panels."
     );
     let triangle = Mesh {
         positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.3]],

@@ -81,7 +81,7 @@ impl Forecast {
 
     /// A sentence or a few: for what it will move how far, why, and what to do about it.
     pub fn words(&self) -> String {
-        let mut words = String::from("This mesh will move");
+        let mut words = String::from("This mesh will");
         let (mut farthest, mut joint) = (None, "");
         for how_far in HowFar::FARTHEST_FIRST {
             let kinds = self.kinds.iter().filter(|kind| kind.how_far == how_far);
@@ -89,9 +89,11 @@ impl Forecast {
             if adjectives.is_empty() {
                 continue;
             }
-            let panels = if farthest.is_none() { "panels" } else { "ones" };
-            let parts =
-                [joint, " ", how_far.words(), " for ", &adjectives.join(" or "), " ", panels];
+            let (words_of, panels) = match farthest {
+                None => (how_far.words_with_verb(), "panels"),
+                Some(_) => (how_far.words(), "ones"),
+            };
+            let parts = [joint, " ", words_of, " for ", &adjectives.join(" or "), " ", panels];
             words += &parts.concat();
             farthest = farthest.or(Some(how_far));
             joint = " and";
@@ -125,6 +127,15 @@ impl HowFar {
             HowFar::Hardly => "very little",
             HowFar::Little => "a little",
             HowFar::Lot => "a lot",
+        }
+    }
+
+    fn words_with_verb(self) -> &'static str {
+        match self {
+            HowFar::Nothing => "not move at all",
+            HowFar::Hardly => "move very little",
+            HowFar::Little => "move a little",
+            HowFar::Lot => "move a lot",
         }
     }
 }
