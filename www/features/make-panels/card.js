@@ -74,6 +74,9 @@ export class MakePanels {
     store.subscribe(['tolerance'], updateSoon);
     // What would help comes into it later.
     new ResizeObserver(() => this.#cover()).observe(this.#card);
+    // A panel below hides it: that is known before the view, which is smaller then, is framed anew.
+    const { body } = document;
+    new MutationObserver(() => this.#cover()).observe(body, { attributeFilter: ['data-docked'] });
   }
 
   #isUnderWay() {

@@ -1,0 +1,170 @@
+// Windows of other sizes than those of most tests: nothing lies over what is looked at, and what comes next is in
+// sight.
+
+import { file, wavyGrid } from '../meshes.mjs';
+import { openText, showPanel, tool } from '../actions.mjs';
+import { expect, openPage, test, waitForState } from '../support.mjs';
+
+test.use({ pixels: false });
+
+const SMALL = { width: 1024, height: 768 };
+const ON_ITS_SIDE = { width: 844, height: 390 };
+
+const view = (page) => page.getByRole('application', { name: '3D view' });
+const card = (page) => page.locator('#make-panels-card');
+const legend = (page) => page.locator('#legend');
+
+/** Whether two boxes share a point. */
+const overlap = (a, b) =>
+  a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+
+/** How high the model is on the page. */
+async function heightOfModel(page) {
+  const places = await page.evaluate(() =>
+    Array.from({ length: window.shapeUp.state().vertices }, (_, v) => window.shapeUp.screen(v)),
+  );
+  const ys = places.filter((at) => at !== null).map(([, y]) => y);
+  return Math.max(...ys) - Math.min(...ys);
+}
+
+/** Opens a roof and makes its panels flat: the verdict and the legend are over the view. */
+async function makeFlat(page) {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(6), 49);
+  await page.getByRole('button', { name: 'Make panels flat' }).click();
+  await waitForState(page, (now) => now.converged && !now.running);
+  await expect(card(page)).toBeVisible();
+}
+
+/** Opens the dialog behind a button of the panel of the model. */
+async function openBehind(page, button, name) {
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: button, exact: true }).click();
+  return page.getByRole('dialog', { name });
+}
+
+for (const advanced of [false, true])
+  test.describe(advanced ? 'with every control' : 'with the essentials', () => {
+    test.use({ advanced, viewport: SMALL });
+
+    test('a new constraint and parts leave the view its place', async ({ page }) => {
+      await openPage(page);
+      await openText(page, 'roof.obj', wavyGrid(6), 49);
+      const before = await view(page).boundingBox();
+      const dialog = await openBehind(page, 'Add constraint', 'New constraint');
+      await expect(dialog.getByRole('button', { name: 'Add', exact: true })).toBeInViewport();
+      expect(await view(page).boundingBox()).toEqual(before);
+      await dialog.getByRole('button', { name: 'Close' }).click();
+
+      await page.getByRole('button', { name: 'Make panels flat' }).click();
+      await waitForState(page, (now) => now.converged && !now.running);
+      await page.getByRole('button', { name: 'Build', exact: true }).click();
+      const parts = page.getByRole('region', { name: 'Parts and sheets' });
+      await expect(parts).toBeVisible();
+      await waitForState(page, (now) => now.build !== null);
+      const { x, y, width, height } = await parts.boundingBox();
+      const now = await view(page).boundingBox();
+      expect([now.x, now.y, now.width]).toEqual([before.x, before.y, before.width]);
+      expect(now.y + now.height).toBeLessThanOrEqual(y);
+      expect(now.height).toBeGreaterThan(SMALL.height * 0.4);
+      expect([x + width <= SMALL.width, y + height <= SMALL.height]).toEqual([true, true]);
+      await expect(card(page)).toBeHidden();
+      // The model has what room there is.
+      await expect.poll(() => heightOfModel(page)).toBeGreaterThan(0.5 * now.height);
+    });
+
+    test('what came of it is said, and the verdict is beside the legend', async ({ page }) => {
+      await makeFlat(page);
+      await expect(legend(page)).toBeVisible();
+      const [one, other] = [await card(page).boundingBox(), await legend(page).boundingBox()];
+      expect(overlap(one, other)).toBe(false);
+      expect(other.x + other.width).toBeLessThanOrEqual(one.x);
+      const { width } = await page.getByRole('status').boundingBox();
+      expect(width).toBeGreaterThan(120);
+    });
+  });
+
+test.describe('a presentation', () => {
+  test.use({ viewport: SMALL });
+
+  test('the legend is as high as what it says', async ({ page }) => {
+    await makeFlat(page);
+    const dialog = await openBehind(page, 'Present', 'Presentation');
+    await dialog.getByRole('button', { name: 'Add this view' }).click();
+    await dialog.getByRole('button', { name: 'Start', exact: true }).click();
+    const stage = page.getByRole('region', { name: 'Presentation' });
+    await expect(stage.getByRole('heading')).toBeVisible();
+    await expect(legend(page)).toBeVisible();
+    const { height } = await legend(page).boundingBox();
+    expect(height).toBeLessThan(200);
+    expect(
+      overlap(await legend(page).boundingBox(), await stage.getByText('1 of 1').boundingBox()),
+    ).toBe(false);
+  });
+});
+
+test.describe('a telephone on its side', () => {
+  test.use({ viewport: ON_ITS_SIDE, hasTouch: true });
+
+  test('every tool is in the bar, and parts are beside the view', async ({ page }) => {
+    await makeFlat(page);
+    const ends = await page
+      .getByRole('banner')
+      .getByRole('button')
+      .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().right));
+    expect(Math.max(...ends)).toBeLessThanOrEqual(ON_ITS_SIDE.width);
+    await page.getByRole('button', { name: 'Build', exact: true }).click();
+    const parts = page.getByRole('region', { name: 'Parts and sheets' });
+    await expect(parts).toBeVisible();
+    const [one, other] = [await parts.boundingBox(), await view(page).boundingBox()];
+    expect(overlap(one, other)).toBe(false);
+    expect(other.height).toBeGreaterThan(200);
+    await expect(card(page)).toBeHidden();
+  });
+
+  test('the button that one came for is in sight in every dialog', async ({ page }) => {
+    await makeFlat(page);
+    await tool(page, 'Share');
+    const share = page.getByRole('dialog', { name: 'Share' });
+    await expect(share.getByRole('button', { name: 'Copy link' })).toBeInViewport({ ratio: 1 });
+    await share.getByRole('button', { name: 'Close' }).click();
+    const refine = await openBehind(page, 'Refine', 'Refine');
+    await expect(refine.getByRole('button', { name: 'Refine now' })).toBeInViewport({ ratio: 1 });
+    await refine.getByRole('button', { name: 'Close' }).click();
+    const lesson = await openBehind(page, 'Write a lesson', 'Lesson');
+    await expect(lesson.getByRole('button', { name: 'Save lesson' })).toBeInViewport({ ratio: 1 });
+  });
+});
+
+test.describe('a telephone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
+
+  test('a lesson is as wide as the window, and what is touched is large enough', async ({
+    page,
+  }) => {
+    await openPage(page);
+    await page.getByLabel('Open file').setInputFiles(file('roof.obj', wavyGrid(6)));
+    await waitForState(page, (now) => now.vertices === 49);
+    const lesson = await openBehind(page, 'Write a lesson', 'Lesson');
+    const wide = await lesson.evaluate((one) => [
+      one.scrollWidth - one.clientWidth,
+      Math.max(...[...one.querySelectorAll('*')].map((e) => e.getBoundingClientRect().right)),
+    ]);
+    expect(wide[0]).toBe(0);
+    expect(wide[1]).toBeLessThanOrEqual(390);
+    const heights = await lesson
+      .locator('label:has(> input)')
+      .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().height));
+    expect(Math.min(...heights)).toBeGreaterThanOrEqual(44);
+  });
+
+  test('the card of curvature leaves the model free', async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'roof.obj', wavyGrid(6), 49);
+    await page.getByRole('button', { name: 'Views' }).click();
+    await page.getByRole('button', { name: 'Curvature', exact: true }).click();
+    const curvature = await page.getByRole('region', { name: 'Curvature' }).boundingBox();
+    const { y, height } = await view(page).boundingBox();
+    expect(curvature.y).toBeGreaterThan(y + height / 2);
+  });
+});
