@@ -45,7 +45,7 @@ function firstNeeded(page) {
 const LATER = [
   ['plots', /plot/i, 30],
   ['parts and sheets', /^(build-worker|build-panel|build-goals|live-build)/, 19],
-  ['variations', /^(variation|docked)/, 9],
+  ['variations', /^(variation|docked|thumbnail)/, 9],
   ['new mesh', /^dialog-new-mesh/, 13],
   ['curvature', /^curvature/, 9],
   ['refining', /^refine/, 4],

@@ -15,6 +15,9 @@ pub struct Slide {
     /// The text shown with it; line breaks are kept.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub text: String,
+    /// What only the one who presents sees; line breaks are kept.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub notes: String,
     /// Where it is seen from: pivot, distance, turn, tilt, and whether it is framed
     /// ([`crate::view::state::saved_camera`]).
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]

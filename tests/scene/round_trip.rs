@@ -63,7 +63,7 @@ prop_compose! {
 
 prop_compose! {
     fn step()(
-        texts in (".{0,6}", "\\PC{0,6}"),
+        texts in (".{0,6}", "\\PC{0,6}", "\\PC{0,6}"),
         camera in prop::option::of(prop::array::uniform7(finite())),
         switches in prop::array::uniform3(any::<bool>()),
         measure in prop::option::of(".{0,6}"),
@@ -73,6 +73,7 @@ prop_compose! {
         Slide {
             title: texts.0,
             text: texts.1,
+            notes: texts.2,
             camera,
             parallel: switches[0],
             measure,

@@ -23,7 +23,7 @@ fn steps() -> Value {
     json!([
         { "title": "Design", "original": true, "weights": { "shape": 5, "close": 2 },
           "camera": [0, 0, 0, 10, 0.5, 0.5, 1], "measure": "planarity" },
-        { "title": "Raised", "text": "One\nmetre", "variant": 0, "run": true, "parallel": true },
+        { "title": "Raised", "text": "One\nmetre", "notes": "Ask who has\nseen it", "variant": 0, "run": true, "parallel": true },
     ])
 }
 

@@ -21,7 +21,7 @@
 //! | "solver" | `iterations`, `tolerance`, `accelerator` (`"quasi-newton"`, `"anderson"`, `"none"`), `window`, `mean_centring`, `monotone`, `factorization` (`"auto"`, `"supernodal"`, `"sprs-ldl"`), `shortest_edge` (0 to 1, or null) |
 //! | "lesson" | a text and goals |
 //! | "build" | what is to be made of the shape: `kind`, `distance`, `follow`, `joint`, `scale`, `sheet`, ... ([`crate::fabricate::BuildSettings`]) |
-//! | "steps" | a presentation: of each step `title`, `text`, and what it shows: `camera`, `parallel`, `measure`, `original` (the rest shape) or `variant`, `weights`, `run` ([`crate::scene::Slide`]) |
+//! | "steps" | a presentation: of each step `title`, `text`, `notes` for who presents, and what it shows: `camera`, `parallel`, `measure`, `original` (the rest shape) or `variant`, `weights`, `run` ([`crate::scene::Slide`]) |
 //! | "variants" | shapes that were kept: `kept`, at most 12 of `{ "name", "positions" }`, and `design`, the place of the one that closeness and smoothness hold the shape to instead of the rest shape |
 //!
 //! | on | one constraint for |

@@ -294,7 +294,7 @@ fn bytes_of_set(set: &Set) -> usize {
 }
 
 fn bytes_of_step(step: &Slide) -> usize {
-    size_of::<Slide>() + step.title.len() + step.text.len()
+    size_of::<Slide>() + step.title.len() + step.text.len() + step.notes.len()
 }
 
 fn bytes_of_lesson(lesson: &Lesson) -> usize {

@@ -50,7 +50,7 @@ test('steps are shown by buttons and by the keys of a presenter', async ({ page 
   expect(steps[0].original).toBe(true);
   expect(steps[0].camera).not.toEqual(steps[1].camera);
 
-  await dialogOf(page).getByRole('button', { name: 'Start' }).click();
+  await dialogOf(page).getByRole('button', { name: 'Start', exact: true }).click();
   const stage = stageOf(page);
   await expect(stage.getByRole('heading', { name: 'The design' })).toBeVisible();
   await expect(stage).toContainText('1 of 2');
@@ -92,4 +92,42 @@ test('the steps are in the scene: they can be moved, taken away, and undone', as
   const text = await page.evaluate(() => JSON.stringify(window.shapeUp.scene()));
   await page.evaluate((text) => window.shapeUp.open(text, 'again.shapeup.json'), text);
   await expect.poll(titles).toEqual(['Flat panels', 'The design']);
+});
+
+/** The colours of the pictures of the steps, each as one text. */
+const picturesOf = (page) =>
+  dialogOf(page)
+    .getByRole('img', { name: /Picture of step/ })
+    .evaluateAll((all) =>
+      all.map((canvas) => {
+        const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+        return String(new Uint32Array(data.buffer));
+      }),
+    );
+
+test('each step has its picture, and notes are seen by who presents alone', async ({ page }) => {
+  await makeSteps(page);
+  const pictures = await picturesOf(page);
+  expect(pictures).toHaveLength(2);
+  for (const picture of pictures) expect(new Set(picture.split(',')).size).toBeGreaterThan(20);
+  expect(pictures[0]).not.toBe(pictures[1]);
+
+  const withNotes = dialogOf(page).getByRole('button', { name: 'Start with notes' });
+  await expect(withNotes).toBeHidden();
+  const words = 'Ask who has built one.';
+  await dialogOf(page).getByLabel('Notes of step 2').fill(words);
+  await dialogOf(page).getByLabel('Notes of step 2').blur();
+  await expect.poll(async () => (await sceneOf(page)).steps?.[1].notes).toBe(words);
+  const [notes] = await Promise.all([page.waitForEvent('popup'), withNotes.click()]);
+  await expect(notes.getByRole('heading', { name: 'The design' })).toBeVisible();
+  await expect(notes.getByText('Next: Flat panels')).toBeVisible();
+  // A presenter's keys work in either window.
+  await notes.keyboard.press('PageDown');
+  const stage = stageOf(page);
+  await expect(stage.getByRole('heading', { name: 'Flat panels' })).toBeVisible();
+  await expect(notes.getByText(words)).toBeVisible();
+  await expect(notes.getByText('This is the last step.')).toBeVisible();
+  await expect(page.getByText(words)).toHaveCount(0);
+  await stage.getByRole('button', { name: 'End' }).click();
+  await expect.poll(() => notes.isClosed()).toBe(true);
 });

@@ -4,6 +4,7 @@ import './present.css';
 import { button } from '../../ui/controls/fields.js';
 import { byId, element, setText } from '../../ui/dom.js';
 import { presentActions } from '../../store/actions/present-actions.js';
+import { openNotes } from './notes-window.js';
 
 const { dataset } = document.documentElement;
 
@@ -24,15 +25,27 @@ const KEYS = {
   Escape: 'end',
 };
 
-/** @param {import("../../app/context.js").AppContext} app */
-export async function present(app) {
+/** Where it is refused, as in some frames, the window is enough. */
+async function fillScreen() {
+  if (document.fullscreenElement) return;
+  await document.documentElement.requestFullscreen?.().catch(() => {});
+}
+
+/**
+ * @param {import("../../app/context.js").AppContext} app
+ * @param {boolean} withNotes in a window of their own
+ */
+export async function present(app, withNotes) {
+  const notes = withNotes ? openNotes(press) : null;
+  if (withNotes && !notes)
+    throw new Error('The browser refused the window of the notes: allow windows of this page.');
   const { store, actions } = app;
   const ways = presentActions(store, actions);
   const title = element('h2');
   const text = element('p');
   const place = element('span', { 'aria-live': 'polite' });
   const previous = button('Previous', () => go(at - 1));
-  const next = button('Next', () => go(at + 1), { class: 'primary' });
+  const next = button('Next', forward, { class: 'primary' });
   const stage = element(
     'section',
     { id: 'stage', 'aria-label': 'Presentation' },
@@ -55,11 +68,18 @@ export async function present(app) {
     setText(place, `${at + 1} of ${all.length}`);
     previous.disabled = at === 0;
     next.disabled = at === all.length - 1;
+    notes?.show(all[at], all[at + 1], place.textContent ?? '');
     await ways.showStep(at);
   }
 
+  /** The window of the notes takes the page off the whole screen: the next press puts it back. */
+  function forward() {
+    if (notes) fillScreen();
+    return go(at + 1);
+  }
+
   const done = {
-    next: () => go(at + 1),
+    next: forward,
     previous: () => go(at - 1),
     first: () => go(0),
     last: () => go(steps().length - 1),
@@ -89,6 +109,7 @@ export async function present(app) {
     document.removeEventListener('fullscreenchange', leftScreen);
     delete dataset.presenting;
     stage.remove();
+    notes?.close();
     if (document.fullscreenElement) document.exitFullscreen().catch(() => {});
     actions.setStatus('The presentation has ended');
   }
@@ -97,8 +118,7 @@ export async function present(app) {
   byId('main').append(stage);
   addEventListener('keydown', press, true);
   document.addEventListener('fullscreenchange', leftScreen);
-  // Where it is refused, as in some frames, the window is enough.
-  await document.documentElement.requestFullscreen?.().catch(() => {});
+  if (!notes) await fillScreen();
   next.focus();
   await go(0);
 }

@@ -7,6 +7,7 @@ import { element, setText } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
 import { presentActions } from '../../store/actions/present-actions.js';
 import { present } from './stage.js';
+import { stepPictures } from './step-pictures.js';
 
 /** @typedef {import("../../solver/messages.js").Slide} Slide */
 
@@ -17,7 +18,10 @@ export function openSteps(app) {
   const stepsNow = () => store.get().document?.steps ?? [];
   const list = element('ol.steps');
   const said = element('p.quiet', { 'aria-live': 'polite' });
-  const start = button('Start', begin, { class: 'primary' });
+  const start = button('Start', () => begin(false), { class: 'primary' });
+  const withNotes = button('Start with notes', () => begin(true), {
+    title: 'Your notes are in a window of their own: put it on a screen that nobody else sees',
+  });
   const add = button('Add this view', () => {
     const steps = stepsNow();
     return change([...steps, ways.stepNow(`Step ${steps.length + 1}`)]);
@@ -29,9 +33,10 @@ export function openSteps(app) {
     show();
   }
 
-  function begin() {
+  /** @param {boolean} notes in a window of their own */
+  function begin(notes) {
     dialog.close();
-    return actions.reportErrors(present(app));
+    return actions.reportErrors(present(app, notes));
   }
 
   /** @param {number} index @param {Partial<Slide>} values */
@@ -39,7 +44,16 @@ export function openSteps(app) {
     stepsNow().map((step, i) => (i === index ? { ...step, ...values } : step));
 
   /** What is written stays in its field. @param {number} index @param {Partial<Slide>} words */
-  const say = (index, words) => ways.setSteps(changed(index, words));
+  async function say(index, words) {
+    await ways.setSteps(changed(index, words));
+    offer();
+  }
+
+  /** What can be started now. */
+  function offer() {
+    start.disabled = stepsNow().length === 0;
+    withNotes.hidden = !stepsNow().some(({ notes }) => notes);
+  }
 
   /** @param {number} index @param {number} by */
   function move(index, by) {
@@ -65,18 +79,27 @@ export function openSteps(app) {
       onchange: () => say(index, { text: text.value }),
     });
     text.value = step.text ?? '';
+    const notes = element('textarea', {
+      rows: 1,
+      'aria-label': `Notes of step ${number}`,
+      placeholder: 'Notes that only you see',
+      onchange: () => say(index, { notes: notes.value }),
+    });
+    notes.value = step.notes ?? '';
     const run = checkbox('Run', (run) => change(changed(index, { run })), {
       title: 'Iterates from there',
     });
     run.box.checked = step.run ?? false;
     return element(
       'li',
+      element('canvas', { role: 'img', 'aria-label': `Picture of step ${number}` }),
       element(
         'div',
         title,
         closeButton(`Remove step ${number}`, () => remove(index)),
       ),
       text,
+      notes,
       element(
         'div',
         shapeOf(step, index),
@@ -123,9 +146,9 @@ export function openSteps(app) {
 
   /** @param {number} index */
   function take(index) {
-    const { title, text, run } = stepsNow()[index];
+    const { title, text, notes, run } = stepsNow()[index];
     const steps = [...stepsNow()];
-    steps[index] = { ...ways.stepNow(title), text, run };
+    steps[index] = { ...ways.stepNow(title), text, notes, run };
     return change(steps);
   }
 
@@ -135,7 +158,9 @@ export function openSteps(app) {
   function show() {
     const steps = stepsNow();
     list.replaceChildren(...steps.map((step, index) => row(step, index, steps.length)));
-    start.disabled = steps.length === 0;
+    const draw = stepPictures(app);
+    list.querySelectorAll('canvas').forEach((canvas, index) => draw(canvas, steps[index]));
+    offer();
     setText(
       said,
       steps.length === 0
@@ -146,7 +171,7 @@ export function openSteps(app) {
 
   const dialog = openDialog(
     { id: 'presentation', title: 'Presentation' },
-    element('div.dialog-body', said, list, element('div.dialog-buttons', start, add)),
+    element('div.dialog-body', said, list, element('div.dialog-buttons', start, withNotes, add)),
   );
   show();
 }

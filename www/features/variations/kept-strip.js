@@ -6,7 +6,7 @@ import { groupDigits, length, number } from '../../ui/format.js';
 import { measureOfScene } from '../../store/colours/measures.js';
 import { isDrawn } from '../../store/state.js';
 import { variationActions } from '../../store/actions/variation-actions.js';
-import { drawShape } from './thumbnail.js';
+import { drawShape } from '../../ui/plot/thumbnail.js';
 
 /** @typedef {import("../../solver/messages.js").VariantRow} VariantRow */
 

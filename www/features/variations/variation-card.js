@@ -1,7 +1,7 @@
 /** A way to change the shape: its picture, and the slider that goes along it. */
 
 import { element, setText } from '../../ui/dom.js';
-import { drawShape } from './thumbnail.js';
+import { drawShape } from '../../ui/plot/thumbnail.js';
 
 /** Of the way from the middle to the end of the slider, in the picture. */
 const PICTURED = 0.6;

@@ -1,6 +1,6 @@
 /** Small pictures of shapes: faces from far to near, shaded, and coloured by how far their corners go. */
 
-import { colourOf } from '../../ui/dom.js';
+import { colourOf } from '../dom.js';
 
 /** @typedef {import("../../solver/messages.js").Connectivity} Connectivity */
 
@@ -8,31 +8,37 @@ import { colourOf } from '../../ui/dom.js';
 const DENSITY = 2;
 /** The part of the picture that the shape fills. */
 const FILLED = 0.92;
-/** Where it is seen from: turned about the vertical axis, then from above, in radians. */
-const TURN = 0.6;
-const ABOVE = 0.5;
+/** Where it is seen from, if nobody says: turned about the vertical axis, then from above, in radians. */
+const FROM = { turn: 0.6, above: 0.5 };
 
 /**
  * @param {HTMLCanvasElement} canvas
  * @param {Connectivity} connectivity
  * @param {ArrayLike<number>} positions `#V by 3`
- * @param {{ up: "y" | "z", ways?: ArrayLike<number> }} options `ways`: how far vertices have gone, `#V by 3`
+ * @param {{ up: "y" | "z", ways?: ArrayLike<number>, from?: typeof FROM }} options `ways`: how far vertices have
+ *   gone, `#V by 3`
  */
-export function drawShape(canvas, { faceOffsets, faceIndices }, positions, { up, ways }) {
+export function drawShape(
+  canvas,
+  { faceOffsets, faceIndices },
+  positions,
+  { up, ways, from = FROM },
+) {
   const { clientWidth: width, clientHeight: height } = canvas;
   const context = canvas.getContext('2d');
   if (!context || width === 0) return;
   canvas.width = DENSITY * width;
   canvas.height = DENSITY * height;
-  const { points, scale, centre } = seen(positions, up, canvas);
+  const { points, scale, centre } = seen(positions, up, from, canvas);
   const goes = ways ? farGone(ways) : null;
   const plain = channels(colourOf(canvas, '--material'));
   const accent = channels(colourOf(canvas, '--accent'));
   const faces = faceOffsets.length - 1;
   const depths = new Float32Array(faces);
   for (let face = 0; face < faces; face++) {
-    const [from, to] = [faceOffsets[face], faceOffsets[face + 1]];
-    for (let k = from; k < to; k++) depths[face] += points[3 * faceIndices[k] + 2] / (to - from);
+    const [start, end] = [faceOffsets[face], faceOffsets[face + 1]];
+    for (let k = start; k < end; k++)
+      depths[face] += points[3 * faceIndices[k] + 2] / (end - start);
   }
   const order = Uint32Array.from(depths.keys()).sort((a, b) => depths[a] - depths[b]);
   context.lineWidth = DENSITY / 4;
@@ -61,15 +67,17 @@ export function drawShape(canvas, { faceOffsets, faceIndices }, positions, { up,
  * Positions as they are seen: to the right, up, and towards whoever looks.
  * @param {ArrayLike<number>} positions
  * @param {"y" | "z"} up
+ * @param {typeof FROM} from
  * @param {{ width: number, height: number }} size
  */
-function seen(positions, up, { width, height }) {
+function seen(positions, up, { turn, above }, { width, height }) {
   const points = new Float32Array(positions.length);
   const [low, high] = [
     [Infinity, Infinity],
     [-Infinity, -Infinity],
   ];
-  const [sine, cosine] = [Math.sin(TURN), Math.cos(TURN)];
+  const [sine, cosine] = [Math.sin(turn), Math.cos(turn)];
+  const [down, level] = [Math.sin(above), Math.cos(above)];
   for (let i = 0; i < positions.length; i += 3) {
     const x = positions[i];
     const [back, top] =
@@ -77,8 +85,8 @@ function seen(positions, up, { width, height }) {
     const right = cosine * x + sine * back;
     const far = -sine * x + cosine * back;
     points[i] = right;
-    points[i + 1] = Math.cos(ABOVE) * top + Math.sin(ABOVE) * far;
-    points[i + 2] = Math.sin(ABOVE) * top - Math.cos(ABOVE) * far;
+    points[i + 1] = level * top + down * far;
+    points[i + 2] = down * top - level * far;
     for (let c = 0; c < 2; c++) {
       low[c] = Math.min(low[c], points[i + c]);
       high[c] = Math.max(high[c], points[i + c]);

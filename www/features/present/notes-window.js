@@ -1,0 +1,36 @@
+/** The window of who presents: the notes of the step that is shown, and the title of the next one. */
+
+import { element, setText } from '../../ui/dom.js';
+
+/** @typedef {import("../../solver/messages.js").Slide} Slide */
+
+/**
+ * Opens it beside the page; what is pressed there is pressed here.
+ * @param {(event: KeyboardEvent) => void} press
+ * @returns {{ show: (step: Slide, next: Slide | undefined, place: string) => void, close: () => void } | null}
+ *   null where the browser refuses windows
+ */
+export function openNotes(press) {
+  const beside = open('', 'shape-up-notes', 'popup,width=560,height=480');
+  if (!beside) return null;
+  const { document: page } = beside;
+  page.title = 'Notes of the presentation';
+  page.documentElement.dataset.theme = document.documentElement.dataset.theme ?? '';
+  const styles = document.querySelectorAll('link[rel="stylesheet"], style');
+  page.head.replaceChildren(...[...styles].map((style) => page.importNode(style, true)));
+  const place = element('p.quiet');
+  const title = element('h1');
+  const notes = element('p.notes');
+  const after = element('p.quiet');
+  page.body.replaceChildren(element('main.notes-window', place, title, notes, after));
+  beside.addEventListener('keydown', press);
+  return {
+    show(step, next, words) {
+      setText(place, words);
+      setText(title, step.title);
+      setText(notes, step.notes || 'No notes for this step.');
+      setText(after, next ? `Next: ${next.title}` : 'This is the last step.');
+    },
+    close: () => beside.close(),
+  };
+}
