@@ -108,11 +108,14 @@ test.describe('a telephone on its side', () => {
 
   test('every tool is in the bar, and parts are beside the view', async ({ page }) => {
     await makeFlat(page);
-    const ends = await page
-      .getByRole('banner')
-      .getByRole('button')
-      .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().right));
-    expect(Math.max(...ends)).toBeLessThanOrEqual(ON_ITS_SIDE.width);
+    for (const name of ['Select', 'Drag']) {
+      await page.getByRole('button', { name, exact: true }).click();
+      const ends = await page
+        .getByRole('banner')
+        .getByRole('button')
+        .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().right));
+      expect(Math.max(...ends), name).toBeLessThanOrEqual(ON_ITS_SIDE.width);
+    }
     await page.getByRole('button', { name: 'Build', exact: true }).click();
     const parts = page.getByRole('region', { name: 'Parts and sheets' });
     await expect(parts).toBeVisible();
@@ -133,6 +136,12 @@ test.describe('a telephone on its side', () => {
     await refine.getByRole('button', { name: 'Close' }).click();
     const lesson = await openBehind(page, 'Write a lesson', 'Lesson');
     await expect(lesson.getByRole('button', { name: 'Save lesson' })).toBeInViewport({ ratio: 1 });
+    await lesson.getByRole('button', { name: 'Close' }).click();
+    const add = await openBehind(page, 'Add constraint', 'New constraint');
+    await expect(add.getByRole('button', { name: 'Add', exact: true })).toBeInViewport({
+      ratio: 1,
+    });
+    await expect(add.getByRole('radio', { name: 'Circle', exact: true })).toBeInViewport();
   });
 });
 
