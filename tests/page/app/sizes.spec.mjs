@@ -84,6 +84,23 @@ for (const advanced of [false, true])
     });
   });
 
+test.describe('colours of a mesh that was just opened', () => {
+  test.use({ viewport: SMALL });
+
+  test('what is offered is whole beside the legend', async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'roof.obj', wavyGrid(6), 49);
+    await page.getByRole('button', { name: 'Views' }).click();
+    await page.getByRole('button', { name: 'Curvature', exact: true }).click();
+    await expect(legend(page)).toBeVisible();
+    const [one, other] = [await card(page).boundingBox(), await legend(page).boundingBox()];
+    expect(overlap(one, other)).toBe(false);
+    const words = await card(page).getByRole('button', { name: 'Something else' }).boundingBox();
+    expect(one.x + one.width).toBeLessThanOrEqual(SMALL.width);
+    expect(words.x + words.width).toBeLessThanOrEqual(one.x + one.width);
+  });
+});
+
 test.describe('a presentation', () => {
   test.use({ viewport: SMALL });
 
