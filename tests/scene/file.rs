@@ -5,8 +5,8 @@ use shape_up::constraint::{Element, Selector, Set};
 use shape_up::mesh::{Group, GroupKeyword, Mesh, Ragged};
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight,
-    ConstraintSpec, Factorization, HandleSpec, Hold, MeshSource, Require, Scene, SceneError,
-    Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
+    ConstraintSpec, EasedFaces, Factorization, HandleSpec, Hold, MeshSource, Require, Scene,
+    SceneError, Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
 };
 
 /// Two squares side by side.
@@ -151,6 +151,7 @@ fn a_constraint_says_whether_it_is_weighed_or_met() {
 const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "require": "hard" }]"#, "constraints[0].require", &["found \"hard\"", "soft", "exact", "within"]),
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "require": { "within": 0 } }]"#, "constraints[0].require.within", &["found 0", "above 0"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "require": { "within": 1 }, "eased": { "within": -2, "faces": [0] } }]"#, "constraints[0].eased.within", &["found -2", "above 0"]),
     (r#", "solver": { "shortest_edge": 2 }"#, "solver.shortest_edge", &["found 2", "from 0 to 1"]),
     (r#", "titel": "x""#, "", &["`titel`", "title", "constraints"]),
     (r#", "title": 3"#, "title", &["found 3", "a text"]),
@@ -380,6 +381,8 @@ fn the_limits_of_a_scale_are_written_where_there_are_any() {
 /// A change that makes the scene unfit for the two squares, and the path of what is then wrong.
 type Unfit = (&'static str, fn(&mut Scene));
 
+const EACH_FACE: Selector = Selector::Each { element: Element::Face, within: None, radius: 0 };
+
 const UNFIT: &[Unfit] = &[
     ("current", |s| s.current = Some(vec![[0.0; 3]; 5])),
     ("current[1]", |s| {
@@ -387,6 +390,15 @@ const UNFIT: &[Unfit] = &[
     }),
     ("sets.a.vertices[1]", |s| {
         s.sets.insert("a".into(), Set { vertices: vec![0, 6], faces: vec![] });
+    }),
+    ("constraints[0].eased", |s| {
+        let eased = Some(EasedFaces { within: 2.0, faces: vec![0] });
+        s.constraints = vec![ConstraintSpec { eased, ..constraint("plane", EACH_FACE) }];
+    }),
+    ("constraints[0].eased.faces[0]", |s| {
+        let eased = Some(EasedFaces { within: 2.0, faces: vec![99] });
+        let require = Require::Within(1.0);
+        s.constraints = vec![ConstraintSpec { eased, require, ..constraint("plane", EACH_FACE) }];
     }),
     ("sets.a.faces[0]", |s| {
         s.sets.insert("a".into(), Set { vertices: vec![], faces: vec![2] });

@@ -7,9 +7,9 @@ use shape_up::fabricate::{BuildSettings, CheckLimits, Dxf, OffsetKind};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight,
-    ConstraintSpec, Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, Lock, MeshSource,
-    NamedEnum, Pose, Require, Scene, Slide, Smoothness, SmoothnessOf, SolverSettings, Up, Variant,
-    Variants, Weighting, Weights,
+    ConstraintSpec, EasedFaces, Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, Lock,
+    MeshSource, NamedEnum, Pose, Require, Scene, Slide, Smoothness, SmoothnessOf, SolverSettings,
+    Up, Variant, Variants, Weighting, Weights,
 };
 
 fn require() -> impl Strategy<Value = Require> {
@@ -127,7 +127,12 @@ prop_compose! {
             sets: sets.into_iter().map(|(name, (vertices, faces))| (name, Set { vertices, faces }))
                 .collect(),
             constraints: constraints.into_iter().map(|(kind, on, weight, enabled, name, require)| ConstraintSpec {
-                weight, enabled, name, require, ..constraint(KINDS[kind].id, on)
+                weight, enabled, name, require,
+                eased: match require {
+                    Require::Within(within) if enabled => Some(EasedFaces { within, faces: vec![2, 3, 7] }),
+                    _ => None,
+                },
+                ..constraint(KINDS[kind].id, on)
             }).collect(),
             handles,
             weights: Weights { shape: weights[0], close: weights[1], smooth: weights[2] },
