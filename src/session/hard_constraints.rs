@@ -121,7 +121,8 @@ impl Session {
             exact.improve();
             improved = exact.run();
         }
-        let eased = tolerances.and_then(|it| self.eased(it, folded_at_first));
+        let farthest = exact.answer().max_distance;
+        let eased = tolerances.and_then(|it| self.eased(it, folded_at_first, farthest));
         let (parts, eased) = eased.unzip();
         self.go_to(&exact.positions(), parts.unwrap_or_default())?;
         self.note_met(&exact);

@@ -66,12 +66,14 @@ impl Session {
         matches!(self.unfolding, Unfolding::Eased(asked) if row.require == Require::Within(asked))
     }
 
-    /// What eases the rows that may be to `tolerances`, and a report of it, where `folded` faces would fold else. Where
-    /// the panels did not come down to the tolerance that is asked, all of them are eased.
+    /// What eases the rows that may be to `tolerances`, and a report of it, where `folded` faces would fold else and the
+    /// `farthest` vertex is so far from its shape. Where the panels did not come down to the tolerance that is asked,
+    /// all of them are eased.
     pub(super) fn eased(
         &self,
         tolerances: Tolerances,
         folded: usize,
+        farthest: f64,
     ) -> Option<(Vec<Part>, Eased)> {
         let Unfolding::Eased(asked) = self.unfolding else { return None };
         let Tolerances { within, eased } = tolerances;
@@ -82,6 +84,8 @@ impl Session {
         if eased.faces.is_empty() {
             return None;
         }
+        // No more than it took.
+        eased.within = two_digits_above(farthest).clamp(asked, eased.within);
         let report = Eased { asked, within: eased.within, panels: eased.faces.len(), folded };
         let rows = self.document().constraints.iter().enumerate();
         let rows = rows.filter(|(_, row)| self.may_ease(row));
@@ -90,5 +94,24 @@ impl Session {
             Part::RowValues(index, RowValues { eased, ..RowValues::of(row) })
         };
         Some((rows.map(ease).collect(), report))
+    }
+}
+
+/// A number of two digits that is not below, and at most a ninth above.
+fn two_digits_above(number: f64) -> f64 {
+    format!("{:.1e}", 1.06 * number).parse().unwrap_or(number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rounded_number_is_above_and_near() {
+        for k in 0..2000 {
+            let number = 1e-3 * 1.01_f64.powi(k);
+            let above = two_digits_above(number);
+            assert!((1.0..1.112).contains(&(above / number)), "{number}: {above}");
+        }
     }
 }

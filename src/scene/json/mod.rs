@@ -13,7 +13,7 @@
 //! | "mesh" | `{ "file": PATH }`, relative to the scene, or `{ "positions", "faces", "curves", "tets", "groups" }` |
 //! | "current" | `#V by 3`, where the iteration starts; without it, at the design of `variants`, or at rest |
 //! | "sets" | `{ NAME: { "vertices": LIST } }` or `{ NAME: { "faces": LIST } }` |
-//! | "constraints" | `kind`, `on`, `weight` (1), `enabled` (true), `name`, `require` (`"soft"`, `"exact"` or `{ "within": LENGTH }`), and the parameters of the kind |
+//! | "constraints" | `kind`, `on`, `weight` (1), `enabled` (true), `name`, `require` (`"soft"`, `"exact"` or `{ "within": LENGTH }`), `eased` (`{ "within": LENGTH, "faces": LIST }`: faces that are met within a larger length than the others), and the parameters of the kind |
 //! | "handles" | `vertices`, `targets` (the rest positions), and `weight` (100) or `"fixed": true` |
 //! | "weights" | `shape`, `close`, `smooth`: the weights of Eq. 13, by default 1, 0, 0 |
 //! | "closeness" | `"to"`: `"surface"`, `"rest"`, `"none"`, or another surface, `{ "mesh": ... }` as the scene's own or the path of its file; `"weights"` of single sets; `"boundary"`: of its vertices to their curves, `corners` (45 degrees), `require` (`"soft"` or `"exact"`), `weight` (1, where it is soft) |

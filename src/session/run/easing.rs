@@ -21,7 +21,7 @@ const EASED: f64 = 2.0;
 const MOST_AGAIN: u32 = 12;
 
 /// Iterations times vertices of all attempts, at most.
-const MOST_WORK: u64 = 25_000_000;
+const MOST_WORK: u64 = 16_000_000;
 
 /// Tolerances of one attempt, in the unit of the mesh.
 #[derive(Clone, Debug, PartialEq)]
