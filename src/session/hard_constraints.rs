@@ -17,13 +17,13 @@ impl Session {
     /// # Errors
     /// When a set of the scene is not there.
     pub fn meeting(&self) -> Result<Option<Exact>, Error> {
-        self.meeting_with(Required::of)
+        self.meeting_with(&Required::of)
     }
 
     /// [`Session::meeting`] with something else required of the rows that are on.
     pub(super) fn meeting_with(
         &self,
-        required: impl Fn(&ConstraintSpec) -> Required,
+        required: &dyn Fn(&ConstraintSpec) -> Required,
     ) -> Result<Option<Exact>, Error> {
         self.with_requirements(required, |problem, requirements, handles, start, cache| {
             Exact::new(&problem, &requirements, handles, start, cache)

@@ -30,7 +30,7 @@ impl Session {
     /// the requirement.
     fn required_rows(
         &self,
-        required: impl Fn(&ConstraintSpec) -> Required,
+        required: &dyn Fn(&ConstraintSpec) -> Required,
     ) -> Vec<(usize, Constraints, Require)> {
         let mut all = Vec::new();
         for place in self.scene.enabled_rows() {
@@ -54,7 +54,7 @@ impl Session {
     /// The entries of the list of constraints that the rows of the exact solver belong to, where all is required as the
     /// scene says it, or those of the hard ones alone.
     pub(super) fn required_places(&self, only_hard: bool) -> Vec<usize> {
-        let rows = self.required_rows(Required::of).into_iter();
+        let rows = self.required_rows(&Required::of).into_iter();
         rows.filter(|(.., require)| !only_hard || require.is_hard())
             .map(|(place, ..)| place)
             .collect()
@@ -64,7 +64,7 @@ impl Session {
     /// is hard then.
     pub(super) fn with_requirements<T>(
         &self,
-        required: impl Fn(&ConstraintSpec) -> Required,
+        required: &dyn Fn(&ConstraintSpec) -> Required,
         make: impl FnOnce(Problem<'_>, Requirements<'_>, &[Handle], &[Point], SetupCache) -> T,
     ) -> Result<Option<T>, Error> {
         let document = self.document();
@@ -108,7 +108,7 @@ impl Session {
         }
         let has_eased = |place: usize| document.constraints[place].eased.is_some();
         if self.scene.enabled_rows().any(has_eased) {
-            let rows = self.required_rows(Required::of);
+            let rows = self.required_rows(&Required::of);
             for (_, row, require) in rows.iter().filter(|(place, ..)| has_eased(*place)) {
                 let worst = farthest(self.mesh(), self.scene.positions(), row);
                 distances.extend(allowed(*require).map(|it| (worst, it)));
@@ -138,7 +138,7 @@ impl Session {
     /// When a set of the scene is not there.
     pub fn nearest_to_exact(&self) -> Result<Option<f64>, Error> {
         let nonzeros = self.solver().system().factor_nonzeros();
-        let nearest = self.with_requirements(Required::of, |problem, requirements, _, _, _| {
+        let nearest = self.with_requirements(&Required::of, |problem, requirements, _, _, _| {
             Exact::nearest(&problem, &requirements, nonzeros)
         })?;
         Ok(nearest.flatten())

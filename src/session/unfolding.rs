@@ -34,7 +34,7 @@ impl Session {
             work: u64::from(iterations) * positions.len() as u64,
         };
         let rest = &self.rest;
-        let next = meeting.next(&outcome, |faces| rest.faces_around(faces));
+        let next = meeting.next(&outcome, &|faces| rest.faces_around(faces));
         let Some((attempt, start)) = next else { return Ok(false) };
         let start = start.as_deref().unwrap_or(self.rest.positions());
         let next = self.attempt(&attempt, start)?;
@@ -53,7 +53,7 @@ impl Session {
             }
             _ => Required::of(row),
         };
-        self.with_requirements(required, |mut problem, mut requirements, handles, _, cache| {
+        self.with_requirements(&required, |mut problem, mut requirements, handles, _, cache| {
             let weights = problem.weights;
             problem.weights = Weights { smooth: smoother * weights.smooth, ..weights };
             requirements.iterations = iterations.unwrap_or(Requirements::ITERATIONS);

@@ -55,7 +55,7 @@ impl Session {
              handles: &[Handle],
              start: &[Point],
              cache| { ShapeSpace::new(&problem, &requirements, handles, start, cache) };
-        let Some(space) = self.with_requirements(Required::of, make)? else { return Ok(None) };
+        let Some(space) = self.with_requirements(&Required::of, make)? else { return Ok(None) };
         let from = Rc::clone(self.scene.positions());
         Ok(Some(Variations { space: space?, from, reached: None }))
     }

@@ -83,12 +83,12 @@ impl Attempts {
     pub(crate) fn after(
         &mut self,
         outcome: &Outcome,
-        around: impl Fn(&BTreeSet<u32>) -> BTreeSet<u32>,
+        around: &dyn Fn(&BTreeSet<u32>) -> BTreeSet<u32>,
     ) -> Option<Attempt> {
         let mut goes_on = true;
         if self.now.tolerances.is_some() {
             let easing = self.easing.as_mut()?;
-            (self.is_best, goes_on) = easing.take(outcome, &around);
+            (self.is_best, goes_on) = easing.take(outcome, around);
         } else {
             self.is_best = self.judge(outcome);
             if let Some(smoother) = self.smoother.pop() {
@@ -178,7 +178,7 @@ mod tests {
     ) -> Vec<(bool, Option<Attempt>)> {
         let mut attempts = Attempts::new(unfolding, is_smooth, 0.3);
         let each = outcomes.iter().map(|outcome| {
-            let next = attempts.after(outcome, BTreeSet::clone);
+            let next = attempts.after(outcome, &BTreeSet::clone);
             let is_best = attempts.is_best();
             if let Some(next) = next.clone() {
                 attempts.begin(next);

@@ -90,7 +90,7 @@ impl Easing {
     pub(crate) fn take(
         &mut self,
         outcome: &Outcome,
-        around: impl Fn(&BTreeSet<u32>) -> BTreeSet<u32>,
+        around: &dyn Fn(&BTreeSet<u32>) -> BTreeSet<u32>,
     ) -> (bool, bool) {
         self.work += outcome.work;
         let is_whole = outcome.met && outcome.folded.is_empty();
@@ -164,43 +164,43 @@ mod tests {
     fn all_panels_come_down_to_what_is_asked_but_those_that_fold() {
         let mut easing = easing();
         assert_eq!(easing.tolerances(), tolerances(0.1, &[]));
-        assert_eq!(easing.take(&outcome(&[]), around), (true, true));
+        assert_eq!(easing.take(&outcome(&[]), &around), (true, true));
         assert_eq!(easing.tolerances(), tolerances(0.01, &[]));
-        assert_eq!(easing.take(&outcome(&[7]), around), (false, true));
+        assert_eq!(easing.take(&outcome(&[7]), &around), (false, true));
         assert_eq!(easing.tolerances(), tolerances(0.01, &[6, 7, 8]));
-        assert_eq!(easing.take(&outcome(&[7, 20]), around), (false, true));
+        assert_eq!(easing.take(&outcome(&[7, 20]), &around), (false, true));
         assert_eq!(easing.tolerances(), tolerances(0.01, &[6, 7, 8, 19, 20, 21]));
         // All around it is eased already.
-        assert_eq!(easing.take(&outcome(&[7]), around), (false, true));
+        assert_eq!(easing.take(&outcome(&[7]), &around), (false, true));
         assert_eq!(easing.tolerances(), tolerances(0.01, &[5, 6, 7, 8, 9, 19, 20, 21]));
-        assert_eq!(easing.take(&outcome(&[]), around), (true, true));
+        assert_eq!(easing.take(&outcome(&[]), &around), (true, true));
         assert_eq!(easing.tolerances().within, 1e-3);
         // What is eased comes nearer, too, as long as nothing folds.
         for of_eased in [0.1, 0.05] {
-            assert_eq!(easing.take(&outcome(&[]), around), (true, true));
+            assert_eq!(easing.take(&outcome(&[]), &around), (true, true));
             let eased = easing.tolerances().eased.expect("some are");
             assert_eq!((eased.within, eased.faces.len()), (of_eased, 8));
         }
-        assert_eq!(easing.take(&outcome(&[7]), around), (false, false));
+        assert_eq!(easing.take(&outcome(&[7]), &around), (false, false));
     }
 
     #[test]
     fn what_folded_at_first_is_eased_where_a_step_is_not_met() {
         let mut easing = easing();
         easing.expect([40, 41].into());
-        easing.take(&outcome(&[]), around);
+        easing.take(&outcome(&[]), &around);
         let missed = Outcome { met: false, ..outcome(&[]) };
-        assert_eq!(easing.take(&missed, around), (false, true));
+        assert_eq!(easing.take(&missed, &around), (false, true));
         assert_eq!(easing.tolerances(), tolerances(0.01, &[40, 41]));
-        assert_eq!(easing.take(&missed, around), (false, false));
+        assert_eq!(easing.take(&missed, &around), (false, false));
     }
 
     #[test]
     fn it_ends_where_the_largest_folds_or_nothing_helps() {
-        assert_eq!(easing().take(&outcome(&[3]), around), (false, false));
+        assert_eq!(easing().take(&outcome(&[3]), &around), (false, false));
         let mut easing = easing();
-        easing.take(&outcome(&[]), around);
-        let again = (0..100).take_while(|_| easing.take(&outcome(&[3]), around).1).count();
+        easing.take(&outcome(&[]), &around);
+        let again = (0..100).take_while(|_| easing.take(&outcome(&[3]), &around).1).count();
         assert_eq!(again as u32, MOST_AGAIN);
         assert!(Easing::new(1e-3, 1e-3).is_none());
     }

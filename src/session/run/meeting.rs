@@ -55,7 +55,7 @@ impl Meeting {
     pub(crate) fn next(
         &mut self,
         outcome: &Outcome,
-        around: impl Fn(&BTreeSet<u32>) -> BTreeSet<u32>,
+        around: &dyn Fn(&BTreeSet<u32>) -> BTreeSet<u32>,
     ) -> Option<(Attempt, Option<Vec<Point>>)> {
         let next = self.attempts.after(outcome, around)?;
         let was_eased = self.attempts.now().tolerances.is_some();

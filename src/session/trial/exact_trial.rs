@@ -69,7 +69,7 @@ impl Session {
             Require::Within(_) => Required { require: Require::Exact, eased: None },
             _ => Required::of(row),
         };
-        let exact = self.meeting_with(exact)?;
+        let exact = self.meeting_with(&exact)?;
         Ok(exact.map(|exact| self.trial(exact, rows, "Make exact")))
     }
 
