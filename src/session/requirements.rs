@@ -2,14 +2,15 @@
 //! with eased faces counts as two, which differ in what is required.
 
 use super::Session;
+use super::report::ConstraintCoverage;
+use super::state::RestMesh;
 use crate::error::Error;
-use crate::mesh::{Mesh, Point, Ragged};
+use crate::mesh::{Point, Ragged};
 use crate::scene::{ConstraintSpec, EasedFaces};
 use crate::solve::{
     Constraints, Exact, Handle, Problem, Require, Requirements, SetupCache, exact_tolerance,
     farthest,
 };
-use std::collections::BTreeSet;
 
 /// What is required of a row, and of which faces less.
 #[derive(Clone, Debug)]
@@ -34,18 +35,13 @@ impl Session {
     ) -> Vec<(usize, Constraints, Require)> {
         let mut all = Vec::new();
         for place in self.scene.enabled_rows() {
-            let row = &self.rows()[place].constraints;
+            let mut row = self.rows()[place].constraints.clone();
             let Required { require, eased } = required(&self.document().constraints[place]);
-            match eased {
-                Some(eased) => {
-                    let [rest, less] = split(row, &eased.faces, self.mesh());
-                    all.extend([
-                        (place, rest, require),
-                        (place, less, Require::Within(eased.within)),
-                    ]);
-                }
-                None => all.push((place, row.clone(), require)),
+            if let Some(EasedFaces { within, faces }) = eased {
+                let less = take_out(&mut row, &faces, &self.rest);
+                all.push((place, less, Require::Within(within)));
             }
+            all.push((place, row, require));
         }
         all.retain(|(_, row, _)| !row.members.is_empty());
         all
@@ -145,18 +141,16 @@ impl Session {
     }
 }
 
-/// The constraints that are not on one of the faces, and those that are.
-fn split(row: &Constraints, faces: &[u32], mesh: &Mesh) -> [Constraints; 2] {
-    let sorted = |corners: &[u32]| {
-        let mut corners = corners.to_vec();
-        corners.sort_unstable();
-        corners
-    };
-    let corners: BTreeSet<Vec<u32>> =
-        faces.iter().map(|&face| sorted(mesh.faces.row(face as usize))).collect();
-    let mut parts = [Ragged::new(), Ragged::new()];
+/// Takes the constraints that are on one of the faces out of a row.
+fn take_out(row: &mut Constraints, faces: &[u32], rest: &RestMesh) -> Constraints {
+    let mut is_eased = vec![false; rest.mesh().faces.len()];
+    faces.iter().for_each(|&face| is_eased[face as usize] = true);
+    let mut coverage = ConstraintCoverage::new(rest.mesh(), rest.topology());
+    let (mut less, mut left) = (Ragged::new(), Ragged::new());
     for members in row.members.iter() {
-        parts[usize::from(corners.contains(&sorted(members)))].push(members);
+        let is_less = coverage.faces(members).iter().any(|&face| is_eased[face as usize]);
+        if is_less { less.push(members) } else { left.push(members) }
     }
-    parts.map(|members| Constraints { members, ..row.clone() })
+    row.members = left;
+    Constraints { members: less, ..row.clone() }
 }

@@ -33,7 +33,7 @@ mod verdict;
 mod worst;
 
 pub(crate) use angles::{angles, angles_csv};
-pub(crate) use constraint_map::acting_rows;
+pub(crate) use constraint_map::{ConstraintCoverage, acting_rows};
 pub use constraint_map::{ConstraintMap, RowPalette};
 pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
 pub(crate) use face_measure::{corner_values, face_values};

@@ -5,7 +5,6 @@
 
 use super::easing::{Easing, Tolerances};
 use super::outcome::Outcome;
-use std::collections::BTreeSet;
 
 /// What may be done for faces not to fold.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +82,7 @@ impl Attempts {
     pub(crate) fn after(
         &mut self,
         outcome: &Outcome,
-        around: &dyn Fn(&BTreeSet<u32>) -> BTreeSet<u32>,
+        around: &dyn Fn(&[u32]) -> Vec<u32>,
     ) -> Option<Attempt> {
         let mut goes_on = true;
         if self.now.tolerances.is_some() {
@@ -95,7 +94,7 @@ impl Attempts {
                 return Some(Attempt { smoother, tolerances: None, iterations: None });
             }
             if let (Some(easing), Some(first)) = (&mut self.easing, &self.first) {
-                easing.expect(around(&first.folded.iter().copied().collect()));
+                easing.expect(around(&first.folded));
             }
         }
         let easing = self.easing.as_ref().filter(|_| goes_on)?;
@@ -178,7 +177,7 @@ mod tests {
     ) -> Vec<(bool, Option<Attempt>)> {
         let mut attempts = Attempts::new(unfolding, is_smooth, 0.3);
         let each = outcomes.iter().map(|outcome| {
-            let next = attempts.after(outcome, &BTreeSet::clone);
+            let next = attempts.after(outcome, &|faces| faces.to_vec());
             let is_best = attempts.is_best();
             if let Some(next) = next.clone() {
                 attempts.begin(next);

@@ -7,7 +7,6 @@
 
 use super::outcome::Outcome;
 use crate::scene::EasedFaces;
-use std::collections::BTreeSet;
 
 /// The tolerance that is asked is multiplied by this, in turn; the first is no larger than this part of the mean edge.
 const STEPS: [f64; 3] = [100.0, 10.0, 1.0];
@@ -42,12 +41,12 @@ pub(crate) struct Easing {
     /// The tolerance of eased faces, and whether that becomes smaller already.
     of_eased: f64,
     is_last: bool,
-    /// The faces that are eased.
-    faces: BTreeSet<u32>,
+    /// The faces that are eased, ascending.
+    faces: Vec<u32>,
     again: u32,
     work: u64,
     /// The faces that folded within what is asked, with those around them.
-    resisting: BTreeSet<u32>,
+    resisting: Vec<u32>,
 }
 
 impl Easing {
@@ -64,24 +63,22 @@ impl Easing {
             largest,
             of_eased: EASED * largest,
             is_last: false,
-            faces: BTreeSet::new(),
+            faces: Vec::new(),
             again: 0,
             work: 0,
-            resisting: BTreeSet::new(),
+            resisting: Vec::new(),
         })
     }
 
     /// Takes the faces that folded within what is asked, with those around them.
-    pub(crate) fn expect(&mut self, resisting: BTreeSet<u32>) {
+    pub(crate) fn expect(&mut self, resisting: Vec<u32>) {
         self.resisting = resisting;
     }
 
     /// The tolerances to be tried now.
     pub(crate) fn tolerances(&self) -> Tolerances {
-        let eased = (!self.faces.is_empty()).then(|| EasedFaces {
-            within: self.of_eased,
-            faces: self.faces.iter().copied().collect(),
-        });
+        let eased = (!self.faces.is_empty())
+            .then(|| EasedFaces { within: self.of_eased, faces: self.faces.clone() });
         Tolerances { within: self.now, eased }
     }
 
@@ -90,7 +87,7 @@ impl Easing {
     pub(crate) fn take(
         &mut self,
         outcome: &Outcome,
-        around: &dyn Fn(&BTreeSet<u32>) -> BTreeSet<u32>,
+        around: &dyn Fn(&[u32]) -> Vec<u32>,
     ) -> (bool, bool) {
         self.work += outcome.work;
         let is_whole = outcome.met && outcome.folded.is_empty();
@@ -103,27 +100,31 @@ impl Easing {
             return (false, false);
         }
         self.again += 1;
+        let known = self.faces.len();
         if outcome.folded.is_empty() {
-            let helps = !self.resisting.is_subset(&self.faces);
-            self.faces.append(&mut self.resisting);
-            return (false, helps);
+            self.ease(&self.resisting.clone());
+            return (false, self.faces.len() > known);
         }
-        let (known, new): (BTreeSet<u32>, BTreeSet<u32>) =
-            outcome.folded.iter().partition(|face| self.faces.contains(face));
-        if new.is_empty() {
-            // Where a face folds that is eased already, it takes more around it.
-            let mut more = known;
-            while more.is_subset(&self.faces) {
-                let before = more.len();
-                more = around(&more);
-                if more.len() == before {
-                    return (false, false);
-                }
+        let is_new = |face: &&u32| self.faces.binary_search(face).is_err();
+        let new: Vec<u32> = outcome.folded.iter().filter(is_new).copied().collect();
+        self.ease(&around(&new));
+        // Where a face folds that is eased already, it takes more around it.
+        let mut more = outcome.folded.clone();
+        while self.faces.len() == known {
+            let before = more.len();
+            more = around(&more);
+            if more.len() == before {
+                return (false, false);
             }
-            self.faces.extend(more);
+            self.ease(&more);
         }
-        self.faces.extend(around(&new));
         (false, true)
+    }
+
+    fn ease(&mut self, faces: &[u32]) {
+        self.faces.extend(faces);
+        self.faces.sort_unstable();
+        self.faces.dedup();
     }
 
     /// Goes on to smaller tolerances, where there are any.
@@ -147,8 +148,9 @@ mod tests {
     }
 
     /// Faces in a row.
-    fn around(faces: &BTreeSet<u32>) -> BTreeSet<u32> {
-        faces.iter().flat_map(|&face| face.saturating_sub(1)..=(face + 1).min(99)).collect()
+    fn around(faces: &[u32]) -> Vec<u32> {
+        let near = |face: &u32| faces.iter().any(|&other| other.abs_diff(*face) <= 1);
+        (0..100).filter(near).collect()
     }
 
     fn easing() -> Easing {
@@ -187,7 +189,7 @@ mod tests {
     #[test]
     fn what_folded_at_first_is_eased_where_a_step_is_not_met() {
         let mut easing = easing();
-        easing.expect([40, 41].into());
+        easing.expect(vec![40, 41]);
         easing.take(&outcome(&[]), &around);
         let missed = Outcome { met: false, ..outcome(&[]) };
         assert_eq!(easing.take(&missed, &around), (false, true));

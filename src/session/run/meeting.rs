@@ -5,7 +5,6 @@ use super::easing::Tolerances;
 use super::outcome::Outcome;
 use crate::mesh::Point;
 use crate::solve::{Exact, SolveError, Stage, clock};
-use std::collections::BTreeSet;
 
 /// Positions on the way are shown so often, in seconds: each time the energies are evaluated there.
 const SHOWN_EVERY: f64 = 0.03;
@@ -55,7 +54,7 @@ impl Meeting {
     pub(crate) fn next(
         &mut self,
         outcome: &Outcome,
-        around: &dyn Fn(&BTreeSet<u32>) -> BTreeSet<u32>,
+        around: &dyn Fn(&[u32]) -> Vec<u32>,
     ) -> Option<(Attempt, Option<Vec<Point>>)> {
         let next = self.attempts.after(outcome, around)?;
         let was_eased = self.attempts.now().tolerances.is_some();

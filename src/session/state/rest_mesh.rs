@@ -3,7 +3,6 @@
 use crate::math::Vec3;
 use crate::mesh::{BoundingSphere, Group, Mesh, Point, Topology, folded_faces};
 use crate::solve::Moved;
-use std::collections::BTreeSet;
 
 /// A mesh at rest with its topology.
 pub(crate) struct RestMesh {
@@ -72,11 +71,14 @@ impl RestMesh {
         folded_faces(&self.mesh, &self.topology, now)
     }
 
-    /// The faces, with those that share a vertex with them.
-    pub(crate) fn faces_around(&self, faces: &BTreeSet<u32>) -> BTreeSet<u32> {
-        let corners = faces.iter().flat_map(|&face| self.mesh.faces.row(face as usize));
-        let around = corners.flat_map(|&v| self.topology.vertex_faces().row(v as usize));
-        around.copied().collect()
+    /// The faces, with those that share a vertex with them, ascending.
+    pub(crate) fn faces_around(&self, faces: &[u32]) -> Vec<u32> {
+        let mut is_near = vec![false; self.mesh.faces.len()];
+        for &v in faces.iter().flat_map(|&face| self.mesh.faces.row(face as usize)) {
+            let around = self.topology.vertex_faces().row(v as usize);
+            around.iter().for_each(|&face| is_near[face as usize] = true);
+        }
+        (0..).zip(is_near).filter(|(_, near)| *near).map(|(face, _)| face).collect()
     }
 
     /// The distances of `now` (`#V by 3`) from the positions at rest, in the unit of the mesh.
