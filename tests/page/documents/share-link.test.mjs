@@ -171,7 +171,7 @@ test('links of earlier versions open', async () => {
   const text = JSON.stringify(sceneWith(meshOf(wavyGrid(3))));
   const code = deflateRawSync(Buffer.from(text)).toString('base64url');
   assert.deepEqual(await readLink(`#scene=${code}&run`), { example: null, text, run: true });
-  // Positions that were foretold without the planes of faces.
+  // Positions that were predicted without the planes of faces.
   const early =
     'AwAAAFMATa8c_9hkmh8L0MQnaj7ssgH7ZDgHOAcLeKHT10ibXPN1UCUE7nhJ5W0JLKcNrm6-3j4Pz-R6DjJ0CsZKkhU7GIZkihhEeY_nxFtGYDrXSpLnbyXLMQ6AIAxG4bv8Mw6uvYpxaLBEohRC0YVwd6PO73sd5kUF1BFyTdxAsJ2LTFeZ_uRwS7WYFTQ7JLEd1IeDz2qtctRmoKXjiLqBUE7-ptcjsBfDWMd4APS-Bxg';
   const { mesh } = await opened(`#link=${early}`);

@@ -19,7 +19,7 @@ const PART = 0.01;
 /** What the first byte says. */
 const RUN = 1;
 const HAS_MESH = 2;
-/** Its positions were foretold by planes, too: those of the first links were not. */
+/** Its positions were predicted by planes, too: those of the first links were not. */
 const IN_PLANES = 4;
 const LENGTH_BYTES = 4;
 

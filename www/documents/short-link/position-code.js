@@ -1,9 +1,9 @@
 /**
- * Positions in a link: a vertex is foretold by the faces around it, and its difference to that is coded. Where a
- * face says its plane, the coordinate that leaves the plane fastest comes last, and the others foretell it.
+ * Positions in a link: a vertex is predicted by the faces around it, and its difference to that is coded. Where a
+ * face says its plane, the coordinate that leaves the plane fastest comes last, and the others predict it.
  */
 
-import { Foretelling } from './foretelling.js';
+import { Predictor } from './predictor.js';
 
 /** @typedef {import("./range-coder.js").RangeCoder} RangeCoder */
 
@@ -16,7 +16,7 @@ const [LEVEL_BEGIN, PLANE_LEVEL_BEGIN] = [6, 1];
 /** Of the first difference, in bits. */
 const FIRST = 12;
 
-/** Nothing is foretold farther away, in steps. */
+/** Nothing is predicted farther away, in steps. */
 const FARTHEST = 2 ** 30;
 
 /**
@@ -27,20 +27,20 @@ const FARTHEST = 2 ** 30;
  * @param {boolean} inPlanes whether faces say their planes: in the first links they did not
  */
 export function codePositions(coder, faces, places, inPlanes) {
-  const foretelling = new Foretelling(faces, places, inPlanes);
+  const predictor = new Predictor(faces, places, inPlanes);
   /** The lengths of the last differences, in bits: of those in a plane, and of those to it. */
   let [length, planeLength] = [FIRST, FIRST];
 
   /** Codes a coordinate; returns the length of its difference. @type {(at: number, value: number, key: number) => number} */
   const coordinate = (at, value, key) => {
-    const foretold = Math.abs(value) < FARTHEST ? Math.round(value) : 0;
-    const difference = coder.integer(key, places[at] - foretold);
-    places[at] = foretold + difference;
+    const predicted = Math.abs(value) < FARTHEST ? Math.round(value) : 0;
+    const difference = coder.integer(key, places[at] - predicted);
+    places[at] = predicted + difference;
     return 32 - Math.clz32(Math.abs(difference));
   };
 
   const code = (/** @type {number} */ vertex) => {
-    const { kind, at, plane, learn } = foretelling.of(vertex);
+    const { kind, at, plane, learn } = predictor.of(vertex);
     const key = KEY + kind * LENGTHS + levelOf(length, LEVEL_BEGIN);
     const axes = [0, 1, 2].filter((axis) => axis !== plane?.axis);
     let bits = 0;
@@ -48,17 +48,17 @@ export function codePositions(coder, faces, places, inPlanes) {
     length = (length + bits / axes.length) / 2;
     if (plane) {
       const planeKey = PLANE_KEY + levelOf(planeLength, PLANE_LEVEL_BEGIN);
-      const bitsOff = coordinate(3 * vertex + plane.axis, plane.foretold(), planeKey);
+      const bitsOff = coordinate(3 * vertex + plane.axis, plane.predicted(), planeKey);
       planeLength = (planeLength + bitsOff) / 2;
     }
     learn();
-    foretelling.know(vertex);
+    predictor.know(vertex);
   };
-  for (const face of foretelling.around.order())
-    for (let next = foretelling.next(faces[face]); next >= 0; next = foretelling.next(faces[face]))
+  for (const face of predictor.around.order())
+    for (let next = predictor.next(faces[face]); next >= 0; next = predictor.next(faces[face]))
       code(next);
   for (let vertex = 0; vertex < places.length / 3; vertex++)
-    if (!foretelling.isKnown[vertex]) code(vertex);
+    if (!predictor.isKnown[vertex]) code(vertex);
 }
 
 /** @param {number} length in bits @param {number} begin that of the lowest level */

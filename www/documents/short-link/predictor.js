@@ -3,7 +3,7 @@
  * and the bend of the faces beside it say more is learned on the way.
  */
 
-import { alongPlane, planeAlong } from './foretold-plane.js';
+import { alongPlane, planeAlong } from './plane-prediction.js';
 import { LeastSquares } from './least-squares.js';
 import { Neighbourhood } from './neighbourhood.js';
 import { dot, mean, minus } from './vectors.js';
@@ -13,7 +13,7 @@ import { dot, mean, minus } from './vectors.js';
 /** Features are about 1 where a step is a hundredth of a tolerance that is a thousandth of an edge. */
 const UNIT = 1e5;
 
-export class Foretelling {
+export class Predictor {
   #places;
   #inPlanes;
   #last = /** @type {Vector} */ ([0, 0, 0]);
@@ -109,7 +109,7 @@ export class Foretelling {
     const flat = () => alongPlane(plane, base, this.#sum([1, vertex]));
     return {
       axis,
-      foretold: () => flat() + UNIT * learned.predict(off),
+      predicted: () => flat() + UNIT * learned.predict(off),
       learn: () => learned.learn(off, (this.#places[3 * vertex + axis] - flat()) / UNIT),
     };
   }
