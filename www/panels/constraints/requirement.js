@@ -43,7 +43,7 @@ export function requirementOf({ index, require, eased }, name, store, actions) {
   const units = document?.units ?? '';
   const less =
     eased &&
-    `${count(eased.panels, 'panel')} within ${lengthText(eased.within, units)}: would fold.`;
+    `${count(eased.panels, 'panel')} within ${lengthText(eased.within, units)} only: nearer, they would fold.`;
   return element(
     'label.requirement',
     'Required',
