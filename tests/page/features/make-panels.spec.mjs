@@ -74,6 +74,13 @@ test('panels that would fold are within a larger tolerance, and it is said why',
   await expect(page.getByRole('status')).toHaveText(words);
   await expect(offer(page).getByText(/folded or dented/)).toBeHidden();
   await expect(offer(page).getByRole('button', { name: 'Show the folds' })).toBeHidden();
+  // The row says it, too.
+  await showPanel(page, 'Model');
+  const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
+  await row.getByRole('button', { name: /parameters/ }).click();
+  await expect(
+    row.getByText(/^\d+ panels within .+ only: nearer, they would fold\.$/),
+  ).toBeVisible();
   // It is one step of undo.
   await tool(page, 'Undo');
   await waitForState(page, (now) => Object.keys(now.constraints).length === 0);

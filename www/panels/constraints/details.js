@@ -5,7 +5,7 @@ import { element } from '../../ui/dom.js';
 import { Parameters } from '../../ui/kinds/parameters.js';
 import { sketch } from '../../ui/kinds/sketch.js';
 import { exactActions } from '../../store/actions/exact-actions.js';
-import { requirementOf } from './requirement.js';
+import { easedOf, requirementOf } from './requirement.js';
 
 /** @typedef {import("../../solver/messages.js").ConstraintRow} ConstraintRow */
 
@@ -19,7 +19,7 @@ import { requirementOf } from './requirement.js';
  * @returns {Node[]}
  */
 export function detailsOf(row, name, store, actions, solver, { select, rename }) {
-  const { kinds, model } = store.get();
+  const { kinds, model, document } = store.get();
   const kind = kinds.find(({ id }) => id === row.kind);
   if (!kind || !model) return [];
   const parameters = new Parameters(kind.params, row.params, model, {
@@ -38,6 +38,7 @@ export function detailsOf(row, name, store, actions, solver, { select, rename })
     sketch(kind.sketch),
     element('p.quiet', kind.summary),
     requirementOf(row, name, store, exactActions(solver, actions)),
+    ...easedOf(row.eased, document?.units ?? ''),
     parameters.element,
     element(
       'div.row-buttons',

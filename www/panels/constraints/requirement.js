@@ -18,7 +18,7 @@ const OPTIONS = [
  * @param {import("../../store/state.js").Store} store
  * @param {ReturnType<typeof import("../../store/actions/exact-actions.js").exactActions>} actions
  */
-export function requirementOf({ index, require, eased }, name, store, actions) {
+export function requirementOf({ index, require }, name, store, actions) {
   const { tolerance, model, document } = store.get();
   const usual = tolerance ?? model?.tolerance ?? 0;
   const length = typeof require === 'object' ? require.within : usual;
@@ -40,16 +40,23 @@ export function requirementOf({ index, require, eased }, name, store, actions) {
   for (const option of select.options) {
     option.disabled = isTooLarge && option.value === 'exact' && required !== 'exact';
   }
-  const units = document?.units ?? '';
-  const less =
-    eased &&
-    `${count(eased.panels, 'panel')} within ${lengthText(eased.within, units)} only: nearer, they would fold.`;
   return element(
     'label.requirement',
     'Required',
     select,
     ...(required === 'within' ? [within.field, element('span', unit)] : []),
-    ...(less ? [element('small', less)] : []),
     ...(isTooLarge ? [element('small', 'Too large to be exact: Within can be met.')] : []),
   );
+}
+
+/**
+ * The panels of which less is required.
+ * @param {import("../../solver/messages.js").ConstraintRow["eased"]} eased
+ * @param {string} units of the mesh
+ */
+export function easedOf(eased, units) {
+  if (!eased) return [];
+  const within = lengthText(eased.within, units);
+  const words = `${count(eased.panels, 'panel')} within ${within} only: nearer, they would fold.`;
+  return [element('p.quiet', words)];
 }
