@@ -124,7 +124,8 @@ impl Session {
 
     /// Whether the mesh is too large for anything to be exact, whatever is asked; within a length it can be met.
     pub fn is_too_large_for_exact(&self) -> bool {
-        Exact::is_too_large(self.solver().system().factor_nonzeros())
+        let is_smooth = self.document().weights.smooth > 0.0;
+        Exact::is_too_large(self.solver().system().factor_nonzeros(), is_smooth)
     }
 
     /// Said before a run: where exact constraints would not fit in memory, the distance that they are met up to

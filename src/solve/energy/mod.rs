@@ -17,7 +17,7 @@ pub use positional_constraints::{Handle, HandleIndex, Hold};
 pub(super) use positional_constraints::{PositionalConstraints, pins};
 pub use shape::Constraints;
 pub(super) use shape::{BIG, ShapeEnergy, extra_unknowns, terms as shape_terms};
-pub(super) use smoothness::{SmoothEnergy, terms as smooth_terms};
+pub(super) use smoothness::{SmoothEnergy, springs, terms as smooth_terms};
 
 use super::clock;
 use super::settings::Weights;

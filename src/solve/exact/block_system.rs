@@ -5,6 +5,8 @@ use super::model::Model;
 use super::normal_space::{BAND, Differences, Linear};
 use crate::constraint::Row;
 use crate::math::Lane;
+use crate::mesh::Laplacian;
+use crate::solve::assemble::Terms;
 use crate::solve::error::SolveError;
 use crate::solve::rows::add_scaled;
 use crate::solve::system::System;
@@ -62,9 +64,15 @@ const TANGENT: f64 = 1e-9;
 
 impl BlockSystem {
     /// For the hard constraints of `model`. So much is added to the metric of each node, as a part of the mean:
-    /// something has to hold what nothing holds.
-    pub(in crate::solve) fn new(model: &mut Model, held: f64) -> BlockSystem {
-        let terms = std::mem::take(&mut model.cliques);
+    /// something has to hold what nothing holds. `smooth_terms` gives those of smoothness in the metric.
+    pub(in crate::solve) fn new(
+        model: &Model,
+        held: f64,
+        smooth_terms: fn(&Laplacian) -> Terms,
+    ) -> BlockSystem {
+        let smooth = model.laplacian.as_ref().map(smooth_terms).unwrap_or_default();
+        let [soft, hard] = model.cliques.clone();
+        let terms = vec![soft, smooth, hard];
         let parts = &model.parts;
         let n = parts.n_vertices.max(2);
         let system =

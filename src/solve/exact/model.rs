@@ -4,11 +4,10 @@ use super::guard::Guard;
 use super::hard_rows::{HardBatch, HardRow, HardRows};
 use super::requirement::{Require, Requirements};
 use crate::constraint::{Centring, Reference, Row};
-use crate::mesh::Point;
+use crate::mesh::{Laplacian, Point};
 use crate::solve::assemble::Terms;
 use crate::solve::energy::{
     BIG, Constraints, Handle, Hold, PositionalConstraints, extra_unknowns, shape_terms,
-    smooth_terms,
 };
 use crate::solve::local_frame::{relative, rest_surface};
 use crate::solve::parts::{Added, Holding, Parts};
@@ -34,8 +33,10 @@ pub(in crate::solve) struct Model {
     pub guarded: Option<(Vec<[u32; 2]>, f64)>,
     /// The mean of the diagonal of the metric, and that of the hard constraints, over their nodes.
     pub stiffness: [f64; 2],
-    /// The terms of soft rows, of smoothness and of hard rows over vertices alone, for the system of blocks.
-    pub cliques: Vec<Terms>,
+    /// The terms of soft rows and of hard rows over vertices alone, for the system of blocks.
+    pub cliques: [Terms; 2],
+    /// Of smoothness, where that has a weight.
+    pub laplacian: Option<Laplacian>,
 }
 
 impl Model {
@@ -104,12 +105,7 @@ impl Model {
             x[parts.system.node_of()[vertex as usize] as usize] = relative(target, centre);
             put[vertex as usize] = target;
         }
-        let laplacian = soft_problem.laplacian();
-        let cliques = vec![
-            without_means(&soft, problem.settings.mean_centring),
-            laplacian.as_ref().map(smooth_terms).unwrap_or_default(),
-            coupled(&hard),
-        ];
+        let cliques = [without_means(&soft, problem.settings.mean_centring), coupled(&hard)];
         let mut model = Model {
             parts,
             hard: hard_rows,
@@ -120,6 +116,7 @@ impl Model {
             guarded: guard,
             stiffness: [0.0; 2],
             cliques,
+            laplacian: soft_problem.laplacian(),
         };
         model.stiffness = model.mean_stiffness();
         model

@@ -4,6 +4,8 @@
 use super::block_system::BlockSystem;
 use super::model::Model;
 use crate::constraint::Row;
+use crate::mesh::Laplacian;
+use crate::solve::assemble::Terms;
 use crate::solve::error::SolveError;
 use crate::solve::rows::{add_scaled, dot};
 
@@ -64,8 +66,12 @@ pub(in crate::solve) enum Polished {
 
 impl Polish {
     /// See [`BlockSystem::new`].
-    pub(in crate::solve) fn new(model: &mut Model, held: f64) -> Polish {
-        let system = BlockSystem::new(model, held);
+    pub(in crate::solve) fn new(
+        model: &Model,
+        held: f64,
+        smooth_terms: fn(&Laplacian) -> Terms,
+    ) -> Polish {
+        let system = BlockSystem::new(model, held, smooth_terms);
         let n = system.size();
         Polish {
             dx: vec![[0.0; 4]; n],

@@ -7,7 +7,9 @@ use super::subspace::Subspace;
 use crate::constraint::Row;
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point};
+use crate::solve::energy::{smooth_terms, springs};
 use crate::solve::error::SolveError;
+use crate::solve::exact::block_system::BlockSystem;
 use crate::solve::exact::model::Model;
 use crate::solve::exact::polish::{Polish, Polished};
 use crate::solve::{
@@ -35,12 +37,14 @@ const MOST_BACK: f64 = 0.5;
 /// A shape whose hard constraints are met, and its softest ways to change.
 pub struct ShapeSpace {
     model: Model,
+    /// Brings steps back.
     polish: Polish,
     /// `#V by 3`: the shape.
     shape: Vec<Point>,
     /// The normals of the vertices, of any length.
     normals: Vec<Vec3<f64>>,
-    subspace: Option<Subspace>,
+    /// Until the modes are found, with the system that says how soft they are.
+    subspace: Option<(Subspace, BlockSystem)>,
     modes: Vec<Variation>,
     untried: VecDeque<Trial>,
     /// Whether the factor at hand is that of the shape.
@@ -107,26 +111,22 @@ impl ShapeSpace {
             let node = model.parts.system.node_of()[vertex as usize];
             model.holding.fixed[node as usize] = false;
         }
-        let mut polish = Polish::new(&mut model, HELD);
-        polish.restart(false);
-        polish.system.factor(&model, false)?;
-        let mut at = vec![[0.0; 4]; polish.system.size()];
-        let nodes = polish.system.node_of().to_vec();
-        for (&own, &node) in nodes.iter().zip(model.parts.system.node_of()) {
-            at[own as usize] = model.x[node as usize];
-        }
-        let motions = kept_motions(&mut polish.system, &at, &nodes);
-        let subspace = Subspace::new(&polish.system, motions);
+        let mut system = BlockSystem::new(&model, HELD, smooth_terms);
+        system.factor(&model, false)?;
+        let nodes = system.node_of().to_vec();
+        let at = by_node(&system, &model);
+        let motions = kept_motions(&mut system, &at, &nodes);
+        let subspace = Subspace::new(&system, motions);
         Ok(ShapeSpace {
             normals: normals(problem.mesh, shape),
             shape: shape.to_vec(),
-            subspace: Some(subspace),
+            subspace: Some((subspace, system)),
             modes: Vec::new(),
             untried: VecDeque::new(),
-            is_at_shape: true,
+            is_at_shape: false,
             is_exact: !requires.iter().any(|require| matches!(require, Require::Within(_))),
+            polish: Polish::new(&model, HELD, springs),
             model,
-            polish,
         })
     }
 
@@ -137,8 +137,8 @@ impl ShapeSpace {
     /// When a system is not positive definite.
     pub fn step(&mut self) -> Result<bool, SolveError> {
         match &mut self.subspace {
-            Some(subspace) => {
-                if !subspace.iterate(&self.polish.system) {
+            Some((subspace, system)) => {
+                if !subspace.iterate(system) {
                     self.find_modes();
                 }
             }
@@ -204,16 +204,12 @@ impl ShapeSpace {
     }
 
     fn find_modes(&mut self) {
-        let Some(subspace) = self.subspace.take() else { return };
-        let system = &mut self.polish.system;
+        let Some((subspace, mut system)) = self.subspace.take() else { return };
         let nodes = system.node_of().to_vec();
-        let mut at = vec![[0.0; 4]; system.size()];
-        for (&own, &node) in nodes.iter().zip(self.model.parts.system.node_of()) {
-            at[own as usize] = self.model.x[node as usize];
-        }
+        let at = by_node(&system, &self.model);
         let size = self.model.parts.extent;
         let mirrors = Mirror::all(&at, &nodes, size);
-        for (mode, stiffness) in modes(system, subspace, &mirrors) {
+        for (mode, stiffness) in modes(&mut system, subspace, &mirrors) {
             let rows = nodes.iter().map(|&node| mode[node as usize]);
             let mut displacement: Vec<Point> = rows.map(|[x, y, z, _]| [x, y, z]).collect();
             let lengths = displacement.iter().map(|&d| Vec3::from(d).length());
@@ -301,6 +297,15 @@ impl ShapeSpace {
         // Written so that NaN is not possible.
         Ok(back <= MOST_BACK * way + goal)
     }
+}
+
+/// The positions of the model by nodes of a system of blocks.
+fn by_node(system: &BlockSystem, model: &Model) -> Vec<Row> {
+    let mut at = vec![[0.0; 4]; system.size()];
+    for (&own, &node) in system.node_of().iter().zip(model.parts.system.node_of()) {
+        at[own as usize] = model.x[node as usize];
+    }
+    at
 }
 
 /// Handles for the vertices that neither a face nor a constraint has: nothing is asked of them.
