@@ -3,7 +3,7 @@
 
 use super::Session;
 use super::requirements::Required;
-use super::run::{ExactReport, Meeting, MeetingEnd, Met, Step};
+use super::run::{Attempt, ExactReport, Meeting, MeetingEnd, Met, Step};
 use super::state::Part;
 use crate::error::Error;
 use crate::mesh::Point;
@@ -115,19 +115,28 @@ impl Session {
     /// anything.
     pub(super) fn end_meeting(&mut self, improves: bool) -> Result<bool, Error> {
         let Some(end) = self.meeting.take().map(Meeting::end) else { return Ok(false) };
-        let MeetingEnd { mut exact, tolerances, is_whole, folded_at_first, attempts } = end;
+        let MeetingEnd { mut exact, attempt, is_whole, folded_at_first, attempts } = end;
         let mut improved = Ok(());
         if improves {
             exact.improve();
             improved = exact.run();
         }
-        let farthest = exact.answer().max_distance;
-        let eased = tolerances.and_then(|it| self.eased(it, folded_at_first, farthest));
+        let eased = match &attempt {
+            Attempt::Eased(tolerances) => {
+                self.eased(tolerances, folded_at_first, exact.answer().max_distance)
+            }
+            _ => None,
+        };
         let (parts, eased) = eased.unzip();
         self.go_to(&exact.positions(), parts.unwrap_or_default())?;
         self.note_met(&exact);
+        // An attempt may have been at less than the scene allows.
+        let allowed = self.hard_distance().filter(|_| attempt == Attempt::Exact);
         if let Some(met) = &mut self.met {
             (met.report.attempts, met.report.eased) = (attempts, eased);
+            if let Some((_, tolerance, _)) = allowed {
+                met.report.tolerance = tolerance;
+            }
             if !is_whole {
                 met.interrupt();
             }

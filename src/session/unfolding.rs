@@ -16,7 +16,7 @@ impl Session {
         // A surface that is smoother is another one.
         let is_smooth =
             document.weights.smooth > 0.0 && document.smoothness.of == SmoothnessOf::Displacement;
-        Attempts::new(self.unfolding, is_smooth, self.rest.mean_edge())
+        Attempts::new(self.unfolding, is_smooth, self.mesh().faces.len(), self.rest.mean_edge())
     }
 
     /// Goes on to the next attempt, after one that has ended; false where there is none.
@@ -46,17 +46,19 @@ impl Session {
 
     /// The exact solver of an attempt, from `start` (`#V by 3`) on.
     fn attempt(&self, attempt: &Attempt, start: &[Point]) -> Result<Option<Exact>, Error> {
-        let Attempt { smoother, tolerances, iterations } = attempt;
-        let required = |row: &ConstraintSpec| match tolerances {
-            Some(Tolerances { within, eased }) if self.may_ease(row) => {
+        let required = |row: &ConstraintSpec| match attempt {
+            Attempt::Exact if self.may_ease(row) => {
+                Required { require: Require::Exact, eased: None }
+            }
+            Attempt::Eased(Tolerances { within, eased }) if self.may_ease(row) => {
                 Required { require: Require::Within(*within), eased: eased.clone() }
             }
             _ => Required::of(row),
         };
         self.with_requirements(&required, |mut problem, mut requirements, handles, _, cache| {
             let weights = problem.weights;
-            problem.weights = Weights { smooth: smoother * weights.smooth, ..weights };
-            requirements.iterations = iterations.unwrap_or(Requirements::ITERATIONS);
+            problem.weights = Weights { smooth: attempt.smoother() * weights.smooth, ..weights };
+            requirements.iterations = attempt.iterations().unwrap_or(Requirements::ITERATIONS);
             Exact::new(&problem, &requirements, handles, start, cache)
         })
     }
@@ -71,14 +73,15 @@ impl Session {
     /// all of them are eased.
     pub(super) fn eased(
         &self,
-        tolerances: Tolerances,
+        tolerances: &Tolerances,
         folded: usize,
         farthest: f64,
     ) -> Option<(Vec<Part>, Eased)> {
         let Unfolding::Eased(asked) = self.unfolding else { return None };
         let Tolerances { within, eased } = tolerances;
-        let mut eased = eased.unwrap_or_else(|| EasedFaces { within, faces: Vec::new() });
-        if within > asked {
+        let mut eased =
+            eased.clone().unwrap_or_else(|| EasedFaces { within: *within, faces: Vec::new() });
+        if *within > asked {
             eased.faces = (0..self.mesh().faces.len() as u32).collect();
         }
         if eased.faces.is_empty() {

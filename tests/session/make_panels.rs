@@ -206,6 +206,21 @@ fn a_press_that_would_fold_eases_the_panels_that_would_and_no_others() {
 }
 
 #[test]
+fn a_press_that_would_fold_a_few_panels_may_end_exactly() {
+    let Some(mesh) = crate::shared::mesh("halftunnel.off") else { return };
+    let mut session = session(mesh, "");
+    let asked = session.tolerance();
+    session.make_panels("circle", asked, false).expect("it has quads");
+    run(&mut session);
+    let (verdict, exact) = (verdict(&mut session), session.exact().expect("it was met"));
+    assert_eq!((verdict.within, verdict.folded, verdict.eased), (verdict.panels, 0, None));
+    assert!(exact.met && exact.attempts == 2 && exact.max_distance < 1e-6 * asked, "{exact:?}");
+    // What is required stays what was asked.
+    assert_eq!(exact.tolerance, asked);
+    assert_eq!(session.document().constraints[0].require, Require::Within(asked));
+}
+
+#[test]
 fn what_is_asked_exactly_stays_so_and_folds_less_where_it_can() {
     let Some(mesh) = crate::shared::mesh("M2_eq_quad2.obj") else { return };
     for (kind, require) in [("circle", Require::Exact), ("plane", Require::Within(5e-4))] {

@@ -1,7 +1,9 @@
 //! Which ways to meet hard constraints are tried where faces fold, one after the other.
 //!
-//! The first is as asked, from the soft solution. Where that folds faces, smoother displacements from the rest shape
-//! on often end in a valley without folds. Where they do not, and the tolerance may be eased, it is: see [`Easing`].
+//! The first is as asked, from the soft solution. Where that folds a few faces, panels that are to be within a tolerance
+//! may be exact without folds: the approach ends earlier then, and the polish moves little. Smoother displacements from
+//! the rest shape on often end in a valley without folds. Where they do not, and the tolerance may be eased, it is: see
+//! [`Easing`].
 
 use super::easing::{Easing, Tolerances};
 use super::outcome::Outcome;
@@ -26,6 +28,9 @@ const FAR: f64 = 2.0;
 /// The next smoother one is tried where the last left at most this part of the folds.
 const FEWER: f64 = 0.8;
 
+/// Exact panels are tried where the first attempt folds at most this part of the faces.
+const FEW: f64 = 0.01;
+
 /// Iterations times vertices of the first attempt beyond which smoother ones would take too long.
 const MOST_WORK: u64 = 3_000_000;
 
@@ -34,13 +39,27 @@ const EASILY: u32 = 600;
 
 /// One way to meet hard constraints.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Attempt {
+pub(crate) enum Attempt {
+    /// As asked.
+    Asked,
+    /// The panels exactly.
+    Exact,
+    /// As asked, with the weight of smoothness multiplied by this.
+    Smoother(f64),
+    /// The panels within these tolerances, in a few iterations.
+    Eased(Tolerances),
+}
+
+impl Attempt {
     /// The weight of smoothness is multiplied by this.
-    pub(crate) smoother: f64,
-    /// Tolerances instead of the one that is asked.
-    pub(crate) tolerances: Option<Tolerances>,
+    pub(crate) fn smoother(&self) -> f64 {
+        if let Attempt::Smoother(times) = self { *times } else { 1.0 }
+    }
+
     /// Iterations of the approach at most; none for those that are usual.
-    pub(crate) iterations: Option<u32>,
+    pub(crate) fn iterations(&self) -> Option<u32> {
+        matches!(self, Attempt::Eased(_)).then_some(EASILY)
+    }
 }
 
 /// The attempts of one meeting.
@@ -53,26 +72,38 @@ pub(crate) struct Attempts {
     first: Option<Outcome>,
     /// How many faces the best one has folded.
     folded: usize,
-    /// Not tried yet, the next one last.
-    smoother: Vec<f64>,
+    /// How many faces there are.
+    faces: usize,
+    /// Not tried yet, the next one last, before tolerances are eased.
+    others: Vec<Attempt>,
     easing: Option<Easing>,
 }
 
 impl Attempts {
-    /// As asked first. `can_be_smoother` where displacements are smoothed at all.
-    pub(crate) fn new(unfolding: Unfolding, can_be_smoother: bool, mean_edge: f64) -> Attempts {
+    /// As asked first, for a mesh of so many `faces`. `can_be_smoother` where displacements are smoothed at all.
+    pub(crate) fn new(
+        unfolding: Unfolding,
+        can_be_smoother: bool,
+        faces: usize,
+        mean_edge: f64,
+    ) -> Attempts {
         let is_on = unfolding != Unfolding::Off && can_be_smoother;
         let easing = match unfolding {
             Unfolding::Eased(asked) => Easing::new(asked, mean_edge),
             Unfolding::Off | Unfolding::Smoother => None,
         };
+        let smoother =
+            SMOOTHER.iter().filter(|_| is_on).rev().map(|&times| Attempt::Smoother(times));
+        let mut others: Vec<Attempt> = smoother.collect();
+        others.extend(matches!(unfolding, Unfolding::Eased(_)).then_some(Attempt::Exact));
         Attempts {
-            now: Attempt { smoother: 1.0, tolerances: None, iterations: None },
+            now: Attempt::Asked,
             is_best: false,
             count: 1,
             first: None,
             folded: 0,
-            smoother: if is_on { SMOOTHER.iter().rev().copied().collect() } else { Vec::new() },
+            faces,
+            others,
             easing,
         }
     }
@@ -85,21 +116,20 @@ impl Attempts {
         around: &dyn Fn(&[u32]) -> Vec<u32>,
     ) -> Option<Attempt> {
         let mut goes_on = true;
-        if self.now.tolerances.is_some() {
+        if matches!(self.now, Attempt::Eased(_)) {
             let easing = self.easing.as_mut()?;
             (self.is_best, goes_on) = easing.take(outcome, around);
         } else {
             self.is_best = self.judge(outcome);
-            if let Some(smoother) = self.smoother.pop() {
-                return Some(Attempt { smoother, tolerances: None, iterations: None });
+            if let Some(other) = self.others.pop() {
+                return Some(other);
             }
             if let (Some(easing), Some(first)) = (&mut self.easing, &self.first) {
                 easing.expect(around(&first.folded));
             }
         }
         let easing = self.easing.as_ref().filter(|_| goes_on)?;
-        let tolerances = Some(easing.tolerances());
-        Some(Attempt { smoother: 1.0, tolerances, iterations: Some(EASILY) })
+        Some(Attempt::Eased(easing.tolerances()))
     }
 
     /// Goes on to an attempt; gives the one before, where that is the best so far.
@@ -118,19 +148,22 @@ impl Attempts {
             if folded == 0 || !met {
                 self.end();
             } else if outcome.work > MOST_WORK {
-                self.smoother.clear();
+                self.others.clear();
+            } else if folded as f64 > FEW * self.faces as f64 {
+                self.others.retain(|other| *other != Attempt::Exact);
             }
             return true;
         };
         let is_best = met && folded < self.folded && outcome.moved <= FAR * first.moved;
-        let is_far = folded as f64 > FEWER * first.folded.len() as f64;
+        let is_far =
+            self.now != Attempt::Exact && folded as f64 > FEWER * first.folded.len() as f64;
         if is_best {
             self.folded = folded;
         }
         if is_best && folded == 0 {
             self.end();
         } else if is_far {
-            self.smoother.clear();
+            self.others.clear();
         }
         is_best
     }
@@ -156,7 +189,7 @@ impl Attempts {
     }
 
     fn end(&mut self) {
-        self.smoother.clear();
+        self.others.clear();
         self.easing = None;
     }
 }
@@ -175,7 +208,7 @@ mod tests {
         is_smooth: bool,
         outcomes: &[Outcome],
     ) -> Vec<(bool, Option<Attempt>)> {
-        let mut attempts = Attempts::new(unfolding, is_smooth, 0.3);
+        let mut attempts = Attempts::new(unfolding, is_smooth, 1000, 0.3);
         let each = outcomes.iter().map(|outcome| {
             let next = attempts.after(outcome, &|faces| faces.to_vec());
             let is_best = attempts.is_best();
@@ -188,12 +221,11 @@ mod tests {
     }
 
     fn smoother(times: f64) -> Option<Attempt> {
-        Some(Attempt { smoother: times, tolerances: None, iterations: None })
+        Some(Attempt::Smoother(times))
     }
 
     fn within(within: f64) -> Option<Attempt> {
-        let tolerances = Some(Tolerances { within, eased: None });
-        Some(Attempt { smoother: 1.0, tolerances, iterations: Some(EASILY) })
+        Some(Attempt::Eased(Tolerances { within, eased: None }))
     }
 
     #[test]
@@ -205,8 +237,20 @@ mod tests {
     }
 
     #[test]
+    fn a_few_folds_may_go_where_panels_are_exact() {
+        let exact = Some(Attempt::Exact);
+        let all = follow(Unfolding::Eased(4e-4), true, &[outcome(10, 1.0), outcome(0, 1.1)]);
+        assert_eq!(all, [(true, exact.clone()), (true, None)]);
+        // Where they fold as well, smoother ones come next; where many fold, at once.
+        let all = follow(Unfolding::Eased(4e-4), true, &[outcome(10, 1.0), outcome(10, 1.1)]);
+        assert_eq!(all, [(true, exact), (false, smoother(10.0))]);
+        let all = follow(Unfolding::Eased(4e-4), true, &[outcome(11, 1.0)]);
+        assert_eq!(all, [(true, smoother(10.0))]);
+    }
+
+    #[test]
     fn smoother_ones_come_first_and_may_not_go_far() {
-        let outcomes = [outcome(10, 1.0), outcome(4, 1.5), outcome(0, 2.5), outcome(0, 0.1)];
+        let outcomes = [outcome(20, 1.0), outcome(4, 1.5), outcome(0, 2.5), outcome(0, 0.1)];
         let all = follow(Unfolding::Eased(4e-4), true, &outcomes);
         let expected = [
             (true, smoother(10.0)),

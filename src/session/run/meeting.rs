@@ -1,7 +1,6 @@
 //! Hard constraints that a run is meeting.
 
 use super::attempts::{Attempt, Attempts};
-use super::easing::Tolerances;
 use super::outcome::Outcome;
 use crate::mesh::Point;
 use crate::solve::{Exact, SolveError, Stage, clock};
@@ -22,8 +21,8 @@ pub(crate) struct Meeting {
 pub(crate) struct MeetingEnd {
     /// The best shape.
     pub(crate) exact: Exact,
-    /// The tolerances that it is within instead of the one that was asked.
-    pub(crate) tolerances: Option<Tolerances>,
+    /// How it was found.
+    pub(crate) attempt: Attempt,
     /// Whether all attempts have ended.
     pub(crate) is_whole: bool,
     /// How many faces the first attempt has folded, and how many attempts there were.
@@ -57,7 +56,7 @@ impl Meeting {
         around: &dyn Fn(&[u32]) -> Vec<u32>,
     ) -> Option<(Attempt, Option<Vec<Point>>)> {
         let next = self.attempts.after(outcome, around)?;
-        let was_eased = self.attempts.now().tolerances.is_some();
+        let was_eased = matches!(self.attempts.now(), Attempt::Eased(_));
         let best = self.best.as_ref().filter(|_| !self.attempts.is_best());
         let exact = best.map_or(&self.exact, |(exact, _)| exact);
         Some((next, was_eased.then(|| exact.positions())))
@@ -90,7 +89,6 @@ impl Meeting {
             Some(best) if !self.attempts.is_best() => best,
             _ => (self.exact, self.attempts.now().clone()),
         };
-        let tolerances = attempt.tolerances;
-        MeetingEnd { exact, tolerances, is_whole, folded_at_first, attempts }
+        MeetingEnd { exact, attempt, is_whole, folded_at_first, attempts }
     }
 }
