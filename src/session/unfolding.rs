@@ -36,8 +36,11 @@ impl Session {
         let rest = &self.rest;
         let next = meeting.next(&outcome, &|faces| rest.faces_around(faces));
         let Some((attempt, start)) = next else { return Ok(false) };
-        let start = start.as_deref().unwrap_or(self.rest.positions());
-        let next = self.attempt(&attempt, start)?;
+        let start = match start {
+            Some(whole) => self.eased_start(&attempt, whole, &positions),
+            None => self.rest.positions().to_vec(),
+        };
+        let next = self.attempt(&attempt, &start)?;
         Ok(self.meeting.as_mut().zip(next).is_some_and(|(meeting, next)| {
             meeting.turn_to(next, attempt);
             true
@@ -61,6 +64,19 @@ impl Session {
             requirements.iterations = attempt.iterations().unwrap_or(Requirements::ITERATIONS);
             Exact::new(&problem, &requirements, handles, start, cache)
         })
+    }
+
+    /// Where an eased attempt begins, `#V by 3`: where the last one ended, but for the eased faces, which are taken from
+    /// the last shape without folds. From that shape alone it would be a longer way.
+    fn eased_start(&self, attempt: &Attempt, whole: Vec<Point>, last: &[Point]) -> Vec<Point> {
+        let Attempt::Eased(Tolerances { eased: Some(eased), .. }) = attempt else { return whole };
+        let mut start = last.to_vec();
+        for &face in &eased.faces {
+            for &vertex in self.rest.mesh().faces.row(face as usize) {
+                start[vertex as usize] = whole[vertex as usize];
+            }
+        }
+        start
     }
 
     /// Whether it is a row whose tolerance may be eased.
