@@ -44,7 +44,7 @@ function firstNeeded(page) {
 /** What is loaded when it is first asked for: a name, the files that begin so, and kB. */
 const LATER = [
   ['plots', /plot/i, 30],
-  ['parts and sheets', /^(build-worker|build-panel|build-goals|live-build)/, 19],
+  ['parts and sheets', /^(build-worker|build-panel|build-goals|live-build)/, 19.5],
   ['variations', /^(variation|docked|thumbnail)/, 9],
   ['new mesh', /^dialog-new-mesh/, 13],
   ['curvature', /^curvature/, 9],

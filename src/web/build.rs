@@ -1,8 +1,7 @@
 //! Sheets and the build check for the page: a module of its own, which is loaded when it is first asked for.
 
 use super::{log_panics, mesh_of, plain_object as plain, thrown};
-use crate::fabricate::file::{path, svg};
-use crate::fabricate::sheet::Role;
+use crate::fabricate::file::picture;
 use crate::fabricate::{
     BUILD_NUMBERS, Build, BuildPreset, BuildSettings, LengthInMetres, PRESETS, ReportView,
 };
@@ -14,17 +13,6 @@ use wasm_bindgen::prelude::*;
 struct Offers {
     presets: &'static [BuildPreset],
     defaults: BuildSettings,
-}
-
-/// A sheet as the page shows it.
-#[derive(Serialize, tsify::Tsify)]
-struct SheetPicture {
-    name: String,
-    svg: String,
-    /// Of every outline, in the order of the picture, its panels.
-    panels: Vec<Vec<u32>>,
-    /// A path along the sides, and to the corners, of panels where beams and nodes are not within a limit.
-    failed: String,
 }
 
 /// A file as the page saves it.
@@ -98,7 +86,7 @@ impl Builder {
         plain(&self.build.card())
     }
 
-    /// The sheets from `first`, `count` of them at most: `name`, `svg`, and the `panels` of each of its outlines.
+    /// The sheets from `first`, `count` of them at most, as pictures.
     ///
     /// # Errors
     /// None: they are plain data.
@@ -106,18 +94,7 @@ impl Builder {
         let drawings = self.build.drawings();
         let failed = self.build.failed_sides(&self.build.failed());
         let shown = drawings.iter().zip(&failed).skip(first).take(count);
-        let own = shown.map(|(drawing, failed)| SheetPicture {
-            failed: failed.iter().map(|line| path(line, drawing.size[1])).collect(),
-            name: drawing.name.clone(),
-            svg: svg(drawing),
-            panels: drawing
-                .lines
-                .iter()
-                .filter(|line| line.role == Role::Cut)
-                .map(|line| line.panels.clone())
-                .collect(),
-        });
-        plain(&own.collect::<Vec<_>>())
+        plain(&shown.map(|(drawing, failed)| picture(drawing, failed)).collect::<Vec<_>>())
     }
 
     /// The numbers that a lesson may bound, lengths in the unit of the mesh: pairs of an id and a value; those that do not

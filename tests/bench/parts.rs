@@ -2,7 +2,7 @@
 
 use super::{black_box, timed};
 use serde::Serialize;
-use shape_up::fabricate::file::svg;
+use shape_up::fabricate::file::picture;
 use shape_up::fabricate::{Build, BuildSettings, LengthInMetres, Product};
 use shape_up::mesh::read;
 
@@ -47,7 +47,7 @@ pub(super) fn parts(path: &str, rounds: usize) -> Parts {
             black_box((build.report(), build.layer()))
         });
         found.distance.push(moved.1);
-        let sheets = || build.drawings().iter().map(svg).collect::<Vec<_>>();
+        let sheets = || build.drawings().iter().map(|own| picture(own, &[])).collect::<Vec<_>>();
         found.sheets.push(timed(sheets).1);
         found.files.push(timed(|| build.files()).1);
     }

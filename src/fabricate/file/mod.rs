@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `drawing` | the lines of a sheet by their roles |
 //! | `svg` | SVG: mm, one path per part, no transforms |
+//! | `picture` | a sheet as a page shows it: one path per layer |
 //! | `dxf` | DXF: R2000, or R12 for old machines |
 //! | `tiles` | sheets larger than a page, tiled |
 //! | `pdf` | PDF 1:1, a page per sheet or tiled, with layers and a ruler |
@@ -19,6 +20,7 @@ mod glb;
 mod number;
 mod pdf;
 mod pdf_objects;
+mod picture;
 mod svg;
 mod tiles;
 
@@ -29,5 +31,6 @@ pub use glb::{GlbPart, glb};
 pub(super) use number::places;
 pub use pdf::pdf;
 pub(super) use pdf_objects::{POINTS, assembled, stream};
-pub(super) use svg::escaped;
-pub use svg::{path, svg};
+pub use picture::{PictureLayer, SheetPicture, picture};
+pub use svg::svg;
+pub(super) use svg::{escaped, path};

@@ -46,7 +46,7 @@ pub fn svg(drawing: &Drawing) -> String {
 
 /// The points of a line on a sheet of this height, y downwards, as a part of a path. One point alone is a line
 /// without length.
-pub fn path(points: &[Point2], height: f64) -> String {
+pub(in crate::fabricate) fn path(points: &[Point2], height: f64) -> String {
     let end = if points.len() == 1 { "h0" } else { "" };
     let points = points.iter().enumerate().map(|(k, &[x, y])| {
         let letter = if k == 0 { 'M' } else { 'L' };

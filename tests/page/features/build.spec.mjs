@@ -9,6 +9,7 @@ import { unzipSync } from 'fflate';
 import { program } from '../../../.scripts/programs.mjs';
 import { downloaded, openText, saved, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
+import { outlinesOf, overPart } from '../sheets.mjs';
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
 
 test.use({ pixels: false });
@@ -96,7 +97,8 @@ test('what fails is red on the sheet at once, and one press makes it fit', async
   const missed = ({ check }) => check.filter(({ met }) => !met).map(({ id }) => id);
   const flatness = before.check.find(({ id }) => id === 'panel_flatness');
   expect(flatness.failed).toBeGreaterThan(0);
-  await expect(panel(page).locator('.cut path.failed')).toHaveCount(flatness.failed);
+  const failed = () => outlinesOf(panel(page), 'failed');
+  await expect.poll(failed).toHaveLength(flatness.failed);
 
   // The slider shows the check of another distance before it is let go.
   const slider = panel(page).getByLabel('Distance');
@@ -114,7 +116,7 @@ test('what fails is red on the sheet at once, and one press makes it fit', async
     (now) => !now.running && now.build?.check.every(({ met }) => met),
   );
   expect(missed(build)).toEqual([]);
-  await expect(panel(page).locator('.cut path.failed')).toHaveCount(0);
+  await expect.poll(failed).toEqual([]);
   await expect(panel(page).getByRole('button', { name: 'Corners' })).toContainText('exact');
   await expect(panel(page).getByRole('button', { name: 'Tighten' })).toBeDisabled();
 });
@@ -138,12 +140,16 @@ test('settings belong to the scene, and are taken back; parts and panels are cho
   await waitForState(page, (now) => now.build?.scale === 50);
   expect((await sceneOf(page)).build).toEqual(before);
 
-  await panel(page).locator('.cut path').nth(3).click();
-  const { selection } = await waitForState(page, (now) => now.selection.faces.length === 1);
-  await expect(panel(page).locator('.cut path.chosen')).toHaveAttribute(
-    'data-panels',
-    String(selection.faces[0]),
-  );
+  // The part under the pointer, and no other, is marked, chosen with its panel, and let go.
+  for (const part of [3, 5]) {
+    const { at, outline } = await overPart(panel(page), part);
+    await expect.poll(() => outlinesOf(panel(page), 'pointed')).toEqual([outline]);
+    await page.mouse.click(...at);
+    await expect.poll(() => outlinesOf(panel(page), 'chosen')).toEqual([outline]);
+    expect((await state(page)).selection.faces).toHaveLength(1);
+  }
+  await panel(page).getByLabel('Material').hover();
+  await expect.poll(() => outlinesOf(panel(page), 'pointed')).toEqual([]);
   await panel(page).getByRole('button', { name: 'Panel flatness' }).click();
   await waitForState(page, (now) => now.selection.faces.length === 1);
   await panel(page).getByLabel('Material').press('Escape');
@@ -158,7 +164,7 @@ test('fins and a paper model are made of the same shape, and saved', async ({ pa
   const made = async (product) => {
     await panel(page).getByLabel('Make').selectOption(product);
     const { build } = await waitForState(page, (now, own) => now.build?.product === own, product);
-    await expect(panel(page).locator('.cut path')).toHaveCount(build.placed);
+    await expect.poll(() => outlinesOf(panel(page), 'cut')).toHaveLength(build.placed);
     const archive = await downloaded(page, () =>
       panel(page).getByRole('button', { name: 'Save drawings' }).click(),
     );
@@ -171,9 +177,10 @@ test('fins and a paper model are made of the same shape, and saved', async ({ pa
   expect(paper.build.paper.tabs).toBeGreaterThan(0);
   expect(paper.files).toEqual(expect.arrayContaining(['pieces.csv', 'joins.csv', 'sheets.pdf']));
   // A piece chooses its panels.
-  await panel(page).locator('.cut path').first().click();
+  const { at, outline } = await overPart(panel(page), 0);
+  await page.mouse.click(...at);
   await waitForState(page, (now) => now.selection.faces.length > 0);
-  await expect(panel(page).locator('.cut path.chosen')).toHaveCount(1);
+  await expect.poll(() => outlinesOf(panel(page), 'chosen')).toEqual([outline]);
 });
 
 test('what is built goes to Rhino, with its layers and names', async ({ page }) => {

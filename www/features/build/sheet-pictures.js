@@ -1,6 +1,7 @@
 /** The sheets as they will be cut. A part that is pointed at lights up on the model, and the other way round. */
 
 import { element } from '../../ui/dom.js';
+import { SheetFigure } from './sheet-figure.js';
 
 /** @typedef {import("../../solver/messages.js").SheetPicture} SheetPicture */
 
@@ -9,80 +10,75 @@ import { element } from '../../ui/dom.js';
  */
 export function sheetPictures({ point, choose }) {
   const place = element('div.sheets', { tabindex: '0', role: 'group', 'aria-label': 'Sheets' });
-  /** The outlines of parts, each with its panels. @type {Map<Element, number[]>} */
-  let outlines = new Map();
-  /** @param {Event} event */
-  const panelsAt = ({ target }) =>
-    (target instanceof Element ? outlines.get(target) : undefined) ?? null;
-  place.addEventListener('pointerover', (event) => point(panelsAt(event)));
-  place.addEventListener('pointerleave', () => point(null));
+  /** @type {SheetFigure[]} */
+  let shown = [];
+  /** What of them is yet to be drawn, one in a frame. @type {SheetFigure[]} */
+  let undrawn = [];
+  /** @type {ReadonlySet<number>} */
+  let failed = new Set();
+  /** What is pointed at. @type {{ sheet: SheetFigure, part: number } | null} */
+  let pointed = null;
+
+  /** @param {MouseEvent} event */
+  function under(event) {
+    const { target } = event;
+    const figure = target instanceof Element ? target.closest('figure') : null;
+    const sheet = shown.find((own) => own.figure === figure);
+    const part = sheet?.partAt(event) ?? -1;
+    return sheet && part >= 0 ? { sheet, part, panels: sheet.panelsOf(part) } : null;
+  }
+
+  /** @param {ReturnType<typeof under>} now */
+  function pointAt(now) {
+    if (now?.sheet === pointed?.sheet && now?.part === pointed?.part) return;
+    pointed?.sheet.mark('pointed', () => false);
+    pointed = now;
+    now?.sheet.mark('pointed', (_, part) => part === now.part);
+    point(now?.panels ?? null);
+  }
+
+  place.addEventListener('pointermove', (event) => pointAt(under(event)));
+  place.addEventListener('pointerleave', () => pointAt(null));
   place.addEventListener('click', (event) => {
-    const panels = panelsAt(event);
+    const panels = under(event)?.panels;
     if (panels) choose(panels);
   });
+
+  /** Many sheets at once would stop the page. */
+  function drawNext() {
+    undrawn.shift()?.draw(failed);
+    if (undrawn.length > 0) requestAnimationFrame(drawNext);
+  }
+
   return {
     place,
     /**
      * @param {SheetPicture[]} sheets
-     * @param {ReadonlySet<number>} failed panels that are not within their limit
+     * @param {ReadonlySet<number>} failing panels that are not within their limit
      * @param {number} more that are not shown
      */
-    show(sheets, failed, more) {
-      outlines = new Map();
-      const figures = sheets.map(({ name, svg, panels, failed: sides }) => {
-        const picture = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
-        for (const attribute of ['width', 'height']) picture.removeAttribute(attribute);
-        picture.setAttribute('role', 'img');
-        picture.setAttribute('aria-label', name);
-        const cut = picture.querySelectorAll('#CUT > path');
-        cut.forEach((outline, k) => {
-          outline.setAttribute('data-panels', panels[k].join(' '));
-          outline.classList.toggle(
-            'failed',
-            panels[k].some((panel) => failed.has(panel)),
-          );
-          outlines.set(outline, panels[k]);
-        });
-        // What lies above would take the pointer.
-        for (const group of picture.querySelectorAll('g')) {
-          group.setAttribute('class', group.id.toLowerCase());
-          group.removeAttribute('id');
-          if (group.className.baseVal !== 'cut') joinPaths(group);
-        }
-        // The name is engraved on the part.
-        picture.querySelectorAll('.cut title').forEach((title) => title.remove());
-        for (const outline of cut) outline.removeAttribute('id');
-        if (sides) {
-          const marks = document.createElementNS(picture.namespaceURI, 'path');
-          marks.setAttribute('class', 'failed-sides');
-          marks.setAttribute('d', sides);
-          picture.append(marks);
-        }
-        return element('figure', picture, element('figcaption', name));
+    show(sheets, failing, more) {
+      failed = failing;
+      pointed = null;
+      // Those of before stay until they are drawn: nothing flickers while a shape moves.
+      shown = sheets.map((sheet, k) => {
+        const figure = shown[k] ?? new SheetFigure();
+        figure.take(sheet);
+        return figure;
       });
       const rest = more > 0 ? [element('p.quiet', `and ${more} more`)] : [];
-      place.replaceChildren(...figures, ...rest);
+      place.replaceChildren(...shown.map(({ figure }) => figure), ...rest);
+      const isDrawing = undrawn.length > 0;
+      undrawn = [...shown];
+      if (!isDrawing) drawNext();
     },
     /** Marks the parts of which all panels are among these. @param {ReadonlySet<number>} panels */
     mark(panels) {
-      const chosen = [...outlines].filter(([outline, own]) => {
-        const is = own.length > 0 && own.every((panel) => panels.has(panel));
-        outline.classList.toggle('chosen', is);
-        return is;
-      });
-      if (chosen.length === 1) chosen[0][0].scrollIntoView({ block: 'nearest', inline: 'nearest' });
+      const isChosen = (/** @type {number[]} */ own) =>
+        own.length > 0 && own.every((panel) => panels.has(panel));
+      const counts = shown.map((sheet) => sheet.mark('chosen', isChosen));
+      const count = counts.reduce((sum, own) => sum + own, 0);
+      if (count === 1) shown[counts.indexOf(1)].reveal('chosen');
     },
   };
-}
-
-/**
- * Makes one path of those of a group: what looks at every element of a page has thousands less to look at.
- * @param {Element} group
- */
-function joinPaths(group) {
-  const [first, ...others] = group.querySelectorAll('path');
-  if (!first) return;
-  const all = [first, ...others].map((path) => path.getAttribute('d'));
-  first.setAttribute('d', all.join(''));
-  others.forEach((path) => path.remove());
 }

@@ -1,0 +1,26 @@
+// The sheets in the panel of parts: each kind of line, and each mark, is one path on a sheet.
+
+/** The outlines that the paths of a kind hold, sheet by sheet. */
+export async function outlinesOf(region, kind) {
+  const paths = region.locator(`.sheets .${kind}`);
+  const lines = await paths.evaluateAll((all) => all.map((path) => path.getAttribute('d')));
+  return lines.flatMap((line) => line.match(/M[^M]+/g) ?? []);
+}
+
+/** Moves the pointer to the middle of a part of the first sheet: where that is, and the outline of the part. */
+export async function overPart(region, part) {
+  const outline = (await outlinesOf(region, 'cut'))[part];
+  const sheet = region.getByRole('img').first();
+  await sheet.scrollIntoViewIfNeeded();
+  const at = await sheet.evaluate((svg, outline) => {
+    const path = document.createElementNS(svg.namespaceURI, 'path');
+    path.setAttribute('d', outline);
+    svg.append(path);
+    const { x, y, width, height } = path.getBBox();
+    path.remove();
+    const middle = new DOMPoint(x + width / 2, y + height / 2).matrixTransform(svg.getScreenCTM());
+    return [middle.x, middle.y];
+  }, outline);
+  await region.page().mouse.move(...at);
+  return { at, outline };
+}

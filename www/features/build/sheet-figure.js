@@ -1,0 +1,96 @@
+/**
+ * One sheet on the page: a path for each layer, and one over them for each mark, however many parts there are. Which
+ * part is where the browser tells, by the outlines.
+ */
+
+import { element, setAttribute, setText } from '../../ui/dom.js';
+
+/** @typedef {import("../../solver/messages.js").SheetPicture} SheetPicture */
+/** `failed` has a panel that is not within its limit, `chosen` is selected, `pointed` lies under the pointer.
+ * @typedef {"failed" | "chosen" | "pointed"} Mark */
+
+const SPACE = 'http://www.w3.org/2000/svg';
+/** What lies over the layers, from below. `failed-sides` are those where beams fail. */
+const OVER = /** @type {const} */ (['failed', 'chosen', 'failed-sides', 'pointed']);
+const ruler = document.createElement('canvas').getContext('2d');
+
+/** @param {string} kind @param {string} d @param {string} [stroke] */
+function path(kind, d, stroke) {
+  const made = document.createElementNS(SPACE, 'path');
+  made.setAttribute('class', kind);
+  made.setAttribute('d', d);
+  if (stroke) made.setAttribute('stroke', stroke);
+  return made;
+}
+
+export class SheetFigure {
+  #svg = document.createElementNS(SPACE, 'svg');
+  #caption = element('figcaption');
+  figure = element('figure', this.#svg, this.#caption);
+  #over = OVER.map((kind) => path(kind, ''));
+  /** @type {SheetPicture | null} */
+  #sheet = null;
+  /** The outlines as the browser tests them, once somebody points at one. @type {Path2D[] | null} */
+  #outlines = null;
+
+  constructor() {
+    this.#svg.setAttribute('role', 'img');
+  }
+
+  /** Takes a sheet, of which the size and the name are shown at once. @param {SheetPicture} sheet */
+  take(sheet) {
+    this.#sheet = sheet;
+    this.#outlines = null;
+    setAttribute(this.#svg, 'viewBox', `0 0 ${sheet.size.join(' ')}`);
+    setAttribute(this.#svg, 'aria-label', sheet.name);
+    setText(this.#caption, sheet.name);
+  }
+
+  /** Draws it. @param {ReadonlySet<number>} failed panels that are not within their limit */
+  draw(failed) {
+    if (!this.#sheet) return;
+    const { layers, colour, outlines, failed: sides } = this.#sheet;
+    const under = layers.map(({ name, colour, path: d }) => path(name.toLowerCase(), d, colour));
+    this.#svg.replaceChildren(...under, path('cut', outlines.join(''), colour), ...this.#over);
+    this.#set('failed-sides', sides);
+    this.#set('pointed', '');
+    this.mark('failed', (own) => own.some((panel) => failed.has(panel)));
+  }
+
+  /**
+   * Marks some parts, and no others.
+   * @param {Mark} mark
+   * @param {(panels: number[], part: number) => boolean} isMarked
+   * @returns {number} how many
+   */
+  mark(mark, isMarked) {
+    const { outlines, panels } = this.#sheet ?? { outlines: [], panels: [] };
+    const marked = outlines.filter((_, part) => isMarked(panels[part], part));
+    this.#set(mark, marked.join(''));
+    return marked.length;
+  }
+
+  /** What is marked comes into sight. @param {Mark} mark */
+  reveal(mark) {
+    this.#over[OVER.indexOf(mark)].scrollIntoView({ block: 'nearest', inline: 'nearest' });
+  }
+
+  /** The part at a point of the window. @param {{ clientX: number, clientY: number }} event */
+  partAt({ clientX, clientY }) {
+    const toWindow = this.#svg.getScreenCTM();
+    if (!toWindow || !this.#sheet) return -1;
+    const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(toWindow.inverse());
+    this.#outlines ??= this.#sheet.outlines.map((outline) => new Path2D(outline));
+    return this.#outlines.findIndex((outline) => ruler?.isPointInPath(outline, x, y));
+  }
+
+  /** @param {number} part */
+  panelsOf(part) {
+    return this.#sheet?.panels[part] ?? null;
+  }
+
+  /** @param {typeof OVER[number]} kind @param {string} d */
+  #set(kind, d) {
+    setAttribute(this.#over[OVER.indexOf(kind)], 'd', d);
+  }
+}
