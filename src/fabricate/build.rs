@@ -4,7 +4,7 @@ use super::alike::Types;
 use super::beam::Frame;
 use super::fault::Fault;
 use super::file::{Drawing, places};
-use super::offset::{Axes, AxesSolver, Choice, OffsetCheck, OffsetKind, check};
+use super::offset::{Axes, Choice, OffsetCheck, OffsetKind, axes_of, check};
 use super::panel::{FlatPanel, Point2, lay_flat, panel_names, panel_types};
 use super::paper::PaperModel;
 use super::settings::BuildSettings;
@@ -189,13 +189,12 @@ impl Build {
         let distance = self.distance();
         let limits = self.settings.limits;
         let tolerance = 0.1 * limits.warp.min(limits.distance) / self.building();
-        let mut solver = AxesSolver::new(&self.surface);
-        let of = |&kind: &OffsetKind| {
-            let axes = solver.axes(kind, self.settings.follow, distance, tolerance);
-            let found = check(&self.surface, &axes.axes, kind, distance);
+        let axes = axes_of(&self.surface, kinds, self.settings.follow, distance, tolerance);
+        let checked = |axes: Axes| {
+            let found = check(&self.surface, &axes.axes, axes.kind, distance);
             (axes, found)
         };
-        kinds.iter().map(of).collect()
+        axes.into_iter().map(checked).collect()
     }
 
     /// The sheets as lines.

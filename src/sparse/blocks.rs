@@ -84,6 +84,27 @@ impl BlockMatrix {
         }
     }
 
+    /// Its values, which [`BlockMatrix::set_values`] takes back.
+    pub(crate) fn values(&self) -> &[f64] {
+        self.matrix.data()
+    }
+
+    /// Becomes a matrix with the values of another one of this pattern.
+    pub(crate) fn set_values(&mut self, values: &[f64]) {
+        self.matrix.data_mut().copy_from_slice(values);
+    }
+
+    /// Becomes zero.
+    pub(crate) fn clear(&mut self) {
+        self.matrix.data_mut().fill(0.0);
+    }
+
+    /// Adds `block(row, column)` to the block of a node, of which the upper triangle counts.
+    pub(crate) fn add_diagonal(&mut self, node: u32, block: impl Fn(usize, usize) -> f64) {
+        let above = self.columns[node as usize + 1] - self.columns[node as usize] - 1;
+        self.add_at(node, above, block);
+    }
+
     /// Adds `block(row, column)` to the block of two nodes, which the pattern couples, and of which `row` is not
     /// eliminated after `column`. Of a block on the diagonal the upper triangle counts.
     pub(crate) fn add(&mut self, row: u32, column: u32, block: impl Fn(usize, usize) -> f64) {

@@ -25,7 +25,7 @@
 use super::check::{most_lean, within};
 use super::exact::{can_be_exact, exact_pass};
 use super::kind::OffsetKind;
-use super::newton::{Until, descend};
+use super::newton::{Start, Until, descend};
 use super::system::System;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
@@ -44,29 +44,19 @@ pub struct Axes {
     pub exact: bool,
 }
 
-/// What the axes of a surface are solved with, for one kind after another: it follows from the pattern of the edges.
-pub(in crate::fabricate) struct AxesSolver<'a> {
-    surface: &'a PanelSurface,
-    system: System,
-}
-
-impl<'a> AxesSolver<'a> {
-    /// Of one surface.
-    pub(in crate::fabricate) fn new(surface: &'a PanelSurface) -> AxesSolver<'a> {
-        AxesSolver { surface, system: System::new(surface) }
-    }
-
-    /// The exact axes where beam warp and distance error at the distance `depth` stay below `tolerance` and
-    /// no axis leans much more than the fit's; else the fit.
-    pub(in crate::fabricate) fn axes(
-        &mut self,
-        kind: OffsetKind,
-        mu: f64,
-        depth: f64,
-        tolerance: f64,
-    ) -> Axes {
-        let AxesSolver { surface, system } = self;
-        let fitted = descend(system, surface, kind, mu, surface.normals.clone(), Until::Still);
+/// Of each kind the exact axes where beam warp and distance error at the distance `depth` stay below `tolerance`
+/// and no axis leans much more than the fit's; else the fit.
+pub(in crate::fabricate) fn axes_of(
+    surface: &PanelSurface,
+    kinds: &[OffsetKind],
+    mu: f64,
+    depth: f64,
+    tolerance: f64,
+) -> Vec<Axes> {
+    let system = &mut System::new(surface);
+    let of = |&kind: &OffsetKind| {
+        let normals = surface.normals.clone();
+        let fitted = descend(system, surface, kind, mu, Start::At(normals), Until::Still);
         let exact = can_be_exact(surface, kind, depth, tolerance)
             .then(|| exact_pass(system, surface, kind, (mu, fitted.clone())))
             .filter(|exact| {
@@ -74,12 +64,20 @@ impl<'a> AxesSolver<'a> {
                     && most_lean(surface, exact) <= most_lean(surface, &fitted) + MOST_LEAN
             });
         Axes { exact: exact.is_some(), axes: exact.unwrap_or(fitted), kind }
-    }
+    };
+    kinds.iter().map(of).collect()
 }
 
 /// The least-squares axes with the weight `mu` of following the surface.
 pub fn fit(surface: &PanelSurface, kind: OffsetKind, mu: f64) -> Vec<Vec3<f64>> {
-    descend(&mut System::new(surface), surface, kind, mu, surface.normals.clone(), Until::Still)
+    descend(
+        &mut System::new(surface),
+        surface,
+        kind,
+        mu,
+        Start::At(surface.normals.clone()),
+        Until::Still,
+    )
 }
 
 /// The axes of the exact pass: what it leaves on a mesh without exact axes is of no use.
@@ -87,7 +85,7 @@ pub fn exact(surface: &PanelSurface, kind: OffsetKind) -> Vec<Vec3<f64>> {
     let system = &mut System::new(surface);
     let fitted = match kind {
         OffsetKind::Edge => {
-            descend(system, surface, kind, 1.0, surface.normals.clone(), Until::Still)
+            descend(system, surface, kind, 1.0, Start::At(surface.normals.clone()), Until::Still)
         }
         _ => surface.normals.clone(),
     };

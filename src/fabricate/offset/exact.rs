@@ -1,7 +1,7 @@
 //! The exact pass: `mu -> 0` without a choice of `mu`, and whether it is worth its time.
 
 use super::kind::OffsetKind;
-use super::newton::{Until, add_faces, descend, energy};
+use super::newton::{Start, Until, add_faces, descend, energy};
 use super::system::{System, identity_and_outer};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::{Vec3, symmetric_eigen};
@@ -69,7 +69,7 @@ fn of_beams(
     while mu > 2.0 * LEAST_MU {
         mu *= 0.1;
         let until = if mu > 2.0 * LEAST_MU { Until::Settled } else { Until::Still };
-        axes = descend(system, surface, kind, mu, axes, until);
+        axes = descend(system, surface, kind, mu, Start::Near(axes), until);
         let energy = energy(surface, kind, 0.0, &axes);
         if energy > FALLS * left {
             break;

@@ -26,7 +26,7 @@ mod kind;
 mod newton;
 mod system;
 
-pub(super) use axes::AxesSolver;
+pub(super) use axes::axes_of;
 pub use axes::{Axes, exact, fit};
 pub use check::{BeamCheck, NodeCheck, OffsetCheck, check};
 pub use choice::Choice;

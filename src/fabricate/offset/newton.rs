@@ -12,7 +12,7 @@ const MOST_STEPS: usize = 300;
 const STILL: [f64; 2] = [1e-7, 1e-12];
 /// Where no axis moved by more than this in the last step, the matrix hardly differs: conjugate gradients with the
 /// factor at hand are faster than another one.
-const NEAR: f64 = 0.1;
+const NEAR: f64 = 0.3;
 /// They leave this part of the way, or less near the end: as much as the last step was long, so that the digits go
 /// on doubling, until so many are enough.
 const ACCURACY: [f64; 2] = [1e-4, 0.03];
@@ -28,31 +28,44 @@ pub(super) enum Until {
     Still,
 }
 
-/// Newton's method from `axes`; a step that would raise the energy is halved.
+/// Where to start.
+pub(super) enum Start {
+    /// At some axes.
+    At(Vec<Vec3<f64>>),
+    /// At axes whose matrix is near the one that was factored last.
+    Near(Vec<Vec3<f64>>),
+}
+
+/// Newton's method; a step that would raise the energy is halved.
 pub(super) fn descend(
     system: &mut System,
     surface: &PanelSurface,
     kind: OffsetKind,
     mu: f64,
-    mut axes: Vec<Vec3<f64>>,
+    start: Start,
     until: Until,
 ) -> Vec<Vec3<f64>> {
+    let (mut axes, mut is_near) = match start {
+        Start::At(axes) => (axes, false),
+        Start::Near(axes) => (axes, true),
+    };
     let mut lowest = energy(surface, kind, mu, &axes);
     let mut last = f64::INFINITY;
     for _ in 0..MOST_STEPS {
-        let near = (last < NEAR).then(|| {
+        let accuracy = last.clamp(ACCURACY[0], ACCURACY[1]);
+        let near = is_near.then(|| {
             assemble(system, surface, kind, mu, &axes, true);
-            system.solve_near(&axes, last.clamp(ACCURACY[0], ACCURACY[1]))
+            system.solve_near(&axes, accuracy)
         });
-        let (aim, curved) = match near.flatten() {
-            Some(aim) => (aim, true),
+        let (aim, curved, error) = match near.flatten() {
+            Some(aim) => (aim, true, accuracy),
             None => {
                 let factored = [true, false].into_iter().find(|&curved| {
                     assemble(system, surface, kind, mu, &axes, curved);
                     system.factor()
                 });
                 let Some(curved) = factored else { break };
-                (system.solve(), curved)
+                (system.solve(), curved, 0.0)
             }
         };
         let mut share = 1.0;
@@ -68,12 +81,18 @@ pub(super) fn descend(
         if value > lowest * (1.0 + 1e-14) || value.is_nan() {
             break;
         }
-        let step = axes.iter().zip(&next).map(|(from, to)| (*to - *from).length());
-        let step = step.fold(0.0, f64::max);
+        let length = axes.iter().zip(&next).map(|(from, to)| (*to - *from).length());
+        let length = length.fold(0.0, f64::max);
         let is_settled = value > lowest * (1.0 - WORTH);
-        (axes, lowest, last) = (next, value.min(lowest), step);
-        let still = if curved && share == 1.0 { STILL[0] } else { STILL[1] };
-        if step <= still || kind == OffsetKind::Face || (until == Until::Settled && is_settled) {
+        // The next step would be as much shorter as this one is, squared, and mend what conjugate gradients left.
+        let next_length = length * (length / last * (length / last) + error);
+        let is_still = match curved && share == 1.0 {
+            true => length <= STILL[0] || (last.is_finite() && next_length <= STILL[0]),
+            false => length <= STILL[1],
+        };
+        (axes, lowest, last) = (next, value.min(lowest), length);
+        is_near = length < NEAR;
+        if is_still || kind == OffsetKind::Face || (until == Until::Settled && is_settled) {
             break;
         }
     }
@@ -91,15 +110,10 @@ fn assemble(
 ) {
     // `c` of a vector of this length.
     let across_axis = |length: f64| if curved && length > 0.0 { 1.0 - 1.0 / length } else { 0.0 };
-    system.begin(mu, &surface.normals);
-    for edge in &surface.edges {
-        let t = surface.direction(edge);
-        let [i, j] = edge.ends;
-        let across = identity_and_outer(1.0, -1.0, t);
-        system.add(i, across);
-        system.add(j, across);
-        system.couple(i, j, identity_and_outer(-1.0, 1.0, t));
-        if kind == OffsetKind::Edge {
+    system.begin_with_beams(mu, &surface.normals);
+    if kind == OffsetKind::Edge {
+        for edge in &surface.edges {
+            let t = surface.direction(edge);
             for v in edge.ends {
                 let p = across_edge(axes[v as usize], t);
                 let (u, c) = (unit(p), across_axis(p.length()));

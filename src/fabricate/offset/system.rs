@@ -2,7 +2,7 @@
 
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
-use crate::sparse::{BlockMatrix, SymbolicAnalysis, UpperTriangle};
+use crate::sparse::{BlockMatrix, SymbolicAnalysis};
 
 /// Conjugate gradients take so many rounds at most: to factor costs about as much as this many sweeps.
 const MOST_ROUNDS: usize = 15;
@@ -13,8 +13,9 @@ const ENOUGH: f64 = 0.01;
 /// matrix has `c c'` for every term `(c . n - 1)^2`, the right-hand side `c`.
 pub(super) struct System {
     analysis: SymbolicAnalysis,
-    zeros: UpperTriangle,
     matrix: BlockMatrix,
+    /// The values of the matrix of flat beams, which every step begins with.
+    beams: Vec<f64>,
     /// Vertices of no panel: their axis is zero.
     excluded: Vec<bool>,
     right: Vec<Vec3<f64>>,
@@ -28,13 +29,23 @@ impl System {
         let analysis = SymbolicAnalysis::of_edges(n, edges);
         let mut used = vec![false; n];
         surface.faces.indices().iter().for_each(|&v| used[v as usize] = true);
-        System {
-            zeros: analysis.zeros(),
+        let mut system = System {
             matrix: BlockMatrix::new(&analysis),
             analysis,
+            beams: Vec::new(),
             excluded: used.iter().map(|used| !used).collect(),
             right: vec![Vec3::zero(); n],
+        };
+        for edge in &surface.edges {
+            let t = surface.direction(edge);
+            let [i, j] = edge.ends;
+            let across = identity_and_outer(1.0, -1.0, t);
+            system.add(i, across);
+            system.add(j, across);
+            system.couple(i, j, identity_and_outer(-1.0, 1.0, t));
         }
+        system.beams = system.matrix.values().to_vec();
+        system
     }
 
     /// Vertices of no panel.
@@ -44,9 +55,19 @@ impl System {
 
     /// Begins with `A = mu I` and `b = mu` times `near`, `#V` vectors.
     pub(super) fn begin(&mut self, mu: f64, near: &[Vec3<f64>]) {
-        self.matrix.set_scalar(&self.zeros);
-        for &place in self.analysis.place_of() {
-            self.matrix.add(place, place, |r, c| if r == c { mu } else { 0.0 });
+        self.matrix.clear();
+        self.follow(mu, near);
+    }
+
+    /// The same with `sum_e |P_e (n_j - n_i)|^2`.
+    pub(super) fn begin_with_beams(&mut self, mu: f64, near: &[Vec3<f64>]) {
+        self.matrix.set_values(&self.beams);
+        self.follow(mu, near);
+    }
+
+    fn follow(&mut self, mu: f64, near: &[Vec3<f64>]) {
+        for place in 0..self.analysis.size() as u32 {
+            self.matrix.add_diagonal(place, |r, c| if r == c { mu } else { 0.0 });
         }
         self.aim(mu, near);
     }
@@ -59,7 +80,7 @@ impl System {
     /// Adds a block at a vertex.
     pub(super) fn add(&mut self, v: u32, block: [[f64; 3]; 3]) {
         let place = self.analysis.place_of()[v as usize];
-        self.matrix.add(place, place, |r, c| block[r][c]);
+        self.matrix.add_diagonal(place, |r, c| block[r][c]);
     }
 
     /// Adds a symmetric block between two vertices.
