@@ -83,7 +83,7 @@ await main(() => {
     row(name, [at('www', 'pkg', folder, 'shape_up_bg.wasm')], budget * kB);
   const rows = [
     module('solver module', 'solver', 702),
-    module('parts module', 'build', 296),
+    module('parts module', 'build', 297),
     module('view, WebGPU', 'view-webgpu', 189),
     module('view, WebGL2', 'view-webgl2', 900),
     row('first visit', [...first], 82 * kB),

@@ -4,9 +4,11 @@ use super::beam::{Frame, FrameSize};
 use super::build::{Build, CutPanel, NotCut, beam_name, node_name};
 use super::fault::Fault;
 use super::panel::{Point2, inset, is_simple, rotated, smallest_box};
-use super::paper::{PaperModel, PaperSize, drawn, write_names};
+use super::paper::{PaperModel, PaperSize, Unnamed, drawn, write_names};
 use super::settings::{BuildSettings, Product};
-use super::sheet::{CutPart, Inscription, SheetSize, label, lay_out};
+use super::sheet::{
+    CutPart, Inscription, Labels, Place, SheetSize, Waste, label, lay_out, strokes,
+};
 
 /// For each side of a part, what lies beyond it, by name.
 type Beside = Vec<Option<String>>;
@@ -134,9 +136,10 @@ impl Build {
     /// Engraves on each part its name, and what is `beside` its edges.
     fn write_names(&mut self, beside: &[Beside]) {
         let places = self.layout.places(self.parts.len());
+        let mut unnamed = Vec::new();
         for (k, part) in self.parts.iter_mut().enumerate() {
             let turn = places[k].map_or([1.0, 0.0], |(_, place)| place.turn);
-            let (dropped, small) = match &self.paper {
+            let missing = match &self.paper {
                 Some(model) => {
                     let inside = self.settings.print_inside;
                     write_names(part, (model, k), &self.names, inside, turn)
@@ -146,13 +149,41 @@ impl Build {
                     let (neighbours, with_arrow) = (&beside[k][..], true);
                     let holes = &part.holes[..];
                     let own = Inscription { outline, name, neighbours, with_arrow, turn, holes };
-                    let labels = label(own);
-                    part.engraved = labels.lines;
-                    (labels.dropped, usize::from(labels.small))
+                    let Labels { lines, dropped, small, .. } = label(own);
+                    part.engraved = lines;
+                    Unnamed { dropped, small: usize::from(small), piece: false }
                 }
             };
-            self.dropped_names += dropped;
-            self.small_names += small;
+            unnamed.push(missing.piece);
+            self.dropped_names += missing.dropped;
+            self.small_names += missing.small;
+        }
+        self.write_on_waste(&unnamed);
+    }
+
+    /// Writes which part it is beside those that have no room for it.
+    fn write_on_waste(&mut self, unnamed: &[bool]) {
+        let BuildSettings { sheet: size, margin, .. } = self.settings;
+        for sheet in self
+            .layout
+            .sheets
+            .iter()
+            .filter(|own| own.places.iter().any(|place| unnamed[place.part]))
+        {
+            let outline = |place: &Place| {
+                self.parts[place.part].outline.iter().map(|&point| place.put(point)).collect()
+            };
+            let mut waste = Waste::new(size, margin, sheet.places.iter().map(outline).collect());
+            for (k, place) in
+                sheet.places.iter().enumerate().filter(|(_, place)| unnamed[place.part])
+            {
+                let part = &mut self.parts[place.part];
+                let Some((height, centre)) = waste.write(k, &part.name) else { continue };
+                let on_part =
+                    |line: Vec<Point2>| line.into_iter().map(|point| place.back(point)).collect();
+                let lines = strokes(&part.name, height, centre, [1.0, 0.0]);
+                part.engraved.extend(lines.into_iter().map(on_part));
+            }
         }
     }
 }

@@ -5,6 +5,7 @@ use super::identities::revolution;
 use super::{build, shared};
 use shape_up::fabricate::panel::{Point2, area};
 use shape_up::fabricate::paper::{Glue, PaperModel, write_names};
+use shape_up::fabricate::sheet::Place;
 use shape_up::fabricate::{Build, BuildSettings, Page, Pieces, Product};
 use shape_up::mesh::Mesh;
 
@@ -282,6 +283,14 @@ fn printed_on_the_inside_a_sheet_is_mirrored_and_ridges_are_valleys() {
     assert_eq!(outside.report().paper, inside.report().paper, "the model is the same");
 }
 
+fn contains(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let crosses = |&k: &usize| {
+        let (p, q) = (outline[k], outline[(k + 1) % outline.len()]);
+        (p[1] > y) != (q[1] > y) && x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])
+    };
+    (0..outline.len()).filter(crosses).count() % 2 == 1
+}
+
 #[test]
 fn names_lie_on_their_panels_and_their_tabs() {
     for print_inside in [false, true] {
@@ -289,16 +298,46 @@ fn names_lie_on_their_panels_and_their_tabs() {
             build(&revolution(6, 4), &BuildSettings { print_inside, ..settings(Pieces::Nets) });
         assert_eq!((made.dropped_names, made.small_names), (0, 0));
         for part in &made.parts {
-            for &[x, y] in part.engraved.iter().flatten() {
-                let inside = (0..part.outline.len()).filter(|&k| {
-                    let (p, q) = (part.outline[k], part.outline[(k + 1) % part.outline.len()]);
-                    (p[1] > y) != (q[1] > y)
-                        && x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])
-                });
-                assert_eq!(inside.count() % 2, 1, "{}", part.name);
+            for &point in part.engraved.iter().flatten() {
+                assert!(contains(&part.outline, point), "{}", part.name);
             }
         }
     }
+}
+
+#[test]
+fn a_piece_without_room_for_its_name_has_it_beside_itself_and_on_no_other() {
+    // Edges of 7 mm.
+    let mesh = revolution(24, 7);
+    let scale = scale(&mesh) * 30.0 / 7.0;
+    let made = build(&mesh, &BuildSettings { scale, ..settings(Pieces::Strips) });
+    let (low, high) = (made.settings.margin, made.settings.sheet.map(|x| x - made.settings.margin));
+    let mut beside = 0;
+    for sheet in &made.layout.sheets {
+        let on_sheet = |points: &[[f64; 2]], place: &Place| -> Vec<[f64; 2]> {
+            points.iter().map(|&point| place.put(point)).collect()
+        };
+        let outlines: Vec<_> = (sheet.places.iter())
+            .map(|place| on_sheet(&made.parts[place.part].outline, place))
+            .collect();
+        for (k, place) in sheet.places.iter().enumerate() {
+            let lines = made.parts[place.part].engraved.iter();
+            let outside: Vec<_> = lines
+                .flat_map(|line| on_sheet(line, place))
+                .filter(|&point| !contains(&outlines[k], point))
+                .collect();
+            let mut part = made.parts[place.part].clone();
+            let unnamed =
+                write_names(&mut part, (model(&made), place.part), &made.names, false, place.turn);
+            assert!(unnamed.piece || outside.is_empty(), "{} is named twice", part.name);
+            beside += usize::from(!outside.is_empty());
+            for point in outside {
+                assert!((0..2).all(|x| point[x] >= low && point[x] <= high[x]), "{point:?}");
+                assert!(!outlines.iter().any(|other| contains(other, point)), "{point:?}");
+            }
+        }
+    }
+    assert!(beside > 0, "nothing is written there");
 }
 
 #[test]

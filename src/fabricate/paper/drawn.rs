@@ -80,15 +80,25 @@ pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
     part
 }
 
-/// Engraves on a piece, turned so on its sheet, the names of panels and of neighbours: how many of those have no room, and
-/// how many panels have a name that is too small to be read well.
+/// What has no room on a piece.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unnamed {
+    /// Names of neighbours.
+    pub dropped: usize,
+    /// Panels whose name is too small to be read well.
+    pub small: usize,
+    /// Its own name.
+    pub piece: bool,
+}
+
+/// Engraves on a piece, turned so on its sheet, the names of panels and of neighbours, and its own.
 pub fn write_names(
     part: &mut CutPart,
     (model, number): (&PaperModel, usize),
     names: &[String],
     inside: bool,
     turn: Point2,
-) -> (usize, usize) {
+) -> Unnamed {
     let piece = model.pieces[number];
     let (_, place) = outline(model, piece, inside);
     let put = |point: Point2| place.put(point);
@@ -130,7 +140,7 @@ pub fn write_names(
             part.engraved.extend(strokes(&name, height, centre, along));
         }
     }
-    (dropped, small)
+    Unnamed { dropped, small, piece: !is_named }
 }
 
 /// Where the names of a panel go: round all of it where it is in one piece, else round each of its facets.

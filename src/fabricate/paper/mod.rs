@@ -25,7 +25,7 @@ mod strip;
 mod tab;
 mod triangles;
 
-pub use drawn::{drawn, write_names};
+pub use drawn::{Unnamed, drawn, write_names};
 pub use facet::{Facet, Joint};
 pub use model::{Glue, PaperModel, PaperSize};
 pub use motion::Motion;

@@ -24,6 +24,10 @@ const OF_EDGE: f64 = 0.7;
 const SMALL: f64 = 0.7;
 /// Room around a text, in its heights.
 const ROOM: f64 = 0.35;
+/// The own name is underlined where another one is higher than this part of it, so far below it in its heights.
+const ALIKE: f64 = 0.85;
+/// See [`ALIKE`].
+const BELOW: f64 = 0.2;
 
 /// The engraved lines of a part.
 #[derive(Clone, Debug, Default)]
@@ -173,6 +177,7 @@ fn label_of_height(
     labels.texts.push(name.to_owned());
     taken.insert(0, own);
     let has_arrow = with_arrow && arrow(outline, &mut labels, &mut taken, height, radius);
+    let mut highest: f64 = 0.0;
     for (k, neighbour) in neighbours.iter().enumerate() {
         let Some(neighbour) = neighbour else { continue };
         let edge = [outline[k], outline[(k + 1) % outline.len()]];
@@ -180,6 +185,7 @@ fn label_of_height(
         let found = beside_edge(outline, edge, (neighbour, tallest), turn, (&taken, holes));
         match found {
             Some((height, own)) => {
+                highest = highest.max(height);
                 labels.lines.extend(strokes(neighbour, height, own.centre, own.along));
                 labels.texts.push(neighbour.clone());
                 taken.push(own);
@@ -187,7 +193,17 @@ fn label_of_height(
             None => labels.dropped += 1,
         }
     }
+    if highest > ALIKE * height {
+        labels.lines.push(underline(own, text_width(name, height), height));
+    }
     (labels, has_arrow)
+}
+
+/// A line below the text of a box.
+fn underline(Box2 { centre, along: [c, s], .. }: Box2, width: f64, height: f64) -> Vec<Point2> {
+    let down = (0.5 + BELOW) * height;
+    let at = |x: f64| [centre[0] + c * x + s * down, centre[1] + s * x - c * down];
+    vec![at(-0.5 * width), at(0.5 * width)]
 }
 
 /// The height of the name of a neighbour beside its edge, and its box: along the edge, else across it, as high as
@@ -329,6 +345,25 @@ mod tests {
         let beside = &both.lines[own.lines.len()..];
         assert!(extent(&own.lines)[1] > 1.5 * extent(beside)[1]);
         assert_eq!((both.dropped, both.texts.len()), (0, 2));
+    }
+
+    #[test]
+    fn the_own_name_is_underlined_where_those_of_neighbours_are_as_high() {
+        let neighbour = Some("P7".to_owned());
+        let neighbours = &[neighbour.clone(), None, neighbour, None][..];
+        let (name, with_arrow, turn, holes) = ("P5", false, AS_IT_IS, &[][..]);
+        // As wide, and with room for a larger name in the middle or not.
+        for (high, is_underlined) in [(14.0, false), (11.5, true)] {
+            let outline = &[[0.0, 0.0], [8.0, 0.0], [8.0, high], [0.0, high]][..];
+            let own = Inscription { outline, name, neighbours, with_arrow, turn, holes };
+            let found = label(own);
+            assert_eq!((found.dropped, found.small, found.texts.len()), (0, false, 3));
+            let below = |line: &&Vec<Point2>| {
+                let [p, q] = line[..] else { return false };
+                p[1] == q[1] && q[0] - p[0] > 0.9 * text_width(name, 2.0) && p[1] < 0.5 * high
+            };
+            assert_eq!(found.lines.iter().filter(below).count(), usize::from(is_underlined));
+        }
     }
 
     #[test]

@@ -5,6 +5,7 @@
 //! | `part` | a part to be cut: outline, engraved lines, what it was |
 //! | `lettering` | single-line letters |
 //! | `label` | names and an arrow inside an outline, where they fit |
+//! | `waste` | names beside parts that have no room for them |
 //! | `place` | where a part is, and in which order parts are laid out |
 //! | `layout` | sheets with parts, and where each part is |
 //! | `shelf` | parts in rows, each on its feet or on its head |
@@ -17,6 +18,7 @@ mod lettering;
 mod part;
 mod place;
 mod shelf;
+mod waste;
 
 pub(super) use label::upright;
 pub use label::{Inscription, Labels, label};
@@ -24,3 +26,4 @@ pub use layout::{Layout, Sheet, lay_out};
 pub use lettering::{strokes, text_width};
 pub use part::{CutPart, Hole, Role};
 pub use place::{Order, Place, SheetSize};
+pub use waste::Waste;

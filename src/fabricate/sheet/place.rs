@@ -44,6 +44,12 @@ impl Place {
         [x + self.offset[0], y + self.offset[1]]
     }
 
+    /// The inverse of [`Place::put`].
+    pub fn back(&self, [x, y]: Point2) -> Point2 {
+        let [c, s] = self.turn;
+        rotated([x - self.offset[0], y - self.offset[1]], [c, -s])
+    }
+
     /// The angle by which the part is turned, in degrees.
     pub fn turn_deg(&self) -> f64 {
         libm::atan2(self.turn[1], self.turn[0]).to_degrees()

@@ -1,0 +1,131 @@
+//! Names beside parts that have no room for them: on the waste, next to the outline.
+
+use super::lettering::text_width;
+use crate::fabricate::panel::{Point2, direction_of, is_inside, sides};
+
+/// Heights of such a name in mm, the best first.
+const HEIGHTS: [f64; 3] = [3.5, 2.7, 2.0];
+/// It is so far from its own part, in its heights.
+const NEAR: f64 = 0.3;
+/// And at least so far from others, so that nobody takes it for theirs.
+const FAR: f64 = 1.0;
+/// Where along a side it is tried.
+const SHARES: [f64; 3] = [0.5, 0.2, 0.8];
+
+/// The lower left and the upper right corner of a rectangle along the sheet.
+type Corners = [Point2; 2];
+
+/// A sheet with parts, and names that were written beside them.
+pub struct Waste {
+    /// Where the sheet may be written on.
+    room: Corners,
+    /// The outline of each part on the sheet, and what it is within.
+    outlines: Vec<(Vec<Point2>, Corners)>,
+    /// The names so far.
+    names: Vec<Corners>,
+}
+
+impl Waste {
+    /// A sheet of this size with the outlines of its parts, all in mm.
+    pub fn new(size: [f64; 2], margin: f64, outlines: Vec<Vec<Point2>>) -> Waste {
+        let extent = |points: &[Point2]| {
+            points.iter().fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], at| {
+                [[0, 1].map(|x| low[x].min(at[x])), [0, 1].map(|x| high[x].max(at[x]))]
+            })
+        };
+        let within = |outline: Vec<Point2>| {
+            let within = extent(&outline);
+            (outline, within)
+        };
+        let room = [[margin; 2], size.map(|size| size - margin)];
+        Waste { room, outlines: outlines.into_iter().map(within).collect(), names: Vec::new() }
+    }
+
+    /// The height and the middle of a name beside the outline of this number, along the sheet: as high as there is room;
+    /// none where there is none. Nothing else is written there afterwards.
+    pub fn write(&mut self, own: usize, name: &str) -> Option<(f64, Point2)> {
+        let outline = &self.outlines.get(own)?.0;
+        for height in HEIGHTS {
+            let half = [0.5 * text_width(name, height), 0.5 * height];
+            let grown = |centre: Point2, by: f64| {
+                [-1.0, 1.0].map(|sign| [0, 1].map(|x| centre[x] + sign * (half[x] + by)))
+            };
+            for [p, q] in sides(outline) {
+                let [c, s] = direction_of(p, q);
+                // Outwards, until the text is beside the side.
+                let away = s.abs() * half[0] + c.abs() * half[1] + NEAR * height;
+                for share in SHARES {
+                    let centre = [
+                        p[0] + share * (q[0] - p[0]) + away * s,
+                        p[1] + share * (q[1] - p[1]) - away * c,
+                    ];
+                    if self.is_free(
+                        own,
+                        grown(centre, 0.5 * NEAR * height),
+                        grown(centre, FAR * height),
+                    ) {
+                        self.names.push(grown(centre, FAR * height));
+                        return Some((height, centre));
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// Whether a rectangle is free of the part of this number, and a larger one of all others and of names.
+    fn is_free(&self, own: usize, near: Corners, far: Corners) -> bool {
+        let [low, high] = self.room;
+        let is_on_sheet = (0..2).all(|x| near[0][x] >= low[x] && near[1][x] <= high[x]);
+        let meets = |(k, (outline, within)): (usize, &(Vec<Point2>, Corners))| {
+            let own = if k == own { near } else { far };
+            overlap(*within, own) && covers(outline, own)
+        };
+        is_on_sheet
+            && !self.names.iter().any(|name| overlap(*name, near))
+            && !self.outlines.iter().enumerate().any(meets)
+    }
+}
+
+fn overlap([low, high]: Corners, [under, over]: Corners) -> bool {
+    (0..2).all(|x| low[x] < over[x] && under[x] < high[x])
+}
+
+/// Whether a part covers some of a rectangle.
+fn covers(outline: &[Point2], [low, high]: Corners) -> bool {
+    let crosses = |[p, q]: [Point2; 2]| {
+        let within = [0, 1].map(|x| [p[x].min(q[x]), p[x].max(q[x])]);
+        let corners = [low, [high[0], low[1]], high, [low[0], high[1]]];
+        let to_the_left =
+            corners.map(|[x, y]| (q[0] - p[0]) * (y - p[1]) > (q[1] - p[1]) * (x - p[0]));
+        (0..2).all(|x| within[x][0] < high[x] && within[x][1] > low[x])
+            && to_the_left.iter().any(|left| *left != to_the_left[0])
+    };
+    is_inside(outline, [0, 1].map(|x| 0.5 * (low[x] + high[x]))) || sides(outline).any(crosses)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_is_on_the_sheet_beside_its_own_part_and_away_from_others_and_their_names() {
+        // Two narrow strips with a lane between them, and a third that leaves none.
+        let strip = |y: f64| vec![[20.0, y], [80.0, y], [80.0, y + 1.5], [20.0, y + 1.5]];
+        let mut waste = Waste::new([100.0, 40.0], 5.0, vec![strip(10.0), strip(22.0), strip(25.0)]);
+        let mut names = Vec::new();
+        for own in [0, 1, 2] {
+            let (height, [x, y]) = waste.write(own, "S12").expect("there is room");
+            let half = [0.5 * text_width("S12", height), 0.5 * height];
+            let text = [[x - half[0], y - half[1]], [x + half[0], y + half[1]]];
+            assert!(height >= 2.0 && text[0].iter().all(|at| *at >= 5.0) && text[1][1] <= 35.0);
+            for (k, y) in [10.0, 22.0, 25.0].into_iter().enumerate() {
+                let by = if k == own { 0.0 } else { 0.9 * height };
+                let near = [[20.0 - by, y - by], [80.0 + by, y + 1.5 + by]];
+                assert!(!overlap(near, text), "{own} {k}");
+            }
+            assert!(!names.iter().any(|other| overlap(*other, text)));
+            names.push(text);
+        }
+    }
+}
