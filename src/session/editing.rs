@@ -120,8 +120,8 @@ impl Session {
     /// Makes an edit without a step of undo; its name and the way back, or none where it changes nothing.
     pub(super) fn make(&mut self, edit: Edit) -> Result<Option<(String, Change)>, Error> {
         check_locks(&edit, self.document())?;
-        if let Edit::Refine { scheme, levels, keep } = edit {
-            return self.refine(&Subdivision { scheme, levels, keep }).map(Some);
+        if let Edit::Refine { scheme, levels, keep, adopt } = edit {
+            return self.refine(&Subdivision { scheme, levels, keep }, adopt).map(Some);
         }
         if let Edit::Remesh(remeshing) = edit {
             return self.remesh(&remeshing).map(Some);
@@ -151,15 +151,17 @@ impl Session {
         Ok(())
     }
 
-    /// Makes several faces of each; its name and the way back.
+    /// Makes several faces of each, of the original or, where it is adopted, of the shape as it is; its name and the
+    /// way back.
     ///
     /// # Errors
     /// When the mesh cannot be subdivided so, or the system would be singular; nothing has changed then.
-    fn refine(&mut self, subdivision: &Subdivision) -> Result<(String, Change), Error> {
-        let refined = subdivision.apply(self.mesh(), self.topology());
-        let refined = refined.map_err(cannot_be_refined)?;
+    fn refine(&mut self, how: &Subdivision, adopts: bool) -> Result<(String, Change), Error> {
+        let shape = if adopts { self.scene.positions() } else { self.rest.positions() };
+        let mesh = Mesh { positions: shape.to_vec(), ..self.mesh().clone() };
+        let refined = how.apply(&mesh, self.topology()).map_err(cannot_be_refined)?;
         let name = format!("Refine to {}", counted(refined.mesh.faces.len(), "face", "faces"));
-        let (rest, carried) = self.carried_to(&refined, self.rest.positions());
+        let (rest, carried) = self.carried_to(&refined, shape, shape);
         Ok((name, self.go_to_mesh(rest, carried)?))
     }
 
@@ -191,7 +193,8 @@ impl Session {
     /// When the operation is refused, or the system would be singular; nothing has changed then.
     fn remesh(&mut self, remeshing: &Remeshing) -> Result<(String, Change), Error> {
         let (operation, edited) = self.remeshed(remeshing)?;
-        let (rest, carried) = self.carried_to(&edited, self.scene.positions());
+        let (rest, carried) =
+            self.carried_to(&edited, self.scene.positions(), self.rest.positions());
         Ok((operation.label.to_owned(), self.go_to_mesh(rest, carried)?))
     }
 
@@ -206,7 +209,7 @@ impl Session {
     /// When the operation is refused.
     pub fn remeshing(&self, remeshing: &Remeshing) -> Result<RemeshingPreview, Error> {
         let (_, edited) = self.remeshed(remeshing)?;
-        let (rest, _) = self.carried_to(&edited, self.scene.positions());
+        let (rest, _) = self.carried_to(&edited, self.scene.positions(), self.rest.positions());
         Ok(RemeshingPreview::of([self.rest.mesh(), rest.mesh()], rest.lost()))
     }
 
@@ -226,10 +229,10 @@ impl Session {
         Ok((operation, operation.apply(&task).map_err(refused)?))
     }
 
-    /// The scene carried over to a mesh that was made from its own with the positions `from`, `#V by 3`; and that mesh
-    /// at rest.
-    fn carried_to(&self, edited: &Edited, from: &[Point]) -> (RestMesh, Carried) {
-        let positions = edited.in_other_state(from, self.rest.positions());
+    /// The scene carried over to a mesh that was made from its own with the positions `from`; and that mesh at rest, made
+    /// from the positions `rest`; both `#V by 3`.
+    fn carried_to(&self, edited: &Edited, from: &[Point], rest: &[Point]) -> (RestMesh, Carried) {
+        let positions = edited.in_other_state(from, rest);
         let mut rest = self.rest.next(Mesh { positions, ..edited.mesh.clone() });
         let shape = (&**self.scene.handles(), &**self.scene.positions());
         let mut carried = carry(self.document(), shape, &self.rest, (edited, from), &rest);

@@ -1,15 +1,16 @@
 //! Solving level by level while a mesh is refined, against solving the fine mesh at once: a row for each way.
 //!
-//! `bench_refine MESH:KIND:LEVELS...`: panels of that kind, after so many levels of Catmull-Clark. Energies, shape and
-//! smoothness are those of the fine mesh with the weights of a mesh that is opened, against the refined original, for all
-//! ways; `off` and `moved` are in mean edges of the fine mesh, `within` counts panels within its tolerance.
+//! `bench_refine MESH:KIND:LEVELS...`: panels of that kind, after so many levels of Catmull-Clark, exact ones as one press
+//! makes them; `MESH:KIND:LEVELS:soft` only attracts them. Energies, shape and smoothness are those of the fine mesh with
+//! the weights of a mesh that is opened, against the refined original, for all ways; `off` and `moved` are in mean edges
+//! of the fine mesh, `within` counts panels within its tolerance.
 //!
 //! | way | does |
 //! |---|---|
 //! | at once | refines the original and solves it |
 //! | levels | solves each level and refines it; closeness is to the refined original |
-//! | design | the same, but each solved level is the original of the next one |
-//! | rough | as levels, but a level ends at a thousand times the tolerance, only the last one goes on |
+//! | adopt | the same, but each solved level is the original of the next one |
+//! | rough | as levels, but what is refined further is not exact and ends at a thousand times the tolerance |
 //! | start | solves only the coarse mesh, and refines it all the way |
 
 use shape_up::mesh::{KEPT_TURN, Mesh, Scheme, read};
@@ -23,94 +24,93 @@ const ROUGH: f64 = 1e3;
 
 fn main() {
     println!(
-        "{:<22} {:<7} {:>6} {:<8} {:>7} {:>6} {:>11} {:>11} {:>11} {:>8} {:>7} {:>7}",
+        "{:<22} {:<7} {:>6} {:<8} {:>7} {:>7} {:>11} {:>11} {:>11} {:>8} {:>7} {:>7} {:>7} {:>6}",
         "mesh",
         "kind",
         "faces",
         "way",
         "s",
-        "its",
+        "before",
         "energy",
         "shape",
         "smooth",
         "off",
         "within",
-        "moved"
+        "moved",
+        "most",
+        "folded"
     );
     for argument in std::env::args().skip(1) {
         let parts: Vec<&str> = argument.split(':').collect();
-        let [path, kind, levels] = parts[..] else { panic!("expected MESH:KIND:LEVELS") };
+        let (path, kind, levels, require) = match parts[..] {
+            [path, kind, levels] => (path, kind, levels, Require::Exact),
+            [path, kind, levels, "soft"] => (path, kind, levels, Require::Soft),
+            _ => panic!("expected MESH:KIND:LEVELS or MESH:KIND:LEVELS:soft"),
+        };
         let levels: u32 = levels.parse().expect("a number of levels");
         let bytes = std::fs::read(path).expect("the mesh can be read");
         let mesh = read(path, &bytes).expect("it is a mesh").mesh;
         let name = path.rsplit('/').next().unwrap_or_default();
-        for way in ["at once", "levels", "design", "rough", "start"] {
-            row(name, kind, way, &mesh, levels);
+        for way in ["at once", "levels", "adopt", "rough", "start"] {
+            row(name, kind, way, &mesh, levels, require);
         }
     }
 }
 
-fn opened(mesh: Mesh, kind: &str) -> Session {
+fn opened(mesh: Mesh, kind: &str, require: Require) -> Session {
     let mut scene = Scene::opened("own.obj");
-    scene.ask_of_panels(kind, Require::Soft, &mesh).expect("it is offered");
+    scene.ask_of_panels(kind, require, &mesh).expect("it is offered");
     Session::open(scene, mesh).expect("it can be solved")
 }
 
-fn refine(session: &mut Session, levels: u32) {
-    let edit = Edit::Refine { scheme: Scheme::CatmullClark, levels, keep: KEPT_TURN };
+fn refine(session: &mut Session, levels: u32, adopt: bool) {
+    let edit = Edit::Refine { scheme: Scheme::CatmullClark, levels, keep: KEPT_TURN, adopt };
     session.edit(edit).expect("it can be refined");
 }
 
-/// Iterates until the tolerance times a factor, and counts the iterations.
-fn solve(session: &mut Session, factor: f64) -> u32 {
-    let before = session.iteration();
-    let limit = session.document().solver.iterations;
-    let tolerance = factor * session.document().solver.tolerance;
+/// Iterates until a thousand times the tolerance, with panels that are attracted only.
+fn solve_roughly(session: &mut Session) {
+    let solver = session.document().solver;
     let mut last = session.solver().energy().total;
-    for _ in 0..limit {
+    for _ in 0..solver.iterations {
         let ended = session.step().expect("positions stay finite").ended;
         let now = session.solver().energy().total;
-        if ended || (factor > 1.0 && last - now <= tolerance * now) {
+        if ended || last - now <= ROUGH * solver.tolerance * now {
             break;
         }
         last = now;
     }
-    session.iteration() - before
 }
 
-fn row(name: &str, kind: &str, way: &str, mesh: &Mesh, levels: u32) {
+fn solve(session: &mut Session) {
+    session.solve(false).expect("positions stay finite");
+}
+
+fn row(name: &str, kind: &str, way: &str, mesh: &Mesh, levels: u32, require: Require) {
     let begun = Instant::now();
-    let mut session = opened(mesh.clone(), kind);
-    let mut iterations = 0;
+    let mut session = opened(mesh.clone(), kind, require);
     match way {
-        "at once" => {
-            refine(&mut session, levels);
-            iterations += solve(&mut session, 1.0);
-        }
+        "at once" => refine(&mut session, levels, false),
         "start" => {
-            iterations += solve(&mut session, 1.0);
-            refine(&mut session, levels);
-            iterations += solve(&mut session, 1.0);
+            solve(&mut session);
+            refine(&mut session, levels, false);
         }
         _ => {
-            for level in 0..=levels {
-                let is_rough = way == "rough" && level < levels;
-                iterations += solve(&mut session, if is_rough { ROUGH } else { 1.0 });
-                if level == levels {
-                    break;
+            for _ in 0..levels {
+                match way {
+                    "rough" => solve_roughly(&mut session),
+                    _ => solve(&mut session),
                 }
-                if way == "design" {
-                    let now = Mesh { positions: session.positions(), ..session.mesh().clone() };
-                    session = opened(now, kind);
-                }
-                refine(&mut session, 1);
+                refine(&mut session, 1, way == "adopt");
             }
         }
     }
+    let before = begun.elapsed().as_secs_f64();
+    solve(&mut session);
     let seconds = begun.elapsed().as_secs_f64();
     // All ways by the same measure: against the refined original.
-    let mut measured = opened(mesh.clone(), kind);
-    refine(&mut measured, levels);
+    let mut measured = opened(mesh.clone(), kind, require);
+    refine(&mut measured, levels, false);
     let mut scene = measured.scene();
     scene.current = Some(session.positions());
     let mut measured = Session::open(scene, measured.mesh().clone()).expect("it can be solved");
@@ -119,7 +119,7 @@ fn row(name: &str, kind: &str, way: &str, mesh: &Mesh, levels: u32) {
     let edge = measured.mean_edge();
     let verdict = measured.verdict(tolerance).expect("panels are asked");
     println!(
-        "{name:<22} {kind:<7} {:>6} {way:<8} {seconds:>7.2} {iterations:>6} {:>11.4e} {:>11.4e} {:>11.4e} {:>8.4} {:>6.1}% {:>7.3}",
+        "{name:<22} {kind:<7} {:>6} {way:<8} {seconds:>7.2} {before:>7.2} {:>11.4e} {:>11.4e} {:>11.4e} {:>8.4} {:>6.1}% {:>7.3} {:>7.3} {:>6}",
         measured.mesh().faces.len(),
         energy.total,
         energy.shape,
@@ -127,5 +127,7 @@ fn row(name: &str, kind: &str, way: &str, mesh: &Mesh, levels: u32) {
         verdict.worst / edge,
         100.0 * verdict.within as f64 / verdict.panels as f64,
         verdict.moved.mean / edge,
+        verdict.moved.max / edge,
+        verdict.folded,
     );
 }

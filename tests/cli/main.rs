@@ -347,6 +347,10 @@ fn a_mesh_is_refined_and_solved_at_every_level() {
     let total = |json: &Value| json["energy"]["final"]["total"].as_f64().unwrap();
     let (again, last) = (total(&folder.json("again.json")), total(&report["report"]));
     assert!((again - last).abs() <= 1e-9 * last, "{again} {last}");
+    // Where each level is the original of the next, the last one has hardly moved from it.
+    folder.run(&[&asked[..], &["--adopt", "--report", "adopt.json"]].concat()).done();
+    let moved = |file: &str| folder.json(file)["levels"][2]["verdict"]["moved"]["max"].as_f64();
+    assert!(2.0 * moved("adopt.json").unwrap() < moved("r.json").unwrap());
     folder.run(&["refine", "roof.obj", "--levels", "9"]).refused(&["1 to 6"]);
 }
 

@@ -14,7 +14,7 @@ pub(crate) fn open(text: &str, mesh: Mesh) -> Session {
 }
 
 fn refine(scheme: Scheme, levels: u32) -> Edit {
-    Edit::Refine { scheme, levels, keep: KEPT_TURN }
+    Edit::Refine { scheme, levels, keep: KEPT_TURN, adopt: false }
 }
 
 pub(crate) fn everything(session: &Session) -> (String, Vec<[u64; 3]>) {
@@ -173,6 +173,55 @@ fn level_by_level_the_panels_of_a_real_mesh_become_flat_and_it_is_as_good_as_all
     }
     let [a, b] = [&level_by_level, &at_once].map(|session| session.solver().energy().total);
     assert!(a < 1.05 * b, "{a} {b}");
+}
+
+#[test]
+fn where_each_level_is_the_original_of_the_next_it_is_smoother_and_folds_nowhere() {
+    let Some(mesh) = shared::mesh("compas_hypar.obj") else { return };
+    let flat = |levels: u32, adopt: bool| {
+        let mut scene = Scene::opened("own.obj");
+        let require = shape_up::solve::Require::Exact;
+        scene.ask_of_panels("plane", require, &mesh).expect("they can be flat");
+        let mut session = Session::open(scene, mesh.clone()).expect("it fits");
+        if adopt {
+            for _ in 0..levels {
+                session.solve(false).expect("it can be solved");
+                let once = Edit::Refine {
+                    scheme: Scheme::CatmullClark,
+                    levels: 1,
+                    keep: KEPT_TURN,
+                    adopt,
+                };
+                session.edit(once).expect("it can be refined");
+                // The refined shape is where it starts, and what "moved" is measured from.
+                assert_eq!(session.moved().max, 0.0);
+            }
+        } else {
+            session.edit(refine(Scheme::CatmullClark, levels)).expect("it can be refined");
+        }
+        session.solve(false).expect("it can be solved");
+        assert!(session.exact().is_some_and(|report| report.met));
+        let tolerance = session.tolerance();
+        let folded = session.verdict(tolerance).expect("panels are asked").folded;
+        (session.solver().energy().smooth, folded)
+    };
+    let (at_once, by_levels) = (flat(3, false), flat(3, true));
+    assert_eq!(by_levels.1, 0);
+    assert!(4.0 * by_levels.0 < at_once.0, "{by_levels:?} {at_once:?}");
+}
+
+#[test]
+fn undo_brings_back_the_original_that_another_shape_replaced() {
+    let mut session = open(ALL, bumpy(4));
+    session.solve(false).expect("it can be solved");
+    let before = everything(&session);
+    let moved = session.moved();
+    let adopt =
+        Edit::Refine { scheme: Scheme::CatmullClark, levels: 1, keep: KEPT_TURN, adopt: true };
+    session.edit(adopt).expect("it can be refined");
+    assert_eq!(session.moved().max, 0.0);
+    session.undo().expect("it was solvable");
+    assert_eq!((everything(&session), session.moved()), (before, moved));
 }
 
 #[test]

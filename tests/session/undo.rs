@@ -122,7 +122,12 @@ fn deed() -> impl Strategy<Value = Deed> {
 /// One of these, or the mesh is refined.
 fn deed_or_refine() -> impl Strategy<Value = Deed> {
     let schemes = prop::sample::select(vec![Scheme::CatmullClark, Scheme::Linear, Scheme::Loop]);
-    let refine = schemes.prop_map(|scheme| Edit::Refine { scheme, levels: 1, keep: KEPT_TURN });
+    let refine = schemes.prop_map(|scheme| Edit::Refine {
+        scheme,
+        levels: 1,
+        keep: KEPT_TURN,
+        adopt: false,
+    });
     prop_oneof![12 => deed(), 1 => refine.prop_map(|edit| Deed::Edit(Box::new(edit)))]
 }
 

@@ -98,6 +98,8 @@ pub(super) struct Refine {
     pub(super) subdivision: Subdivision,
     /// The id of the kind that is asked of every face, before the first level and after each.
     pub(super) panels: Option<&'static str>,
+    /// Each level's shape is the original of the next.
+    pub(super) adopt: bool,
     pub(super) out: Option<PathBuf>,
     pub(super) report: Option<PathBuf>,
 }
@@ -278,6 +280,7 @@ fn build(mut words: Words) -> Result<Command, String> {
 
 fn refine(mut words: Words) -> Result<Command, String> {
     let (mut panels, mut out, mut report, mut input) = (None, None, None, None);
+    let mut adopt = false;
     let mut subdivision = Subdivision { scheme: Scheme::CatmullClark, levels: 1, keep: KEPT_TURN };
     while let Some(name) = words.option(&mut input)? {
         match name.as_str() {
@@ -285,6 +288,7 @@ fn refine(mut words: Words) -> Result<Command, String> {
             "--levels" => subdivision.levels = words.iterations(&name)?,
             "--keep" => subdivision.keep = words.not_negative(&name)?,
             "--panels" => panels = Some(words.kind(&name)?),
+            "--adopt" => adopt = words.flag(&name)?,
             "--out" => out = Some(words.mesh(&name, &["obj", "mesh", "json"])?),
             "--report" => report = Some(words.file(&name)?),
             _ => return Err(unknown(&Word::Option(name), "refine")),
@@ -292,7 +296,7 @@ fn refine(mut words: Words) -> Result<Command, String> {
     }
     let input = input.ok_or("refine needs a scene or a mesh file")?;
     not_the_same(&out, &report)?;
-    Ok(Command::Refine(Refine { input, subdivision, panels, out, report }))
+    Ok(Command::Refine(Refine { input, subdivision, panels, adopt, out, report }))
 }
 
 /// Asks something of all constraints, once.

@@ -21,8 +21,8 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
                 [--page {}] [--out DIR] [--report FILE.json]
                 [--report-page FILE.pdf [--link URL]]
        shape-up refine SCENE|MESH [--scheme {}] [--levels N]
-                [--keep DEGREES] [--panels KIND] [--out FILE.obj|FILE.mesh|FILE.json]
-                [--report FILE.json]
+                [--keep DEGREES] [--panels KIND] [--adopt]
+                [--out FILE.obj|FILE.mesh|FILE.json] [--report FILE.json]
        shape-up edit SCENE|MESH OPERATION [--SIZE VALUE ...] [--vertices LIST] [--faces LIST]
                 [--out FILE.obj|FILE.mesh|FILE.json]
        shape-up check MESH [--report FILE.json]
@@ -59,7 +59,9 @@ PDF is tiled to a --page. What is not given is as in the `build` of the scene. -
 report on one page of A4 (PDF): picture, plan, build check, bill of materials, and the --link.
 refine makes several faces of each, N times; the boundary is a curve of its own, and creases and corners
 that turn by more than DEGREES (75) stay sharp. With --panels it solves before the first level and after
-each. The scene goes along: --out writes the mesh, or where the name ends in .json, the scene with it.
+each; with --adopt the shape of each level is the original of the next, which is kept close to it: faster
+and smoother, and farther from the mesh as it came. The scene goes along: --out writes the mesh, or where
+the name ends in .json, the scene with it.
 edit changes the faces of a mesh; the scene goes along. A LIST is like 0-4,7, a length is in the unit of
 the mesh, and what is not given is as here, lengths in mean edges:
 {}

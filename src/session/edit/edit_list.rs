@@ -211,6 +211,9 @@ pub enum Edit {
         /// Creases and corners that turn by more than this stay sharp, in degrees.
         #[serde(default = "kept_turn")]
         keep: f64,
+        /// The shape as it is becomes the original: the new mesh is kept close to it, and `moved` is measured from it.
+        #[serde(default)]
+        adopt: bool,
     },
     /// Changes the mesh by one of the [`crate::mesh::MESH_OPERATIONS`]. The scene goes along.
     Remesh(Remeshing),

@@ -56,6 +56,9 @@ test('level by level it is solved, and undo goes back level by level', async ({ 
   await waitForState(page, (now) => !now.running && now.exact?.met);
   const dialog = await openRefine(page);
   await dialog.getByLabel('How often').selectOption('2');
+  const closeTo = dialog.getByLabel('Each level stays close to');
+  await closeTo.selectOption({ label: 'The original: nearer to it' });
+  await expect(dialog.getByText('“Moved” is measured from the refined original.')).toBeVisible();
   await dialog.getByRole('button', { name: 'Refine and solve' }).click();
   await waitForState(page, (now) => now.faces === 256 && !now.running && now.exact?.met);
   await expect(page.getByRole('status')).toContainText('256 of 256 panels flat within');
@@ -66,4 +69,28 @@ test('level by level it is solved, and undo goes back level by level', async ({ 
   await waitForState(page, (now) => now.faces === 16 && now.vertices === 25);
   await page.getByRole('button', { name: 'Redo', exact: true }).click();
   await waitForState(page, (now) => now.faces === 64);
+});
+
+test('each solved level is the original of the next one, and undo brings the first one back', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
+  const solved = await waitForState(page, (now) => !now.running && now.exact?.met);
+  const dialog = await openRefine(page);
+  await expect(dialog.getByText('from the last level that was solved')).toBeVisible();
+  await dialog.getByLabel('How often').selectOption('2');
+  await dialog.getByRole('button', { name: 'Refine and solve' }).click();
+  const fine = await waitForState(
+    page,
+    (now) => now.faces === 256 && !now.running && now.exact?.met,
+  );
+  expect(fine.moved.max).toBeLessThan(0.5 * solved.moved.max);
+  const undo = page.getByRole('button', { name: 'Undo', exact: true });
+  await undo.click();
+  await waitForState(page, (now) => now.faces === 64);
+  await undo.click();
+  const again = await waitForState(page, (now) => now.faces === 16);
+  expect(again.moved.max).toBeCloseTo(solved.moved.max, 12);
 });

@@ -15,6 +15,15 @@ const SCHEMES = [
 ];
 /** @type {[string, string]} */
 const FOR_TRIANGLES = ['loop', 'Loop, smooth'];
+/** What each level of Refine and solve stays close to. @type {[string, string][]} */
+const CLOSE_TO = [
+  ['solved', 'The solved level: faster, smoother'],
+  ['original', 'The original: nearer to it'],
+];
+const FROM = {
+  solved: 'Refine and solve measures “Moved” from the last level that was solved.',
+  original: '“Moved” is measured from the refined original.',
+};
 const OFTEN = ['Once', 'Twice', 'Three times', 'Four times', 'Five times'];
 /** A turn that stays sharp, in degrees. */
 const KEEP = 75;
@@ -33,6 +42,8 @@ export function openRefine({ store, solver, actions, alerts }) {
     ...{ type: 'number', min: '0', max: '180', step: '1', value: String(KEEP) },
     onchange: ask,
   });
+  const closeTo = choice({}, explain, CLOSE_TO);
+  const from = element('span');
   const said = element('p', { 'aria-live': 'polite' });
   const refine = button('Refine now', () => start(false), {
     class: hasRows ? 'bordered' : 'primary',
@@ -47,6 +58,12 @@ export function openRefine({ store, solver, actions, alerts }) {
     levels: Number(levels.value),
     keep: keep.validity.valid && keep.value !== '' ? keep.valueAsNumber : KEEP,
   });
+  const isAdopted = () => hasRows && closeTo.value === 'solved';
+
+  /** Says what “Moved” is measured from. */
+  function explain() {
+    setText(from, isAdopted() ? FROM.solved : FROM.original);
+  }
 
   /** What refining makes of the mesh, once, twice and so on. @type {import("../../solver/messages.js").Replies["refinements"]} */
   let made = [];
@@ -86,7 +103,7 @@ export function openRefine({ store, solver, actions, alerts }) {
 
   /** @param {boolean} solves */
   async function start(solves) {
-    const asked = how();
+    const asked = { ...how(), adopt: solves && isAdopted() };
     dialog.close();
     const lost = await actions.reportErrors(refining.refine(asked, solves));
     if (lost?.length) alerts.notice(lost.join(' '));
@@ -99,13 +116,16 @@ export function openRefine({ store, solver, actions, alerts }) {
       element('label', element('span', 'New faces'), scheme),
       element('label', element('span', 'How often'), levels),
       element('label', element('span', 'Keep turns above, in degrees'), keep),
+      element('label', { hidden: !hasRows }, element('span', 'Each level stays close to'), closeTo),
       said,
       element(
         'p.quiet',
-        'The boundary stays a curve of its own; creases and corners that turn by more stay sharp. Sets, constraints and handles go along. “Moved” is measured from the refined original.',
+        'The boundary stays a curve of its own; creases and corners that turn by more stay sharp. Sets, constraints and handles go along. ',
+        from,
       ),
       element('div.dialog-buttons', solve, refine),
     ),
   );
+  explain();
   ask();
 }

@@ -46,7 +46,7 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     let (mut levels, mut lost) = (Vec::new(), Vec::new());
     let mut refine = |session: &mut Session, levels| {
         let (scheme, keep) = (subdivision.scheme, subdivision.keep);
-        session.edit(Edit::Refine { scheme, levels, keep })?;
+        session.edit(Edit::Refine { scheme, levels, keep, adopt: command.adopt })?;
         lost.extend_from_slice(session.lost());
         Ok(())
     };
