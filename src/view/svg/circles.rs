@@ -9,8 +9,8 @@ use std::fmt::Write;
 
 /// Circles of a smaller radius on the screen are drawn fainter, as in `shaders/circles.wgsl`, CSS pixels.
 const FULL_OPACITY: f32 = 15.0;
-/// What is left of the smallest.
-const LEAST_OPACITY: f32 = 0.22;
+/// Of this radius they are not seen.
+const NO_OPACITY: f32 = 1.5;
 
 /// Axes of ellipses are rounded to so many degrees.
 const TURN: f32 = 6.0;
@@ -50,11 +50,12 @@ pub(super) fn circles(state: &ViewState, eye: &Eye) -> String {
     if path.is_empty() {
         return path;
     }
-    // One path has one weight: that of the middle. The pieces of the view's circles overlap by half.
-    let middle = sizes.iter().sum::<f32>() / sizes.len() as f32;
+    // One path has one weight: the mean along its lines.
+    let part = |size: f32| ((size - NO_OPACITY) / (FULL_OPACITY - NO_OPACITY)).clamp(0.0, 1.0);
+    let drawn: f32 = sizes.iter().map(|&size| size * part(size)).sum();
+    let mean = drawn / sizes.iter().sum::<f32>().max(f32::MIN_POSITIVE);
     let [.., alpha] = LIGHT.circle.colour;
-    let clear = 1.0 - alpha * (middle / FULL_OPACITY).clamp(LEAST_OPACITY, 1.0);
-    let opacity = (100.0 * (1.0 - clear * clear)).round() / 100.0;
+    let opacity = (100.0 * alpha * mean).round() / 100.0;
     format!(r#"<g opacity="{opacity}"><path class="circles" d="{path}"/></g>"#)
 }
 
@@ -65,7 +66,7 @@ fn size_on_screen(circle: &Circle, eye: &Eye) -> f32 {
     let facing = u.cross(v).normalize_or_zero().dot(away.normalize_or_zero()).abs();
     let (_, depth) = eye.project(circle.centre);
     let pixel = eye.across(Vec2::X, depth).length();
-    u.length() * (0.4 + 0.6 * facing) / pixel
+    u.length() * (0.15 + 0.85 * facing) / pixel
 }
 
 /// The fitted circles of a scene.

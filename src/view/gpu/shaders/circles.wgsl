@@ -26,12 +26,12 @@ fn corner_of_circle(
     let end = select((piece + 1.0) / pieces * 6.283185307, 0.0, piece + 1.5 > pieces);
     let a = centre + u * cos(start) + v * sin(start);
     let b = centre + u * cos(end) + v * sin(end);
-    // Circles of a few pixels are drawn finer and fainter, or many of them would be one patch.
+    // Circles of a few pixels are drawn finer and fainter, down to nothing, or many of them would be one patch.
     let depth = max(scale_depth(centre), 1e-12);
-    // So are those that are seen nearly edge on.
+    // So are those that are seen nearly edge on, whose rows are as near as they are narrow.
     let facing = abs(dot(normal, to_eye_from(centre)));
     let radius_on_screen =
-        radius * mix(0.4, 1.0, facing) / (depth * scene.canvas.w * scene.canvas.z);
+        radius * mix(0.15, 1.0, facing) / (depth * scene.canvas.w * scene.canvas.z);
     let fineness = clamp(radius_on_screen / 14.0, 0.5, 1.0);
     let half_width = 0.5 * scene.circle.size.x * scene.canvas.z * fineness;
     let lift = LIFT + min(0.12 * radius / depth, 0.1);
@@ -41,12 +41,17 @@ fn corner_of_circle(
     out.at = quad.at;
     out.ends = vec4f(quad.start, quad.end);
     out.half_width = half_width;
-    out.opacity = scene.circle.colour.a * clamp(radius_on_screen / 15.0, 0.22, 1.0);
+    out.opacity = scene.circle.colour.a * clamp((radius_on_screen - 1.5) / 13.5, 0.0, 1.0);
     return out;
 }
 
 @fragment
 fn drawn(in: Corner) -> @location(0) vec4f {
-    let coverage = stroke_coverage(in.at, in.ends.xy, in.ends.zw, in.half_width);
+    // Where two pieces meet each gives way to the other, or the line would be a row of beads.
+    let span = in.ends.zw - in.ends.xy;
+    let total = max(length(span), 1e-4);
+    let along = dot(in.at - in.ends.xy, span) / total;
+    let own = min(clamp(along + 0.5, 0.0, 1.0), clamp(total - along + 0.5, 0.0, 1.0));
+    let coverage = own * stroke_coverage(in.at, in.ends.xy, in.ends.zw, in.half_width);
     return vec4f(scene.circle.colour.rgb, in.opacity * coverage);
 }

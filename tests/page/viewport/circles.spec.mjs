@@ -1,0 +1,65 @@
+// Fitted circles over the surface: lines that are seen from near, and no patch of ink from afar.
+
+import { openExample, runToTheEnd, showPanel } from '../actions.mjs';
+import { decodePng } from '../picture.mjs';
+import { drawn, expect, openPage, test } from '../support.mjs';
+
+test.use({ viewport: { width: 900, height: 640 } });
+
+/** The picture of the view. */
+async function picture(page) {
+  await drawn(page);
+  const base64 = await page.evaluate(async () => {
+    const blob = await window.shapeUp.picture({ legend: false });
+    return new Promise((done) => {
+      const reader = new FileReader();
+      reader.onload = () => done(reader.result.split(',')[1]);
+      reader.readAsDataURL(blob);
+    });
+  });
+  return decodePng(Buffer.from(base64, 'base64'));
+}
+
+/** Whether a pixel of two pictures differs plainly. */
+const differs = (a, b, at) =>
+  [0, 1, 2].some((part) => Math.abs(a.pixels[at + part] - b.pixels[at + part]) > 24);
+
+/** Of the pixels inside the box around all that differs, the part that does; and the width of the box. */
+function covered(a, b) {
+  const columns = new Set();
+  const rows = new Set();
+  let count = 0;
+  for (let at = 0; at < a.pixels.length; at += a.channels) {
+    if (!differs(a, b, at)) continue;
+    count += 1;
+    columns.add((at / a.channels) % a.width);
+    rows.add(Math.floor(at / a.channels / a.width));
+  }
+  const span = (places) => Math.max(...places) - Math.min(...places) + 1;
+  return count === 0
+    ? { part: 0, width: 0 }
+    : { part: count / (span(columns) * span(rows)), width: span(columns) };
+}
+
+test('circles are thin lines from near, and fade from afar', async ({ page }) => {
+  await openPage(page);
+  await openExample(page, 'Canopy');
+  await runToTheEnd(page);
+  await showPanel(page, 'Energies and display');
+  const shown = page.getByLabel('Fitted shapes');
+  const both = async () => {
+    await shown.check();
+    const circles = await picture(page);
+    await shown.uncheck();
+    return covered(circles, await picture(page));
+  };
+  const near = await both();
+  expect(near.width).toBeGreaterThan(300);
+  expect(near.part).toBeGreaterThan(0.03);
+
+  const view = page.getByRole('application', { name: '3D view' });
+  await view.hover();
+  for (let turn = 0; turn < 8; turn++) await page.mouse.wheel(0, 240);
+  const far = await both();
+  expect(far.part).toBeLessThan(0.01);
+});
