@@ -58,6 +58,34 @@ test('colours, their legend in bands, and how many faces are within a tolerance'
 test.describe('behind tabs', () => {
   test.use({ pixels: false });
 
+  test('what is wrong with a file is said where no panel shows it', async ({ page }) => {
+    await openPage(page);
+    // Three faces at one edge.
+    const fins = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n';
+    await openText(page, 'fins.obj', fins, 5);
+    const alert = page.getByRole('alert');
+    await expect(alert).toContainText(/^\d problems?, see Model: .*edge/);
+    await showPanel(page, 'Model');
+    await expect(page.locator('#model').getByText(/problems? in the file/)).toBeVisible();
+  });
+
+  test('the bar of selecting is one line, and a second one only for the brush', async ({
+    page,
+  }) => {
+    await openPage(page);
+    await tool(page, 'Select');
+    await page.keyboard.press('Control+a');
+    const bar = page.locator('#select-bar');
+    await expect(bar.getByRole('button', { name: 'Clear' })).toBeVisible();
+    const { x, width, height } = await bar.boundingBox();
+    expect(height).toBeLessThan(60);
+    const views = await page.locator('#view-buttons').boundingBox();
+    expect(x + width).toBeLessThanOrEqual(views.x);
+    await bar.getByRole('button', { name: 'Paint' }).click();
+    expect((await bar.getByLabel('Brush radius').boundingBox()).width).toBeGreaterThan(250);
+    expect((await bar.boundingBox()).height).toBeLessThan(104);
+  });
+
   test('a constraint is weighed and opened, a handle is moved by numbers, and undone', async ({
     page,
   }) => {

@@ -1,7 +1,7 @@
 /**
- * What is worth saying of a shape beyond its numbers: faces without an area, and how a run ended: within
- * the tolerance, or solved as far as possible, with changes that help. Said in the place of the
- * messages, or with the verdict on panels, once each time.
+ * What is worth saying of a shape beyond its numbers: what is wrong with its file where no panel shows it, faces
+ * without an area, and how a run ended: within the tolerance, or solved as far as possible, with changes that help.
+ * Said in the place of the messages, or with the verdict on panels, once each time.
  */
 
 import '../../ui/styles/lists.css';
@@ -27,6 +27,14 @@ export function watchConditions(app) {
   let flat = 0;
   /** What is told now. @type {HTMLElement | null} */
   let shown = null;
+
+  /** Says what is wrong with the file that was opened. */
+  function showProblems() {
+    const { problems = [] } = store.get().model ?? {};
+    const isListed = document.getElementById('model')?.checkVisibility();
+    if (problems.length === 0 || isListed) return void lookForFlatFaces();
+    alerts.notice(`${count(problems.length, 'problem')}, see Model: ${problems[0].message}`);
+  }
 
   async function lookForFlatFaces() {
     if (!store.get().model?.faces) return;
@@ -161,6 +169,6 @@ export function watchConditions(app) {
     wasRunning = false;
   });
   store.subscribe(['document', 'tolerance'], clear);
-  files.on('opened', lookForFlatFaces);
-  lookForFlatFaces();
+  files.on('opened', showProblems);
+  showProblems();
 }
