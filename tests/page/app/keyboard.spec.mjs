@@ -253,6 +253,29 @@ test('Escape closes what was opened, and the focus is back at what opened it', a
   }
 });
 
+test('a menu stays at its button, in the window, when that gets another size', async ({ page }) => {
+  await openBars(page);
+  for (const name of ['Open recent', 'Examples']) {
+    await page.setViewportSize({ width: 1440, height: 900 });
+    const opener = page.getByRole('button', { name, exact: true });
+    await opener.click();
+    const menu = page.getByRole('menu', { name });
+    await expect(menu).toBeVisible();
+    const before = await opener.boundingBox();
+    await page.setViewportSize({ width: 1024, height: 600 });
+    await expect.poll(async () => (await opener.boundingBox()).x).toBeLessThan(before.x - 50);
+    const isAtIt = async () => {
+      const [button, box] = [await opener.boundingBox(), await menu.boundingBox()];
+      const below = box.y - (button.y + button.height);
+      const isOver = box.x < button.x + button.width && button.x < box.x + box.width;
+      const isInside = box.x + box.width <= 1024 && box.y + box.height <= 600;
+      return below >= 0 && below < 8 && isOver && isInside;
+    };
+    await expect.poll(isAtIt).toBe(true);
+    await page.keyboard.press('Escape');
+  }
+});
+
 test('what is dismissed gives the focus to the view', async ({ page }) => {
   await visit(page);
   const view = page.getByRole('application', { name: '3D view' });

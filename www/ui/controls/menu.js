@@ -5,16 +5,15 @@ import { itemByKey } from './arrow-keys.js';
 const MOUSE = matchMedia('(pointer: fine)');
 
 /**
- * Puts a popover at its button, inside the window.
+ * Puts a popover at its button, inside the window, also where that gets another size.
  * @param {HTMLElement} menu
  * @param {() => HTMLElement} anchor
  */
 export function placeMenu(menu, anchor) {
-  menu.addEventListener('toggle', (event) => {
-    if (/** @type {ToggleEvent} */ (event).newState !== 'open') return;
+  const place = () => {
     const at = anchor().getBoundingClientRect();
     // A menu at a point may lie beside it, but under a finger it would be pressed.
-    const isPoint = at.width === 0 && at.height === 0 && MOUSE.matches;
+    const isPoint = at.width === 0 && MOUSE.matches;
     // As wide as it wants to be, wherever it was last.
     menu.style.left = '0';
     const gap = 4;
@@ -27,8 +26,13 @@ export function placeMenu(menu, anchor) {
     const higher = isPoint ? innerHeight - gap - height : at.top - gap - height;
     menu.style.left = `${Math.max(2 * gap, left)}px`;
     menu.style.top = `${height <= below ? at.bottom + gap : higher}px`;
+  };
+  menu.addEventListener('toggle', (event) => {
+    if (/** @type {ToggleEvent} */ (event).newState !== 'open') return;
+    place();
     itemsOf(menu)[0]?.focus();
   });
+  addEventListener('resize', () => menu.matches(':popover-open') && place());
   menu.addEventListener('keydown', (event) => {
     // A field has them for itself.
     const isField = event.target instanceof Element && event.target.matches('input, select');
