@@ -188,3 +188,37 @@ test('the example page drives its two views together', async ({ page }) => {
   await page.mouse.up();
   await expect.poll(() => camera(2)).not.toEqual(before);
 });
+
+test('the example page works from another origin, where only the addresses of its frames are changed', async ({
+  page,
+  baseURL,
+}) => {
+  const site = new URL(baseURL);
+  const server = createServer(async (request, response) => {
+    const { pathname } = new URL(request.url, 'http://localhost');
+    const answer = await fetch(new URL(`.${pathname}`, site));
+    const body = Buffer.from(await answer.arrayBuffer());
+    const isPage = pathname.endsWith('.html');
+    const copied = (text) =>
+      text
+        .replaceAll('src="./embed.html', `src="${site}embed.html`)
+        .replace("frame-src 'self'", `frame-src ${site.origin}`);
+    response
+      .writeHead(answer.status, { 'content-type': answer.headers.get('content-type') })
+      .end(isPage ? copied(body.toString()) : body);
+  });
+  await new Promise((done) => server.listen(0, '127.0.0.1', done));
+  await page.goto(`http://localhost:${server.address().port}/embedding.html`);
+  await page.getByRole('button', { name: 'Start both' }).click();
+  for (const id of ['left', 'right']) {
+    const frame = await started(page, id);
+    expect(await frame.evaluate(() => self.origin)).toBe(site.origin);
+  }
+  await page.getByRole('button', { name: 'Run both' }).click();
+  for (const title of ['Flat panels', 'Circular panels'])
+    await expect(page.getByRole('figure').filter({ hasText: title })).toContainText(
+      /[1-9]\d* iter/,
+    );
+  server.closeAllConnections();
+  server.close();
+});

@@ -30,7 +30,9 @@ let calls = 0;
  */
 function call({ frame }, asked) {
   calls += 1;
-  frame.contentWindow?.postMessage({ shapeUp: 'call', id: calls, ...asked }, origin);
+  const message = { shapeUp: 'call', id: calls, ...asked };
+  // Where the view is from: another origin than this page's, once somebody has copied it.
+  frame.contentWindow?.postMessage(message, new URL(frame.src).origin);
 }
 
 /** @param {"start" | "run" | "reset"} name */
