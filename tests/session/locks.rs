@@ -71,6 +71,17 @@ fn each_lock_refuses_the_edits_of_its_part_and_no_other() {
 }
 
 #[test]
+fn a_lesson_with_locks_is_given_on_again_as_it_is() {
+    let mut session = session(r#"["mesh", "constraints"]"#);
+    let lesson = session.document().lesson.clone();
+    session.solve(false).expect("it can be solved");
+    let same = Edit::SetLesson { lesson, unsolved: true };
+    assert!(session.edit(same).expect("the lesson stays as it is"));
+    assert_eq!(session.moved().max, 0.0, "students start unsolved");
+    assert!(session.document().variants.kept.is_empty());
+}
+
+#[test]
 fn nothing_gets_round_a_lock() {
     for (part, edit) in EDITS {
         let mut session = session(r#"["weights", "constraints", "handles", "mesh"]"#);

@@ -9,10 +9,12 @@ use crate::scene::{Lesson, Lock, Scene, SceneError};
 /// # Errors
 /// With the path `lesson.lock`.
 pub(crate) fn check_locks(edit: &Edit, document: &Scene) -> Result<(), SceneError> {
-    let Some(Lesson { lock, .. }) = &document.lesson else { return Ok(()) };
+    let Some(now @ Lesson { lock, .. }) = &document.lesson else { return Ok(()) };
     // Without it everything could be changed, and then it could be put back.
-    if matches!(edit, Edit::SetLesson { .. }) && !lock.is_empty() {
-        let message = "locked by the lesson, and so is the lesson itself: expected to undo where it was written, or its file without `lock`".to_owned();
+    let changes = matches!(edit, Edit::SetLesson { lesson, .. } if lesson.as_ref() != Some(now));
+    if changes && !lock.is_empty() {
+        let message = "locked by the lesson, as the lesson itself is: undo to where it was written"
+            .to_owned();
         return Err(SceneError { path: "lesson.lock".to_owned(), message });
     }
     let changed = changed_by(edit, document);

@@ -161,3 +161,20 @@ test('a lesson without an end is not kept, and one can be taken away', async ({ 
   await dialog.getByRole('button', { name: 'Remove lesson' }).click();
   await expect(lesson(page)).toBeHidden();
 });
+
+test('a lesson with locks is given on twice, as a file and as a link', async ({
+  page,
+  context,
+}) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  const dialog = await write(page);
+  await dialog.getByLabel('Constraints', { exact: true }).check();
+  await download(page, () =>
+    dialog.getByRole('button', { name: 'Lesson as a scene file' }).click(),
+  );
+  await expect(dialog).toBeHidden();
+  await page.getByRole('button', { name: 'Write a lesson' }).click();
+  await dialog.getByRole('button', { name: 'Lesson as a link' }).click();
+  const share = page.getByRole('dialog', { name: 'Share' });
+  await expect(share.getByRole('textbox', { name: 'Link' })).toHaveValue(/#/);
+});
