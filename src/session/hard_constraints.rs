@@ -131,7 +131,7 @@ impl Session {
         self.go_to(&exact.positions(), parts.unwrap_or_default())?;
         self.note_met(&exact);
         // An attempt may have been at less than the scene allows.
-        let allowed = self.hard_distance().filter(|_| attempt == Attempt::Exact);
+        let allowed = self.hard_distance().filter(|_| matches!(attempt, Attempt::Exact));
         if let Some(met) = &mut self.met {
             (met.report.attempts, met.report.eased) = (attempts, eased);
             if let Some((_, tolerance, _)) = allowed {

@@ -150,13 +150,13 @@ impl Attempts {
             } else if outcome.work > MOST_WORK {
                 self.others.clear();
             } else if folded as f64 > FEW * self.faces as f64 {
-                self.others.retain(|other| *other != Attempt::Exact);
+                self.others.retain(|other| !matches!(other, Attempt::Exact));
             }
             return true;
         };
         let is_best = met && folded < self.folded && outcome.moved <= FAR * first.moved;
-        let is_far =
-            self.now != Attempt::Exact && folded as f64 > FEWER * first.folded.len() as f64;
+        let is_far = !matches!(self.now, Attempt::Exact)
+            && folded as f64 > FEWER * first.folded.len() as f64;
         if is_best {
             self.folded = folded;
         }
