@@ -11,7 +11,7 @@ import { LiveBuild, MOST_LIVE_VERTICES, MOST_SHEETS } from './live-build.js';
 import { newest } from './newest.js';
 import { offsetLayer } from './offset-layer.js';
 import { settingsForm } from './settings-form.js';
-import { sheetPictures } from './sheet-pictures.js';
+import { sheetPictures } from './sheets/sheet-pictures.js';
 import { thicknessForm } from './thickness.js';
 import { typesCurve } from './types-curve.js';
 

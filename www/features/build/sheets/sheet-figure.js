@@ -3,9 +3,9 @@
  * part is where the browser tells, by the outlines.
  */
 
-import { element, setAttribute, setText } from '../../ui/dom.js';
+import { element, setAttribute, setText } from '../../../ui/dom.js';
 
-/** @typedef {import("../../solver/messages.js").SheetPicture} SheetPicture */
+/** @typedef {import("../../../solver/messages.js").SheetPicture} SheetPicture */
 /** `failed` has a panel that is not within its limit, `chosen` is selected, `pointed` lies under the pointer.
  * @typedef {"failed" | "chosen" | "pointed"} Mark */
 

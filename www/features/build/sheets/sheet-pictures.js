@@ -1,9 +1,9 @@
 /** The sheets as they will be cut. A part that is pointed at lights up on the model, and the other way round. */
 
-import { element } from '../../ui/dom.js';
+import { element } from '../../../ui/dom.js';
 import { SheetFigure } from './sheet-figure.js';
 
-/** @typedef {import("../../solver/messages.js").SheetPicture} SheetPicture */
+/** @typedef {import("../../../solver/messages.js").SheetPicture} SheetPicture */
 
 /**
  * @param {{ point: (panels: number[] | null) => void, choose: (panels: number[]) => void }} on
