@@ -3,7 +3,8 @@
 //! The first attempt has the largest tolerance for all panels. Where that folds nothing, the tolerance becomes smaller in
 //! steps down to the one that is asked. Faces that fold on the way are eased, with those around them, and the step is
 //! tried again from where it ended, but for the eased faces, which begin as in the last shape without folds; where it
-//! cannot be made without folds, those that folded within what is asked are eased. At last the tolerance of eased faces is halved as long as that folds nothing.
+//! cannot be made without folds, those that folded within what is asked are eased. At last the tolerance of eased faces
+//! is halved as long as that folds nothing.
 
 use super::outcome::Outcome;
 use crate::scene::EasedFaces;
