@@ -4,98 +4,103 @@ import { addConstraint, openText, runToTheEnd, exported } from '../actions.mjs';
 import { quadScene, wavyGrid } from '../meshes.mjs';
 import { coloursOfView, expect, openPage, state, test, waitForState } from '../support.mjs';
 
-test('a solver that dies is replaced, with the model as it was', async ({ page }) => {
-  await openPage(page);
-  await openText(page, 'grid.obj', wavyGrid(4), 25);
-  await addConstraint(page, 'Circle', 'each face');
-  const before = await runToTheEnd(page);
-  const [worker] = page.workers();
-  await worker.evaluate(() => {
-    setTimeout(() => {
-      throw new Error('out of order');
+// Frames by software take seconds, in which the page cannot look after its solver.
+test.describe('the solver', () => {
+  test.use({ pixels: false });
+
+  test('a solver that dies is replaced, with the model as it was', async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'grid.obj', wavyGrid(4), 25);
+    await addConstraint(page, 'Circle', 'each face');
+    const before = await runToTheEnd(page);
+    const [worker] = page.workers();
+    await worker.evaluate(() => {
+      setTimeout(() => {
+        throw new Error('out of order');
+      });
     });
+    await expect(page.getByRole('alert')).toContainText('was restarted');
+    const after = await state(page);
+    expect(after.constraints).toEqual(before.constraints);
+    expect(after.iteration).toBe(before.iteration);
+    await expect(page.getByRole('alert')).toContainText(`iteration ${before.iteration}`);
+    await expect(page.getByText('grid.obj', { exact: true })).toBeVisible();
+    expect(after.circularity.max_distance).toBeCloseTo(before.circularity.max_distance, 12);
+    await runToTheEnd(page);
   });
-  await expect(page.getByRole('alert')).toContainText('was restarted');
-  const after = await state(page);
-  expect(after.constraints).toEqual(before.constraints);
-  expect(after.iteration).toBe(before.iteration);
-  await expect(page.getByRole('alert')).toContainText(`iteration ${before.iteration}`);
-  await expect(page.getByText('grid.obj', { exact: true })).toBeVisible();
-  expect(after.circularity.max_distance).toBeCloseTo(before.circularity.max_distance, 12);
-  await runToTheEnd(page);
-});
 
-test('a solver that falls silent is replaced within five seconds, and can undo as before', async ({
-  page,
-}) => {
-  await openPage(page);
-  await openText(page, 'grid.obj', wavyGrid(4), 25);
-  await addConstraint(page, 'Circle', 'each face');
-  const before = await runToTheEnd(page);
-  const [worker] = page.workers();
-  await worker.evaluate(() => {
-    setTimeout(() => {
-      for (;;);
+  test('a solver that falls silent is replaced within five seconds, and can undo as before', async ({
+    page,
+  }) => {
+    await openPage(page);
+    await openText(page, 'grid.obj', wavyGrid(4), 25);
+    await addConstraint(page, 'Circle', 'each face');
+    const before = await runToTheEnd(page);
+    const [worker] = page.workers();
+    await worker.evaluate(() => {
+      setTimeout(() => {
+        for (;;);
+      });
     });
+    await expect(page.getByRole('alert')).toContainText('did not answer', { timeout: 5000 });
+    await expect(page.getByRole('alert')).toContainText(`iteration ${before.iteration}`);
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await waitForState(page, (now) => now.iteration === 0);
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
   });
-  await expect(page.getByRole('alert')).toContainText('did not answer', { timeout: 5000 });
-  await expect(page.getByRole('alert')).toContainText(`iteration ${before.iteration}`);
-  await page.getByRole('button', { name: 'Undo' }).click();
-  await waitForState(page, (now) => now.iteration === 0);
-  await page.getByRole('button', { name: 'Undo' }).click();
-  await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
-});
 
-test('work that takes long is not taken for silence, and can be stopped', async ({ page }) => {
-  await openPage(page);
-  await openText(page, 'grid.obj', wavyGrid(4), 25);
-  const [worker] = page.workers();
-  // Its next answer takes this long.
-  await worker.evaluate(() => {
-    const { postMessage } = self;
-    self.postMessage = (message, ...rest) => {
-      postMessage.call(self, message, ...rest);
-      if (message.type !== 'working') return;
-      for (const until = performance.now() + 7000; performance.now() < until;);
-    };
-  });
-  await page.getByRole('button', { name: 'Step', exact: true }).click();
-  const card = page.getByRole('group', { name: 'Long work' });
-  await expect(card).toBeVisible();
-  await card.getByRole('button', { name: 'Cancel' }).click();
-  await expect(card).toBeHidden();
-  await addConstraint(page, 'Circle', 'each face');
-  await runToTheEnd(page);
-});
-
-test('a run of very many iterations goes on', async ({ page }) => {
-  await openPage(page);
-  const scene = JSON.parse(quadScene(1));
-  scene.constraints = [{ kind: 'circle', on: 'faces' }];
-  scene.solver = { tolerance: 0 };
-  await openText(page, 'endless.shapeup.json', JSON.stringify(scene), 4);
-  await page.getByRole('button', { name: 'Run' }).click();
-  // As many at once were more than an argument list can hold.
-  await waitForState(page, (now) => now.iteration > 300_000);
-  expect((await state(page)).running).toBe(true);
-  await page.getByRole('button', { name: 'Pause' }).click();
-  await expect(page.getByRole('alert')).toBeEmpty();
-  await expect(page.getByText(/^Iteration/).first()).toBeVisible();
-});
-
-test('what nobody expected to fail is said', async ({ page, complaints }) => {
-  await openPage(page);
-  const alert = page.getByRole('alert');
-  await page.evaluate(() => {
-    setTimeout(() => {
-      throw new Error('out of order');
+  test('work that takes long is not taken for silence, and can be stopped', async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'grid.obj', wavyGrid(4), 25);
+    const [worker] = page.workers();
+    // Its next answer takes this long.
+    await worker.evaluate(() => {
+      const { postMessage } = self;
+      self.postMessage = (message, ...rest) => {
+        postMessage.call(self, message, ...rest);
+        if (message.type !== 'working') return;
+        for (const until = performance.now() + 7000; performance.now() < until;);
+      };
     });
+    await page.getByRole('button', { name: 'Step', exact: true }).click();
+    const card = page.getByRole('group', { name: 'Long work' });
+    await expect(card).toBeVisible();
+    await card.getByRole('button', { name: 'Cancel' }).click();
+    await expect(card).toBeHidden();
+    await addConstraint(page, 'Circle', 'each face');
+    await runToTheEnd(page);
   });
-  await expect(alert).toContainText('Something went wrong on this page: out of order');
-  await expect(alert.getByRole('button', { name: 'Copy report' })).toBeVisible();
-  await page.evaluate(() => void Promise.reject(new Error('nobody waited')));
-  await expect(alert).toContainText('nobody waited');
-  expect(complaints.splice(0)).toHaveLength(2);
+
+  test('a run of very many iterations goes on', async ({ page }) => {
+    await openPage(page);
+    const scene = JSON.parse(quadScene(1));
+    scene.constraints = [{ kind: 'circle', on: 'faces' }];
+    scene.solver = { tolerance: 0 };
+    await openText(page, 'endless.shapeup.json', JSON.stringify(scene), 4);
+    await page.getByRole('button', { name: 'Run' }).click();
+    // As many at once were more than an argument list can hold.
+    await waitForState(page, (now) => now.iteration > 300_000);
+    expect((await state(page)).running).toBe(true);
+    await page.getByRole('button', { name: 'Pause' }).click();
+    await expect(page.getByRole('alert')).toBeEmpty();
+    await expect(page.getByText(/^Iteration/).first()).toBeVisible();
+  });
+
+  test('what nobody expected to fail is said', async ({ page, complaints }) => {
+    await openPage(page);
+    const alert = page.getByRole('alert');
+    await page.evaluate(() => {
+      setTimeout(() => {
+        throw new Error('out of order');
+      });
+    });
+    await expect(alert).toContainText('Something went wrong on this page: out of order');
+    await expect(alert.getByRole('button', { name: 'Copy report' })).toBeVisible();
+    await page.evaluate(() => void Promise.reject(new Error('nobody waited')));
+    await expect(alert).toContainText('nobody waited');
+    expect(complaints.splice(0)).toHaveLength(2);
+  });
 });
 
 test('without graphics everything but the picture works', async ({ page }) => {

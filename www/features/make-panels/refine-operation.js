@@ -80,6 +80,8 @@ export async function openEdit({ store, solver, actions, alerts }) {
     if (notes?.length) alerts.notice(notes.join(' '));
   }
 
+  // Before it can be seen: whoever has chosen another one would lose that.
+  operation.value = last || (await firstThatFits());
   const dialog = openDialog(
     { id: 'edit-mesh', title: 'Edit mesh', light: true },
     element(
@@ -96,7 +98,6 @@ export async function openEdit({ store, solver, actions, alerts }) {
       element('div.dialog-buttons', apply),
     ),
   );
-  operation.value = last || (await firstThatFits());
   showSizes();
 
   /** The first operation that can be done here. */
