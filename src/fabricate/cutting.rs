@@ -164,19 +164,16 @@ impl Build {
     /// Writes which part it is beside those that have no room for it.
     fn write_on_waste(&mut self, unnamed: &[bool]) {
         let BuildSettings { sheet: size, margin, .. } = self.settings;
-        for sheet in self
-            .layout
-            .sheets
-            .iter()
-            .filter(|own| own.places.iter().any(|place| unnamed[place.part]))
-        {
+        let asks = |place: &Place| unnamed[place.part];
+        for sheet in &self.layout.sheets {
+            if !sheet.places.iter().any(asks) {
+                continue;
+            }
             let outline = |place: &Place| {
                 self.parts[place.part].outline.iter().map(|&point| place.put(point)).collect()
             };
             let mut waste = Waste::new(size, margin, sheet.places.iter().map(outline).collect());
-            for (k, place) in
-                sheet.places.iter().enumerate().filter(|(_, place)| unnamed[place.part])
-            {
+            for (k, place) in sheet.places.iter().enumerate().filter(|(_, place)| asks(place)) {
                 let part = &mut self.parts[place.part];
                 let Some((height, centre)) = waste.write(k, &part.name) else { continue };
                 let on_part =

@@ -94,7 +94,7 @@ fn cover(outline: &[Point2]) -> Vec<Vec<Point2>> {
 }
 
 /// The lower left and the upper right corner of the box of some points.
-fn extent<'a>(points: impl Iterator<Item = &'a Point2>) -> [Point2; 2] {
+pub(super) fn extent<'a>(points: impl Iterator<Item = &'a Point2>) -> [Point2; 2] {
     points.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], point| {
         [[0, 1].map(|x| low[x].min(point[x])), [0, 1].map(|x| high[x].max(point[x]))]
     })

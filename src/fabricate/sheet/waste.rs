@@ -1,6 +1,7 @@
 //! Names beside parts that have no room for them: on the waste, next to the outline.
 
 use super::lettering::text_width;
+use super::shelf::extent;
 use crate::fabricate::panel::{Point2, direction_of, is_inside, sides};
 
 /// Heights of such a name in mm, the best first.
@@ -28,13 +29,8 @@ pub struct Waste {
 impl Waste {
     /// A sheet of this size with the outlines of its parts, all in mm.
     pub fn new(size: [f64; 2], margin: f64, outlines: Vec<Vec<Point2>>) -> Waste {
-        let extent = |points: &[Point2]| {
-            points.iter().fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], at| {
-                [[0, 1].map(|x| low[x].min(at[x])), [0, 1].map(|x| high[x].max(at[x]))]
-            })
-        };
         let within = |outline: Vec<Point2>| {
-            let within = extent(&outline);
+            let within = extent(outline.iter());
             (outline, within)
         };
         let room = [[margin; 2], size.map(|size| size - margin)];

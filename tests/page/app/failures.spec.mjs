@@ -4,15 +4,20 @@ import { addConstraint, openText, runToTheEnd, exported } from '../actions.mjs';
 import { quadScene, wavyGrid } from '../meshes.mjs';
 import { coloursOfView, expect, openPage, state, test, waitForState } from '../support.mjs';
 
+/** Opens a grid whose faces are asked to be circular, and solves it; the state afterwards. */
+async function openSolved(page) {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Circle', 'each face');
+  return runToTheEnd(page);
+}
+
 // Frames by software take seconds, in which the page cannot look after its solver.
 test.describe('the solver', () => {
   test.use({ pixels: false });
 
   test('a solver that dies is replaced, with the model as it was', async ({ page }) => {
-    await openPage(page);
-    await openText(page, 'grid.obj', wavyGrid(4), 25);
-    await addConstraint(page, 'Circle', 'each face');
-    const before = await runToTheEnd(page);
+    const before = await openSolved(page);
     const [worker] = page.workers();
     await worker.evaluate(() => {
       setTimeout(() => {
@@ -32,10 +37,7 @@ test.describe('the solver', () => {
   test('a solver that falls silent is replaced within five seconds, and can undo as before', async ({
     page,
   }) => {
-    await openPage(page);
-    await openText(page, 'grid.obj', wavyGrid(4), 25);
-    await addConstraint(page, 'Circle', 'each face');
-    const before = await runToTheEnd(page);
+    const before = await openSolved(page);
     const [worker] = page.workers();
     await worker.evaluate(() => {
       setTimeout(() => {
