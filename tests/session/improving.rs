@@ -38,7 +38,7 @@ fn an_improvement_is_one_step_of_undo_and_as_exact() {
     let mut trial = session.improvement().expect("regular").expect("all is met");
     // Stopped after some steps it has gained what it gained until then.
     for _ in 0..3 {
-        trial.step().expect("regular");
+        trial.step(&session).expect("regular");
     }
     let offer = trial.offer(&session);
     assert!(offer.met && offer.after.energy < offer.before.energy, "{offer:?}");

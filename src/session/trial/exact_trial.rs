@@ -14,12 +14,24 @@ use std::rc::Rc;
 /// A trial of being exact instead of within a distance, or of an improvement, one step after the other.
 pub struct ExactTrial {
     exact: Exact,
+    /// How far it has come.
+    stage: TrialStage,
     /// The rows that are to be exact, and the name of the step of undo.
     rows: Vec<usize>,
     name: &'static str,
     /// The shape that it began from, `#V by 3`.
     from: Rc<[Point]>,
     before: Price,
+}
+
+/// The stage of a trial.
+enum TrialStage {
+    /// Looks for the shape with the least energy, which may be far away.
+    Far,
+    /// That one has so many folded faces and that energy, more than the shape as it is: one that is near to it may cost
+    /// less.
+    Near(Box<Exact>, (usize, f64)),
+    Ended,
 }
 
 /// The cost of a shape.
@@ -65,12 +77,16 @@ impl Session {
         if rows.is_empty() {
             return Ok(None);
         }
-        let exact = |row: &ConstraintSpec| match row.require {
+        let exact = self.exactly()?;
+        Ok(exact.map(|exact| self.trial(exact, rows, "Make exact")))
+    }
+
+    /// The exact solver of what is met within a distance, from the current shape on.
+    fn exactly(&self) -> Result<Option<Exact>, Error> {
+        self.meeting_with(&|row: &ConstraintSpec| match row.require {
             Require::Within(_) => Required { require: Require::Exact, eased: None },
             _ => Required::of(row),
-        };
-        let exact = self.meeting_with(&exact)?;
-        Ok(exact.map(|exact| self.trial(exact, rows, "Make exact")))
+        })
     }
 
     /// Looks for less energy among the shapes that meet what is required; none where that is not met now.
@@ -89,7 +105,7 @@ impl Session {
     fn trial(&self, mut exact: Exact, rows: Vec<usize>, name: &'static str) -> ExactTrial {
         let before = Price { energy: exact.energy().total, moved: self.moved() };
         let from = Rc::clone(self.scene.positions());
-        ExactTrial { exact, rows, name, from, before }
+        ExactTrial { exact, stage: TrialStage::Far, rows, name, from, before }
     }
 
     /// Takes the shape of a trial as far as it has come and requires it, as a step of undo or as a part of the last
@@ -125,13 +141,44 @@ impl Session {
 }
 
 impl ExactTrial {
-    /// Goes on by one step; whether there is more to do.
+    /// Goes on by one step, in the `session` that it is of; whether there is more to do.
     ///
     /// # Errors
-    /// As [`Exact::step`].
-    pub fn step(&mut self) -> Result<bool, Error> {
+    /// As [`Exact::step`] and [`Session::meeting`].
+    pub fn step(&mut self, session: &Session) -> Result<bool, Error> {
         // A long approach would end far from what is asked.
-        Ok(self.exact.can_polish() && self.exact.step()? != Stage::Ended)
+        if matches!(self.stage, TrialStage::Ended) || !self.exact.can_polish() {
+            return Ok(false);
+        }
+        if self.exact.step()? != Stage::Ended {
+            return Ok(true);
+        }
+        let own = self.cost(session);
+        match std::mem::replace(&mut self.stage, TrialStage::Ended) {
+            TrialStage::Far if !self.rows.is_empty() && self.is_dear(own, session) => {
+                let Some(mut near) = session.exactly()? else { return Ok(false) };
+                near.hurry();
+                let far = std::mem::replace(&mut self.exact, near);
+                self.stage = TrialStage::Near(Box::new(far), own);
+                Ok(true)
+            }
+            TrialStage::Near(far, of_far) if own >= of_far || !self.exact.answer().met => {
+                self.exact = *far;
+                Ok(false)
+            }
+            _ => Ok(false),
+        }
+    }
+
+    /// How many faces are folded, and the energy.
+    fn cost(&mut self, session: &Session) -> (usize, f64) {
+        let folded = session.rest.folded_by(&self.exact.positions()).len();
+        (folded, self.exact.energy().total)
+    }
+
+    /// Whether that costs more than the shape that it began from.
+    fn is_dear(&self, (folded, energy): (usize, f64), session: &Session) -> bool {
+        energy > self.before.energy || folded > session.rest.folded_by(&self.from).len()
     }
 
     /// What it costs, as of now, in the `session` that it is of.

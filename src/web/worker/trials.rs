@@ -62,9 +62,11 @@ impl Solver {
 
     /// Goes on with that for about so many milliseconds; whether there is more to do.
     pub fn advance(&mut self, milliseconds: f64) -> Result<bool, JsValue> {
-        let Some(trial) = &mut self.trial else { return Ok(false) };
+        let Some((trial, session)) = self.trial.as_mut().zip(self.session.as_ref()) else {
+            return Ok(false);
+        };
         let until = clock::now() + 1e-3 * milliseconds;
-        while trial.step().map_err(thrown)? {
+        while trial.step(session).map_err(thrown)? {
             if clock::now() > until {
                 return Ok(true);
             }
