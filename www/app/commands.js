@@ -66,8 +66,9 @@ export function bindKeys(commands, store) {
 export function bindRunButton(button, store) {
   const label = button.querySelector('span');
   const use = button.querySelector('use');
-  store.subscribe(['running'], ({ running }) => {
-    if (label) setText(label, running ? 'Pause' : 'Run');
-    use?.setAttribute('href', running ? '#icon-pause' : '#icon-run');
+  store.subscribe(['running', 'refining'], ({ running, refining }) => {
+    const pauses = running || refining;
+    if (label) setText(label, pauses ? 'Pause' : 'Run');
+    use?.setAttribute('href', pauses ? '#icon-pause' : '#icon-run');
   });
 }

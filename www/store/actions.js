@@ -121,7 +121,9 @@ export function createActions(store, solver, alerts) {
     open: (given) => solver.request({ type: 'open', ...given }),
 
     runOrPause() {
-      solver.send({ type: store.get().running ? 'pause' : 'run' });
+      const { running, refining } = store.get();
+      store.set({ refining: false });
+      solver.send({ type: running || refining ? 'pause' : 'run' });
     },
 
     async step() {

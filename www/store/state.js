@@ -23,6 +23,7 @@
  * @property {SceneDocument | null} document
  * @property {Numbers | null} numbers
  * @property {boolean} running Run was pressed and the iteration has not converged
+ * @property {boolean} refining Refine and solve is at work, level by level
  * @property {boolean} converged
  * @property {boolean} halfway the local step is done, the global step is next
  * @property {"drag" | "select"} tool
@@ -110,6 +111,7 @@ const INITIAL = {
   document: null,
   numbers: null,
   running: false,
+  refining: false,
   converged: false,
   halfway: false,
   tool: 'drag',

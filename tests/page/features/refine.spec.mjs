@@ -94,3 +94,28 @@ test('each solved level is the original of the next one, and undo brings the fir
   const again = await waitForState(page, (now) => now.faces === 16);
   expect(again.moved.max).toBeCloseTo(solved.moved.max, 12);
 });
+
+test('Pause ends it between two levels too', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  const dialog = await openRefine(page);
+  await dialog.getByLabel('How often').selectOption('4');
+  // Pressed in the page as soon as a level is told of: nothing runs then.
+  await page.evaluate(() => {
+    const status = document.querySelector('[role=status]');
+    const pause = () =>
+      [...document.querySelectorAll('button')].find((it) => it.textContent.trim() === 'Pause');
+    new MutationObserver((_, observer) => {
+      if (!status.textContent.startsWith('Refined to 64')) return;
+      observer.disconnect();
+      pause().click();
+    }).observe(status, { childList: true, characterData: true, subtree: true });
+  });
+  await dialog.getByRole('button', { name: 'Refine and solve' }).click();
+  await expect(page.getByRole('status')).toContainText('; stopped');
+  await expect(page.getByRole('button', { name: 'Run', exact: true })).toBeVisible();
+  const stopped = await waitForState(page, (now) => !now.running);
+  expect(stopped.faces).toBeLessThanOrEqual(FACES * 16);
+});

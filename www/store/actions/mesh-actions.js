@@ -84,10 +84,18 @@ export function meshActions(store, solver, actions) {
       }
       /** @type {import("../../solver/messages.js").Edit} */
       const once = { type: 'refine', ...how, levels: 1 };
-      let goesOn = store.get().converged || (await untilEnd(() => solver.send({ type: 'run' })));
-      for (let level = 1; level <= how.levels && goesOn; level++) {
-        goesOn = await untilEnd(() => solver.request({ type: 'editAndRun', edit: once }));
-        actions.setStatus(`${refined()}${await verdict()}${goesOn ? '' : '; stopped'}`);
+      store.set({ refining: true });
+      try {
+        let goesOn = store.get().converged || (await untilEnd(() => solver.send({ type: 'run' })));
+        for (let level = 1; level <= how.levels && goesOn; level++) {
+          const ended = await untilEnd(() => solver.request({ type: 'editAndRun', edit: once }));
+          const words = `${refined()}${await verdict()}`;
+          // Between two levels nothing runs: there too somebody can pause.
+          goesOn = ended && (level === how.levels || store.get().refining);
+          actions.setStatus(goesOn ? words : `${words}; stopped`);
+        }
+      } finally {
+        store.set({ refining: false });
       }
       return lost;
     },
