@@ -34,15 +34,19 @@ function showAdvanced() {
 }
 
 /**
- * Fails a test when the page throws, or when the console has an error or a warning. `pixels` is
- * whether the picture has any: software takes more time for them than for all the rest, and most
- * tests do not look. `advanced` is whether the page begins with every control.
+ * What says of a test that it looks at the picture. Where it does not, the picture has no pixels:
+ * software takes more time for them than for all the rest.
+ */
+export const looks = { tag: '@looks' };
+
+/**
+ * Fails a test when the page throws, or when the console has an error or a warning. `advanced` is
+ * whether the page begins with every control.
  */
 export const test = base.extend({
-  pixels: [true, { option: true }],
   advanced: [true, { option: true }],
-  context: async ({ context, pixels, advanced }, use) => {
-    if (!pixels) await context.addInitScript(leaveOutPixels);
+  context: async ({ context, advanced }, use, { tags }) => {
+    if (!tags.includes(looks.tag)) await context.addInitScript(leaveOutPixels);
     if (advanced) await context.addInitScript(showAdvanced);
     await use(context);
   },

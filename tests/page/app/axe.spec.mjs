@@ -6,8 +6,6 @@ import { quadScene, wavyGrid } from '../meshes.mjs';
 import { expect, openPage, state, test, visit, waitForState } from '../support.mjs';
 import { walks, withoutGraphics } from '../walks.mjs';
 
-test.use({ pixels: false });
-
 /**
  * What axe complains about, in a line each. Nothing here is in frames: axe need not open a page of its
  * own to gather what it finds in several.

@@ -2,7 +2,7 @@
 
 import { expect, openPage, test } from '../support.mjs';
 
-test.use({ pixels: false, permissions: ['clipboard-read', 'clipboard-write'] });
+test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
 
 test('the help says how to cite the paper and the program', async ({ page }) => {
   await openPage(page);

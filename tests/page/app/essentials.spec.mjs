@@ -5,7 +5,7 @@ import { openText } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, state, test, visit, waitForState } from '../support.mjs';
 
-test.use({ pixels: false, advanced: false });
+test.use({ advanced: false });
 
 const inspector = (page) => page.getByRole('complementary', { name: 'Energies and display' });
 

@@ -2,7 +2,7 @@
 
 import { addConstraint, openText, runToTheEnd, exported } from '../actions.mjs';
 import { quadScene, wavyGrid } from '../meshes.mjs';
-import { coloursOfView, expect, openPage, state, test, waitForState } from '../support.mjs';
+import { coloursOfView, expect, looks, openPage, state, test, waitForState } from '../support.mjs';
 
 /** Opens a grid whose faces are asked to be circular, and solves it; the state afterwards. */
 async function openSolved(page) {
@@ -14,8 +14,6 @@ async function openSolved(page) {
 
 // Frames by software take seconds, in which the page cannot look after its solver.
 test.describe('the solver', () => {
-  test.use({ pixels: false });
-
   test('a solver that dies is replaced, with the model as it was', async ({ page }) => {
     const before = await openSolved(page);
     const [worker] = page.workers();
@@ -124,7 +122,7 @@ test('without graphics everything but the picture works', async ({ page }) => {
   expect((await exported(page, 'OBJ')).text).toContain('\nf ');
 });
 
-test('a lost graphics context comes back', async ({ page }) => {
+test('a lost graphics context comes back', looks, async ({ page }) => {
   await openPage(page, 'backend=webgl2');
   await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
   await page.evaluate(() => {

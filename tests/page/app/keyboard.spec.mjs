@@ -3,8 +3,6 @@
 import { file, wavyGrid } from '../meshes.mjs';
 import { expect, openPage, positionOf, state, test, visit, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const status = (page) => page.getByRole('status');
 
 /** Opens the page and waits until its bars know the arrow keys. */

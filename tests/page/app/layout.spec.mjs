@@ -6,8 +6,6 @@ import { expect, openPage, test } from '../support.mjs';
 
 const NAMES = ['Run', 'Step', 'Reset', 'Undo', 'Redo', 'Export', 'Share'];
 
-test.use({ pixels: false });
-
 test('nothing is cut off, and the view has at least half of the window', async ({ page }) => {
   await openPage(page);
   const { width, height } = page.viewportSize();

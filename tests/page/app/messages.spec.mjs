@@ -4,8 +4,6 @@ import { file } from '../meshes.mjs';
 import { showPanel } from '../actions.mjs';
 import { expect, openPage, test } from '../support.mjs';
 
-test.use({ pixels: false });
-
 /** Whether two things on the page lie apart. */
 async function apart(one, other) {
   const [a, b] = await Promise.all([one.boundingBox(), other.boundingBox()]);

@@ -7,8 +7,6 @@
 import { box, quadScene, tetScene, triangleScene, wavyGrid } from '../meshes.mjs';
 import { expect, openPage, test } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const MINUTES = Number(process.env.SHAPE_UP_MONKEY_MINUTES ?? 1);
 const SEED = Number(process.env.SHAPE_UP_MONKEY_SEED ?? 1);
 const DEEDS = 40;

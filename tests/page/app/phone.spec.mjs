@@ -16,6 +16,7 @@ import {
   coloursOfView,
   drawn,
   expect,
+  looks,
   openPage,
   positionOf,
   screenOf,
@@ -25,39 +26,39 @@ import {
 
 const SHEET = 'Energies and display';
 
-test('colours, their legend in bands, and how many faces are within a tolerance', async ({
-  page,
-}) => {
-  await openPage(page);
-  await openText(page, 'roof.obj', wavyGrid(6), 49);
-  await addConstraint(page, 'Plane', 'each face');
-  await runToTheEnd(page);
-  // It lies over the legend as well.
-  await page.getByRole('button', { name: 'Dismiss the verdict' }).click();
-  await showPanel(page, SHEET);
-  await page.getByLabel('Colour by').selectOption({ label: 'Edge length change' });
-  await hidePanels(page);
-  const legend = page.locator('#legend');
-  await expect(legend).toContainText('Edge length change');
-  await page.getByRole('button', { name: 'Fit range' }).click();
-  await drawn(page);
-  const smooth = await coloursOfView(page);
-  await showPanel(page, SHEET);
-  await page.getByLabel('Colours in bands').check();
-  await hidePanels(page);
-  await expect(legend).toContainText('steps of');
-  await drawn(page);
-  expect(await coloursOfView(page)).not.toBe(smooth);
+test(
+  'colours, their legend in bands, and how many faces are within a tolerance',
+  looks,
+  async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'roof.obj', wavyGrid(6), 49);
+    await addConstraint(page, 'Plane', 'each face');
+    await runToTheEnd(page);
+    // It lies over the legend as well.
+    await page.getByRole('button', { name: 'Dismiss the verdict' }).click();
+    await showPanel(page, SHEET);
+    await page.getByLabel('Colour by').selectOption({ label: 'Edge length change' });
+    await hidePanels(page);
+    const legend = page.locator('#legend');
+    await expect(legend).toContainText('Edge length change');
+    await page.getByRole('button', { name: 'Fit range' }).click();
+    await drawn(page);
+    const smooth = await coloursOfView(page);
+    await showPanel(page, SHEET);
+    await page.getByLabel('Colours in bands').check();
+    await hidePanels(page);
+    await expect(legend).toContainText('steps of');
+    await drawn(page);
+    expect(await coloursOfView(page)).not.toBe(smooth);
 
-  const tolerance = page.getByLabel('Tolerance');
-  await tolerance.fill('1000');
-  await tolerance.press('Enter');
-  await expect(page.getByTitle('Faces within the tolerance')).toHaveText('36 of 36');
-});
+    const tolerance = page.getByLabel('Tolerance');
+    await tolerance.fill('1000');
+    await tolerance.press('Enter');
+    await expect(page.getByTitle('Faces within the tolerance')).toHaveText('36 of 36');
+  },
+);
 
 test.describe('behind tabs', () => {
-  test.use({ pixels: false });
-
   test('what is wrong with a file is said where no panel shows it', async ({ page }) => {
     await openPage(page);
     // Three faces at one edge.
@@ -199,7 +200,7 @@ test('the page about projections: the point, its steps and the sums', async ({ p
 });
 
 test.describe('with a finger', () => {
-  test.use({ hasTouch: true, isMobile: true, pixels: false });
+  test.use({ hasTouch: true, isMobile: true });
 
   test('files of another surface and of another pose are chosen', async ({ page }) => {
     await openPage(page);

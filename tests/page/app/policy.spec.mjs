@@ -45,7 +45,7 @@ const test = base.extend({
   },
 });
 
-test.use({ pixels: false, serviceWorkers: 'allow' });
+test.use({ serviceWorkers: 'allow' });
 
 test('from opening to sharing nothing is asked for elsewhere, and the policy holds', async ({
   page,

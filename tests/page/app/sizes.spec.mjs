@@ -5,8 +5,6 @@ import { file, wavyGrid } from '../meshes.mjs';
 import { openText, showPanel, tool } from '../actions.mjs';
 import { expect, openPage, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const SMALL = { width: 1024, height: 768 };
 const ON_ITS_SIDE = { width: 844, height: 390 };
 

@@ -3,8 +3,6 @@
 
 import { expect, test } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const REMEDY = 'Check the network, then reload the page.';
 
 /** What is missing, how it fails, and what is said then. */

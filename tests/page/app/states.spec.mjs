@@ -8,8 +8,6 @@ import { openText, showPanel } from '../actions.mjs';
 import { file, wavyGrid } from '../meshes.mjs';
 import { expect, openPage, state, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const status = (page) => page.getByRole('status');
 const card = (page) => page.getByRole('group', { name: /^Opening / });
 

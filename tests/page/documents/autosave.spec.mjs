@@ -13,8 +13,6 @@ import {
   waitForState,
 } from '../support.mjs';
 
-test.use({ pixels: false });
-
 /** A scene that needs many more iterations than there is time for. */
 function endlessScene() {
   const scene = JSON.parse(quadScene(40));

@@ -10,6 +10,7 @@ import { file, wavyGrid } from '../meshes.mjs';
 import {
   coloursOfView,
   expect,
+  looks,
   openPage,
   screenOf,
   state,
@@ -47,20 +48,24 @@ test('a mesh without faces opens too', async ({ page }) => {
   }
 });
 
-test('a broken file is refused with the reason, and the old mesh stays', async ({ page }) => {
-  await openPage(page);
-  const before = await state(page);
-  await page.getByLabel('Open file').setInputFiles(file('broken.obj', 'this is not a mesh\n'));
-  await expect(page.getByRole('alert')).toContainText('broken.obj');
-  await expect(page.getByRole('alert')).toContainText('no vertices');
-  const after = await state(page);
-  expect([after.vertices, after.faces]).toEqual([before.vertices, before.faces]);
+test(
+  'a broken file is refused with the reason, and the old mesh stays',
+  looks,
+  async ({ page }) => {
+    await openPage(page);
+    const before = await state(page);
+    await page.getByLabel('Open file').setInputFiles(file('broken.obj', 'this is not a mesh\n'));
+    await expect(page.getByRole('alert')).toContainText('broken.obj');
+    await expect(page.getByRole('alert')).toContainText('no vertices');
+    const after = await state(page);
+    expect([after.vertices, after.faces]).toEqual([before.vertices, before.faces]);
 
-  // Nor can what is no mesh at all.
-  await page.getByLabel('Open file').setInputFiles(file('house.ifc', 'ISO-10303-21;'));
-  await expect(page.getByRole('alert')).toContainText('house.ifc');
-  expect((await state(page)).vertices).toBe(before.vertices);
-});
+    // Nor can what is no mesh at all.
+    await page.getByLabel('Open file').setInputFiles(file('house.ifc', 'ISO-10303-21;'));
+    await expect(page.getByRole('alert')).toContainText('house.ifc');
+    expect((await state(page)).vertices).toBe(before.vertices);
+  },
+);
 
 test('a file dropped on the window opens, and a scene with its mesh beside it', async ({
   page,

@@ -4,8 +4,6 @@ import { exported, hidePanels, openText, saved, showPanel } from '../actions.mjs
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, positionOf, screenOf, state, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const guess = (page) => page.getByText(/ has no units or up axis\. Our guess:$/);
 const looksRight = (page) => page.getByRole('button', { name: 'Looks right' });
 const upOf = (page) => page.evaluate(() => window.shapeUp.scene().up ?? 'z');

@@ -6,8 +6,6 @@ import { wavyGrid } from '../meshes.mjs';
 import { outlinesOf } from '../sheets.mjs';
 import { expect, openPage, screenOf, state, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 /** Panels along a side. */
 const SIDE = 50;
 const VERTICES = (SIDE + 1) ** 2;

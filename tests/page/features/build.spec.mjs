@@ -12,8 +12,6 @@ import { wavyGrid } from '../meshes.mjs';
 import { outlinesOf, overPart } from '../sheets.mjs';
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const FACES = 16;
 const panel = (page) => page.getByRole('region', { name: 'Parts and sheets' });
 

@@ -2,7 +2,7 @@
 
 import { downloaded, exported, hidePanels, showPanel, tool } from '../actions.mjs';
 import { decodePng } from '../picture.mjs';
-import { drawn, expect, positionOf, state, test, waitForState } from '../support.mjs';
+import { drawn, expect, looks, positionOf, state, test, waitForState } from '../support.mjs';
 
 const view = (page) => page.getByRole('application', { name: '3D view' });
 const divider = (page) => page.getByRole('slider', { name: 'Divider' });
@@ -30,7 +30,7 @@ function differing(a, b, [from, to]) {
   return count;
 }
 
-test('left and right of the divider are two pictures of the same mesh', async ({ page }) => {
+test('left and right of the divider are two pictures of the same mesh', looks, async ({ page }) => {
   await openExample(page, 'fig-05-planar', 2040);
   for (let k = 0; k < 3; k++) await page.getByRole('button', { name: 'Step' }).click();
   await waitForState(page, (state) => state.iteration === 3);
@@ -67,92 +67,98 @@ test('left and right of the divider are two pictures of the same mesh', async ({
   await expect(divider(page)).toHaveAttribute('aria-valuenow', '75');
 });
 
-test('each side shows the measure and the shape that are chosen for it', async ({ page }) => {
-  await openExample(page, 'fig-05-circular', 2040);
-  await showPanel(page, 'Model');
-  await page.getByRole('button', { name: 'beside' }).click();
-  const sides = ['Left', 'Right'].map((name) =>
-    page.getByRole('group', { name: `${name} picture` }),
-  );
-  await expect(sides[0]).toBeVisible();
-  await expect(sides[0].getByLabel('coloured by')).toHaveValue('e-p');
-  await expect(sides[1].getByLabel('coloured by')).toHaveValue('e-c');
-  await hidePanels(page);
-  const before = await picture(page);
-  // The same measure on both sides is the same picture.
-  await sides[1].getByLabel('coloured by').selectOption('e-p');
-  await expect(divider(page)).toHaveAttribute('aria-valuetext', /left (.*), now; right \1, now/);
-  const after = await picture(page);
-  expect(differing(before, after, [0.05, 0.45])).toBe(0);
-  expect(differing(before, after, [0.55, 0.95])).toBeGreaterThan(1000);
-
-  // It follows what the mesh does.
-  await sides[0].getByLabel('shape').selectOption('original');
-  const bars = (side) => side.getByRole('img');
-  await expect(bars(sides[0])).toHaveAccessibleName(/^2040 faces between 0 and 9[^;]*$/);
-  const worst = await bars(sides[0]).getAttribute('aria-label');
-  await page.getByRole('button', { name: 'Step' }).click();
-  await expect(bars(sides[1])).toHaveAccessibleName(/; originally up to 9/);
-  await expect(bars(sides[1])).not.toHaveAccessibleName(new RegExp(`^${worst};`));
-  await expect(bars(sides[0])).toHaveAccessibleName(worst);
-
-  // One picture again, with its own legend.
-  await expect(page.getByLabel('Colours to')).toBeHidden();
-  await view(page).focus();
-  await page.keyboard.press('Escape');
-  await expect(divider(page)).toBeHidden();
-  await expect(page.getByLabel('Colours to')).toBeVisible();
-});
-
-test('both sides have bands, ghost and ground as the one picture has, and so has a saved one', async ({
-  page,
-}, { project }) => {
-  await openExample(page, 'fig-05-planar', 2040);
-  await page.getByRole('button', { name: 'Step' }).click();
-  await waitForState(page, (state) => state.iteration === 1);
-  await view(page).focus();
-  await page.keyboard.press('c');
-  await expect(divider(page)).toBeVisible();
-  const sides = ['Left', 'Right'].map((name) =>
-    page.getByRole('group', { name: `${name} picture` }),
-  );
-  let before = await picture(page);
-  const bothChange = async (name) => {
-    await showPanel(page, 'Energies and display');
-    await page.getByRole('checkbox', { name }).check();
+test(
+  'each side shows the measure and the shape that are chosen for it',
+  looks,
+  async ({ page }) => {
+    await openExample(page, 'fig-05-circular', 2040);
+    await showPanel(page, 'Model');
+    await page.getByRole('button', { name: 'beside' }).click();
+    const sides = ['Left', 'Right'].map((name) =>
+      page.getByRole('group', { name: `${name} picture` }),
+    );
+    await expect(sides[0]).toBeVisible();
+    await expect(sides[0].getByLabel('coloured by')).toHaveValue('e-p');
+    await expect(sides[1].getByLabel('coloured by')).toHaveValue('e-c');
     await hidePanels(page);
+    const before = await picture(page);
+    // The same measure on both sides is the same picture.
+    await sides[1].getByLabel('coloured by').selectOption('e-p');
+    await expect(divider(page)).toHaveAttribute('aria-valuetext', /left (.*), now; right \1, now/);
     const after = await picture(page);
-    expect(differing(before, after, [0.02, 0.45]), `${name}, left`).toBeGreaterThan(300);
-    expect(differing(before, after, [0.55, 0.98]), `${name}, right`).toBeGreaterThan(300);
-    before = after;
-  };
-  for (const side of sides) await expect(side).not.toContainText('steps of');
-  await bothChange('Colours in bands');
-  for (const side of sides) await expect(side).toContainText(/steps of \d/);
-  await bothChange('Original ghost');
-  await bothChange('Ground grid');
-  // Its squares are told where no legend hides them.
-  const scale = page.locator('#scale');
-  await expect(scale).toHaveText(/^Grid \d+ m$/);
-  const told = await scale.boundingBox();
-  const onTop = await page.evaluate(
-    ([x, y]) => document.elementsFromPoint(x, y).some((over) => over.closest('.split-legend')),
-    [told.x + told.width / 2, told.y + told.height / 2],
-  );
-  expect(onTop).toBe(false);
+    expect(differing(before, after, [0.05, 0.45])).toBe(0);
+    expect(differing(before, after, [0.55, 0.95])).toBeGreaterThan(1000);
 
-  // Isolines, through the faces, are on the side that has moved.
-  await sides[1].getByLabel('coloured by').selectOption({ label: 'Moved' });
-  const isolines = await picture(page);
-  expect(differing(before, isolines, [0.02, 0.45])).toBe(0);
-  expect(differing(before, isolines, [0.55, 0.98])).toBeGreaterThan(1000);
+    // It follows what the mesh does.
+    await sides[0].getByLabel('shape').selectOption('original');
+    const bars = (side) => side.getByRole('img');
+    await expect(bars(sides[0])).toHaveAccessibleName(/^2040 faces between 0 and 9[^;]*$/);
+    const worst = await bars(sides[0]).getAttribute('aria-label');
+    await page.getByRole('button', { name: 'Step' }).click();
+    await expect(bars(sides[1])).toHaveAccessibleName(/; originally up to 9/);
+    await expect(bars(sides[1])).not.toHaveAccessibleName(new RegExp(`^${worst};`));
+    await expect(bars(sides[0])).toHaveAccessibleName(worst);
 
-  // What is saved has the hard limits of the bands in both its legends.
-  if (project.name === 'phone') return;
-  const { bytes } = await exported(page, 'PNG');
-  const saved = decodePng(bytes);
-  for (const left of [0, 0.5]) expect(coloursAcross(saved, left)).toBeLessThan(24);
-});
+    // One picture again, with its own legend.
+    await expect(page.getByLabel('Colours to')).toBeHidden();
+    await view(page).focus();
+    await page.keyboard.press('Escape');
+    await expect(divider(page)).toBeHidden();
+    await expect(page.getByLabel('Colours to')).toBeVisible();
+  },
+);
+
+test(
+  'both sides have bands, ghost and ground as the one picture has, and so has a saved one',
+  looks,
+  async ({ page }, { project }) => {
+    await openExample(page, 'fig-05-planar', 2040);
+    await page.getByRole('button', { name: 'Step' }).click();
+    await waitForState(page, (state) => state.iteration === 1);
+    await view(page).focus();
+    await page.keyboard.press('c');
+    await expect(divider(page)).toBeVisible();
+    const sides = ['Left', 'Right'].map((name) =>
+      page.getByRole('group', { name: `${name} picture` }),
+    );
+    let before = await picture(page);
+    const bothChange = async (name) => {
+      await showPanel(page, 'Energies and display');
+      await page.getByRole('checkbox', { name }).check();
+      await hidePanels(page);
+      const after = await picture(page);
+      expect(differing(before, after, [0.02, 0.45]), `${name}, left`).toBeGreaterThan(300);
+      expect(differing(before, after, [0.55, 0.98]), `${name}, right`).toBeGreaterThan(300);
+      before = after;
+    };
+    for (const side of sides) await expect(side).not.toContainText('steps of');
+    await bothChange('Colours in bands');
+    for (const side of sides) await expect(side).toContainText(/steps of \d/);
+    await bothChange('Original ghost');
+    await bothChange('Ground grid');
+    // Its squares are told where no legend hides them.
+    const scale = page.locator('#scale');
+    await expect(scale).toHaveText(/^Grid \d+ m$/);
+    const told = await scale.boundingBox();
+    const onTop = await page.evaluate(
+      ([x, y]) => document.elementsFromPoint(x, y).some((over) => over.closest('.split-legend')),
+      [told.x + told.width / 2, told.y + told.height / 2],
+    );
+    expect(onTop).toBe(false);
+
+    // Isolines, through the faces, are on the side that has moved.
+    await sides[1].getByLabel('coloured by').selectOption({ label: 'Moved' });
+    const isolines = await picture(page);
+    expect(differing(before, isolines, [0.02, 0.45])).toBe(0);
+    expect(differing(before, isolines, [0.55, 0.98])).toBeGreaterThan(1000);
+
+    // What is saved has the hard limits of the bands in both its legends.
+    if (project.name === 'phone') return;
+    const { bytes } = await exported(page, 'PNG');
+    const saved = decodePng(bytes);
+    for (const left of [0, 0.5]) expect(coloursAcross(saved, left)).toBeLessThan(24);
+  },
+);
 
 /** How many colours the ramp of a legend has that begins at that part of the width, at two to one. */
 function coloursAcross({ width, height, channels, pixels }, part) {
@@ -173,35 +179,39 @@ test('the original is outlined in the legend', async ({ page }) => {
   await expect(bars.locator('.outline')).toBeVisible();
 });
 
-test('a local step fits and moves nothing; the global step moves as a step does', async ({
-  page,
-}) => {
-  await openExample(page, 'fig-04-squares', 384);
-  await tool(page, 'Step');
-  await waitForState(page, (state) => state.iteration === 1);
-  const stepped = await positionOf(page, 100);
-  await tool(page, 'Reset');
-  await waitForState(page, (state) => state.iteration === 0);
-  const before = await positionOf(page, 100);
-  const bare = await picture(page);
+test(
+  'a local step fits and moves nothing; the global step moves as a step does',
+  looks,
+  async ({ page }) => {
+    await openExample(page, 'fig-04-squares', 384);
+    await tool(page, 'Step');
+    await waitForState(page, (state) => state.iteration === 1);
+    const stepped = await positionOf(page, 100);
+    await tool(page, 'Reset');
+    await waitForState(page, (state) => state.iteration === 0);
+    const before = await positionOf(page, 100);
+    const bare = await picture(page);
 
-  const status = page.getByRole('status');
-  await tool(page, 'Half step');
-  await expect(status).toHaveText('Local step done: 384 shapes fitted (square); next: global step');
-  expect(await positionOf(page, 100)).toEqual(before);
-  // The squares are seen.
-  expect(differing(bare, await picture(page), [0, 1])).toBeGreaterThan(1000);
+    const status = page.getByRole('status');
+    await tool(page, 'Half step');
+    await expect(status).toHaveText(
+      'Local step done: 384 shapes fitted (square); next: global step',
+    );
+    expect(await positionOf(page, 100)).toEqual(before);
+    // The squares are seen.
+    expect(differing(bare, await picture(page), [0, 1])).toBeGreaterThan(1000);
 
-  await tool(page, 'Half step');
-  await expect(status).toHaveText(/^Global step done: moved to the least-squares answer/);
-  expect(await positionOf(page, 100)).toEqual(stepped);
-  expect((await state(page)).iteration).toBe(1);
-  await tool(page, 'Undo');
-  await waitForState(page, (state) => state.iteration === 0);
-  expect(await positionOf(page, 100)).toEqual(before);
-  // The squares are gone.
-  expect(differing(bare, await picture(page), [0, 1])).toBe(0);
-});
+    await tool(page, 'Half step');
+    await expect(status).toHaveText(/^Global step done: moved to the least-squares answer/);
+    expect(await positionOf(page, 100)).toEqual(stepped);
+    expect((await state(page)).iteration).toBe(1);
+    await tool(page, 'Undo');
+    await waitForState(page, (state) => state.iteration === 0);
+    expect(await positionOf(page, 100)).toEqual(before);
+    // The squares are gone.
+    expect(differing(bare, await picture(page), [0, 1])).toBe(0);
+  },
+);
 
 test('whatever else is done leaves the half step', async ({ page }) => {
   await openExample(page, 'fig-04-squares', 384);

@@ -4,7 +4,7 @@
 import { openText, showPanel } from '../actions.mjs';
 import { tube } from '../meshes.mjs';
 import { decodePng } from '../picture.mjs';
-import { expect, openPage, state, test } from '../support.mjs';
+import { expect, looks, openPage, state, test } from '../support.mjs';
 
 /** A saddle of n by n quads, in metres, whose edges are 45 degrees off its lines of curvature. */
 function hypar(n) {
@@ -38,36 +38,38 @@ async function tinted(page) {
   return found;
 }
 
-test('directions and lines of curvature are drawn over a saddle, and go with the card', async ({
-  page,
-}) => {
-  await openPage(page);
-  await openText(page, 'hypar.obj', hypar(12), 169);
-  const before = await tinted(page);
-  const card = await openCurvature(page);
-  await expect(card.getByText(/edges are \d+° off the lines of curvature/)).toBeVisible();
-  await card.getByLabel('Coloured by').selectOption({ label: 'Something else' });
-  await expect(async () => {
-    const now = await tinted(page);
-    expect(now.red).toBeGreaterThan(before.red + 300);
-    expect(now.blue).toBeGreaterThan(before.blue + 300);
-  }).toPass();
-  await card.getByLabel('Lines', { exact: true }).selectOption('Lines of curvature');
-  await expect(card.getByLabel('Distance of the lines')).toHaveAttribute('placeholder', /\d/);
-  await card.getByLabel('Distance of the lines').fill('0.0001');
-  await card.getByLabel('Distance of the lines').press('Enter');
-  await expect(card.getByText('expected a distance from')).toBeVisible();
-  await card.getByLabel('Distance of the lines').fill('1.5');
-  await card.getByLabel('Distance of the lines').press('Enter');
-  await expect(card.getByText('expected a distance from')).toBeHidden();
-  await card.getByLabel('Lines', { exact: true }).selectOption('Lines through the selection');
-  await expect(card.getByText('Select vertices or faces')).toBeVisible();
-  await page.getByRole('button', { name: 'Close curvature' }).click();
-  await expect(card).toBeHidden();
-  await expect(async () => {
-    expect((await tinted(page)).red).toBeLessThan(before.red + 50);
-  }).toPass();
-});
+test(
+  'directions and lines of curvature are drawn over a saddle, and go with the card',
+  looks,
+  async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'hypar.obj', hypar(12), 169);
+    const before = await tinted(page);
+    const card = await openCurvature(page);
+    await expect(card.getByText(/edges are \d+° off the lines of curvature/)).toBeVisible();
+    await card.getByLabel('Coloured by').selectOption({ label: 'Something else' });
+    await expect(async () => {
+      const now = await tinted(page);
+      expect(now.red).toBeGreaterThan(before.red + 300);
+      expect(now.blue).toBeGreaterThan(before.blue + 300);
+    }).toPass();
+    await card.getByLabel('Lines', { exact: true }).selectOption('Lines of curvature');
+    await expect(card.getByLabel('Distance of the lines')).toHaveAttribute('placeholder', /\d/);
+    await card.getByLabel('Distance of the lines').fill('0.0001');
+    await card.getByLabel('Distance of the lines').press('Enter');
+    await expect(card.getByText('expected a distance from')).toBeVisible();
+    await card.getByLabel('Distance of the lines').fill('1.5');
+    await card.getByLabel('Distance of the lines').press('Enter');
+    await expect(card.getByText('expected a distance from')).toBeHidden();
+    await card.getByLabel('Lines', { exact: true }).selectOption('Lines through the selection');
+    await expect(card.getByText('Select vertices or faces')).toBeVisible();
+    await page.getByRole('button', { name: 'Close curvature' }).click();
+    await expect(card).toBeHidden();
+    await expect(async () => {
+      expect((await tinted(page)).red).toBeLessThan(before.red + 50);
+    }).toPass();
+  },
+);
 
 test('Gauss and mean curvature are colours around zero, with units in metres', async ({ page }) => {
   await openPage(page);

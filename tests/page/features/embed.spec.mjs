@@ -25,8 +25,6 @@ const test = base.extend({
   },
 });
 
-test.use({ pixels: false });
-
 /** The window of a frame once a model is open in it. */
 async function started(page, id) {
   const frame = await (await page.locator(`#${id}`).elementHandle()).contentFrame();

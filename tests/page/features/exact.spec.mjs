@@ -4,8 +4,6 @@ import { openText, showPanel } from '../actions.mjs';
 import { quadScene, wavyGrid } from '../meshes.mjs';
 import { expect, openPage, screenOf, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 

@@ -8,7 +8,7 @@ import { program } from '../../../.scripts/programs.mjs';
 import { addConstraint, exported, openText, runToTheEnd, saved, tool } from '../actions.mjs';
 import { file, wavyGrid } from '../meshes.mjs';
 import { decodePng, distinctColours } from '../picture.mjs';
-import { expect, openPage, positionOf, state, test, waitForState } from '../support.mjs';
+import { expect, looks, openPage, positionOf, state, test, waitForState } from '../support.mjs';
 
 const STEPS = 5;
 
@@ -90,7 +90,7 @@ test('the plot is a figure with its lines named', async ({ page }) => {
   expect(drawn.words).toContain('energy in m²');
 });
 
-test('a picture is as large as wanted, with its legend, on white', async ({ page }) => {
+test('a picture is as large as wanted, with its legend, on white', looks, async ({ page }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');
   const view = await page.getByRole('application', { name: '3D view' }).boundingBox();
@@ -238,37 +238,39 @@ test('a file of Rhino with nothing that can be read says so', async ({ page }) =
   await expect(page.getByRole('alert')).toContainText('no mesh and no polyline');
 });
 
-test('a picture larger than a tile is the same picture, and so is one for scripts', async ({
-  page,
-}) => {
-  await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
-  const found = await page.evaluate(async () => {
-    const small = async (width) => {
-      const blob = await window.shapeUp.picture({ width, legend: false, ground: 'white' });
-      const image = await createImageBitmap(blob);
-      const [w, h] = [300, Math.round((300 * image.height) / image.width)];
-      const context = new OffscreenCanvas(w, h).getContext('2d');
-      context.imageSmoothingQuality = 'high';
-      context.drawImage(image, 0, 0, w, h);
-      return { width: image.width, data: context.getImageData(0, 0, w, h).data };
-    };
-    // One tile, and two of them side by side.
-    const [one, two] = [await small(1500), await small(3000)];
-    let sum = 0;
-    let plain = 0;
-    one.data.forEach((byte, i) => {
-      sum += Math.abs(byte - two.data[i]);
-      plain += byte < 200 ? 1 : 0;
+test(
+  'a picture larger than a tile is the same picture, and so is one for scripts',
+  looks,
+  async ({ page }) => {
+    await openPage(page);
+    await waitForState(page, (now) => now.renderer !== 'none');
+    const found = await page.evaluate(async () => {
+      const small = async (width) => {
+        const blob = await window.shapeUp.picture({ width, legend: false, ground: 'white' });
+        const image = await createImageBitmap(blob);
+        const [w, h] = [300, Math.round((300 * image.height) / image.width)];
+        const context = new OffscreenCanvas(w, h).getContext('2d');
+        context.imageSmoothingQuality = 'high';
+        context.drawImage(image, 0, 0, w, h);
+        return { width: image.width, data: context.getImageData(0, 0, w, h).data };
+      };
+      // One tile, and two of them side by side.
+      const [one, two] = [await small(1500), await small(3000)];
+      let sum = 0;
+      let plain = 0;
+      one.data.forEach((byte, i) => {
+        sum += Math.abs(byte - two.data[i]);
+        plain += byte < 200 ? 1 : 0;
+      });
+      return { widths: [one.width, two.width], mean: sum / one.data.length, plain };
     });
-    return { widths: [one.width, two.width], mean: sum / one.data.length, plain };
-  });
-  expect(found.widths).toEqual([1500, 3000]);
-  expect(found.plain, 'there is a picture').toBeGreaterThan(5000);
-  expect(found.mean).toBeLessThan(4);
-});
+    expect(found.widths).toEqual([1500, 3000]);
+    expect(found.plain, 'there is a picture').toBeGreaterThan(5000);
+    expect(found.mean).toBeLessThan(4);
+  },
+);
 
-test('a film shows one turn, where the browser can record', async ({ page }) => {
+test('a film shows one turn, where the browser can record', looks, async ({ page }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');
   const before = await page.evaluate(() => window.shapeUp.screen(0));

@@ -6,6 +6,7 @@ import {
   dragVertex,
   everything,
   expect,
+  looks,
   openPage,
   screenOf,
   state,
@@ -24,7 +25,7 @@ test('text and tools are there before the solver and the view', async ({ page })
   await expect(page.getByLabel('Open file')).toBeAttached();
 });
 
-test('the example is there, solved, and then the page is at rest', async ({ page }) => {
+test('the example is there, solved, and then the page is at rest', looks, async ({ page }) => {
   await page.addInitScript(() => {
     const { requestAnimationFrame: ask } = window;
     window.pictures = 0;
@@ -171,6 +172,8 @@ test('hints follow what is done in another order too, and stay away when dismiss
   const soft = (await state(page)).handles.find((handle) => !handle.fixed);
   await dragVertex(page, soft.vertex, [10, -20]);
   await expect(hint).toContainText('open a mesh of your own');
+  // Nothing lies over it when all has ended well.
+  await waitForState(page, (now) => now.converged);
   await page.getByRole('button', { name: 'Dismiss hint' }).click();
   await expect(hint).toBeHidden();
   await page.evaluate(() => (sessionStorage.clear(), localStorage.removeItem('shape-up.works')));

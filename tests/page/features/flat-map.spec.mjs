@@ -8,7 +8,7 @@ import { program } from '../../../.scripts/programs.mjs';
 import { openExample, openText, runToTheEnd, saved, showPanel } from '../actions.mjs';
 import { box, tube, wavyGrid } from '../meshes.mjs';
 import { decodePng, differingBytes } from '../picture.mjs';
-import { drawn, expect, openPage, screenOf, test, waitForState } from '../support.mjs';
+import { drawn, expect, looks, openPage, screenOf, test, waitForState } from '../support.mjs';
 
 const map = (page) => page.getByRole('application', { name: 'Flat map' });
 const value = (page, name) => page.locator(`dt:text-is("${name}") + dd`);
@@ -39,7 +39,7 @@ async function pictureOf(page, part) {
   return decodePng(await part.screenshot());
 }
 
-test('an example is flattened, and Escape goes back to the model', async ({ page }) => {
+test('an example is flattened, and Escape goes back to the model', looks, async ({ page }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');
   await openExample(page, 'Mask');
@@ -148,44 +148,46 @@ test('what has no faces is not offered, and what has no boundary is told', async
   await expect(page.getByLabel('Norm over')).toBeHidden();
 });
 
-test('faces that the map turns over are outlined, counted, and found on the model', async ({
-  page,
-}) => {
-  await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
-  // A sheet folds nowhere, a box must.
-  await openText(page, 'grid.obj', wavyGrid(4), 25);
-  await parametrize(page);
-  const show = page.getByRole('button', { name: 'Show flipped faces' });
-  await expect(value(page, 'Flipped triangles')).toHaveText('0');
-  await expect(show).toBeHidden();
-  await expect(map(page).getByText('flipped')).toBeHidden();
-  const red = async () => {
-    const { pixels: drawn, channels } = decodePng(await map(page).screenshot());
-    let count = 0;
-    for (let at = 0; at < drawn.length; at += channels)
-      count += Number(drawn[at] > 180 && drawn[at + 1] < 80 && drawn[at + 2] < 90);
-    return count;
-  };
-  expect(await red()).toBe(0);
+test(
+  'faces that the map turns over are outlined, counted, and found on the model',
+  looks,
+  async ({ page }) => {
+    await openPage(page);
+    await waitForState(page, (now) => now.renderer !== 'none');
+    // A sheet folds nowhere, a box must.
+    await openText(page, 'grid.obj', wavyGrid(4), 25);
+    await parametrize(page);
+    const show = page.getByRole('button', { name: 'Show flipped faces' });
+    await expect(value(page, 'Flipped triangles')).toHaveText('0');
+    await expect(show).toBeHidden();
+    await expect(map(page).getByText('flipped')).toBeHidden();
+    const red = async () => {
+      const { pixels: drawn, channels } = decodePng(await map(page).screenshot());
+      let count = 0;
+      for (let at = 0; at < drawn.length; at += channels)
+        count += Number(drawn[at] > 180 && drawn[at + 1] < 80 && drawn[at + 2] < 90);
+      return count;
+    };
+    expect(await red()).toBe(0);
 
-  await page.keyboard.press('Escape');
-  await openText(page, 'box.obj', box(), 8);
-  await parametrize(page);
-  await expect(show).toBeVisible();
-  const flipped = Number(await value(page, 'Flipped triangles').textContent());
-  expect(flipped).toBeGreaterThan(0);
-  expect(flipped).toBeLessThanOrEqual(12);
-  await expect(map(page).getByText(/^\d+ triangles? flipped$/)).toBeVisible();
-  await expect.poll(red).toBeGreaterThan(80);
-  await show.click();
-  const { selection } = await page.evaluate(() => window.shapeUp.state());
-  expect(selection.faces.length).toBeGreaterThan(0);
-  expect(selection.faces.length).toBeLessThanOrEqual(flipped);
-  await expect(page.getByRole('status')).toHaveText(/^\d faces? selected$/);
-  // Both stay marked: the outlines are the map's own, and longer now that they are nearer.
-  await expect.poll(red).toBeGreaterThan(150);
-});
+    await page.keyboard.press('Escape');
+    await openText(page, 'box.obj', box(), 8);
+    await parametrize(page);
+    await expect(show).toBeVisible();
+    const flipped = Number(await value(page, 'Flipped triangles').textContent());
+    expect(flipped).toBeGreaterThan(0);
+    expect(flipped).toBeLessThanOrEqual(12);
+    await expect(map(page).getByText(/^\d+ triangles? flipped$/)).toBeVisible();
+    await expect.poll(red).toBeGreaterThan(80);
+    await show.click();
+    const { selection } = await page.evaluate(() => window.shapeUp.state());
+    expect(selection.faces.length).toBeGreaterThan(0);
+    expect(selection.faces.length).toBeLessThanOrEqual(flipped);
+    await expect(page.getByRole('status')).toHaveText(/^\d faces? selected$/);
+    // Both stay marked: the outlines are the map's own, and longer now that they are nearer.
+    await expect.poll(red).toBeGreaterThan(150);
+  },
+);
 
 test('a map that folds offers the settings that fold less', async ({ page }) => {
   await openPage(page);

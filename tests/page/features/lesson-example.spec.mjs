@@ -10,8 +10,6 @@ import { at } from '../../../.scripts/project.mjs';
 import { downloaded, openExample, runToTheEnd, showPanel } from '../actions.mjs';
 import { expect, openPage, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const ID = 'lesson-glass-roof';
 const TITLE = 'Lesson: a glass roof of flat panes';
 

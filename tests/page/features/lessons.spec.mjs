@@ -10,8 +10,6 @@ import { addConstraint, openText, runToTheEnd, showPanel } from '../actions.mjs'
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 const WORDS = 'Make every panel flat.\nStay near.';

@@ -4,8 +4,6 @@ import { openText } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 async function openNewMesh(page) {
   await page.getByRole('button', { name: 'Examples' }).click();
   await page.getByRole('menuitem', { name: 'New mesh' }).click();

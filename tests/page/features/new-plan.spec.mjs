@@ -2,8 +2,6 @@
 
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 async function openPlan(page) {
   await openPage(page);
   await page.getByRole('button', { name: 'Examples' }).click();

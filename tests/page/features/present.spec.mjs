@@ -4,8 +4,6 @@ import { openText, tool } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const dialogOf = (page) => page.getByRole('dialog', { name: 'Presentation' });
 const stageOf = (page) => page.getByRole('region', { name: 'Presentation' });
 

@@ -5,8 +5,6 @@ import { hidePanels, openText } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, screenOf, state, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const N = 6;
 const SIDE = N + 1;
 const VERTICES = SIDE ** 2;

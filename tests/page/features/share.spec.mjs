@@ -13,8 +13,6 @@ import {
   waitForState,
 } from '../support.mjs';
 
-test.use({ pixels: false });
-
 /** Presses Share and returns the link of the dialog, which stays open. */
 async function linkOf(page) {
   await tool(page, 'Share');

@@ -4,8 +4,6 @@ import { openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { everything, expect, openPage, state, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 

@@ -15,6 +15,7 @@ import {
   coloursOfView,
   dragVertex,
   expect,
+  looks,
   middleOfPicture,
   openPage,
   screenOf,
@@ -158,74 +159,82 @@ test('a box in parallel projection takes what is inside', async ({ page }) => {
     .toEqual([4, 5, 6, 7]);
 });
 
-test('the ghost stays where the mesh was, and the ground tells the scale', async ({ page }) => {
-  await openPage(page);
-  await openText(page, 'roof.obj', wavyGrid(4), 25);
-  await addConstraint(page, 'Plane', 'each face');
-  await runToTheEnd(page);
-  await showPanel(page, 'Energies and display');
-  const ghost = page.getByLabel('Original ghost');
-  await ghost.check();
-  await page.getByLabel('Ground grid').check();
-  await hidePanels(page);
-  await expect(page.locator('#scale')).toHaveText(/^Grid /);
-  const before = await middleOfPicture(page);
-  await page.keyboard.press('o');
-  await expect(ghost).not.toBeChecked();
-  expect(differingBytes(await middleOfPicture(page), before)).toBeGreaterThan(500);
-});
+test(
+  'the ghost stays where the mesh was, and the ground tells the scale',
+  looks,
+  async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'roof.obj', wavyGrid(4), 25);
+    await addConstraint(page, 'Plane', 'each face');
+    await runToTheEnd(page);
+    await showPanel(page, 'Energies and display');
+    const ghost = page.getByLabel('Original ghost');
+    await ghost.check();
+    await page.getByLabel('Ground grid').check();
+    await hidePanels(page);
+    await expect(page.locator('#scale')).toHaveText(/^Grid /);
+    const before = await middleOfPicture(page);
+    await page.keyboard.press('o');
+    await expect(ghost).not.toBeChecked();
+    expect(differingBytes(await middleOfPicture(page), before)).toBeGreaterThan(500);
+  },
+);
 
-test('values in bands: steps in the legend, and isolines where vertices have values', async ({
-  page,
-}) => {
-  await openPage(page);
-  await openText(page, 'roof.obj', wavyGrid(6), 49);
-  await addConstraint(page, 'Plane', 'each face');
-  await runToTheEnd(page);
-  await showPanel(page, 'Energies and display');
-  const legend = page.locator('#legend');
-  const bands = page.getByLabel('Colours in bands');
-  for (const measure of ['Edge length change', 'Moved']) {
-    await page.getByLabel('Colour by').selectOption({ label: measure });
-    await bands.uncheck();
-    await expect(legend).toContainText(measure);
-    await expect(legend).not.toContainText('steps of');
-    await page.getByRole('button', { name: 'Fit range' }).click();
-    const smooth = await middleOfPicture(page);
-    await bands.check();
-    await expect(legend).toContainText('steps of');
-    expect(differingBytes(await middleOfPicture(page), smooth)).toBeGreaterThan(1000);
-  }
-});
+test(
+  'values in bands: steps in the legend, and isolines where vertices have values',
+  looks,
+  async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'roof.obj', wavyGrid(6), 49);
+    await addConstraint(page, 'Plane', 'each face');
+    await runToTheEnd(page);
+    await showPanel(page, 'Energies and display');
+    const legend = page.locator('#legend');
+    const bands = page.getByLabel('Colours in bands');
+    for (const measure of ['Edge length change', 'Moved']) {
+      await page.getByLabel('Colour by').selectOption({ label: measure });
+      await bands.uncheck();
+      await expect(legend).toContainText(measure);
+      await expect(legend).not.toContainText('steps of');
+      await page.getByRole('button', { name: 'Fit range' }).click();
+      const smooth = await middleOfPicture(page);
+      await bands.check();
+      await expect(legend).toContainText('steps of');
+      expect(differingBytes(await middleOfPicture(page), smooth)).toBeGreaterThan(1000);
+    }
+  },
+);
 
-test('the tape measures between two clicked vertices, follows the mesh, and Esc ends it', async ({
-  page,
-}) => {
-  await openSteps(page);
-  await page.keyboard.press('d');
-  await expect(tape(page)).toContainText('Click two vertices');
-  await page.mouse.click(...(await screenOf(page, 0)));
-  await expect(tape(page)).toContainText('Click the other vertex');
-  await page.mouse.click(...(await screenOf(page, 6)));
-  await expect(tape(page)).toContainText('Vertices 0 and 6, in m');
-  const row = (name) => tape(page).getByRole('row', { name });
-  await expect(row('now')).toHaveText('now6.16445.00002.00003.0000');
-  await expect(row('at rest')).toHaveText('at rest6.16445.00002.00003.0000');
-  await expect(page.getByRole('status')).toHaveText('Distance 6.1644 m, at rest 6.1644 m');
-  // Nothing was selected by that.
-  expect((await state(page)).selection.vertices).toEqual([]);
+test(
+  'the tape measures between two clicked vertices, follows the mesh, and Esc ends it',
+  looks,
+  async ({ page }) => {
+    await openSteps(page);
+    await page.keyboard.press('d');
+    await expect(tape(page)).toContainText('Click two vertices');
+    await page.mouse.click(...(await screenOf(page, 0)));
+    await expect(tape(page)).toContainText('Click the other vertex');
+    await page.mouse.click(...(await screenOf(page, 6)));
+    await expect(tape(page)).toContainText('Vertices 0 and 6, in m');
+    const row = (name) => tape(page).getByRole('row', { name });
+    await expect(row('now')).toHaveText('now6.16445.00002.00003.0000');
+    await expect(row('at rest')).toHaveText('at rest6.16445.00002.00003.0000');
+    await expect(page.getByRole('status')).toHaveText('Distance 6.1644 m, at rest 6.1644 m');
+    // Nothing was selected by that.
+    expect((await state(page)).selection.vertices).toEqual([]);
 
-  // A picture has the tape.
-  const { bytes } = await exported(page, 'PNG');
-  expect(pixelsOf(bytes, TAPE)).toBeGreaterThan(20);
+    // A picture has the tape.
+    const { bytes } = await exported(page, 'PNG');
+    expect(pixelsOf(bytes, TAPE)).toBeGreaterThan(20);
 
-  // It follows a drag; what it was at rest stays.
-  await page.keyboard.press('Shift+Digit1');
-  await page.mouse.dblclick(...(await screenOf(page, 6)));
-  expect((await state(page)).handles).toEqual([]);
-  await page.keyboard.press('Escape');
-  await expect(tape(page)).toBeHidden();
-});
+    // It follows a drag; what it was at rest stays.
+    await page.keyboard.press('Shift+Digit1');
+    await page.mouse.dblclick(...(await screenOf(page, 6)));
+    expect((await state(page)).handles).toEqual([]);
+    await page.keyboard.press('Escape');
+    await expect(tape(page)).toBeHidden();
+  },
+);
 
 test('the tape by keyboard alone: two selected vertices', async ({ page }) => {
   await openPage(page);
@@ -256,27 +265,31 @@ test('the tape by keyboard alone: two selected vertices', async ({ page }) => {
   await expect(tape(page)).toBeHidden();
 });
 
-test('another model takes the tape away, and a lost context none of it', async ({ page }) => {
-  await openSteps(page, 'backend=webgl2');
-  await page.keyboard.press('5');
-  await page.keyboard.press('d');
-  await page.mouse.click(...(await screenOf(page, 0)));
-  await page.mouse.click(...(await screenOf(page, 6)));
-  await expect(tape(page)).toContainText('Vertices 0 and 6');
-  await page.evaluate(() => {
-    const canvas = document.querySelector('[role="application"] canvas');
-    canvas.getContext('webgl2').getExtension('WEBGL_lose_context').loseContext();
-    canvas.dataset.lost = 'yes';
-  });
-  await expect(page.locator('[role="application"] canvas[data-lost]')).toHaveCount(0);
-  await expect.poll(() => coloursOfView(page)).toBeGreaterThan(20);
-  await expect(tape(page).getByRole('row', { name: 'at rest' })).toContainText('6.1644');
-  await page.keyboard.press('Shift+Digit1');
-  const ratio = async () => (await seenLength(page, 4, 5)) / (await seenLength(page, 0, 1));
-  await expect.poll(ratio).toBeCloseTo(1, 3);
-  await openText(page, 'roof.obj', wavyGrid(4), 25);
-  await expect(tape(page)).toBeHidden();
-});
+test(
+  'another model takes the tape away, and a lost context none of it',
+  looks,
+  async ({ page }) => {
+    await openSteps(page, 'backend=webgl2');
+    await page.keyboard.press('5');
+    await page.keyboard.press('d');
+    await page.mouse.click(...(await screenOf(page, 0)));
+    await page.mouse.click(...(await screenOf(page, 6)));
+    await expect(tape(page)).toContainText('Vertices 0 and 6');
+    await page.evaluate(() => {
+      const canvas = document.querySelector('[role="application"] canvas');
+      canvas.getContext('webgl2').getExtension('WEBGL_lose_context').loseContext();
+      canvas.dataset.lost = 'yes';
+    });
+    await expect(page.locator('[role="application"] canvas[data-lost]')).toHaveCount(0);
+    await expect.poll(() => coloursOfView(page)).toBeGreaterThan(20);
+    await expect(tape(page).getByRole('row', { name: 'at rest' })).toContainText('6.1644');
+    await page.keyboard.press('Shift+Digit1');
+    const ratio = async () => (await seenLength(page, 4, 5)) / (await seenLength(page, 0, 1));
+    await expect.poll(ratio).toBeCloseTo(1, 3);
+    await openText(page, 'roof.obj', wavyGrid(4), 25);
+    await expect(tape(page)).toBeHidden();
+  },
+);
 
 test('the original is shown for as long as a key, or the Reset button, is held', async ({
   page,
@@ -315,7 +328,7 @@ test('the original is shown for as long as a key, or the Reset button, is held',
   await waitForState(page, (later) => later.iteration === 0);
 });
 
-test('a section plane cuts the model open', async ({ page }) => {
+test('a section plane cuts the model open', looks, async ({ page }) => {
   await openSteps(page);
   await page.keyboard.press('Shift+Digit7');
   await expect(page.getByRole('status')).toHaveText('View: isometric');

@@ -3,7 +3,6 @@
 import { expect, openPage, state, test, waitForState } from '../support.mjs';
 
 // The pictures here are those of the gallery.
-test.use({ pixels: false });
 
 /** The entries of the list, as the page reads them. */
 const listOf = async (page) => (await page.request.get('examples/index.json')).json();

@@ -4,8 +4,6 @@ import { execFileSync } from 'node:child_process';
 import { downloaded } from '../actions.mjs';
 import { expect, openPage, test } from '../support.mjs';
 
-test.use({ pixels: false });
-
 test('the help leads to the licences, with the sources to build a changed library', async ({
   page,
 }) => {

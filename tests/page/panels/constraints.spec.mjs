@@ -13,8 +13,6 @@ import {
   waitForState,
 } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 const MIDDLE = (VERTICES - 1) / 2;

@@ -4,8 +4,6 @@ import { addConstraint, hidePanels, openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, screenOf, state, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 const MIDDLE = (VERTICES - 1) / 2;

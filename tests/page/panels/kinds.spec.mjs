@@ -13,8 +13,6 @@ import {
   waitForState,
 } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const MESHES = [
   { name: 'quads', text: quadScene(4), vertices: 25 },
   { name: 'triangles', text: triangleScene(3), vertices: 16 },

@@ -5,8 +5,6 @@ import { addConstraint, openText, runToTheEnd, showPanel } from '../actions.mjs'
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 

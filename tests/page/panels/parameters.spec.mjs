@@ -4,8 +4,6 @@ import { addConstraint, openText, showPanel, tool } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, state, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const N = 4;
 
 test.beforeEach(async ({ page }) => {

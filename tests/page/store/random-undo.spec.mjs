@@ -13,8 +13,6 @@ import {
   waitForState,
 } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const N = 4;
 const VERTICES = (N + 1) ** 2;
 const DEEDS = 16;

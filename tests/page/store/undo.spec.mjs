@@ -12,8 +12,6 @@ import {
   waitForState,
 } from '../support.mjs';
 
-test.use({ pixels: false });
-
 test('all that was done is undone step by step, to the start, and done again', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);

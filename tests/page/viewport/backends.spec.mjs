@@ -1,7 +1,15 @@
 // WebGPU where it draws, WebGL2 elsewhere: which module is loaded, and that the pictures are the same.
 
 import { decodePng } from '../picture.mjs';
-import { coloursOfView, expect, keptOffline, openPage, test, waitForState } from '../support.mjs';
+import {
+  coloursOfView,
+  expect,
+  keptOffline,
+  looks,
+  openPage,
+  test,
+  waitForState,
+} from '../support.mjs';
 
 /** Which variants of the view's module a page loads. */
 function watchModules(page) {
@@ -43,7 +51,7 @@ function differing(a, b) {
   return (count * a.channels) / a.pixels.length;
 }
 
-test('each backend draws the same picture with a module of its own', async ({ page }) => {
+test('each backend draws the same picture with a module of its own', looks, async ({ page }) => {
   const pictures = [];
   for (const [demand, backend] of [
     ['webgl', 'webgl2'],
@@ -98,7 +106,7 @@ const faults = {
   ],
 };
 for (const [fault, [cause, modules]] of Object.entries(faults)) {
-  test(`WebGL2 draws where WebGPU has ${fault}`, async ({ page }) => {
+  test(`WebGL2 draws where WebGPU has ${fault}`, looks, async ({ page }) => {
     const loaded = watchModules(page);
     await page.addInitScript(cause);
     await openPage(page);
@@ -108,7 +116,7 @@ for (const [fault, [cause, modules]] of Object.entries(faults)) {
   });
 }
 
-test('WebGPU draws unasked where it can', async ({ page }) => {
+test('WebGPU draws unasked where it can', looks, async ({ page }) => {
   const loaded = watchModules(page);
   await openPage(page);
   await drawnWith(page, 'webgpu');
@@ -128,23 +136,24 @@ const keptViews = (page) =>
 test.describe('without a network', () => {
   test.use({ serviceWorkers: 'allow' });
 
-  test('the view that draws is kept, and another one when it is wanted', async ({
-    page,
-    context,
-  }) => {
-    for (const [backend, kept] of [
-      ['webgpu', ['webgpu']],
-      ['webgl2', ['webgl2', 'webgpu']],
-    ]) {
-      await context.setOffline(false);
-      await openPage(page, `backend=${backend}`);
-      await waitForState(page, (now, wanted) => now.renderer === wanted, backend);
-      await keptOffline(page);
-      await expect.poll(() => keptViews(page)).toEqual(kept);
-      await context.setOffline(true);
-      await openPage(page, `backend=${backend}`);
-      await waitForState(page, (now, wanted) => now.renderer === wanted, backend);
-      await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
-    }
-  });
+  test(
+    'the view that draws is kept, and another one when it is wanted',
+    looks,
+    async ({ page, context }) => {
+      for (const [backend, kept] of [
+        ['webgpu', ['webgpu']],
+        ['webgl2', ['webgl2', 'webgpu']],
+      ]) {
+        await context.setOffline(false);
+        await openPage(page, `backend=${backend}`);
+        await waitForState(page, (now, wanted) => now.renderer === wanted, backend);
+        await keptOffline(page);
+        await expect.poll(() => keptViews(page)).toEqual(kept);
+        await context.setOffline(true);
+        await openPage(page, `backend=${backend}`);
+        await waitForState(page, (now, wanted) => now.renderer === wanted, backend);
+        await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
+      }
+    },
+  );
 });

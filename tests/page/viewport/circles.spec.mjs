@@ -2,7 +2,7 @@
 
 import { openExample, runToTheEnd, showPanel } from '../actions.mjs';
 import { decodePng } from '../picture.mjs';
-import { drawn, expect, openPage, test } from '../support.mjs';
+import { drawn, expect, looks, openPage, test } from '../support.mjs';
 
 test.use({ viewport: { width: 900, height: 640 } });
 
@@ -41,7 +41,7 @@ function covered(a, b) {
     : { part: count / (span(columns) * span(rows)), width: span(columns) };
 }
 
-test('circles are thin lines from near, and fade from afar', async ({ page }) => {
+test('circles are thin lines from near, and fade from afar', looks, async ({ page }) => {
   await openPage(page);
   await openExample(page, 'Canopy');
   await runToTheEnd(page);

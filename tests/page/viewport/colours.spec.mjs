@@ -14,6 +14,7 @@ import { colourAt, decodePng, differingBytes } from '../picture.mjs';
 import {
   drawn,
   expect,
+  looks,
   middleOfPicture,
   openPage,
   screenOf,
@@ -87,51 +88,55 @@ async function bluerThanRed(page, picture, n, face) {
   return blue - red;
 }
 
-test('while colours say nothing else, faces have those of their constraints', async ({ page }) => {
-  const n = 4;
-  await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
-  await openText(page, 'grid.obj', wavyGrid(n), 25);
-  const tints = async () => {
+test(
+  'while colours say nothing else, faces have those of their constraints',
+  looks,
+  async ({ page }) => {
+    const n = 4;
+    await openPage(page);
+    await waitForState(page, (now) => now.renderer !== 'none');
+    await openText(page, 'grid.obj', wavyGrid(n), 25);
+    const tints = async () => {
+      await hidePanels(page);
+      // Neither pointing at a row nor in its fields.
+      const view = page.getByRole('application', { name: '3D view' });
+      await view.focus();
+      await view.hover({ position: { x: 5, y: 5 } });
+      await drawn(page);
+      const picture = decodePng(await page.screenshot());
+      const [first, second] = [0, n * n - 1];
+      return [
+        await bluerThanRed(page, picture, n, first),
+        await bluerThanRed(page, picture, n, second),
+      ];
+    };
+    const [plain] = await tints();
+
+    // Blue circles everywhere, and a red sphere through the corners of the first face.
+    await addConstraint(page, 'Circle', 'each face');
+    await page.keyboard.press('3');
     await hidePanels(page);
-    // Neither pointing at a row nor in its fields.
-    const view = page.getByRole('application', { name: '3D view' });
-    await view.focus();
-    await view.hover({ position: { x: 5, y: 5 } });
-    await drawn(page);
-    const picture = decodePng(await page.screenshot());
-    const [first, second] = [0, n * n - 1];
-    return [
-      await bluerThanRed(page, picture, n, first),
-      await bluerThanRed(page, picture, n, second),
-    ];
-  };
-  const [plain] = await tints();
+    const [a, b] = [await screenOf(page, 0), await screenOf(page, n + 2)];
+    await page.mouse.click((a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
+    await waitForState(page, (now) => now.selection.faces.length === 1);
+    await addConstraint(page, 'Sphere', 'whole selection together');
+    await page.keyboard.press('Escape');
+    await showPanel(page, 'Energies and display');
+    await page.getByLabel('Colour by').selectOption('');
+    const [round, others] = await tints();
+    expect(round).toBeLessThan(plain - 20);
+    expect(others).toBeGreaterThan(plain + 20);
 
-  // Blue circles everywhere, and a red sphere through the corners of the first face.
-  await addConstraint(page, 'Circle', 'each face');
-  await page.keyboard.press('3');
-  await hidePanels(page);
-  const [a, b] = [await screenOf(page, 0), await screenOf(page, n + 2)];
-  await page.mouse.click((a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
-  await waitForState(page, (now) => now.selection.faces.length === 1);
-  await addConstraint(page, 'Sphere', 'whole selection together');
-  await page.keyboard.press('Escape');
-  await showPanel(page, 'Energies and display');
-  await page.getByLabel('Colour by').selectOption('');
-  const [round, others] = await tints();
-  expect(round).toBeLessThan(plain - 20);
-  expect(others).toBeGreaterThan(plain + 20);
-
-  // A row that is off has no colour; the one behind it has.
-  await showPanel(page, 'Model');
-  await page.getByRole('switch', { name: /^Sphere/ }).uncheck();
-  await waitForState(page, (now) => now.constraints.sphere === undefined);
-  expect((await tints())[0]).toBeGreaterThan(plain + 20);
-  await tool(page, 'Undo');
-  await waitForState(page, (now) => now.constraints.sphere === 1);
-  expect((await tints())[0]).toBeLessThan(plain - 20);
-});
+    // A row that is off has no colour; the one behind it has.
+    await showPanel(page, 'Model');
+    await page.getByRole('switch', { name: /^Sphere/ }).uncheck();
+    await waitForState(page, (now) => now.constraints.sphere === undefined);
+    expect((await tints())[0]).toBeGreaterThan(plain + 20);
+    await tool(page, 'Undo');
+    await waitForState(page, (now) => now.constraints.sphere === 1);
+    expect((await tints())[0]).toBeLessThan(plain - 20);
+  },
+);
 
 /** The middle of the picture once nothing changes any more: light from all around comes after the shape. */
 async function stillPicture(page) {
@@ -147,34 +152,38 @@ async function stillPicture(page) {
   return last;
 }
 
-test('residuals are arrows to the projected shapes, until there are none', async ({ page }) => {
-  await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
-  await openText(page, 'grid.obj', wavyGrid(4), 25);
-  await addConstraint(page, 'Plane', 'each face');
-  /** How many bytes of the picture the arrows change, beside outlines. */
-  const changes = async () => {
-    await showPanel(page, 'Energies and display');
-    const [outlines, arrows] = ['Projected shapes', 'Residual arrows'].map((name) =>
-      page.getByRole('checkbox', { name }),
-    );
-    const before = await stillPicture(page);
-    await outlines.check();
-    const outlined = await stillPicture(page);
-    expect(differingBytes(outlined, before)).toBeGreaterThan(2000);
-    await arrows.check();
-    const changed = differingBytes(await stillPicture(page), outlined);
-    await arrows.uncheck();
-    await outlines.uncheck();
-    // Of a million: the light from all around is found anew.
-    expect(differingBytes(await stillPicture(page), before)).toBeLessThan(1500);
-    return changed;
-  };
-  const rough = await changes();
-  expect(rough).toBeGreaterThan(500);
-  await runToTheEnd(page);
-  expect(await changes()).toBeLessThan(0.2 * rough);
-});
+test(
+  'residuals are arrows to the projected shapes, until there are none',
+  looks,
+  async ({ page }) => {
+    await openPage(page);
+    await waitForState(page, (now) => now.renderer !== 'none');
+    await openText(page, 'grid.obj', wavyGrid(4), 25);
+    await addConstraint(page, 'Plane', 'each face');
+    /** How many bytes of the picture the arrows change, beside outlines. */
+    const changes = async () => {
+      await showPanel(page, 'Energies and display');
+      const [outlines, arrows] = ['Projected shapes', 'Residual arrows'].map((name) =>
+        page.getByRole('checkbox', { name }),
+      );
+      const before = await stillPicture(page);
+      await outlines.check();
+      const outlined = await stillPicture(page);
+      expect(differingBytes(outlined, before)).toBeGreaterThan(2000);
+      await arrows.check();
+      const changed = differingBytes(await stillPicture(page), outlined);
+      await arrows.uncheck();
+      await outlines.uncheck();
+      // Of a million: the light from all around is found anew.
+      expect(differingBytes(await stillPicture(page), before)).toBeLessThan(1500);
+      return changed;
+    };
+    const rough = await changes();
+    expect(rough).toBeGreaterThan(500);
+    await runToTheEnd(page);
+    expect(await changes()).toBeLessThan(0.2 * rough);
+  },
+);
 
 test('the legend counts the faces within a tolerance', async ({ page }) => {
   await openPage(page);
@@ -214,81 +223,87 @@ const FOUND_ANEW = 60;
 const rangeOf = async (page) =>
   Promise.all(['Colours from', 'Colours to'].map((name) => page.getByLabel(name).inputValue()));
 
-test('choosing a measure again gives the same picture, whatever came between', async ({ page }) => {
-  await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
-  // On the way, better than at the start and not exact yet.
-  const press = (name) => page.getByRole('button', { name, exact: true }).click();
-  await press('Reset');
-  await waitForState(page, (now) => now.iteration === 0);
-  for (let k = 1; k <= 5; k++) {
-    await press('Step');
-    await waitForState(page, (now, steps) => now.iteration === steps, k);
-  }
-  await showPanel(page, 'Energies and display');
-  const colours = page.getByLabel('Colour by');
-  // So that there is something beyond it.
-  await page.getByLabel('Tolerance').fill('0.1');
-  await page.getByLabel('Tolerance').press('Enter');
-  await expect(page.getByLabel('Colours from')).toHaveValue('0.100');
-  await drawn(page);
-  const before = [await rangeOf(page), await middleOfPicture(page)];
-  await page.getByRole('button', { name: 'Fit range' }).click();
-  await expect.poll(() => rangeOf(page)).not.toEqual(before[0]);
-  await colours.selectOption('planarity');
-  await expect(page.locator('#legend')).toContainText('Planarity');
-  await drawn(page);
-  await colours.selectOption('circularity');
-  await expect.poll(() => rangeOf(page)).toEqual(before[0]);
-  expect(differingBytes(await middleOfPicture(page), before[1])).toBeLessThan(FOUND_ANEW);
-  // All values and back.
-  const map = page.getByLabel('Colour map', { exact: true });
-  await map.selectOption('Viridis');
-  await expect(page.getByLabel('Colours from')).toHaveValue('0');
-  expect(differingBytes(await middleOfPicture(page), before[1])).toBeGreaterThan(2000);
-  const viridis = await middleOfPicture(page);
-  for (const other of ['Diverging', 'Grey']) {
-    await map.selectOption(other);
-    expect(differingBytes(await middleOfPicture(page), viridis)).toBeGreaterThan(2000);
-  }
-  await map.selectOption('Beyond tolerance');
-  expect(differingBytes(await middleOfPicture(page), before[1])).toBeLessThan(FOUND_ANEW);
-});
+test(
+  'choosing a measure again gives the same picture, whatever came between',
+  looks,
+  async ({ page }) => {
+    await openPage(page);
+    await waitForState(page, (now) => now.renderer !== 'none');
+    // On the way, better than at the start and not exact yet.
+    const press = (name) => page.getByRole('button', { name, exact: true }).click();
+    await press('Reset');
+    await waitForState(page, (now) => now.iteration === 0);
+    for (let k = 1; k <= 5; k++) {
+      await press('Step');
+      await waitForState(page, (now, steps) => now.iteration === steps, k);
+    }
+    await showPanel(page, 'Energies and display');
+    const colours = page.getByLabel('Colour by');
+    // So that there is something beyond it.
+    await page.getByLabel('Tolerance').fill('0.1');
+    await page.getByLabel('Tolerance').press('Enter');
+    await expect(page.getByLabel('Colours from')).toHaveValue('0.100');
+    await drawn(page);
+    const before = [await rangeOf(page), await middleOfPicture(page)];
+    await page.getByRole('button', { name: 'Fit range' }).click();
+    await expect.poll(() => rangeOf(page)).not.toEqual(before[0]);
+    await colours.selectOption('planarity');
+    await expect(page.locator('#legend')).toContainText('Planarity');
+    await drawn(page);
+    await colours.selectOption('circularity');
+    await expect.poll(() => rangeOf(page)).toEqual(before[0]);
+    expect(differingBytes(await middleOfPicture(page), before[1])).toBeLessThan(FOUND_ANEW);
+    // All values and back.
+    const map = page.getByLabel('Colour map', { exact: true });
+    await map.selectOption('Viridis');
+    await expect(page.getByLabel('Colours from')).toHaveValue('0');
+    expect(differingBytes(await middleOfPicture(page), before[1])).toBeGreaterThan(2000);
+    const viridis = await middleOfPicture(page);
+    for (const other of ['Diverging', 'Grey']) {
+      await map.selectOption(other);
+      expect(differingBytes(await middleOfPicture(page), viridis)).toBeGreaterThan(2000);
+    }
+    await map.selectOption('Beyond tolerance');
+    expect(differingBytes(await middleOfPicture(page), before[1])).toBeLessThan(FOUND_ANEW);
+  },
+);
 
-test('the ends of the range are dragged and moved by keys; the scale can be logarithmic', async ({
-  page,
-}) => {
-  await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
-  const high = page.getByRole('slider', { name: 'High end of the range' });
-  const low = page.getByRole('slider', { name: 'Low end of the range' });
-  await expect(high).toHaveAttribute('aria-valuenow', '100');
-  const automatic = await rangeOf(page);
-  const before = await middleOfPicture(page);
-  await high.focus();
-  await page.keyboard.press('Shift+ArrowLeft');
-  await expect(high).toHaveAttribute('aria-valuenow', '90');
-  expect(differingBytes(await middleOfPicture(page), before)).toBeGreaterThan(500);
-  const { x, y, width, height } = await high.boundingBox();
-  await page.mouse.move(x + width / 2, y + height / 2);
-  await page.mouse.down();
-  await page.mouse.move(x + width / 2 - 80, y + height / 2, { steps: 4 });
-  await page.mouse.up();
-  await expect
-    .poll(async () => Number((await rangeOf(page))[1]))
-    .toBeLessThan(0.8 * Number(automatic[1]));
-  await high.dblclick();
-  await expect.poll(() => rangeOf(page)).toEqual(automatic);
-  await low.focus();
-  await page.keyboard.press('ArrowRight');
-  await expect.poll(() => rangeOf(page)).not.toEqual(automatic);
-  await page.keyboard.press('Delete');
-  await expect.poll(() => rangeOf(page)).toEqual(automatic);
+test(
+  'the ends of the range are dragged and moved by keys; the scale can be logarithmic',
+  looks,
+  async ({ page }) => {
+    await openPage(page);
+    await waitForState(page, (now) => now.renderer !== 'none');
+    const high = page.getByRole('slider', { name: 'High end of the range' });
+    const low = page.getByRole('slider', { name: 'Low end of the range' });
+    await expect(high).toHaveAttribute('aria-valuenow', '100');
+    const automatic = await rangeOf(page);
+    const before = await middleOfPicture(page);
+    await high.focus();
+    await page.keyboard.press('Shift+ArrowLeft');
+    await expect(high).toHaveAttribute('aria-valuenow', '90');
+    expect(differingBytes(await middleOfPicture(page), before)).toBeGreaterThan(500);
+    const { x, y, width, height } = await high.boundingBox();
+    await page.mouse.move(x + width / 2, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + width / 2 - 80, y + height / 2, { steps: 4 });
+    await page.mouse.up();
+    await expect
+      .poll(async () => Number((await rangeOf(page))[1]))
+      .toBeLessThan(0.8 * Number(automatic[1]));
+    await high.dblclick();
+    await expect.poll(() => rangeOf(page)).toEqual(automatic);
+    await low.focus();
+    await page.keyboard.press('ArrowRight');
+    await expect.poll(() => rangeOf(page)).not.toEqual(automatic);
+    await page.keyboard.press('Delete');
+    await expect.poll(() => rangeOf(page)).toEqual(automatic);
 
-  await page.getByLabel('Log scale').check();
-  expect(differingBytes(await middleOfPicture(page), before)).toBeGreaterThan(500);
-  expect(await rangeOf(page)).toEqual(automatic);
-});
+    await page.getByLabel('Log scale').check();
+    expect(differingBytes(await middleOfPicture(page), before)).toBeGreaterThan(500);
+    expect(await rangeOf(page)).toEqual(automatic);
+  },
+);
 
 test('errors have one unit, that of the tolerance, beside how far the mesh moved', async ({
   page,

@@ -21,8 +21,6 @@ const ANSWER_BUDGET = 7;
 const BATCHES = 9;
 const MOVES = 8;
 
-test.use({ pixels: false });
-
 /** In the page: milliseconds of the same work, some times over. */
 const otherWork = () =>
   Array.from({ length: 8 }, () => {

@@ -3,7 +3,7 @@
 import { hidePanels } from '../actions.mjs';
 import { file, wavyGrid } from '../meshes.mjs';
 import { decodePng } from '../picture.mjs';
-import { coloursOfView, expect, screenOf, state, test, waitForState } from '../support.mjs';
+import { coloursOfView, expect, looks, screenOf, state, test, waitForState } from '../support.mjs';
 
 const viewOf = (page) => page.getByRole('application', { name: '3D view' });
 
@@ -37,24 +37,28 @@ function differing(a, b, [top, bottom]) {
 }
 
 for (const colorScheme of ['light', 'dark']) {
-  test(`the example is on the screen before it can be drawn, ${colorScheme}`, async ({ page }) => {
-    await page.emulateMedia({ colorScheme });
-    const release = await holdView(page);
-    await page.goto('./');
-    expect(await coloursOfView(page)).toBeGreaterThan(50);
-    await waitForState(page, (now) => now.converged);
-    await hidePanels(page);
-    const still = decodePng(await viewOf(page).screenshot());
+  test(
+    `the example is on the screen before it can be drawn, ${colorScheme}`,
+    looks,
+    async ({ page }) => {
+      await page.emulateMedia({ colorScheme });
+      const release = await holdView(page);
+      await page.goto('./');
+      expect(await coloursOfView(page)).toBeGreaterThan(50);
+      await waitForState(page, (now) => now.converged);
+      await hidePanels(page);
+      const still = decodePng(await viewOf(page).screenshot());
 
-    release();
-    await expect(page.locator('#first-picture')).toHaveCount(0);
-    expect((await state(page)).renderer).not.toBe('none');
-    const drawn = decodePng(await viewOf(page).screenshot());
-    // Between the card above and the legend below. One pixel aside, more than a tenth would differ: it is circles.
-    // The shadow on the ground, the light from all around and fainter circles far away come with the view: they
-    // are less.
-    expect(differing(still, drawn, [0.16, 0.68])).toBeLessThan(0.09);
-  });
+      release();
+      await expect(page.locator('#first-picture')).toHaveCount(0);
+      expect((await state(page)).renderer).not.toBe('none');
+      const drawn = decodePng(await viewOf(page).screenshot());
+      // Between the card above and the legend below. One pixel aside, more than a tenth would differ: it is circles.
+      // The shadow on the ground, the light from all around and fainter circles far away come with the view: they
+      // are less.
+      expect(differing(still, drawn, [0.16, 0.68])).toBeLessThan(0.09);
+    },
+  );
 }
 
 test('the picture is that of the solved shape, and nothing moves when that comes', async ({
@@ -87,7 +91,7 @@ test('the picture is that of the solved shape, and nothing moves when that comes
   release();
 });
 
-test('presses count before anything is there to act on', async ({ page }) => {
+test('presses count before anything is there to act on', looks, async ({ page }) => {
   const releaseScript = await hold(page, '**/*.js');
   const releaseModules = await hold(page, '**/*.wasm');
   const mesh = page.waitForResponse(/\/examples\/[^/]+\.obj$/);

@@ -25,6 +25,7 @@ const UNMET = [214, 40, 57];
  * @property {(text: string, ...buttons: HTMLElement[]) => HTMLElement} showMessage
  * @property {(label: string, action: () => unknown, title?: string) => HTMLElement} offer a button
  * @property {() => boolean} hasCard the verdict on the panels is told there already
+ * @property {() => boolean} hasHint a hint says what is next, and good news can wait
  */
 
 /**
@@ -44,9 +45,9 @@ export async function showExact(app, told) {
 /** @param {import("../../app/context.js").AppContext} app @param {Told} told @param {ExactReport} exact */
 function showMet(app, told, { max_distance, on_guard, shortest_edge }) {
   const { store } = app;
-  const { showMessage, hasCard } = told;
+  const { showMessage, hasCard, hasHint } = told;
   const { document: scene, numbers } = store.get();
-  if (!scene || !numbers) return;
+  if (!scene || !numbers || hasHint()) return;
   const units = scene.units;
   const guarded =
     on_guard > 0

@@ -49,6 +49,9 @@ export function watchConditions(app) {
     });
   }
 
+  /** Whether there is a hint: whoever is here for the first time reads one thing at a time. */
+  const hasHint = () => document.getElementById('hint-card')?.hidden === false;
+
   /** Says how a run ended: that all is within the tolerance, or what is worst and what helps. */
   async function showVerdict() {
     const { document: scene, numbers, model, tolerance } = store.get();
@@ -56,7 +59,12 @@ export function watchConditions(app) {
     const allowed = tolerance ?? model.tolerance;
     if (numbers.exact && scene.constraints.some(isHard)) {
       const { showExact } = await import('./exact-verdict.js');
-      return showExact(app, { showMessage, offer, hasCard: () => cardOfPanels() !== null });
+      return showExact(app, {
+        showMessage,
+        offer,
+        hasCard: () => cardOfPanels() !== null,
+        hasHint,
+      });
     }
     const isAsked = (
       /** @type {import("../../solver/messages.js").ConstraintRow} */ { enabled, weight },
@@ -65,9 +73,7 @@ export function watchConditions(app) {
       isAsked(row) ? (numbers.worst[row.index] ?? 0) : 0,
     );
     const greatest = Math.max(0, ...errors);
-    const hints = document.getElementById('hint-card');
-    // Whoever is here for the first time reads one thing at a time.
-    if (hints?.hidden === false || !scene.constraints.some(isAsked)) return;
+    if (hasHint() || !scene.constraints.some(isAsked)) return;
     const most = limit(allowed, scene.units);
     const moved = movedInWords(store.get());
     const cost = moved && ` Moved ${moved}.`;
