@@ -152,11 +152,16 @@ impl BlockSystem {
             let band = own.band.filter(|_| bands);
             hard.residuals(x, band, &mut own.residuals);
             let size = 3 * own.points;
-            let mut differences = Differences::new(own.points);
+            let mut differences = Differences::new(own.points, hard.batch.centring());
+            let slack = hard.slack(x);
             let scale = self.stiffness * own.weight;
             let each =
                 own.residuals.chunks_exact_mut(size).zip(own.normals.chunks_exact_mut(size * size));
             for (i, (residual, normal)) in each.enumerate() {
+                if slack.get(i) == Some(&true) {
+                    normal.fill(0.0);
+                    continue;
+                }
                 let linear = Linear { residual, normal: &mut *normal };
                 differences.linearise((hard, band), i, x, model.parts.extent, linear);
                 if normal.iter().all(|entry| *entry == 0.0) {
@@ -179,6 +184,23 @@ impl BlockSystem {
             let vertex = self.node_of.iter().position(|&of| of == node).unwrap_or(0);
             SolveError::NotPositiveDefinite { vertex: vertex as u32 }
         })
+    }
+
+    /// Of every constraint, whether nothing held it at the last linearisation.
+    pub(in crate::solve) fn free(&self) -> Vec<bool> {
+        let free = |batch: &LinearBatch| {
+            let normals = batch.normals.chunks_exact(9 * batch.points * batch.points);
+            normals.map(|normal| normal.iter().all(|entry| *entry == 0.0)).collect::<Vec<_>>()
+        };
+        self.batches.iter().flat_map(free).collect()
+    }
+
+    /// Whether one of these constraints is not met at positions `x` of the model.
+    pub(in crate::solve) fn is_violated(&mut self, model: &Model, x: &[Row], of: &[bool]) -> bool {
+        let noise = model.goal();
+        self.residuals(model, x);
+        let residuals = self.batches.iter().flat_map(|it| it.residuals.chunks_exact(3 * it.points));
+        residuals.zip(of).any(|(residual, of)| *of && residual.iter().any(|r| r.abs() > noise))
     }
 
     /// Whether each node is no unknown.

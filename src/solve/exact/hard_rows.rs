@@ -12,6 +12,9 @@ use crate::solve::energy::Constraints;
 /// Bands are aimed at from inside: the approach ends on one side of what it aims at.
 const AIM: f64 = 0.5;
 
+/// An edge of the guard that may be shorter by this part is far from its bound.
+const SHORTER: f64 = 1e-5;
+
 /// Hard constraints of one row with the same number of points.
 pub(in crate::solve) struct HardBatch {
     /// The row of constraints of the problem; none of the guard.
@@ -206,6 +209,25 @@ impl HardBatch {
             }
         }
         squares
+    }
+
+    /// Of the guard, whether each edge is longer than it has to be at positions `x`, also when it is a little shorter:
+    /// nothing holds it there. Empty of other constraints.
+    pub(in crate::solve) fn slack(&self, x: &[Row]) -> Vec<bool> {
+        let count = if self.row.is_none() { self.batch.count() } else { 0 };
+        let n = self.batch.points();
+        let (mut points, mut projected) = (vec![Vec3::zero(); n], vec![Vec3::zero(); n]);
+        let mut slack = Vec::with_capacity(count);
+        for chunk in 0..count.div_ceil(LANES) {
+            self.batch.gather(chunk, x, &mut points);
+            points.iter_mut().for_each(|point| *point = *point * Lanes::splat(1.0 - SHORTER));
+            self.batch.project(chunk, &points, &mut projected);
+            let stays = |lane: usize| {
+                points.iter().zip(&projected).all(|(point, p)| point.lane(lane) == p.lane(lane))
+            };
+            slack.extend((0..LANES.min(count - chunk * LANES)).map(stays));
+        }
+        slack
     }
 
     /// Gives `each` how far every constraint is from being met at positions `x`.

@@ -35,7 +35,7 @@ pub fn least_move(mesh: &Mesh, constraints: &[Constraints]) -> Moved {
         let size = 3 * points;
         let mut residuals = vec![0.0; size * count];
         hard.residuals(&x, None, &mut residuals);
-        let mut differences = Differences::new(points);
+        let mut differences = Differences::new(points, hard.batch.centring());
         let mut normal = vec![0.0; size * size];
         for (i, residual) in residuals.chunks_exact_mut(size).enumerate() {
             let to = Linear { residual: &mut *residual, normal: &mut normal };

@@ -5,7 +5,7 @@
 //! is another projection to the same set it still has the same kernel, and errors of `J` enter it squared.
 
 use super::hard_rows::HardBatch;
-use crate::constraint::Row;
+use crate::constraint::{Centring, Row};
 use crate::math::{LANES, Lanes, Vec3};
 
 /// The step of the differences, times the root mean square of the points: the rounding and the truncation of a
@@ -32,14 +32,19 @@ pub(super) struct Differences {
     projected: Vec<Vec3<Lanes>>,
     /// `J`, column by column.
     columns: Vec<f64>,
+    /// Those that differences are taken for: together with centring they give the others.
+    own: Vec<usize>,
 }
 
 impl Differences {
-    pub(super) fn new(points: usize) -> Differences {
+    pub(super) fn new(points: usize, centring: Centring) -> Differences {
+        let is_first = |k: usize| (k / 3).is_multiple_of(group(points, centring));
+        let is_own = |k: &usize| centring == Centring::Placed || !is_first(*k);
         Differences {
             points: vec![Vec3::zero(); points],
             projected: vec![Vec3::zero(); points],
             columns: vec![0.0; 9 * points * points],
+            own: (0..3 * points).filter(is_own).collect(),
         }
     }
 
@@ -67,23 +72,19 @@ impl Differences {
         let Some(step) = step(&at, unit) else { return along_residual(to) };
         let size = 3 * at.len();
         // Lane by lane a displaced copy: forwards and backwards along one coordinate of one point.
-        for first in (0..2 * size).step_by(LANES) {
+        for pairs in self.own.chunks(LANES / 2) {
             for (point, at) in self.points.iter_mut().zip(&at) {
                 *point = Vec3::splat(*at);
             }
-            for lane in 0..LANES.min(2 * size - first) {
-                let (k, sign) = ((first + lane) / 2, 1.0 - 2.0 * ((first + lane) % 2) as f64);
-                let moved = moved(at[k / 3], k % 3, sign * step);
-                self.points[k / 3].set_lane(lane, moved);
+            for (pair, &k) in pairs.iter().enumerate() {
+                for (lane, by) in [(2 * pair, step), (2 * pair + 1, -step)] {
+                    self.points[k / 3].set_lane(lane, moved(at[k / 3], k % 3, by));
+                }
             }
             hard.batch.centre(&mut self.points);
             hard.batch.project_copies(&rest, &self.points, &mut self.projected);
             hard.batch.centre(&mut self.projected);
-            for pair in 0..LANES / 2 {
-                let k = first / 2 + pair;
-                if k >= size {
-                    break;
-                }
+            for (pair, &k) in pairs.iter().enumerate() {
                 let column = &mut self.columns[k * size..(k + 1) * size];
                 let residuals = self.points.iter().zip(&self.projected).map(|(z, p)| *z - *p);
                 for (to, residual) in column.chunks_exact_mut(3).zip(residuals) {
@@ -93,17 +94,42 @@ impl Differences {
                 }
             }
         }
+        if self.own.len() < size {
+            self.derive_others(group(at.len(), hard.batch.centring()));
+        }
         // Written so that NaN is no derivative either.
         if !self.columns.iter().all(|value| value.abs() < LARGEST) {
             return along_residual(to);
         }
-        for (a, row) in to.normal.chunks_exact_mut(size).enumerate() {
-            let left = &self.columns[a * size..(a + 1) * size];
-            for (b, entry) in row.iter_mut().enumerate() {
-                let right = &self.columns[b * size..(b + 1) * size];
-                *entry = left.iter().zip(right).map(|(l, r)| l * r).sum();
+        for (a, left) in self.columns.chunks_exact(size).enumerate() {
+            for (b, right) in self.columns.chunks_exact(size).enumerate().take(a + 1) {
+                let entry = left.iter().zip(right).map(|(l, r)| l * r).sum();
+                to.normal[a * size + b] = entry;
+                to.normal[b * size + a] = entry;
             }
         }
+    }
+
+    /// Where points are centred in groups of so many, all of them moved alike change nothing: the first one's columns
+    /// are what the others leave.
+    fn derive_others(&mut self, group: usize) {
+        let size = 3 * self.points.len();
+        for points in self.columns.chunks_exact_mut(3 * group * size) {
+            let (first, others) = points.split_at_mut(3 * size);
+            first.fill(0.0);
+            for columns in others.chunks_exact(3 * size) {
+                first.iter_mut().zip(columns).for_each(|(to, value)| *to -= value);
+            }
+        }
+    }
+}
+
+/// How many points are centred together.
+fn group(points: usize, centring: Centring) -> usize {
+    match centring {
+        Centring::Together => points,
+        Centring::ByEdge => 2,
+        Centring::Placed => 1,
     }
 }
 

@@ -49,6 +49,8 @@ pub struct ShapeSpace {
     untried: VecDeque<Trial>,
     /// Whether the factor at hand is that of the shape.
     is_at_shape: bool,
+    /// The constraints that nothing holds at the shape: edges that are longer than they have to be.
+    free: Vec<bool>,
     /// Whether nothing is required within a distance: the factor of the shape serves steps from it then.
     is_exact: bool,
 }
@@ -120,6 +122,7 @@ impl ShapeSpace {
         Ok(ShapeSpace {
             normals: normals(problem.mesh, shape),
             shape: shape.to_vec(),
+            free: system.free(),
             subspace: Some((subspace, system)),
             modes: Vec::new(),
             untried: VecDeque::new(),
@@ -259,6 +262,10 @@ impl ShapeSpace {
         let (model, polish) = (&mut self.model, &mut self.polish);
         polish.restart(false);
         if from_shape {
+            // Before a factor that would not serve.
+            if polish.system.is_violated(model, &there, &self.free) {
+                return Ok(false);
+            }
             if !self.is_at_shape {
                 model.x.copy_from_slice(&model.start);
                 polish.system.factor(model, false)?;
