@@ -19,6 +19,7 @@ mod random;
 #[path = "../support/shapes/mod.rs"]
 mod shapes;
 
+mod cases;
 mod conformance;
 mod radius;
 mod rectangle;

@@ -15,4 +15,5 @@ mod asked;
 mod file;
 mod forecast;
 mod fuzzed;
+mod refused;
 mod round_trip;

@@ -17,6 +17,7 @@ mod edits;
 mod edits_json;
 mod halves;
 mod improving;
+mod kept_measures;
 mod lessons;
 mod locks;
 mod make_panels;

@@ -1,0 +1,182 @@
+//! What of a scene file is refused, where it is, and how that is said.
+
+use crate::file::{file_with, refused};
+use shape_up::scene::Scene;
+
+/// What is wrong, the JSON path, and words that the message must have.
+#[rustfmt::skip]
+const REFUSED: &[(&str, &str, &[&str])] = &[
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "require": "hard" }]"#, "constraints[0].require", &["found \"hard\"", "soft", "exact", "within"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "require": { "within": 0 } }]"#, "constraints[0].require.within", &["found 0", "above 0"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "require": { "within": 1 }, "eased": { "within": -2, "faces": [0] } }]"#, "constraints[0].eased.within", &["found -2", "above 0"]),
+    (r#", "solver": { "shortest_edge": 2 }"#, "solver.shortest_edge", &["found 2", "from 0 to 1"]),
+    (r#", "titel": "x""#, "", &["`titel`", "title", "constraints"]),
+    (r#", "title": 3"#, "title", &["found 3", "a text"]),
+    (r#", "up": "x""#, "up", &["found \"x\"", "\"z\" or \"y\""]),
+    (r#", "current": [[0, 1]]"#, "current[0]", &["an array of 2", "[x, y, z]"]),
+    (r#", "sets": { "a": { "vertex": [0] } }"#, "sets.a", &["`vertex`", "vertices, faces"]),
+    (r#", "sets": { "two words": { "vertices": [0.5] } }"#, "sets[\"two words\"].vertices[0]", &["found 0.5", "index"]),
+    (r#", "sets": { "a": {} }"#, "sets.a", &["empty"]),
+    (r#", "sets": { "a": { "vertices": "5-2" } }"#, "sets.a.vertices", &["\"5-2\"", "backwards"]),
+    (r#", "sets": { "a": { "vertices": "1,x" } }"#, "sets.a.vertices", &["\"x\"", "0-199"]),
+    (r#", "sets": { "a": { "vertices": [-1] } }"#, "sets.a.vertices[0]", &["found -1"]),
+    (r#", "sets": { "a": { "vertices": [4294967296] } }"#, "sets.a.vertices[0]", &["found 4294967296"]),
+    (r#", "sets": { "a": { "faces": {} } }"#, "sets.a.faces", &["an object", "list of indices"]),
+    (r#", "constraints": {}"#, "constraints", &["an object", "array"]),
+    (r#", "constraints": [7]"#, "constraints[0]", &["found 7", "\"kind\""]),
+    (r#", "constraints": [{ "on": "faces" }]"#, "constraints[0]", &["`kind` is missing", "circle"]),
+    (r#", "constraints": [{ "kind": "circel", "on": "faces" }]"#, "constraints[0].kind", &["\"circel\"", "line", "plane", "circle", "sphere"]),
+    (r#", "constraints": [{ "kind": "plane" }]"#, "constraints[0]", &["`on` is missing", "\"faces\""]),
+    (r#", "constraints": [{ "kind": "plane", "on": "face" }]"#, "constraints[0].on", &["\"face\"", "\"faces\""]),
+    (r#", "constraints": [{ "kind": "plane", "on": { "each": "faces" } }]"#, "constraints[0].on.each", &["\"faces\"", "\"face\""]),
+    (r#", "constraints": [{ "kind": "plane", "on": { "set": 4 } }]"#, "constraints[0].on.set", &["found 4"]),
+    (r#", "constraints": [{ "kind": "plane", "on": { "set": "a", "radius": 2 } }]"#, "constraints[0].on", &["`radius`", "set"]),
+    (r#", "constraints": [{ "kind": "plane", "on": { "each": "ring", "radius": 0 } }]"#, "constraints[0].on.radius", &["found 0", "from 1"]),
+    (r#", "constraints": [{ "kind": "plane", "on": { "vertices": [] } }]"#, "constraints[0].on.vertices", &["empty"]),
+    (r#", "constraints": [{ "kind": "plane", "on": { "in": "a" } }]"#, "constraints[0].on", &["`each` is missing"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces" }, { "kind": "plane", "on": "faces", "wieght": 2 }]"#, "constraints[1]", &["`wieght`", "weight"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "weight": -1 }]"#, "constraints[0].weight", &["found -1", "from 0"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "weight": "1" }]"#, "constraints[0].weight", &["found \"1\"", "number"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "enabled": 1 }]"#, "constraints[0].enabled", &["found 1", "true or false"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "sclae": [1, 2] }]"#, "constraints[0]", &["`sclae`", "scale"]),
+    (r#", "constraints": [{ "kind": "rigid", "on": "faces", "scale": [1, 2] }]"#, "constraints[0]", &["`scale`", "weight"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": "big" }]"#, "constraints[0].scale", &["big", "[least, greatest]"]),
+    (r#", "constraints": [{ "kind": "line-segment", "on": "edges", "length": "rset" }]"#, "constraints[0].length", &["rset", "\"rest\"", "[least, greatest]"]),
+    (r#", "constraints": [{ "kind": "line-segment", "on": "edges", "length": -1 }]"#, "constraints[0].length", &["found -1", "from 0"]),
+    (r#", "constraints": [{ "kind": "line-segment", "on": "edges", "length": [2, 1] }]"#, "constraints[0].length[1]", &["found 1", "from 2"]),
+    (r#", "constraints": [{ "kind": "equal-length", "on": "faces", "length": 1 }]"#, "constraints[0]", &["`length`", "weight"]),
+    (r#", "constraints": [{ "kind": "angle", "on": "corners", "angle": 181 }]"#, "constraints[0].angle", &["found 181", "from 0 to 180"]),
+    (r#", "constraints": [{ "kind": "angle", "on": "corners", "angle": [90, 80] }]"#, "constraints[0].angle[1]", &["found 80", "from 90"]),
+    (r#", "constraints": [{ "kind": "area", "on": "faces", "area": "now" }]"#, "constraints[0].area", &["now", "\"rest\""]),
+    (r#", "constraints": [{ "kind": "volume", "on": "tets", "strain": -1 }]"#, "constraints[0].strain", &["found -1", "from 0"]),
+    (r#", "constraints": [{ "kind": "bending", "on": "hinges", "bend": "flat" }]"#, "constraints[0].bend", &["flat", "[least, greatest]"]),
+    (r#", "constraints": [{ "kind": "symmetry", "on": "boundary", "mirror": [0, 0, 0] }]"#, "constraints[0].mirror", &["[0, 0, 0]", "direction"]),
+    (r#", "constraints": [{ "kind": "symmetry", "on": "boundary", "axis": [0, 0, 1], "fold": 2.5 }]"#, "constraints[0].fold", &["found 2.5", "whole number from 2 to 360"]),
+    (r#", "constraints": [{ "kind": "symmetry", "on": "boundary", "axis": "z" }]"#, "constraints[0].axis", &["\"z\"", "direction"]),
+    (r#", "constraints": [{ "kind": "on-curve", "on": "boundary", "corners": 200 }]"#, "constraints[0].corners", &["found 200", "from 0 to 180"]),
+    (r#", "constraints": [{ "kind": "on-curve", "on": "boundary", "closed": "maybe" }]"#, "constraints[0].closed", &["maybe", "auto", "yes", "no"]),
+    (r#", "constraints": [{ "kind": "on-surface", "on": "boundary", "surface": null }]"#, "constraints[0]", &["`surface`", "weight"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "normal": [0, 0, 0] }]"#, "constraints[0].normal", &["found [0, 0, 0]", "[x, y, z], not all zero"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "along": [0, "1", 0] }]"#, "constraints[0].along[1]", &["\"1\"", "a number"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "normal": [0, 0, 1], "along": [1, 0, 0] }]"#, "constraints[0]", &["both `normal` and `along`"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "norml": [0, 0, 1] }]"#, "constraints[0]", &["`norml`", "normal, along"]),
+    (r#", "constraints": [{ "kind": "line", "on": "faces", "direction": "up" }]"#, "constraints[0].direction", &["\"up\"", "[x, y, z]"]),
+    (r#", "constraints": [{ "kind": "rectangle", "on": "faces", "fit": "line" }]"#, "constraints[0].fit", &["`line`", "`closest`", "`lines`"]),
+    (r#", "constraints": [{ "kind": "circle", "on": "faces", "radius": -1 }]"#, "constraints[0].radius", &["found -1", "from 0"]),
+    (r#", "constraints": [{ "kind": "sphere", "on": "faces", "radius": [2, 1] }]"#, "constraints[0].radius[1]", &["found 1", "from 2"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": null }]"#, "constraints[0].scale", &["null", "[least, greatest]"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1] }]"#, "constraints[0].scale", &["1", "[least, greatest]"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1, 2, 3] }]"#, "constraints[0].scale", &["more than two", "[least, greatest]"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [-1, 2] }]"#, "constraints[0].scale[0]", &["found -1", "from 0", "null"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1, "2"] }]"#, "constraints[0].scale[1]", &["\"2\"", "number", "null"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [2, 1] }]"#, "constraints[0].scale[1]", &["found 1", "from 2"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [null, -0.5] }]"#, "constraints[0].scale[1]", &["found -0.5", "from 0"]),
+    (r#", "handles": [{ "vertices": [0], "target": [[0, 0, 0]] }]"#, "handles[0]", &["`target`", "targets"]),
+    (r#", "handles": [{ "targets": [[0, 0, 0]] }]"#, "handles[0]", &["`vertices` is missing"]),
+    (r#", "handles": [{ "vertices": [] }]"#, "handles[0].vertices", &["empty"]),
+    (r#", "handles": [{ "vertices": [0, 1], "targets": [[0, 0, 0]] }]"#, "handles[0].targets", &["found 1", "2 vertices"]),
+    // A key that may be absent is not null where it is there.
+    (r#", "current": null"#, "current", &["found null"]),
+    (r#", "lesson": null"#, "lesson", &["found null"]),
+    (r#", "build": null"#, "build", &["found null"]),
+    (r#", "build": { "kind": "corners" }"#, "build.kind", &["corners", "corner", "face", "edge"]),
+    (r#", "build": { "scale": 0 }"#, "build.scale", &["found 0", "above 0"]),
+    (r#", "build": { "joint": -1 }"#, "build.joint", &["found -1", "from 0"]),
+    (r#", "build": { "sheet": [600] }"#, "build.sheet", &["1", "expected"]),
+    (r#", "build": { "sheet": [600, "400"] }"#, "build.sheet[1]", &["\"400\"", "number"]),
+    (r#", "build": { "limits": { "wrap": 1 } }"#, "build.limits", &["`wrap`", "warp"]),
+    (r#", "closeness": { "boundary": null }"#, "closeness.boundary", &["found null"]),
+    (r#", "handles": [{ "vertices": [0], "weight": null }]"#, "handles[0].weight", &["found null", "number"]),
+    (r#", "handles": [{ "vertices": [0], "targets": [[0, null, 0]] }]"#, "handles[0].targets[0][1]", &["found null", "number"]),
+    (r#", "handles": [{ "vertices": [0], "weight": 0 }]"#, "handles[0].weight", &["found 0", "above 0"]),
+    (r#", "handles": [{ "vertices": [0], "weight": 2, "fixed": true }]"#, "handles[0].weight", &["fixed"]),
+    (r#", "weights": { "shape": -0.5 }"#, "weights.shape", &["found -0.5", "from 0"]),
+    (r#", "weights": { "closeness": 1 }"#, "weights", &["`closeness`", "shape, close, smooth"]),
+    (r#", "closeness": { "to": "curve" }"#, "closeness.to", &["\"curve\"", "\"surface\"", "\"none\""]),
+    (r#", "closeness": { "to": { "mesh": 5 } }"#, "closeness.to.mesh", &["found 5", "path"]),
+    (r#", "closeness": { "corners": 45 }"#, "closeness", &["`corners`", "to, weights, boundary"]),
+    (r#", "closeness": { "weights": { "eaves": 3 } }"#, "closeness.weights", &["an object", "array"]),
+    (r#", "closeness": { "weights": [{ "weight": 3 }] }"#, "closeness.weights[0]", &["`on` is missing", "\"faces\""]),
+    (r#", "closeness": { "weights": [{ "on": "boundary" }] }"#, "closeness.weights[0]", &["`weight` is missing", "from 0"]),
+    (r#", "closeness": { "weights": [{ "on": "faces", "weight": 1 }, { "on": "edge", "weight": 1 }] }"#, "closeness.weights[1].on", &["\"edge\"", "\"edges\""]),
+    (r#", "closeness": { "weights": [{ "on": "faces", "weight": -2 }] }"#, "closeness.weights[0].weight", &["found -2", "from 0"]),
+    (r#", "closeness": { "weights": [{ "on": "faces", "factor": 2 }] }"#, "closeness.weights[0]", &["`factor`", "on, weight"]),
+    (r#", "closeness": { "boundary": true }"#, "closeness.boundary", &["found true", "an object"]),
+    (r#", "closeness": { "boundary": { "angle": 45 } }"#, "closeness.boundary", &["`angle`", "corners"]),
+    (r#", "closeness": { "boundary": { "corners": "45" } }"#, "closeness.boundary.corners", &["\"45\"", "degrees"]),
+    (r#", "closeness": { "boundary": { "corners": 181 } }"#, "closeness.boundary.corners", &["found 181", "0 to 180"]),
+    (r#", "closeness": { "boundary": { "corners": -1 } }"#, "closeness.boundary.corners", &["found -1", "0 to 180"]),
+    (r#", "smoothness": { "of": 1 }"#, "smoothness.of", &["found 1", "\"displacement\""]),
+    (r#", "smoothness": { "weighting": "cot" }"#, "smoothness.weighting", &["\"cot\"", "\"cotangent\""]),
+    (r#", "solver": { "iterations": -3 }"#, "solver.iterations", &["found -3", "from 0"]),
+    (r#", "solver": { "iterations": 1.5 }"#, "solver.iterations", &["found 1.5", "whole"]),
+    (r#", "solver": { "tolerance": -1e-9 }"#, "solver.tolerance", &["-0.000000001", "from 0"]),
+    (r#", "solver": { "factorization": "dense" }"#, "solver.factorization", &["\"dense\"", "\"supernodal\" or \"sprs-ldl\""]),
+    (r#", "solver": { "accelerator": "newton" }"#, "solver.accelerator", &["\"newton\"", "\"anderson\""]),
+    (r#", "solver": { "threads": 4 }"#, "solver", &["`threads`", "iterations"]),
+];
+
+#[test]
+fn what_does_not_fit_is_refused_with_its_path() {
+    for (rest, path, words) in REFUSED {
+        let error = refused(&file_with(rest));
+        assert_eq!(error.path, *path, "{rest}: {error}");
+        for word in *words {
+            assert!(error.message.contains(word), "{rest}: {error}: expected {word}");
+        }
+        assert!(!error.to_string().contains('\n'), "{error}");
+    }
+}
+
+#[test]
+fn another_format_or_version_is_refused_before_its_keys_are_looked_at() {
+    let error = refused(r#"{ "format": "svg", "shapes": [] }"#);
+    assert_eq!(error.path, "format");
+    assert!(error.message.contains("\"svg\"") && error.message.contains("\"shape-up-scene\""));
+    let error = refused(r#"{ "vertices": [] }"#);
+    assert!(error.path.is_empty() && error.message.contains("`format` is missing"), "{error}");
+    let error = refused(r#"{ "format": "shape-up-scene", "version": 2, "threads": 4 }"#);
+    assert_eq!(error.path, "version");
+    assert!(error.message.contains("version 2") && error.message.contains("version 1"), "{error}");
+    for version in ["0", "\"1\"", "1.5", "null"] {
+        let error = refused(&format!(r#"{{ "format": "shape-up-scene", "version": {version} }}"#));
+        assert_eq!(error.path, "version", "{error}");
+    }
+    for text in ["[]", "3", "null", "\"scene\""] {
+        let error = refused(text);
+        assert!(error.path.is_empty() && error.message.contains("expected a scene"), "{error}");
+    }
+}
+
+#[test]
+fn what_is_not_json_is_refused_with_line_and_column() {
+    let error = refused("{\n  \"format\": shape,\n}");
+    assert!(error.message.contains("line 2, column 13"), "{error}");
+    assert!(refused("").message.contains("empty"));
+    assert!(refused(" \n").message.contains("empty"));
+    let error = refused(&file_with(r#", "title": "a", "title": "b""#));
+    assert!(error.message.contains("`title` occurs twice"), "{error}");
+    let error = refused(&file_with(r#", "weights": { "shape": 1e999 }"#));
+    assert!(error.message.contains("line 1") && error.message.contains("number"), "{error}");
+    let deep = "[".repeat(5000);
+    assert!(refused(&deep).message.contains("recursion"));
+}
+
+#[test]
+fn no_size_in_a_file_takes_memory_that_the_file_cannot_fill() {
+    // Each list was checked by itself: forty of them, 1.5 kB of text, asked for 16 GB.
+    for last in [99_999_998, 999_999] {
+        let set = |k: u32| format!(r#""s{k}": {{ "vertices": "0-{last}" }}"#);
+        let sets = (0..40).map(set).collect::<Vec<_>>().join(", ");
+        let error = refused(&file_with(&format!(r#", "sets": {{ {sets} }}"#)));
+        assert!(error.path.starts_with("sets.s") && error.path.ends_with(".vertices"), "{error}");
+        assert!(error.message.contains("longer than any mesh"), "{error}");
+    }
+    // As many as a large mesh has are no matter.
+    let one = file_with(r#", "sets": { "all": { "vertices": "0-999999" } }"#);
+    assert_eq!(Scene::from_json(&one).unwrap().sets["all"].vertices.len(), 1_000_000);
+    // An accelerator keeps as many shapes as its window is wide.
+    let error = refused(&file_with(r#", "solver": { "window": 4294967295 }"#));
+    assert_eq!(error.path, "solver.window");
+    assert!(error.message.contains("from 0 to 50"), "{error}");
+}
