@@ -86,7 +86,7 @@ await main(() => {
     module('parts module', 'build', 297),
     module('view, WebGPU', 'view-webgpu', 189),
     module('view, WebGL2', 'view-webgl2', 900),
-    row('first visit', [...first], 82 * kB),
+    row('first visit', [...first], 78 * kB),
     row('first picture', [firstPicture], 23 * kB),
     ...LATER.map(([name, , budget]) => row(name, later.get(name), budget * kB)),
     row('other dialogs', others, 86 * kB),

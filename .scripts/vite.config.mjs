@@ -109,6 +109,33 @@ const layers = {
 /** The pages of the site. */
 const pages = ['index', 'gallery', 'projections', 'licences', 'embed', 'embedding'];
 
+const documents = pages.map((page) => at('www', `${page}.html`));
+/**
+ * Of which file of the first visit a module is, if of any: what the workbench begins with is one file, and
+ * what the other pages begin with as well is another. Modules that are shared with what comes later would
+ * otherwise be a file each, which pack worse than together.
+ * @param {string} id
+ * @param {{ getModuleInfo(id: string): { importedIds: readonly string[] } | null }} graph
+ */
+function firstFile(id, graph) {
+  const [workbench, ...others] = documents.map((document) => begunWith(document, graph));
+  if (!workbench.has(id)) return null;
+  return others.some((other) => other.has(id)) ? 'common' : 'workbench';
+}
+
+/** @type {Map<string, Set<string>>} */
+const begun = new Map();
+/** The modules that a page loads at once. */
+function begunWith(document, graph) {
+  const known = begun.get(document);
+  if (known) return known;
+  const found = new Set([document]);
+  for (const id of found)
+    for (const imported of graph.getModuleInfo(id)?.importedIds ?? []) found.add(imported);
+  begun.set(document, found);
+  return found;
+}
+
 /** What is told of the solver's module while it loads. */
 const solverBytes = statSync(at('www', 'pkg', 'solver', 'shape_up_bg.wasm')).size;
 
@@ -133,7 +160,13 @@ export default {
     target: 'es2022',
     // A module that is inlined as text cannot be compiled while it arrives.
     assetsInlineLimit: 0,
-    rolldownOptions: { input: pages.map((page) => at('www', `${page}.html`)), output },
+    rolldownOptions: {
+      input: documents,
+      output: {
+        ...output,
+        codeSplitting: { groups: [{ name: firstFile, debugName: 'first visit' }] },
+      },
+    },
   },
   // The same names: what the page and a worker both load is one file.
   worker: { format: 'es', plugins: () => [told()], rolldownOptions: { output } },

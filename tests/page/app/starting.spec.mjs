@@ -8,7 +8,7 @@ const REMEDY = 'Check the network, then reload the page.';
 /** What is missing, how it fails, and what is said then. */
 const FAILURES = {
   'the script of the page is not there': {
-    missing: '**/assets/index-*.js',
+    missing: '**/assets/workbench-*.js',
     status: 404,
     words: `Shape-Up could not be started (a part of the page could not be fetched). ${REMEDY}`,
   },
