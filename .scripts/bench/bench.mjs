@@ -9,6 +9,7 @@ import { main, outputOf, Problem, say } from '../run.mjs';
 import { setUp } from '../setup.mjs';
 import { measureExact, measureExactPeers } from './exact/measure.mjs';
 import { browserSolver, buildBenchModule } from './in-browser.mjs';
+import { measureLook } from './look.mjs';
 import {
   mapSizes,
   measureConvergence,
@@ -31,6 +32,9 @@ import { markdown } from './tables.mjs';
 const PANELS = [1000, 3000, 10_000];
 /** Ten models in turn are of this size, or of the largest one that is measured. */
 const MODELS_SIZE = 10_000;
+
+/** What these parts measure is the page or its view. */
+const WITHOUT_SOLVER = new Set(['start', 'look']);
 
 /** What is measured in the browser is built as it is shipped. */
 async function build({ where, parts, trial }) {
@@ -85,7 +89,9 @@ async function measureOurs(asked) {
 }
 
 /** Where problems can be measured: { native, browser }, as far as they are asked for. */
-async function placesOf({ where, trial }) {
+async function placesOf({ where, trial, parts }) {
+  if ([...parts].every((part) => WITHOUT_SOLVER.has(part)))
+    return { places: {}, native: null, browser: null };
   const native = await nativeSolver(trial ? 'dev' : 'release');
   const inNative = {
     perform: native,
@@ -113,6 +119,7 @@ async function measure(options, words) {
   await build(options);
   const { places, native, browser } = await placesOf(options);
   if (browser) results.machine.browser = browser.version;
+  const inBrowser = options.where.includes('browser');
   const asked = { sizes, letters, places, native, limitMs, trial };
   /** What each part of the benchmark adds to the results. */
   const measures = {
@@ -131,7 +138,7 @@ async function measure(options, words) {
       if (browser) results.models = await measureModels(browser, size);
     },
     async start() {
-      if (browser) results.start = await measureStart(full ? 5 : 3);
+      if (inBrowser) results.start = await measureStart(full ? 5 : 3);
     },
     async build() {
       const panels = trial ? [100] : PANELS;
@@ -143,6 +150,9 @@ async function measure(options, words) {
     },
     async operators() {
       results.operators = await measureOperators({ browser, native: places.native });
+    },
+    async look() {
+      if (inBrowser) results.look = await measureLook({ trial });
     },
     async peers() {
       results.peers = await measurePeers(options, places);

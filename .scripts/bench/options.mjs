@@ -15,12 +15,13 @@ export const parts = [
     'build',
     'exact',
     'operators',
+    'look',
     'peers',
   ],
 ];
 
 /** Those that are measured only where they are named, or all are. */
-const ASKED_FOR = ['factors', 'build', 'exact', 'operators', 'peers'];
+const ASKED_FOR = ['factors', 'build', 'exact', 'operators', 'look', 'peers'];
 
 export const usage = `npm run bench -- [options]
 

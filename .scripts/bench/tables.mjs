@@ -182,6 +182,15 @@ export function partsTable(rows) {
   );
 }
 
+/** A frame with and without the look. */
+export function lookTable(rows) {
+  const head = ['of the look', 'triangles', 'ms per frame (10–90 %)', 'over nothing of it'];
+  return table(
+    head,
+    rows.map((row) => [row.look, number(row.triangles), ranged(row), number(row.ratio)]),
+  );
+}
+
 /** Milliseconds since the navigation began. */
 export function startTable(start) {
   const names = { cold: 'first visit', warm: 'second visit', again: 'third visit' };
@@ -248,7 +257,7 @@ export function machineText({ command, date, processor, cores, browser, rustc, c
 /** Everything that was measured. */
 export function markdown(results) {
   const { iterations, factors, maps, convergence, models, start, operators, peers } = results;
-  const { parts, exact, exactPeers } = results;
+  const { parts, exact, exactPeers, look } = results;
   const sections = [`# How fast it is\n\n${machineText(results.machine)} Milliseconds, medians.`];
   const add = (title, ...texts) => sections.push(`## ${title}\n\n${texts.join('\n\n')}`);
   const titles = Object.entries(problems).filter(([, problem]) => !problem.for);
@@ -293,6 +302,11 @@ export function markdown(results) {
     add('Hard constraints and other libraries', exactPeerTable(exactPeers, exact), note);
   }
   if (start) add('Opening the page', startTable(start));
+  if (look?.length) {
+    const note =
+      'Frames of a turning model at 1440x900, one of each in turn, drawn by software; the ratio is the median of those to the frame beside it.';
+    add('The look', lookTable(look), note);
+  }
   if (peers) {
     const notes = new Map(peers.map(({ what, equal, differs }) => [what, [equal, differs]]));
     const lines = [...notes].map(

@@ -125,6 +125,11 @@ const targets = [
     },
   })),
   {
+    name: 'all of the look, by software: times a frame without it',
+    most: 4 / 3,
+    find: ({ look }) => look?.at(-1)?.ratio,
+  },
+  {
     name: 'compas_shapeop over ours in the browser, at the largest size',
     least: 5,
     find: ({ peers }) => {
