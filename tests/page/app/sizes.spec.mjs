@@ -16,13 +16,34 @@ const legend = (page) => page.locator('#legend');
 const overlap = (a, b) =>
   a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 
-/** How high the model is on the page. */
-async function heightOfModel(page) {
+/** Where the vertices are seen on the page. */
+async function placesOfModel(page) {
   const places = await page.evaluate(() =>
     Array.from({ length: window.shapeUp.state().vertices }, (_, v) => window.shapeUp.screen(v)),
   );
-  const ys = places.filter((at) => at !== null).map(([, y]) => y);
+  return places.filter((at) => at !== null);
+}
+
+/** How high the model is on the page. */
+async function heightOfModel(page) {
+  const ys = (await placesOfModel(page)).map(([, y]) => y);
   return Math.max(...ys) - Math.min(...ys);
+}
+
+/** What can be pressed in the window and is narrower or lower than 44 px: its name and its size. */
+function smallTargets(page) {
+  return page.evaluate((least) => {
+    const all = document.querySelectorAll('button, a[href], select, input, summary, label.button');
+    return [...all].flatMap((one) => {
+      // Its words are pressed as well.
+      const box = ['checkbox', 'file'].includes(one.type) ? one.closest('label') : one;
+      const { left, top, right, bottom, width, height } = box.getBoundingClientRect();
+      const isSeen = width > 0 && getComputedStyle(one).visibility === 'visible';
+      const isInWindow = right > 0 && bottom > 0 && left < innerWidth && top < innerHeight;
+      if (!isSeen || !isInWindow || Math.min(width, height) > least - 0.5) return [];
+      return [`${one.ariaLabel ?? one.textContent} ${width} × ${height}`];
+    });
+  }, 44);
 }
 
 /** Opens a roof and makes its panels flat: the verdict and the legend are over the view. */
@@ -140,6 +161,29 @@ test.describe('a telephone on its side', () => {
     await expect(card(page)).toBeHidden();
   });
 
+  test('the legend is below the model', async ({ page }) => {
+    await makeFlat(page);
+    await card(page).getByRole('button', { name: 'Close' }).click();
+    await expect(legend(page)).toBeVisible();
+    const { y, height } = await legend(page).boundingBox();
+    expect(height).toBeLessThan(60);
+    await expect
+      .poll(async () => Math.max(...(await placesOfModel(page)).map(([, down]) => down)))
+      .toBeLessThan(y);
+  });
+
+  test('what is touched is as large as a finger', async ({ page }) => {
+    await openPage(page);
+    expect(await smallTargets(page)).toEqual([]);
+    await page.getByRole('button', { name: 'Select', exact: true }).click();
+    await page.keyboard.press('Control+a');
+    await expect(page.locator('#select-bar')).toBeVisible();
+    expect(await smallTargets(page)).toEqual([]);
+    await page.goto('./?embed&autoplay');
+    await expect(page.getByRole('link', { name: 'Open in Shape-Up' })).toBeVisible();
+    expect(await smallTargets(page)).toEqual([]);
+  });
+
   test('the button that one came for is in sight in every dialog', async ({ page }) => {
     await makeFlat(page);
     await tool(page, 'Share');
@@ -180,6 +224,14 @@ test.describe('a telephone', () => {
       .locator('label:has(> input)')
       .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().height));
     expect(Math.min(...heights)).toBeGreaterThanOrEqual(44);
+  });
+
+  test('the bar of selecting is as large as fingers, too', async ({ page }) => {
+    await openPage(page);
+    await page.getByRole('button', { name: 'Select', exact: true }).click();
+    await page.keyboard.press('Control+a');
+    await expect(page.locator('#select-bar')).toBeVisible();
+    expect(await smallTargets(page)).toEqual([]);
   });
 
   test('the card of curvature leaves the model free', async ({ page }) => {

@@ -7,6 +7,7 @@
 import './make-panels.css';
 import { button, closeButton } from '../../ui/controls/fields.js';
 import { RENEW_MS, byId, element, leave, setText, throttled } from '../../ui/dom.js';
+import { cover } from '../../viewport/covered.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 import { panelButtons } from './buttons.js';
 import { addButtons } from './refine-buttons.js';
@@ -16,8 +17,6 @@ import { progressWords, verdictWords } from './verdict.js';
 
 /** So long the mesh is on its way at least: a jump would not show what becomes of it. */
 const TRANSITION_MS = 800;
-/** Between the card and what is framed above it, in CSS pixels. */
-const GAP = 8;
 const still = matchMedia('(prefers-reduced-motion: reduce)');
 
 export class MakePanels {
@@ -245,11 +244,8 @@ export class MakePanels {
 
   /** What is framed is seen whole above the card. */
   #cover() {
-    const { hidden, offsetTop, offsetParent } = this.#card;
-    const height = offsetParent?.clientHeight ?? 0;
-    const covered = hidden || !height ? 0 : height - offsetTop + GAP;
+    const covered = cover(this.#app.viewport, this.#card);
     byId('main').style.setProperty('--covered', `${covered}px`);
-    this.#app.viewport.with((view) => view.cover(covered));
   }
 }
 

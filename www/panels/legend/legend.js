@@ -3,9 +3,11 @@
  * which can be dragged or entered, how many faces are within the tolerance, and how far the mesh moved.
  */
 
+import { cover } from '../../viewport/covered.js';
 import { rampOf } from '../../viewport/ramp.js';
 import { checkbox, choice, setOptions } from '../../ui/controls/fields.js';
 import { element, setAttribute, setText } from '../../ui/dom.js';
+import { isEmbedded } from '../../ui/embedded.js';
 import { groupDigits, number, round } from '../../ui/format.js';
 import {
   declared,
@@ -31,6 +33,9 @@ const MAPS = [
   ['diverging', 'Diverging', 'Blue within the tolerance, red beyond it'],
   ['grey', 'Grey', 'All values, for print'],
 ];
+
+/** On a telephone on its side it is a strip below the model. */
+const strip = matchMedia('(min-width: 700px) and (max-height: 480px)');
 
 /**
  * @param {HTMLElement} place
@@ -90,6 +95,7 @@ export function legend(place, { store, viewport, actions }, fit) {
     facts,
     element('div.ends.switches', map, log.label),
   );
+  new ResizeObserver(() => cover(viewport, place, strip.matches && !isEmbedded)).observe(place);
   const toleranceRow = /** @type {HTMLElement} */ (tolerance.closest('div'));
 
   /** The unit of all values of the measure: that of its tolerance, or of its greatest value. */
