@@ -144,6 +144,9 @@ export function scriptApi(store, solver, viewport, files) {
       return pictureOf(viewport, store.get(), { scale, ground, legend });
     },
 
+    /** The lines that are seen, as the text of an SVG file for print; nothing where nothing can draw. */
+    lineDrawing: () => viewport.lineDrawing(),
+
     /**
      * A film (WebM) in which the model turns once.
      * @param {number} [seconds] that it takes, 6 if none are given

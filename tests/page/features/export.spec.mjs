@@ -173,6 +173,7 @@ test('a line drawing for print has the lines that are seen, in millimetres', asy
   expect(lines.width).toMatch(side);
   expect(lines.height).toMatch(side);
   expect([parseFloat(lines.width) <= 277, parseFloat(lines.height) <= 190]).toEqual([true, true]);
+  expect(await page.evaluate(() => window.shapeUp.lineDrawing())).toBe(text);
 });
 
 test('a file of Rhino goes out and comes back', async ({ page }) => {
