@@ -97,6 +97,14 @@ test('what fails is red on the sheet at once, and one press makes it fit', async
   expect(flatness.failed).toBeGreaterThan(0);
   const failed = () => outlinesOf(panel(page), 'failed');
   await expect.poll(failed).toHaveLength(flatness.failed);
+  // No line is red that is not of what fails: cuts are so in the files alone.
+  const lines = panel(page).locator('.sheets path:not(.failed-sides)');
+  const colours = await lines.evaluateAll((all) => all.map((one) => getComputedStyle(one).stroke));
+  const isRed = (colour) => {
+    const [red, green, blue] = (colour.match(/\d+/g) ?? [0, 0, 0]).map(Number);
+    return red > 2 * Math.max(green, blue);
+  };
+  expect(colours.filter(isRed)).toEqual([]);
 
   // The slider shows the check of another distance before it is let go.
   const slider = panel(page).getByLabel('Distance');
