@@ -8,9 +8,9 @@ use glam::{Vec2, Vec3};
 use std::fmt::Write;
 
 /// Circles of a smaller radius on the screen are drawn fainter, as in `shaders/circles.wgsl`, CSS pixels.
-const FULL_OPACITY: f32 = 15.0;
+const FULL_OPACITY: f32 = 20.0;
 /// Of this radius they are not seen.
-const NO_OPACITY: f32 = 1.5;
+const NO_OPACITY: f32 = 2.0;
 
 /// Axes of ellipses are rounded to so many degrees.
 const TURN: f32 = 6.0;

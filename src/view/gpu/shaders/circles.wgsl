@@ -41,7 +41,7 @@ fn corner_of_circle(
     out.at = quad.at;
     out.ends = vec4f(quad.start, quad.end);
     out.half_width = half_width;
-    out.opacity = scene.circle.colour.a * clamp((radius_on_screen - 1.5) / 13.5, 0.0, 1.0);
+    out.opacity = scene.circle.colour.a * clamp((radius_on_screen - 2.0) / 18.0, 0.0, 1.0);
     return out;
 }
 
