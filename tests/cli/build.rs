@@ -120,3 +120,41 @@ fn what_cannot_be_built_or_asked_is_refused_in_one_line() {
         assert!(ended.err.contains(asked[0]), "{ended:?}");
     }
 }
+
+#[test]
+fn what_cannot_be_written_leaves_every_file_as_it_was_and_no_folder_behind() {
+    let folder = Folder::new("build-half");
+    folder.write("roof.obj", ROOF).write("busy", "");
+    std::fs::create_dir_all(folder.0.join("parts/sheets.pdf")).unwrap();
+    folder.write("parts/panels.csv", "of before").write("parts/sheet-01.svg", "of before");
+    let mut places = vec![
+        // One of the drawings is a folder: some come before it, and some after.
+        ["parts", "r.json"],
+        ["new/deep", "gone/r.json"],
+        ["new/deep", "parts"],
+        ["busy", "r.json"],
+        ["busy/parts", "r.json"],
+    ];
+    // A disk that is full when everything but the last file is written.
+    if std::path::Path::new("/dev/full").exists() {
+        places.push(["new/deep", "/dev/full"]);
+    }
+    for [out, report] in places {
+        folder
+            .run(&["build", "roof.obj", "--out", out, "--report", report])
+            .refused(&["cannot be"]);
+        assert_eq!(folder.files(), ["busy", "parts", "roof.obj"], "{out} {report}");
+        let mut parts: Vec<_> = std::fs::read_dir(folder.0.join("parts"))
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        parts.sort();
+        assert_eq!(parts, ["panels.csv", "sheet-01.svg", "sheets.pdf"], "{out} {report}");
+        for kept in ["parts/panels.csv", "parts/sheet-01.svg"] {
+            assert_eq!(folder.read(kept), "of before", "{out} {report}");
+        }
+    }
+    std::fs::remove_dir(folder.0.join("parts/sheets.pdf")).unwrap();
+    folder.run(&["build", "roof.obj", "--out", "parts"]).done();
+    assert!(folder.read("parts/panels.csv").starts_with("name,"));
+}

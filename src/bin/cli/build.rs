@@ -1,5 +1,6 @@
 //! `shape-up build`: panels on sheets, the build check, and their files.
 
+use super::folder::MadeFolders;
 use super::{Failure, arguments, input, output};
 use shape_up::fabricate::{
     Build, BuildReport, BuildSettings, CheckRow, FrameReport, LengthInMetres, PRESENTATION,
@@ -29,14 +30,9 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let unit = LengthInMetres { symbol: unit.symbol.to_owned(), metres: unit.metres };
     let build = Build::new(&mesh, &settings, unit).map_err(|fault| at(fault.to_string()))?;
     let report = build.report();
+    let _made = asked.out.as_deref().map(MadeFolders::make).transpose()?;
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     if let Some(folder) = &asked.out {
-        std::fs::create_dir_all(folder).map_err(|error| {
-            Failure::Input(format!(
-                "{}: cannot be made: {error}, expected the name of a folder",
-                folder.display()
-            ))
-        })?;
         let drawn = build.files().into_iter();
         files.extend(drawn.map(|file| (folder.join(file.name), file.text.into_bytes())));
         files.push((folder.join(PRESENTATION), build.presentation(scene.up == Up::Z)));

@@ -1,5 +1,6 @@
 //! `shape-up examples`: lists the examples, or writes their scenes and models.
 
+use super::folder::MadeFolders;
 use super::{Failure, output};
 use serde::Serialize;
 use shape_up::constraint::Info;
@@ -88,12 +89,7 @@ pub(super) fn list() -> Result<(), Failure> {
 /// Writes `<id>.shapeup.json` and the mesh of each example, and `index.json`. Meshes are OBJ, those
 /// with tetrahedra Medit.
 pub(super) fn write(folder: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|error| {
-        Failure::Input(format!(
-            "{}: cannot be made: {error}, expected the name of a folder",
-            folder.display()
-        ))
-    })?;
+    let _made = MadeFolders::make(folder)?;
     let mut files: Vec<(PathBuf, String)> = Vec::new();
     let built: Vec<_> = EXAMPLES.iter().map(|example| (example, example.build())).collect();
     let mut index = Vec::new();

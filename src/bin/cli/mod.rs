@@ -7,6 +7,7 @@
 //! | `usage` | how the program is called |
 //! | `input` | mesh and scene files in |
 //! | `output` | files and standard output, whole or not at all |
+//! | `folder` | folders for several files |
 //! | `meshes` | the commands `new`, `edit` and `refine`, and a solved mesh as a file |
 //! | `solve`, `build`, `check`, `parametrize`, `examples`, `experiment` | the commands of these names |
 //! | `results` | `check` of what a student hands in |
@@ -16,6 +17,7 @@ mod build;
 mod check;
 mod examples;
 mod experiment;
+mod folder;
 mod input;
 mod meshes;
 mod output;
