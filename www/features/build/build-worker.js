@@ -3,8 +3,8 @@
  * so that whoever only shapes does not wait for it.
  */
 
-import { zipSync, strToU8 } from 'fflate';
 import init, { Builder, buildOffers } from '../../pkg/build/shape_up.js';
+import { archive } from './archive.js';
 import { messageOf } from '../../solver/messages.js';
 
 /** @typedef {import("../../solver/messages.js").BuildRequest} BuildRequest */
@@ -47,7 +47,7 @@ const layerOf = (builder) => ({
   panels: builder.failedPanels(),
 });
 
-/** @type {{ [Type in keyof BuildReplies]: (request: Extract<BuildRequest, { type: Type }>) => BuildReplies[Type] }} */
+/** @type {{ [Type in keyof BuildReplies]: (request: Extract<BuildRequest, { type: Type }>) => BuildReplies[Type] | Promise<BuildReplies[Type]> }} */
 const ANSWERS = {
   offers: () => buildOffers(),
   build({ sheets, ...shape }) {
@@ -76,9 +76,9 @@ const ANSWERS = {
     /** @type {{ name: string, text: string }[]} */
     const files = builder?.files() ?? [];
     /** @type {[string, Uint8Array<ArrayBuffer>][]} */
-    const entries = files.map(({ name, text }) => [name, strToU8(text)]);
+    const entries = files.map(({ name, text }) => [name, new TextEncoder().encode(text)]);
     if (builder) entries.push([PRESENTATION, new Uint8Array(builder.presentation(zUp))]);
-    return zipSync(Object.fromEntries(entries));
+    return archive(entries);
   },
 };
 
@@ -87,7 +87,7 @@ onmessage = async ({ data: { id, request } }) => {
   try {
     await ready;
     const answer = /** @type {(request: BuildRequest) => unknown} */ (ANSWERS[request.type]);
-    const value = answer(request);
+    const value = await answer(request);
     postMessage({ id, value }, value instanceof Uint8Array ? [value.buffer] : []);
   } catch (error) {
     postMessage({ id, refused: messageOf(error) });
