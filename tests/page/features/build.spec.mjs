@@ -229,6 +229,38 @@ test('a tolerance is chosen by how many types of panels it leaves', async ({ pag
   expect((await sceneOf(page)).build.alike).toBe(at);
 });
 
+test('types of panels, of edges and of nodes are counted at each tolerance', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  await openBuild(page);
+  const what = panel(page).getByLabel('Types of', { exact: true });
+  await expect(what.locator('option')).toHaveCount(2);
+  await panel(page).getByLabel('Make').selectOption('fins');
+  const { build } = await waitForState(page, (now) => now.build?.product === 'fins');
+  const { edge_types_curve: edges, types_curve: panels, frame } = build;
+  for (const [noun, curve] of Object.entries({ edges, panels, nodes: frame.node_types_curve })) {
+    await what.selectOption(noun);
+    const bars = panel(page)
+      .getByRole('group', { name: `Types of ${noun}` })
+      .getByRole('button');
+    const names = await bars.evaluateAll((all) => all.map((bar) => parseInt(bar.ariaLabel)));
+    expect(names).toEqual(curve.map(([, types]) => types));
+  }
+  // It stays when a tolerance is taken: that of edges is a length, that of nodes an angle.
+  const bars = panel(page).getByRole('group', { name: 'Types of nodes' }).getByRole('button');
+  await bars.last().click();
+  await waitForState(page, (now) => now.build?.frame.alike_deg === 2);
+  await what.selectOption('edges');
+  await panel(page)
+    .getByRole('group', { name: 'Types of edges' })
+    .getByRole('button')
+    .first()
+    .click();
+  await waitForState(page, (now) => now.build?.edge_types > 1);
+  await expect(what).toHaveValue('edges');
+  expect((await sceneOf(page)).build).toMatchObject({ alike: edges[0][0], alike_deg: 2 });
+});
+
 test('the report is one page with the numbers of the card, which is saved and printed', async ({
   page,
 }) => {

@@ -1,19 +1,72 @@
-/** How many types of parts there are at each tolerance, as bars; a press takes that tolerance. */
+/** How many types of panels, edges or nodes there are at each tolerance, as bars; a press takes that tolerance. */
 
-import { element, setText } from '../../ui/dom.js';
+import { choice, setOptions } from '../../ui/controls/fields.js';
+import { element, setAttribute, setText } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
 import { millimetres } from './check-card.js';
 
 /** @typedef {import("../../solver/messages.js").BuildReport} BuildReport */
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
 
+/**
+ * What is sorted into types, with how many there are at each tolerance.
+ * @typedef {{ noun: string, unit: string, setting: "alike" | "alike_deg", total: number, curve: number[][] }} Counted
+ */
+
+/** What of a build is sorted into types. @param {BuildReport} report @returns {Counted[]} */
+function countedIn({ frame, panels, types_curve, edges, edge_types_curve }) {
+  const length = /** @type {const} */ ({ unit: 'mm', setting: 'alike' });
+  const angle = /** @type {const} */ ({ unit: '\u00b0', setting: 'alike_deg' });
+  /** @type {Counted[]} */
+  const all = [
+    { ...length, noun: 'panels', total: panels, curve: types_curve },
+    { ...length, noun: 'edges', total: edges, curve: edge_types_curve },
+  ];
+  if (frame)
+    all.push({ ...angle, noun: 'nodes', total: frame.nodes, curve: frame.node_types_curve });
+  return all.filter(({ curve }) => curve.length > 0);
+}
+
 /** @param {(change: Partial<BuildSettings>) => void} change */
 export function typesCurve(change) {
-  const title = element('span', { id: 'parts-types' });
-  const bars = element('div.type-bars', { role: 'group', 'aria-labelledby': 'parts-types' });
-  const words = element('p.quiet');
+  /** What somebody chose to see. */
+  let chosen = '';
+  let draw = () => {};
+  const what = choice({ id: 'parts-types' }, (value) => {
+    chosen = value;
+    draw();
+  });
+  const title = element(
+    'div.field-row',
+    element('label', { for: 'parts-types' }, 'Types of'),
+    what,
+  );
+  const bars = element('div.type-bars', { role: 'group' });
   const joint = element('p.quiet');
-  const place = element('div.types-curve', title, bars, words, joint);
+  const place = element('div.types-curve', title, bars, joint);
+
+  /** @param {Counted} counted @param {BuildSettings} settings */
+  function showBars({ noun, unit, setting, total, curve }, settings) {
+    setAttribute(bars, 'aria-label', `Types of ${noun} alike within`);
+    bars.replaceChildren(
+      ...curve.map(([at, types]) => {
+        const bar = element('span.bar');
+        bar.style.height = `${(100 * types) / Math.max(total, 1)}%`;
+        return element(
+          'button',
+          {
+            'aria-label': `${count(types, 'type')} within ${at} ${unit}`,
+            'aria-pressed': String(at === settings[setting]),
+            onclick: () => change({ [setting]: at }),
+          },
+          element('span.column', bar),
+          element('span', String(types)),
+          element('span.quiet', String(at)),
+        );
+      }),
+    );
+  }
+
   return {
     place,
     /**
@@ -21,34 +74,24 @@ export function typesCurve(change) {
      * @param {BuildSettings} settings
      */
     update(report, settings) {
-      const { frame, product, least_joint_mm: least } = report;
-      const curve = frame?.node_types_curve ?? report.types_curve;
-      const taken = frame ? settings.alike_deg : settings.alike;
-      const total = frame ? frame.nodes : report.panels;
-      place.hidden = product === 'paper' || curve.length === 0;
-      setText(
-        title,
-        frame ? 'Types of nodes alike within, degrees' : 'Types of panels alike within, mm',
+      const { product, frame, least_joint_mm: least } = report;
+      const all = countedIn(report);
+      setOptions(
+        what,
+        all.map(({ noun, unit }) => [noun, `${noun} alike within, ${unit}`]),
       );
-      bars.replaceChildren(
-        ...curve.map(([at, types]) => {
-          const within = frame ? `${at}\u00b0` : `${at} mm`;
-          const bar = element('span.bar');
-          bar.style.height = `${(100 * types) / Math.max(total, 1)}%`;
-          return element(
-            'button',
-            {
-              'aria-label': `${count(types, 'type')} within ${within}`,
-              'aria-pressed': String(at === taken),
-              onclick: () => change(frame ? { alike_deg: at } : { alike: at }),
-            },
-            element('span.column', bar),
-            element('span', String(types)),
-            element('span.quiet', String(at)),
-          );
-        }),
-      );
-      setText(words, `${count(report.edge_types, 'type')} of edges within ${settings.alike} mm.`);
+      draw = () => {
+        const first = frame ? 'nodes' : 'panels';
+        const shown =
+          all.find(({ noun }) => noun === chosen) ??
+          all.find(({ noun }) => noun === first) ??
+          all[0];
+        place.hidden = product === 'paper' || !shown;
+        if (!shown) return;
+        what.value = shown.noun;
+        showBars(shown, settings);
+      };
+      draw();
       const [outside, inside] = least.map((mm) => (mm === null ? 'none' : millimetres(mm)));
       joint.hidden = product !== 'panels' || settings.thickness === 0;
       setText(
