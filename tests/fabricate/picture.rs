@@ -58,6 +58,9 @@ fn a_picture_has_the_lines_of_its_drawing_to_a_hundredth_of_a_millimetre() {
         }
         assert_eq!(count, drawing.lines.len(), "no line is left out");
         assert_eq!(found.outlines.len(), found.panels.len());
+        // Each outline is that of the part of this name.
+        let named = drawing.lines.iter().filter(|line| line.role == Role::Cut);
+        assert_eq!(found.parts, named.map(|line| line.part.clone()).collect::<Vec<_>>());
         let letters = found.layers.iter().map(|layer| layer.path.len()).sum::<usize>();
         assert!(2 * letters < svg(&drawing).len(), "{letters} letters are many");
     }

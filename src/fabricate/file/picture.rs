@@ -23,6 +23,8 @@ pub struct SheetPicture {
     pub colour: String,
     /// The outline of each part, as a path of its own.
     pub outlines: Vec<String>,
+    /// The name of each part.
+    pub parts: Vec<String>,
     /// The panels of each part.
     pub panels: Vec<Vec<u32>>,
     /// A path along the sides, and to the corners, of panels where beams and nodes are not within a limit.
@@ -63,6 +65,7 @@ pub fn picture(drawing: &Drawing, failed: &[Vec<Point2>]) -> SheetPicture {
         layers: Role::ALL.into_iter().filter(|role| *role != Role::Cut).filter_map(layer).collect(),
         colour: colour(Role::Cut),
         outlines: of(Role::Cut).map(outline).collect(),
+        parts: of(Role::Cut).map(|line| line.part.clone()).collect(),
         panels: of(Role::Cut).map(|line| line.panels.clone()).collect(),
         failed: sides,
     }

@@ -11,6 +11,7 @@ import { LiveBuild, MOST_LIVE_VERTICES, MOST_SHEETS } from './live-build.js';
 import { newest } from './newest.js';
 import { offsetLayer } from './offset-layer.js';
 import { settingsForm } from './settings-form.js';
+import { panelUnderPointer } from './sheets/panel-under-pointer.js';
 import { sheetPictures } from './sheets/sheet-pictures.js';
 import { thicknessForm } from './thickness.js';
 import { typesCurve } from './types-curve.js';
@@ -53,6 +54,11 @@ async function buildPanel(app) {
         },
       ),
     choose: (panels) => actions.select({ vertices: [], faces: panels }),
+  });
+  panelUnderPointer(app.viewport, {
+    isAsked: () => !panel.hidden,
+    point: (face) => pictures.pointAtPanel(face),
+    press: () => pictures.revealPointed(),
   });
   const words = element('p', { 'aria-live': 'polite' });
   const notes = element('div');

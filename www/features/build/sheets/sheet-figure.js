@@ -61,13 +61,22 @@ export class SheetFigure {
    * Marks some parts, and no others.
    * @param {Mark} mark
    * @param {(panels: number[], part: number) => boolean} isMarked
-   * @returns {number} how many
+   * @returns {number[]} these parts
    */
   mark(mark, isMarked) {
     const { outlines, panels } = this.#sheet ?? { outlines: [], panels: [] };
-    const marked = outlines.filter((_, part) => isMarked(panels[part], part));
-    this.#set(mark, marked.join(''));
-    return marked.length;
+    const marked = [...outlines.keys()].filter((part) => isMarked(panels[part], part));
+    this.#set(mark, marked.map((part) => outlines[part]).join(''));
+    return marked;
+  }
+
+  /** Whether some of what is marked can be seen in a place that scrolls. @param {Mark} mark @param {Element} place */
+  isInSight(mark, place) {
+    const own = this.#over[OVER.indexOf(mark)].getBoundingClientRect();
+    const boxes = [place, place.closest('section')].map((box) => box?.getBoundingClientRect());
+    return boxes.every(
+      (box) => !box || (own.bottom > box.top && own.top < box.bottom && own.right > box.left),
+    );
   }
 
   /** What is marked comes into sight. @param {Mark} mark */
@@ -82,6 +91,15 @@ export class SheetFigure {
     const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(toWindow.inverse());
     this.#outlines ??= this.#sheet.outlines.map((outline) => new Path2D(outline));
     return this.#outlines.findIndex((outline) => ruler?.isPointInPath(outline, x, y));
+  }
+
+  get name() {
+    return this.#sheet?.name ?? '';
+  }
+
+  /** @param {number} part */
+  nameOf(part) {
+    return this.#sheet?.parts[part] ?? '';
   }
 
   /** @param {number} part */

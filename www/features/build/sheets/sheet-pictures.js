@@ -1,14 +1,19 @@
 /** The sheets as they will be cut. A part that is pointed at lights up on the model, and the other way round. */
 
-import { element } from '../../../ui/dom.js';
+import { element, setText } from '../../../ui/dom.js';
 import { SheetFigure } from './sheet-figure.js';
 
 /** @typedef {import("../../../solver/messages.js").SheetPicture} SheetPicture */
+
+const HINT = 'Point at a part, or at a panel of the model';
+/** So many parts are called by their names. */
+const MOST_NAMES = 6;
 
 /**
  * @param {{ point: (panels: number[] | null) => void, choose: (panels: number[]) => void }} on
  */
 export function sheetPictures({ point, choose }) {
+  const words = element('p.quiet', HINT);
   const place = element('div.sheets', { tabindex: '0', role: 'group', 'aria-label': 'Sheets' });
   /** @type {SheetFigure[]} */
   let shown = [];
@@ -16,8 +21,11 @@ export function sheetPictures({ point, choose }) {
   let undrawn = [];
   /** @type {ReadonlySet<number>} */
   let failed = new Set();
-  /** What is pointed at. @type {{ sheet: SheetFigure, part: number } | null} */
+  /** What the pointer is on here. @type {{ sheet: SheetFigure, part: number } | null} */
   let pointed = null;
+  /** The panel under the pointer in the view. @type {number | undefined} */
+  let inView;
+  const isInView = (/** @type {number[]} */ own) => inView !== undefined && own.includes(inView);
 
   /** @param {MouseEvent} event */
   function under(event) {
@@ -31,9 +39,10 @@ export function sheetPictures({ point, choose }) {
   /** @param {ReturnType<typeof under>} now */
   function pointAt(now) {
     if (now?.sheet === pointed?.sheet && now?.part === pointed?.part) return;
-    pointed?.sheet.mark('pointed', () => false);
     pointed = now;
-    now?.sheet.mark('pointed', (_, part) => part === now.part);
+    for (const sheet of shown)
+      sheet.mark('pointed', (_, part) => sheet === now?.sheet && part === now.part);
+    setText(words, now ? whereIs(now.sheet, [now.part]) : HINT);
     point(now?.panels ?? null);
   }
 
@@ -44,9 +53,26 @@ export function sheetPictures({ point, choose }) {
     if (panels) choose(panels);
   });
 
+  /** @param {SheetFigure} sheet @param {number[]} parts */
+  function whereIs(sheet, parts) {
+    const names = parts.slice(0, MOST_NAMES).map((part) => sheet.nameOf(part));
+    const more = parts.length > MOST_NAMES ? ` and ${parts.length - MOST_NAMES} more` : '';
+    return `${names.join(', ')}${more} on ${sheet.name}`;
+  }
+
+  /** @param {{ sheet: SheetFigure, parts: number[] }[]} found */
+  function whereAre(found) {
+    if (found.length === 0) return 'This panel is on no sheet that is shown.';
+    const isFar = !found.some(({ sheet }) => sheet.isInSight('pointed', place));
+    const all = found.map(({ sheet, parts }) => whereIs(sheet, parts)).join(', ');
+    return isFar ? `${all}: click the panel to see it` : all;
+  }
+
   /** Many sheets at once would stop the page. */
   function drawNext() {
-    undrawn.shift()?.draw(failed);
+    const sheet = undrawn.shift();
+    sheet?.draw(failed);
+    sheet?.mark('pointed', isInView);
     if (undrawn.length > 0) requestAnimationFrame(drawNext);
   }
 
@@ -67,7 +93,8 @@ export function sheetPictures({ point, choose }) {
         return figure;
       });
       const rest = more > 0 ? [element('p.quiet', `and ${more} more`)] : [];
-      place.replaceChildren(...shown.map(({ figure }) => figure), ...rest);
+      const hint = sheets.length > 0 ? [words] : [];
+      place.replaceChildren(...hint, ...shown.map(({ figure }) => figure), ...rest);
       const isDrawing = undrawn.length > 0;
       undrawn = [...shown];
       if (!isDrawing) drawNext();
@@ -76,9 +103,29 @@ export function sheetPictures({ point, choose }) {
     mark(panels) {
       const isChosen = (/** @type {number[]} */ own) =>
         own.length > 0 && own.every((panel) => panels.has(panel));
-      const counts = shown.map((sheet) => sheet.mark('chosen', isChosen));
+      const counts = shown.map((sheet) => sheet.mark('chosen', isChosen).length);
       const count = counts.reduce((sum, own) => sum + own, 0);
       if (count === 1) shown[counts.indexOf(1)].reveal('chosen');
+    },
+    /**
+     * Marks the parts that a panel of the model is in, and says where they are.
+     * @param {number | undefined} panel under the pointer in the view
+     */
+    pointAtPanel(panel) {
+      pointed = null;
+      inView = panel;
+      const found = shown
+        .map((sheet) => ({ sheet, parts: sheet.mark('pointed', isInView) }))
+        .filter(({ parts }) => parts.length > 0);
+      setText(words, panel === undefined ? HINT : whereAre(found));
+      if (panel === undefined) return point(null);
+      const [{ sheet, parts }] = found.length > 0 ? found : [{ sheet: null, parts: [] }];
+      const isOne = found.length === 1 && parts.length === 1;
+      point((isOne && sheet?.panelsOf(parts[0])) || [panel]);
+    },
+    /** Brings what a panel of the model is in into sight. */
+    revealPointed() {
+      shown.find((sheet) => sheet.mark('pointed', isInView).length > 0)?.reveal('pointed');
     },
   };
 }

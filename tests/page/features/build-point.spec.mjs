@@ -1,0 +1,89 @@
+// A panel under the pointer in the view, and its piece on the sheets: each shows the other.
+
+import { openText, showPanel } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import { outlinesOf, overPart } from '../sheets.mjs';
+import { expect, openPage, screenOf, state, test, waitForState } from '../support.mjs';
+
+test.use({ pixels: false });
+
+const N = 4;
+const panel = (page) => page.getByRole('region', { name: 'Parts and sheets' });
+const sheets = (page) => panel(page).getByRole('group', { name: 'Sheets' });
+
+/** The middle of a panel of the grid on the page. */
+async function middleOf(page, face) {
+  const corner = Math.floor(face / N) * (N + 1) + (face % N);
+  const corners = [corner, corner + 1, corner + N + 1, corner + N + 2];
+  const places = [];
+  for (const vertex of corners) places.push(await screenOf(page, vertex));
+  return [0, 1].map((axis) => places.reduce((sum, at) => sum + at[axis] / corners.length, 0));
+}
+
+async function openBuild(page) {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(N)}`, (N + 1) ** 2);
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  await waitForState(page, (now) => now.build !== null);
+}
+
+test('a panel under the pointer marks its piece, which is the one that shows that panel', async ({
+  page,
+}) => {
+  await openBuild(page);
+  for (const face of [5, 10]) {
+    await page.mouse.move(...(await middleOf(page, face)));
+    await expect(sheets(page)).toContainText(`P${face} on sheet-01`);
+    const marked = await outlinesOf(panel(page), 'pointed');
+    expect(marked).toHaveLength(1);
+    const part = (await outlinesOf(panel(page), 'cut')).indexOf(marked[0]);
+    const { at } = await overPart(panel(page), part);
+    await expect(sheets(page)).toContainText(`P${face} on sheet-01`);
+    await page.mouse.click(...at);
+    expect((await state(page)).selection.faces).toEqual([face]);
+  }
+  await panel(page).getByLabel('Material').hover();
+  await expect.poll(() => outlinesOf(panel(page), 'pointed')).toEqual([]);
+  await expect(sheets(page)).toContainText('Point at a part');
+});
+
+test('a piece that is out of sight is said, and one click brings it there', async ({ page }) => {
+  await openBuild(page);
+  await panel(page).getByLabel('Sheet width, mm').fill('45');
+  await panel(page).getByLabel('Sheet width, mm').press('Tab');
+  await waitForState(page, (now) => now.build?.sheet_mm[0] === 45);
+  await panel(page).getByLabel('Sheet height, mm').fill('45');
+  await panel(page).getByLabel('Sheet height, mm').press('Tab');
+  await waitForState(page, (now) => now.build?.sheets > 8);
+  await panel(page).getByRole('img').first().scrollIntoViewIfNeeded();
+  // Which panel is on the last sheet is told by pointing at all of them.
+  const last = `sheet-${(await state(page)).build.sheets}`;
+  const line = sheets(page).locator('p').first();
+  for (let face = 0; !(await line.textContent()).includes(last); face++) {
+    expect(face).toBeLessThan(N * N);
+    await page.mouse.move(...(await middleOf(page, face)));
+    await expect(line).toContainText(`P${face} on sheet-`);
+  }
+  await expect(line).toContainText('click the panel to see it');
+  const marked = panel(page).locator('.pointed:not([d=""])');
+  await expect(marked).toHaveCount(1);
+  await expect(marked).not.toBeInViewport();
+  await page.mouse.down();
+  await page.mouse.up();
+  await expect(marked).toBeInViewport();
+});
+
+test('a panel of a paper model marks the piece that it is folded of', async ({ page }) => {
+  await openBuild(page);
+  await panel(page).getByLabel('Make').selectOption('paper');
+  await panel(page).getByLabel('Pieces').selectOption('strips');
+  await waitForState(
+    page,
+    (now, strips) => now.build?.product === 'paper' && now.build.parts === strips,
+    N,
+  );
+  await page.mouse.move(...(await middleOf(page, 5)));
+  await expect.poll(() => outlinesOf(panel(page), 'pointed')).toHaveLength(1);
+  await expect(sheets(page)).toContainText(/^S?\w+ on sheet-01/);
+});
