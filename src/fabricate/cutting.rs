@@ -7,7 +7,7 @@ use super::panel::{Point2, inset, is_simple, rotated, smallest_box};
 use super::paper::{PaperModel, PaperSize, Unnamed, drawn, write_names};
 use super::settings::{BuildSettings, Product};
 use super::sheet::{
-    CutPart, Inscription, Labels, Place, SheetSize, Waste, label, lay_out, strokes,
+    CutPart, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
 };
 
 /// For each side of a part, what lies beyond it, by name.
@@ -136,7 +136,6 @@ impl Build {
     /// Engraves on each part its name, and what is `beside` its edges.
     fn write_names(&mut self, beside: &[Beside]) {
         let places = self.layout.places(self.parts.len());
-        let mut unnamed = Vec::new();
         for (k, part) in self.parts.iter_mut().enumerate() {
             let turn = places[k].map_or([1.0, 0.0], |(_, place)| place.turn);
             let missing = match &self.paper {
@@ -149,21 +148,23 @@ impl Build {
                     let (neighbours, with_arrow) = (&beside[k][..], true);
                     let holes = &part.holes[..];
                     let own = Inscription { outline, name, neighbours, with_arrow, turn, holes };
-                    let Labels { lines, dropped, small, .. } = label(own);
+                    let Labels { lines, texts, dropped, small } = label(own);
                     part.engraved = lines;
-                    Unnamed { dropped, small: usize::from(small), piece: false }
+                    Unnamed { dropped, small: usize::from(small), piece: texts.is_empty() }
                 }
             };
-            unnamed.push(missing.piece);
+            part.named = if missing.piece { NamePlace::Nowhere } else { NamePlace::OnPart };
             self.dropped_names += missing.dropped;
             self.small_names += missing.small;
         }
-        self.write_on_waste(&unnamed);
+        self.write_on_waste();
     }
 
     /// Writes which part it is beside those that have no room for it.
-    fn write_on_waste(&mut self, unnamed: &[bool]) {
+    fn write_on_waste(&mut self) {
         let BuildSettings { sheet: size, margin, .. } = self.settings;
+        let unnamed: Vec<bool> =
+            self.parts.iter().map(|part| part.named == NamePlace::Nowhere).collect();
         let asks = |place: &Place| unnamed[place.part];
         for sheet in &self.layout.sheets {
             if !sheet.places.iter().any(asks) {
@@ -180,6 +181,7 @@ impl Build {
                     |line: Vec<Point2>| line.into_iter().map(|point| place.back(point)).collect();
                 let lines = strokes(&part.name, height, centre, [1.0, 0.0]);
                 part.engraved.extend(lines.into_iter().map(on_part));
+                part.named = NamePlace::BesidePart;
             }
         }
     }

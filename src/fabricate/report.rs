@@ -9,6 +9,7 @@ use super::offset::{Choice, OffsetCheck, OffsetKind};
 use super::panel::{area, panel_types, perimeter};
 use super::paper::{Glue, Joint, PaperModel};
 use super::settings::Product;
+use super::sheet::{CutPart, NamePlace};
 use super::surface::distinct;
 use super::tighten::Tighten;
 use serde::Serialize;
@@ -102,6 +103,8 @@ pub struct BuildReport {
     pub dropped_names: usize,
     /// Parts whose own name is smaller than 2 mm.
     pub small_names: usize,
+    /// The names of parts on sheets that have no room for them, neither on the part nor beside it.
+    pub unnamed: Vec<String>,
     /// Holes in parts.
     pub holes: usize,
     /// Holes that have no room.
@@ -164,6 +167,8 @@ impl Build {
         let sum = |of: fn(&[[f64; 2]]) -> f64| {
             on_sheets.iter().map(|&part| of(&self.parts[part].outline)).sum::<f64>()
         };
+        let is_nameless =
+            |part: &&CutPart| part.named == NamePlace::Nowhere && !self.settings.outlines_only;
         let cut_area_mm2 = sum(area);
         let [width, height] = self.settings.sheet;
         let sheets = self.layout.sheets.len();
@@ -203,6 +208,10 @@ impl Build {
             least_joint_mm: [1.0, -1.0].map(|side| self.least_joint(side)),
             dropped_names: self.dropped_names,
             small_names: self.small_names,
+            unnamed: (self.layout.places(self.parts.len()).iter().zip(&self.parts))
+                .filter(|(place, part)| place.is_some() && is_nameless(part))
+                .map(|(_, part)| part.name.clone())
+                .collect(),
             holes: self.parts.iter().map(|part| part.holes.len()).sum(),
             dropped_holes: self.dropped_holes,
             types: self.types.leaders.len(),

@@ -65,6 +65,16 @@ fn fins_and_paper_models_are_made_on_demand() {
 }
 
 #[test]
+fn a_piece_without_room_for_its_name_is_named_in_words_and_in_the_report() {
+    let folder = Folder::new("build-unnamed");
+    folder.write("roof.obj", ROOF);
+    let asked = ["build", "roof.obj", "--product=paper", "--scale=300", "--sheet=24x18"];
+    let words = folder.run(&[&asked[..], &["--report", "r.json"]].concat()).done();
+    assert!(words.contains("2 parts have no room for a name: S4, S5\n"), "{words}");
+    assert_eq!(folder.json("r.json")["unnamed"], serde_json::json!(["S4", "S5"]));
+}
+
+#[test]
 fn the_scene_says_what_the_command_line_does_not() {
     let folder = Folder::new("build-scene");
     let scene = r#"{ "format": "shape-up-scene", "version": 1, "units": "mm", "mesh": { "file": "roof.obj" },

@@ -341,6 +341,46 @@ fn a_piece_without_room_for_its_name_has_it_beside_itself_and_on_no_other() {
 }
 
 #[test]
+fn a_piece_without_room_for_its_name_anywhere_is_told_by_that_name() {
+    // Edges of 7 mm, on sheets on which no name has room between the pieces.
+    let mesh = revolution(24, 7);
+    let scale = scale(&mesh) * 30.0 / 7.0;
+    let own = BuildSettings {
+        scale,
+        sheet: [50.0, 50.0],
+        gap: 0.5,
+        margin: 1.0,
+        ..settings(Pieces::Strips)
+    };
+    let made = build(&mesh, &own);
+    let report = made.report();
+    assert!(!report.unnamed.is_empty() && report.unnamed.len() < report.parts, "{report:?}");
+    let files = made.files();
+    let rows = |name: &str, ending: &str| -> Vec<String> {
+        let text = &files.iter().find(|file| file.name == name).unwrap().text;
+        let lines = text.lines().filter(|line| line.ends_with(ending));
+        lines.map(|line| line.split(',').next().unwrap().to_owned()).collect()
+    };
+    let mut told = report.unnamed.clone();
+    told.sort();
+    let mut nowhere = rows("pieces.csv", ",nowhere");
+    nowhere.sort();
+    assert_eq!(told, nowhere);
+    // Whose name is somewhere has more lines than those of its panels.
+    for (k, part) in made.parts.iter().enumerate() {
+        let mut bare = part.clone();
+        bare.engraved.clear();
+        let turn =
+            made.layout.places(made.parts.len())[k].map_or([1.0, 0.0], |(_, place)| place.turn);
+        let missing = write_names(&mut bare, (model(&made), k), &made.names, false, turn);
+        let is_beside = part.engraved.len() > bare.engraved.len();
+        assert_eq!(told.contains(&part.name), missing.piece && !is_beside, "{}", part.name);
+    }
+    let plain = build(&mesh, &BuildSettings { outlines_only: true, ..made.settings.clone() });
+    assert!(plain.report().unnamed.is_empty(), "no names are asked for");
+}
+
+#[test]
 fn a_pdf_is_tiled_to_the_page() {
     let own = BuildSettings { page: Page::A4, ..settings(Pieces::Nets) };
     let made = build(&revolution(9, 7), &own);

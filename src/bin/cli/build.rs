@@ -116,6 +116,11 @@ fn words(report: &BuildReport, remarks: &[String]) -> String {
             report.dropped_names, report.small_names
         ));
     }
+    if !report.unnamed.is_empty() {
+        let names = &report.unnamed;
+        let pieces = if names.len() == 1 { "part has" } else { "parts have" };
+        lines.push(format!("{} {pieces} no room for a name: {}", names.len(), names.join(", ")));
+    }
     if report.holes + report.dropped_holes > 0 {
         lines.push(format!("holes {}, without room {}", report.holes, report.dropped_holes));
     }

@@ -202,6 +202,7 @@ impl Page {
         for (what, names) in [
             ("Larger than the sheet, left out", &report.too_large),
             ("Not cut", &report.not_cut),
+            ("No room for the name of", &report.unnamed),
             (
                 "No room for a tab between",
                 report.paper.as_ref().map_or(&Vec::new(), |paper| &paper.without_tab),

@@ -24,6 +24,6 @@ pub(super) use label::upright;
 pub use label::{Inscription, Labels, label};
 pub use layout::{Layout, Sheet, lay_out};
 pub use lettering::{strokes, text_width};
-pub use part::{CutPart, Hole, Role};
+pub use part::{CutPart, Hole, NamePlace, Role};
 pub use place::{Order, Place, SheetSize};
 pub use waste::Waste;

@@ -85,11 +85,36 @@ impl Hole {
     }
 }
 
+/// Where the name of a part is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum NamePlace {
+    /// Nowhere: there is no room, or no name is asked for.
+    #[default]
+    Nowhere,
+    /// On the part.
+    OnPart,
+    /// On the waste beside it.
+    BesidePart,
+}
+
+impl NamePlace {
+    /// Its words in tables.
+    pub fn words(self) -> &'static str {
+        match self {
+            NamePlace::Nowhere => "nowhere",
+            NamePlace::OnPart => "on it",
+            NamePlace::BesidePart => "beside it",
+        }
+    }
+}
+
 /// A part in a plane of its own, in mm of the sheet.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CutPart {
     /// Its name, different from all others.
     pub name: String,
+    /// Where that is written.
+    pub named: NamePlace,
     /// The panels that it is made of, or that it lies between.
     pub panels: Vec<u32>,
     /// The closed outline that is cut, counterclockwise; the first corner is not repeated.

@@ -30,6 +30,7 @@ fn fins(build: &Build, frame: &Frame) -> String {
         "x_mm",
         "y_mm",
         "turn_deg",
+        "name_written",
     ]);
     let (places, model) = (build.layout.places(build.parts.len()), build.model());
     let mut part = 0;
@@ -56,6 +57,7 @@ fn fins(build: &Build, frame: &Frame) -> String {
             Cell::from(place.map(|(_, place)| place.offset[0])),
             Cell::from(place.map(|(_, place)| place.offset[1])),
             Cell::from(place.map(|(_, place)| place.turn_deg())),
+            Cell::from(build.parts[part].named.words()),
         ]);
         part += 1;
     }

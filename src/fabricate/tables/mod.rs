@@ -47,6 +47,7 @@ fn summary(build: &Build) -> String {
     row("panels", Cell::from(report.panels), "");
     row("product", Cell::from(report.product.word()), "");
     row("parts on sheets", Cell::from(report.placed), "");
+    row("parts without room for their name", Cell::from(report.unnamed.len()), "");
     row("sheets", Cell::from(report.sheets), "");
     row("sheet width", Cell::from(build.settings.sheet[0]), "mm");
     row("sheet height", Cell::from(build.settings.sheet[1]), "mm");

@@ -24,6 +24,7 @@ pub(super) fn panels(build: &Build) -> String {
         "x_mm",
         "y_mm",
         "turn_deg",
+        "name_written",
     ]);
     let places = build.layout.places(build.parts.len());
     let model = build.model();
@@ -53,6 +54,7 @@ pub(super) fn panels(build: &Build) -> String {
             Cell::from(place.map(|(_, (_, place))| place.offset[0])),
             Cell::from(place.map(|(_, (_, place))| place.offset[1])),
             Cell::from(turn),
+            Cell::from(cut.map_or("", |cut| build.parts[cut.part].named.words())),
         ]);
     }
     table.into_text()

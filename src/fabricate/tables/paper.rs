@@ -12,8 +12,18 @@ pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
 }
 
 fn pieces(build: &Build, model: &PaperModel) -> String {
-    let columns =
-        ["name", "panels", "tabs", "area_mm2", "sheet", "x_mm", "y_mm", "turn_deg", "names"];
+    let columns = [
+        "name",
+        "panels",
+        "tabs",
+        "area_mm2",
+        "sheet",
+        "x_mm",
+        "y_mm",
+        "turn_deg",
+        "names",
+        "name_written",
+    ];
     let mut table = Table::new(&columns);
     let places = build.layout.places(build.parts.len());
     for (k, part) in build.parts.iter().enumerate() {
@@ -30,6 +40,7 @@ fn pieces(build: &Build, model: &PaperModel) -> String {
             Cell::from(place.map(|(_, place)| place.offset[1])),
             Cell::from(place.map(|(_, place)| place.turn_deg())),
             Cell::from(&*names.join(" ")),
+            Cell::from(part.named.words()),
         ]);
     }
     table.into_text()

@@ -8,7 +8,7 @@ import DxfParser from 'dxf-parser';
 import { unzipSync } from 'fflate';
 import { program } from '../../../.scripts/programs.mjs';
 import { downloaded, openText, saved, showPanel } from '../actions.mjs';
-import { wavyGrid } from '../meshes.mjs';
+import { quadScene, wavyGrid } from '../meshes.mjs';
 import { outlinesOf, overPart } from '../sheets.mjs';
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
 
@@ -187,6 +187,19 @@ test('fins and a paper model are made of the same shape, and saved', async ({ pa
   await page.mouse.click(...at);
   await waitForState(page, (now) => now.selection.faces.length > 0);
   await expect.poll(() => outlinesOf(panel(page), 'chosen')).toEqual([outline]);
+});
+
+test('pieces without room for their names are told by these names', async ({ page }) => {
+  await openPage(page);
+  const scene = JSON.parse(quadScene(6));
+  // Panels of 7 mm, on sheets that pieces fill.
+  scene.build = { product: 'paper', scale: 143, sheet: [36, 36], gap: 0.5, margin: 1 };
+  await openText(page, 'small.shapeup.json', JSON.stringify(scene), 49);
+  const { unnamed, parts } = await openBuild(page);
+  expect(unnamed.length).toBeGreaterThan(1);
+  expect(unnamed.length).toBeLessThan(parts);
+  const words = `${unnamed.length} pieces have no room for a name: ${unnamed.slice(0, 6).join(', ')}`;
+  await expect(panel(page)).toContainText(words);
 });
 
 test('what is built goes to Rhino, with its layers and names', async ({ page }) => {

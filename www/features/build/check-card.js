@@ -10,6 +10,8 @@ import { count, groupDigits } from '../../ui/format.js';
 /** @typedef {BuildReport["tighten"]["remedies"][number]} Remedy */
 
 const KEEPS = { corner: 'Corners keep', face: 'Panels keep', edge: 'Beams keep' };
+/** What a part of each product is called. */
+const NOUNS = { panels: 'panel', fins: 'fin', paper: 'piece' };
 /** Lengths are rounded to this many millimetres. */
 const LEAST_MM = 0.01;
 
@@ -88,7 +90,7 @@ function checkRow({ label, value, limit, unit, met, worst, failed }, show) {
 
 /** What became of the panels, in a line. @param {BuildReport} report */
 export function sheetsInWords({ product, sheets, placed, parts, used, types, frame, paper }) {
-  const noun = { panels: 'panel', fins: 'fin', paper: 'piece' }[product];
+  const noun = NOUNS[product];
   const all = placed === parts ? count(parts, noun) : `${placed} of ${count(parts, noun)}`;
   const words = [`${all} on ${count(sheets, 'sheet')}`, `${Math.round(100 * used)} % covered`];
   if (product === 'panels') words.push(`${count(types, 'type')} of panels`);
@@ -104,6 +106,8 @@ export function warnings({
   not_cut: uncut,
   dropped_names: dropped,
   small_names: small,
+  unnamed,
+  product,
   dropped_holes: undrilled,
   paper,
 }) {
@@ -117,6 +121,8 @@ export function warnings({
     large.length > 0 && `Larger than the sheet: ${some(large)}. They are left out, never scaled.`,
     uncut.length > 0 && `Not cut: ${some(uncut)}.`,
     dropped > 0 && `${groupDigits(dropped)} names of neighbours have no room.`,
+    unnamed.length > 0 &&
+      `${count(unnamed.length, NOUNS[product])} ${unnamed.length > 1 ? 'have' : 'has'} no room for a name: ${some(unnamed)}.`,
     small > 0 && `${count(small, 'part')} with a name smaller than 2 mm.`,
     undrilled > 0 && `${count(undrilled, 'hole')} without room.`,
     bare.length > 0 && `No room for a tab between ${some(bare)}.`,
