@@ -17,6 +17,7 @@ mod files;
 mod glb;
 mod identities;
 mod paper;
+mod paper_names;
 mod picture;
 mod report_page;
 mod space;

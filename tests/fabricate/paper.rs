@@ -4,16 +4,15 @@ use super::grid::grid;
 use super::identities::revolution;
 use super::{build, shared};
 use shape_up::fabricate::panel::{Point2, area};
-use shape_up::fabricate::paper::{Glue, PaperModel, write_names};
-use shape_up::fabricate::sheet::Place;
+use shape_up::fabricate::paper::{Glue, PaperModel};
 use shape_up::fabricate::{Build, BuildSettings, Page, Pieces, Product};
 use shape_up::mesh::Mesh;
 
-fn settings(pieces: Pieces) -> BuildSettings {
+pub(super) fn settings(pieces: Pieces) -> BuildSettings {
     BuildSettings { product: Product::Paper, pieces, scale: 20.0, ..BuildSettings::default() }
 }
 
-fn model(build: &Build) -> &PaperModel {
+pub(super) fn model(build: &Build) -> &PaperModel {
     build.paper.as_ref().unwrap()
 }
 
@@ -30,7 +29,7 @@ fn dodecahedron() -> Option<Mesh> {
 }
 
 /// All that is looked at: flat quads in both directions, panels that are not flat, a closed surface, triangles.
-fn cases() -> Vec<(&'static str, Mesh, Pieces)> {
+pub(super) fn cases() -> Vec<(&'static str, Mesh, Pieces)> {
     let mut cases = vec![
         ("nets", revolution(9, 7), Pieces::Nets),
         ("closed rings", revolution(24, 5), Pieces::Nets),
@@ -53,7 +52,7 @@ fn cases() -> Vec<(&'static str, Mesh, Pieces)> {
 }
 
 /// The scale at which a mean edge is 30 mm.
-fn scale(mesh: &Mesh) -> f64 {
+pub(super) fn scale(mesh: &Mesh) -> f64 {
     let made = build(mesh, &BuildSettings::default());
     made.surface.mean_edge() * 1000.0 / 30.0
 }
@@ -211,22 +210,6 @@ fn every_inner_edge_is_folded_or_glued_and_flat_quads_leave_no_edge_bare() {
 }
 
 #[test]
-fn a_piece_says_which_it_is_on_a_panel_that_has_room_for_that() {
-    // Those at the ends are narrow.
-    let x = [0.0, 0.02, 1.0, 2.0, 3.0, 3.02];
-    let mesh = grid(5, 1, |i, j| [x[i as usize], f64::from(j), 0.05 * x[i as usize].powi(2)]);
-    let made = build(&mesh, &settings(Pieces::Nets));
-    assert_eq!(made.parts.len(), 1);
-    let engraved = |name: &str| {
-        let mut part = made.parts[0].clone();
-        (part.name, part.engraved) = (name.to_owned(), Vec::new());
-        write_names(&mut part, (model(&made), 0), &made.names, false, [1.0, 0.0]);
-        part.engraved
-    };
-    assert_ne!(engraved("S1"), engraved("S777"));
-}
-
-#[test]
 fn strips_of_a_ring_are_its_rows_and_its_columns() {
     let mesh = revolution(9, 7);
     let own = BuildSettings { scale: 40.0, ..settings(Pieces::Strips) };
@@ -281,103 +264,6 @@ fn printed_on_the_inside_a_sheet_is_mirrored_and_ridges_are_valleys() {
         assert_eq!(a.valleys.is_empty(), b.ridges.is_empty());
     }
     assert_eq!(outside.report().paper, inside.report().paper, "the model is the same");
-}
-
-fn contains(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
-    let crosses = |&k: &usize| {
-        let (p, q) = (outline[k], outline[(k + 1) % outline.len()]);
-        (p[1] > y) != (q[1] > y) && x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])
-    };
-    (0..outline.len()).filter(crosses).count() % 2 == 1
-}
-
-#[test]
-fn names_lie_on_their_panels_and_their_tabs() {
-    for print_inside in [false, true] {
-        let made =
-            build(&revolution(6, 4), &BuildSettings { print_inside, ..settings(Pieces::Nets) });
-        assert_eq!((made.dropped_names, made.small_names), (0, 0));
-        for part in &made.parts {
-            for &point in part.engraved.iter().flatten() {
-                assert!(contains(&part.outline, point), "{}", part.name);
-            }
-        }
-    }
-}
-
-#[test]
-fn a_piece_without_room_for_its_name_has_it_beside_itself_and_on_no_other() {
-    // Edges of 7 mm.
-    let mesh = revolution(24, 7);
-    let scale = scale(&mesh) * 30.0 / 7.0;
-    let made = build(&mesh, &BuildSettings { scale, ..settings(Pieces::Strips) });
-    let (low, high) = (made.settings.margin, made.settings.sheet.map(|x| x - made.settings.margin));
-    let mut beside = 0;
-    for sheet in &made.layout.sheets {
-        let on_sheet = |points: &[[f64; 2]], place: &Place| -> Vec<[f64; 2]> {
-            points.iter().map(|&point| place.put(point)).collect()
-        };
-        let outlines: Vec<_> = (sheet.places.iter())
-            .map(|place| on_sheet(&made.parts[place.part].outline, place))
-            .collect();
-        for (k, place) in sheet.places.iter().enumerate() {
-            let lines = made.parts[place.part].engraved.iter();
-            let outside: Vec<_> = lines
-                .flat_map(|line| on_sheet(line, place))
-                .filter(|&point| !contains(&outlines[k], point))
-                .collect();
-            let mut part = made.parts[place.part].clone();
-            let unnamed =
-                write_names(&mut part, (model(&made), place.part), &made.names, false, place.turn);
-            assert!(unnamed.piece || outside.is_empty(), "{} is named twice", part.name);
-            beside += usize::from(!outside.is_empty());
-            for point in outside {
-                assert!((0..2).all(|x| point[x] >= low && point[x] <= high[x]), "{point:?}");
-                assert!(!outlines.iter().any(|other| contains(other, point)), "{point:?}");
-            }
-        }
-    }
-    assert!(beside > 0, "nothing is written there");
-}
-
-#[test]
-fn a_piece_without_room_for_its_name_anywhere_is_told_by_that_name() {
-    // Edges of 7 mm, on sheets on which no name has room between the pieces.
-    let mesh = revolution(24, 7);
-    let scale = scale(&mesh) * 30.0 / 7.0;
-    let own = BuildSettings {
-        scale,
-        sheet: [50.0, 50.0],
-        gap: 0.5,
-        margin: 1.0,
-        ..settings(Pieces::Strips)
-    };
-    let made = build(&mesh, &own);
-    let report = made.report();
-    assert!(!report.unnamed.is_empty() && report.unnamed.len() < report.parts, "{report:?}");
-    let files = made.files();
-    let rows = |name: &str, ending: &str| -> Vec<String> {
-        let text = &files.iter().find(|file| file.name == name).unwrap().text;
-        let lines = text.lines().filter(|line| line.ends_with(ending));
-        lines.map(|line| line.split(',').next().unwrap().to_owned()).collect()
-    };
-    let mut told = report.unnamed.clone();
-    told.sort();
-    let mut nowhere = rows("pieces.csv", ",nowhere");
-    nowhere.sort();
-    assert_eq!(told, nowhere);
-    // Whose name is somewhere has more lines than those of its panels.
-    for (k, part) in made.parts.iter().enumerate() {
-        let mut bare = part.clone();
-        bare.engraved.clear();
-        let turn =
-            made.layout.places(made.parts.len())[k].map_or([1.0, 0.0], |(_, place)| place.turn);
-        let missing = write_names(&mut bare, (model(&made), k), &made.names, false, turn);
-        let is_beside = part.engraved.len() > bare.engraved.len();
-        assert_eq!(told.contains(&part.name), missing.piece && !is_beside, "{}", part.name);
-    }
-    let plain = build(&mesh, &BuildSettings { outlines_only: true, ..made.settings.clone() });
-    assert!(plain.report().unnamed.is_empty(), "no names are asked for");
 }
 
 #[test]

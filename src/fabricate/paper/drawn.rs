@@ -2,18 +2,15 @@
 
 use super::model::{Glue, PaperModel};
 use super::net::OutlineSide;
+use super::tab_name::place_on_tab;
 use crate::fabricate::panel::{Point2, direction_of, rotated, smallest_box};
-use crate::fabricate::sheet::{CutPart, Inscription, label, strokes, text_width, upright};
+use crate::fabricate::sheet::{CutPart, Inscription, label, strokes, upright};
 use crate::math::sort_by_number;
 
 /// Dashes of a valley are so long, in mm, and gaps between them this part of it.
 const DASH: f64 = 2.5;
 /// See [`DASH`].
 const GAP: f64 = 0.6;
-/// Names on tabs are at most so high, in mm, and at least; lower ones go onto the panel.
-const TALLEST: f64 = 3.5;
-/// See [`TALLEST`].
-const LEAST: f64 = 1.8;
 /// Folds of less, in radians, are none: nothing is scored between two panels of one plane.
 const FLAT: f64 = 1e-3;
 
@@ -133,11 +130,10 @@ pub fn write_names(
         }
     }
     for tab in model.tabs(piece) {
-        if let Some((height, name)) = tab_name(model, names, tab.side) {
-            let corners = tab.corners.map(put);
-            let centre = [0, 1].map(|x| 0.25 * corners.iter().map(|p| p[x]).sum::<f64>());
-            let along = upright(direction_of(corners[0], corners[3]), turn);
-            part.engraved.extend(strokes(&name, height, centre, along));
+        if let Some((name, height, middle)) = tab_name(model, names, tab.side) {
+            let [p, _, _, q] = tab.corners.map(put);
+            let along = upright(direction_of(p, q), turn);
+            part.engraved.extend(strokes(&name, height, put(middle), along));
         }
     }
     Unnamed { dropped, small, piece: !is_named }
@@ -189,18 +185,17 @@ fn named_side(
     (start, name)
 }
 
-/// The height and the text of the name on the tab of a side; none where it has no room.
-fn tab_name(model: &PaperModel, names: &[String], side: OutlineSide) -> Option<(f64, String)> {
+/// The name on the tab of a side, its height and its middle; none where it has no room.
+fn tab_name(
+    model: &PaperModel,
+    names: &[String],
+    side: OutlineSide,
+) -> Option<(String, f64, Point2)> {
     let (joint, (g, _)) = model.net.across((side.facet, side.side))?;
-    let Glue::Tab(tab) = model.glue[joint as usize] else { return None };
+    let Glue::Tab(tab) = &model.glue[joint as usize] else { return None };
     let name = names[model.net.facets[g as usize].panel as usize].clone();
-    let [p, a, b, q] = tab.corners;
-    let length = |p: Point2, q: Point2| {
-        ((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])).sqrt()
-    };
-    let middle = 0.5 * (length(p, q) + length(a, b));
-    let height = (0.55 * tab.height).min(TALLEST).min(0.8 * middle / text_width(&name, 1.0));
-    (height >= LEAST).then_some((height, name))
+    let (height, middle) = place_on_tab(tab, &name)?;
+    Some((name, height, middle))
 }
 
 /// A dashed line that begins and ends with a dash: as lines of their own, which every program keeps.

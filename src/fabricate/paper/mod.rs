@@ -10,6 +10,7 @@
 //! | `motion` | motions of the plane |
 //! | `net` | facets placed in the plane, piece by piece |
 //! | `tab` | tabs that have room and are hidden |
+//! | `tab_name` | the name on a tab |
 //! | `grow` | how pieces grow by folded joints |
 //! | `model` | all of it: pieces with their tabs |
 //! | `drawn` | a piece as a part to be cut: outline, folds, names |
@@ -23,6 +24,7 @@ mod net;
 mod overlap;
 mod strip;
 mod tab;
+mod tab_name;
 mod triangles;
 
 pub use drawn::{Unnamed, drawn, write_names};
