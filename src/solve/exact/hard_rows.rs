@@ -189,67 +189,76 @@ impl HardBatch {
     /// shape, backwards, or what of it is beyond the `band`. Gives the sum of squares.
     pub(in crate::solve) fn residuals(&self, x: &[Row], band: Option<f64>, to: &mut [f64]) -> f64 {
         let n = self.batch.points();
-        let (mut points, mut projected) = (vec![Vec3::zero(); n], vec![Vec3::zero(); n]);
         let mut squares = 0.0;
-        for chunk in 0..self.batch.count().div_ceil(LANES) {
-            self.batch.gather(chunk, x, &mut points);
-            self.batch.project(chunk, &points, &mut projected);
+        self.each_chunk(x, 1.0, &mut |chunk, points, projected| {
             match band {
-                Some(width) => stop_at_band(&points, &mut projected, width),
-                None => self.batch.centre(&mut projected),
+                Some(width) => stop_at_band(points, projected, width),
+                None => self.batch.centre(projected),
             }
             let own = &mut to[chunk * LANES * 3 * n..];
-            let lanes = LANES.min(self.batch.count() - chunk * LANES);
-            for (lane, own) in own.chunks_exact_mut(3 * n).take(lanes).enumerate() {
-                for (k, (point, p)) in points.iter().zip(&projected).enumerate() {
+            for (lane, own) in own.chunks_exact_mut(3 * n).take(self.lanes(chunk)).enumerate() {
+                for (k, (point, p)) in points.iter().zip(&*projected).enumerate() {
                     let residual = (*point - *p).lane(lane);
                     own[3 * k..3 * k + 3].copy_from_slice(&[residual.x, residual.y, residual.z]);
                     squares += residual.length_squared();
                 }
             }
-        }
+        });
         squares
     }
 
     /// Of the guard, whether each edge is longer than it has to be at positions `x`, also when it is a little shorter:
     /// nothing holds it there. Empty of other constraints.
     pub(in crate::solve) fn slack(&self, x: &[Row]) -> Vec<bool> {
-        let count = if self.row.is_none() { self.batch.count() } else { 0 };
-        let n = self.batch.points();
-        let (mut points, mut projected) = (vec![Vec3::zero(); n], vec![Vec3::zero(); n]);
-        let mut slack = Vec::with_capacity(count);
-        for chunk in 0..count.div_ceil(LANES) {
-            self.batch.gather(chunk, x, &mut points);
-            points.iter_mut().for_each(|point| *point = *point * Lanes::splat(1.0 - SHORTER));
-            self.batch.project(chunk, &points, &mut projected);
-            let stays = |lane: usize| {
-                points.iter().zip(&projected).all(|(point, p)| point.lane(lane) == p.lane(lane))
-            };
-            slack.extend((0..LANES.min(count - chunk * LANES)).map(stays));
+        let mut slack = Vec::new();
+        if self.row.is_none() {
+            self.each_chunk(x, 1.0 - SHORTER, &mut |chunk, points, projected| {
+                slack.extend((0..self.lanes(chunk)).map(|lane| {
+                    points
+                        .iter()
+                        .zip(&*projected)
+                        .all(|(point, p)| point.lane(lane) == p.lane(lane))
+                }));
+            });
         }
         slack
     }
 
     /// Gives `each` how far every constraint is from being met at positions `x`.
     pub(in crate::solve) fn misses(&self, x: &[Row], mut each: impl FnMut(usize, Miss)) {
+        self.each_chunk(x, 1.0, &mut |chunk, points, projected| {
+            let mut worst = Lanes::zero();
+            for (point, p) in points.iter().zip(&*projected) {
+                worst = (*point - *p).length_squared().max(worst);
+            }
+            for lane in 0..self.lanes(chunk) {
+                let distance = worst.lane(lane).sqrt();
+                let excess = distance - self.within.unwrap_or(0.0);
+                each(chunk * LANES + lane, Miss { distance, excess: Lane::max(excess, 0.0) });
+            }
+        });
+    }
+
+    /// Gives `each` the centred points of every chunk at positions `x`, times `scale`, and their projections.
+    fn each_chunk(&self, x: &[Row], scale: f64, each: EachChunk<'_>) {
         let n = self.batch.points();
         let (mut points, mut projected) = (vec![Vec3::zero(); n], vec![Vec3::zero(); n]);
         for chunk in 0..self.batch.count().div_ceil(LANES) {
             self.batch.gather(chunk, x, &mut points);
+            points.iter_mut().for_each(|point| *point = *point * Lanes::splat(scale));
             self.batch.project(chunk, &points, &mut projected);
-            let mut worst = Lanes::zero();
-            for (point, p) in points.iter().zip(&projected) {
-                worst = (*point - *p).length_squared().max(worst);
-            }
-            let last = self.batch.count().min((chunk + 1) * LANES);
-            for i in chunk * LANES..last {
-                let distance = worst.lane(i % LANES).sqrt();
-                let excess = distance - self.within.unwrap_or(0.0);
-                each(i, Miss { distance, excess: Lane::max(excess, 0.0) });
-            }
+            each(chunk, &points, &mut projected);
         }
     }
+
+    /// How many lanes of a chunk have a constraint of their own.
+    fn lanes(&self, chunk: usize) -> usize {
+        LANES.min(self.batch.count() - chunk * LANES)
+    }
 }
+
+/// What is done with a chunk: its place, points and projections.
+type EachChunk<'a> = &'a mut dyn FnMut(usize, &[Vec3<Lanes>], &mut [Vec3<Lanes>]);
 
 /// The projection to the band of this width around a shape: projections go only so far.
 #[inline(always)]

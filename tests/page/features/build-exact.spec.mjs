@@ -11,8 +11,6 @@ import { downloaded, openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const N = 6;
 const SCALE = 50;
 const roof = `# units: m\n${wavyGrid(N)}`;

@@ -5,8 +5,6 @@ import { wavyGrid } from '../meshes.mjs';
 import { outlinesOf, overPart } from '../sheets.mjs';
 import { expect, openPage, screenOf, state, test, waitForState } from '../support.mjs';
 
-test.use({ pixels: false });
-
 const N = 4;
 const panel = (page) => page.getByRole('region', { name: 'Parts and sheets' });
 const sheets = (page) => panel(page).getByRole('group', { name: 'Sheets' });
