@@ -5,6 +5,7 @@ use super::identities::revolution;
 use super::{build, dxf};
 use shape_up::fabricate::beam::{cut_back, node_types};
 use shape_up::fabricate::panel::area;
+use shape_up::fabricate::sheet::{Inscription, label};
 use shape_up::fabricate::{Build, BuildSettings, OffsetKind, Product};
 use shape_up::math::Vec3;
 use shape_up::mesh::Mesh;
@@ -218,4 +219,16 @@ fn the_nodes_of_a_fin_are_named_beyond_the_holes_at_its_ends() {
     assert!(drilled.parts.iter().all(|part| part.holes.len() == 2));
     assert_eq!((drilled.dropped_names, drilled.small_names), (0, 0));
     assert_eq!((plain.dropped_names, plain.small_names), (0, 0));
+}
+
+#[test]
+fn a_short_fin_names_both_of_its_nodes_beside_its_long_name() {
+    // Of the upper ring of a conical roof, in mm: between its name and its ends there is no room for those of the nodes.
+    let outline = &[[0.0, 0.0], [25.99, 0.0], [24.65, 12.72], [1.34, 12.72]][..];
+    let neighbours = &[None, Some("N193".to_owned()), None, Some("N192".to_owned())][..];
+    for turn in [[1.0, 0.0], [-1.0, 0.0]] {
+        let (name, with_arrow, holes) = ("B192-193", true, &[][..]);
+        let found = label(Inscription { outline, name, neighbours, with_arrow, turn, holes });
+        assert_eq!((found.dropped, found.small, found.texts.len()), (0, false, 3));
+    }
 }

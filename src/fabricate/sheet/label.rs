@@ -239,7 +239,7 @@ fn beside_edge(
             let away = 0.5 * depth + ROOM * height + 0.4;
             for away in [Some(away), beyond.map(|beyond| beyond + away)].into_iter().flatten() {
                 // In the middle of the edge, else to either side.
-                for share in [0.5, 0.38, 0.62, 0.28, 0.72] {
+                for share in [0.5, 0.38, 0.62, 0.28, 0.72, 0.24, 0.76, 0.14, 0.86] {
                     let centre = [0, 1].map(|x| p[x] + share * (q[x] - p[x]) + away * inwards[x]);
                     let own = Box2::of_text(name, height, centre, upright(direction, turn));
                     if own.is_in(outline) && taken.iter().all(|other| own.is_apart(other)) {
