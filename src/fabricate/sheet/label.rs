@@ -22,6 +22,8 @@ const LEANING: f64 = 0.2;
 const OF_EDGE: f64 = 0.7;
 /// Names of neighbours are this part of their greatest height before they are written across their edge.
 const SMALL: f64 = 0.7;
+/// Where along its edge the name of a neighbour is tried.
+const SHARES: [f64; 9] = [0.5, 0.38, 0.62, 0.28, 0.72, 0.24, 0.76, 0.14, 0.86];
 /// Room around a text, in its heights.
 const ROOM: f64 = 0.35;
 /// The own name is underlined where another one is higher than this part of it, so far below it in its heights.
@@ -238,8 +240,8 @@ fn beside_edge(
             }
             let away = 0.5 * depth + ROOM * height + 0.4;
             for away in [Some(away), beyond.map(|beyond| beyond + away)].into_iter().flatten() {
-                // In the middle of the edge, else to either side.
-                for share in [0.5, 0.38, 0.62, 0.28, 0.72, 0.24, 0.76, 0.14, 0.86] {
+                // In the middle of the edge, else to either side; near its ends only where letters are small.
+                for share in if is_tall { &SHARES[..5] } else { &SHARES[..] } {
                     let centre = [0, 1].map(|x| p[x] + share * (q[x] - p[x]) + away * inwards[x]);
                     let own = Box2::of_text(name, height, centre, upright(direction, turn));
                     if own.is_in(outline) && taken.iter().all(|other| own.is_apart(other)) {
