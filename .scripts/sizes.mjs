@@ -89,7 +89,7 @@ await main(() => {
     row('first visit', [...first], 78 * kB),
     row('first picture', [firstPicture], 23 * kB),
     ...LATER.map(([name, , budget]) => row(name, later.get(name), budget * kB)),
-    row('other dialogs', others, 86 * kB),
+    row('other dialogs', others, 85 * kB),
     row('other pages', pages, 20 * kB),
     row('files of Rhino', site.filter(isRhino), 1100 * kB),
   ];
