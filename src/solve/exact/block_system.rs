@@ -146,6 +146,19 @@ impl BlockSystem {
         model: &Model,
         bands: bool,
     ) -> Result<(), SolveError> {
+        self.batches.iter_mut().for_each(|batch| batch.normals.fill(0.0));
+        self.hold_more(model, bands)
+    }
+
+    /// As [`BlockSystem::factor`], but linearises only what nothing holds: the others stay as they were linearised.
+    ///
+    /// # Errors
+    /// When the matrix is not positive definite to working precision.
+    pub(in crate::solve) fn hold_more(
+        &mut self,
+        model: &Model,
+        bands: bool,
+    ) -> Result<(), SolveError> {
         let x = &model.x;
         self.matrix.set_scalar(&self.metric);
         for (own, hard) in self.batches.iter_mut().zip(&model.hard.batches) {
@@ -158,13 +171,11 @@ impl BlockSystem {
             let each =
                 own.residuals.chunks_exact_mut(size).zip(own.normals.chunks_exact_mut(size * size));
             for (i, (residual, normal)) in each.enumerate() {
-                if slack.get(i) == Some(&true) {
-                    normal.fill(0.0);
-                    continue;
+                if is_zero(normal) && slack.get(i) != Some(&true) {
+                    let linear = Linear { residual, normal: &mut *normal };
+                    differences.linearise((hard, band), i, x, model.parts.extent, linear);
                 }
-                let linear = Linear { residual, normal: &mut *normal };
-                differences.linearise((hard, band), i, x, model.parts.extent, linear);
-                if normal.iter().all(|entry| *entry == 0.0) {
+                if is_zero(normal) {
                     continue;
                 }
                 let nodes = &own.nodes[i * own.points..(i + 1) * own.points];
@@ -190,9 +201,25 @@ impl BlockSystem {
     pub(in crate::solve) fn free(&self) -> Vec<bool> {
         let free = |batch: &LinearBatch| {
             let normals = batch.normals.chunks_exact(9 * batch.points * batch.points);
-            normals.map(|normal| normal.iter().all(|entry| *entry == 0.0)).collect::<Vec<_>>()
+            normals.map(is_zero).collect::<Vec<_>>()
         };
         self.batches.iter().flat_map(free).collect()
+    }
+
+    /// The part of the residuals at hand, of their squares, that nothing holds.
+    pub(in crate::solve) fn loose(&self) -> f64 {
+        let (mut loose, mut all) = (0.0, 0.0);
+        for batch in &self.batches {
+            let size = 3 * batch.points;
+            let each =
+                batch.residuals.chunks_exact(size).zip(batch.normals.chunks_exact(size * size));
+            for (residual, normal) in each {
+                let squares: f64 = residual.iter().map(|r| r * r).sum();
+                all += squares;
+                loose += if squares > 0.0 && is_zero(normal) { squares } else { 0.0 };
+            }
+        }
+        if all > 0.0 { loose / all } else { 0.0 }
     }
 
     /// Whether one of these constraints is not met at positions `x` of the model.
@@ -313,7 +340,7 @@ impl BlockSystem {
             let each = nodes.chunks_exact(*points).zip(normals.chunks_exact(size * size));
             let each = each.zip(residuals.chunks_exact(size)).zip(images.chunks_exact_mut(size));
             for (((nodes, normal), residual), image) in each {
-                if normal[0] == 0.0 && normal.iter().all(|entry| *entry == 0.0) {
+                if is_zero(normal) {
                     image.fill(0.0);
                     continue;
                 }
@@ -349,6 +376,11 @@ impl BlockSystem {
         }
         squares.sqrt()
     }
+}
+
+/// Whether nothing is held by a normal space.
+fn is_zero(normal: &[f64]) -> bool {
+    normal.iter().all(|entry| *entry == 0.0)
 }
 
 /// `to = matrix * x`, of a symmetric matrix.

@@ -29,6 +29,10 @@ const ROUGHLY: f64 = 0.1;
 /// The factor serves as long as a step with it leaves less than this part of the residuals.
 const SERVES: f64 = 0.9;
 
+/// Where so much of the squares of the residuals is of constraints that the factor does not hold, they are added to it:
+/// a step without them would not serve.
+const LOOSE: f64 = 0.5;
+
 /// The least relative denominator of a correction: below it, the steps so far carry no information.
 const LEAST_LEFT: f64 = 0.05;
 
@@ -128,9 +132,15 @@ impl Polish {
             self.left = MOST_STEPS;
             self.taken.clear();
         }
+        let before = self.system.residuals(model, &model.x);
+        if !fresh && self.system.loose() > LOOSE && self.factors - factors < MOST_FACTORS {
+            self.system.hold_more(model, true)?;
+            self.factors += 1;
+            self.left = MOST_STEPS;
+            self.taken.clear();
+        }
         self.left -= 1;
         self.steps += 1;
-        let before = self.system.residuals(model, &model.x);
         self.system.least_change(&mut self.dx, if fresh { LINEAR } else { ROUGHLY });
         let predicted = self.system.predicted();
         self.correct();
