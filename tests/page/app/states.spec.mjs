@@ -105,7 +105,8 @@ test('where no example can be fetched, the page says what can be opened', async 
 test('a large file says how far it is, and can be left while it is read', async ({ page }) => {
   await page.addInitScript(() => {
     const { stream } = Blob.prototype;
-    // Half of it, and the rest when it is wanted.
+    // Half of it, and the rest when it is wanted, of every file.
+    const wanted = new Promise((go) => (window.goOn = go));
     Blob.prototype.stream = function () {
       const [half, rest] = [this.slice(0, this.size / 2), this.slice(this.size / 2)];
       const parts = [half, rest].map((part) => stream.call(part).getReader());
@@ -114,7 +115,7 @@ test('a large file says how far it is, and can be left while it is read', async 
         const { done, value } = await parts[at].read();
         if (!done) return controller.enqueue(value);
         if (++at === 2) return controller.close();
-        await new Promise((go) => (window.goOn = go));
+        await wanted;
         return pull(controller);
       };
       return new ReadableStream({ pull });
