@@ -1,32 +1,32 @@
-/** Files packed into one, as ZIP: the browser deflates them. */
+/** Packs files into a ZIP archive, deflated by the browser. */
 
-/** A number in so many bytes. @typedef {[size: 2 | 4, value: number]} Field */
+/** A number and its size in bytes. @typedef {[size: 2 | 4, value: number]} Field */
 
 const LOCAL = 0x04034b50;
 const CENTRAL = 0x02014b50;
 const END = 0x06054b50;
-/** What unpacks it knows version 2.0 of the format; names are UTF-8; files are deflated. @type {Field[]} */
+/** Header fields of every file: format version 2.0, UTF-8 names, deflate. @type {Field[]} */
 const KIND = [
   [2, 20],
   [2, 0x0800],
   [2, 8],
 ];
 
-/** For each byte the remainder that it leaves. */
+/** CRC-32 table: the remainder of each byte. */
 const REMAINDERS = Uint32Array.from({ length: 256 }, (_, byte) => {
   let left = byte;
   for (let bit = 0; bit < 8; bit++) left = left & 1 ? 0xedb88320 ^ (left >>> 1) : left >>> 1;
   return left;
 });
 
-/** The CRC-32. @param {Uint8Array} bytes */
+/** Returns the CRC-32. @param {Uint8Array} bytes */
 function checksum(bytes) {
   let left = -1;
   for (const byte of bytes) left = REMAINDERS[(left ^ byte) & 255] ^ (left >>> 8);
   return ~left >>> 0;
 }
 
-/** Numbers one after another, the lowest byte first. @param {Field[]} fields */
+/** Encodes numbers one after another in little-endian order. @param {Field[]} fields */
 function header(fields) {
   const view = new DataView(new ArrayBuffer(fields.reduce((sum, [size]) => sum + size, 0)));
   let at = 0;
@@ -38,13 +38,13 @@ function header(fields) {
   return new Uint8Array(view.buffer);
 }
 
-/** The bytes as the format packs them. @param {Uint8Array<ArrayBuffer>} bytes */
+/** Returns the bytes as a raw deflate stream. @param {Uint8Array<ArrayBuffer>} bytes */
 async function deflated(bytes) {
   const packed = new Blob([bytes]).stream().pipeThrough(new CompressionStream('deflate-raw'));
   return new Uint8Array(await new Response(packed).arrayBuffer());
 }
 
-/** The time of day in two bytes, then the day, as the format has them. @param {Date} time */
+/** Time (low two bytes) and date (high two bytes) in MS-DOS format. @param {Date} time */
 const stamp = (time) =>
   (((time.getFullYear() - 1980) << 25) |
     ((time.getMonth() + 1) << 21) |
@@ -54,7 +54,7 @@ const stamp = (time) =>
     (time.getSeconds() >> 1)) >>>
   0;
 
-/** The archive of some files. @param {[name: string, content: Uint8Array<ArrayBuffer>][]} files */
+/** Returns the archive. @param {[name: string, content: Uint8Array<ArrayBuffer>][]} files */
 export async function archive(files) {
   const time = stamp(new Date());
   /** @type {Uint8Array<ArrayBuffer>[]} */
@@ -75,7 +75,7 @@ export async function archive(files) {
       [2, called.length],
       [2, 0],
     ];
-    /** Nothing is said of comments, disks and attributes. @type {Field[]} */
+    /** Comment, disk and attributes (all zero), and the offset of the file. @type {Field[]} */
     const rest = [
       [2, 0],
       [4, 0],

@@ -1,4 +1,4 @@
-/** The page's end of the worker that makes parts. */
+/** The page's side of the worker that makes parts. */
 
 /** @typedef {import("../../solver/messages.js").BuildRequest} BuildRequest */
 /** @typedef {import("../../solver/messages.js").BuildReplies} BuildReplies */

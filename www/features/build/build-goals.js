@@ -1,6 +1,6 @@
 /**
- * Goals on what is built of the shape. The module of parts is large, and the session does without it: while the shape
- * is at rest the numbers are measured here, and told to the session, which forgets them when the shape moves.
+ * Lesson goals on the parts. The session lacks the large module that makes parts, so their numbers
+ * are measured here while the shape is at rest; the session discards them when it moves.
  */
 
 import { LiveBuild } from './live-build.js';

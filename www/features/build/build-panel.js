@@ -1,4 +1,4 @@
-/** The docked panel: settings, the build check, sheets, and their files. */
+/** The docked panel of parts: settings, the build check, the sheets and their files. */
 
 import './build-panel.css';
 import { docked } from '../../docked/docked.js';
@@ -20,7 +20,7 @@ import { typesCurve } from './types-curve.js';
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
 /** @typedef {import("../../solver/messages.js").BuildReplies} BuildReplies */
 
-/** The colour of the panels of the part that is pointed at on a sheet. @type {[number, number, number]} */
+/** Colour of the panels of the part pointed at on a sheet. @type {[number, number, number]} */
 const POINTED = [230, 120, 20];
 
 /** @type {{ toggle: () => void } | null} */
@@ -87,7 +87,7 @@ async function buildPanel(app) {
     ),
   );
 
-  /** What depends on the distance, and follows a drag. @param {BuildReplies["reshape"]} built */
+  /** Shows what depends on the offset and follows a drag. @param {BuildReplies["reshape"]} built */
   function showOffset(built) {
     if (panel.hidden || !built) return;
     const { metres } = live.unit();
@@ -111,7 +111,7 @@ async function buildPanel(app) {
     offerKinds();
   }
 
-  /** Says what each kind of offset would have for errors, when the shape is at rest. */
+  /** Shows the error of each kind of offset, while the shape is at rest. */
   async function offerKinds() {
     const { running, dragged, model } = store.get();
     if (!running && !dragged.length && (model?.vertices ?? 0) <= MOST_LIVE_VERTICES)
@@ -152,7 +152,7 @@ async function buildPanel(app) {
     if (bytes) files.save('-parts.zip', bytes, 'application/zip');
   }
 
-  /** The writer of Rhino's files is large, and comes only for this. */
+  /** Saves a 3DM file, loading its large writer. */
   async function saveForRhino() {
     const { askRhino } = await import('../../documents/rhino/rhino-client.js');
     const [parts, { symbol }] = [await live.spatialParts(), live.unit()];

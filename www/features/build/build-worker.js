@@ -1,6 +1,6 @@
 /**
- * The worker of the panel: makes parts of shapes, one request after another. Its module is one of its own,
- * so that whoever only shapes does not wait for it.
+ * The worker that makes parts, one request after another. Its module is separate from the solver's,
+ * so that users who only shape a mesh do not wait for it.
  */
 
 import init, { Builder, buildOffers } from '../../pkg/build/shape_up.js';
@@ -10,13 +10,13 @@ import { messageOf } from '../../solver/messages.js';
 /** @typedef {import("../../solver/messages.js").BuildRequest} BuildRequest */
 /** @typedef {import("../../solver/messages.js").BuildReplies} BuildReplies */
 
-/** The name of the shape with its offset, as that of the command line. */
+/** The file name of the shape with its offset, the same as on the command line. */
 const PRESENTATION = 'model.glb';
 
 const ready = init();
-/** What was built last. @type {Builder | null} */
+/** The last build. @type {Builder | null} */
 let builder = null;
-/** Of what shape: its offset may be that of other positions since. @type {Shape | null} */
+/** Its input; with `isReshaped`, the positions belong to the offset only. @type {Shape | null} */
 let shape = null;
 let isReshaped = false;
 
@@ -33,7 +33,7 @@ function build(next) {
   return builder;
 }
 
-/** All parts of one shape: what is saved while somebody moves it is built first. */
+/** The parts of the current shape, rebuilt first if only the offset has followed it. */
 function whole() {
   if (shape && isReshaped) build(shape);
   return builder;

@@ -1,4 +1,4 @@
-/** The build check: five numbers with their limits, the worst element of each a click away. */
+/** The build check: five numbers with their limits; clicking one shows its worst element. */
 
 import { button } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
@@ -10,20 +10,20 @@ import { count, groupDigits } from '../../ui/format.js';
 /** @typedef {BuildReport["tighten"]["remedies"][number]} Remedy */
 
 const KEEPS = { corner: 'Corners keep', face: 'Panels keep', edge: 'Beams keep' };
-/** What a part of each product is called. */
+/** The noun for a part of each product. */
 const NOUNS = { panels: 'panel', fins: 'fin', paper: 'piece' };
-/** Lengths are rounded to this many millimetres. */
+/** Smallest length that is shown, in millimetres. */
 const LEAST_MM = 0.01;
 
 /**
- * @param {(worst: CheckRow["worst"]) => void} show an element of the mesh
+ * @param {(worst: CheckRow["worst"]) => void} show shows an element of the mesh
  * @param {(remedy: Remedy) => void} tighten
  */
 export function checkCard(show, tighten) {
   const words = element('p.quiet');
   const list = element('ul.check-rows');
   const problems = element('div');
-  /** What is offered now. @type {Remedy | undefined} */
+  /** The remedy on offer. @type {Remedy | undefined} */
   let remedy;
   const reason = element('p.quiet', { id: 'tighten-reason' });
   const press = button('Tighten', () => remedy && tighten(remedy), {
@@ -41,7 +41,7 @@ export function checkCard(show, tighten) {
     /**
      * @param {BuildCard} report
      * @param {Pick<import("../../store/state.js").State, "model" | "kinds">} state
-     * @param {number} metres of the unit of the mesh
+     * @param {number} metres per unit of the mesh
      */
     update(report, { model, kinds }, metres) {
       const { remedies, otherwise } = report.tighten;
@@ -88,7 +88,7 @@ function checkRow({ label, value, limit, unit, met, worst, failed }, show) {
   return element('li', { 'data-state': state }, inside);
 }
 
-/** What became of the panels, in a line. @param {BuildReport} report */
+/** One line about the panels on the sheets. @param {BuildReport} report */
 export function sheetsInWords({ product, sheets, placed, parts, used, types, frame, paper }) {
   const noun = NOUNS[product];
   const all = placed === parts ? count(parts, noun) : `${placed} of ${count(parts, noun)}`;
@@ -100,7 +100,7 @@ export function sheetsInWords({ product, sheets, placed, parts, used, types, fra
   return words.join(', ');
 }
 
-/** What is not on the sheets, or hard to read. @param {BuildReport} report */
+/** Parts missing from the sheets or hard to read. @param {BuildReport} report */
 export function warnings({
   too_large: large,
   not_cut: uncut,
@@ -130,7 +130,7 @@ export function warnings({
   ].filter((line) => line !== false);
 }
 
-/** A length of the building, from 10 m on in metres. @param {number} size in mm */
+/** A length of the building, in metres from 10 m on. @param {number} size in mm */
 export function millimetres(size) {
   return Math.abs(size) < 1e4 ? `${mm(size)} mm` : `${mm(size / 1000)} m`;
 }

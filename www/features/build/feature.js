@@ -1,4 +1,4 @@
-/** Sheets of parts, and the check whether they can be built. All of it comes when it is first asked for. */
+/** Sheets of parts, and the check whether they can be built. Loaded on first use. */
 
 /** @type {import("../../app/context.js").Feature} */
 export default {

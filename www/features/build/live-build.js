@@ -1,4 +1,4 @@
-/** Keeps the parts those of the current shape: one request at a time, and then the newest. */
+/** Keeps the parts up to date with the shape: one request at a time, for the newest state. */
 
 import { messageOf } from '../../solver/messages.js';
 import { UNITS } from '../../ui/units.js';
@@ -8,11 +8,11 @@ import { BuildClient } from './build-client.js';
 /** @typedef {import("../../solver/messages.js").BuildReplies["reshape"]} Reshaped */
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
 
-/** Larger meshes are built when they have come to rest. */
+/** Larger meshes are built only at rest. */
 export const MOST_LIVE_VERTICES = 3000;
-/** While a shape moves, its sheets follow where they take no longer than this; its offset always does. */
+/** Longest build, in ms, for which the sheets follow a moving shape; the offset always follows. */
 const LIVE_MS = 100;
-/** So many sheets are drawn. */
+/** Maximum number of sheets drawn. */
 export const MOST_SHEETS = 24;
 
 export class LiveBuild {
@@ -20,11 +20,11 @@ export class LiveBuild {
   #client = new BuildClient();
   #isAsking = false;
   #isStale = false;
-  /** What was built last. */
+  /** State of the last build. */
   #key = '';
-  /** What of it does not move: the mesh, the unit and the settings. @type {{ mesh: object, settings: string } | null} */
+  /** That state without the positions. @type {{ mesh: object, settings: string } | null} */
   #unmoved = null;
-  /** How long it took. */
+  /** Duration of the last build. */
   #milliseconds = 0;
   /** @type {BuildSettings | null} */
   #defaults = null;
@@ -39,7 +39,7 @@ export class LiveBuild {
    * @param {import("../../app/context.js").AppContext} app
    * @param {object} on
    * @param {(built: Built) => void} on.show
-   * @param {(reshaped: Reshaped) => void} on.showOffset while the shape moves
+   * @param {(reshaped: Reshaped) => void} on.showOffset called while the shape moves
    * @param {(why: string) => void} on.refuse
    */
   constructor(app, { show, showOffset, refuse }) {
@@ -49,32 +49,32 @@ export class LiveBuild {
     this.#refuse = refuse;
   }
 
-  /** Presets, and the defaults. */
+  /** Returns the presets and the defaults. */
   async offers() {
     const offers = await this.#client.ask({ type: 'offers' });
     this.#defaults = offers.defaults;
     return offers;
   }
 
-  /** The settings of the scene over the defaults. */
+  /** The settings of the scene, completed by the defaults. */
   settings() {
     const { document } = this.#app.store.get();
     return { .../** @type {BuildSettings} */ (this.#defaults), ...document?.build };
   }
 
-  /** The unit of the mesh: metres where the file says none. */
+  /** The unit of the mesh; metres if the file has none. */
   unit() {
     const symbol = this.#app.store.get().document?.units ?? '';
     return UNITS.find((unit) => unit.symbol === symbol) ?? UNITS[0];
   }
 
-  /** Builds although nothing has changed. */
+  /** Builds even if nothing has changed. */
   again() {
     this.#key = '';
     return this.update();
   }
 
-  /** Builds what has changed since. */
+  /** Builds what has changed; during a build, once more after it. */
   async update() {
     this.#isStale = true;
     if (this.#isAsking) return;
@@ -111,7 +111,7 @@ export class LiveBuild {
     const isSlow = this.#milliseconds > LIVE_MS;
     try {
       if (isMoving && isSlow && !isOther) {
-        // What was built is no longer of this shape.
+        // The last build no longer belongs to this shape.
         this.#key = '';
         return this.#showOffset(await this.#client.ask({ type: 'reshape', positions }));
       }
@@ -130,17 +130,17 @@ export class LiveBuild {
     }
   }
 
-  /** The offset at another distance, while somebody tries some. @param {number} distance in the unit of the mesh */
+  /** Previews the offset at another distance. @param {number} distance in the unit of the mesh */
   moveLayer(distance) {
     return this.#client.ask({ type: 'moveLayer', distance });
   }
 
-  /** What each kind of offset would have for errors. */
+  /** The error of each kind of offset. */
   choices() {
     return this.#client.ask({ type: 'choices' });
   }
 
-  /** All files in one. */
+  /** All files as a ZIP archive. */
   zip() {
     return this.#client.ask({ type: 'zip', zUp: this.#isZUp() });
   }
@@ -150,12 +150,12 @@ export class LiveBuild {
     return this.#client.ask({ type: 'numbers' });
   }
 
-  /** Everything in space, and its sheets, for CAD programs. */
+  /** The parts in space and the sheets, for CAD programs. */
   spatialParts() {
     return this.#client.ask({ type: 'spatialParts', zUp: this.#isZUp() });
   }
 
-  /** The report on one page. @param {{ title: string, camera: Float64Array | null, link: string }} view */
+  /** The report. @param {{ title: string, camera: Float64Array | null, link: string }} view */
   reportPage(view) {
     return this.#client.ask({ type: 'reportPage', zUp: this.#isZUp(), ...view });
   }
@@ -165,7 +165,7 @@ export class LiveBuild {
   }
 }
 
-/** Tells whether a shape has moved. @param {Float64Array} positions */
+/** A checksum that changes when the shape moves. @param {Float64Array} positions */
 function sum(positions) {
   let sum = 0;
   for (let i = 0; i < positions.length; i++) sum += positions[i] * ((i % 7) + 1);

@@ -1,5 +1,5 @@
 /**
- * One question at a time, and then the newest: those between are never asked.
+ * Answers one question at a time and then the newest one, dropping those in between.
  * @template Question
  * @param {(question: Question) => Promise<unknown>} answer
  */

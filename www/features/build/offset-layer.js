@@ -1,7 +1,7 @@
-/** The offset in the view, and in red what is not within a limit: beams and posts there, panels on the model. */
+/** The offset in the view, with failed beams and posts, and failed panels of the model, in red. */
 
 const NONE = new Uint32Array(0);
-/** The colour of panels that fail. @type {[number, number, number]} */
+/** The colour of panels that exceed a limit. @type {[number, number, number]} */
 const FAILED = [214, 40, 57];
 
 /** @typedef {import("../../solver/messages.js").OffsetLayer} OffsetLayer */
@@ -10,15 +10,15 @@ const FAILED = [214, 40, 57];
 export function offsetLayer({ store, actions, viewport }) {
   /** @type {OffsetLayer | null} */
   let layer = null;
-  /** What of it is tinted. @type {import("../../store/state.js").Tint | null} */
+  /** The tint of its failed panels. @type {import("../../store/state.js").Tint | null} */
   let tint = null;
 
-  /** The mesh that it belongs to. @type {import("../../store/state.js").State["model"]} */
+  /** The model of that tint. @type {import("../../store/state.js").State["model"]} */
   let tinted = null;
 
   function draw() {
     const { points = new Float64Array(0), edges = NONE, vertices = NONE } = layer ?? {};
-    // Another mesh may have come since.
+    // Another mesh may have been opened since.
     const { model } = store.get();
     const fits = points.length === 3 * (model?.vertices ?? 0);
     viewport.unmeasured((view) =>
@@ -40,9 +40,9 @@ export function offsetLayer({ store, actions, viewport }) {
   }
 
   viewport.on('ready', draw);
-  // Whoever points at something tints that, and nothing afterwards.
+  // Restores the tint after a temporary one, such as an element pointed at.
   store.subscribe(['tint'], (now) => {
-    // Of another mesh nothing is known yet.
+    // The tint of another mesh is out of date.
     if (now.model !== tinted) tint = null;
     if (tint && !now.tint) actions.tint(tint);
   });

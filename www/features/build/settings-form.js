@@ -1,4 +1,4 @@
-/** What is asked once: material, scale, sheet, joint, names, files. */
+/** The settings: product, material, scale, sheet, joint, names and files. */
 
 import { checkbox, choice } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
@@ -6,11 +6,11 @@ import { element } from '../../ui/dom.js';
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
 /** @typedef {import("../../solver/messages.js").BuildPreset} BuildPreset */
 
-/** What a preset says beside its name. @param {BuildPreset} preset @returns {Partial<BuildSettings>} */
+/** The settings of a preset. @param {BuildPreset} preset @returns {Partial<BuildSettings>} */
 const valuesOf = ({ material, thickness, scale, sheet }) => ({ material, thickness, scale, sheet });
 
 /**
- * A list of words of which a setting is one.
+ * A select element for a setting with named values.
  * @param {"product" | "pieces" | "page" | "order" | "names" | "dxf"} key
  * @param {(change: Partial<BuildSettings>) => void} change
  * @param {string[][]} options
@@ -77,7 +77,7 @@ export function settingsForm({ presets }, change) {
   const dxf = wordChoice('dxf', change, DXF);
   const only = checkbox('Outlines only, without names', (own) => change({ outlines_only: own }));
   const unitOfJoint = element('span');
-  /** What is shown of some products only. @type {HTMLElement[]} */
+  /** Fields that apply to some products only. @type {HTMLElement[]} */
   const onlyOf = [];
   const of = (/** @type {string} */ products, /** @type {HTMLElement} */ own) => {
     own.dataset.of = products;
@@ -148,7 +148,7 @@ export function settingsForm({ presets }, change) {
 }
 
 /**
- * A number above zero, or from it.
+ * A field for a positive number; with `fromZero`, also zero.
  * @param {string} id
  * @param {(value: number) => void} change
  * @param {boolean} [fromZero]

@@ -1,6 +1,6 @@
 /**
- * How thick it is built: a slider that ends where an edge of the offset would turn round, what keeps that distance
- * with the error that each choice would have, and how far axes follow the surface.
+ * The offset: a slider for distances at which no edge flips, the choice of what keeps the distance,
+ * with the error of each, and the weight of following the surface.
  */
 
 import { element, setText } from '../../ui/dom.js';
@@ -20,20 +20,20 @@ const KINDS = [
   { kind: 'face', label: 'Panels', title: 'Planes of panels keep their distance: one thickness' },
   { kind: 'edge', label: 'Beams', title: 'Beams are all equally high' },
 ];
-/** So many mean edges far the slider goes where nothing limits it. */
+/** Range of the slider in mean edge lengths, if nothing else limits it. */
 const FAR = 2;
-/** It ends so little before the distance at which an edge has no length. */
+/** Fraction of the distance at which an edge would have no length. */
 const INSIDE = 0.99;
-/** The least weight of following is ten to this. */
+/** Exponent to base ten of the smallest weight of following. */
 const LEAST_FOLLOW = -5;
 
 /**
  * @param {object} on
- * @param {(distance: number) => void} on.tryDistance while the slider is dragged; in the unit of the mesh
+ * @param {(distance: number) => void} on.tryDistance called during a drag, in the unit of the mesh
  * @param {(change: Partial<BuildSettings>) => void} on.change
  */
 export function thicknessForm({ tryDistance, change }) {
-  /** Millimetres of the building in a unit of the mesh. */
+  /** Millimetres of the building per unit of the mesh. */
   let scale = 1000;
   const slider = element('input', {
     ...{ type: 'range', id: 'parts-distance', step: 'any' },
@@ -84,7 +84,7 @@ export function thicknessForm({ tryDistance, change }) {
     /**
      * @param {BuildCard} report
      * @param {BuildSettings} settings
-     * @param {number} metres of the unit of the mesh
+     * @param {number} metres per unit of the mesh
      */
     update({ offset, mean_edge_mm: edge }, settings, metres) {
       place.hidden = !offset;
@@ -109,7 +109,7 @@ export function thicknessForm({ tryDistance, change }) {
       followRow.hidden = offset.exact;
       if (document.activeElement !== follow) follow.value = String(Math.log10(settings.follow));
     },
-    /** Says what each kind would have for errors. @param {BuildChoice[]} choices */
+    /** Shows the error that each kind would have. @param {BuildChoice[]} choices */
     offer(choices) {
       for (const { kind, error } of buttons) {
         const own = choices.find((choice) => choice.kind === kind);

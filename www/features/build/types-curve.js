@@ -1,4 +1,4 @@
-/** How many types of panels, edges or nodes there are at each tolerance, as bars; a press takes that tolerance. */
+/** Bars: number of types of panels, edges or nodes by tolerance. A click selects a tolerance. */
 
 import { choice, setOptions } from '../../ui/controls/fields.js';
 import { element, setAttribute, setText } from '../../ui/dom.js';
@@ -9,11 +9,11 @@ import { millimetres } from './check-card.js';
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
 
 /**
- * What is sorted into types, with how many there are at each tolerance.
+ * Elements that are sorted into types, with the number of types at each tolerance.
  * @typedef {{ noun: string, unit: string, setting: "alike" | "alike_deg", total: number, curve: number[][] }} Counted
  */
 
-/** What of a build is sorted into types. @param {BuildReport} report @returns {Counted[]} */
+/** The elements that a build sorts into types. @param {BuildReport} report @returns {Counted[]} */
 function countedIn({ frame, panels, types_curve, edges, edge_types_curve }) {
   const length = /** @type {const} */ ({ unit: 'mm', setting: 'alike' });
   const angle = /** @type {const} */ ({ unit: '\u00b0', setting: 'alike_deg' });
@@ -29,7 +29,7 @@ function countedIn({ frame, panels, types_curve, edges, edge_types_curve }) {
 
 /** @param {(change: Partial<BuildSettings>) => void} change */
 export function typesCurve(change) {
-  /** What somebody chose to see. */
+  /** The user's choice of elements. */
   let chosen = '';
   let draw = () => {};
   const what = choice({ id: 'parts-types' }, (value) => {

@@ -1,6 +1,6 @@
 /**
- * The card about how the surface bends: strokes along the principal directions or lines of curvature over it, how it
- * is coloured, and what that means for panels.
+ * The curvature card: strokes along the principal directions or lines of curvature on the surface,
+ * a curvature measure as colours, and the consequences for panels.
  */
 
 import './curvature.css';
@@ -22,9 +22,9 @@ export function toggle(app) {
 /** @param {import("../../app/context.js").AppContext} app */
 function curvatureCard(app) {
   const { store, solver, viewport, actions } = app;
-  /** How faces were coloured before it was opened. @type {string | null} */
+  /** The colour measure before the card was opened. @type {string | null} */
   let before = null;
-  /** The model that the sentence is of. @type {unknown} */
+  /** The model of the sentence. @type {unknown} */
   let told = null;
 
   const lines = choice({ 'aria-label': 'Lines' }, update, [
@@ -110,7 +110,7 @@ function curvatureCard(app) {
     drawing.update();
   }
 
-  /** What the curvature means for panels; asked once for each model. */
+  /** Shows what the curvature means for panels; requested once for each model. */
   async function tell() {
     const { model } = store.get();
     if (told === model || !model) return;
@@ -163,7 +163,7 @@ function curvatureCard(app) {
   const updateSoon = throttled(RENEW_MS, () => {
     if (!card.hidden) update();
   });
-  // Lines have other colours on other colours of the faces.
+  // The colours of the lines depend on the colours of the faces.
   store.subscribe(['selection', 'mode', 'dark', 'running', 'measure', 'spread'], updateSoon);
   store.subscribe(['model'], () => {
     if (card.hidden) return;

@@ -1,5 +1,5 @@
 /**
- * The worker of the card: finds how a shape bends, one question after another. What does it is in the module of
+ * The worker of the curvature card: answers one question after another with the module that makes
  * parts.
  */
 
@@ -7,13 +7,13 @@ import init, { SurfaceCurvature } from '../../pkg/build/shape_up.js';
 import { messageOf } from '../../solver/messages.js';
 
 /**
- * A question: the shape where it is another one than before, and what to draw over it.
+ * A question: the shape if it has changed, and the lines to draw on it.
  * @typedef {object} Question
  * @property {{ positions: Float64Array, offsets: Uint32Array, indices: Uint32Array }} [shape]
  * @property {"strokes" | "lines" | "through"} draw
- * @property {number | null} distance of lines, in the unit of the mesh; null for one that suits
- * @property {Uint32Array} vertices that lines go through
- * @property {Uint32Array} faces that lines go through the middle of
+ * @property {number | null} distance of lines, in the unit of the mesh; null for the default
+ * @property {Uint32Array} vertices that lines pass through
+ * @property {Uint32Array} faces whose centres lines pass through
  */
 
 /** @typedef {{ points: Float64Array, offsets: Uint32Array, count: number, distance: number }} Answer */

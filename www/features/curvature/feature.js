@@ -1,4 +1,4 @@
-/** How the surface bends: directions and lines of curvature over it, and its curvature as colours. */
+/** Curvature: principal directions and lines of curvature on the surface, and colours. */
 
 /** @type {import("../../app/context.js").Feature} */
 export default {

@@ -1,14 +1,14 @@
-/** What is drawn over the shape as it is: one question at a time, and then the newest. */
+/** Draws lines on the current shape: one request at a time, always for the newest state. */
 
 /** @typedef {import("./curvature-worker.js").Question} Question */
 /** @typedef {import("./curvature-worker.js").Answer} Answer */
 
-/** Larger meshes are drawn over when they have come to rest. */
+/** Lines on larger meshes are updated only at rest. */
 const MOST_LIVE_VERTICES = 3000;
 
 /**
  * @param {import("../../app/context.js").AppContext} app
- * @param {() => Omit<Question, "shape"> | null} wanted what is to be drawn; null for nothing
+ * @param {() => Omit<Question, "shape"> | null} wanted the lines to draw; null for none
  * @param {(answer: Answer | null, refused: string) => void} show
  */
 export function surfaceLines({ store, solver, viewport }, wanted, show) {
@@ -18,11 +18,11 @@ export function surfaceLines({ store, solver, viewport }, wanted, show) {
   });
   let isAsking = false;
   let isStale = false;
-  /** The shape that the worker knows. */
+  /** Checksums of the shape that the worker has. */
   let known = '';
-  /** What was asked last. */
+  /** The last question. */
   let asked = '';
-  /** What is drawn. @type {Answer | null} */
+  /** The lines drawn now. @type {Answer | null} */
   let drawn = null;
 
   function draw() {
@@ -69,7 +69,7 @@ export function surfaceLines({ store, solver, viewport }, wanted, show) {
       ...how,
       ...(isNew && { shape: { positions: positions.slice(), offsets, indices } }),
     });
-    // Another mesh may have come since.
+    // Another mesh may have been opened since.
     if (store.get().model !== model || !wanted()) return;
     drawn = value ?? null;
     draw();
@@ -78,7 +78,7 @@ export function surfaceLines({ store, solver, viewport }, wanted, show) {
 
   viewport.on('ready', draw);
   return {
-    /** Draws what has changed since. */
+    /** Draws what has changed; during an update, once more after it. */
     async update() {
       isStale = true;
       if (isAsking) return;
@@ -92,7 +92,7 @@ export function surfaceLines({ store, solver, viewport }, wanted, show) {
   };
 }
 
-/** Tells whether numbers have changed. @param {Float64Array | Uint32Array} numbers */
+/** A checksum that changes with the numbers. @param {Float64Array | Uint32Array} numbers */
 function sum(numbers) {
   let sum = 0;
   for (let i = 0; i < numbers.length; i++) sum += numbers[i] * ((i % 7) + 1);

@@ -1,4 +1,4 @@
-/** A plot of an experiment: one line for each method, the values on a logarithmic scale, with uPlot. */
+/** A plot of an experiment with uPlot: one line for each method, on a logarithmic value axis. */
 
 import uPlot from 'uplot';
 import { colourOf } from '../../ui/dom.js';
@@ -7,16 +7,16 @@ import { PRINTED } from '../../ui/plot/lines-svg.js';
 import { COUNTS, decades, powerOfTen } from '../../ui/plot/plot.js';
 
 const HEIGHT = 240;
-/** While a dialog is open nothing else changes the theme. */
+/** While the dialog is open, only the system can change the theme. */
 const SYSTEM = matchMedia('(prefers-color-scheme: dark)');
 
 /**
  * @typedef {object} Axes
- * @property {string} label of the whole plot, for those who cannot see it
+ * @property {string} label of the whole plot, for screen readers
  * @property {string[]} names of the methods
- * @property {number | null} x the column that is drawn over; null for the iterations
- * @property {number} y the column that is drawn
- * @property {boolean} aboveLowest whether the lowest value of all is taken off
+ * @property {number | null} x column of the horizontal axis; null for the iteration number
+ * @property {number} y column of the values
+ * @property {boolean} aboveLowest whether the lowest value of all methods is subtracted
  */
 
 export class Chart {
@@ -26,7 +26,7 @@ export class Chart {
   #observer;
   /** @type {uPlot.AlignedData | null} */
   #data = null;
-  /** Per method the places along the horizontal axis and the values. @type {[number[], number[]][]} */
+  /** Per method, the horizontal positions and the values. @type {[number[], number[]][]} */
   #lines = [];
 
   /**
@@ -45,7 +45,7 @@ export class Chart {
     SYSTEM.addEventListener('change', this.#restyle);
   }
 
-  /** @param {number[][][]} methods the columns of those that have started */
+  /** @param {number[][][]} methods columns of the methods that have started */
   show(methods) {
     const { x, y, names, aboveLowest } = this.#axes;
     const all = methods.map((columns) => columns?.[y] ?? []);
@@ -57,7 +57,7 @@ export class Chart {
       return [over, columns[y].map((value) => value - lowest)];
     });
     const tables = this.#lines.map(([over, values]) => {
-      // A logarithm has no zero.
+      // Zero has no logarithm.
       const drawn = values.map((value) => (value > 0 ? value : null));
       return /** @type {uPlot.AlignedData} */ ([over, drawn]);
     });
@@ -65,7 +65,7 @@ export class Chart {
     this.#plot.setData(this.#data);
   }
 
-  /** What is drawn, in colours that print. @returns {import("../../ui/plot/lines-svg.js").Line[]} */
+  /** The lines in the colours for print. @returns {import("../../ui/plot/lines-svg.js").Line[]} */
   lines() {
     return this.#lines.map(([x, y], k) => ({
       label: this.#axes.names[k],
@@ -76,7 +76,7 @@ export class Chart {
     }));
   }
 
-  /** uPlot paints on a canvas and does not see style sheets. */
+  /** uPlot paints on a canvas, which style sheets do not reach. */
   #restyle = () => {
     this.#plot.destroy();
     this.#plot = this.#make();
@@ -115,7 +115,7 @@ export class Chart {
             stroke: colourOf(this.#place, `--line-of-method-${k}`),
             width: 1.75,
             points: { show: false },
-            // Lines have points at different times.
+            // The methods are sampled at different times.
             spanGaps: true,
           })),
         ],
@@ -130,7 +130,7 @@ export class Chart {
 }
 
 /**
- * No wider than the values need.
+ * The smallest range that contains the values.
  * @param {uPlot} _
  * @param {number | null} least
  * @param {number | null} most
@@ -142,7 +142,7 @@ function range(_, least, most) {
 }
 
 /**
- * Powers of ten; where there are hardly any, twice and five times these too.
+ * Tick values: powers of ten; if there are at most two, also twice and five times these.
  * @param {number} least
  * @param {number} most
  */

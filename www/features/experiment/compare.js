@@ -1,5 +1,5 @@
 /**
- * Compares methods on what is open: by the experiment of its example, or by the one for any scene.
+ * Compares methods on the open document: by the experiment of its example, or by the general one.
  */
 
 import { exampleFile } from '../../solver/examples.js';

@@ -1,4 +1,4 @@
-/** Comparisons of methods: the experiment that an example has, and the one for any scene. */
+/** Comparisons of methods: the experiment of an example, or the general one for any scene. */
 
 /** @type {import("../../app/context.js").Feature} */
 export default {

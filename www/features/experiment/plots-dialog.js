@@ -1,4 +1,4 @@
-/** The dialog of an experiment: runs its methods one after another and shows how far each one comes. */
+/** The dialog of an experiment: runs its methods one after another and plots their progress. */
 
 import { button } from '../../ui/controls/fields.js';
 import { element, setText, throttled } from '../../ui/dom.js';
@@ -12,12 +12,12 @@ import './plots-dialog.css';
 /** @typedef {import("../../solver/examples.js").Experiment} Experiment */
 
 /**
- * What it is run on: the files of an example, or null for what is open; and the name for files.
+ * The files of an example, or null for the open document; and the base name of saved files.
  * @typedef {{ of: { example: string, files: import("../../solver/messages.js").NamedBytes[] } | null, name: string }} Subject
  */
 
 /**
- * What a method has done so far: per iteration the seconds, then the quantities.
+ * The samples of a method: in each iteration the seconds, then the quantities.
  * @typedef {{ columns: number[][], endedBy: string | null }} Series
  */
 
@@ -33,9 +33,9 @@ export class ExperimentDialog {
   /** @type {Series[]} */
   #series = [];
   #running = false;
-  /** Ends listening to the solver. @type {(() => void)[]} */
+  /** Remove the listeners on the solver. @type {(() => void)[]} */
   #stops = [];
-  /** The worker has died, and with it what it measured. */
+  /** Called when the worker has died and its measurements are lost. */
   #lost = () => this.#running && this.#fail('the solver was restarted');
   #draw;
 
@@ -157,7 +157,7 @@ export class ExperimentDialog {
     if (ended === 'failed') this.#fail(message);
     else if (ended) {
       this.#setRunning(false);
-      // Who is told that it has ended sees where.
+      // The end is announced together with the final values.
       this.#drawNow();
       setText(this.#status, ended === 'done' ? 'All methods have ended.' : 'Cancelled.');
     }
@@ -190,7 +190,7 @@ export class ExperimentDialog {
     }
   }
 
-  /** @param {number} k which plot */
+  /** @param {number} k index of the plot */
   #saveSvg(k) {
     const plot = this.#experiment.plots[k];
     const title = `${this.#experiment.label}: ${this.#subject.name}`;
@@ -264,7 +264,7 @@ export class ExperimentDialog {
     const { units } = this.#store.get().document ?? { units: '' };
     const rows = this.#experiment.methods.map((method, k) => {
       const series = this.#series[k];
-      // A method that the mesh is too large for has not begun.
+      // A method for which the mesh is too large has no samples.
       const begun = series && series.columns[0].length > 0;
       const last = begun ? series.columns.map((column) => column.at(-1) ?? 0) : null;
       const values = this.#experiment.quantities.map(({ unit }, q) =>
@@ -285,7 +285,7 @@ export class ExperimentDialog {
     this.#rows.replaceChildren(...rows);
   }
 
-  /** What a plot shows, with the unit. @param {Experiment["plots"][number]} plot */
+  /** The title of a plot, with its unit. @param {Experiment["plots"][number]} plot */
   #title(plot) {
     const { quantity, over } = plot;
     const { label, unit } = this.#experiment.quantities[quantity];
@@ -297,7 +297,7 @@ export class ExperimentDialog {
 }
 
 /**
- * How much of its limits a method has used.
+ * Fraction of its limits that a method has used.
  * @param {Series} series
  * @param {{ iterations: number, seconds: number }} limits
  */

@@ -1,4 +1,4 @@
-/** The flat map beside the model. How it is made, and its panel, come when it is first asked for. */
+/** The flat map beside the model. Loaded on first use. */
 
 /** @type {import("../../app/context.js").Feature} */
 export default {

@@ -1,6 +1,6 @@
 /**
- * Parametrisation: asks the worker for a flat map of the model, with the options chosen last, and
- * holds the panel and the part of the canvas that belong to it. Loaded when it is first asked for.
+ * Parametrisation: requests a flat map of the model with the last chosen options, and owns the
+ * panel and the region of the canvas for it. Loaded on first use.
  */
 
 import './flat-map.css';
@@ -11,10 +11,10 @@ import { flatMapPanel } from './uv-panel.js';
 
 /** @typedef {import("../../store/view-modes.js").FlatMap} FlatMap */
 
-/** Other settings are tried at once where a map takes at most so many seconds. */
+/** Other settings are tried without asking if a map takes less than this, in seconds. */
 const QUICK = 0.3;
 
-/** What can be chosen. @typedef {Pick<FlatMap, "weights" | "norm" | "onModel" | "onMap" | "squares">} Choices */
+/** @typedef {Pick<FlatMap, "weights" | "norm" | "onModel" | "onMap" | "squares">} Choices */
 
 /** @type {Parametrize | null} */
 let only = null;
@@ -33,7 +33,7 @@ export class Parametrize {
   };
 
   /**
-   * The one of the page.
+   * The only instance of the page.
    * @param {import("../../app/context.js").AppContext} app
    */
   static of(app) {
@@ -55,13 +55,13 @@ export class Parametrize {
     else await this.flatten();
   }
 
-  /** Back to the model alone. */
+  /** Closes the flat map. */
   close() {
     this.#actions.look({ flatMap: null, status: 'Back to the model' });
   }
 
   /**
-   * Changes what is chosen: what only looks different at once, else with another map.
+   * Changes options. Options of appearance apply at once; the others require a new map.
    * @param {Partial<Choices>} choices
    */
   choose(choices) {
@@ -71,7 +71,7 @@ export class Parametrize {
     else if (flatMap) this.#actions.look({ flatMap: { ...flatMap, ...choices } });
   }
 
-  /** Selects the faces that the map turns over, and comes near them on the model and on the map. */
+  /** Selects the faces that the map flips, and zooms to them on the model and on the map. */
   showFlipped() {
     const { flatMap } = this.#store.get();
     if (!flatMap) return;
@@ -79,7 +79,7 @@ export class Parametrize {
     this.#viewport.with((view) => view.showFlipped());
   }
 
-  /** Looks for settings that turn fewer triangles over, of the shape as it is now. */
+  /** Looks for settings that flip fewer triangles of the current shape. */
   async lookForFewer() {
     const { flatMap } = this.#store.get();
     if (!flatMap) return;
@@ -97,7 +97,7 @@ export class Parametrize {
     await this.#actions.reportErrors(fewer.then((better) => show(better ?? 'none')));
   }
 
-  /** Makes the map of the shape as it is now. */
+  /** Computes the map of the current shape. */
   async flatten() {
     const { model } = this.#store.get();
     const { weights, norm } = this.#choices;
@@ -112,7 +112,7 @@ export class Parametrize {
         flatMap: { found, iteration, fewer: null, ...this.#choices },
         status: `Flattened in ${duration(1000 * found.seconds)}`,
       });
-      // Without a boundary every map folds over itself.
+      // Every map of a surface without boundary folds over itself.
       const isOpen = found.closedParts < found.parts;
       if (found.flipped > 0 && isOpen && found.seconds < QUICK) await this.lookForFewer();
     } catch (error) {

@@ -1,17 +1,17 @@
-/** The panel of the flat map: its numbers, how it is made, and what the two surfaces show. */
+/** The panel of the flat map: its errors, its settings, and the look of the two surfaces. */
 
 import { element, setText } from '../../ui/dom.js';
 import { duration, groupDigits, ratio } from '../../ui/format.js';
 
 /** @typedef {import("../../store/view-modes.js").FlatMap} FlatMap */
 
-/** What a polygon counts: label and explanation. */
+/** Label and tooltip of each polygon weight. */
 const WEIGHTS = {
   'inverse-area': ['1 / area', 'A small polygon counts as much as a large one.'],
   one: ['1', 'Large polygons count more than small ones.'],
   lscm: ['|z|² / area', 'On triangles, the map of least-squares conformal maps.'],
 };
-/** What is kept from shrinking to a point. */
+/** Norms that keep the map from shrinking: label and tooltip. */
 const NORMS = {
   boundary: ['the boundary', 'The boundary is kept from shrinking; the inside follows.'],
   vertices: ['all vertices', 'All vertices are kept from shrinking, each as much as another.'],
@@ -83,7 +83,7 @@ export function flatMapPanel(place, store, control) {
     const isNew = place.hidden && flatMap !== null;
     place.hidden = !flatMap;
     if (!flatMap) return;
-    // It comes above what was looked at.
+    // The panel appears above the scroll position.
     if (isNew) place.scrollIntoView({ block: 'nearest' });
     const { found } = flatMap;
     const isStale = state.numbers?.iteration !== flatMap.iteration;
@@ -95,7 +95,7 @@ export function flatMapPanel(place, store, control) {
     again.hidden = !isStale;
     weights.show(flatMap.weights);
     norm.show(flatMap.norm);
-    // A surface without a boundary has one norm only.
+    // A surface without boundary has only one norm.
     norm.row.hidden = found.closedParts === found.parts;
     onModel.show(flatMap.onModel);
     onMap.show(flatMap.onMap);
@@ -106,12 +106,12 @@ export function flatMapPanel(place, store, control) {
 }
 
 /**
- * Which settings turn fewer triangles over, and a button that takes them, or looks for them.
+ * The settings that flip fewer triangles, with a button to apply them, or to look for them.
  * @param {FlatMap} flatMap
  * @param {import("./uv-controller.js").Parametrize} control
  */
 function fewerParts({ fewer, found }, control) {
-  // Without a boundary there is nothing that helps.
+  // No setting helps for a surface without boundary.
   if (found.flipped === 0 || found.closedParts === found.parts) return [];
   const small = (/** @type {string} */ label, /** @type {() => void} */ onclick) =>
     element('button.small.bordered', { onclick }, label);
@@ -168,7 +168,7 @@ function showFacts(list, found) {
 }
 
 /**
- * A choice with a line that explains what is chosen.
+ * A select element with a line that explains the chosen option.
  * @template {string} Id
  * @param {string} label
  * @param {Record<Id, string[]>} options label and explanation of each

@@ -1,13 +1,13 @@
 /**
- * The flat map's part of the canvas: its caption, the legend of its colours, which is the histogram of
- * the errors, and the gestures that slide and enlarge it.
+ * The region of the canvas with the flat map: its caption, its legend with the histogram of the
+ * errors, and the gestures that pan and zoom it.
  */
 
 import { element, setText } from '../../ui/dom.js';
 import { count, ratio } from '../../ui/format.js';
 import { pair, wheelFactor } from '../../viewport/input/zooming.js';
 
-/** An arrow key slides by so many CSS pixels, a page key enlarges by this factor. */
+/** Pan of an arrow key in CSS pixels, and zoom factor of a page key. */
 const KEY_STEP = 32;
 const KEY_ZOOM = 1.25;
 
@@ -27,7 +27,7 @@ export class MapRegion {
   #viewport;
   #legend = element('div.map-legend');
   #flipped = element('span.flipped');
-  /** Where each pointer that is down was last. @type {Map<number, [number, number]>} */
+  /** Last position of each pressed pointer. @type {Map<number, [number, number]>} */
   #down = new Map();
 
   /**
@@ -59,7 +59,7 @@ export class MapRegion {
     if (isColoured && stops) this.#legend.replaceChildren(...histogram(flatMap.found, stops));
   }
 
-  /** Lies over the map's part of the canvas, which the view knows. */
+  /** Covers the map's region of the canvas, as given by the view. */
   #arrange() {
     const region = this.#store.get().flatMap && this.#viewport.with((view) => view.mapRegion());
     if (!region) return;
@@ -110,7 +110,7 @@ export class MapRegion {
   }
 
   /**
-   * One pointer slides the map; of two, their middle slides it and their distance enlarges it.
+   * One pointer pans the map. Two pointers pan it by their midpoint and zoom it by their distance.
    * @param {PointerEvent} event
    */
   #move(event) {
@@ -139,7 +139,7 @@ export class MapRegion {
 }
 
 /**
- * The faces by their error, each bar in the colour of its error.
+ * The histogram of the faces by error, each bar in the colour of its error.
  * @param {import("../../solver/messages.js").Parametrization} found
  * @param {string[]} stops a colour for each bar
  */
@@ -147,7 +147,7 @@ function histogram({ histogram: counts, high, max }, stops) {
   const most = Math.max(...counts, 1);
   const total = counts.reduce((sum, count) => sum + count, 0);
   const bars = [...counts].map((count, k) => {
-    // A bar of a few faces among thousands is still seen.
+    // Keeps a bar of a few faces among thousands visible.
     const height = count > 0 ? Math.max((100 * count) / most, 4) : 0;
     return element('i', { style: `height:${height}%;background:${stops[k]}` });
   });

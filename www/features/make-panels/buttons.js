@@ -1,4 +1,4 @@
-/** A button for each shape that all panels can be made at once, and why not where they cannot. */
+/** Buttons that make all panels one shape; a disabled one gives the reason. */
 
 import { element } from '../../ui/dom.js';
 import { sketch } from '../../ui/kinds/sketch.js';
@@ -7,14 +7,14 @@ import { sketch } from '../../ui/kinds/sketch.js';
 
 /**
  * @param {Readonly<import("../../store/state.js").State>} state
- * @param {string} id that of the reasons, which the buttons are described by
+ * @param {string} id of the element with the reasons, which describes the buttons
  * @param {(kind: KindInfo) => void} press
  * @returns {{ buttons: HTMLButtonElement[], reasons: HTMLElement[] }}
  */
 export function panelButtons({ kinds, model }, id, press) {
   /** @type {Map<string, string | null>} */
   const reasonOf = new Map(model?.panels.map(({ kind, reason }) => [kind, reason]));
-  // The list goes from what asks less to what asks more, of which one is offered first.
+  // Kinds are listed from the weakest to the strongest requirement; here the strongest comes first.
   const offered = kinds.filter((kind) => kind.panels !== null && reasonOf.has(kind.id)).reverse();
   const buttons = offered.map((kind) => {
     const reason = reasonOf.get(kind.id);

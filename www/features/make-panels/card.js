@@ -1,7 +1,6 @@
 /**
- * One press for all panels: what a mesh that was just opened is offered over the view, the way there,
- * and the verdict. The same buttons are in the panel of the model once the offer is gone, so that each
- * is on the page once.
+ * One press for all panels: the offer over the view for a mesh just opened, the progress, and the
+ * verdict. Without the offer, the same buttons are in the Model panel.
  */
 
 import './make-panels.css';
@@ -15,7 +14,7 @@ import { progressWords, verdictWords } from './verdict.js';
 
 /** @typedef {import("../../solver/messages.js").KindInfo} KindInfo */
 
-/** So long the mesh is on its way at least: a jump would not show what becomes of it. */
+/** Minimum duration of the transition: a jump would not show what changes. */
 const TRANSITION_MS = 800;
 const still = matchMedia('(prefers-reduced-motion: reduce)');
 
@@ -23,21 +22,21 @@ export class MakePanels {
   #app;
   #card = byId('make-panels-card');
   #panel = byId('make-panels');
-  /** What the card is about. @type {"nothing" | "offer" | "verdict"} */
+  /** The content of the card. @type {"nothing" | "offer" | "verdict"} */
   #shows = 'nothing';
-  /** The model whose offer or verdict was closed. @type {unknown} */
+  /** The model whose offer or verdict the user closed. @type {unknown} */
   #closed = null;
-  /** The model whose panels were made something. @type {unknown} */
+  /** The model whose panels were made one shape. @type {unknown} */
   #pressed = null;
-  /** The model that is on its way there. @type {unknown} */
+  /** The model in transition. @type {unknown} */
   #underWay = null;
-  /** Fitted shapes are shown since a press, whose model it was. @type {unknown} */
+  /** The model for which a press has switched the fitted shapes on. @type {unknown} */
   #shown = null;
   #text = element('p');
-  /** How far the mesh will move, and why. */
+  /** The forecast: how far the mesh will move, and why. */
   #forecast = element('p.quiet');
-  /** The model that the forecast is of. @type {unknown} */
-  #foreseen = null;
+  /** The model of the forecast. @type {unknown} */
+  #forecastOf = null;
   #folds = element(
     'div.folds',
     button('Show the folds', () => this.#showFolded()),
@@ -45,9 +44,9 @@ export class MakePanels {
       title: 'Makes the panels anew from the original, smoother or within a larger tolerance',
     }),
   );
-  /** The id of the kind that the verdict is about. */
+  /** The id of the kind of the verdict. */
   #kind = '';
-  /** A verdict is asked for. */
+  /** Whether a verdict is being requested. */
   #isBusy = false;
 
   /** @param {import("../../app/context.js").AppContext} app */
@@ -57,7 +56,7 @@ export class MakePanels {
     const { store, solver } = app;
     store.subscribe(['model', 'kinds', 'document', 'example'], () => this.#show());
     store.subscribe(['split', 'flatMap'], () => this.#show());
-    // The next mesh starts as the first one did.
+    // The next mesh starts without fitted shapes.
     store.subscribe(['model'], ({ model }) => {
       if (!this.#shown || this.#shown === model) return;
       this.#shown = null;
@@ -71,9 +70,9 @@ export class MakePanels {
     const updateSoon = throttled(RENEW_MS, () => this.#showVerdict(false));
     solver.on('frame', updateSoon);
     store.subscribe(['tolerance'], updateSoon);
-    // What would help comes into it later.
+    // The card grows when remedies are added later.
     new ResizeObserver(() => this.#cover()).observe(this.#card);
-    // A panel below hides it: that is known before the view, which is smaller then, is framed anew.
+    // A docked panel hides the card. Noticed here, before the smaller view is framed anew.
     const { body } = document;
     new MutationObserver(() => this.#cover()).observe(body, { attributeFilter: ['data-docked'] });
   }
@@ -83,9 +82,9 @@ export class MakePanels {
   }
 
   /**
-   * Makes all panels of this kind, visibly.
+   * Makes all panels of this kind, with a transition.
    * @param {KindInfo} kind
-   * @param {boolean} [afresh] from the original
+   * @param {boolean} [afresh] starts from the original
    */
   async #make(kind, afresh = false) {
     const { store, viewport, actions, files } = this.#app;
@@ -95,7 +94,7 @@ export class MakePanels {
     this.#closed = null;
     const arrived = still.matches ? null : viewport.transition(TRANSITION_MS);
     const show = (/** @type {boolean} */ shapes) => actions.display({ shapes });
-    // They are those of the shape at the end of the way.
+    // The fitted shapes are those of the final shape.
     if (arrived) show(false);
     if ((await actions.makePanels(kind.id, undefined, afresh)) === undefined) {
       this.#underWay = null;
@@ -113,7 +112,7 @@ export class MakePanels {
     this.#showVerdict(true);
   }
 
-  /** Waits for the model that is on its way; whether it has come, and its panels can be that. @param {string} id */
+  /** Waits for the next model. Returns whether its panels can be this kind. @param {string} id */
   async #nextTakes(id) {
     const { store, actions, files } = this.#app;
     const { model: before } = store.get();
@@ -124,7 +123,7 @@ export class MakePanels {
     return model !== before && offered !== undefined && !offered.reason;
   }
 
-  /** Settles when the run that goes on has ended. */
+  /** Resolves when the current run has ended. */
   #endOfRun() {
     const { store, solver } = this.#app;
     return new Promise((ended) => {
@@ -141,7 +140,7 @@ export class MakePanels {
   #show() {
     const state = this.#app.store.get();
     const { model, document, example, split, flatMap } = state;
-    // Two pictures, and a map beside the model, have legends of their own in its place.
+    // The split view and the flat map have legends in the card's position.
     const hasRoom = !split && !flatMap;
     const rows = document?.constraints.length ?? 0;
     const offers = Boolean(model?.faces && model.panels.length > 0);
@@ -156,18 +155,18 @@ export class MakePanels {
     if (here === this.#panel) renew(here, element('div', ...buttons), ...reasons);
     else {
       const press = element('div', ...buttons, this.#somethingElse());
-      renew(here, ...reasons, this.#forecast, press, this.#cross());
-      this.#foresee();
+      renew(here, ...reasons, this.#forecast, press, this.#closeButton());
+      this.#showForecast();
     }
     this.#cover();
   }
 
-  /** Says how far the mesh will move for what is offered; asked once for each. */
-  async #foresee() {
+  /** Shows how far the mesh will move for the offer; requested once for each model. */
+  async #showForecast() {
     const { store, actions } = this.#app;
     const { model } = store.get();
-    if (this.#foreseen === model) return;
-    this.#foreseen = model;
+    if (this.#forecastOf === model) return;
+    this.#forecastOf = model;
     this.#forecast.hidden = true;
     const words = await actions.forecast().catch(() => null);
     if (store.get().model !== model) return;
@@ -191,7 +190,7 @@ export class MakePanels {
     const hold = button('Hold to see the original', () => {});
     this.#app.hold.bind(hold);
     this.#folds.hidden = true;
-    this.#card.append(this.#text, hold, this.#cross(), this.#folds);
+    this.#card.append(this.#text, hold, this.#closeButton(), this.#folds);
     this.#showVerdict(false);
   }
 
@@ -200,7 +199,7 @@ export class MakePanels {
     return element('button', { 'aria-haspopup': 'dialog', onclick }, 'Something else');
   }
 
-  #cross() {
+  #closeButton() {
     const close = () => {
       this.#closed = this.#app.store.get().model;
       this.#show();
@@ -208,7 +207,7 @@ export class MakePanels {
     return closeButton('Close', close);
   }
 
-  /** Says how it stands; and that it has ended. @param {boolean} atEnd */
+  /** Shows the verdict, and announces it at the end of a run. @param {boolean} atEnd */
   async #showVerdict(atEnd) {
     if (this.#shows !== 'verdict' || (this.#isBusy && !atEnd)) return;
     const { store, actions } = this.#app;
@@ -229,20 +228,20 @@ export class MakePanels {
     if (atEnd && !running && !numbers?.collapse) actions.setStatus(text);
   }
 
-  /** Selects the faces that are folded, and shows where they are. */
+  /** Selects the folded faces and brings them into view. */
   async #showFolded() {
     const { actions } = this.#app;
     const found = await actions.reportErrors(actions.flawed('folded-faces'));
     if (found) showElements(this.#app, found);
   }
 
-  /** Makes the panels again, from the original: a press looks for a shape that does not fold. */
+  /** Makes the panels again from the original; the solver then looks for a shape without folds. */
   async #avoidFolds() {
     const kind = this.#app.store.get().kinds.find(({ id }) => id === this.#kind);
     if (kind) await this.#make(kind, true);
   }
 
-  /** What is framed is seen whole above the card. */
+  /** Frames the model in the area above the card. */
   #cover() {
     const covered = cover(this.#app.viewport, this.#card);
     byId('main').style.setProperty('--covered', `${covered}px`);
@@ -250,7 +249,7 @@ export class MakePanels {
 }
 
 /**
- * Gives a place its content, and the focus that was in it to the same button.
+ * Replaces the content of an element and keeps the focus on the button of the same index.
  * @param {HTMLElement} place
  * @param {...HTMLElement} content
  */

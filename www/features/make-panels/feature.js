@@ -1,4 +1,4 @@
-/** What a mesh is offered: one press for all panels, and changes of the mesh itself. */
+/** Actions on the whole mesh: one press for all panels, and changes of the mesh itself. */
 
 /** @type {import("../../app/context.js").Feature} */
 export default {

@@ -1,4 +1,4 @@
-/** The buttons that change the mesh, among those of the model. */
+/** The buttons that change the mesh, in the mesh tools. */
 
 import { button } from '../../ui/controls/fields.js';
 import { byId } from '../../ui/dom.js';

@@ -1,4 +1,4 @@
-/** The dialog of Refine: how, how often, and how many faces that makes. */
+/** The Refine dialog: scheme, number of levels, and resulting number of faces. */
 
 import './refine.css';
 import { openDialog } from '../../ui/controls/dialog.js';
@@ -15,7 +15,7 @@ const SCHEMES = [
 ];
 /** @type {[string, string]} */
 const FOR_TRIANGLES = ['loop', 'Loop, smooth'];
-/** What each level of Refine and solve stays close to. @type {[string, string][]} */
+/** The reference of each level of Refine and solve. @type {[string, string][]} */
 const CLOSE_TO = [
   ['solved', 'The solved level: faster, smoother'],
   ['original', 'The original: nearer to it'],
@@ -25,7 +25,7 @@ const FROM = {
   original: '“Moved” is measured from the refined original.',
 };
 const OFTEN = ['Once', 'Twice', 'Three times', 'Four times', 'Five times'];
-/** A turn that stays sharp, in degrees. */
+/** Default angle in degrees above which creases and corners stay sharp. */
 const KEEP = 75;
 
 /** @param {import("../../app/context.js").AppContext} app */
@@ -60,15 +60,15 @@ export function openRefine({ store, solver, actions, alerts }) {
   });
   const isAdopted = () => hasRows && closeTo.value === 'solved';
 
-  /** Says what “Moved” is measured from. */
+  /** Shows the shape from which “Moved” is measured. */
   function explain() {
     setText(from, isAdopted() ? FROM.solved : FROM.original);
   }
 
-  /** What refining makes of the mesh, once, twice and so on. @type {import("../../solver/messages.js").Replies["refinements"]} */
+  /** Resulting mesh by level. @type {import("../../solver/messages.js").Replies["refinements"]} */
   let made = [];
 
-  /** Finds what comes of each number of levels. */
+  /** Requests the result of each number of levels. */
   async function ask() {
     const { scheme, keep } = how();
     try {
@@ -83,7 +83,7 @@ export function openRefine({ store, solver, actions, alerts }) {
   }
 
   /**
-   * The goal that a number of levels leads to.
+   * The option for a number of levels, with its result.
    * @param {(typeof made)[number]} each
    * @param {number} i
    */
@@ -93,7 +93,7 @@ export function openRefine({ store, solver, actions, alerts }) {
     return [String(i + 1), `${times}: ${count(faces, 'face')} of about ${far}`];
   }
 
-  /** Says beforehand what comes of it. */
+  /** Shows the result in advance. */
   function say() {
     const { faces, vertices } = made[Number(levels.value) - 1];
     const now = count(store.get().model?.faces ?? 0, 'face');

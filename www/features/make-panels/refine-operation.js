@@ -1,4 +1,4 @@
-/** The dialog of Edit mesh: the operations that the solver declares, their sizes, and what each would make. */
+/** The Edit mesh dialog: the operations that the solver declares, their sizes, and a preview. */
 
 import './refine.css';
 import { messageOf } from '../../solver/messages.js';
@@ -9,7 +9,7 @@ import { sizeField } from '../../ui/controls/size-field.js';
 import { element, setText } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
 
-/** What was done last is what one does again. */
+/** The last operation, suggested for the next time. */
 let last = '';
 
 /** @param {import("../../app/context.js").AppContext} app */
@@ -18,7 +18,7 @@ export async function openEdit({ store, solver, actions, alerts }) {
   const operations = await mesh.operations();
   const { selection, document: scene } = store.get();
   const picked = { vertices: actions.chosenVertices(), faces: [...selection.faces] };
-  /** How often it was asked what an operation would make. */
+  /** Number of the latest preview request. */
   let asked = 0;
 
   const operation = choice(
@@ -50,7 +50,7 @@ export async function openEdit({ store, solver, actions, alerts }) {
     show();
   }
 
-  /** Says beforehand what comes of it. */
+  /** Shows what the operation would produce. */
   async function show() {
     const question = ++asked;
     apply.disabled = true;
@@ -80,7 +80,7 @@ export async function openEdit({ store, solver, actions, alerts }) {
     if (notes?.length) alerts.notice(notes.join(' '));
   }
 
-  // Before it can be seen: whoever has chosen another one would lose that.
+  // Set before the dialog is visible, so that it cannot replace the user's choice.
   operation.value = last || (await firstThatFits());
   const dialog = openDialog(
     { id: 'edit-mesh', title: 'Edit mesh', light: true },
@@ -100,7 +100,7 @@ export async function openEdit({ store, solver, actions, alerts }) {
   );
   showSizes();
 
-  /** The first operation that can be done here. */
+  /** The first operation that applies here. */
   async function firstThatFits() {
     for (const { id, defaults } of operations) {
       const made = mesh.remeshing({ ...picked, operation: id, sizes: defaults });
@@ -110,7 +110,10 @@ export async function openEdit({ store, solver, actions, alerts }) {
   }
 }
 
-/** What an operation would make. @param {import("../../pkg/solver/shape_up.js").RemeshingPreview} made */
+/**
+ * The result of an operation in words.
+ * @param {import("../../pkg/solver/shape_up.js").RemeshingPreview} made
+ */
 function sentence({ vertices, faces, corners: [triangles, quads, larger] }) {
   /** @type {[number, string][]} */
   const kinds = [

@@ -1,11 +1,11 @@
-/** What came of making all panels of one shape, in words. */
+/** The verdict on making all panels one shape, in words. */
 
 import { count, groupDigits, length } from '../../ui/format.js';
 
 /** @typedef {import("../../solver/messages.js").Verdict} Verdict */
 
 /**
- * A length to two digits: nobody builds by the third.
+ * A length to two digits, the precision that matters for building.
  * @param {number} value in the unit of the mesh
  * @param {string} units of the mesh
  */
@@ -15,7 +15,7 @@ function about(value, units) {
 }
 
 /**
- * How many panels are within the tolerance.
+ * The number of panels within the tolerance.
  * @param {Verdict} verdict
  * @param {string} units of the mesh
  */
@@ -29,7 +29,7 @@ export function progressWords({ adjective, panels, within, tolerance }, units) {
 }
 
 /**
- * How many are, with those that are within a larger one as they would fold.
+ * The same, with panels that meet only a larger tolerance because they would fold.
  * @param {Verdict} verdict
  * @param {string} units of the mesh
  */
@@ -45,7 +45,7 @@ function reachedWords(verdict, units) {
 }
 
 /**
- * The same, with the worst of them and how far the mesh moved.
+ * The full verdict, with the worst panel and how far the mesh moved.
  * @param {Verdict} verdict
  * @param {string} units of the mesh
  */

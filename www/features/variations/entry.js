@@ -1,4 +1,4 @@
-/** The button that opens the variations, among those of the model. */
+/** The button that opens the variations, in the mesh tools. */
 
 import { button } from '../../ui/controls/fields.js';
 import { byId } from '../../ui/dom.js';

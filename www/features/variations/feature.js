@@ -1,4 +1,4 @@
-/** Other shapes that are as exact. All of it comes when it is first asked for. */
+/** Variations: other shapes that are equally exact. Loaded on first use. */
 
 /** @type {import("../../app/context.js").Feature} */
 export default {

@@ -1,4 +1,4 @@
-/** The shapes that were kept: a strip of pictures, and their numbers in a table. */
+/** The kept shapes: a strip of thumbnails, and a table of their numbers. */
 
 import { closeButton } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
@@ -13,7 +13,7 @@ import { drawShape } from '../../ui/plot/thumbnail.js';
 /** @param {import("../../app/context.js").AppContext} app */
 export function keptStrip(app) {
   const { store, solver, actions } = app;
-  const ways = variationActions(solver, actions);
+  const variations = variationActions(solver, actions);
   const strip = element('div.kept-strip', { role: 'group', 'aria-label': 'Kept' });
   const body = element('tbody');
   const table = element(
@@ -42,11 +42,11 @@ export function keptStrip(app) {
     strip.hidden = table.hidden = variants.length === 0;
     if (variants.length === 0) return strip.replaceChildren();
     const allowed = tolerance ?? model.tolerance;
-    const rows = await ways.table(allowed);
+    const rows = await variations.table(allowed);
     /** @type {Float64Array[]} */
     const shapes = [];
-    for (const index of rows.keys()) shapes.push(await ways.positions(index));
-    // It has changed meanwhile.
+    for (const index of rows.keys()) shapes.push(await variations.positions(index));
+    // A newer update has started.
     if (mine !== asked) return;
     const cards = rows.map((row, index) => card(row, index, shapes[index]));
     strip.replaceChildren(...cards.map(({ place }) => place));
@@ -99,7 +99,7 @@ export function keptStrip(app) {
   return { place, update: () => actions.reportErrors(update()) };
 }
 
-/** Heads and explanations of the table. */
+/** Headings and tooltips of the table. */
 const COLUMNS = [
   ['', ''],
   ['Farthest', 'The greatest distance of a vertex to what has to be met'],

@@ -1,18 +1,18 @@
-/** A way to change the shape: its picture, and the slider that goes along it. */
+/** The card of a variation: a thumbnail of the deformed shape, and a slider. */
 
 import { element, setText } from '../../ui/dom.js';
 import { drawShape } from '../../ui/plot/thumbnail.js';
 
-/** Of the way from the middle to the end of the slider, in the picture. */
+/** Slider position shown in the thumbnail, as a fraction of half the slider's length. */
 const PICTURED = 0.6;
-/** Steps of the slider from the middle to either end. */
+/** Slider steps from the middle to either end. */
 const STEPS = 100;
 
 /**
  * @param {number} index
- * @param {number} slide coefficients go so far to either side
- * @param {() => void} change while it moves
- * @param {() => void} release when it is let go
+ * @param {number} slide maximum absolute value of the coefficient
+ * @param {() => void} change while the slider moves
+ * @param {() => void} release when the slider is released
  */
 export function variationCard(index, slide, change, release) {
   const name = `Variation ${index + 1}`;
@@ -25,7 +25,7 @@ export function variationCard(index, slide, change, release) {
       change();
     },
     onchange: release,
-    // As in other programs.
+    // Double click resets, as is usual.
     ondblclick: () => {
       set(0);
       release();
@@ -59,14 +59,14 @@ export function variationCard(index, slide, change, release) {
     /**
      * @param {import("../../solver/messages.js").Connectivity} connectivity
      * @param {Float64Array} shape `#V by 3`
-     * @param {Float32Array} ways `#V by 3`
+     * @param {Float32Array} ways displacement per unit of the coefficient, `#V by 3`
      * @param {"y" | "z"} up
      */
     draw(connectivity, shape, ways, up) {
       const changed = shape.map((at, i) => at + PICTURED * slide * ways[i]);
       drawShape(canvas, connectivity, changed, { up, ways });
     },
-    /** Marks what is possible, where it is known. @param {number[] | null} range */
+    /** Marks the feasible range of the slider, if known. @param {number[] | null} range */
     showRange(range) {
       const known = range?.every(Number.isFinite);
       place.toggleAttribute('data-known', Boolean(known));

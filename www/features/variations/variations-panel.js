@@ -1,4 +1,4 @@
-/** The docked panel: ways to change the shape while it stays exact, each with a slider, and the shapes that were kept. */
+/** The docked panel of variations, which keep the shape exact, and of the kept shapes. */
 
 import './variations.css';
 import { docked } from '../../docked/docked.js';
@@ -25,17 +25,17 @@ export function toggleVariations(app) {
  */
 function variationsPanel(app) {
   const { store, solver, actions } = app;
-  const ways = variationActions(solver, actions);
+  const variations = variationActions(solver, actions);
   /** @type {ReturnType<typeof variationCard>[]} */
   let cards = [];
-  /** A search that goes on; another number ends it. */
+  /** Number of the current search; a new number ends it. */
   let search = 0;
-  /** What the sliders say is not shown yet. */
+  /** Whether the slider positions are not shown yet. */
   let isDue = false;
   let isBusy = false;
-  /** A slider was let go: the shape is brought back where it stands. */
+  /** Whether the slider was released, so that the shape is made exact again. */
   let isReleased = false;
-  /** The document that the variations belong to, and the theme of their pictures. @type {unknown[]} */
+  /** The document and theme for which the variations were computed. @type {unknown[]} */
   let searched = [];
 
   const words = element('p', { 'aria-live': 'polite' });
@@ -61,7 +61,7 @@ function variationsPanel(app) {
     element('div.variation-columns', grid, kept.place),
   );
 
-  /** Looks for the ways to change the shape that is open. */
+  /** Computes the variations of the open shape. */
   async function find() {
     const mine = ++search;
     const { connectivity } = solver.geometry ?? {};
@@ -69,16 +69,16 @@ function variationsPanel(app) {
     grid.replaceChildren();
     setText(words, 'Looking for ways to change the shape …');
     searched = [store.get().document, store.get().dark];
-    if (!connectivity || !(await ways.find())) {
+    if (!connectivity || !(await variations.find())) {
       if (mine === search) setText(words, NONE);
       return;
     }
-    let progress = await ways.advance();
-    while (mine === search && progress.found === null) progress = await ways.advance();
+    let progress = await variations.advance();
+    while (mine === search && progress.found === null) progress = await variations.advance();
     if (mine !== search) return;
     const shape = solver.geometry?.positions.slice() ?? new Float64Array(0);
     for (let index = 0; index < (progress.found ?? 0); index++) {
-      const way = await ways.way(index);
+      const way = await variations.way(index);
       if (mine !== search) return;
       const card = variationCard(index, progress.slide, change, release);
       cards.push(card);
@@ -89,28 +89,28 @@ function variationsPanel(app) {
     while (mine === search) {
       cards.forEach((card, k) => card.showRange(progress.ranges[k]));
       if (!progress.more) break;
-      // Whoever moves a slider comes first.
+      // Slider moves take priority.
       while (isBusy && mine === search) await new Promise((resolve) => setTimeout(resolve, 50));
-      if (mine === search) progress = await ways.advance();
+      if (mine === search) progress = await variations.advance();
     }
   }
 
   const coefficients = () => Float64Array.from(cards, (card) => card.value());
   const isMoved = () => cards.some((card) => card.value() !== 0);
 
-  /** A slider moves: the way is shown at once. */
+  /** While a slider moves: shows the deformed shape. */
   function change() {
     isReleased = false;
     update();
   }
 
-  /** A slider is let go: the shape becomes exact again. */
+  /** After a slider is released: makes the shape exact. */
   function release() {
     isReleased = true;
     update();
   }
 
-  /** Shows what the sliders say; while that is under way, once more after it. */
+  /** Shows the shape of the sliders; during an update, once more after it. */
   async function update() {
     isDue = true;
     keep.disabled = true;
@@ -121,7 +121,7 @@ function variationsPanel(app) {
       while (isDue) {
         isDue = false;
         if (isReleased) await reach();
-        else await ways.show(coefficients());
+        else await variations.show(coefficients());
       }
     } catch (error) {
       await actions.reportErrors(Promise.reject(error));
@@ -132,7 +132,7 @@ function variationsPanel(app) {
 
   async function reach() {
     const asked = coefficients();
-    const part = await ways.reach(asked);
+    const part = await variations.reach(asked);
     if (part === null || isDue) return;
     if (part < 1) cards.forEach((card, k) => card.set(part * asked[k]));
     setText(words, part < 1 ? 'As far as it is possible: beyond, it is not exact.' : HINT);
@@ -141,17 +141,17 @@ function variationsPanel(app) {
 
   async function keepIt() {
     keep.disabled = true;
-    const done = await ways.keep();
+    const done = await variations.keep();
     if (done) actions.setStatus('Kept: this is the design now');
     else keep.disabled = !isMoved();
   }
 
-  /** Goes back to the shape that the sliders start from. */
+  /** Returns to the shape without variation. */
   function leave() {
     cards.forEach((card) => card.set(0));
     back.disabled = keep.disabled = true;
     isReleased = false;
-    return ways.leave();
+    return variations.leave();
   }
 
   const place = docked(panel, {
@@ -172,7 +172,7 @@ function variationsPanel(app) {
       if (panel.hidden) return;
       if (!model?.faces || !scene) return place.close();
       kept.update();
-      // Every edit and every step of undo may have changed the shape, and with it the ways.
+      // An edit or undo step may have changed the shape, and with it the variations.
       if (!running && (scene !== searched[0] || dark !== searched[1])) actions.reportErrors(find());
     },
   );

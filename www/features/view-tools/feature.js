@@ -1,4 +1,4 @@
-/** Views, projection, ghost, ground, and the measuring tape. */
+/** Views, projection, ghost, ground grid, section plane and measuring tape. */
 
 import { viewCommands } from './view-commands.js';
 

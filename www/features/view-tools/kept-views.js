@@ -1,10 +1,10 @@
-/** Views that somebody has kept: the camera of each, which goes with the model. */
+/** The views that the user has kept: the camera of each, saved with the model. */
 
 import { closeButton } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
 import { fly } from '../../viewport/flight.js';
 
-/** More would not be found again. */
+/** Maximum number of kept views. */
 const MOST = 9;
 
 /** @param {Pick<import("../../app/context.js").AppContext, "store" | "actions" | "viewport">} app */

@@ -1,6 +1,6 @@
 /**
- * The plane that cuts the model open: across which axis, where, and which side is kept. The card is there while
- * it cuts.
+ * The card of the section plane: its axis, its position and the side that stays visible. Shown
+ * while there is a section.
  */
 
 import { button, choice, closeButton } from '../../ui/controls/fields.js';

@@ -1,13 +1,13 @@
 /**
- * The measuring tape between two vertices: how far apart they are, now and in the model that was
- * opened. The length is written at the tape, the rest in a small table; both follow the mesh.
+ * The measuring tape between two vertices: their distance now and in the original model. The
+ * distance is shown at the tape, and the components in a small table; both follow the mesh.
  */
 
 import { closeButton } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { lengthUnit } from '../../ui/format.js';
 
-/** Digits of the distance; its parts have as many decimals. */
+/** Significant digits of the distance; the components have as many decimals. */
 const DIGITS = 5;
 const NAMES = ['Distance', 'dx', 'dy', 'dz'];
 
@@ -17,7 +17,7 @@ export class Tape {
   #actions;
   #label = element('div', { id: 'tape-label', 'aria-hidden': 'true', hidden: true });
   #title = element('span');
-  /** By row and column. */
+  /** Cells by row and column. */
   #cells = [0, 1].map(() => NAMES.map(() => element('td.figure')));
   #table = element(
     'table',
@@ -27,7 +27,7 @@ export class Tape {
     ),
   );
   #card;
-  /** What was announced: it is said once, not with every iteration. */
+  /** The vertices last announced: once, not in every iteration. */
   #said = '';
 
   /**
@@ -50,7 +50,7 @@ export class Tape {
     viewport.element.after(this.#label, this.#card);
   }
 
-  /** Shows what the tape of the newest picture says. */
+  /** Updates the card and the label after a frame. */
   show() {
     const { tape, document } = this.#store.get();
     this.#card.hidden = !tape;
@@ -69,7 +69,7 @@ export class Tape {
     setText(this.#label, `${write(now[0])} ${unit}`);
     this.#place();
     const about = tape.join(' ');
-    // With the shape that was opened, which comes a moment later.
+    // Waits for the original distance, which arrives a moment later.
     if (about === this.#said || rest.length === 0) return;
     this.#said = about;
     const unitOf = document?.units ? ` ${unit}` : '';
@@ -84,7 +84,7 @@ export class Tape {
     setText(this.#title, tape.length === 0 ? 'Click two vertices' : 'Click the other vertex');
   }
 
-  /** Lengths in the unit in which they are written, and how: distance, dx, dy, dz. */
+  /** Distance, dx, dy, dz now and at rest, with the unit and a formatter; null if incomplete. */
   #measured() {
     const numbers = this.#viewport.view?.measured();
     if (!numbers) return null;
@@ -110,7 +110,7 @@ export class Tape {
     return at && [...at];
   }
 
-  /** The label is at the middle of the tape, as long as that is in the view. */
+  /** Places the label at the middle of the tape, or hides it if that is outside the view. */
   #place() {
     const at = this.#middle();
     const { clientWidth, clientHeight } = this.#viewport.element;
@@ -119,7 +119,7 @@ export class Tape {
     if (isSeen) this.#label.style.translate = `calc(${at[0]}px - 50%) calc(${at[1]}px - 50%)`;
   }
 
-  /** What a picture shows of it. @returns {import("../../viewport/viewport.js").Label[]} */
+  /** The label for a saved picture. @returns {import("../../viewport/viewport.js").Label[]} */
   labels() {
     const measured = this.#store.get().tape && this.#measured();
     const at = this.#middle();

@@ -1,14 +1,14 @@
-/** Turns the model slowly, as on a turntable, until somebody touches the view. */
+/** Turns the model slowly, as on a turntable, until the user touches the view. */
 
-/** Seconds for a whole turn. */
+/** Seconds per turn. */
 const TURN = 24;
 const EVENTS = /** @type {const} */ (['pointerdown', 'wheel', 'keydown']);
 
-/** What ends the one that turns now. @type {(() => void) | null} */
+/** Stops the current turning. @type {(() => void) | null} */
 let end = null;
 
 /**
- * Begins to turn, or ends it.
+ * Starts turning, or stops it.
  * @param {import("../../viewport/viewport.js").Viewport} viewport
  */
 export function turnSlowly(viewport) {
@@ -29,7 +29,7 @@ export function turnSlowly(viewport) {
     });
 
   function turn(/** @type {number} */ now) {
-    // A page that was hidden goes on where it was.
+    // A page that was hidden continues from the same angle.
     const passed = Math.min(Math.max(now - last, 0), 100);
     last = now;
     viewport.unmeasured((view) => view.spin((2 * Math.PI * passed) / 1000 / TURN));

@@ -1,11 +1,11 @@
 /**
- * The commands of seeing: views, projection, ghost, ground, and the measuring tape. What does the
- * work comes with `view-tools.js` when one of them is first used.
+ * The commands of the view: directions, projection, ghost, ground grid, section plane and measuring
+ * tape. Their implementation is loaded with `view-tools.js` on first use.
  */
 
 import { placeMenu } from '../../ui/controls/menu.js';
 
-/** Name, as the view knows it, and a key of the number pad for some; the others are Shift + digit. */
+/** Name of the view, and for some a numpad key; all also have Shift + digit. */
 const VIEWS = [
   ['top', 'Numpad7'],
   ['front', 'Numpad1'],
@@ -100,7 +100,7 @@ export function viewCommands(app) {
 }
 
 /**
- * The menu of the views, which is made when it is first opened.
+ * Binds the menu of the views, which is built when first opened.
  * @param {HTMLElement} menu
  * @param {HTMLElement} button
  * @param {import("../../app/context.js").Command[]} commands
@@ -110,7 +110,7 @@ export function bindViewMenu(menu, button, commands, app) {
   placeMenu(menu, () => button);
   const build = async () => {
     (await load()).buildViewMenu(menu, commands, app);
-    // It has its size only now.
+    // Reopened because it has its size only now.
     menu.hidePopover();
     menu.showPopover();
   };

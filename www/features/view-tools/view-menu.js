@@ -1,4 +1,4 @@
-/** The menu of the views, projection and what is drawn about the model. */
+/** The menu of the view: directions, projection, and what is drawn besides the model. */
 
 import { isEnabled, press } from '../../store/press.js';
 import { element } from '../../ui/dom.js';

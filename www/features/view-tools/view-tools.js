@@ -1,6 +1,6 @@
 /**
- * Ways of seeing beside the plain picture: flights to views, the shape that was opened for its ghost
- * and the ground, the scale, the measuring tape, and the menu of all that. Loaded when one of them is first used.
+ * The view tools: flights to named views, the original for the ghost and the ground grid, the
+ * scale, the section card, the measuring tape and the menu. Loaded on first use.
  */
 
 import './view-tools.css';
@@ -13,7 +13,7 @@ import { Tape } from './tape.js';
 export { turnSlowly } from './turntable.js';
 export { buildViewMenu } from './view-menu.js';
 
-/** The scale bar is at most so many CSS pixels long. */
+/** Maximum length of the scale bar in CSS pixels. */
 const BAR = 120;
 /** @type {Seeing | null} */
 let only = null;
@@ -26,13 +26,13 @@ export class Seeing {
   #bar = element('i');
   #scaleText = element('span');
   #scale = element('div', { id: 'scale' }, this.#bar, this.#scaleText);
-  /** The model whose positions at rest are there, or on their way. @type {unknown} */
+  /** The model whose rest positions are stored or requested. @type {unknown} */
   #model = null;
-  /** #V by 3 of the model that is open. @type {Float64Array | null} */
+  /** Rest positions of that model, #V by 3. @type {Float64Array | null} */
   #rest = null;
 
   /**
-   * The one of the page.
+   * The only instance of the page.
    * @param {import("../../app/context.js").AppContext} app
    */
   static of(app) {
@@ -61,7 +61,7 @@ export class Seeing {
   }
 
   /**
-   * Looks from a side: on a short flight, or at once for those who want no motion.
+   * Turns the camera to a named view, in a short flight unless the user prefers reduced motion.
    * @param {string} name
    */
   flyTo(name) {
@@ -70,7 +70,7 @@ export class Seeing {
     fly(this.#viewport, (view) => view.preset(name));
   }
 
-  /** Asks for the shape that was opened, once for each model that needs it. */
+  /** Requests the original positions, once for each model that needs them. */
   async #takeRest() {
     const { model, display, tape } = this.#store.get();
     if (!model || model === this.#model) return;
@@ -89,7 +89,7 @@ export class Seeing {
       this.#viewport.with((view) => view.setRest(rest));
   }
 
-  /** What tells of the scale: the squares of the ground, in parallel projection a bar. */
+  /** The scale: the size of the grid's squares, or in parallel projection a scale bar. */
   #scaleNow() {
     const { document, flatMap, parallel } = this.#store.get();
     const { view } = this.#viewport;

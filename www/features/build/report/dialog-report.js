@@ -1,4 +1,4 @@
-/** The report on one page, as it is saved and printed. */
+/** The dialog of the one-page report, to save as PDF or print. */
 
 import './dialog-report.css';
 import { linkTo } from '../../../documents/share-link.js';
@@ -14,7 +14,7 @@ export async function showReport(app, live) {
   const { store, files } = app;
   const { document: scene, camera } = store.get();
   const title = scene?.title || files.name;
-  // Its turn and its tilt.
+  // Turn and tilt.
   const angles = camera ? Float64Array.from(camera.slice(4, 6)) : null;
   const { address } = await linkTo(app);
   const page = await live.reportPage({ title, camera: angles, link: address });

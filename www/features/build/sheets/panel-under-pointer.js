@@ -1,14 +1,14 @@
-/** The panel under the pointer in the view, while nothing is dragged there. */
+/** Tracks the panel under the pointer in the view, except during a drag. */
 
-/** A press that moves farther than this turns the view, in CSS pixels. */
+/** A press that moves farther than this, in CSS pixels, is a drag of the view. */
 const STILL = 4;
 
 /**
  * @param {Pick<import("../../../viewport/viewport.js").Viewport, "element" | "with">} viewport
  * @param {object} on
  * @param {() => boolean} on.isAsked
- * @param {(panel: number | undefined) => void} on.point at another panel than before
- * @param {() => void} on.press on what is pointed at
+ * @param {(panel: number | undefined) => void} on.point called when the panel changes
+ * @param {() => void} on.press called when the panel is clicked
  */
 export function panelUnderPointer(viewport, { isAsked, point, press }) {
   const { element } = viewport;

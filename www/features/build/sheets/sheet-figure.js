@@ -1,16 +1,18 @@
 /**
- * One sheet on the page: a path for each layer, and one over them for each mark, however many parts there are. Which
- * part is where the browser tells, by the outlines.
+ * One sheet as SVG: a path for each layer, and above them one for each mark, regardless of the
+ * number of parts. The part under the pointer is found by point-in-path tests on the outlines.
  */
 
 import { element, setAttribute, setText } from '../../../ui/dom.js';
 
 /** @typedef {import("../../../solver/messages.js").SheetPicture} SheetPicture */
-/** `failed` has a panel that is not within its limit, `chosen` is selected, `pointed` lies under the pointer.
- * @typedef {"failed" | "chosen" | "pointed"} Mark */
+/**
+ * `failed`: has a panel beyond its limit; `chosen`: selected; `pointed`: under the pointer.
+ * @typedef {"failed" | "chosen" | "pointed"} Mark
+ */
 
 const SPACE = 'http://www.w3.org/2000/svg';
-/** What lies over the layers, from below. `failed-sides` are those where beams fail. */
+/** Paths above the layers, from bottom to top. `failed-sides` are the sides whose beams fail. */
 const OVER = /** @type {const} */ (['failed', 'chosen', 'failed-sides', 'pointed']);
 const ruler = document.createElement('canvas').getContext('2d');
 
@@ -30,14 +32,14 @@ export class SheetFigure {
   #over = OVER.map((kind) => path(kind, ''));
   /** @type {SheetPicture | null} */
   #sheet = null;
-  /** The outlines as the browser tests them, once somebody points at one. @type {Path2D[] | null} */
+  /** The outlines for hit testing, created on first use. @type {Path2D[] | null} */
   #outlines = null;
 
   constructor() {
     this.#svg.setAttribute('role', 'img');
   }
 
-  /** Takes a sheet, of which the size and the name are shown at once. @param {SheetPicture} sheet */
+  /** Assigns a sheet and shows its size and name; `draw` follows. @param {SheetPicture} sheet */
   take(sheet) {
     this.#sheet = sheet;
     this.#outlines = null;
@@ -46,7 +48,7 @@ export class SheetFigure {
     setText(this.#caption, sheet.name);
   }
 
-  /** Draws it. @param {ReadonlySet<number>} failed panels that are not within their limit */
+  /** Draws the sheet. @param {ReadonlySet<number>} failed panels that exceed their limit */
   draw(failed) {
     if (!this.#sheet) return;
     const { layers, colour, outlines, failed: sides } = this.#sheet;
@@ -58,10 +60,10 @@ export class SheetFigure {
   }
 
   /**
-   * Marks some parts, and no others.
+   * Marks these parts only.
    * @param {Mark} mark
    * @param {(panels: number[], part: number) => boolean} isMarked
-   * @returns {number[]} these parts
+   * @returns {number[]} the marked parts
    */
   mark(mark, isMarked) {
     const { outlines, panels } = this.#sheet ?? { outlines: [], panels: [] };
@@ -70,7 +72,7 @@ export class SheetFigure {
     return marked;
   }
 
-  /** Whether some of what is marked can be seen in a place that scrolls. @param {Mark} mark @param {Element} place */
+  /** Whether marked parts are visible in a scroller. @param {Mark} mark @param {Element} place */
   isInSight(mark, place) {
     const own = this.#over[OVER.indexOf(mark)].getBoundingClientRect();
     const boxes = [place, place.closest('section')].map((box) => box?.getBoundingClientRect());
@@ -79,12 +81,12 @@ export class SheetFigure {
     );
   }
 
-  /** What is marked comes into sight. @param {Mark} mark */
+  /** Scrolls the marked parts into view. @param {Mark} mark */
   reveal(mark) {
     this.#over[OVER.indexOf(mark)].scrollIntoView({ block: 'nearest', inline: 'nearest' });
   }
 
-  /** The part at a point of the window. @param {{ clientX: number, clientY: number }} event */
+  /** The part at the pointer, or -1. @param {{ clientX: number, clientY: number }} event */
   partAt({ clientX, clientY }) {
     const toWindow = this.#svg.getScreenCTM();
     if (!toWindow || !this.#sheet) return -1;

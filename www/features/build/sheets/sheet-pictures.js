@@ -1,4 +1,4 @@
-/** The sheets as they will be cut. A part that is pointed at lights up on the model, and the other way round. */
+/** The sheets as they will be cut; pointing at a part or a panel of the model marks both. */
 
 import { element, setText } from '../../../ui/dom.js';
 import { SheetFigure } from './sheet-figure.js';
@@ -6,7 +6,7 @@ import { SheetFigure } from './sheet-figure.js';
 /** @typedef {import("../../../solver/messages.js").SheetPicture} SheetPicture */
 
 const HINT = 'Point at a part, or at a panel of the model';
-/** So many parts are called by their names. */
+/** Maximum number of parts listed by name. */
 const MOST_NAMES = 6;
 
 /**
@@ -17,11 +17,11 @@ export function sheetPictures({ point, choose }) {
   const place = element('div.sheets', { tabindex: '0', role: 'group', 'aria-label': 'Sheets' });
   /** @type {SheetFigure[]} */
   let shown = [];
-  /** What of them is yet to be drawn, one in a frame. @type {SheetFigure[]} */
+  /** The sheets still to be drawn, one per frame. @type {SheetFigure[]} */
   let undrawn = [];
   /** @type {ReadonlySet<number>} */
   let failed = new Set();
-  /** What the pointer is on here. @type {{ sheet: SheetFigure, part: number } | null} */
+  /** The part under the pointer here. @type {{ sheet: SheetFigure, part: number } | null} */
   let pointed = null;
   /** The panel under the pointer in the view. @type {number | undefined} */
   let inView;
@@ -68,7 +68,7 @@ export function sheetPictures({ point, choose }) {
     return isFar ? `${all}: click the panel to see it` : all;
   }
 
-  /** Many sheets at once would stop the page. */
+  /** Draws one sheet per frame: many at once would block the page. */
   function drawNext() {
     const sheet = undrawn.shift();
     sheet?.draw(failed);
@@ -80,13 +80,13 @@ export function sheetPictures({ point, choose }) {
     place,
     /**
      * @param {SheetPicture[]} sheets
-     * @param {ReadonlySet<number>} failing panels that are not within their limit
-     * @param {number} more that are not shown
+     * @param {ReadonlySet<number>} failing panels that exceed their limit
+     * @param {number} more number of sheets that are not shown
      */
     show(sheets, failing, more) {
       failed = failing;
       pointed = null;
-      // Those of before stay until they are drawn: nothing flickers while a shape moves.
+      // The old drawings stay until replaced, so that nothing flickers while the shape moves.
       shown = sheets.map((sheet, k) => {
         const figure = shown[k] ?? new SheetFigure();
         figure.take(sheet);
@@ -99,7 +99,7 @@ export function sheetPictures({ point, choose }) {
       undrawn = [...shown];
       if (!isDrawing) drawNext();
     },
-    /** Marks the parts of which all panels are among these. @param {ReadonlySet<number>} panels */
+    /** Marks the parts whose panels are all in this set. @param {ReadonlySet<number>} panels */
     mark(panels) {
       const isChosen = (/** @type {number[]} */ own) =>
         own.length > 0 && own.every((panel) => panels.has(panel));
@@ -108,7 +108,7 @@ export function sheetPictures({ point, choose }) {
       if (count === 1) shown[counts.indexOf(1)].reveal('chosen');
     },
     /**
-     * Marks the parts that a panel of the model is in, and says where they are.
+     * Marks the parts that contain a panel of the model, and names their sheets.
      * @param {number | undefined} panel under the pointer in the view
      */
     pointAtPanel(panel) {
@@ -123,7 +123,7 @@ export function sheetPictures({ point, choose }) {
       const isOne = found.length === 1 && parts.length === 1;
       point((isOne && sheet?.panelsOf(parts[0])) || [panel]);
     },
-    /** Brings what a panel of the model is in into sight. */
+    /** Scrolls to the panel that is pointed at in the view. */
     revealPointed() {
       shown.find((sheet) => sheet.mark('pointed', isInView).length > 0)?.reveal('pointed');
     },
