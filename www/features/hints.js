@@ -1,7 +1,7 @@
 /**
- * The card of the first visit: below what the page is for, which index.html has, three hints, each
- * leading to the next by doing what it says. Shown once, and only over the example, which is solved
- * when it opens. How well it is solved is said as it is now, also while somebody drags.
+ * The card of the first visit: below the purpose of the page, which is in index.html, three hints;
+ * following one leads to the next. Shown once, and only over the example, which is solved on
+ * opening. Its statement of the accuracy is updated continuously, also during a drag.
  */
 
 import { closeButton } from '../ui/controls/fields.js';
@@ -19,7 +19,7 @@ import { recall, remember } from '../ui/safe-storage.js';
 const KEY = 'shape-up.hints';
 const START = 'This is the original. Press Run.';
 
-/** @param {string} now what is true of every panel */
+/** @param {string} now statement that holds for every panel */
 const hints = (now) => [
   `${now} Drag a blue handle: the shape is solved again as you drag.`,
   'Press Reset to see the original.',
@@ -31,16 +31,16 @@ const hints = (now) => [
  * @param {import("../store/state.js").Store} store
  */
 export function firstHints(card, store) {
-  // index.html hides it then.
+  // index.html hides the card in this case.
   if (recall(KEY) === 'done') return;
   const text = element('p.step');
   const close = closeButton('Dismiss hint', () => finish());
   byId('claim').after(text, close);
-  /** Hints that have been followed. */
+  /** Number of hints followed. */
   let at = 0;
   let drags = false;
   let runs = false;
-  /** From the start, where nothing is solved. */
+  /** Whether a run from the unsolved start has ended. */
   let hasRun = false;
   let done = false;
 
@@ -73,7 +73,7 @@ export function firstHints(card, store) {
     drags = dragged.length > 0;
     runs = running && (runs || isStart);
     if (at === 1 && hasRun) at = 2;
-    // Whoever has seen the last one has seen them all.
+    // The hints are done once the last one is shown.
     if (at === 2) remember(KEY, 'done');
     update();
   });

@@ -1,19 +1,19 @@
 /**
- * The original in place of the current shape for as long as somebody holds a key or a button. Nothing
- * of the document changes, and a run goes on behind it.
+ * Shows the original instead of the current shape while the user holds a key or a button. The
+ * document does not change, and a run continues in the background.
  */
 
 import { messageOf } from '../solver/messages.js';
 
 const STATUS = 'The original, while held';
-/** A button that also does something when it is clicked shows the original from then on, in milliseconds. */
+/** A button with a click action shows the original if held at least this long, in milliseconds. */
 const LONG_PRESS_MS = 300;
 
 export class HoldOriginal {
   #store;
   #actions;
   #isHeld = false;
-  /** What the status was before. */
+  /** The status text before. */
   #status = '';
 
   /**
@@ -27,7 +27,7 @@ export class HoldOriginal {
       window.addEventListener(type, () => this.end());
   }
 
-  /** Shows it until a key or the pointer is released. */
+  /** Shows the original until a key or the pointer is released. */
   async begin() {
     if (this.#isHeld) return;
     this.#isHeld = true;
@@ -54,8 +54,8 @@ export class HoldOriginal {
   }
 
   /**
-   * A button that shows it while it is pressed, by the pointer or by a key. One that does something else
-   * when it is clicked does so only after a short press.
+   * Makes a button show the original while it is pressed, by pointer or key. A button with an
+   * action of its own (`clicks`) performs that only after a short press.
    * @param {HTMLElement} button
    * @param {{ clicks?: boolean }} [options]
    */
@@ -75,7 +75,7 @@ export class HoldOriginal {
     for (const type of ['pointerup', 'pointerleave', 'pointercancel'])
       button.addEventListener(type, () => clearTimeout(timer));
     button.addEventListener('pointerleave', () => this.end());
-    // A finger that stays would open the browser's menu.
+    // A long touch would open the browser's context menu.
     button.addEventListener('contextmenu', (event) => event.preventDefault());
     button.addEventListener('click', (event) => isLong && event.stopImmediatePropagation(), true);
     if (clicks) return;

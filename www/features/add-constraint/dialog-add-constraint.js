@@ -1,8 +1,8 @@
 /**
- * Add constraint: a shape, where, its parameters, and how much. It is docked in the place of the
- * model's panel, never over the view, so that the selection can change while it is open. Only what
- * fits the mesh is offered, the usual shape for the place is chosen beforehand, and what a choice
- * would make is said before it is made.
+ * The New constraint dialog: kind, selector, parameters and weight. It is docked over the Model
+ * panel instead of the view, so that the selection can change while it is open. It offers only what
+ * fits the mesh, preselects the usual kind for the selection, and previews the constraints of each
+ * choice.
  */
 
 import './add-constraint.css';
@@ -17,8 +17,8 @@ import { Parameters } from '../../ui/kinds/parameters.js';
 /** @typedef {import("../../solver/messages.js").Preview} Preview */
 
 /**
- * Where a constraint could be. `element` is the one that it goes through; one within the selection
- * is only for kinds that are meant for that element.
+ * A selector that is offered. `element` is the element that it enumerates; with `within`, only
+ * elements in the selection, and only for kinds meant for that element.
  * @typedef {{ id: string, label: string, on: Selector, element?: import("../../solver/declarations.js").ElementInfo["id"], within?: boolean }} Place
  */
 /** @typedef {{ place: Place, preview: Preview }} Offer */
@@ -44,14 +44,14 @@ class AddConstraintDialog {
     this.#isChosen = true;
     this.#show();
   });
-  /** The shapes that fit nowhere, and why. */
+  /** The kinds that fit nowhere, and why. */
   #misfits = element('details.misfits.quiet', { hidden: true });
-  /** What the chosen shape asks. */
+  /** What the chosen kind requires. */
   #about = element('p.about.quiet');
   #places = element('div.choices');
   #parameters = new Parameters([], {}, { units: '', meanEdge: 0, up: 'z' });
   #parametersPlace = element('div');
-  /** The kind whose parameters these are. */
+  /** The kind of these parameters. */
   #parametersOf = '';
   #preview = element('p.preview.quiet', { 'aria-live': 'polite' });
   #weight = element('input', {
@@ -63,14 +63,14 @@ class AddConstraintDialog {
   });
   #addAndRun = element('button.primary', { type: 'submit' }, 'Add and run');
   #add = element('button.bordered', { type: 'submit' }, 'Add');
-  /** The shape and the place that are chosen, while they are offered. */
+  /** Ids of the chosen kind and place, while they are offered. */
   #kindId = '';
   #placeId = '';
-  /** Whether somebody chose one of them: then a new selection changes neither. */
+  /** Whether the user made a choice, which a new selection must not change. */
   #isChosen = false;
-  /** What each kind would make, by kind; those that fit nowhere are not in it. @type {Map<string, Offer[]>} */
+  /** Offers by kind, without kinds that fit nowhere. @type {Map<string, Offer[]>} */
   #offers = new Map();
-  /** Answers to an older question are not wanted. */
+  /** Number of the latest request. */
   #question = 0;
 
   /**
@@ -85,7 +85,7 @@ class AddConstraintDialog {
       dialogHead(dialog, 'add-constraint-title', 'New constraint'),
       element(
         'form',
-        // What is not valid is said at its field.
+        // Invalid values are reported at their fields.
         { novalidate: true, onsubmit: (/** @type {SubmitEvent} */ event) => this.#submit(event) },
         element(
           'div.shape',
@@ -124,7 +124,7 @@ class AddConstraintDialog {
     this.#kinds.focus(this.#kindId);
   }
 
-  /** Where a constraint could be, before asking which of it fits. @returns {Place[]} */
+  /** All selectors, whether a kind fits them or not. @returns {Place[]} */
   #allPlaces() {
     const { elements, selection } = this.#store.get();
     const vertices = this.#actions.chosenVertices();
@@ -153,7 +153,7 @@ class AddConstraintDialog {
     return places;
   }
 
-  /** Asks the solver what fits, and offers that. */
+  /** Requests previews from the solver and offers what fits. */
   async #ask() {
     const question = ++this.#question;
     const places = this.#allPlaces();
@@ -173,7 +173,7 @@ class AddConstraintDialog {
     this.#show();
   }
 
-  /** Chooses the usual shape at the first place that has one. @param {Place[]} places */
+  /** Preselects the usual kind of the first place that has one. @param {Place[]} places */
   #suggest(places) {
     for (const place of places) {
       for (const [kind, offers] of this.#offers) {
@@ -186,7 +186,7 @@ class AddConstraintDialog {
     this.#placeId = places[0]?.id ?? '';
   }
 
-  /** Shows what is offered and chosen. */
+  /** Shows the offers and the choices. */
   #show() {
     const offered = this.#store.get().kinds.filter((kind) => this.#offers.has(kind.id));
     const kind = offered.find((one) => one.id === this.#kindId) ?? offered[0];
@@ -203,7 +203,7 @@ class AddConstraintDialog {
     const focused = document.activeElement?.id;
     this.#places.replaceChildren(...offers.map((one) => this.#placeChoice(one)));
     if (focused) document.getElementById(focused)?.focus();
-    // The choices that are made are in sight, wherever they are in their lists.
+    // The chosen options are scrolled into view in their lists.
     for (const choice of this.#dialog.querySelectorAll('label:has(:checked)'))
       choice.scrollIntoView({ block: 'nearest', inline: 'nearest' });
     this.#showPreview();
@@ -258,7 +258,7 @@ class AddConstraintDialog {
     );
   }
 
-  /** The offer that is chosen. */
+  /** The chosen offer. */
   #chosen() {
     return this.#offers.get(this.#kindId)?.find(({ place }) => place.id === this.#placeId);
   }
@@ -278,7 +278,7 @@ class AddConstraintDialog {
     setText(this.#preview, made + left);
   }
 
-  /** @param {boolean} isPossible to add what is chosen */
+  /** @param {boolean} isPossible whether the choice can be added */
   #allow(isPossible) {
     this.#add.disabled = !isPossible;
     this.#addAndRun.disabled = !isPossible;

@@ -1,4 +1,4 @@
-/** Adding a constraint: a dialog in the place of the panel of the model. */
+/** Adding a constraint: a dialog docked over the Model panel. */
 
 /** @type {import("../../app/context.js").Feature} */
 export default {

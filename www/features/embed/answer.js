@@ -1,4 +1,4 @@
-/** The embedded view's side of the protocol: does what the page around asks for, and tells the news. */
+/** The embedded view's side of the protocol: executes calls of the parent page and posts news. */
 
 import { messageOf } from '../../solver/messages.js';
 import { callIn, post } from './protocol.js';
@@ -6,7 +6,7 @@ import { callIn, post } from './protocol.js';
 /** @param {import("../../app/context.js").AppContext} app */
 export function answerMessages(app) {
   const { files, script, store } = app;
-  // What the page around placed is no news to it.
+  // Camera moves by the parent page are not posted back.
   let placed = false;
   for (const name of ['pointerdown', 'wheel', 'keydown'])
     addEventListener(name, () => (placed = false), { capture: true, passive: true });
@@ -78,7 +78,7 @@ async function answer(call, app) {
 }
 
 /**
- * Rejects with what is wrong, where the page itself would say it in the view.
+ * Edits the scene; rejects with the reason of a refusal, which the page would show instead.
  * @param {import("../../app/context.js").AppContext} app
  * @param {import("../../solver/messages.js").Edit} edit
  */

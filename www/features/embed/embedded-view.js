@@ -1,15 +1,15 @@
 /**
- * What an embedded view shows beside the model, and when it takes the wheel and fingers: only while
- * it has the focus, so that whoever scrolls the page around it gets past.
+ * The bar of an embedded view, and its input: the view handles wheel and touch only while it has
+ * the focus, so that the user can scroll the page around it past the view.
  *
- * Options in the address, after `?embed`, which is also how it was started (`CALLED`, `PRESSED`):
+ * Options in the address after `?embed`, whose value is how it started (`CALLED`, `PRESSED`):
  *
- * | option | is |
+ * | option | meaning |
  * |---|---|
- * | `autoplay` | the view starts at once, and iterates |
+ * | `autoplay` | starts the view at once and iterates |
  * | `panel=model`, `panel=inspector` | shows that panel |
- * | `measure=ID` | what the faces are coloured by; `none` is the plain material |
- * | `theme=light`, `theme=dark` | instead of the system's |
+ * | `measure=ID` | colours the faces by a measure; `none` is the plain material |
+ * | `theme=light`, `theme=dark` | overrides the system's theme |
  */
 
 import './embedded-view.css';
@@ -50,7 +50,7 @@ function bar(app) {
     },
     'Open in Shape-Up',
   );
-  /** The link goes to what is seen now. */
+  /** Updates the link to the current state. */
   async function refresh() {
     if (store.get().document) home.href = (await linkTo(app)).address;
   }
@@ -73,10 +73,10 @@ function bar(app) {
 }
 
 /**
- * The wheel and fingers are the view's from a press in it until the focus is elsewhere, and else of the
- * page around it.
+ * The view handles wheel and touch from a press in it until it loses the focus; otherwise the page
+ * around it does.
  * @param {HTMLElement} view
- * @param {boolean} isPressed it was started by a press
+ * @param {boolean} isPressed whether the view was started by a press
  */
 function takeTurns(view, isPressed) {
   const hint = element('p', { id: 'embed-hint', hidden: true }, 'Click the view to zoom in it');

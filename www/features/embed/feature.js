@@ -1,4 +1,4 @@
-/** The page as a quiet view in another one: `?embed` in its address. */
+/** The page as an embedded view, with `?embed` in its address. */
 
 import { isEmbedded } from '../../ui/embedded.js';
 

@@ -1,7 +1,7 @@
 /**
- * What another page and the embedded view say to each other with `postMessage`. The page around posts
- * a `Call` to the frame's window and gets one `Answer` with the same `id`; the view posts `News` by
- * itself. Messages that are no calls are left alone. The view takes calls from its parent only.
+ * The messages between a page and the embedded view, by `postMessage`. The parent page posts a
+ * `Call` to the frame's window and receives one `Answer` with the same `id`; the view posts `News`
+ * unasked. Other messages are ignored. The view accepts calls from its parent only.
  * `embedding.html` explains each call and each piece of news, with an example.
  */
 
@@ -21,12 +21,12 @@
  *   | { news: "camera", camera: number[] })} News
  */
 
-/** Values of `embed` in the address of a view that was started by a call, or by a press. */
+/** Values of `embed` in the address of a view that was started by a call or by a press. */
 export const CALLED = 'called';
 export const PRESSED = 'pressed';
 
 /**
- * The call in a message of the page around, or null.
+ * Returns the call in a message of the parent page, or null.
  * @param {MessageEvent} event
  * @returns {Call | null}
  */
@@ -34,5 +34,5 @@ export function callIn({ source, data }) {
   return source === parent && source !== window && data?.shapeUp === 'call' ? data : null;
 }
 
-/** @param {News | Answer} message @param {string} [origin] of the page around */
+/** @param {News | Answer} message @param {string} [origin] of the parent page */
 export const post = (message, origin = '*') => parent.postMessage(message, origin);

@@ -1,11 +1,11 @@
-/** A picture without a ground, from the same picture on white and on black. */
+/** A picture with transparency, from the same picture on white and on black. */
 
-/** So many rows are read at once: of a large picture all would be too much. */
+/** Rows read at once, to limit the memory for a large picture. */
 const ROWS = 256;
 
 /**
- * What covers a part `a` of a pixel in the colour `c` is `a c + 1 - a` on white and `a c` on black: their difference is
- * what shows through. Leaves the picture in `onBlack`.
+ * A colour `c` with coverage `a` gives `a c + 1 - a` on white and `a c` on black, so their
+ * difference is the transparency `1 - a`. Writes the result to `onBlack`.
  * @param {CanvasRenderingContext2D} onBlack
  * @param {CanvasRenderingContext2D} onWhite
  */
@@ -17,9 +17,9 @@ export function cutOut(onBlack, onWhite) {
     const black = picture.data;
     const white = onWhite.getImageData(0, top, width, rows).data;
     for (let at = 0; at < black.length; at += 4) {
-      const through = white[at] + white[at + 1] + white[at + 2];
-      const own = black[at] + black[at + 1] + black[at + 2];
-      const covered = Math.min(Math.max(1 - (through - own) / 765, 0), 1);
+      const whiteSum = white[at] + white[at + 1] + white[at + 2];
+      const blackSum = black[at] + black[at + 1] + black[at + 2];
+      const covered = Math.min(Math.max(1 - (whiteSum - blackSum) / 765, 0), 1);
       for (let i = at; i < at + 3; i++) black[i] = covered > 0 ? black[i] / covered : 0;
       black[at + 3] = Math.round(255 * covered);
     }

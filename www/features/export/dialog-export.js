@@ -1,4 +1,4 @@
-/** The dialog of Export: what can be taken away, grouped by what it is for. */
+/** The Export dialog: the file formats, grouped by purpose. */
 
 import { openDialog } from '../../ui/controls/dialog.js';
 import { checkbox } from '../../ui/controls/fields.js';
@@ -9,7 +9,7 @@ import { convergenceSvg } from './plot-svg.js';
 import { canRecord, turntableVideo } from './turntable-video.js';
 import { isDrawn } from '../../store/state.js';
 
-/** Pixels per CSS pixel, and how that is called. @type {[number, string][]} */
+/** Pixels per CSS pixel, and the label. @type {[number, string][]} */
 const SCALES = [
   [1, '1×'],
   [2, '2×'],
@@ -17,7 +17,7 @@ const SCALES = [
   [Infinity, '8k'],
 ];
 
-/** What was chosen last stays chosen. */
+/** The last choices. */
 /** @type {{ scale: number, legend: boolean, ground: import("./picture.js").Ground }} */
 const picture = { scale: 2, legend: true, ground: 'view' };
 
@@ -146,7 +146,10 @@ export function showExport(app) {
   /** @type {HTMLElement | null} */ (dialog.querySelector('.format'))?.focus();
 }
 
-/** The reader and writer of Rhino's files is large, and comes only for this. @param {import("../../app/context.js").AppContext} app */
+/**
+ * Saves a 3DM file, loading its large writer.
+ * @param {import("../../app/context.js").AppContext} app
+ */
 async function saveForRhino({ actions, files }) {
   if (!(await files.mayExport())) return;
   const { askRhino } = await import('../../documents/rhino/rhino-client.js');
@@ -163,7 +166,10 @@ function section(title, ...rows) {
   return element('section', element('h3', title), ...rows);
 }
 
-/** How large the picture is and what is in it. @param {import("../../viewport/viewport.js").Viewport} viewport */
+/**
+ * The controls for the size and content of the picture.
+ * @param {import("../../viewport/viewport.js").Viewport} viewport
+ */
 function pictureOptions(viewport) {
   const size = element('span.quiet');
   const showSize = () => {

@@ -1,4 +1,4 @@
-/** Export in other formats than OBJ. */
+/** Export in formats other than OBJ. */
 
 /** @type {import("../../app/context.js").Feature} */
 export default {

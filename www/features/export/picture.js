@@ -1,4 +1,4 @@
-/** A picture of the view as PNG, larger than the screen if wanted, with the legend drawn into it. */
+/** The view as a PNG picture, optionally larger than the screen, with the legend drawn into it. */
 
 import { cutOut } from './cut-out.js';
 import { rampStops } from '../../viewport/ramp.js';
@@ -8,15 +8,15 @@ import { declared, toleranceOf, valueInWords } from '../../store/colours/measure
 import { spreadOf } from '../../ui/plot/histogram.js';
 import { axisOf, placeOn } from '../../ui/plot/value-axis.js';
 
-/** What is behind the model: as in the view, white, nothing. @typedef {"view" | "white" | "none"} Ground */
+/** The background; transparent for `none`. @typedef {"view" | "white" | "none"} Ground */
 
-/** The longer side, and all pixels: more are too many for the memory of common browsers. */
+/** Maximum of the longer side and of the pixel count, set by the memory of common browsers. */
 const [LONGEST, MOST_PIXELS] = [7680, 60e6];
 
 /**
  * The size of the picture, in pixels.
  * @param {import("../../viewport/viewport.js").Viewport} viewport
- * @param {number} scale pixels per CSS pixel; as many as there can be, if infinite
+ * @param {number} scale pixels per CSS pixel; infinite for the maximum
  */
 export function pictureSize(viewport, scale) {
   const { width, height } = viewport.element.getBoundingClientRect();
@@ -61,7 +61,7 @@ export async function pictureOf(viewport, state, { scale, legend, ground }) {
 }
 
 /**
- * The words over the picture, on a ground that parts them from what is below.
+ * Draws the labels, each on a background that sets it off from the picture.
  * @param {CanvasRenderingContext2D} context
  * @param {import("../../viewport/viewport.js").Label[]} labels
  * @param {number} scale
@@ -86,8 +86,8 @@ function drawLabels(context, labels, scale, dark) {
 }
 
 /**
- * Where each legend begins, as a part of the width, and the state that it shows: of two pictures side
- * by side each has its own, half the width apart.
+ * The left edge of each legend as a fraction of the width, and the state that it shows. In the
+ * split view each picture has its own legend.
  * @param {import("../../store/state.js").State} state
  * @returns {[number, import("../../store/state.js").State][]}
  */
@@ -101,7 +101,7 @@ function legendsOf(state) {
 }
 
 /**
- * The legend at the lower left: the histogram over the colours, in the sizes of the page.
+ * Draws the legend at the lower left, in the page's sizes: the histogram above the colour ramp.
  * @param {CanvasRenderingContext2D} context
  * @param {import("../../store/state.js").State} state
  * @param {[number, string][]} stops

@@ -1,14 +1,14 @@
-/** The convergence as a figure: energies over iterations. */
+/** The convergence plot as a figure: energies over iterations. */
 
 import { PRINTED, linesSvg } from '../../ui/plot/lines-svg.js';
 
-/** In the order of the table. */
+/** In the order of the table's columns. */
 const SERIES = ['shape', 'close', 'smooth', 'handles', 'total'];
 
 /**
- * @param {string} csv the table of the iterations, as the solver writes it
+ * @param {string} csv the table of iterations from the solver
  * @param {string} title
- * @param {string} units of the energies, empty when not known
+ * @param {string} units of the energies; empty if unknown
  */
 export function convergenceSvg(csv, title, units) {
   const rows = csv.trim().split('\n').slice(1);

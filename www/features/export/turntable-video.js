@@ -1,9 +1,9 @@
-/** The model as it turns once, as a film, where the browser can record what it draws. */
+/** A video of the model turning once, in browsers that can record a canvas. */
 
 const SECONDS = 6;
-/** The first one that the browser can write. */
+/** Video formats in order of preference. */
 const KINDS = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
-/** Lines stay crisp: in bits per second. */
+/** Bits per second, high enough for crisp lines. */
 const BITS = 16e6;
 
 const kind = () => KINDS.find((name) => globalThis.MediaRecorder?.isTypeSupported(name));
@@ -12,7 +12,7 @@ export const canRecord = () =>
   kind() !== undefined && typeof HTMLCanvasElement.prototype.captureStream === 'function';
 
 /**
- * Turns the model once and records it as WebM; the camera is where it was then.
+ * Turns the model once, records it as WebM, and restores the camera.
  * @param {import("../../viewport/viewport.js").Viewport} viewport
  * @param {number} [seconds] for the turn
  * @returns {Promise<Blob>}

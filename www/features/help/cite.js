@@ -17,7 +17,7 @@ const PAPER = `@article{bouaziz2012shapeup,
   note    = {Proceedings of the Symposium on Geometry Processing}
 }`;
 
-/** @param {string} address where the page is */
+/** @param {string} address of the page */
 const program = (address) => `@software{shapeup,
   author  = {{The Shape-Up authors}},
   title   = {Shape-Up: shaping discrete geometry with projections, in a browser tab},

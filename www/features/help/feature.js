@@ -1,4 +1,4 @@
-/** The help: what keys and the mouse do. */
+/** The help: the actions of keys and mouse. */
 
 import { byId } from '../../ui/dom.js';
 
@@ -10,7 +10,7 @@ export default {
       group: 'Page',
       label: 'This list',
       keys: ['?', 'F1'],
-      // What it lists is complete by the time that somebody looks.
+      // The list of commands is read when opened, when it is complete.
       action: () =>
         app.actions.reportErrors(
           import('./help.js').then((it) => it.showHelp(byId('help'), app.commands)),

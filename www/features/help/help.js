@@ -1,4 +1,4 @@
-/** The help: everything that keys and the mouse do, from the table that binds them. */
+/** The help: all actions of keys and mouse, from the table that binds them. */
 
 import './help.css';
 import { keyName } from '../../ui/keys.js';
@@ -6,7 +6,7 @@ import { dialogHead } from '../../ui/controls/dialog.js';
 import { element } from '../../ui/dom.js';
 import { singleKeys } from '../../ui/single-keys.js';
 
-/** What the pointer does; see `pointer.js`. @type {[string, string][]} */
+/** Actions of the pointer; see `pointer.js`. @type {[string, string][]} */
 const POINTER = [
   ['Drag a handle', 'move it, parallel to the screen'],
   ['Drag an arrow', 'of the selected handles: move them along it; a square: in its plane'],
@@ -99,7 +99,7 @@ function section(title, rows) {
   );
 }
 
-/** The switch of the keys without Ctrl. */
+/** The switch for shortcuts without Ctrl. */
 function singleKeysSwitch() {
   const onchange = () => singleKeys.set(box.checked);
   const box = element('input', { type: 'checkbox', checked: singleKeys.on, onchange });

@@ -1,4 +1,4 @@
-/** The dialog in which a teacher writes a lesson: a text, goals, and how the class gets it. */
+/** The dialog for writing a lesson: its text, goals and locks, and its export for a class. */
 
 import './lesson.css';
 import { openDialog } from '../../ui/controls/dialog.js';
@@ -25,7 +25,7 @@ export async function write(app) {
   const numbers = state.model?.faces ? await actions.buildNumbers() : [];
   const { unit, factor } = lengthUnit(tolerance ?? 0, scene.units);
   const lengths = { unit: unit || 'unit of the mesh', factor };
-  // A value of either sign is no error.
+  // Signed measures are not errors.
   const errors = state.measures.filter(({ signed }) => !signed);
   const measures = state.model?.faces ? errors : [];
   /** @type {{ value: string, label: string, unit: string, factor: number, goal: object }[]} */
@@ -54,7 +54,7 @@ export async function write(app) {
   ];
 
   /**
-   * Faces beyond a length, counted.
+   * The goal that counts faces beyond a length.
    * @param {string} id of the measure
    * @param {number} beyond
    */
@@ -77,7 +77,7 @@ export async function write(app) {
   let goals = [];
 
   /**
-   * @param {string} value what it is about
+   * @param {string} value id of the option
    * @param {number | null} atMost
    */
   function addGoal(value, atMost) {
@@ -108,7 +108,7 @@ export async function write(app) {
     showUnit();
   }
 
-  /** Whoever does not see the rows hears which goal a control is of, and what it is about. */
+  /** Labels the controls for screen readers with the number and subject of their goal. */
   function nameGoals() {
     goals.forEach(({ of, most, unit, remove }, at) => {
       const goal = `Goal ${at + 1}`;
@@ -139,7 +139,7 @@ export async function write(app) {
   if (goals.length === 0 && about.length > 0)
     addGoal(first, asked ? toleranceOf(state, asked) : null);
 
-  /** Makes the scene this lesson, as one step of undo; then gives it on. @param {(() => unknown)} [then] */
+  /** Saves the lesson in one undo step, then calls `then`. @param {(() => unknown)} [then] */
   async function keep(then) {
     if (!form.reportValidity()) return;
     const lesson = {
@@ -205,7 +205,7 @@ export async function write(app) {
       scene.lesson && button('Remove lesson', forget),
     ),
   );
-  // Enter in a field of a goal is not the end of the dialog.
+  // Enter in a field of a goal must not close the dialog.
   form.addEventListener('submit', (event) => event.preventDefault());
   const dialog = openDialog({ id: 'lesson-dialog', title: 'Lesson' }, form);
   text.focus();

@@ -1,4 +1,4 @@
-/** Lessons: the dialog that writes one, and the panel of the one that the scene has. */
+/** Lessons: the dialog for writing one, and the panel for the lesson of the scene. */
 
 /** @type {import("../../app/context.js").Feature} */
 export default {

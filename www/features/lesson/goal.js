@@ -1,4 +1,4 @@
-/** A goal of a lesson in words. */
+/** The goals of a lesson in words. */
 
 import { roundingOf, valueInWords } from '../../store/colours/measures.js';
 import { count } from '../../ui/format.js';
@@ -6,7 +6,7 @@ import { count } from '../../ui/format.js';
 /** @typedef {import("../../solver/messages.js").LessonWords["goals"][number]} Goal */
 
 /**
- * A goal as the measure that it is about.
+ * Returns the measure of a goal.
  * @param {Goal} goal
  * @returns {import("../../solver/messages.js").FaceMeasure}
  */
@@ -31,11 +31,11 @@ export function goalInWords(goal, units) {
   return `Worst ${goal.label.toLowerCase()} at most ${most}`;
 }
 
-/** Whether it bounds how many there are of what is built. @param {Goal} goal */
+/** Whether a goal bounds a number of parts. @param {Goal} goal */
 const isCount = ({ build, unit }) => build !== null && unit === 'number';
 
 /**
- * The value of a goal as it is now.
+ * The current value of a goal in words.
  * @param {Goal} goal
  * @param {number} value
  * @param {{ units: string, size: number }} model
@@ -45,6 +45,6 @@ export function nowInWords(goal, value, { units, size }) {
   if (isCount(goal)) return String(value);
   const measure = measureOf(goal);
   const shown = value < roundingOf(measure, size) ? 0 : value;
-  // As the goal is written: both are read against each other.
+  // In the unit of the goal, so that the two can be compared.
   return valueInWords(measure, shown, units, goal.atMost || null);
 }

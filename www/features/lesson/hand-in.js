@@ -1,4 +1,4 @@
-/** The dialog that saves what a student hands in. */
+/** The dialog that saves a student's results for hand-in. */
 
 import './lesson.css';
 import { openDialog } from '../../ui/controls/dialog.js';

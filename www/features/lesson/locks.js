@@ -1,10 +1,10 @@
-/** What a lesson locks, shown as locked: controls that are switched off, and the reason. The session refuses it too. */
+/** Disables what a lesson locks, and shows the reason. The session also refuses such edits. */
 
 import { byId, element } from '../../ui/dom.js';
 
 /** @typedef {import("../../solver/messages.js").LessonWords["lock"][number]} Lock */
 
-/** Which part of the page changes what, and the reason. @type {{ lock: Lock, id: string, words: string }[]} */
+/** Lockable parts of the page. @type {{ lock: Lock, id: string, words: string }[]} */
 const PLACES = [
   { lock: 'mesh', id: 'model', words: 'the mesh stays as it is' },
   { lock: 'weights', id: 'energies', words: 'the weights stay as they are' },
@@ -15,7 +15,7 @@ const PLACES = [
   { lock: 'handles', id: 'handles', words: 'the handles stay as they are' },
 ];
 
-/** In the order in which they are listed. @type {[Lock, string][]} */
+/** The locks in display order. @type {[Lock, string][]} */
 export const LOCKS = [
   ['mesh', 'Mesh'],
   ['constraints', 'Constraints'],
@@ -29,13 +29,13 @@ export const locksInWords = (lock) =>
     .map(([, label]) => label.toLowerCase())
     .join(', ');
 
-/** Gives back what shows the locks of a lesson. */
+/** Returns a function that shows the locks of a lesson. */
 export function lockedPlaces() {
   const places = PLACES.map(({ lock, id, words }) => {
     const place = byId(id);
     const note = element('p.locked-note.quiet', { id: `${id}-locked`, hidden: true });
     note.textContent = words && `Locked by the lesson: ${words}.`;
-    // Whatever comes into it later is switched off too.
+    // A fieldset also disables controls that are added later.
     const set = element('fieldset.locked', words && { 'aria-describedby': note.id });
     place.before(...(words ? [note, set] : [set]));
     set.append(place);

@@ -1,6 +1,6 @@
 /**
- * The lesson of the scene: its text, its goals with what they are now, and what is handed in. In
- * windows where its panel is behind a tab, a line over the view says how many goals are met.
+ * The lesson of the scene: its text, its goals with their current values, and the results for
+ * hand-in. If its panel is hidden behind a tab, a line over the view shows how many goals are met.
  */
 
 import './lesson.css';
@@ -49,7 +49,7 @@ export function lessonPanel(app) {
   let rows = [];
   let shown = '';
 
-  /** Where the card is shown, the panel is not. */
+  /** The panel is hidden while the card is shown. */
   function showGoals() {
     byId('tab-model').click();
     byId('model-panel').scrollTo(0, 0);
@@ -92,7 +92,7 @@ export function lessonPanel(app) {
     const lesson = document?.lesson ?? null;
     const isNew = lesson && place.hidden;
     if (document) place.hidden = card.hidden = !lesson;
-    // Where it was written from is farther down.
+    // The button of the lesson dialog is farther down.
     if (isNew) place.parentElement?.scrollTo(0, 0);
     const lock = lesson?.lock ?? [];
     if (document && (lock.length > 0 || showLocks)) (showLocks ??= lockedPlaces())(lock);

@@ -1,6 +1,6 @@
 /**
- * The dialog of New mesh: the kinds that the solver declares, their sizes, and the mesh in the view as it is with
- * them. Until it is kept, what was open before comes back.
+ * The New mesh dialog: the kinds that the solver declares, their sizes, and the mesh in the view.
+ * Unless the mesh is kept, closing the dialog reopens the previous document.
  */
 
 import './new-mesh.css';
@@ -17,10 +17,10 @@ import { sizesForm } from './sizes-form.js';
 
 /** The unit of the defaults. */
 const METRE = 'm';
-/** What is drawn, not a kind with sizes. */
+/** Choices that are not kinds of the solver. */
 const PLAN = { id: 'plan', label: 'From a plan' };
 const SPAN = { id: 'span', label: 'Between curves' };
-/** So long nobody types before a mesh is made. */
+/** Pause in typing after which the mesh is made. */
 const QUIET_MS = 150;
 
 /** @param {import("../../app/context.js").AppContext} app */
@@ -29,14 +29,14 @@ export async function newMesh({ store, solver, files, actions, alerts }) {
   const kinds = newKinds();
   const before = await whatIsOpen();
   const open = openMesh();
-  /** One work for all that is tried. */
+  /** One autosave entry for all trials. */
   const work = crypto.randomUUID();
   let kept = false;
   let timer = 0;
-  /** What is being made, or undefined. @type {Promise<void> | undefined} */
+  /** The mesh being made, if any. @type {Promise<void> | undefined} */
   let making;
   let again = false;
-  /** The vertices that it stands on, which stay where they are. @type {number[]} */
+  /** The vertices on which the mesh stands, to be fixed. @type {number[]} */
   let held = [];
 
   const kind = choice(
@@ -57,7 +57,7 @@ export async function newMesh({ store, solver, files, actions, alerts }) {
   let form;
   const keep = button('Begin with this', keepIt, { class: 'primary' });
 
-  /** With its steps of undo, which belong to the text that the solver sent last. */
+  /** The open document with its undo history, which belongs to the solver's last scene text. */
   async function whatIsOpen() {
     const { document: scene, fileName } = store.get();
     if (!scene) return null;
@@ -70,7 +70,7 @@ export async function newMesh({ store, solver, files, actions, alerts }) {
     };
   }
 
-  /** The mesh whose curves there are. */
+  /** The open mesh, whose curves the span form uses. */
   function openMesh() {
     const { document: scene } = store.get();
     const { geometry } = solver;
@@ -146,13 +146,13 @@ export async function newMesh({ store, solver, files, actions, alerts }) {
     kept = true;
     keep.disabled = true;
     form.kept?.();
-    // Whatever is pressed next is for the mesh with its feet.
+    // The next command acts on the mesh with its fixed vertices.
     if (held.length) await hold(held);
     dialog.close();
     actions.setStatus(`New mesh: ${chosen().label}`);
   }
 
-  /** Holds vertices where they are, as a part of the new mesh: Undo goes back to what was open before. @param {number[]} vertices */
+  /** Fixes vertices; Undo still reopens the previous document. @param {number[]} vertices */
   async function hold(vertices) {
     await actions.addHandles(vertices, true);
     const bytes = new TextEncoder().encode(await actions.sceneText());

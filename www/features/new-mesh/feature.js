@@ -1,4 +1,4 @@
-/** A mesh to begin with, by its kind and sizes. */
+/** A new mesh from a kind and its sizes. */
 
 /** @type {import("../../app/context.js").Feature} */
 export default {

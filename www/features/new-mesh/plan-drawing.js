@@ -1,17 +1,17 @@
-/** The plan as a drawing: points that are dragged, arcs that are pulled out of sides, loops that are drawn anew. */
+/** The drawing of a plan: points to drag, arcs to pull out of sides, and loops to draw. */
 
 import { element } from '../../ui/dom.js';
 import { bulgeThrough, extentOf, pathOf, roundStep, sideOf, sidePathOf } from './plan-geometry.js';
 
 /** @typedef {import("../../pkg/build/shape_up.js").PlanPoint} PlanPoint */
 /** @typedef {import("./plan-geometry.js").Place} Place */
-/** A point by its loop, the outline first, and its index there. @typedef {{ loop: number, point: number }} Spot */
+/** Loop (0: outline) and point in it. @typedef {{ loop: number, point: number }} Spot */
 
-/** The grid has about so many steps over the drawing. */
+/** Approximate number of grid steps across the drawing. */
 const STEPS = 24;
-/** The share of the drawing around the plan. */
+/** Margin around the plan, as a fraction of the drawing. */
 const MARGIN = 0.14;
-/** So near, in pixels, a place is where another one is. */
+/** Snapping distance in pixels. */
 const NEAR = 8;
 const SPACE = 'http://www.w3.org/2000/svg';
 
@@ -31,9 +31,9 @@ function svg(tag, attributes) {
 const loopName = ({ loop }) => (loop ? `hole ${loop}` : 'the outline');
 
 /**
- * @param {object} on what is told
+ * @param {object} on callbacks
  * @param {(spot: Spot) => void} on.select
- * @param {() => void} on.begin something is about to change
+ * @param {() => void} on.begin called before a change
  * @param {(spot: Spot, point: Partial<PlanPoint>) => void} on.change
  * @param {(spot: Spot) => void} on.remove
  * @param {(places: Place[]) => void} on.drawn
@@ -47,16 +47,16 @@ export function planDrawing(on) {
   /** @type {Spot} */
   let selected = { loop: 0, point: 0 };
   let unit = '';
-  /** Sides that cross, by the points where they begin. @type {Spot[]} */
+  /** Sides that cross, given by their start points. @type {Spot[]} */
   let crossing = [];
-  /** What of the ground is shown: its middle, and pixels for a unit. */
+  /** The visible part of the plan: its centre, and pixels per unit. */
   let view = { middle: /** @type {Place} */ ([0, 0]), scale: 1 };
   let step = 1;
-  /** What is dragged. @type {{ spot: Spot, arc: boolean, moved: boolean } | null} */
+  /** The current drag. @type {{ spot: Spot, arc: boolean, moved: boolean } | null} */
   let drag = null;
   /** The points of a loop that is being drawn. @type {Place[] | null} */
   let drawing = null;
-  /** Where the pointer is while one draws. @type {Place | null} */
+  /** The pointer's position during drawing. @type {Place | null} */
   let pointer = null;
 
   /** @param {Place} at @returns {Place} */
@@ -74,7 +74,7 @@ export function planDrawing(on) {
   }
 
   /**
-   * Each coordinate that of a point nearby, else on the grid; as it is while Alt is held.
+   * Snaps each coordinate to a nearby point's or the grid, unless `free` (Alt held).
    * @param {Place} at
    * @param {boolean} free
    * @param {Spot} [own] the point that is moved
@@ -326,11 +326,11 @@ export function planDrawing(on) {
       draw();
     },
     isDrawing: () => Boolean(drawing),
-    /** Ends drawing; what was begun is gone. */
+    /** Ends drawing and discards the unfinished loop. */
     stop() {
       drawing = null;
     },
-    /** Takes the last point that was drawn back; where there is none, drawing ends. */
+    /** Removes the last drawn point; ends drawing if there is none. */
     back() {
       if (!drawing?.pop()) drawing = null;
       draw();

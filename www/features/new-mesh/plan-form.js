@@ -1,4 +1,4 @@
-/** From a plan: an outline that is drawn or typed, how it is divided, and how high it stands. */
+/** The form of a plan: an outline drawn or typed, its division into panels, and its height. */
 
 import './plan.css';
 import { button, checkbox, choice } from '../../ui/controls/fields.js';
@@ -16,13 +16,13 @@ import { clamped, loopThrough, sideOf } from './plan-geometry.js';
 const HINT = 'Drag points; pull the middle of a side to make it an arc. Hold Alt to move freely.';
 const DRAW_HINT =
   'Press where the points shall be, and on the first one again to close. Undo takes the last one back.';
-/** Steps back that are kept. */
+/** Maximum number of undo steps. */
 const MOST_STEPS = 100;
 const DIGITS = 6;
-/** What a length of the plan can be. */
+/** Limits of a length in the plan. */
 const LENGTH = /** @type {const} */ ({ of: 'length', least: 1e-6, most: 1e6 });
 
-/** A roof of 20 by 12 metres with one arched side. @param {number} metre in the unit @returns {Plan} */
+/** A roof of 20 by 12 m with one arched side. @param {number} metre in the unit @returns {Plan} */
 const firstPlan = (metre) => {
   const corners = [
     [0, 0, 0.2],
@@ -45,10 +45,10 @@ const firstPlan = (metre) => {
   };
 };
 
-/** The plan that was begun with last, in metres. */
+/** Storage key of the plan that was last kept, in metres. */
 const LAST = 'shape-up.plan';
 
-/** It, in the unit; none where there is none. @param {number} metre in the unit @returns {Plan | null} */
+/** The plan kept last, or null. @param {number} metre in the unit @returns {Plan | null} */
 function lastPlan(metre) {
   try {
     const plan = JSON.parse(recall(LAST) ?? 'null');
@@ -72,7 +72,7 @@ function scaled(plan, factor) {
 const rounded = (value) => Number(value.toPrecision(DIGITS));
 
 /**
- * A length that is typed, and taken when it is left.
+ * A length field whose value is applied on change.
  * @param {string} name
  * @param {(value: number) => void} onchange
  */
@@ -105,7 +105,7 @@ export function planForm({ unit, metre, onchange, make }) {
   let selected = { loop: 0, point: 0 };
   /** Earlier plans. @type {Plan[]} */
   const steps = [];
-  /** What is drawn anew. @type {"outline" | "hole"} */
+  /** The kind of loop being drawn. @type {"outline" | "hole"} */
   let drawn = 'outline';
 
   const drawing = planDrawing({
@@ -147,7 +147,7 @@ export function planForm({ unit, metre, onchange, make }) {
     changed();
   }
 
-  /** One step of it. @param {() => unknown} change */
+  /** Changes the plan in one undo step. @param {() => unknown} change */
   function step(change) {
     remember();
     edit(change);
@@ -191,7 +191,7 @@ export function planForm({ unit, metre, onchange, make }) {
     drawing.focus();
   }
 
-  /** @param {number} length of the selected side, whose end moves */
+  /** Moves the end of the selected side. @param {number} length new length */
   function setLength(length) {
     const { from, along, chord } = sideOf(points(), selected.point);
     const share = length / chord;
@@ -251,7 +251,7 @@ export function planForm({ unit, metre, onchange, make }) {
       ['outline', 'The whole outline'],
     ],
   );
-  // What is typed into a field is one step.
+  // Typing into one field is a single undo step.
   let isTyped = false;
   const sizes = element('div.sizes');
   sizes.addEventListener('focusin', () => (isTyped = false));
@@ -263,7 +263,7 @@ export function planForm({ unit, metre, onchange, make }) {
     change();
   }
 
-  /** The fields of the plan as a whole; made anew where the plan is another one. */
+  /** Builds the fields of the whole plan, anew whenever the plan is replaced. */
   function showSizes() {
     const field = (
       /** @type {"size" | "height" | "turn"} */ id,
@@ -340,7 +340,7 @@ export function planForm({ unit, metre, onchange, make }) {
       drawing.stop();
       show();
     }
-    // Text that is typed has an undo of its own.
+    // A number field has an undo of its own.
     const isText = event.target instanceof HTMLInputElement && event.target.type === 'number';
     if (event.key === 'z' && (event.ctrlKey || event.metaKey) && !isText) {
       event.preventDefault();
@@ -370,10 +370,10 @@ export function planForm({ unit, metre, onchange, make }) {
         throw error;
       }
     },
-    /** It is begun with: the next plan goes on from it. */
+    /** Stores the plan as the start of the next one. */
     kept: () => keep(LAST, JSON.stringify(scaled(plan, 1 / metre))),
     /**
-     * The same plan in another unit.
+     * Converts the plan to another unit.
      * @param {string} symbol
      * @param {number} factor
      */

@@ -1,13 +1,13 @@
-/** The loops of a plan: their sides, straight or arcs, and what of them is drawn. */
+/** The geometry of a plan's loops: their sides, straight or arcs, and their SVG paths. */
 
 /** @typedef {import("../../pkg/build/shape_up.js").PlanPoint} PlanPoint */
 /** @typedef {[number, number]} Place */
 
-/** Sharper turns than this are corners of what is drawn: 20 degrees. */
+/** Minimum turning angle of a corner in a drawn loop: 20 degrees. */
 const SHARP = (20 * Math.PI) / 180;
 
 /**
- * Whether the points go round clockwise. Of two points, whose arcs are all there is, both directions are the same.
+ * Whether the points run clockwise. Two points, joined by arcs only, never count as clockwise.
  * @param {Place[]} places
  */
 export function isClockwise(places) {
@@ -19,7 +19,7 @@ export function isClockwise(places) {
 }
 
 /**
- * The side from a point to the next one: its chord, the unit direction outward, its middle.
+ * The side from a point to the next one: its chord, the outward unit normal, its midpoint.
  * @param {PlanPoint[]} points
  * @param {number} k
  */
@@ -40,7 +40,7 @@ export function sideOf(points, k) {
 }
 
 /**
- * The bulge of a side whose arc goes through a place nearest to its middle.
+ * The bulge of a side whose arc has its midpoint nearest to a given position.
  * @param {PlanPoint[]} points
  * @param {number} k
  * @param {Place} through
@@ -51,11 +51,11 @@ export function bulgeThrough(points, k, through) {
   return clamped((2 * (away[0] * outward[0] + away[1] * outward[1])) / chord);
 }
 
-/** Half circles are the most. @param {number} bulge */
+/** Limits a bulge to a half circle. @param {number} bulge */
 export const clamped = (bulge) => Math.min(Math.max(bulge, -1), 1);
 
 /**
- * A loop as the data of an SVG path, in the places that `onto` gives. There `y` points down.
+ * A loop as SVG path data, mapped to pixels by `onto`, whose `y` axis points down.
  * @param {PlanPoint[]} points
  * @param {(place: Place) => Place} onto
  * @param {number} scale of `onto`
@@ -66,7 +66,7 @@ export function pathOf(points, onto, scale) {
 }
 
 /**
- * The side from a point to the next one, in the same way.
+ * The side from a point to the next one as SVG path data.
  * @param {PlanPoint[]} points
  * @param {number} k
  * @param {(place: Place) => Place} onto
@@ -77,7 +77,7 @@ export function sidePathOf(points, k, onto, scale) {
 }
 
 /**
- * The same from where the path is.
+ * The same, from the current point of the path.
  * @param {PlanPoint[]} points
  * @param {number} k
  * @param {(place: Place) => Place} onto
@@ -89,13 +89,13 @@ function lineTo(points, k, onto, scale) {
   const end = onto(to).join(' ');
   if (Math.abs(bulge) < 1e-6) return `L${end}`;
   const radius = (scale * chord * (1 + bulge * bulge)) / (4 * Math.abs(bulge));
-  // Downward y turns the direction around.
+  // The downward y axis reverses the orientation.
   const sweep = bulge > 0 === isClockwise(points.map(({ at }) => at)) ? 1 : 0;
   return `A${radius} ${radius} 0 0 ${sweep} ${end}`;
 }
 
 /**
- * The least and greatest coordinates of loops, with the middles of their arcs.
+ * Bounding box of the loops' points and of the midpoints of their arcs.
  * @param {PlanPoint[][]} loops
  */
 export function extentOf(loops) {
@@ -110,7 +110,7 @@ export function extentOf(loops) {
 }
 
 /**
- * The step of a grid with about so many over a length: 1, 2 or 5 times a power of ten.
+ * The step of a grid with about `count` steps over a length: 1, 2 or 5 times a power of ten.
  * @param {number} length
  * @param {number} count
  */
@@ -120,7 +120,7 @@ export function roundStep(length, count) {
 }
 
 /**
- * A drawn loop, counterclockwise, of which the sharp turns outward are corners, where it is to have some.
+ * A drawn loop, made counterclockwise. With `hasCorners`, its sharp convex turns become corners.
  * @param {Place[]} places
  * @param {boolean} hasCorners
  * @returns {PlanPoint[]}

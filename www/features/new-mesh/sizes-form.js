@@ -1,4 +1,4 @@
-/** The sizes of a kind of mesh that the solver declares. */
+/** The form for the sizes of a kind of mesh that the solver declares. */
 
 import { sizeField } from '../../ui/controls/size-field.js';
 import { element, setText } from '../../ui/dom.js';
@@ -15,7 +15,7 @@ import { element, setText } from '../../ui/dom.js';
  * @param {(sizes: number[], units: string) => string} given.make
  */
 export function sizesForm(kind, { unit, metre, onchange, make }) {
-  /** A default, in metres, in the unit that is chosen. @param {Size} size */
+  /** The default value, converted from metres to the chosen unit. @param {Size} size */
   const first = ({ of, default: value }) => (of === 'length' ? rounded(value * metre) : value);
   const rows = kind.sizes.map((size) => sizeField(size, { value: first(size), unit, onchange }));
   const sizes = element('div.sizes', ...rows);
@@ -29,7 +29,7 @@ export function sizesForm(kind, { unit, metre, onchange, make }) {
       return { text: make(sizes, units), feet: [] };
     },
     /**
-     * The same sizes in another unit.
+     * Converts the sizes to another unit.
      * @param {string} symbol
      * @param {number} factor
      */

@@ -1,4 +1,4 @@
-/** A mesh between curves of what is open: two of them, or inside a closed one. */
+/** A mesh between curves of the open document: two curves, or inside a closed one. */
 
 import { choice } from '../../ui/controls/fields.js';
 import { sizeField } from '../../ui/controls/size-field.js';
@@ -6,11 +6,11 @@ import { element } from '../../ui/dom.js';
 import { length, number } from '../../ui/format.js';
 import { NewSpans } from '../../pkg/build/shape_up.js';
 
-/** The size of a panel at first, of the longest curve. */
+/** Initial panel size, as a fraction of the longest curve. */
 const PANEL = 0.05;
 
 /**
- * What was open, whose curves there are.
+ * The open mesh, which provides the curves.
  * @typedef {object} OpenMesh
  * @property {Float64Array} positions
  * @property {import("../../solver/messages.js").Connectivity} connectivity
@@ -82,7 +82,7 @@ export function spanForm(open, onchange) {
       const other = isInside ? undefined : Number(second.value);
       return { text: spans.mesh(Number(first.value), other, panel), feet: [] };
     },
-    /** It has the unit of what was open. */
+    /** The mesh keeps the unit of the open document. */
     convert() {},
   };
 }
@@ -96,7 +96,7 @@ function spansOf({ positions, connectivity, units, up }) {
 /**
  * @param {HTMLSelectElement} select
  * @param {string[][]} options
- * @param {number} at what is chosen at first
+ * @param {number} at index of the initial choice
  */
 function fill(select, options, at) {
   const before = select.value;

@@ -1,4 +1,4 @@
-/** Presentations: the steps of the scene, and showing them one after the other on the whole screen. */
+/** Presentations: defining the steps of a scene and showing them full screen. */
 
 import { byId } from '../../ui/dom.js';
 
@@ -19,7 +19,7 @@ export default {
     {
       keys: ['document'],
       isNeeded: ({ document: scene }) => Boolean(scene?.steps.length),
-      // Who is sent a presentation finds it.
+      // The button is always shown for a scene with steps.
       load: async () => byId('present-button').classList.remove('advanced'),
     },
   ],

@@ -1,14 +1,14 @@
-/** The window of who presents: the notes of the step that is shown, and the title of the next one. */
+/** The presenter's window: the notes of the current step and the title of the next one. */
 
 import { element, setText } from '../../ui/dom.js';
 
 /** @typedef {import("../../solver/messages.js").Slide} Slide */
 
 /**
- * Opens it beside the page; what is pressed there is pressed here.
+ * Opens the window beside the page. Keys pressed in it are passed to `press`.
  * @param {(event: KeyboardEvent) => void} press
  * @returns {{ show: (step: Slide, next: Slide | undefined, place: string) => void, close: () => void } | null}
- *   null where the browser refuses windows
+ *   null if the browser blocks the window
  */
 export function openNotes(press) {
   const beside = open('', 'shape-up-notes', 'popup,width=560,height=480');

@@ -1,4 +1,4 @@
-/** Showing a presentation: the model on the whole screen, and of each step its title and text in large type. */
+/** Presenting: the model full screen, with the title and text of each step in large type. */
 
 import './present.css';
 import { button } from '../../ui/controls/fields.js';
@@ -8,7 +8,10 @@ import { openNotes } from './notes-window.js';
 
 const { dataset } = document.documentElement;
 
-/** What keys do, those of presenters too. @type {Record<string, "next" | "previous" | "first" | "last" | "dark" | "end">} */
+/**
+ * Actions of keys, including presenter remotes.
+ * @type {Record<string, "next" | "previous" | "first" | "last" | "dark" | "end">}
+ */
 const KEYS = {
   ArrowRight: 'next',
   ArrowDown: 'next',
@@ -25,7 +28,7 @@ const KEYS = {
   Escape: 'end',
 };
 
-/** Where it is refused, as in some frames, the window is enough. */
+/** If full screen is refused, as in some frames, the presentation fills the window. */
 async function fillScreen() {
   if (document.fullscreenElement) return;
   await document.documentElement.requestFullscreen?.().catch(() => {});
@@ -40,7 +43,7 @@ export async function present(app, withNotes) {
   if (withNotes && !notes)
     throw new Error('The browser refused the window of the notes: allow windows of this page.');
   const { store, actions } = app;
-  const ways = presentActions(store, actions);
+  const slides = presentActions(store, actions);
   const title = element('h2');
   const text = element('p');
   const place = element('span', { 'aria-live': 'polite' });
@@ -69,10 +72,10 @@ export async function present(app, withNotes) {
     previous.disabled = at === 0;
     next.disabled = at === all.length - 1;
     notes?.show(all[at], all[at + 1], place.textContent ?? '');
-    await ways.showStep(at);
+    await slides.showStep(at);
   }
 
-  /** The window of the notes takes the page off the whole screen: the next press puts it back. */
+  /** Shows the next step. Opening the notes window ends full screen, so this enters it again. */
   function forward() {
     if (notes) fillScreen();
     return go(at + 1);
@@ -90,7 +93,7 @@ export async function present(app, withNotes) {
   /** @param {KeyboardEvent} event */
   function press(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    // Presenters start with it what has started.
+    // Presenter remotes send F5; it must not reload the page.
     if (event.key === 'F5') return event.preventDefault();
     const what = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!what) return;

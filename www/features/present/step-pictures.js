@@ -1,15 +1,15 @@
-/** Small pictures of the steps: each its shape, from where it is seen. */
+/** Thumbnails of the steps: the shape of each step, from its camera. */
 
 import { drawShape } from '../../ui/plot/thumbnail.js';
 
 /** @typedef {import("../../solver/messages.js").Slide} Slide */
 
-/** Where turn and tilt are in the numbers of a camera. */
+/** Indices of turn and tilt in the array of a camera. */
 const [TURN, TILT] = [4, 5];
 
 /**
  * @param {Pick<import("../../app/context.js").AppContext, "store" | "solver">} app
- * @returns {(canvas: HTMLCanvasElement, step: Slide) => void} draws into a canvas that is on the page
+ * @returns {(canvas: HTMLCanvasElement, step: Slide) => void} draws a step into a canvas
  */
 export function stepPictures({ store, solver }) {
   const { mesh, variants } = JSON.parse(solver.sceneText ?? '{}');

@@ -1,4 +1,4 @@
-/** The dialog of a presentation: its steps in their order, what each shows, and the button that starts it. */
+/** The dialog of a presentation: its steps in order, the content of each, and the start button. */
 
 import './present.css';
 import { openDialog } from '../../ui/controls/dialog.js';
@@ -14,7 +14,7 @@ import { stepPictures } from './step-pictures.js';
 /** @param {import("../../app/context.js").AppContext} app */
 export function openSteps(app) {
   const { store, actions } = app;
-  const ways = presentActions(store, actions);
+  const slides = presentActions(store, actions);
   const stepsNow = () => store.get().document?.steps ?? [];
   const list = element('ol.steps');
   const said = element('p.quiet', { 'aria-live': 'polite' });
@@ -24,12 +24,12 @@ export function openSteps(app) {
   });
   const add = button('Add this view', () => {
     const steps = stepsNow();
-    return change([...steps, ways.stepNow(`Step ${steps.length + 1}`)]);
+    return change([...steps, slides.stepNow(`Step ${steps.length + 1}`)]);
   });
 
   /** @param {Slide[]} steps */
   async function change(steps) {
-    await ways.setSteps(steps);
+    await slides.setSteps(steps);
     show();
   }
 
@@ -43,13 +43,13 @@ export function openSteps(app) {
   const changed = (index, values) =>
     stepsNow().map((step, i) => (i === index ? { ...step, ...values } : step));
 
-  /** What is written stays in its field. @param {number} index @param {Partial<Slide>} words */
+  /** Saves text without rebuilding the rows. @param {number} index @param {Partial<Slide>} words */
   async function say(index, words) {
-    await ways.setSteps(changed(index, words));
+    await slides.setSteps(changed(index, words));
     offer();
   }
 
-  /** What can be started now. */
+  /** Enables the start buttons that apply. */
   function offer() {
     start.disabled = stepsNow().length === 0;
     withNotes.hidden = !stepsNow().some(({ notes }) => notes);
@@ -122,7 +122,7 @@ export function openSteps(app) {
     );
   }
 
-  /** Which shape a step shows. @param {Slide} step @param {number} index */
+  /** Selects the shape of a step. @param {Slide} step @param {number} index */
   function shapeOf(step, index) {
     const variants = store.get().document?.variants ?? [];
     const shape = choice(
@@ -148,7 +148,7 @@ export function openSteps(app) {
   function take(index) {
     const { title, text, notes, run } = stepsNow()[index];
     const steps = [...stepsNow()];
-    steps[index] = { ...ways.stepNow(title), text, notes, run };
+    steps[index] = { ...slides.stepNow(title), text, notes, run };
     return change(steps);
   }
 

@@ -1,13 +1,13 @@
 /**
- * The menu of what is under the pointer: a right click, a long press, or the menu key. It acts on the
- * selection, to which what was pointed at belongs by then. Loaded when it is first asked for.
+ * The context menu of the view: right click, long press or menu key. It acts on the selection, to
+ * which the element under the pointer has been added. Loaded on first use.
  */
 
 import { isEnabled, press } from '../../store/press.js';
 import { byId, element } from '../../ui/dom.js';
 import { placeMenu } from '../../ui/controls/menu.js';
 
-/** Where the menu is asked for, in CSS pixels of the page. */
+/** The anchor of the menu, in CSS pixels of the page. */
 let place = new DOMRect();
 
 const menu = element('div.menu', {
@@ -18,7 +18,7 @@ const menu = element('div.menu', {
 });
 byId('menus').append(menu);
 placeMenu(menu, () => /** @type {HTMLElement} */ ({ getBoundingClientRect: () => place }));
-// By itself a popover would close when the finger that asked for it is lifted.
+// An automatic popover would close when the finger of the long press is lifted.
 const leave = (/** @type {Event} */ event) => {
   if (!(event.target instanceof Node && menu.contains(event.target))) menu.hidePopover();
 };
@@ -70,7 +70,7 @@ export function showContextMenu(at, app) {
 /** @typedef {[label: string, action: () => void]} Item */
 
 /**
- * What there is to do, and how, under its headings.
+ * The available actions under their headings.
  * @param {import("../../app/context.js").AppContext} app
  * @returns {[heading: string, items: Item[]][]}
  */

@@ -1,6 +1,6 @@
-/** The commands of the Select tool: the shapes of a drag, the brush, and looking through. */
+/** The commands of the Select tool: box, lasso and brush, and selecting hidden elements. */
 
-/** How much a key makes the brush larger, and its least and greatest radius, in CSS pixels. */
+/** Factor of the brush keys; minimum and maximum radius of the brush in CSS pixels. */
 const BRUSH_FACTOR = 1.25;
 const BRUSH = [4, 120];
 

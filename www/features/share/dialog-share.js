@@ -1,6 +1,6 @@
 /**
- * The dialog of Share: the link, how long it is, and where a link of that length gets through; the same
- * as a code to scan, and as the line that puts the model into another page.
+ * The Share dialog: the link with its length and where a link of that length works, the link as a
+ * QR code, and the line of HTML that embeds the model in another page.
  */
 
 import './share.css';
@@ -12,7 +12,7 @@ import { linkTo } from '../../documents/share-link.js';
 import { frameLine } from './frame-line.js';
 import { MOST_SCANNED, qrCode } from './qr-code.js';
 
-/** Lengths in characters up to which a link gets through, and what is true above the one before. */
+/** Maximum lengths of a link, in characters, with advice for links up to each length. */
 const LEVELS = [
   { most: 2_000, level: 'good', words: 'Short enough for browsers, e-mail and chat programs.' },
   {
@@ -51,9 +51,9 @@ export async function share(app) {
   const field = dialog.querySelector('textarea');
   field?.focus();
   field?.select();
-  // Its beginning tells what it is.
+  // The beginning identifies the link.
   if (field) field.scrollTop = 0;
-  // Some browsers copy only what a press asks for, and may do so at the button then.
+  // Some browsers allow copying only on a user action; the button still works there.
   if (found) await copy(link, dialog, '');
 }
 
@@ -61,8 +61,8 @@ export async function share(app) {
  * @param {object} what
  * @param {string} what.link
  * @param {{ level: string, words: string } | undefined} what.found
- * @param {string} what.title of what is shared
- * @param {string} what.loss what the link has not as it is
+ * @param {string} what.title of the model
+ * @param {string} what.loss note on rounding, if any
  * @param {() => void} save
  */
 function open({ link, found, title, loss }, save) {
@@ -112,7 +112,7 @@ function open({ link, found, title, loss }, save) {
 }
 
 /**
- * The code to scan, and the line for another page.
+ * The QR code, and the line of HTML for another page.
  * @param {string} link
  * @param {string} title
  */
@@ -149,7 +149,7 @@ function others(link, title) {
 /**
  * @param {string} link
  * @param {HTMLDialogElement} dialog
- * @param {string} [refused] what is said where it cannot be copied
+ * @param {string} [refused] message if the browser refuses to copy
  */
 async function copy(link, dialog, refused) {
   const place = dialog.querySelector('#share-copied');

@@ -1,6 +1,6 @@
 /** The line of HTML that embeds a model in another page. */
 
-/** What may not stand between quotes in HTML. */
+/** Escapes in a quoted HTML attribute. */
 const ESCAPES = /** @type {Record<string, string>} */ ({
   '&': '&amp;',
   '"': '&quot;',

@@ -1,10 +1,10 @@
-/** A link as a code that a phone scans from the screen or from a printed sheet. */
+/** A link as a QR code, to scan from the screen or from paper. */
 
 import { encode } from 'uqr';
 
-/** With more characters its squares are too small for a phone that looks at a screen. */
+/** Maximum number of characters: with more, the modules are too small to scan from a screen. */
 export const MOST_SCANNED = 1_000;
-/** Squares that stay white around it, as its standard asks. */
+/** Width of the quiet zone in modules, as the QR standard requires. */
 const BORDER = 4;
 const SPACE = 'http://www.w3.org/2000/svg';
 

@@ -1,4 +1,4 @@
-/** Two pictures of the model in place of one. */
+/** The split view: two pictures of the model instead of one. */
 
 import { isDrawn } from '../../store/state.js';
 import { toggleSplit } from './split.js';

@@ -1,11 +1,11 @@
-/** The divider between two pictures: dragged, or moved by keys. */
+/** The divider between the two pictures, moved by dragging or with keys. */
 
 import { element } from '../../ui/dom.js';
 import { followTrack, placeOnTrack } from '../../ui/controls/track.js';
 
 /**
  * @param {import("../../app/context.js").AppContext} app
- * @param {() => string[] | undefined} words what is left and right
+ * @param {() => string[] | undefined} words for the left and right picture
  */
 export function splitDivider({ store, actions }, words) {
   const divider = element(

@@ -1,6 +1,6 @@
 /**
- * The legend of one of two pictures: what the side shows, which can be chosen, and how the values of
- * its faces are spread, over the outline of those of the original.
+ * The legend of one of the two pictures: selectors for its shape and measure, and the histogram of
+ * its face values with the histogram of the original as an outline.
  */
 
 import { rampOf } from '../../viewport/ramp.js';
@@ -20,7 +20,7 @@ import { axisOf, placeOn } from '../../ui/plot/value-axis.js';
 
 /** @typedef {import("../../store/view-modes.js").Choice} Choice */
 
-/** The option of a shape that was kept. */
+/** The value of the option for a kept shape. */
 const KEPT = 'kept';
 
 export class SplitLegend {
@@ -122,7 +122,7 @@ export class SplitLegend {
   }
 }
 
-/** @param {Float32Array} values some of which may be no numbers */
+/** Mean and number of values that are not NaN. @param {Float32Array} values */
 function meanOf(values) {
   const known = values.filter((value) => !Number.isNaN(value));
   const sum = known.reduce((total, value) => total + value, 0);

@@ -1,6 +1,6 @@
 /**
- * Two pictures in place of one: asks for the values of both sides, and holds the divider and the two
- * legends, in which it is chosen what each side shows. Loaded when it is first asked for.
+ * The split view: fetches the values of both sides and owns the divider and the two legends, in
+ * which the user selects what each side shows. Loaded on first use.
  */
 
 import { closeButton } from '../../ui/controls/fields.js';
@@ -14,7 +14,7 @@ import './split.css';
 /** @typedef {import("../../store/view-modes.js").Choice} Choice */
 /** @typedef {import("../../store/view-modes.js").Split} Split */
 
-/** A range finer than so many times the rounding would colour what nobody could build or see. */
+/** Minimum colour range in multiples of the rounding error; finer ones cannot be built or seen. */
 const LEAST_RANGE = 1000;
 
 /** @type {SplitView | null} */
@@ -27,7 +27,7 @@ export class SplitView {
   #legends;
   /** Left and right. @type {[Choice, Choice] | null} */
   #choices = null;
-  /** Of the original, by measure. @type {Map<string, Float32Array>} */
+  /** Values of the original, by measure. @type {Map<string, Float32Array>} */
   #originalValues = new Map();
   /** Upper ends of the ranges, by measure: the same on both sides. @type {Map<string, number>} */
   #tops = new Map();
@@ -35,7 +35,7 @@ export class SplitView {
   #isDue = false;
 
   /**
-   * The one of the page.
+   * The only instance of the page.
    * @param {import("../../app/context.js").AppContext} app
    */
   static of(app) {
@@ -77,14 +77,14 @@ export class SplitView {
       this.#originalValues.clear();
       this.#tops.clear();
     });
-    // An edit may ask for something else of the faces.
+    // An edit may change the requirements on faces, and so the original's values.
     solver.on('document', () => {
       this.#originalValues.clear();
-      this.#leaveLost();
+      this.#dropLostVariants();
     });
   }
 
-  /** @param {[Choice, Choice]} [choices] left and right; else those before, or the original and now */
+  /** @param {[Choice, Choice]} [choices] left and right; default: last, or original and current */
   async open(choices) {
     const state = this.#store.get();
     const measure = state.measure ?? measureOfScene(state) ?? state.measures[0].id;
@@ -118,15 +118,15 @@ export class SplitView {
     this.#update();
   }
 
-  /** A side shows the current shape where the one that was kept is kept no more, or is called otherwise. */
-  #leaveLost() {
+  /** Shows the current shape on a side whose kept shape was removed or renamed. */
+  #dropLostVariants() {
     const names = this.#store.get().document?.variants ?? [];
     this.#choices?.forEach(({ variant }, i) => {
       if (variant && names[variant.index] !== variant.name) this.#choose(i, { variant: undefined });
     });
   }
 
-  /** Brings both sides up to date; while that is under way, once more after it. */
+  /** Updates both sides; during an update, once more after it. */
   async #update() {
     if (!this.#store.get().split) return;
     this.#isDue = true;
@@ -155,9 +155,9 @@ export class SplitView {
       Promise.all(choices.map((choice) => this.#cornersOf(choice))),
     ]);
     const { split, model: now } = this.#store.get();
-    // Something else has been opened, or this was closed.
+    // Another model was opened, or the split view was closed.
     if (now !== model || choices !== this.#choices || (wasOpen && !split)) return;
-    choices.forEach(({ measure }, i) => this.#reach(measure, values[i]));
+    choices.forEach(({ measure }, i) => this.#extendRange(measure, values[i]));
     const sides = choices.map((choice, i) => {
       const side = {
         ...choice,
@@ -185,7 +185,7 @@ export class SplitView {
     const known = this.#originalValues.get(measure);
     const before = known ?? (await this.#actions.faceValues(measure, true));
     this.#originalValues.set(measure, before);
-    this.#reach(measure, before);
+    this.#extendRange(measure, before);
     if (original) return before;
     const { geometry } = this.#solver;
     if (geometry?.measure === measure && geometry.values) return geometry.values;
@@ -193,7 +193,7 @@ export class SplitView {
   }
 
   /**
-   * What bands go through faces by. The original has not moved: there they are in one band.
+   * Returns corner values for colour bands; undefined for the original, with one band per face.
    * @param {Choice} choice
    */
   async #cornersOf({ measure, original, variant }) {
@@ -204,11 +204,11 @@ export class SplitView {
   }
 
   /**
-   * Makes the range of a measure so large that it holds these values.
+   * Extends the range of a measure to include these values.
    * @param {string} measure
    * @param {Float32Array} values
    */
-  #reach(measure, values) {
+  #extendRange(measure, values) {
     const state = this.#store.get();
     const about = declared(state, measure);
     const least = about ? LEAST_RANGE * roundingOf(about, state.size) : 0;
@@ -217,14 +217,14 @@ export class SplitView {
     this.#tops.set(measure, Math.max(before, greatestOf(values)));
   }
 
-  /** Where the colours begin: nothing is in the middle of values of both signs. @param {string} measure */
+  /** Lower end of the colour range: `-top` for a signed measure. @param {string} measure */
   #lowOf(measure) {
     const top = this.#tops.get(measure) ?? 1;
     return declared(this.#store.get(), measure)?.signed ? -top : (this.#toleranceOf(measure) ?? 0);
   }
 
   /**
-   * Up to where faces keep the material; null where all values have colours.
+   * Up to this value faces keep the material colour; null if all values are coloured.
    * @param {string} measure
    */
   #toleranceOf(measure) {

@@ -1,12 +1,12 @@
 /**
- * Two pictures of the model in place of one, left and right of a divider. Their controls come with
- * `split-view.js` when they are first asked for.
+ * Opens and closes the split view: two pictures of the model, left and right of a divider. Its
+ * controls are loaded with `split-view.js` on first use.
  */
 
 /** @typedef {import("../../store/view-modes.js").Choice} Choice */
 
 /**
- * Shows two pictures with what was chosen last, or one again.
+ * Toggles the split view, which opens with the choices made last.
  * @param {import("../../app/context.js").AppContext} app
  */
 export function toggleSplit(app) {

@@ -1,6 +1,6 @@
 /**
- * How a run ended that had something to meet: what it took, what exactness would cost where a tolerance is met, and
- * what cannot be met together.
+ * The verdict on a run with hard constraints: the result, the cost of exactness if only a tolerance
+ * was required, and the constraints that cannot be met together.
  */
 
 import './exact-verdict.css';
@@ -9,43 +9,44 @@ import { count, groupDigits, length, limit, number, part } from '../../ui/format
 import { exactActions } from '../../store/actions/exact-actions.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 
+/** @typedef {import("../../app/context.js").AppContext} App */
 /** @typedef {import("../../solver/messages.js").ConstraintRow} ConstraintRow */
 /** @typedef {import("../../solver/messages.js").ExactOffer} ExactOffer */
 /** @typedef {import("../../solver/messages.js").ExactReport} ExactReport */
 
-/** An improvement that gains less than this part of the energy is not worth a step of undo. */
+/** Minimum relative decrease of the energy for an improvement to be worth an undo step. */
 const LEAST_GAIN = 1e-4;
 
-/** The colour of what cannot be met. @type {[number, number, number]} */
+/** The colour of constraints that cannot be met, sRGB bytes. @type {[number, number, number]} */
 const UNMET = [214, 40, 57];
 
 /**
- * Where it is told.
- * @typedef {object} Told
+ * Where the verdict is shown.
+ * @typedef {object} Output
  * @property {(text: string, ...buttons: HTMLElement[]) => HTMLElement} showMessage
  * @property {(label: string, action: () => unknown, title?: string) => HTMLElement} offer a button
- * @property {() => boolean} hasCard the verdict on the panels is told there already
- * @property {() => boolean} hasHint a hint says what is next, and good news can wait
+ * @property {() => boolean} hasCard whether the card of the panels already shows their verdict
+ * @property {() => boolean} hasHint whether a hint is shown, so that good news can wait
  */
 
 /**
- * @param {import("../../app/context.js").AppContext} app
- * @param {Told} told
+ * @param {App} app
+ * @param {Output} output
  */
-export async function showExact(app, told) {
+export async function showExact(app, output) {
   const { store } = app;
   const { numbers, document: scene } = store.get();
   if (!numbers?.exact || !scene) return;
-  if (!numbers.exact.met) return showUnmet(app, told, numbers.exact);
+  if (!numbers.exact.met) return showUnmet(app, output, numbers.exact);
   const hard = scene.constraints.filter(({ enabled, require }) => enabled && require !== 'soft');
-  if (hard.every(({ require }) => require === 'exact')) return showMet(app, told, numbers.exact);
-  await showCost(app, told);
+  if (hard.every(({ require }) => require === 'exact')) return showMet(app, output, numbers.exact);
+  await showCost(app, output);
 }
 
-/** @param {import("../../app/context.js").AppContext} app @param {Told} told @param {ExactReport} exact */
-function showMet(app, told, { max_distance, on_guard, shortest_edge }) {
+/** Shows that all is exact. @param {App} app @param {Output} output @param {ExactReport} exact */
+function showMet(app, output, { max_distance, on_guard, shortest_edge }) {
   const { store } = app;
-  const { showMessage, hasCard, hasHint } = told;
+  const { showMessage, hasCard, hasHint } = output;
   const { document: scene, numbers } = store.get();
   if (!scene || !numbers || hasHint()) return;
   const units = scene.units;
@@ -58,21 +59,21 @@ function showMet(app, told, { max_distance, on_guard, shortest_edge }) {
     ? ''
     : ` Moved at most ${length(max, units)}, ${length(mean, units)} on average.`;
   const text = `Exact: farthest ${length(max_distance, units)}.${moved}${guarded}`;
-  showMessage(text, improveButton(app, told));
+  showMessage(text, improveButton(app, output));
 }
 
-/** @param {import("../../app/context.js").AppContext} app @param {Told} told */
-const improveButton = (app, told) =>
-  told.offer(
+/** @param {App} app @param {Output} output */
+const improveButton = (app, output) =>
+  output.offer(
     'Improve',
-    () => improve(app, told),
+    () => improve(app, output),
     'Looks for a shape that is as exact and costs less energy',
   );
 
-/** Looks for a better shape, until it is stopped, and says what was gained. @param {import("../../app/context.js").AppContext} app @param {Told} told */
-async function improve(app, told) {
+/** Improves the shape until stopped; reports the gain. @param {App} app @param {Output} output */
+async function improve(app, output) {
   const { store, solver, actions } = app;
-  const { showMessage, offer } = told;
+  const { showMessage, offer } = output;
   const exact = exactActions(solver, actions);
   const units = store.get().document?.units ?? '';
   const stop = offer('Stop', () => exact.endTrial(), 'Keeps what was gained until then');
@@ -91,10 +92,10 @@ async function improve(app, told) {
   showMessage(words).append(table(found, distance, units, 'Improved'));
 }
 
-/** What exactness would cost. @param {import("../../app/context.js").AppContext} app @param {Told} told */
-async function showCost(app, told) {
+/** Reports the cost of exactness. @param {App} app @param {Output} output */
+async function showCost(app, output) {
   const { store, solver, actions } = app;
-  const { showMessage, offer, hasCard } = told;
+  const { showMessage, offer, hasCard } = output;
   const { document: scene, model, tolerance, numbers } = store.get();
   if (!scene || !model || !numbers?.exact) return;
   const exact = exactActions(solver, actions);
@@ -109,7 +110,7 @@ async function showCost(app, told) {
   if (cost.met && cost.moved.max <= allowed && cost.folded === 0) {
     if (await exact.accept(true)) {
       const words = `${met}Made exact as well: farthest ${length(cost.maxDistance, units)}.`;
-      showMessage(words, improveButton(app, told));
+      showMessage(words, improveButton(app, output));
     }
     return;
   }
@@ -126,7 +127,7 @@ async function showCost(app, told) {
   const take = async () => {
     if (!(await exact.accept(false))) return;
     const report = store.get().numbers?.exact;
-    if (report) showMet(app, told, report);
+    if (report) showMet(app, output, report);
   };
   showMessage(
     `${met}Exact, it would move by up to ${length(cost.moved.max, units)} more${folds}.`,
@@ -134,7 +135,12 @@ async function showCost(app, told) {
   ).append(table(cost, numbers.exact.max_distance, units, 'Exact'));
 }
 
-/** @param {ExactOffer} cost @param {number} distance @param {string} units @param {string} then what the other shape is */
+/**
+ * @param {ExactOffer} cost
+ * @param {number} distance
+ * @param {string} units
+ * @param {string} then heading of the other shape
+ */
 function table({ before, after, maxDistance }, distance, units, then) {
   /** @type {[string, string, string][]} */
   const rows = [
@@ -162,9 +168,9 @@ function table({ before, after, maxDistance }, distance, units, then) {
 }
 
 /**
- * What cannot be met together: selected and coloured, with what would solve it.
- * @param {import("../../app/context.js").AppContext} app
- * @param {Told} told
+ * Selects and colours the constraints that cannot be met together, and offers remedies.
+ * @param {App} app
+ * @param {Output} output
  * @param {ExactReport} exact
  */
 function showUnmet(app, { showMessage, offer }, exact) {
@@ -205,12 +211,12 @@ function showUnmet(app, { showMessage, offer }, exact) {
   show();
 }
 
-/** A length that is said, a little above this one. @param {number} value */
+/** About 10 % more, to two digits. @param {number} value */
 const wider = (value) => Number((1.1 * value).toPrecision(2));
 
 /**
- * The faces that these constraints are on, or else their vertices.
- * @param {import("../../app/context.js").AppContext} app
+ * The faces of these constraints, or their vertices if there are none.
+ * @param {App} app
  * @param {number[][]} constraints the vertices of each
  */
 function elementsOf({ solver }, constraints) {

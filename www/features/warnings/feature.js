@@ -1,4 +1,4 @@
-/** What is worth saying of a shape: how a run ended, and vertices that nothing acts on. */
+/** Messages about a shape: the verdict on a run, and vertices that no constraint moves. */
 
 /** @type {import("../../app/context.js").Feature} */
 export default {

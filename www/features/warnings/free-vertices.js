@@ -1,13 +1,13 @@
 /**
- * Vertices that nothing acts on stand still while the rest moves. They are shown, and one click lets
- * them follow or fixes them.
+ * Reports and marks vertices that no constraint acts on, which stay in place while the rest moves.
+ * The message offers to let them follow or to fix them.
  */
 
 import { button, closeButton } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
 
-/** Of their dots, sRGB bytes. @type {[number, number, number]} */
+/** The colour of their dots, sRGB bytes. @type {[number, number, number]} */
 const COLOUR = [214, 132, 24];
 const SMALL = { class: 'small bordered' };
 
@@ -15,9 +15,9 @@ const SMALL = { class: 'small bordered' };
 export function watchFreeVertices({ store, actions }) {
   const place = element('div', { 'aria-live': 'polite' });
   document.getElementById('messages')?.append(place);
-  /** What is shown of them. @type {import("../../store/state.js").Tint | null} */
+  /** The tint of the free vertices. @type {import("../../store/state.js").Tint | null} */
   let tint = null;
-  /** How many there were when it was last said, or closed. */
+  /** Number of free vertices in the last message, also if it was closed. */
   let reported = 0;
 
   function clear() {
@@ -44,7 +44,7 @@ export function watchFreeVertices({ store, actions }) {
     actions.tint(tint);
     place.replaceChildren(message(free, [...found.vertices]));
   });
-  // Pointing at a constraint tints what it acts on.
+  // Pointing at a constraint replaces the tint.
   store.subscribe(['tint'], (now) => {
     if (tint && !now.tint) actions.tint(tint);
   });

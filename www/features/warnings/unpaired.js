@@ -1,6 +1,6 @@
 /**
- * Constraints that act on vertices in pairs, such as a symmetry, say how many of them found a partner: the
- * others are free, and where none has one the constraint does nothing.
+ * Reports how many vertices of a constraint on pairs, such as a symmetry, have a partner. The
+ * others are free; if none has one, the constraint does nothing.
  */
 
 import { closeButton } from '../../ui/controls/fields.js';
@@ -11,7 +11,7 @@ import { groupDigits } from '../../ui/format.js';
 export function watchUnpaired({ store }) {
   const place = element('div', { 'aria-live': 'polite' });
   document.getElementById('messages')?.append(place);
-  /** What was said last, or closed. */
+  /** The last message, also if it was closed. */
   let said = '';
 
   store.subscribe(['document'], (state) => {

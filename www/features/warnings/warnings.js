@@ -1,7 +1,7 @@
 /**
- * What is worth saying of a shape beyond its numbers: what is wrong with its file where no panel shows it, faces
- * without an area, and how a run ended: within the tolerance, or solved as far as possible, with changes that help.
- * Said in the place of the messages, or with the verdict on panels, once each time.
+ * Messages about a shape beyond its numbers: problems of its file if the Model panel is hidden,
+ * faces of zero area, and the verdict on a run: within the tolerance, or solved as far as possible,
+ * with remedies. Each is shown once, among the messages or on the card of the panels.
  */
 
 import '../../ui/styles/lists.css';
@@ -15,7 +15,7 @@ import { showElements } from '../../viewport/reveal-elements.js';
 const isHard = ({ enabled, require }) => enabled && require !== 'soft';
 
 const ZERO_SIZE = 'zero-size-faces';
-/** So many changes that help are offered. */
+/** Maximum number of remedies offered. */
 const MOST_REMEDIES = 3;
 
 /** @param {import("../../app/context.js").AppContext} app */
@@ -23,12 +23,12 @@ export function watchConditions(app) {
   const { store, solver, files, alerts, actions } = app;
   const place = element('div', { 'aria-live': 'polite', id: 'conditions' });
   document.getElementById('messages')?.append(place);
-  /** Faces without an area when they were last counted. */
+  /** Number of zero-area faces when last counted. */
   let flat = 0;
-  /** What is told now. @type {HTMLElement | null} */
+  /** The current message. @type {HTMLElement | null} */
   let shown = null;
 
-  /** Says what is wrong with the file that was opened. */
+  /** Reports the problems of the opened file. */
   function showProblems() {
     const { problems = [] } = store.get().model ?? {};
     const isListed = document.getElementById('model')?.checkVisibility();
@@ -49,10 +49,10 @@ export function watchConditions(app) {
     });
   }
 
-  /** Whether there is a hint: whoever is here for the first time reads one thing at a time. */
+  /** Whether a hint is shown: a first-time user should read one message at a time. */
   const hasHint = () => document.getElementById('hint-card')?.hidden === false;
 
-  /** Says how a run ended: that all is within the tolerance, or what is worst and what helps. */
+  /** Reports the result of a run: all within the tolerance, or the worst element and remedies. */
   async function showVerdict() {
     const { document: scene, numbers, model, tolerance } = store.get();
     if (!scene || !numbers || !model) return;
@@ -87,7 +87,7 @@ export function watchConditions(app) {
     const far = length(worst.value, scene.units, allowed);
     const what = `Worst: ${row.label} on ${worst.element}, ${far}; the tolerance is ${most}.`;
     const group = showMessage(
-      // The verdict on the panels has said the rest.
+      // The card already shows the verdict on the panels.
       cardOfPanels() ? 'Solved as far as possible.' : `Solved as far as possible. ${what}${cost}`,
       offer('Show it', () => showElements(app, worst)),
     );
@@ -107,7 +107,7 @@ export function watchConditions(app) {
     else waiting.replaceWith(...helping);
   }
 
-  /** Where the verdict on panels is told, if it is. @returns {HTMLElement | null} */
+  /** The card that shows the verdict on panels, if it is shown. @returns {HTMLElement | null} */
   const cardOfPanels = () =>
     document.querySelector('#make-panels-card[data-shows="verdict"]:not([hidden])');
 
@@ -127,7 +127,7 @@ export function watchConditions(app) {
   /**
    * @param {string} text
    * @param {...HTMLElement} buttons
-   * @returns {HTMLElement} where more can be added
+   * @returns {HTMLElement} to which more can be appended
    */
   function showMessage(text, ...buttons) {
     const group = element(
@@ -154,7 +154,7 @@ export function watchConditions(app) {
     shown = null;
   }
 
-  /** Makes a change that helps, and goes on. @param {import("../../solver/messages.js").Edit} edit */
+  /** Applies a remedy and runs on. @param {import("../../solver/messages.js").Edit} edit */
   async function take(edit) {
     if ((await actions.edit(edit)) !== undefined) actions.run();
   }
@@ -164,7 +164,7 @@ export function watchConditions(app) {
     if (running) clear();
     const ended = wasRunning && !running;
     wasRunning = running;
-    // What has collapsed has a message of its own.
+    // A collapse has a message of its own.
     if (!ended || store.get().numbers?.collapse) return;
     lookForFlatFaces();
     if (converged) showVerdict();
