@@ -1,14 +1,14 @@
-/** The place under the view, where one panel is open at a time. */
+/** The area below the view, which shows one docked panel at a time. */
 
 import './docked.css';
 import { byId, leave } from '../ui/dom.js';
 
-/** Closes the panel that is open. @type {(() => void) | null} */
+/** Closes the open panel. @type {(() => void) | null} */
 let closeOpen = null;
 
 /**
- * Makes a panel one of this place: it opens and closes by turns, and Escape closes it.
- * @param {HTMLElement} panel of class `docked`, hidden so far
+ * Docks a panel. Returns functions that toggle and close it; Escape closes it, too.
+ * @param {HTMLElement} panel of class `docked`, initially hidden
  * @param {{ opened: () => void, closed: () => void }} on
  * @returns {{ toggle: () => void, close: () => void }}
  */

@@ -1,4 +1,4 @@
-/** What an embedded view is until somebody starts it: a picture, a button, and where it comes from. */
+/** The poster of an embedded view until the user starts it: a picture, a button and a link. */
 
 import { CALLED, PRESSED, callIn, post } from '../../features/embed/protocol.js';
 import { readLink } from '../../documents/share-link.js';
@@ -29,7 +29,7 @@ readLink(hash).then(
   (error) => setText(byId('trouble'), messageOf(error)),
 );
 
-/** The page itself takes this one's place, with the same options. @param {string} how */
+/** Replaces this page by the view, with the same options. @param {string} how */
 function start(how) {
   const options = new URLSearchParams(search);
   options.set('embed', how);

@@ -1,4 +1,4 @@
-/** The example of a page that drives two embedded views, as any page on any other site could. */
+/** An example page that drives two embedded views, as a page on any other site could. */
 
 import { byId, setText } from '../../ui/dom.js';
 import { count, length } from '../../ui/format.js';
@@ -6,7 +6,7 @@ import { count, length } from '../../ui/format.js';
 /** @typedef {import("../../features/embed/protocol.js").News} News */
 /** @typedef {import("../../features/embed/protocol.js").Answer} Answer */
 
-/** Of both meshes. */
+/** The unit of both meshes. */
 const UNIT = 'm';
 const { origin } = location;
 const views = ['left', 'right'].map((id) => ({
@@ -31,7 +31,7 @@ let calls = 0;
 function call({ frame }, asked) {
   calls += 1;
   const message = { shapeUp: 'call', id: calls, ...asked };
-  // Where the view is from: another origin than this page's, once somebody has copied it.
+  // The view's origin, which differs from this page's if the page is copied elsewhere.
   frame.contentWindow?.postMessage(message, new URL(frame.src).origin);
 }
 
@@ -45,7 +45,7 @@ reset.addEventListener('click', () => both('reset'));
 addEventListener('message', ({ source, data }) => {
   const view = views.find(({ frame }) => frame.contentWindow === source);
   if (!view) return;
-  // Extensions of the browser post messages, too.
+  // Browser extensions also post messages.
   const message = /** @type {News | Answer | { shapeUp: undefined }} */ (data ?? {});
   if (!message.shapeUp) return;
   if (message.shapeUp === 'answer') {

@@ -1,4 +1,4 @@
-/** The histogram of the angles of all corners, before and after (paper Fig. 7). */
+/** Histograms of the corner angles before and after (paper Fig. 7). */
 
 import { element } from '../../ui/dom.js';
 
@@ -21,12 +21,12 @@ export function angleHistogram([before, after]) {
 /**
  * @param {string} title
  * @param {number[]} counts
- * @param {number} most of both
+ * @param {number} most maximum of both
  */
 function histogram(title, counts, most) {
   const width = 180 / counts.length;
   const total = counts.reduce((sum, count) => sum + count, 0);
-  // The bins whose middle is within ten degrees of a right angle.
+  // Bins whose centre is within 10 degrees of a right angle.
   const right = counts.filter((_, k) => Math.abs((k + 0.5) * width - 90) < 10);
   const share = Math.round((100 * right.reduce((sum, count) => sum + count, 0)) / total);
   const svg = document.createElementNS(SPACE, 'svg');

@@ -1,4 +1,4 @@
-/** A card of the gallery: pictures of start and end, what to look for, and what was measured. */
+/** A card of the gallery: pictures of start and end, a summary, and the measured results. */
 
 import { element } from '../../ui/dom.js';
 import { linkTo } from '../../documents/example-links.js';
@@ -12,7 +12,7 @@ import { withSymbols } from '../../ui/symbols.js';
  * @typedef {object} Result
  * @property {string} id
  * @property {number} iterations
- * @property {[number, number]} [energy] total, at the start and at the end
+ * @property {[number, number]} [energy] total energy at the start and at the end
  * @property {[number[], number[]]} [angles] of corners, at the start and at the end
  */
 
@@ -24,7 +24,7 @@ const PICTURES = new URL(/* @vite-ignore */ 'pictures/', document.baseURI);
  */
 export function card(example, result) {
   const { id, title, summary, statement, kinds, weights, goals = [], units } = example;
-  // Nothing is asked of its shape: it is there to be flattened.
+  // Without constraints, the example is one to flatten.
   const isMap = kinds.length === 0;
   const picture = (/** @type {"start" | "end"} */ when, /** @type {string} */ words) =>
     element(

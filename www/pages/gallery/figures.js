@@ -1,4 +1,4 @@
-/** What the figures of the paper are about, for the headings of the gallery. */
+/** Headings of the gallery: the topics of the paper's figures. */
 
 /** @type {Record<number, string>} */
 const TITLES = {
@@ -13,12 +13,12 @@ const TITLES = {
   11: 'collapsing edges',
 };
 
-/** The heading of a lesson. */
+/** The heading of the lessons. */
 export const LESSONS = 'Lessons';
 
 /**
  * @param {number | null} figure
- * @param {"first" | "figure" | "lesson"} after what comes before
+ * @param {"first" | "figure" | "lesson"} after kind of the preceding section
  */
 export function headingOf(figure, after) {
   if (figure === null)

@@ -1,4 +1,4 @@
-/** The gallery: all examples figure by figure, searched by words, figure and constraint. */
+/** The gallery: all examples by figure, filtered by words, figure and constraint. */
 
 import { byId, element } from '../../ui/dom.js';
 import { listOfExamples } from '../../solver/examples.js';
@@ -28,7 +28,7 @@ try {
   for (const control of [query, figure, kind]) control.addEventListener('input', filter);
   byId('filters').addEventListener('submit', (event) => event.preventDefault());
   filter();
-  // The cards were not there when the browser looked for the place that the address names.
+  // The fragment of the address refers to a card, which did not exist when the page loaded.
   document.getElementById(location.hash.slice(1))?.scrollIntoView();
 } catch (error) {
   byId('cards').replaceChildren();
@@ -43,7 +43,7 @@ async function measured() {
 }
 
 /**
- * Makes a section for each figure, in the order of the examples.
+ * Builds a section for each figure, in the order of the examples.
  * @param {Example[]} examples
  * @param {import("./card.js").Result[]} results
  * @returns {Entry[]}
@@ -90,7 +90,7 @@ function section(heading, id) {
 }
 
 /**
- * Shows the entries that fit what is asked for: all words, the figure, the constraint.
+ * Shows the entries that match all words, the figure and the constraint.
  * @param {Entry[]} entries
  */
 function show(entries) {

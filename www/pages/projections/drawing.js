@@ -1,4 +1,4 @@
-/** The drawings of the page about projections, as SVG. Coordinates are those of the view. */
+/** The SVG drawings of the page about projections, in view box coordinates. */
 
 import { sum } from './sets.js';
 
@@ -20,7 +20,7 @@ function shape(tag, attributes, ...children) {
 }
 
 /**
- * The plane with the sets, the point and its projections.
+ * Draws the plane with the sets, the point and its projections.
  * @param {SVGSVGElement} svg
  * @param {string[]} names of the sets
  * @param {{ move: (to: Point) => void, key: (event: KeyboardEvent) => void }} input
@@ -110,7 +110,7 @@ export function drawPlane(svg, names, input) {
   };
 }
 
-/** The path of a set. @param {import("./sets.js").ConstraintSet} set */
+/** The SVG path data of a set. @param {import("./sets.js").ConstraintSet} set */
 function outline(set) {
   const [x, y] = set.at;
   if (set.kind === 'circle') {
@@ -143,7 +143,7 @@ function labelAt(set) {
 }
 
 /**
- * The proximity at each half step, stacked from its parts.
+ * Draws the proximity of each half step as a stacked bar.
  * @param {SVGSVGElement} svg
  * @param {{ label: string, errors: number[] }[]} bars
  */

@@ -1,4 +1,4 @@
-/** The page about projections: what its controls do to the point, and what is shown of it. */
+/** The page about projections: its controls, the state of the iteration, and its display. */
 
 import { byId, element } from '../../ui/dom.js';
 import { number } from '../../ui/format.js';
@@ -8,19 +8,22 @@ import { errors, project, reconcile, sum } from './sets.js';
 /** @typedef {import("./sets.js").Point} Point */
 /** @typedef {{ label: string, errors: number[] }} Bar */
 
-/** The view is 100 by 60, from its upper left corner. */
+/** Size of the view box, whose origin is at the upper left. */
 const SIZE = [100, 60];
 const START = /** @type {Point} */ ([84, 52]);
-/** What an arrow key moves the point by; with Shift less. */
+/** Step of an arrow key; a tenth of it with Shift. */
 const KEY_STEP = 2;
 const PAUSE_MS = 700;
 const MOST_BARS = 12;
-/** So near to where it stood, the point has arrived. */
+/** The point has arrived if a step moves it by less than this. */
 const ARRIVED = 1e-4;
 
 const NAMES = ['Line', 'Circle', 'Parabola'];
 
-/** All three go through (46, 34) where they meet. @type {Record<string, import("./sets.js").ConstraintSet[]>} */
+/**
+ * The sets of `meet` all contain (46, 34).
+ * @type {Record<string, import("./sets.js").ConstraintSet[]>}
+ */
 const CASES = {
   meet: [
     { kind: 'line', at: [46, 34], turn: -0.45 },
@@ -38,9 +41,9 @@ const state = {
   sets: CASES.meet,
   weights: [1, 1, 1],
   x: START,
-  /** The projections that step I has found; none before it. @type {Point[] | null} */
+  /** The projections found in step I; null before it. @type {Point[] | null} */
   targets: null,
-  /** Where the point has been. @type {Point[]} */
+  /** Earlier positions of the point. @type {Point[]} */
   trail: [],
   /** @type {Bar[]} */
   bars: [],
@@ -79,7 +82,7 @@ place(START);
 
 /** @param {string} name @param {number} i */
 function weightOf(name, i) {
-  // The slider says its value itself.
+  // The slider announces its value itself.
   const value = element('span.weight', { 'aria-hidden': 'true' }, '1');
   const slider = element('input', {
     type: 'range',
@@ -103,7 +106,7 @@ function weightOf(name, i) {
   );
 }
 
-/** Puts the point somewhere and begins anew. @param {Point} to */
+/** Moves the point and restarts the iteration. @param {Point} to */
 function place(to) {
   pause();
   state.x = /** @type {Point} */ (
@@ -120,7 +123,7 @@ function place(to) {
   show(false);
 }
 
-/** One half step: I where the projections are not those of the point, else II. */
+/** Takes one half step: I if the projections of the point are not known yet, otherwise II. */
 function step() {
   const { sets, weights } = state;
   if (state.targets === null) {
@@ -180,7 +183,7 @@ function announce(text) {
   state.said = text;
 }
 
-/** @param {boolean} moves whether the point may glide to its place */
+/** @param {boolean} moves whether the point may glide to its new position */
 function show(moves) {
   byId('explanation').textContent = state.said;
   plane.show(state.x, state.targets, state.trail, moves && !still.matches);

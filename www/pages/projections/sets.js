@@ -1,7 +1,7 @@
 /**
- * The mathematics of the view of Fig. 2 and 3: constraint sets in the plane, their closest points
- * (Eq. 2), the proximity function (Eq. 1) and its two steps (section 2.1). Three shapes of a paper's
- * figure, and nothing of the solver, which has no use for them.
+ * The mathematics of the drawing after Fig. 2 and 3: constraint sets in the plane, their closest
+ * points (Eq. 2), the proximity function (Eq. 1) and its two steps (section 2.1). It is independent
+ * of the solver.
  */
 
 /** @typedef {[number, number]} Point */
@@ -15,7 +15,7 @@
  */
 
 /**
- * The point of the set that is closest to `x`; one of them where several are as close.
+ * Returns the point of the set that is closest to `x`; any of them if there are several.
  * @param {ConstraintSet} set
  * @param {Point} x
  * @returns {Point}
@@ -41,7 +41,7 @@ export function closestPoint(set, x) {
  * @returns {Point}
  */
 function closestOnParabola(bend, x, y) {
-  // Where the distance is least, its derivative 2 b^2 u^3 + (1 - 2 b y) u - x is zero.
+  // At the least distance, its derivative 2 b^2 u^3 + (1 - 2 b y) u - x is zero.
   const roots = rootsOfCubic((1 - 2 * bend * y) / (2 * bend * bend), -x / (2 * bend * bend));
   const points = roots.map((u) => /** @type {Point} */ ([u, bend * u * u]));
   const far = (/** @type {Point} */ [u, v]) => (u - x) ** 2 + (v - y) ** 2;
@@ -56,7 +56,7 @@ function closestOnParabola(bend, x, y) {
 function rootsOfCubic(p, q) {
   const discriminant = (q / 2) ** 2 + (p / 3) ** 3;
   if (discriminant > 0) {
-    // The larger of the two cube roots: the other one would lose its digits.
+    // The cube root of larger magnitude, because the other one suffers cancellation.
     const root = Math.sqrt(discriminant);
     const large = Math.cbrt(q > 0 ? -q / 2 - root : -q / 2 + root);
     return [large - p / (3 * large)];
@@ -68,7 +68,7 @@ function rootsOfCubic(p, q) {
 }
 
 /**
- * `w_i |x - y_i|^2` for each set.
+ * Returns `w_i |x - y_i|^2` for each set.
  * @param {Point} x
  * @param {Point[]} targets `y_i`
  * @param {number[]} weights `w_i`
@@ -81,15 +81,15 @@ export function errors(x, targets, weights) {
 export const sum = (numbers) => numbers.reduce((total, one) => total + one, 0);
 
 /**
- * Step I: the closest point of every set.
+ * Step I: returns the closest point of every set.
  * @param {ConstraintSet[]} sets
  * @param {Point} x
  */
 export const project = (sets, x) => sets.map((set) => closestPoint(set, x));
 
 /**
- * Step II: where the weighted squared distances to the targets are least, which is their weighted
- * mean; `x` where no set has a weight.
+ * Step II: returns the minimiser of the weighted squared distances to the targets, their weighted
+ * mean; `x` if all weights are zero.
  * @param {Point} x
  * @param {Point[]} targets
  * @param {number[]} weights
