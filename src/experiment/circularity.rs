@@ -1,28 +1,28 @@
-//! When a quad has a circle, without fitting one (Liu, Pottmann, Wallner, Yang, Wang: Geometric modeling
-//! with conical meshes and developable surfaces, 2006): opposite angles sum up to pi, and the corners are
-//! in a plane. Both are divided by what makes them comparable, so that nothing here has a unit.
+//! Criterion for a quad with a circumscribed circle, without fitting one (Liu, Pottmann, Wallner,
+//! Yang, Wang: Geometric modeling with conical meshes and developable surfaces, 2006): the sums of
+//! opposite angles are pi, and the corners are coplanar. The residuals are dimensionless.
 
 use crate::math::{Vec3, angle};
 use std::f64::consts::PI;
 
-/// Residuals of a quad.
+/// Number of residuals of a quad.
 pub(super) const RESIDUALS: usize = 3;
 
 /// The residuals of one quad with their derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AngleSums {
-    /// The sum of the first and the third angle less pi, the same of the second and the fourth, and the
-    /// volume that the corners span. The angle sums alone do not see a small bend: they change with its
-    /// square.
+    /// The sum of the first and the third angle minus pi, the same for the second and the fourth,
+    /// and the signed volume spanned by the corners. The angle sums alone are insensitive to a
+    /// small bend: they change with its square.
     pub residuals: [f64; 3],
-    /// Of each residual by each corner.
+    /// Derivative of each residual by each corner.
     pub derivatives: [[Vec3<f64>; 4]; 3],
 }
 
 impl AngleSums {
-    /// At four corners, in order around the quad. `length` is what the volume is divided by, three
-    /// times. Where an edge has no length or two of them fold onto each other, the angles have no
-    /// derivative, and what is given is not finite.
+    /// Evaluates the residuals at four corners, in order around the quad. The volume is divided by
+    /// `length` cubed. The result is not finite if an edge has zero length or two adjacent edges
+    /// are collinear: the angles then have no derivative.
     pub fn of(corners: [Vec3<f64>; 4], length: f64) -> AngleSums {
         let mut residuals = [-PI, -PI, 0.0];
         let mut derivatives = [[Vec3::zero(); 4]; RESIDUALS];

@@ -1,9 +1,9 @@
-//! The comparison of section 5 on any scene: how fast each method lowers its energy.
+//! The comparison of section 5 on any scene: how fast each method lowers the energy.
 
 use super::declaration::{Experiment, Limits, Over, Plot, Quantity, Unit};
 use super::methods::{ACCELERATED, BFGS, CENTRED, GRADIENT_DESCENT, L_BFGS, NOT_CENTRED};
 
-/// On whatever is open.
+/// Runs on the open scene.
 pub const COMPARISON: Experiment = Experiment {
     id: "methods",
     label: "Methods compared",

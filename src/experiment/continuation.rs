@@ -1,21 +1,21 @@
-//! The weight of the circles that meets a given circularity error: both methods of Fig. 11 follow the
-//! same rule, so that they are compared at the same error.
+//! Adapts the weight of the circles until the circularity error has a given value. Both methods of
+//! Fig. 11 use this rule, so that they are compared at the same error.
 
-/// Part of the total by which it may fall over [`SPAN`] iterations and count as settled.
+/// Relative decrease of the total over [`SPAN`] iterations below which it counts as settled.
 const SETTLED: f64 = 1e-4;
-/// Iterations over which that is looked at.
+/// Number of iterations over which the decrease is measured.
 const SPAN: usize = 5;
-/// Iterations at one weight at most.
-const MOST: usize = 60;
-/// How near the error has to come, as a part of it.
-const NEAR: f64 = 0.05;
-/// By how much the weight changes at most.
+/// Maximum number of iterations at one weight.
+const MOST_ITERATIONS: usize = 60;
+/// Relative tolerance of the circularity error.
+const TOLERANCE: f64 = 0.05;
+/// Largest factor by which the weight changes at once.
 const GREATEST_CHANGE: f64 = 4.0;
 
-/// The weight, and how the total went with it.
+/// The weight, and the totals of the iterations at this weight.
 pub(super) struct Continuation {
     pub(super) weight: f64,
-    /// The circularity error that is asked for.
+    /// The required circularity error.
     target: f64,
     totals: Vec<f64>,
 }
@@ -25,21 +25,21 @@ impl Continuation {
         Continuation { weight, target, totals: Vec::new() }
     }
 
-    /// After an iteration, or after one that could not be done (`stuck`): the total at this weight, and
-    /// the circularity error. True once the total has settled at the error that is asked for; else the
-    /// weight may be another one now.
+    /// Records an iteration, or a failed one (`stuck`): the total at this weight, and the
+    /// circularity error. Returns true once the total has settled at the required error; otherwise
+    /// it may have changed the weight.
     pub(super) fn is_reached(&mut self, total: f64, error: f64, stuck: bool) -> bool {
         self.totals.push(total);
         let n = self.totals.len();
         let falls_no_more =
             n > SPAN && self.totals[n - 1 - SPAN] - total <= SETTLED * self.totals[n - 1 - SPAN];
-        if !(stuck || falls_no_more || n >= MOST) {
+        if !(stuck || falls_no_more || n >= MOST_ITERATIONS) {
             return false;
         }
         self.totals.clear();
         let ratio = error / self.target;
-        // A penalty leaves a distance that falls as its weight grows, and the error is its square.
+        // The remaining distance decreases as the weight grows, and the error is its square.
         self.weight *= ratio.sqrt().clamp(1.0 / GREATEST_CHANGE, GREATEST_CHANGE);
-        (ratio - 1.0).abs() <= NEAR
+        (ratio - 1.0).abs() <= TOLERANCE
     }
 }

@@ -1,15 +1,15 @@
-//! The curvature that a descent method estimates from its steps.
+//! Curvature estimates of descent methods, from their steps.
 
 use std::collections::VecDeque;
 
-/// The inverse of the Hessian, as far as a method approximates it from steps `s` and the changes `y` of the
-/// gradient along them. Without any step it is the identity.
+/// Approximation of the inverse Hessian from the steps `s` and the changes `y` of the gradient
+/// along them. It is the identity before the first step.
 pub(super) enum Curvature {
     /// None: gradient descent.
     Ignored,
     /// L-BFGS (Nocedal and Wright, Algorithm 7.4): the last `window` steps, the oldest first.
     Recent { pairs: VecDeque<Pair>, window: usize },
-    /// BFGS (Algorithm 6.1): the matrix, `n by n`, and whether it has learned anything.
+    /// BFGS (Algorithm 6.1): the matrix, `n by n`, and whether it has been updated.
     Dense { inverse: Vec<f64>, learned: bool },
 }
 
@@ -32,7 +32,7 @@ impl Curvature {
         Curvature::Dense { inverse: identity(n), learned: false }
     }
 
-    /// Whether steps have taught it anything: then a direction has the length of the step in it.
+    /// Whether any step has been used: a direction then includes the step length.
     pub(super) fn has_learned(&self) -> bool {
         match self {
             Curvature::Ignored => false,
@@ -41,7 +41,7 @@ impl Curvature {
         }
     }
 
-    /// Begins anew.
+    /// Resets the approximation to the identity.
     pub(super) fn forget(&mut self) {
         match self {
             Curvature::Ignored => {}
@@ -53,7 +53,7 @@ impl Curvature {
         }
     }
 
-    /// Minus the inverse times the gradient.
+    /// Returns minus the approximate inverse Hessian times the gradient.
     pub(super) fn direction(&self, gradient: &[f64]) -> Vec<f64> {
         let mut q = match self {
             Curvature::Dense { inverse, learned: true } => product(inverse, gradient),
@@ -64,11 +64,11 @@ impl Curvature {
         q
     }
 
-    /// Takes in a step. One along which the gradient does not grow says nothing about curvature.
+    /// Updates the approximation with a step, unless the gradient does not grow along it.
     pub(super) fn learn(&mut self, s: Vec<f64>, y: Vec<f64>) {
         let curvature = dot(&s, &y);
-        let says_something = curvature > 0.0;
-        if !says_something {
+        let is_convex = curvature > 0.0;
+        if !is_convex {
             return;
         }
         match self {
@@ -81,7 +81,7 @@ impl Curvature {
             }
             Curvature::Dense { inverse, learned } => {
                 if !*learned {
-                    // The scale of the first step (6.20).
+                    // Scaling from the first step (6.20).
                     let scale = curvature / dot(&y, &y);
                     inverse.iter_mut().for_each(|entry| *entry *= scale);
                     *learned = true;
@@ -92,7 +92,7 @@ impl Curvature {
     }
 }
 
-/// Algorithm 7.4.
+/// Two-loop recursion (Algorithm 7.4).
 fn two_loops(pairs: &VecDeque<Pair>, gradient: &[f64]) -> Vec<f64> {
     let mut q = gradient.to_vec();
     let mut alphas = Vec::new();
@@ -111,7 +111,7 @@ fn two_loops(pairs: &VecDeque<Pair>, gradient: &[f64]) -> Vec<f64> {
     q
 }
 
-/// `H <- (I - s y' / c) H (I - y s' / c) + s s' / c` with `c = s . y` (6.17), multiplied out.
+/// `H <- (I - s y' / c) H (I - y s' / c) + s s' / c` with `c = s . y` (6.17), expanded.
 fn update(inverse: &mut [f64], s: &[f64], y: &[f64], curvature: f64) {
     let along = product(inverse, y);
     let own = (1.0 + dot(y, &along) / curvature) / curvature;
@@ -133,7 +133,7 @@ fn product(matrix: &[f64], x: &[f64]) -> Vec<f64> {
     matrix.chunks_exact(x.len()).map(|row| dot(row, x)).collect()
 }
 
-/// Sum of products, in an order that is the same on every machine.
+/// Dot product, summed in the same order on every machine.
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
@@ -149,10 +149,10 @@ pub(super) fn add_scaled(y: &mut [f64], factor: f64, x: &[f64]) {
 mod tests {
     use super::*;
 
-    /// A quadratic with this Hessian.
+    /// Hessian of the quadratic.
     const HESSIAN: [[f64; 3]; 3] = [[4.0, 1.0, 0.0], [1.0, 3.0, -1.0], [0.0, -1.0, 2.0]];
 
-    /// Steps along directions that are conjugate teach the whole of a quadratic.
+    /// As many conjugate steps as unknowns determine the Hessian.
     #[test]
     fn as_many_conjugate_steps_as_unknowns_teach_a_quadratic() {
         let times = |x: &[f64]| HESSIAN.map(|row| dot(&row, x)).to_vec();

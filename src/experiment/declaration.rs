@@ -14,7 +14,7 @@ pub struct Experiment {
     pub label: &'static str,
     /// The comparison in one sentence.
     pub summary: &'static str,
-    /// The ids of the examples that it is made for.
+    /// Ids of the examples that it is meant for.
     pub examples: &'static [&'static str],
     /// The quantities measured after every iteration.
     pub quantities: &'static [Quantity],
@@ -22,11 +22,11 @@ pub struct Experiment {
     pub plots: &'static [Plot],
     /// The methods, in the order in which they run.
     pub methods: &'static [MethodInfo],
-    /// When a method is stopped that has not ended by itself.
+    /// Limits at which a method is stopped.
     pub limits: Limits,
 }
 
-/// Something that is measured after every iteration.
+/// A quantity measured after every iteration.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Quantity {
     /// Its name in files.
@@ -49,14 +49,14 @@ pub enum Unit {
     None,
 }
 
-/// A quantity over iterations or over time.
+/// A plot of a quantity over iterations or time.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Plot {
     /// The index of the quantity.
     pub quantity: usize,
-    /// The quantity along the horizontal axis.
+    /// The horizontal axis.
     pub over: Over,
-    /// Whether the lowest value that any method has found is taken off all values.
+    /// Whether the lowest value found by any method is subtracted from all values.
     pub above_lowest: bool,
 }
 
@@ -66,11 +66,11 @@ pub struct Plot {
 pub enum Over {
     /// Iterations of the method.
     Iterations,
-    /// Seconds that the method has taken.
+    /// Seconds taken by the method.
     Seconds,
 }
 
-/// One of the methods that are compared.
+/// One of the compared methods.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct MethodInfo {
     /// Its name in files.
@@ -79,7 +79,7 @@ pub struct MethodInfo {
     pub label: &'static str,
     /// A description in one sentence.
     pub summary: &'static str,
-    /// The largest mesh that it can take, in vertices; none where any will do.
+    /// The largest mesh that it accepts, in vertices; none if there is no limit.
     pub most_vertices: Option<usize>,
     #[serde(skip)]
     pub(super) start: Start,
@@ -88,36 +88,36 @@ pub struct MethodInfo {
 /// Sets a method up on a scene.
 pub(super) type Start = fn(&Scene, &Mesh) -> Result<Box<dyn Method>, Error>;
 
-/// When a method is stopped that has not ended by itself.
+/// Limits at which a method is stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Limits {
-    /// Iterations of each method.
+    /// Maximum number of iterations of each method.
     pub iterations: u32,
-    /// Seconds of each method.
+    /// Maximum time of each method, in seconds.
     pub seconds: f64,
 }
 
-/// A method that is under way.
+/// A running method.
 pub(super) trait Method {
-    /// Seconds that it took before its first iteration.
+    /// Returns the seconds of set-up before the first iteration.
     fn set_up_seconds(&self) -> f64 {
         0.0
     }
 
-    /// One iteration.
+    /// Runs one iteration.
     fn step(&mut self) -> Result<Step, Error>;
 
-    /// The quantities of the experiment, now.
+    /// Returns the current quantities of the experiment.
     fn values(&self) -> Vec<f64>;
 }
 
 /// The outcome of an iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Step {
-    /// There is more to do.
+    /// The method can continue.
     Going,
-    /// The method has reached what was asked for.
+    /// The method has reached its goal.
     Reached,
-    /// The method finds no better point.
+    /// The method cannot find a better point.
     Stalled,
 }

@@ -1,5 +1,5 @@
-//! Methods that see the total energy and its gradient and nothing else: `2 w_i (x - P_i(x))`, summed
-//! (Appendix A). No part of the projections is differentiated, and no linear system is solved.
+//! Methods that use only the total energy and its gradient, the sum of `2 w_i (x - P_i(x))`
+//! (Appendix A). The projections are not differentiated, and no linear system is solved.
 
 use super::curvature::{Curvature, add_scaled, dot};
 use super::declaration::{Method, Step};
@@ -10,8 +10,8 @@ use crate::scene::Scene;
 use crate::session::Session;
 use crate::solve::Solver;
 
-/// Gradient descent, L-BFGS or BFGS, as `curvature` says, with a line search, until the total energy is a
-/// given part of that at the start.
+/// Gradient descent, L-BFGS or BFGS, depending on `curvature`, with a line search. Ends when the
+/// total energy is a given fraction of its initial value.
 pub(super) struct Descent {
     /// Evaluates the energy; its linear system is not used.
     solver: Solver,
@@ -20,13 +20,13 @@ pub(super) struct Descent {
     energy: f64,
     goal: f64,
     curvature: Curvature,
-    /// The length and the slope of the last step.
+    /// Length and slope of the last step.
     last: Option<(f64, f64)>,
 }
 
 impl Descent {
-    /// With what `curvature` gives for the number of unknowns. `goal` is the part of the total energy at the
-    /// start that is asked for.
+    /// Calls `curvature` with the number of unknowns. `goal` is the fraction of the initial total
+    /// energy at which to end.
     pub(super) fn new(
         scene: &Scene,
         mesh: &Mesh,
@@ -48,14 +48,14 @@ impl Descent {
         })
     }
 
-    /// The step that is tried first along a direction of this slope.
+    /// Returns the first step to try along a direction of this slope.
     fn first_trial(&self, slope: f64) -> f64 {
         match self.last {
-            // The direction has the length of the step in it.
+            // The direction includes the step length.
             Some(_) if self.curvature.has_learned() => 1.0,
-            // As long a step as the last one would be, had it the same decrease (N&W 3.60).
+            // The step with the same first-order decrease as the last one (N&W 3.60).
             Some((step, before)) => step * before / slope,
-            // To where a parabola with this slope would be zero.
+            // The minimum of a parabola with this value and slope that touches zero.
             None => -2.0 * self.energy / slope,
         }
     }
@@ -65,7 +65,7 @@ impl Method for Descent {
     fn step(&mut self) -> Result<Step, Error> {
         let mut direction = self.curvature.direction(&self.gradient);
         let mut slope = dot(&direction, &self.gradient);
-        // Written so that NaN starts anew.
+        // Written so that NaN also resets the curvature.
         let falls = slope < 0.0;
         if !falls {
             self.curvature.forget();
@@ -92,7 +92,7 @@ impl Method for Descent {
             if !self.curvature.has_learned() {
                 return Ok(Step::Stalled);
             }
-            // What the steps have taught is wrong here: the next one is along the gradient.
+            // The curvature estimate is wrong here: the next step is along the gradient.
             self.curvature.forget();
             self.last = None;
             return Ok(Step::Going);

@@ -1,5 +1,5 @@
-//! Gauss-Newton on a penalty function, as in Liu et al. 2006: the squares of the residuals of
-//! [`AngleSums`], with the same fairness and closeness as in Eq. 13.
+//! Gauss-Newton on a penalty function, as in Liu et al. 2006: the squared residuals of
+//! [`AngleSums`], with the fairness and closeness of Eq. 13.
 
 use super::circularity::{AngleSums, RESIDUALS};
 use crate::constraint::Row;
@@ -7,37 +7,37 @@ use crate::math::{Vec3, polygon_sides};
 use crate::mesh::{Laplacian, Point};
 use crate::solve::{System, Terms};
 
-/// The regularisation of the diagonal, as a part of its mean: the normal matrix of Gauss-Newton may be
+/// Regularisation of the diagonal, relative to its mean: the normal matrix of Gauss-Newton may be
 /// singular.
 const DAMPING: f64 = 1e-6;
-/// Steps that are tried, each half as long as the one before.
+/// Number of trial steps, each half as long as the one before.
 const TRIALS: u32 = 40;
 
-/// The part of the normal matrix that circles add, and the part that fairness adds.
+/// Index of the circle terms in the system.
 const CIRCLES: usize = 0;
 
-/// A quad mesh on its way to circles.
+/// A quad mesh whose panels are made circular.
 pub(super) struct GaussNewton {
     /// `#V by 3`
     pub(super) positions: Vec<Point>,
     quads: Vec<[u32; 4]>,
     laplacian: Laplacian,
-    /// Where vertices are kept close to, `#V by 3`.
+    /// Positions that closeness refers to, `#V by 3`.
     rest: Vec<Point>,
-    /// Whether each vertex stays where it is, `#V`.
+    /// Whether each vertex is fixed, `#V`.
     fixed: Vec<bool>,
-    /// Of closeness and of fairness.
+    /// Weights of closeness and fairness.
     weights: [f64; 2],
-    /// The mean length of the edges at rest: what makes an angle a length.
+    /// Mean edge length at rest, which converts an angle to a length.
     length: f64,
-    /// Over the coordinates of all vertices, x, y and z of each.
+    /// Linear system over the coordinates of all vertices: x, y and z of each.
     system: System,
 }
 
 /// The energies of a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Penalties {
-    /// The sum of the squares of the residuals, times the square of the length.
+    /// The sum of the squared residuals, times the squared length.
     pub(super) circles: f64,
     /// `E_close` to the rest positions.
     pub(super) close: f64,
@@ -46,7 +46,7 @@ pub(super) struct Penalties {
 }
 
 impl GaussNewton {
-    /// From the positions `rest`; `weights` are those of closeness to them and of fairness.
+    /// Begins at `start`; `weights` are those of closeness to `rest` and of fairness.
     pub(super) fn new(
         rest: &[Point],
         start: &[Point],
@@ -101,7 +101,7 @@ impl GaussNewton {
         Penalties { circles: self.length * self.length * circles, close, smooth: smooth.sum() }
     }
 
-    /// The objective for a weight of the circles.
+    /// Returns the objective for a weight of the circles.
     pub(super) fn total(&self, circles: f64, penalties: Penalties) -> f64 {
         let [close, smooth] = self.weights;
         circles * penalties.circles + close * penalties.close + smooth * penalties.smooth
@@ -114,8 +114,8 @@ impl GaussNewton {
         terms.fold(Vec3::zero(), |a, b| a + b)
     }
 
-    /// Half the gradient of the total at the current positions, three coordinates of each vertex; the
-    /// derivatives of the residuals become the coefficients of the system.
+    /// Returns half the gradient of the total at the current positions, three coordinates per
+    /// vertex. Also sets the coefficients of the system to the derivatives of the residuals.
     fn linearise(&mut self, weight: f64) -> Vec<f64> {
         let mut gradient = vec![0.0; 3 * self.positions.len()];
         let mut add = |v: u32, by: Vec3<f64>| {
@@ -151,8 +151,8 @@ impl GaussNewton {
         gradient
     }
 
-    /// One step for a weight of the circles, halved until the total falls. False when it cannot: the
-    /// step is not finite, or no part of it lowers the total.
+    /// Takes one step for a weight of the circles, halved until the total decreases. Returns false
+    /// if the system cannot be factored, or if no trial step is finite and lowers the total.
     pub(super) fn step(&mut self, weight: f64) -> bool {
         let before = self.total(weight, self.penalties());
         let gradient = self.linearise(weight);
@@ -169,14 +169,14 @@ impl GaussNewton {
         let mut step: Vec<Row> = vec![[0.0; 4]; n];
         (0..n).for_each(|k| step[node_of[k] as usize][0] = gradient[k]);
         self.system.solve(&mut step);
-        let way = |v: usize, k: usize| step[node_of[3 * v + k] as usize][0];
+        let displacement = |v: usize, k: usize| step[node_of[3 * v + k] as usize][0];
         let mut part = 1.0;
         for _ in 0..TRIALS {
             let mut next = self.positions.clone();
             for (v, p) in next.iter_mut().enumerate() {
-                (0..3).for_each(|k| p[k] -= part * way(v, k));
+                (0..3).for_each(|k| p[k] -= part * displacement(v, k));
             }
-            // Written so that NaN does not count.
+            // Written so that NaN is rejected.
             if self.total(weight, self.penalties_at(&next)) < before {
                 self.positions = next;
                 return true;

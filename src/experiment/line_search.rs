@@ -1,22 +1,22 @@
-//! A step length along a descent direction, by bisection until the weak Wolfe conditions hold (Nocedal
-//! and Wright, Numerical Optimization, 3.6; bisection as Burke, Lewis and Overton).
+//! Step length along a descent direction, by bisection until the weak Wolfe conditions hold
+//! (Nocedal and Wright, Numerical Optimization, 3.6; bisection as in Burke, Lewis and Overton).
 
-/// How much of the decrease that the slope promises is asked for.
+/// Fraction of the decrease predicted by the slope that a step must achieve.
 const DECREASE: f64 = 1e-4;
-/// How much of the slope may be left.
+/// Fraction of the initial slope that may remain.
 const CURVATURE: f64 = 0.9;
-/// Steps that are tried. Halving this often leaves nothing of a step.
+/// Maximum number of trial steps. So many halvings leave nothing of a step.
 const TRIALS: u32 = 50;
 
-/// The value of a function and its slope along the direction, at some step.
+/// Value and slope of a function at a step along the direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Along {
     pub(super) value: f64,
     pub(super) slope: f64,
 }
 
-/// Calls `at` with the steps that it tries, `first` first, and gives the one that fits; none when no
-/// step lowers the value. The last call was with the step that is given. `start` has a negative slope.
+/// Calls `at` with trial steps, `first` first, and returns the accepted one; none if no step lowers
+/// the value. The last call is with the returned step. The slope of `start` must be negative.
 pub(super) fn wolfe_step(
     start: Along,
     first: f64,
@@ -25,7 +25,7 @@ pub(super) fn wolfe_step(
     let (mut low, mut high, mut step) = (0.0, f64::INFINITY, first);
     for _ in 0..TRIALS {
         let found = at(step);
-        // Written so that NaN is too far.
+        // Written so that NaN counts as too far.
         let decreases = found.value <= start.value + DECREASE * step * start.slope;
         if !decreases || found.value >= start.value {
             high = step;
@@ -36,7 +36,7 @@ pub(super) fn wolfe_step(
         }
         step = if high < f64::INFINITY { 0.5 * (low + high) } else { 2.0 * step };
     }
-    // The conditions cannot be met where rounding is all that is left; a lower value is good enough.
+    // Rounding errors may prevent the conditions from being met; a lower value is then enough.
     (low > 0.0).then(|| {
         at(low);
         low

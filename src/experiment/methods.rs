@@ -1,5 +1,5 @@
-//! The methods that lower the energy of a scene: the paper's iteration, and those that see the energy and
-//! its gradient only.
+//! The methods that lower the energy of a scene: the paper's iteration, and methods that use only
+//! the energy and its gradient.
 
 use super::curvature::Curvature;
 use super::declaration::MethodInfo;
@@ -7,13 +7,13 @@ use super::descent::Descent;
 use super::two_step::TwoStep;
 use crate::scene::Accelerator;
 
-/// Steps that L-BFGS remembers.
+/// Number of steps stored by L-BFGS.
 const WINDOW: usize = 10;
 
-/// With so many vertices the matrix of BFGS takes 29 MB; it grows with their square.
+/// With this many vertices the matrix of BFGS takes 29 MB; it grows with their square.
 const MOST_VERTICES_OF_BFGS: usize = 640;
 
-/// The part of the energy at the start at which a method has reached all there is.
+/// Fraction of the initial energy at which a method has reached its goal.
 const GOAL: f64 = 1e-12;
 
 pub(super) const CENTRED: MethodInfo = MethodInfo {

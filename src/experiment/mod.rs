@@ -1,22 +1,22 @@
-//! The paper's comparisons (section 5), run live: the same problem solved by several methods, one after
-//! another, with the numbers of every iteration. Nothing is stored: what is shown is what was measured
-//! on this machine.
+//! The paper's comparisons (section 5), run live: the same problem solved by several methods, one
+//! after another, with the numbers of every iteration. No results are stored: all numbers shown
+//! were measured on this machine.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `declaration` | what an experiment and its methods declare |
-//! | `recovery` | Fig. 10: back from a collapsed start, by five methods |
+//! | `declaration` | the declarations of an experiment and its methods |
+//! | `recovery` | Fig. 10: recovery from a collapsed start, by five methods |
 //! | `penalty` | Fig. 11: circular panels whose edges collapse, against a penalty method |
-//! | `comparison` | the same on any scene |
-//! | `run` | one experiment under way: a method after another, an iteration at a time |
+//! | `comparison` | all methods compared on any scene |
+//! | `run` | a running experiment: one method after another, one iteration at a time |
 //! | `methods` | the methods that lower the energy of a scene |
 //! | `two_step` | the project's own solver as a method |
 //! | `descent`, `line_search` | gradient descent, L-BFGS and BFGS, on the gradient of Appendix A |
-//! | `curvature` | what L-BFGS and BFGS learn from their steps |
+//! | `curvature` | curvature estimates of L-BFGS and BFGS |
 //! | `circularity`, `gauss_newton` | the penalty method: angle sums, and Gauss-Newton on them |
-//! | `continuation` | the weight of the circles that meets a given circularity error |
+//! | `continuation` | the weight of the circles for a given circularity error |
 //!
-//! An experiment and its methods are declarations: hosts show what is in the list and name none of it.
+//! Experiments and their methods are declared in lists, and hosts show whatever is in them.
 
 mod circularity;
 mod comparison;
@@ -37,11 +37,11 @@ pub use comparison::COMPARISON;
 pub use declaration::{Experiment, Limits, MethodInfo, Over, Plot, Quantity, Unit};
 pub use run::{EndedBy, Run, Sample, Series};
 
-/// The experiments on examples of their own; [`COMPARISON`] can be run on any scene.
+/// The experiments on examples of their own; [`COMPARISON`] runs on any scene.
 pub const EXPERIMENTS: &[Experiment] = &[recovery::RECOVERY, penalty::PENALTY];
 
 impl Experiment {
-    /// The one that is made for an example.
+    /// Returns the experiment that is meant for an example.
     pub fn of(example: &str) -> Option<&'static Experiment> {
         EXPERIMENTS.iter().find(|experiment| experiment.examples.contains(&example))
     }

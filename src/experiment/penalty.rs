@@ -1,9 +1,9 @@
-//! Fig. 11: a strip of quads with circles, whose edges fairness pushes to collapse. Shape-Up against the
-//! penalty method of Liu et al. 2006, both at the same circularity error.
+//! Fig. 11: a strip of quads with circle constraints, whose edges collapse under fairness. Compares
+//! Shape-Up with the penalty method of Liu et al. 2006 at the same circularity error.
 //!
-//! Where no edge collapses both find the same shape. Where edges do, on other strips than the example's,
-//! the penalty method most often does not come to that error: it ends at an edge of a millionth of its
-//! length, beside which no step is short enough. Either finds a local minimum only.
+//! If no edge collapses, both find the same shape. If edges do collapse, on strips other than the
+//! example's, the penalty method most often does not reach that error: it ends at an edge of a
+//! millionth of its length, beside which no step is short enough. Both find a local minimum only.
 
 use super::continuation::Continuation;
 use super::declaration::{
@@ -15,11 +15,11 @@ use crate::mesh::{BoundingSphere, Laplacian, Measures, Mesh, Point, Ragged, Topo
 use crate::scene::{ClosenessTo, Hold, Scene, SceneError, SmoothnessOf, Weights};
 use crate::session::{Edit, Session};
 
-/// The mean circularity error `e_c` at which the methods are compared, bounding sphere of diameter 1.
+/// Mean circularity error `e_c` for the comparison, at a bounding sphere of diameter 1.
 const ERROR: f64 = 5e-8;
 
-/// The part of the scene's weight of the circles that both methods start with: a penalty is raised step
-/// by step, or it holds a rough shape fast.
+/// Fraction of the scene's circle weight at which both methods start. A penalty is raised step by
+/// step: a high one would keep a rough shape nearly fixed.
 const START: f64 = 1.0 / 200.0;
 
 pub(super) const PENALTY: Experiment = Experiment {
@@ -55,7 +55,7 @@ pub(super) const PENALTY: Experiment = Experiment {
     limits: Limits { iterations: 1500, seconds: 30.0 },
 };
 
-/// The measures of a shape.
+/// Mesh data for measuring a shape.
 struct Measured {
     faces: Ragged,
     edges: Vec<[u32; 2]>,
@@ -77,15 +77,15 @@ impl Measured {
 
     fn values(&self, smooth: f64, positions: &[Point]) -> Vec<f64> {
         let square = |&[a, b]: &[u32; 2]| {
-            let ways = (0..3).map(|k| positions[a as usize][k] - positions[b as usize][k]);
-            ways.map(|way| way * way).sum::<f64>()
+            let differences = (0..3).map(|k| positions[a as usize][k] - positions[b as usize][k]);
+            differences.map(|difference| difference * difference).sum::<f64>()
         };
         let shortest = self.edges.iter().map(square).fold(f64::INFINITY, f64::min).sqrt();
         vec![smooth, self.error(positions), shortest]
     }
 }
 
-/// Shape-Up, as Run does it.
+/// Shape-Up, as run by the Run button.
 struct Fitted {
     session: Session,
     measured: Measured,
@@ -202,7 +202,7 @@ impl Method for Penalised {
         if self.continuation.is_reached(total, error, !moved) {
             return Ok(Step::Reached);
         }
-        // Where another weight is no way out either.
+        // Stalled only if the weight did not change either.
         let stuck = !moved && self.continuation.weight == weight;
         Ok(if stuck { Step::Stalled } else { Step::Going })
     }

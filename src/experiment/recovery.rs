@@ -1,7 +1,7 @@
-//! Fig. 10: an animal whose vertices have collapsed comes back, because each ring of neighbours is to
-//! have the shape that it had; by five methods. The paper's BFGS has a matrix with the square of the number
-//! of unknowns as entries, more than half a gigabyte for this animal: L-BFGS stands for it here, and
-//! [`COMPARISON`](super::COMPARISON) has it on smaller meshes.
+//! Fig. 10: five methods recover an animal whose vertices have collapsed, with the rest shape of
+//! each ring of neighbours as a constraint. The paper's BFGS stores a matrix of the squared number
+//! of unknowns, more than half a gigabyte for this animal: L-BFGS replaces it here, and
+//! [`COMPARISON`](super::COMPARISON) includes it on smaller meshes.
 
 use super::declaration::{Experiment, Limits, Over, Plot, Quantity, Unit};
 use super::methods::{ACCELERATED, CENTRED, GRADIENT_DESCENT, L_BFGS, NOT_CENTRED};

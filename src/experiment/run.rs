@@ -1,5 +1,5 @@
-//! One experiment under way: a method after another, an iteration at a time, so that a host can show
-//! how far it is and stop whenever it likes.
+//! A running experiment: one method after another, one iteration at a time, so that a host can show
+//! the progress and stop at any time.
 
 use super::declaration::{Experiment, Limits, Method, Step};
 use crate::error::Error;
@@ -10,16 +10,16 @@ use crate::solve::clock;
 /// The measurements of one method.
 #[derive(Clone, Debug, Default)]
 pub struct Series {
-    /// After each iteration; the first is the start. None where the mesh is too large for the method.
+    /// One sample at the start and after each iteration; empty if the mesh is too large.
     pub samples: Vec<Sample>,
-    /// Why it ended, once it has.
+    /// Why the method ended, once it has.
     pub ended_by: Option<EndedBy>,
 }
 
 /// The state of a method after an iteration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
-    /// Seconds that the method has taken, with what it had to set up. Measuring is not counted.
+    /// Seconds taken by the method, with its set-up but without measuring.
     pub seconds: f64,
     /// The quantities of the experiment.
     pub values: Vec<f64>,
@@ -28,20 +28,20 @@ pub struct Sample {
 /// Why a method ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EndedBy {
-    /// It has reached what the experiment asks for.
+    /// It has reached the goal of the experiment.
     Reached,
-    /// It finds no better point.
+    /// It cannot find a better point.
     Stalled,
     /// The limit of iterations.
     Iterations,
     /// The limit of time.
     Seconds,
-    /// It has not begun, because the mesh has more vertices than it can take.
+    /// It was not run: the mesh has more vertices than it accepts.
     TooLarge,
 }
 
 impl EndedBy {
-    /// In words.
+    /// Returns the reason in words.
     pub fn words(self) -> &'static str {
         match self {
             EndedBy::Reached => "reached",
@@ -59,14 +59,13 @@ pub struct Run {
     scene: Scene,
     mesh: Mesh,
     limits: Limits,
-    /// The method whose turn it is.
     under_way: Option<Box<dyn Method>>,
-    /// One for each method that has started.
+    /// One entry for each method that has started.
     series: Vec<Series>,
 }
 
 impl Run {
-    /// Nothing has started yet.
+    /// Creates a run; no method has started yet.
     pub fn new(experiment: &'static Experiment, scene: Scene, mesh: Mesh, limits: Limits) -> Run {
         Run { experiment, scene, mesh, limits, under_way: None, series: Vec::new() }
     }
@@ -81,8 +80,7 @@ impl Run {
         &self.series
     }
 
-    /// Everything that was measured, one line for each iteration of each method, the first line naming
-    /// the columns.
+    /// Returns all measurements as CSV: a header, then one line for each iteration of each method.
     pub fn csv(&self) -> String {
         let quantities: Vec<_> = self.experiment.quantities.iter().map(|q| q.id).collect();
         let mut text = format!("method,iteration,seconds,{}\n", quantities.join(","));
@@ -97,11 +95,11 @@ impl Run {
         text
     }
 
-    /// Starts the next method, or does one iteration of the one whose turn it is. False once all have
-    /// ended.
+    /// Starts the next method, or runs one iteration of the current one. Returns false once all
+    /// have ended.
     ///
     /// # Errors
-    /// When the scene does not fit the experiment, or a position leaves the finite numbers.
+    /// If the scene does not fit the experiment, or a position is not finite.
     pub fn step(&mut self) -> Result<bool, Error> {
         let Some(method) = &mut self.under_way else {
             let Some(info) = self.experiment.methods.get(self.series.len()) else {

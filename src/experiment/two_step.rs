@@ -6,15 +6,15 @@ use crate::mesh::Mesh;
 use crate::scene::{Accelerator, Scene};
 use crate::session::Session;
 
-/// The two-step iteration until the total energy is a given part of that at the start.
+/// The two-step iteration, until the total energy is a given fraction of its initial value.
 pub(super) struct TwoStep {
     session: Session,
     goal: f64,
 }
 
 impl TwoStep {
-    /// With an accelerator, and with mean-centring (Eq. 5) or without. `goal` is the part of the total
-    /// energy at the start that is asked for.
+    /// `mean_centring` selects Eq. 5. `goal` is the fraction of the initial total energy at which
+    /// to end.
     pub(super) fn new(
         scene: &Scene,
         mesh: &Mesh,
