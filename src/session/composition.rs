@@ -1,4 +1,4 @@
-//! The session itself: what it is made of, and plain access to that.
+//! The session itself: its parts, and plain access to them.
 
 use super::report::MeasureCache;
 use super::run::{Collapse, CollapseGuard, Meeting, Met, Progress, TraceEntry, Unfolding};
@@ -8,23 +8,23 @@ use crate::mesh::{Mesh, Point, Topology};
 use crate::scene::Scene;
 use crate::solve::Solver;
 
-/// A scene that is open.
+/// An open scene.
 pub struct Session {
     pub(super) rest: RestMesh,
     pub(super) scene: SolvedScene,
     pub(super) progress: Progress,
     pub(super) guard: CollapseGuard,
     pub(super) history: History,
-    /// The drag or run that is under way.
+    /// The drag, run or variation under way.
     pub(super) transaction: Option<Transaction>,
     pub(super) measured: MeasureCache,
-    /// How hard constraints were met, and the shape of which that is true.
+    /// How the hard constraints were met, and the shape that this holds for.
     pub(super) met: Option<Met>,
-    /// The same of the shape before the variation that is shown.
+    /// The same for the shape before the variation that is shown.
     pub(super) met_before: Option<Met>,
-    /// The hard constraints that the run under way is meeting.
+    /// The solver by which the current run meets its hard constraints.
     pub(super) meeting: Option<Meeting>,
-    /// What may be done for it not to fold faces.
+    /// What the current run may do to avoid folded faces.
     pub(super) unfolding: Unfolding,
 }
 
@@ -34,12 +34,12 @@ impl Session {
         self.rest.mesh()
     }
 
-    /// How many meshes the mesh was made through from the one that was opened: 0 for that one.
+    /// Number of meshes derived one after another from the opened one; 0 for the opened mesh.
     pub fn generation(&self) -> u32 {
         self.rest.generation()
     }
 
-    /// A sentence for each thing that was not carried over from the mesh before.
+    /// A sentence for each item that was not carried over from the previous mesh.
     pub fn lost(&self) -> &[String] {
         self.rest.lost()
     }
@@ -54,12 +54,12 @@ impl Session {
         self.scene.solver()
     }
 
-    /// The solver alone, for callers that need energies and gradients only.
+    /// Returns the solver alone, for callers that need only energies and gradients.
     pub fn into_solver(self) -> Solver {
         self.scene.into_solver()
     }
 
-    /// The document without handles and positions, which are the solver's.
+    /// The document without handles and positions, which the solver stores.
     pub fn document(&self) -> &Scene {
         self.scene.document()
     }
@@ -74,18 +74,18 @@ impl Session {
         self.scene.positions().to_vec()
     }
 
-    /// Iterations from where the scene starts to the current shape; undo takes them back.
+    /// Number of iterations from the start of the scene to the current shape; undo reduces it.
     pub fn iteration(&self) -> u32 {
         self.progress.iteration()
     }
 
-    /// The recorded energies that led to the current shape, ascending; none where nothing is recorded.
+    /// The recorded energies up to the current shape, ascending; empty if nothing is recorded.
     pub fn trace(&self) -> &[TraceEntry] {
         self.progress.trace().unwrap_or_default()
     }
 
-    /// Whether the local step is done and the global step is not. Whatever else changes the shape or
-    /// the scene ends it.
+    /// Whether the local step is done and the global step is not. Any other change of the shape or
+    /// the scene resets this.
     pub fn halfway(&self) -> bool {
         self.progress.halfway()
     }
@@ -95,23 +95,23 @@ impl Session {
         self.guard.collapse()
     }
 
-    /// Whether the last iteration changed the total by no more than the tolerance, or hard constraints are
-    /// met; never of a shape that has collapsed.
+    /// Whether the last iteration changed the total by no more than the tolerance, or the hard
+    /// constraints are met. Always false for a collapsed shape.
     pub fn converged(&self) -> bool {
         (self.scene.solver().converged() || self.is_met()) && self.collapse().is_none()
     }
 
-    /// Whether a drag has begun and not ended; an edit ends it.
+    /// Whether a drag is under way; an edit ends it.
     pub fn is_dragging(&self) -> bool {
         self.transaction.as_ref().is_some_and(Transaction::is_drag)
     }
 
-    /// The names of the steps that undo and redo would take.
+    /// The names of the steps that undo and redo would apply.
     pub fn undo_and_redo(&self) -> [Option<&str>; 2] {
         self.history.names()
     }
 
-    /// Seconds that reading the files took, for the report.
+    /// Sets the time that reading the files took, in seconds, for the report.
     pub fn set_load_seconds(&mut self, seconds: f64) {
         self.progress.set_load_seconds(seconds);
     }

@@ -1,4 +1,4 @@
-//! Drags and runs: many changes that are one step of undo together.
+//! Drags and runs: each is many changes in one step of undo.
 
 use super::Session;
 use super::edit::{Edit, check_lock};
@@ -11,15 +11,15 @@ use crate::scene::{Lock, NamedEnum, SceneError};
 /// The phases of a drag.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DragPhase {
-    /// It begins, of vertices that are made handles first.
+    /// Begins a drag of vertices that become handles first.
     Make,
-    /// It begins, of handles.
+    /// Begins a drag of handles.
     Start,
-    /// It goes on.
+    /// Continues the drag.
     Move,
-    /// It ends, and is kept.
+    /// Ends the drag and keeps its result.
     End,
-    /// It ends, and everything is put back.
+    /// Ends the drag and restores the state before it.
     Cancel,
 }
 
@@ -34,19 +34,20 @@ impl NamedEnum for DragPhase {
 }
 
 impl Session {
-    /// Drags vertices through a phase, to `targets`: one for each vertex in the unit of the mesh, or none
-    /// where none moves. What goes on or ends without having begun, because an edit ended it, is no error.
+    /// Performs one phase of a drag of vertices to `targets`: one for each vertex in the unit of
+    /// the mesh, or none if nothing moves. It is no error to continue or end a drag that is not
+    /// under way, because an edit may have ended it.
     ///
     /// # Errors
-    /// As [`check_targets`]: nothing moves then, an end keeps the move before. Or when a vertex is not there, or
-    /// the lesson locks the handles.
+    /// As [`check_targets`]: nothing moves then, and an end keeps the last valid move. Also if a
+    /// vertex does not exist, or the lesson locks the handles.
     pub fn drag_through(
         &mut self,
         phase: DragPhase,
         vertices: &[u32],
         targets: &[Point],
     ) -> Result<(), Error> {
-        // Before handles are made for them.
+        // Checked before handles are made for them.
         let checked = if targets.is_empty() { Ok(()) } else { check_targets(vertices, targets) };
         match phase {
             DragPhase::Move | DragPhase::End | DragPhase::Cancel if !self.is_dragging() => {
@@ -78,17 +79,17 @@ impl Session {
         Ok(())
     }
 
-    /// Begins to drag vertices that are handles; targets move until [`Session::end_drag`].
+    /// Begins a drag of vertices that are handles, until [`Session::end_drag`].
     pub fn begin_drag(&mut self) {
         self.begin(Transaction::drag);
         self.guard.forget_start();
     }
 
-    /// Makes vertices handles where they are and begins to drag them: one step of undo together, and
-    /// taking the drag back takes the handles away.
+    /// Makes vertices handles where they are and begins to drag them, as one step of undo: undoing
+    /// the drag also removes the handles.
     ///
     /// # Errors
-    /// When a vertex is not there; nothing has changed then.
+    /// If a vertex does not exist; nothing has changed then.
     pub fn begin_drag_of_new(&mut self, vertices: Vec<u32>) -> Result<(), Error> {
         self.begin_drag();
         let made = self.make(Edit::AddHandles { vertices, fixed: false });
@@ -98,10 +99,10 @@ impl Session {
         made.map(|_| ())
     }
 
-    /// Moves the targets of handles, in the unit of the mesh.
+    /// Moves the targets of handles, given in the unit of the mesh.
     ///
     /// # Errors
-    /// As [`check_targets`], or when the lesson locks the handles; nothing has moved then.
+    /// As [`check_targets`], or if the lesson locks the handles; nothing has moved then.
     pub fn drag(
         &mut self,
         targets: impl IntoIterator<Item = (u32, Point)>,
@@ -113,8 +114,8 @@ impl Session {
         Ok(())
     }
 
-    /// Ends a drag: keeps it as one step of undo, or puts everything back. Where constraints are hard, a run begins
-    /// that meets them again, in the same step of undo.
+    /// Ends a drag: keeps it as one step of undo, or restores the state before it. If there are
+    /// hard constraints, it also begins a run that meets them again, in the same step of undo.
     pub fn end_drag(&mut self, keep: bool) {
         let Some(transaction) = self.transaction.take_if(|t| t.is_drag()) else { return };
         if keep {
@@ -132,7 +133,7 @@ impl Session {
         }
     }
 
-    /// Begins a run: iterations up to [`Session::end_run`] are one step of undo.
+    /// Begins a run: all iterations up to [`Session::end_run`] are one step of undo.
     pub fn begin_run(&mut self) {
         self.guard.let_go_on(false);
         self.leave_variation();
@@ -142,9 +143,10 @@ impl Session {
         }
     }
 
-    /// Asks one shape of all panels ([`Edit::MakePanels`]), within `tolerance` (in the unit of the mesh, infinite
-    /// for none), from the shape as it is or `afresh` from the one that was opened, and begins a run. It is one step of
-    /// undo. Where faces fold within it and not within a larger one, that is taken instead ([`super::Eased`]).
+    /// Constrains all panels to one shape ([`Edit::MakePanels`]) and begins a run, as one step of
+    /// undo. `tolerance` is in the unit of the mesh, infinite for none. The run starts at the
+    /// current shape, or with `afresh` at the opened one. If faces fold within the tolerance but
+    /// not within a larger one, the larger one is used ([`super::Eased`]).
     ///
     /// # Errors
     /// As [`Session::edit`].
@@ -157,7 +159,7 @@ impl Session {
         Ok(())
     }
 
-    /// Makes an edit and begins a run, one step of undo together.
+    /// Makes an edit and begins a run, as one step of undo.
     ///
     /// # Errors
     /// As [`Session::edit`].
@@ -170,14 +172,14 @@ impl Session {
         Ok(())
     }
 
-    /// Makes what is under way a part of the step of undo that was made last.
+    /// Joins the transaction under way to the last step of undo.
     fn join_last(&mut self) {
         if let Some(transaction) = &mut self.transaction {
             transaction.join_last();
         }
     }
 
-    /// Lets the run that has begun go on when the shape collapses.
+    /// Lets the current run continue if the shape collapses.
     pub fn go_on(&mut self) {
         self.guard.let_go_on(true);
     }
@@ -187,7 +189,7 @@ impl Session {
         self.transaction.as_ref().is_some_and(Transaction::is_run)
     }
 
-    /// Ends a run, at the lowest total that it saw, or at the best shape for its hard constraints.
+    /// Ends a run, at its lowest total or at the best shape for its hard constraints.
     pub fn end_run(&mut self) {
         let met = self.end_meeting(false).expect("the state was solvable before");
         let Some(transaction) = self.transaction.take_if(|t| t.is_run()) else { return };
@@ -195,7 +197,7 @@ impl Session {
             self.scene.settle();
         }
         self.guard.look(&self.scene, &self.rest, false);
-        // One that collapsed can be taken back alone.
+        // A run that collapsed is a step of its own, so that it can be undone alone.
         let joins = transaction.joins_last() && self.collapse().is_none();
         match transaction.name_of_run(self.iteration()) {
             Some(_) if joins => self.history.join(transaction.into_back()),
@@ -208,14 +210,14 @@ impl Session {
         self.scene.move_handles(vertices.iter().copied().zip(targets.iter().copied()));
     }
 
-    /// Ends what is under way, as its step of undo.
+    /// Ends the drag, run or variation under way; a drag or run becomes a step of undo.
     pub(super) fn end_transaction(&mut self) {
         self.end_run();
         self.end_drag(true);
         self.leave_variation();
     }
 
-    /// Makes a change of the document a part of what is under way.
+    /// Makes a change of the document part of the transaction under way.
     pub(super) fn include(&mut self, back: Change) {
         if let Some(transaction) = &mut self.transaction {
             transaction.include(back.scene);

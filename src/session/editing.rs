@@ -17,7 +17,7 @@ use crate::mesh::{
 use crate::scene::{Scene, SceneError};
 use std::rc::Rc;
 
-/// Refining is offered so often at most, and as long as no more faces come of it.
+/// Maximum number of refinements offered; beyond the first, none with more faces than this.
 const MOST_REFINEMENTS: u32 = 5;
 const MANY_FACES: usize = 100_000;
 
@@ -26,11 +26,12 @@ fn cannot_be_refined(why: SubdivideError) -> SceneError {
 }
 
 impl Session {
-    /// Makes an edit, and returns whether it is a step of undo: one that changes nothing is none.
+    /// Makes an edit, and returns whether it is a step of undo; an edit without effect is not.
     ///
     /// # Errors
-    /// When the lesson locks what it would change, it names a row or vertex that is not there, leaves a row without constraints or a goal without
-    /// the row that it is on, or makes the system singular; nothing has changed then.
+    /// If the lesson locks a part that it would change; if it refers to a row or vertex that does
+    /// not exist, or leaves a row without constraints or a goal without its row; or if it makes the
+    /// system singular. Nothing has changed then.
     pub fn edit(&mut self, edit: Edit) -> Result<bool, Error> {
         self.end_transaction();
         let Some((name, back)) = self.make(edit)? else { return Ok(false) };
@@ -38,7 +39,7 @@ impl Session {
         Ok(true)
     }
 
-    /// Takes back the last step; gives its name, or none when there is none.
+    /// Undoes the last step, and returns its name; none if there is no step.
     ///
     /// # Errors
     /// Never in practice: the state was solvable before.
@@ -50,7 +51,7 @@ impl Session {
         Ok(Some(name))
     }
 
-    /// Repeats the step that was last undone; gives its name, or none when there is none.
+    /// Repeats the step that was last undone, and returns its name; none if there is no step.
     ///
     /// # Errors
     /// Never in practice: the state was solvable before.
@@ -62,8 +63,8 @@ impl Session {
         Ok(Some(name))
     }
 
-    /// The steps of undo and redo, for [`Session::restore`]; at most 20 MB of them. They belong to the
-    /// scene as it stands, or as it stood before the run or the drag that goes on.
+    /// Returns the steps of undo and redo, at most 20 MB, for [`Session::restore`]. They apply to
+    /// the current scene, or during a run or a drag to the scene before it.
     pub fn saved_history(&self) -> Vec<u8> {
         let mut now = SavedState::of(&self.scene, self.iteration());
         if let Some(transaction) = &self.transaction {
@@ -72,16 +73,17 @@ impl Session {
         write_history(self.history.steps(), &now, self.rest.mesh())
     }
 
-    /// How far the run or the drag that goes on has come, for [`Session::restore`].
+    /// Returns the state of the run or the drag under way, for [`Session::restore`].
     pub fn saved_progress(&self) -> Vec<u8> {
         write_state(&SavedState::of(&self.scene, self.iteration()), self.rest.mesh())
     }
 
-    /// Goes on where the scene that was just opened stood when it was saved. `history` is of that scene,
-    /// `progress` of a run or a drag that began with it, which becomes a step of undo; either may be empty.
+    /// Restores a saved state in the scene that was just opened. `history` applies to that scene;
+    /// `progress` is of a run or a drag that began with it, which becomes a step of undo. Either
+    /// may be empty.
     ///
     /// # Errors
-    /// When bytes are damaged or belong to another scene; what can be restored is.
+    /// If bytes are damaged or belong to another scene; the rest is restored.
     pub fn restore(&mut self, history: &[u8], progress: &[u8]) -> Result<(), Error> {
         let now = SavedState::of(&self.scene, self.iteration());
         let mut result = Ok(());
@@ -100,12 +102,12 @@ impl Session {
         result
     }
 
-    /// Counts on from `iteration`, for a scene that is opened again where it stood.
+    /// Sets the iteration count, for a scene that is reopened in its saved state.
     pub fn restore_iteration(&mut self, iteration: u32) {
         self.progress.restore(iteration, self.scene.solver().energy());
     }
 
-    /// Makes what has happened since the scene was written one step of undo.
+    /// Makes the changes since the scene was saved one step of undo.
     fn resume(&mut self, mut change: Change) -> Result<(), Error> {
         if change.scene.handles == *self.scene.handles() {
             self.begin_run();
@@ -117,7 +119,8 @@ impl Session {
         resumed
     }
 
-    /// Makes an edit without a step of undo; its name and the way back, or none where it changes nothing.
+    /// Makes an edit without a step of undo, and returns its name and the inverse change; none if
+    /// it has no effect.
     pub(super) fn make(&mut self, edit: Edit) -> Result<Option<(String, Change)>, Error> {
         check_locks(&edit, self.document())?;
         if let Edit::Refine { scheme, levels, keep, adopt } = edit {
@@ -135,7 +138,7 @@ impl Session {
         Ok(Some((name, Change { scene, other: None, iteration, start })))
     }
 
-    /// Exchanges a change with the state, which makes of it the way back.
+    /// Applies a change to the state, and turns the change into its inverse.
     ///
     /// # Errors
     /// When the system would be singular; nothing has changed then.
@@ -151,11 +154,12 @@ impl Session {
         Ok(())
     }
 
-    /// Makes several faces of each, of the original or, where it is adopted, of the shape as it is; its name and the
-    /// way back.
+    /// Subdivides the original or, if `adopts`, the current shape. Returns the name and the inverse
+    /// change.
     ///
     /// # Errors
-    /// When the mesh cannot be subdivided so, or the system would be singular; nothing has changed then.
+    /// If the mesh cannot be subdivided in this way, or the system would be singular; nothing has
+    /// changed then.
     fn refine(&mut self, how: &Subdivision, adopts: bool) -> Result<(String, Change), Error> {
         let shape = if adopts { self.scene.positions() } else { self.rest.positions() };
         let mesh = Mesh { positions: shape.to_vec(), ..self.mesh().clone() };
@@ -165,11 +169,11 @@ impl Session {
         Ok((name, self.go_to_mesh(rest, carried)?))
     }
 
-    /// What refining by a scheme would make of the mesh, once, twice and so on: as often as no more than 100,000 faces
-    /// come of it, and at least once.
+    /// Returns the sizes of the mesh after refining by a scheme once, twice and so on, up to
+    /// 100,000 faces; the first is always included.
     ///
     /// # Errors
-    /// When the mesh cannot be subdivided so.
+    /// If the mesh cannot be subdivided in this way.
     pub fn refinements(&self, scheme: Scheme, keep: f64) -> Result<Vec<Refinement>, Error> {
         let mut made: Vec<Refinement> = Vec::new();
         let mut edge = self.rest.mean_edge();
@@ -187,10 +191,10 @@ impl Session {
         Ok(made)
     }
 
-    /// Changes the mesh by an operation; its name and the way back.
+    /// Changes the mesh by an operation, and returns the name and the inverse change.
     ///
     /// # Errors
-    /// When the operation is refused, or the system would be singular; nothing has changed then.
+    /// If the operation is refused, or the system would be singular; nothing has changed then.
     fn remesh(&mut self, remeshing: &Remeshing) -> Result<(String, Change), Error> {
         let (operation, edited) = self.remeshed(remeshing)?;
         let (rest, carried) =
@@ -198,22 +202,22 @@ impl Session {
         Ok((operation.label.to_owned(), self.go_to_mesh(rest, carried)?))
     }
 
-    /// The operations on the mesh, with sizes that fit it.
+    /// Returns the operations on the mesh, with default sizes that suit it.
     pub fn operations(&self) -> Vec<OfferedOperation> {
         offered(self.rest.mean_edge())
     }
 
-    /// A preview of an operation on the mesh.
+    /// Returns a preview of an operation on the mesh.
     ///
     /// # Errors
-    /// When the operation is refused.
+    /// If the operation is refused.
     pub fn remeshing(&self, remeshing: &Remeshing) -> Result<RemeshingPreview, Error> {
         let (_, edited) = self.remeshed(remeshing)?;
         let (rest, _) = self.carried_to(&edited, self.scene.positions(), self.rest.positions());
         Ok(RemeshingPreview::of([self.rest.mesh(), rest.mesh()], rest.lost()))
     }
 
-    /// The mesh as it is seen after an operation.
+    /// Applies an operation to the mesh at its current positions.
     fn remeshed(
         &self,
         remeshing: &Remeshing,
@@ -229,8 +233,8 @@ impl Session {
         Ok((operation, operation.apply(&task).map_err(refused)?))
     }
 
-    /// The scene carried over to a mesh that was made from its own with the positions `from`; and that mesh at rest, made
-    /// from the positions `rest`; both `#V by 3`.
+    /// Carries the scene over to a mesh derived from its own at the positions `from`. Also returns
+    /// the rest mesh, derived in the same way from the positions `rest`; both `#V by 3`.
     fn carried_to(&self, edited: &Edited, from: &[Point], rest: &[Point]) -> (RestMesh, Carried) {
         let positions = edited.in_other_state(from, rest);
         let mut rest = self.rest.next(Mesh { positions, ..edited.mesh.clone() });
@@ -240,10 +244,10 @@ impl Session {
         (rest, carried)
     }
 
-    /// Goes to another mesh with a scene; the way back.
+    /// Replaces the mesh and the scene, and returns the inverse change.
     ///
     /// # Errors
-    /// When the document does not fit the mesh, or the system is singular; nothing has changed then.
+    /// If the document does not fit the mesh, or the system is singular; nothing has changed then.
     fn go_to_mesh(&mut self, rest: RestMesh, carried: Carried) -> Result<Change, Error> {
         let Carried { document, handles, positions, .. } = carried;
         let scene =
@@ -254,10 +258,10 @@ impl Session {
         Ok(change)
     }
 
-    /// Goes to another mesh and exchanges what the change holds with the state.
+    /// Replaces the mesh, and exchanges the contents of the change with the state.
     ///
     /// # Errors
-    /// When the document does not fit the mesh, or the system is singular; nothing has changed then.
+    /// If the document does not fit the mesh, or the system is singular; nothing has changed then.
     fn exchange_mesh(
         &mut self,
         (rest, document): (RestMesh, Scene),
@@ -280,13 +284,13 @@ impl Session {
         Ok(())
     }
 
-    /// The way back to the state as it is.
+    /// Returns a change that restores the current state.
     pub(super) fn way_back(&self) -> Change {
         let (iteration, start) = (self.iteration(), self.guard.start());
         Change { scene: self.scene.way_back(), other: None, iteration, start }
     }
 
-    /// Counts on from `iteration` after a jump to another state, to which iterations led from `start`.
+    /// Sets the iteration count after a jump to another state; its iterations began at `start`.
     fn arrive(&mut self, iteration: u32, start: Option<Rc<Start>>) {
         self.begin_from(start);
         self.progress.go_to(iteration, self.scene.solver().energy());

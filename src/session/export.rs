@@ -1,15 +1,15 @@
-//! The current state as files: OBJ, scene.
+//! The current state as an OBJ file and as a scene.
 
 use super::state::{RestMesh, SolvedScene, grouped};
 use crate::mesh::{Weld, write_obj};
 use crate::scene::{Scene, UnitsAndUp};
 
-/// The current shape as the text of an OBJ file, with the unit and the axis that are known.
+/// Returns the current shape as the text of an OBJ file, with its unit and axis if known.
 pub(super) fn obj(scene: &SolvedScene, rest: &RestMesh) -> String {
     comments(scene) + &write_obj(rest.mesh(), scene.positions())
 }
 
-/// [`obj`] with the vertices and faces that the file had before it was welded to `rest`.
+/// As [`obj`], with the vertices and faces of the file before it was welded to `rest`.
 pub(super) fn obj_as_it_came(scene: &SolvedScene, rest: &RestMesh, weld: &Weld) -> String {
     let positions = weld.as_it_came(rest.positions(), scene.positions());
     comments(scene) + &write_obj(&weld.original, &positions)
@@ -20,7 +20,7 @@ fn comments(scene: &SolvedScene) -> String {
     UnitsAndUp::comments(&document.units, document.up)
 }
 
-/// The document with its handles, and with current positions when they are neither the design nor at rest.
+/// Returns the document with its handles, and positions unless they are the design or at rest.
 pub(super) fn whole_scene(scene: &SolvedScene, rest: &RestMesh) -> Scene {
     let mut whole = scene.document().clone();
     let positions = scene.positions();

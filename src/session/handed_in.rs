@@ -1,4 +1,4 @@
-//! The results that a student hands in, and what a teacher finds when they are checked.
+//! Results that a student hands in, and their check by a teacher.
 
 use super::Session;
 use super::edit::{is_of_solver, settings_of};
@@ -11,7 +11,7 @@ use crate::scene::{
 };
 
 impl Session {
-    /// The results that `student` hands in at `time`; none without a lesson.
+    /// Returns the results that `student` hands in at `time`; none without a lesson.
     pub fn results(&mut self, student: &str, time: &str) -> Option<Results> {
         self.document().lesson.as_ref()?;
         let goals = self.goals();
@@ -37,14 +37,14 @@ impl Session {
     }
 }
 
-/// The outcome of measuring handed-in results again.
+/// The outcome of measuring the results of a student again.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Checked {
     /// The goals as measured.
     pub goals: Vec<GoalResult>,
-    /// How far a vertex is from where it was, at most, in the unit of the mesh.
+    /// Largest displacement of a vertex, in the unit of the mesh.
     pub moved: f64,
-    /// The largest distance of a vertex to the shape of a constraint of the scene, in that unit.
+    /// Largest distance of a vertex to its projection by a constraint, in the unit of the mesh.
     pub distance: f64,
     /// The locked parts that differ from the scene.
     pub altered: Vec<Lock>,
@@ -52,11 +52,11 @@ pub struct Checked {
     pub changed: Vec<String>,
 }
 
-/// Measures the shape of `results` with the lesson and the constraints of `scene`, on its `mesh`: what
-/// was handed in is not believed, and neither are constraints that a student changed.
+/// Measures the shape of `results` with the lesson and the constraints of `scene`, on its `mesh`.
+/// The measurements and the constraints in the results are not trusted.
 ///
 /// # Errors
-/// When the results are of another scene, or the scene has no lesson.
+/// If the results are of another scene, or the scene has no lesson.
 pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Checked, Error> {
     let at = |path: &str, message: String| SceneError { path: path.to_owned(), message };
     let Some(lesson) = &scene.lesson else {
@@ -71,7 +71,7 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         );
         return Err(at("scene", message).into());
     }
-    // As it is written when it is handed in unchanged.
+    // The scene as written if it is handed in unchanged.
     let given = Session::open(scene.clone(), mesh.clone())?.scene();
     let different = differences(results, &given);
     let (altered, changed) =
@@ -81,7 +81,7 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
 
     let is_built = lesson.goals.iter().any(|goal| matches!(goal.of, GoalOf::Build(_)));
     let numbers = if is_built { numbers(&results.positions, &scene, &mesh) } else { Vec::new() };
-    // Nothing may move a vertex: neither handles nor a boundary that is held exactly.
+    // Nothing may move a vertex: neither handles nor a fixed boundary.
     let mut still = Scene::new(MeshSource::Inline(Box::default()));
     still.closeness.to = ClosenessTo::None;
     still.lesson = scene.lesson;
@@ -99,7 +99,7 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     })
 }
 
-/// The numbers of what is built of a shape, `#V by 3`, with the settings of the scene; none where nothing can be built.
+/// The build numbers of a shape, `#V by 3`, with the scene's settings; empty if not buildable.
 fn numbers(positions: &[Point], scene: &Scene, mesh: &Mesh) -> Vec<(String, f64)> {
     let unit = UNITS.iter().find(|unit| unit.symbol == scene.units).unwrap_or(&UNITS[0]);
     let unit = LengthInMetres { symbol: unit.symbol.to_owned(), metres: unit.metres };
@@ -110,7 +110,7 @@ fn numbers(positions: &[Point], scene: &Scene, mesh: &Mesh) -> Vec<(String, f64)
     known.filter_map(|(number, value)| Some((number.id.to_owned(), value?))).collect()
 }
 
-/// The differences from the given scene, in words, each with the part of the scene that it belongs to.
+/// Returns the differences from the given scene in words, with the part they concern.
 fn differences(results: &Results, given: &Scene) -> Vec<(Lock, String)> {
     let mut found = Vec::new();
     match results.weights {
@@ -134,7 +134,7 @@ fn differences(results: &Results, given: &Scene) -> Vec<(Lock, String)> {
         }
     }
     if results.constraints != given.constraints {
-        // A row that was added brings a weight of its own, which is no change of another.
+        // The weight of an added row does not count as a changed weight.
         let unweighed = |specs: &[ConstraintSpec]| -> Vec<ConstraintSpec> {
             specs.iter().map(|spec| ConstraintSpec { weight: 1.0, ..spec.clone() }).collect()
         };
@@ -149,7 +149,7 @@ fn differences(results: &Results, given: &Scene) -> Vec<(Lock, String)> {
     found
 }
 
-/// Whole numbers are the same with a point and without.
+/// Compares numbers by value: a whole number may be written with or without a decimal point.
 fn same_value(a: &serde_json::Value, b: &serde_json::Value) -> bool {
     a == b || a.as_f64().is_some_and(|a| b.as_f64() == Some(a))
 }

@@ -1,5 +1,5 @@
-//! Hard constraints met. A run iterates with them as soft ones until that has converged, and then meets them: the
-//! same call goes on, one iteration or one step at a time, and shows the way now and then.
+//! Meeting hard constraints. A run iterates with them as soft constraints until it has converged,
+//! and then meets them step by step, showing intermediate shapes.
 
 use super::Session;
 use super::requirements::Required;
@@ -11,16 +11,16 @@ use crate::scene::ConstraintSpec;
 use crate::solve::Exact;
 
 impl Session {
-    /// The exact solver of the hard constraints, from the current shape on, to be stepped by the host and given to
-    /// [`Session::accept`]; none where there are no hard constraints.
+    /// Returns the exact solver of the hard constraints, which starts at the current shape; none if
+    /// there are no hard constraints. The host steps it and passes it to [`Session::accept`].
     ///
     /// # Errors
-    /// When a set of the scene is not there.
+    /// If a set of the scene does not exist.
     pub fn meeting(&self) -> Result<Option<Exact>, Error> {
         self.meeting_with(&Required::of)
     }
 
-    /// [`Session::meeting`] with something else required of the rows that are on.
+    /// As [`Session::meeting`], with other requirements for the enabled rows.
     pub(super) fn meeting_with(
         &self,
         required: &dyn Fn(&ConstraintSpec) -> Required,
@@ -30,17 +30,17 @@ impl Session {
         })
     }
 
-    /// Takes the shape that was found, as a part of the run that is under way.
+    /// Accepts the shape of the solver, as a part of the run under way.
     ///
     /// # Errors
-    /// When the system would be singular; nothing has changed then.
+    /// If the system would be singular; nothing has changed then.
     pub fn accept(&mut self, exact: &Exact) -> Result<(), Error> {
         self.go_to(&exact.positions(), Vec::new())?;
         self.note_met(exact);
         Ok(())
     }
 
-    /// Meets the hard constraints, if there are any, and improves the shape where that is asked for.
+    /// Meets the hard constraints, if there are any, and then improves the shape if requested.
     pub(super) fn meet(&mut self, improves: bool) -> Result<(), Error> {
         if !self.begin_meeting()? {
             return Ok(());
@@ -56,7 +56,7 @@ impl Session {
         Ok(())
     }
 
-    /// How well the hard constraints are met; none while nobody has met those of the current shape.
+    /// How well the hard constraints are met; none if they have not been met for the current shape.
     pub fn exact(&self) -> Option<ExactReport> {
         if let Some(met) = self.met_here() {
             return Some(met.report.clone());
@@ -66,7 +66,7 @@ impl Session {
             .map(|(most, tolerance, _)| ExactReport::of_what_is_met(most, tolerance))
     }
 
-    /// Whether the run that goes on is meeting hard constraints.
+    /// Whether the current run is meeting hard constraints.
     pub fn is_meeting(&self) -> bool {
         self.meeting.is_some()
     }
@@ -76,12 +76,12 @@ impl Session {
         self.met.as_ref().filter(|met| met.is_of(&self.scene))
     }
 
-    /// Whether hard constraints were met here as well as they can be, and nothing has changed since.
+    /// Whether hard constraints were met as well as possible, and nothing has changed since.
     pub(super) fn is_met(&self) -> bool {
         self.met_here().is_some_and(|met| met.is_all(&self.scene))
     }
 
-    /// Begins to meet the hard constraints, where there are some.
+    /// Begins to meet the hard constraints; returns false if there are none.
     pub(super) fn begin_meeting(&mut self) -> Result<bool, Error> {
         self.scene.settle();
         let Some(exact) = self.meeting()? else { return Ok(false) };
@@ -89,7 +89,7 @@ impl Session {
         Ok(true)
     }
 
-    /// One iteration or step of what a run is meeting; none where it is not.
+    /// Runs one step of meeting hard constraints; none if the run is not meeting any.
     pub(super) fn meeting_step(&mut self) -> Result<Option<Step>, Error> {
         let Some(meeting) = &mut self.meeting else { return Ok(None) };
         let ended = meeting.step();
@@ -111,8 +111,8 @@ impl Session {
         Ok(Some(Step { converged: false, ended: false }))
     }
 
-    /// Ends what a run is meeting, with the best shape so far, improved where that is asked for; whether there was
-    /// anything.
+    /// Ends the meeting of hard constraints with the best shape so far, improved if requested.
+    /// Returns false if none was under way.
     pub(super) fn end_meeting(&mut self, improves: bool) -> Result<bool, Error> {
         let Some(end) = self.meeting.take().map(Meeting::end) else { return Ok(false) };
         let MeetingEnd { mut exact, attempt, is_whole, folded_at_first, attempts } = end;
@@ -130,7 +130,7 @@ impl Session {
         let (parts, eased) = eased.unzip();
         self.go_to(&exact.positions(), parts.unwrap_or_default())?;
         self.note_met(&exact);
-        // An attempt may have been at less than the scene allows.
+        // An attempt may have had a smaller tolerance than the scene.
         let allowed = self.hard_distance().filter(|_| matches!(attempt, Attempt::Exact));
         if let Some(met) = &mut self.met {
             (met.report.attempts, met.report.eased) = (attempts, eased);
@@ -144,7 +144,7 @@ impl Session {
         Ok(improved.map(|()| true)?)
     }
 
-    /// Goes to other positions, `#V by 3`, and puts parts of the document, as a part of the run that is under way.
+    /// Sets the positions, `#V by 3`, and parts of the document, as a part of the run under way.
     fn go_to(&mut self, positions: &[Point], parts: Vec<Part>) -> Result<(), Error> {
         let mut change = self.way_back();
         change.scene.positions = positions.into();
@@ -154,7 +154,6 @@ impl Session {
         Ok(())
     }
 
-    /// Notes that the current shape is that of `exact`.
     pub(super) fn note_met(&mut self, exact: &Exact) {
         let report = ExactReport::new(exact.answer(), &self.required_places(false));
         self.met = Some(Met::new(&self.scene, report));

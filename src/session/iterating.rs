@@ -5,16 +5,16 @@ use super::run::{HalfStep, Step, fitted};
 use crate::error::Error;
 
 impl Session {
-    /// One iteration. In a run, hard constraints are met after all else has converged.
+    /// Runs one iteration. In a run, hard constraints are met after the rest has converged.
     ///
     /// # Errors
-    /// When a position leaves the finite numbers; the shape is then that before the step.
+    /// If a position is not finite; the shape is then that before the step.
     pub fn step(&mut self) -> Result<Step, Error> {
         self.iterate(true)
     }
 
-    /// One iteration as a run of its own, with hard constraints as soft ones: that they are met is for the end of a
-    /// run. Where they are met it changes nothing.
+    /// Runs one iteration as a run of its own, with hard constraints as soft ones, because they are
+    /// met only at the end of a run. It has no effect if they are already met.
     ///
     /// # Errors
     /// As [`Session::step`].
@@ -47,11 +47,12 @@ impl Session {
         Ok(Step { converged: self.converged(), ended })
     }
 
-    /// The next half of an iteration. Two of them are one [`Session::step`], with the same positions to
-    /// the last bit. The global step is one step of undo.
+    /// Runs the next half of an iteration. Two halves equal one [`Session::step`], to the last bit
+    /// of the positions. The global step is one step of undo.
     ///
-    /// The local step computes nothing: every state of a session has its projections at hand, because
-    /// its energies are distances to them. It only says so, and [`Session::projections`] shows them.
+    /// The local step computes nothing: the projections of every state are already available,
+    /// because its energies are distances to them. It only reports them as done, and
+    /// [`Session::projections`] returns them.
     ///
     /// # Errors
     /// As [`Session::step`].
@@ -65,18 +66,19 @@ impl Session {
         Ok(HalfStep::Global { converged, accelerated: self.scene.solver().accelerated() })
     }
 
-    /// Iterates until the tolerance or the limit of the scene is reached, and meets the hard constraints, if there are
-    /// any: what cannot be met the report says. With `trace` the energies of all iterations are recorded.
+    /// Iterates until the tolerance or the limit of the scene is reached, and then meets the hard
+    /// constraints, if there are any; the report lists those that cannot be met. With `trace` the
+    /// energies of all iterations are recorded.
     ///
     /// # Errors
-    /// As [`Session::step`], and when the system of the hard constraints is singular.
+    /// As [`Session::step`], and if the system of the hard constraints is singular.
     pub fn solve(&mut self, trace: bool) -> Result<(), Error> {
         self.iterate_all(trace)?;
         self.meet(false)
     }
 
-    /// [`Session::solve`], and then looks for less energy among the shapes that meet the hard constraints. It never
-    /// ends with more, nor with constraints that are not met.
+    /// As [`Session::solve`], and then searches the shapes that meet the hard constraints for one
+    /// of less energy. The energy never increases, and the constraints stay met.
     ///
     /// # Errors
     /// As [`Session::solve`].
@@ -98,13 +100,13 @@ impl Session {
         Ok(())
     }
 
-    /// Records the energies of the iterations from here on, this one included. Of some thousands
-    /// there are all; of more, as many at equal distances.
+    /// Records the energies of this and all later iterations: up to some thousands all of them,
+    /// beyond that as many at equal intervals.
     pub fn start_trace(&mut self) {
         self.progress.record(self.scene.solver().energy());
     }
 
-    /// Watches over the shape from here on, as after an edit.
+    /// Watches the shape for a collapse, as after an edit.
     pub fn arm_guard(&mut self) {
         self.guard.arm();
     }

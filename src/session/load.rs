@@ -1,6 +1,6 @@
-//! Opening one scene after another without room for two: everything that is likely to be refused is
-//! checked while the scene that is open is still whole, and then that one can do without its solver,
-//! which is most of what it takes, until the next one is there.
+//! Opening scenes one after another, without memory for two. Everything that is likely to be
+//! refused is checked while the open scene is intact. Then its solver, which takes most of the
+//! memory, is dropped until the next scene is set up.
 
 use super::Session;
 use super::report::{MeasureCache, check_lesson, check_presentation};
@@ -13,16 +13,16 @@ use crate::scene::Scene;
 use crate::solve::Handle;
 
 impl Session {
-    /// Checks the scene against `mesh`, which is what `scene.mesh` stands for, and sets up the solver.
+    /// Checks the scene with `mesh`, the mesh that `scene.mesh` refers to, and sets up the solver.
     ///
     /// # Errors
-    /// When the scene does not fit the mesh, a row of constraints is empty, or the system is singular.
+    /// If the scene does not fit the mesh, a row has no constraint, or the system is singular.
     pub fn open(scene: Scene, mesh: Mesh) -> Result<Session, Error> {
         Checked::new(scene, mesh)?.open()
     }
 
-    /// Opens a scene, as [`Session::open`], in the place of the one that is `open`, which stays when it
-    /// is refused: then its solver has only forgotten the steps before, as after a pause.
+    /// Opens a scene, as [`Session::open`], in place of `open`. If it is refused, the previous
+    /// scene stays; only the step history of its solver is lost, as after a pause.
     ///
     /// # Errors
     /// As [`Session::open`].
@@ -44,7 +44,7 @@ impl Session {
         }
     }
 
-    /// Gives back what can be made again.
+    /// Drops everything that can be recomputed.
     fn suspend(self) -> Suspended {
         let Session { rest, scene, progress, guard, history, transaction, .. } = self;
         let (positions, handles) = (scene.positions().to_vec(), scene.handles().to_vec());
@@ -67,10 +67,10 @@ struct Checked {
 }
 
 impl Checked {
-    /// Checks the scene against `mesh`, which is what `scene.mesh` stands for.
+    /// Checks the scene with `mesh`, the mesh that `scene.mesh` refers to.
     ///
     /// # Errors
-    /// When the scene does not fit the mesh, or a row of constraints is empty.
+    /// If the scene does not fit the mesh, or a row has no constraint.
     fn new(scene: Scene, mesh: Mesh) -> Result<Checked, Error> {
         scene.validate(&mesh)?;
         check_lesson(&scene, &mesh)?;
@@ -80,10 +80,10 @@ impl Checked {
         Ok(Checked { scene, rest, rows })
     }
 
-    /// Opens it where the scene starts.
+    /// Opens the scene at its initial positions.
     ///
     /// # Errors
-    /// When the system is singular.
+    /// If the system is singular.
     fn open(mut self) -> Result<Session, Error> {
         let start = self.scene.current.take();
         let design = self.scene.variants.design_positions().unwrap_or(self.rest.positions());
@@ -92,11 +92,11 @@ impl Checked {
         self.set_up(handles, &start, None)
     }
 
-    /// Sets up the solver, at the positions `start` (`#V by 3`), in a session with this `past`, or with
-    /// none. The scene has neither handles nor positions of its own.
+    /// Sets up the solver at the positions `start` (`#V by 3`), in a session with this `past`, or
+    /// with none. The scene contains neither handles nor positions.
     ///
     /// # Errors
-    /// When the system is singular.
+    /// If the system is singular.
     fn set_up(
         self,
         handles: Vec<Handle>,
@@ -129,7 +129,7 @@ impl Checked {
     }
 }
 
-/// A session without its solver, and without anything that follows from the rest.
+/// A session without its solver and other derived data.
 struct Suspended {
     mesh: Mesh,
     document: Scene,
@@ -139,7 +139,7 @@ struct Suspended {
     past: Past,
 }
 
-/// The parts of a session that outlast its solver.
+/// The parts of a session that are kept without its solver.
 struct Past {
     progress: Progress,
     guard: CollapseGuard,
@@ -148,10 +148,10 @@ struct Past {
 }
 
 impl Suspended {
-    /// The session as it was. Its solver has forgotten the steps before, as after a pause.
+    /// Restores the session. Its solver has lost the history of its steps, as after a pause.
     ///
     /// # Errors
-    /// When the system is singular, which it was not before.
+    /// If the system is singular, which it was not before.
     fn resume(self) -> Result<Session, Error> {
         let checked = Checked::new(self.document, self.mesh)?;
         checked.set_up(self.handles, &self.positions, Some(self.past))

@@ -1,30 +1,30 @@
 //! The session that every host drives: open, edit, drag, step, undo, report.
 //!
-//! A session holds one mesh and one document (constraints, handles, weights), and a solver for
-//! it. Every edit is one step of undo; iterating from one point to another is one step too.
+//! A session consists of one mesh, one document (constraints, handles, weights) and its solver.
+//! Every edit is one step of undo, and so is every run of iterations.
 //!
 //! | file or folder | holds |
 //! |---|---|
 //! | `composition` | the session: its parts, and plain access to them |
-//! | `load` | a scene opened, alone or in the place of another |
-//! | `opened_file` | a file as somebody opens it: a mesh with its scene, or a scene with its mesh |
-//! | `editing` | edits, undo and redo, and their restoring after a restart |
+//! | `load` | opening a scene, also in place of another |
+//! | `opened_file` | reading a file that the user opens: a mesh with its scene, or a scene with its mesh |
+//! | `editing` | edits, undo and redo, and restoring them after a restart |
 //! | `dragging` | drags and runs, one step of undo each |
 //! | `iterating` | iterations, whole and in halves |
-//! | `hard_constraints` | hard constraints met, during a run or at once |
-//! | `requirements` | what is required of constraints, and how near the shape is to it |
-//! | `unfolding` | other ways to meet them where faces fold |
-//! | `variations` | ways to change the shape while hard constraints stay met: shown, brought back, kept |
-//! | `variant_table` | the numbers of the shapes that were kept |
+//! | `hard_constraints` | meeting hard constraints, during a run or at once |
+//! | `requirements` | the requirements of constraints, and how far the shape is from them |
+//! | `unfolding` | other ways to meet hard constraints if faces fold |
+//! | `variations` | ways to change the shape while hard constraints stay met: shown, projected back, kept |
+//! | `variant_table` | the numbers of the kept variants |
 //! | `queries` | queries of hosts: selections, measures, reports, files |
 //! | `handed_in` | the results of a lesson, and their check |
-//! | `trial` | what would help and what it would cost, tried on a copy |
-//! | `state` | the parts: the mesh at rest, and the scene with its solver; how that changes |
-//! | `run` | the parts: progress and the guard against collapse |
-//! | `undo` | the parts: the history, and the drag or run that is under way |
+//! | `trial` | remedies, and the cost of exactness, tried on a copy |
+//! | `state` | the parts: the rest mesh, and the scene with its solver; their changes |
+//! | `run` | the parts: progress, meeting of hard constraints, and the guard against collapse |
+//! | `undo` | the parts: the history, and the drag or run under way |
 //! | `edit` | the edits and their effects, settings, previews |
-//! | `selection` | selecting by what the mesh is like |
-//! | `report` | measures, reports, lists of the worst |
+//! | `selection` | selecting by properties of the mesh |
+//! | `report` | measures, reports, worst elements |
 //! | `export` | the current state as OBJ and as a scene |
 
 mod composition;

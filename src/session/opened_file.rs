@@ -1,15 +1,15 @@
-//! A file that somebody opens, read: a mesh with the scene that keeps it whole, or a scene with its mesh.
+//! Reading a file that the user opens: a mesh with its new scene, or a scene with its mesh.
 
 use crate::mesh::{Mesh, Read, ReadError, Weld, read};
 use crate::scene::{MeshSource, Pose, Scene, SceneError, Target, UnitsAndUp};
 use serde::Serialize;
 
-/// Reads files as somebody opens them.
+/// Reads the files that the user opens.
 #[derive(Default)]
 pub struct FileReader {
     assumed: UnitsAndUp,
     keeps_apart: bool,
-    /// Files beside the next scene, by the paths that it names them with.
+    /// Files that the next scene refers to, by their paths in it.
     beside: Vec<(String, Vec<u8>)>,
 }
 
@@ -17,17 +17,17 @@ pub struct FileReader {
 pub struct OpenedFile {
     /// The scene, whose mesh is `mesh`.
     pub scene: Scene,
-    /// The mesh; welded where its faces had vertices of their own.
+    /// The mesh; welded if its faces had their own copies of vertices.
     pub mesh: Mesh,
-    /// How it was welded.
+    /// How it was welded, if it was.
     pub weld: Option<Weld>,
-    /// The problems and notes of the mesh reader; its mesh is empty.
+    /// Problems and notes of the mesh reader; its mesh is empty.
     pub said: Read,
-    /// Unit and axis, where the file does not state them.
+    /// Which of unit and axis the file does not state.
     pub guessed: Guessed,
 }
 
-/// Which of these a file does not say, so that they are guesses.
+/// Properties that a file does not state, so that they are guesses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Guessed {
@@ -38,33 +38,33 @@ pub struct Guessed {
 }
 
 impl FileReader {
-    /// Unit and axis of the next mesh file, unless it states its own.
+    /// Sets the unit and axis of the next mesh file, used if it states none.
     pub fn assume(&mut self, assumed: UnitsAndUp) {
         self.assumed = assumed;
     }
 
-    /// Whether the next mesh file keeps vertices at one place apart: otherwise it is welded where its faces
-    /// have their own.
+    /// Sets whether the next mesh file keeps coincident vertices apart. Otherwise it is welded if
+    /// its faces have their own copies of vertices.
     pub fn keep_apart(&mut self, apart: bool) {
         self.keeps_apart = apart;
     }
 
-    /// A file beside the next scene, by the path that this names it with: see [`named_files`].
+    /// Adds a file for the next scene, by its path in the scene: see [`named_files`].
     pub fn bring(&mut self, path: &str, bytes: Vec<u8>) {
         self.beside.push((path.to_owned(), bytes));
     }
 
-    /// Reads the file `name`: a mesh, or a scene (`.json`) with the files that it names, which were brought.
+    /// Reads the file `name`: a mesh, or a scene (`.json`) with the files brought before.
     ///
     /// # Errors
-    /// The fault of the file, with its name and the line or the JSON path.
+    /// The problem of the file, with its name and the line or the JSON path.
     pub fn read(&mut self, name: &str, bytes: &[u8]) -> Result<OpenedFile, ReadError> {
         let beside = std::mem::take(&mut self.beside);
         if is_scene(name) {
             let (scene, mut said) = scene_with_files(name, bytes, &beside)?;
             self.keeps_apart = false;
             let mesh = std::mem::take(&mut said.mesh);
-            // The indices in a scene are those of its mesh as it is: nothing is welded.
+            // The indices in a scene refer to its mesh as it is, so nothing is welded.
             return Ok(OpenedFile { scene, mesh, weld: None, said, guessed: Guessed::default() });
         }
         let stated = UnitsAndUp::stated(bytes).or(std::mem::take(&mut self.assumed));
@@ -82,10 +82,10 @@ impl FileReader {
 }
 
 impl OpenedFile {
-    /// The scene in a file.
+    /// Parses a scene.
     ///
     /// # Errors
-    /// When it is none: the JSON path, what is wrong and what was expected.
+    /// If the file is no scene: the JSON path, what is wrong and what was expected.
     pub fn scene_in(bytes: &[u8]) -> Result<Scene, SceneError> {
         let text = std::str::from_utf8(bytes).map_err(|_| SceneError {
             path: String::new(),
@@ -95,12 +95,12 @@ impl OpenedFile {
     }
 }
 
-/// Whether a file of this name is a scene rather than a mesh.
+/// Whether a file name is that of a scene rather than a mesh.
 pub fn is_scene(name: &str) -> bool {
     name.to_ascii_lowercase().ends_with(".json")
 }
 
-/// The files that a scene names, by their paths: its mesh, another surface to be close to, another pose.
+/// Returns the paths of the files that a scene refers to: its mesh, a target surface, a pose.
 pub fn named_files(scene: &Scene) -> impl Iterator<Item = &str> {
     let mesh = match &scene.mesh {
         MeshSource::File(path) => Some(path.as_str()),
@@ -117,7 +117,7 @@ pub fn named_files(scene: &Scene) -> impl Iterator<Item = &str> {
     mesh.into_iter().chain(target).chain(pose)
 }
 
-/// A scene, with what the files `beside` it hold in their places, and the mesh.
+/// Returns a scene with the contents of the files `beside` it inserted, and the mesh.
 fn scene_with_files(
     name: &str,
     bytes: &[u8],
@@ -159,7 +159,7 @@ mod tests {
     use super::*;
     use crate::scene::Up;
 
-    /// Two squares that have the vertices of their common edge twice.
+    /// Two squares with separate copies of the vertices of their common edge.
     const APART: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\n\
                          f 1 2 3 4\nf 5 6 7 8\n";
 
@@ -183,7 +183,7 @@ mod tests {
         let opened = read_mesh(&mut reader);
         assert_eq!(opened.scene.units, "ft");
         assert_eq!(opened.guessed, Guessed { units: false, up: true });
-        // Once.
+        // An assumption is used once.
         assert!(read_mesh(&mut reader).guessed.units);
         reader.assume(UnitsAndUp { units: Some("ft".to_owned()), up: None });
         let stated = format!("# units: mm\n# up: y\n{APART}");

@@ -1,4 +1,4 @@
-//! The queries of hosts: selections, previews, measures, reports, files.
+//! Queries of hosts: selections, previews, measures, reports, files.
 
 use super::Session;
 use super::edit::{ConstraintTarget, Preview, previews};
@@ -14,25 +14,25 @@ use crate::solve::{
 };
 use std::rc::Rc;
 
-/// A forecast for so many faces takes about half a second.
-const MOST_FORESEEN: usize = 50_000;
+/// A forecast for this many faces takes about half a second.
+const MOST_FORECAST_FACES: usize = 50_000;
 
 impl Session {
-    /// The selection after `request`, on the current shape; indices ascending.
+    /// Returns the selection after `request`, on the current shape; indices ascending.
     ///
     /// # Errors
-    /// When it names an operation, a set, or an element that is not there, or when a parameter is not
-    /// a number in its range.
+    /// If it refers to an operation, a set or an element that does not exist, or if a parameter is
+    /// not a number in its range.
     pub fn select(&mut self, request: &SelectRequest) -> Result<Selection, SceneError> {
         select(&mut self.measuring(), request)
     }
 
-    /// The size of a row of each kind at each place: `#kinds by #places`, kinds in the order of
-    /// [`crate::constraint::KINDS`]. None where nothing fits, and where the elements are not those that the
-    /// kind is meant for.
+    /// Returns the size of a row of each kind on each target: `#kinds by #targets`, kinds in the
+    /// order of [`crate::constraint::KINDS`]. An entry is none if no element fits, or if the kind
+    /// is not meant for the type of element.
     ///
     /// # Errors
-    /// When a place names what is not there.
+    /// If a target refers to something that does not exist.
     pub fn previews(
         &self,
         places: &[ConstraintTarget],
@@ -40,159 +40,159 @@ impl Session {
         previews(places, &self.document().sets, &self.rest)
     }
 
-    /// Planarity and circularity of the faces as they are now.
+    /// Planarity and circularity of the faces of the current shape.
     pub fn measures(&self) -> Rc<Measures> {
         self.measured.measures(&self.scene, &self.rest)
     }
 
-    /// [`Session::measures`] at most `seconds` old: on large meshes measuring takes longer than an iteration.
+    /// As [`Session::measures`], up to `seconds` old: measuring may take longer than an iteration.
     pub fn recent_measures(&self, seconds: f64) -> Rc<Measures> {
         self.measured.recent_measures(&self.scene, &self.rest, seconds)
     }
 
-    /// The values of the measure `id`, `#F`, in its unit; not a number where a face has none, as the
-    /// diagonals of a triangle. None when no measure is called so.
+    /// Returns the values of the measure `id`, `#F`, in its unit; NaN for faces without one, such
+    /// as a triangle, which has no diagonals. None if there is no such measure.
     pub fn face_values(&mut self, id: &str) -> Option<Vec<f64>> {
         self.face_values_of(id, Shape::Now)
     }
 
-    /// [`Session::face_values`] of the current or of the original shape.
+    /// As [`Session::face_values`], for the current or the original shape.
     pub fn face_values_of(&mut self, id: &str, shape: Shape) -> Option<Vec<f64>> {
         report::face_values(&mut self.measuring(), id, shape)
     }
 
-    /// The values of the vertices (`#V`) whose largest a face has in the measure `id`, where they change
-    /// gradually over the surface: distances to the original. None for every other measure.
+    /// Returns the vertex values (`#V`) whose maximum over a face is its measure `id`. Only for
+    /// distances to the original, which vary gradually; none for any other measure.
     pub fn corner_values(&self, id: &str) -> Option<Vec<f64>> {
         report::corner_values(&self.scene, &self.rest, &self.measured, id)
     }
 
-    /// The distance of each face to where its constraints want it, `#F`, in the unit of the mesh: the
-    /// largest distance of a corner to its projection in any enabled constraint.
+    /// Returns the residual of each face, `#F`, in the unit of the mesh: the largest distance of a
+    /// corner to its projection in any enabled constraint.
     pub fn residuals(&mut self) -> Vec<f64> {
         self.face_values("residual").unwrap_or_default()
     }
 
-    /// The largest distance of a vertex to its projection over all rows that are on, as the last local
-    /// step found it, in the unit of the mesh.
+    /// Returns the largest distance of a vertex to its projection over all enabled rows, as found
+    /// by the last local step, in the unit of the mesh.
     pub fn worst_distance(&self) -> f64 {
         self.solver().found().map(|row| row.worst_squared).fold(0.0, f64::max).sqrt()
     }
 
-    /// Distances of the vertices from their rest positions.
+    /// Returns the distances of the vertices from their rest positions.
     pub fn moved(&self) -> Moved {
         report::moved(&self.scene, &self.rest)
     }
 
-    /// The least length of an edge as a part of its length at rest; those without a length at rest do
-    /// not count, and without edges it is 1.
+    /// Returns the smallest ratio of an edge length to its rest length. Ignores edges of zero rest
+    /// length; 1 without edges.
     pub fn shortest_edge(&self) -> f64 {
         report::shortest_edge(&self.scene, &self.rest)
     }
 
-    /// Mean length of an edge at rest, in the unit of the mesh; zero without edges.
+    /// Mean edge length at rest, in the unit of the mesh; zero without edges.
     pub fn mean_edge(&self) -> f64 {
         self.rest.mean_edge()
     }
 
-    /// A tolerance for distances on this mesh: about a thousandth of the mean edge, rounded to 1, 2 or 5
-    /// times a power of ten, in the unit of the mesh.
+    /// Returns a tolerance for distances on this mesh: about a thousandth of the mean edge, rounded
+    /// to 1, 2 or 5 times a power of ten, in the unit of the mesh.
     pub fn tolerance(&self) -> f64 {
         report::tolerance(&self.rest)
     }
 
-    /// Corners of faces by their angles, in bins of five degrees from 0 to 180.
+    /// Histogram of the face angles, in bins of five degrees from 0 to 180.
     pub fn angles(&self, shape: Shape) -> Vec<u32> {
         report::angles(&self.scene, &self.rest, shape)
     }
 
-    /// How near the panels are to what they are asked to be, by the last row that is on and asks it of
-    /// single faces: distances up to `tolerance` are within. None where nothing of the kind is asked.
+    /// Returns how many panels have the shape required by the last enabled row on single faces,
+    /// with distances up to `tolerance`. None if no row constrains panels.
     pub fn verdict(&mut self, tolerance: f64) -> Option<Verdict> {
         Verdict::of(&mut self.measuring(), tolerance)
     }
 
-    /// How far the mesh as it was opened will move for panels of one shape; none where no such shape is offered, and
-    /// where it would be waited for.
+    /// Returns how far the mesh as opened would move for panels of one shape. None if no such shape
+    /// is offered, or if the forecast would take too long.
     pub fn forecast(&self) -> Option<Forecast> {
-        let is_quick = self.mesh().faces.len() <= MOST_FORESEEN;
+        let is_quick = self.mesh().faces.len() <= MOST_FORECAST_FACES;
         is_quick.then(|| Forecast::of(self.mesh(), self.topology())).flatten()
     }
 
-    /// Takes over numbers of what is built of the shape as it is, by the ids of
-    /// [`crate::fabricate::BUILD_NUMBERS`]: they are measured elsewhere, and hold until the shape moves.
+    /// Stores numbers of the parts built from the current shape, by the ids of
+    /// [`crate::fabricate::BUILD_NUMBERS`], until the shape changes.
     pub fn tell_build(&mut self, numbers: Vec<(String, f64)>) {
         self.measured.tell(&self.scene, numbers);
     }
 
-    /// The value of each goal of the lesson on the shape as it is, in their order; empty without a lesson. One on what is
-    /// built has none until [`Session::tell_build`].
+    /// Returns the value of each goal of the lesson on the current shape, in their order; empty
+    /// without a lesson. A goal on the built parts has no value before [`Session::tell_build`].
     pub fn goals(&mut self) -> Vec<GoalResult> {
         report::goals(&mut self.measuring())
     }
 
-    /// The `count` faces with the largest values of the measure `id`, largest first, of equal ones
-    /// the first of the mesh; those without a value are left out. None when no measure is called so.
+    /// Returns the `count` faces with the largest values of the measure `id`, largest first, ties
+    /// in mesh order, without faces that have no value. None if there is no such measure.
     pub fn worst_faces(&mut self, id: &str, count: usize) -> Option<Vec<WorstElement>> {
         report::worst_faces(&mut self.measuring(), id, count)
     }
 
-    /// The `count` constraints of row `index` that are farthest from being met, farthest first: the
-    /// largest distance of a vertex to its projection, in the unit of the mesh. Empty where the row is
-    /// off or is not there.
+    /// Returns the `count` constraints of row `index` that are farthest from being met, farthest
+    /// first, by the largest distance of a vertex to its projection, in the unit of the mesh. Empty
+    /// if the row is disabled or does not exist.
     pub fn worst_constraints(&mut self, index: usize, count: usize) -> Vec<WorstElement> {
         report::worst_constraints(&mut self.measuring(), index, count)
     }
 
-    /// The projections at the current positions.
+    /// Returns the projections at the current positions.
     pub fn projections(&mut self) -> Projections {
         report::projections(&mut self.scene, &self.rest)
     }
 
-    /// The enabled row that acts on each face and each vertex.
+    /// Returns the enabled row that acts on each face and each vertex.
     pub fn acting_rows(&self) -> ConstraintMap {
         report::acting_rows(self.rows(), &self.rest)
     }
 
-    /// The colours of the rows of constraints.
+    /// Returns the colours of the rows of constraints.
     pub fn row_palette(&self) -> RowPalette {
         RowPalette::of(self.rows())
     }
 
-    /// The faces and the vertices that row `index` acts on, ascending; a face counts when one of the
-    /// row's constraints has all its corners.
+    /// Returns the faces and the vertices that row `index` acts on, ascending. A face is included
+    /// if one constraint of the row contains all its corners.
     pub fn members(&self, index: usize) -> [Vec<u32>; 2] {
         report::members(self.rows().get(index), &self.rest)
     }
 
-    /// The id of the measure that row `index` brings to zero on single faces: that of its kind, if each of its
-    /// constraints is on one face.
+    /// Returns the id of the measure that row `index` makes zero on single faces, which is that of
+    /// its kind; none if its constraints are not on single faces.
     pub fn asked_measure(&self, index: usize) -> Option<&'static str> {
         report::asked_measure(self.document(), index)
     }
 
-    /// How many vertices are kept close more or less than the others.
+    /// Counts the vertices with a closeness factor other than 1.
     pub fn held_otherwise(&self) -> usize {
         report::held_otherwise(self.document(), &self.rest)
     }
 
-    /// The vertices on which neither a constraint nor closeness, smoothness, or a handle acts, ascending.
+    /// Returns the vertices without constraint, closeness, smoothness and handle, ascending.
     pub fn free(&self) -> Vec<u32> {
         report::free(&self.scene, &self.rest)
     }
 
-    /// The elements with the problem `name`, of [`super::flaw_of`] or [`super::ZERO_SIZE_FACES`]; none for
-    /// any other name.
+    /// Returns the elements with the problem `name`, of [`super::flaw_of`] or
+    /// [`super::ZERO_SIZE_FACES`]; none for any other name.
     pub fn elements_with_problem(&self, name: &str) -> Option<ElementsWithProblem> {
         report::elements_with_problem(name, self.scene.positions(), &self.rest)
     }
 
-    /// The edges between these pairs of vertices, as places in [`crate::mesh::Topology::edges`], ascending.
+    /// Indices in [`crate::mesh::Topology::edges`] of the edges with these ends, ascending.
     pub fn edges_between(&self, ends: &[[u32; 2]]) -> Vec<u32> {
         self.rest.edges_between(ends)
     }
 
-    /// The report as of now.
+    /// Returns the report on the current state.
     pub fn report(&self) -> Report {
         let collapsed = self.collapse().is_some();
         Report::of(
@@ -205,29 +205,29 @@ impl Session {
         )
     }
 
-    /// One line per face, from 0: its corners, the groups that it is in, and every measure of
-    /// [`super::FACE_MEASURES`]; empty where a face has no such value.
+    /// One line per face, from 0: its corners, its groups, and every measure of
+    /// [`super::FACE_MEASURES`], empty if the face has no value.
     pub fn errors_csv(&mut self) -> String {
         report::errors_csv(&mut self.measuring())
     }
 
-    /// One line per recorded iteration since the scene was opened: the energies, weights included.
+    /// One line per recorded iteration since the scene was opened: the weighted energies.
     pub fn convergence_csv(&self) -> String {
         report::convergence_csv(self.trace(), &self.document().units)
     }
 
-    /// One line per bin: the angles where it begins and ends, and how many corners of the original
-    /// and of the current shape are in it.
+    /// One line per bin: its lower and upper angle, and the number of corners of the original and
+    /// of the current shape in it.
     pub fn angles_csv(&self) -> String {
         report::angles_csv(&self.scene, &self.rest)
     }
 
-    /// The current shape as the text of an OBJ file, with the unit and the axis that are known.
+    /// Returns the current shape as the text of an OBJ file, with its unit and axis if known.
     pub fn obj(&self) -> String {
         export::obj(&self.scene, &self.rest)
     }
 
-    /// [`Session::obj`] with the vertices and faces that the file had before it was welded.
+    /// As [`Session::obj`], with the vertices and faces of the file before it was welded.
     pub fn obj_as_it_came(&self, weld: &Weld) -> String {
         export::obj_as_it_came(&self.scene, &self.rest, weld)
     }
@@ -235,7 +235,7 @@ impl Session {
     /// The current shape as OBJ with the texture coordinates `uv` of each vertex, `#V by 2`.
     ///
     /// # Errors
-    /// Another number of coordinates than vertices, in words.
+    /// If the number of coordinates differs from that of the vertices, in words.
     pub fn obj_with_uv(&self, uv: &[[f64; 2]]) -> Result<String, String> {
         let vertices = self.rest.positions().len();
         if uv.len() != vertices {
@@ -245,7 +245,7 @@ impl Session {
         Ok(write_obj_with_uv(self.mesh(), self.scene.positions(), uv))
     }
 
-    /// The flat map of the current shape (paper section 4.3, Eq. 14).
+    /// Returns the flat map of the current shape (paper section 4.3, Eq. 14).
     ///
     /// # Errors
     /// As [`Parametrization::new`].
@@ -257,8 +257,8 @@ impl Session {
         Parametrization::new(&self.current_shape(), self.topology(), weights, norm)
     }
 
-    /// The weights and norm whose flat map of the current shape turns fewer than `flipped` faces over; see
-    /// [`FewerFlips::of`].
+    /// Returns the weights and norm whose flat map of the current shape flips fewer than `flipped`
+    /// faces; see [`FewerFlips::of`].
     pub fn fewer_flips(&self, flipped: usize) -> Option<FewerFlips> {
         FewerFlips::of(&self.current_shape(), self.topology(), flipped)
     }
@@ -267,14 +267,14 @@ impl Session {
         Mesh { positions: self.positions(), ..self.mesh().clone() }
     }
 
-    /// The scene file with the mesh inline, as text.
+    /// Returns the scene file with the mesh inline, as text.
     pub fn scene_with_mesh(&self) -> String {
         let mut scene = self.scene();
         scene.mesh = MeshSource::Inline(Box::new(self.mesh().clone()));
         scene.to_json(self.mesh())
     }
 
-    /// The scene as it stands, with current positions when they are not at rest.
+    /// Returns the scene in its current state, with current positions if they are not at rest.
     pub fn scene(&self) -> Scene {
         export::whole_scene(&self.scene, &self.rest)
     }

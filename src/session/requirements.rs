@@ -1,5 +1,5 @@
-//! What is required of the rows that are on: the problem of the exact solver, and how near the shape is to it. A row
-//! with eased faces counts as two, which differ in what is required.
+//! Requirements of the enabled rows: the problem of the exact solver, and how far the shape is from
+//! its solution. A row with eased faces counts as two rows with different requirements.
 
 use super::Session;
 use super::report::ConstraintCoverage;
@@ -12,7 +12,7 @@ use crate::solve::{
     farthest,
 };
 
-/// What is required of a row, and of which faces less.
+/// The requirement of a row, and its faces with an eased tolerance.
 #[derive(Clone, Debug)]
 pub(super) struct Required {
     pub(super) require: Require,
@@ -20,15 +20,15 @@ pub(super) struct Required {
 }
 
 impl Required {
-    /// As the scene says it.
+    /// Returns the requirement in the scene.
     pub(super) fn of(row: &ConstraintSpec) -> Required {
         Required { require: row.require, eased: row.eased.clone() }
     }
 }
 
 impl Session {
-    /// The rows that are on, with what is required of them: the place in the list of constraints, the constraints, and
-    /// the requirement.
+    /// Returns the enabled rows with their requirements: index in the list of constraints, the
+    /// constraints, and the requirement.
     fn required_rows(
         &self,
         required: &dyn Fn(&ConstraintSpec) -> Required,
@@ -47,8 +47,8 @@ impl Session {
         all
     }
 
-    /// The entries of the list of constraints that the rows of the exact solver belong to, where all is required as the
-    /// scene says it, or those of the hard ones alone.
+    /// Returns the index in the list of constraints of each row of the exact solver, with the
+    /// requirements of the scene; only of hard rows if requested.
     pub(super) fn required_places(&self, only_hard: bool) -> Vec<usize> {
         let rows = self.required_rows(&Required::of).into_iter();
         rows.filter(|(.., require)| !only_hard || require.is_hard())
@@ -56,8 +56,8 @@ impl Session {
             .collect()
     }
 
-    /// Poses the problem with what is `required` of the rows that are on, from the current shape on; none where nothing
-    /// is hard then.
+    /// Builds the problem with the `required` requirements of the enabled rows, starting at the
+    /// current shape; none if no row is then hard.
     pub(super) fn with_requirements<T>(
         &self,
         required: &dyn Fn(&ConstraintSpec) -> Required,
@@ -85,8 +85,8 @@ impl Session {
         Ok(Some(make(problem, requirements, handles, start, cache)))
     }
 
-    /// The greatest distance to what is hard at the current positions, the greatest that is allowed, and whether all
-    /// are as allowed; none where nothing is hard.
+    /// Returns the largest distance to a hard constraint at the current positions, the largest
+    /// allowed one, and whether all are within theirs; none if no constraint is hard.
     pub(super) fn hard_distance(&self) -> Option<(f64, f64, bool)> {
         let document = self.document();
         let exact = exact_tolerance(self.rest.positions());
@@ -112,27 +112,27 @@ impl Session {
         }
         let most = distances.iter().map(|(worst, _)| *worst).reduce(f64::max)?;
         let tolerance = distances.iter().map(|(_, allowed)| *allowed).fold(0.0, f64::max);
-        // Written so that NaN is not met.
+        // Written so that NaN counts as not met.
         Some((most, tolerance, distances.iter().all(|(worst, allowed)| worst <= allowed)))
     }
 
-    /// Whether some constraints that are on are hard.
+    /// Whether some enabled constraints are hard.
     pub fn has_hard_rows(&self) -> bool {
         let rows = &self.document().constraints;
         self.scene.enabled_rows().any(|row| rows[row].require.is_hard())
     }
 
-    /// Whether the mesh is too large for anything to be exact, whatever is asked; within a length it can be met.
+    /// Whether the mesh is too large for exact constraints; those within a length can be met.
     pub fn is_too_large_for_exact(&self) -> bool {
         let is_smooth = self.document().weights.smooth > 0.0;
         Exact::is_too_large(self.solver().system().factor_nonzeros(), is_smooth)
     }
 
-    /// Said before a run: where exact constraints would not fit in memory, the distance that they are met up to
-    /// instead, in the unit of the mesh.
+    /// Returns the distance, in the unit of the mesh, up to which exact constraints will be met if
+    /// they do not fit in memory. Used to inform the user before a run.
     ///
     /// # Errors
-    /// When a set of the scene is not there.
+    /// If a set of the scene does not exist.
     pub fn nearest_to_exact(&self) -> Result<Option<f64>, Error> {
         let nonzeros = self.solver().system().factor_nonzeros();
         let nearest = self.with_requirements(&Required::of, |problem, requirements, _, _, _| {
@@ -142,16 +142,16 @@ impl Session {
     }
 }
 
-/// Takes the constraints that are on one of the faces out of a row.
+/// Removes the constraints on any of the faces from a row, and returns them.
 fn take_out(row: &mut Constraints, faces: &[u32], rest: &RestMesh) -> Constraints {
     let mut is_eased = vec![false; rest.mesh().faces.len()];
     faces.iter().for_each(|&face| is_eased[face as usize] = true);
     let mut coverage = ConstraintCoverage::new(rest.mesh(), rest.topology());
-    let (mut less, mut left) = (Ragged::new(), Ragged::new());
+    let (mut taken, mut kept) = (Ragged::new(), Ragged::new());
     for members in row.members.iter() {
-        let is_less = coverage.faces(members).iter().any(|&face| is_eased[face as usize]);
-        if is_less { less.push(members) } else { left.push(members) }
+        let is_taken = coverage.faces(members).iter().any(|&face| is_eased[face as usize]);
+        if is_taken { taken.push(members) } else { kept.push(members) }
     }
-    row.members = left;
-    Constraints { members: less, ..row.clone() }
+    row.members = kept;
+    Constraints { members: taken, ..row.clone() }
 }

@@ -1,4 +1,4 @@
-//! Where faces fold as hard constraints are met: other ways to meet them, one after the other.
+//! The attempts to meet hard constraints without folding faces.
 
 use super::Session;
 use super::requirements::Required;
@@ -10,16 +10,16 @@ use crate::scene::{ConstraintSpec, EasedFaces, SmoothnessOf};
 use crate::solve::{Exact, ExactAnswer, Require, Requirements, Weights};
 
 impl Session {
-    /// The attempts at the hard constraints.
+    /// Plans the attempts to meet the hard constraints.
     pub(super) fn attempts(&self) -> Attempts {
         let document = self.document();
-        // A surface that is smoother is another one.
+        // Only displacements: a smoother surface would be another design.
         let is_smooth =
             document.weights.smooth > 0.0 && document.smoothness.of == SmoothnessOf::Displacement;
         Attempts::new(self.unfolding, is_smooth, self.mesh().faces.len(), self.rest.mean_edge())
     }
 
-    /// Goes on to the next attempt, after one that has ended; false where there is none.
+    /// Begins the next attempt after one has ended; returns false if there is none.
     ///
     /// # Errors
     /// As [`Session::meeting`].
@@ -47,7 +47,7 @@ impl Session {
         }))
     }
 
-    /// The exact solver of an attempt, from `start` (`#V by 3`) on.
+    /// Returns the exact solver of an attempt that starts at `start` (`#V by 3`).
     fn attempt(&self, attempt: &Attempt, start: &[Point]) -> Result<Option<Exact>, Error> {
         let required = |row: &ConstraintSpec| match attempt {
             Attempt::Exact if self.may_ease(row) => {
@@ -66,8 +66,8 @@ impl Session {
         })
     }
 
-    /// Where an eased attempt begins, `#V by 3`: where the last one ended, but for the eased faces, which are taken from
-    /// the last shape without folds. From that shape alone it would be a longer way.
+    /// Returns the start of an eased attempt, `#V by 3`: the end of the last one, but with the
+    /// eased faces of the last shape without folds. From that shape alone it would take longer.
     fn eased_start(&self, attempt: &Attempt, whole: Vec<Point>, last: &[Point]) -> Vec<Point> {
         let Attempt::Eased(Tolerances { eased: Some(eased), .. }) = attempt else { return whole };
         let mut start = last.to_vec();
@@ -79,14 +79,14 @@ impl Session {
         start
     }
 
-    /// Whether it is a row whose tolerance may be eased.
+    /// Whether the tolerance of a row may be eased.
     fn may_ease(&self, row: &ConstraintSpec) -> bool {
         matches!(self.unfolding, Unfolding::Eased(asked) if row.require == Require::Within(asked))
     }
 
-    /// What eases the rows that may be to `tolerances`, and a report of it, where `folded` faces would fold else and the
-    /// `farthest` vertex is so far from its shape. Where the panels did not come down to the tolerance that is asked,
-    /// all of them are eased.
+    /// Returns the changes that ease the rows to `tolerances`, and a report. `folded` faces would
+    /// fold otherwise, and the `farthest` vertex has this distance to its projection. If the panels
+    /// did not reach the required tolerance, all of them are eased.
     pub(super) fn eased(
         &self,
         tolerances: &Tolerances,
@@ -103,7 +103,7 @@ impl Session {
         if eased.faces.is_empty() {
             return None;
         }
-        // No more than it took.
+        // Use no larger tolerance than needed.
         eased.within = two_digits_above(farthest).clamp(asked, eased.within);
         let report = Eased { asked, within: eased.within, panels: eased.faces.len(), folded };
         let rows = self.document().constraints.iter().enumerate();
@@ -116,7 +116,7 @@ impl Session {
     }
 }
 
-/// A number of two digits that is not below, and at most a ninth above.
+/// Rounds up to a number of two digits, at most a ninth larger.
 fn two_digits_above(number: f64) -> f64 {
     format!("{:.1e}", 1.06 * number).parse().unwrap_or(number)
 }

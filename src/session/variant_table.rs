@@ -1,4 +1,4 @@
-//! The numbers of the shapes that were kept, side by side.
+//! Comparison of the kept variants in numbers.
 
 use super::Session;
 use crate::error::Error;
@@ -9,7 +9,7 @@ use crate::solve::Moved;
 use serde::Serialize;
 use std::rc::Rc;
 
-/// The numbers of a shape that was kept.
+/// The numbers of a variant.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "camelCase")]
@@ -20,20 +20,20 @@ pub struct VariantRow {
     pub is_design: bool,
     /// Whether it is the current shape.
     pub is_current: bool,
-    /// The greatest distance of a vertex to what is hard, in the unit of the mesh; none where nothing is.
+    /// The largest distance of a vertex to a hard constraint, in the unit of the mesh, if any.
     pub distance: Option<f64>,
-    /// The way of the vertices from the original, in the unit of the mesh.
+    /// Displacements from the original, in the unit of the mesh.
     pub moved: Moved,
-    /// The area of all faces, in the square of the unit.
+    /// The area of all faces, in the squared unit of the mesh.
     pub area: f64,
-    /// How many panels are asked to have a shape.
+    /// Number of panels with a required shape.
     pub panels: usize,
-    /// How many of them are beyond the tolerance.
+    /// Number of these panels beyond the tolerance.
     pub beyond: usize,
 }
 
 impl Session {
-    /// The numbers of every variant, with panels beyond `tolerance` counted.
+    /// Returns the numbers of every variant, with a count of the panels beyond `tolerance`.
     ///
     /// # Errors
     /// Never in practice: positions alone do not make the system singular.
@@ -60,8 +60,8 @@ impl Session {
         rows.collect()
     }
 
-    /// The values of the measure `id` of the faces of variant `index`, as [`Session::face_values`]; none where it is
-    /// not there.
+    /// Returns the values of the measure `id` for the faces of variant `index`, as
+    /// [`Session::face_values`]; none if the variant does not exist.
     ///
     /// # Errors
     /// As [`Session::variant_table`].
@@ -71,7 +71,7 @@ impl Session {
         self.at(positions, |session| session.face_values(id))
     }
 
-    /// The result of `ask` at other positions, `#V by 3`; the current ones stay.
+    /// Evaluates `ask` at other positions, `#V by 3`, and restores the current ones.
     fn at<T>(
         &mut self,
         positions: Rc<[Point]>,

@@ -1,5 +1,5 @@
-//! Ways to change the shape while its hard constraints stay met: shown while somebody tries them, brought back onto the
-//! constraints, and kept or left.
+//! Variations: ways to change the shape while its hard constraints stay met. They are shown,
+//! projected back onto the constraints, and kept or discarded.
 
 use super::Session;
 use super::edit::Edit;
@@ -11,17 +11,17 @@ use crate::mesh::Point;
 use crate::solve::{ExactAnswer, Handle, Problem, Requirements, ShapeSpace, Variation};
 use std::rc::Rc;
 
-/// The ways to change a shape of a session.
+/// The variations of a shape of a session.
 pub struct Variations {
     space: ShapeSpace,
-    /// The shape, `#V by 3`.
+    /// The shape that they change, `#V by 3`.
     from: Rc<[Point]>,
-    /// The last answer, if it is the shape shown.
+    /// The last answer, if its shape is shown.
     reached: Option<ExactAnswer>,
 }
 
 impl Variations {
-    /// Goes on to find them and their ranges; whether there is more to do.
+    /// Continues the search for variations and their ranges; returns whether there is more to do.
     ///
     /// # Errors
     /// As [`ShapeSpace::step`].
@@ -29,22 +29,23 @@ impl Variations {
         Ok(self.space.step()?)
     }
 
-    /// Whether they are found; their ranges may not be.
+    /// Whether the variations are found; their ranges may not be.
     pub fn are_found(&self) -> bool {
         self.space.has_modes()
     }
 
-    /// Those that are found, the softest first.
+    /// The variations found, the softest first.
     pub fn modes(&self) -> &[Variation] {
         self.space.modes()
     }
 }
 
 impl Session {
-    /// The ways to change the current shape; none where no constraint is hard, or some are not met.
+    /// Starts the search for variations of the current shape; none if no constraint is hard, or
+    /// some are not met.
     ///
     /// # Errors
-    /// When a set of the scene is not there, or the system is singular.
+    /// If a set of the scene does not exist, or the system is singular.
     pub fn variations(&self) -> Result<Option<Variations>, Error> {
         if !self.exact().is_some_and(|exact| exact.met) {
             return Ok(None);
@@ -60,8 +61,8 @@ impl Session {
         Ok(Some(Variations { space: space?, from, reached: None }))
     }
 
-    /// Shows the shape plus the variations times these coefficients, before it is brought back onto the constraints;
-    /// whether the variations are of the shape that is open.
+    /// Shows the shape plus the variations times these coefficients, without projecting it back
+    /// onto the constraints. Returns false if the variations are of another shape.
     pub fn show_variation(&mut self, variations: &mut Variations, coefficients: &[f64]) -> bool {
         if !self.begin_variation(variations) {
             return false;
@@ -71,8 +72,8 @@ impl Session {
         true
     }
 
-    /// Goes there and back onto the constraints, as far as it is possible: gives the part of the way, or none where
-    /// the variations are not of the shape that is open.
+    /// Applies the coefficients as far as the constraints can be met again, and shows that shape.
+    /// Returns the fraction reached, or none if the variations are of another shape.
     ///
     /// # Errors
     /// As [`ShapeSpace::go`].
@@ -91,11 +92,11 @@ impl Session {
         Ok(Some(reached.part))
     }
 
-    /// Keeps what was reached last: it is the design from here on, and one of the variants. One step of undo; whether
-    /// there was anything to keep.
+    /// Keeps the shape reached last as a variant and makes it the design, as one step of undo.
+    /// Returns false if there is nothing to keep.
     ///
     /// # Errors
-    /// When there is no room among the variants; it is shown still then.
+    /// If there are too many variants; the shape is then still shown.
     pub fn keep_variation(&mut self, variations: &mut Variations) -> Result<bool, Error> {
         let Some(answer) = variations.reached.take() else { return Ok(false) };
         let Some(transaction) = self.transaction.take_if(|it| it.is_variation()) else {
@@ -117,7 +118,7 @@ impl Session {
         }
     }
 
-    /// Goes back from a variation that is shown and not kept.
+    /// Discards a variation that is shown and not kept, and restores the shape before it.
     pub fn leave_variation(&mut self) {
         let Some(transaction) = self.transaction.take_if(|it| it.is_variation()) else { return };
         let mut back: Change = transaction.into_back();

@@ -16,10 +16,11 @@ use crate::solve::{Handle, HandleIndex, Require};
 use serde_json::{Map, Value};
 use std::rc::Rc;
 
-/// Makes an edit of a draft, and gives its name.
+/// Applies an edit to a draft, and returns the name of the edit.
 ///
 /// # Errors
-/// When it names a row, a vertex or a value that there is not; the draft may hold a part of the edit then.
+/// If it refers to a row, a vertex or a value that does not exist; the draft may then contain a
+/// part of the edit.
 pub(crate) fn apply(
     edit: Edit,
     draft: &mut Draft<'_>,
@@ -56,7 +57,7 @@ pub(crate) fn apply(
                 kind: with_params(&spec.kind, index, params)?,
                 weight: weight.unwrap_or(spec.weight),
                 enabled: enabled.unwrap_or(spec.enabled),
-                // What is required now is required of all.
+                // A new requirement applies to all elements.
                 eased: spec.eased.clone().filter(|_| require.is_none()),
                 require: require.unwrap_or(spec.require),
             };
@@ -133,7 +134,7 @@ pub(crate) fn apply(
                 strengthen_closeness(document);
                 Ok(())
             })?;
-            // From a shape without extent there is no way back.
+            // A shape without extent cannot recover, so go back to the start.
             if let Some(start) = moment.start.take() {
                 draft.put_positions(Rc::clone(start.positions()));
                 moment.iteration = start.iteration();
@@ -229,7 +230,7 @@ pub(crate) fn apply(
             "Reset".to_owned()
         }
     };
-    // Also of a row that is renamed or taken away: the scene could not be opened again.
+    // Renaming or removing a row can break these too; the saved scene could not be opened.
     check_lesson(draft.document(), draft.mesh())?;
     check_presentation(draft.document(), draft.mesh())?;
     Ok(name)
@@ -241,7 +242,7 @@ fn read_text(name: &str, text: &str) -> Result<Read, SceneError> {
         .map_err(|error| SceneError { path: String::new(), message: error.to_string() })
 }
 
-/// Appends a row, and its set under a name of its own.
+/// Appends a row, and adds its set under a new name.
 fn add(new: NewConstraint, draft: &mut Draft<'_>) -> String {
     let NewConstraint { mut spec, set } = new;
     let name = format!("Add {}", label_of(&spec));
@@ -254,8 +255,8 @@ fn add(new: NewConstraint, draft: &mut Draft<'_>) -> String {
     name
 }
 
-/// The handles with `vertices` among them, made where they are; those that are handles already change how
-/// they hold.
+/// Returns the handles with `vertices` added at their current positions; if a vertex is a handle
+/// already, only its hold changes.
 fn with_handles(
     vertices: &[u32],
     hold: Hold,
@@ -288,12 +289,12 @@ fn row<'a>(draft: &'a Draft<'_>, index: usize) -> Result<&'a ConstraintSpec, Sce
     })
 }
 
-/// The name of a row's kind inside a sentence.
+/// The label of a row's kind, for use within a sentence.
 fn label_of(row: &ConstraintSpec) -> String {
     row.kind.info().label.to_ascii_lowercase()
 }
 
-/// The kind of row `index` with other values of some parameters.
+/// Returns the kind of row `index` with some parameters changed.
 fn with_params(kind: &Kind, index: usize, changed: Map<String, Value>) -> Result<Kind, SceneError> {
     if changed.is_empty() {
         return Ok(kind.clone());

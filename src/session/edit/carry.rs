@@ -1,8 +1,9 @@
-//! A scene carried over to a mesh that was made from its own: its sets, constraints, handles and shapes.
+//! Carries a scene over to a mesh derived from its own: its sets, constraints, handles and shapes.
 //!
-//! A set of faces becomes the faces made of them alone; a set of vertices also gets those between its vertices. Where all of
-//! these are on the boundary, it is a curve and gets the vertices on the boundary only. A handle stays at its vertex
-//! and moves along with it; between fixed neighbours on the boundary the new vertices are fixed too.
+//! A set of faces becomes the faces made only of them. A set of vertices also gets the new vertices
+//! between its own; if all of its vertices are on the boundary, it is a curve and gets only
+//! boundary vertices. A handle stays at its vertex and moves with it; new boundary vertices between
+//! fixed neighbours are fixed too.
 
 use crate::constraint::{Element, Selector, Sets, describe};
 use crate::mesh::{Edited, Origins, Point, Topology, counted};
@@ -11,9 +12,9 @@ use crate::session::state::{RestMesh, resolve_row};
 use crate::solve::Handle;
 use serde_json::Value;
 
-/// A scene on another mesh.
+/// A scene carried over to another mesh.
 pub(crate) struct Carried {
-    /// Without handles and positions.
+    /// The document without handles and positions.
     pub(crate) document: Scene,
     pub(crate) handles: Vec<Handle>,
     /// `#V by 3`.
@@ -22,8 +23,8 @@ pub(crate) struct Carried {
     pub(crate) lost: Vec<String>,
 }
 
-/// Carries a document with its handles and positions (`#V by 3`) from the mesh `before` to the mesh `after`, which
-/// was edited with the positions `from`, `#V by 3`.
+/// Carries a document with its handles and positions (`#V by 3`) from the mesh `before` to the mesh
+/// `after`. `edited` was computed at the positions `from`, `#V by 3`.
 pub(crate) fn carry(
     document: &Scene,
     (handles, positions): (&[Handle], &[Point]),
@@ -42,7 +43,7 @@ pub(crate) fn carry(
         lost.push(format!("Left out: {handles} on vertices that are gone."));
     }
     let mut document = document.clone();
-    // The mesh is in no file any more.
+    // No file contains this mesh.
     document.mesh = MeshSource::Inline(Box::default());
     if let Some(Pose::Positions(pose)) = &mut document.pose {
         *pose = moved(pose).into();
@@ -93,16 +94,16 @@ fn has_set(name: &str, sets: &Sets, after: &RestMesh) -> bool {
     sets.contains_key(name) || after.mesh().groups.iter().any(|group| group.name == name)
 }
 
-/// Faces of which less is required, where some are left.
+/// Carries over the faces with an eased tolerance, if any are left.
 fn carry_eased(eased: EasedFaces, origins: &Origins) -> Option<EasedFaces> {
     let faces = carry_faces(&eased.faces, origins);
     (!faces.is_empty()).then_some(EasedFaces { faces, ..eased })
 }
 
-/// Carries the vertices that a row is on.
+/// Carries over the vertices of a row.
 ///
 /// # Errors
-/// When one of them is gone, where their number or order means something; or all of them.
+/// If one of them is gone and their number or order matters, or if all are gone.
 fn carry_row(
     row: &mut ConstraintSpec,
     topology: &Topology,
@@ -111,7 +112,7 @@ fn carry_row(
     let info = row.kind.info();
     let Selector::Vertices(vertices) = &mut row.on else { return Ok(()) };
     let carried = carry_vertices(vertices, topology, origins);
-    // Where their order means something, they stay those that they are.
+    // If their order matters, no vertices are added.
     if info.elements.is_empty() && info.arity.fits(carried.len()) {
         *vertices = carried;
         return Ok(());
@@ -129,7 +130,7 @@ fn is_gone(vertex: u32, origins: &Origins) -> bool {
     origins.vertices[vertex as usize].is_none()
 }
 
-/// The vertices that are left, in their order, and behind them, ascending, those between them.
+/// Returns the remaining vertices in their order, followed by the vertices between them, ascending.
 fn carry_vertices(vertices: &[u32], topology: &Topology, origins: &Origins) -> Vec<u32> {
     let mut has = vec![false; topology.neighbours().len()];
     vertices.iter().for_each(|&v| has[v as usize] = true);
@@ -153,14 +154,14 @@ fn carry_vertices(vertices: &[u32], topology: &Topology, origins: &Origins) -> V
     carried
 }
 
-/// Of each new vertex whether it is an old one.
+/// Returns for each vertex of the new mesh whether it is an old one.
 fn known(origins: &Origins) -> Vec<bool> {
     let mut is_known = vec![false; origins.between.len()];
     origins.vertices.iter().flatten().for_each(|&v| is_known[v as usize] = true);
     is_known
 }
 
-/// The faces that were made of `faces` alone, in the order of these.
+/// Returns the faces that were made only of `faces`, in the order of `faces`.
 fn carry_faces(faces: &[u32], origins: &Origins) -> Vec<u32> {
     let last = origins.faces.indices().iter().chain(faces).max().copied().unwrap_or(0);
     let mut places = vec![usize::MAX; last as usize + 1];
@@ -187,7 +188,7 @@ fn carry_handles(
     for handle in handles {
         is_fixed[handle.vertex as usize] = handle.hold == Hold::Fixed;
         let Some(vertex) = origins.vertices[handle.vertex as usize] else { continue };
-        // Of several on one vertex the first stays.
+        // If several handles are on one vertex, keep the first.
         if std::mem::replace(&mut has_handle[vertex as usize], true) {
             continue;
         }
@@ -208,7 +209,7 @@ fn carry_handles(
     carried
 }
 
-/// Whether these are the ends of an edge without a second face.
+/// Whether these are the two ends of an edge with fewer than two faces.
 fn on_boundary(between: &[u32], topology: &Topology) -> bool {
     let &[a, b] = between else { return false };
     topology.edge(a, b).is_some_and(|e| topology.edge_faces().row(e as usize).len() < 2)
@@ -224,7 +225,7 @@ fn boundary_vertices(topology: &Topology) -> Vec<bool> {
     is_on_boundary
 }
 
-/// Whether it asks a number in the unit of the mesh of elements that are smaller now.
+/// Whether the row has a parameter in the unit of the mesh for elements whose size has changed.
 fn has_sizes_of_elements(row: &ConstraintSpec) -> bool {
     let is_small = matches!(
         row.on,

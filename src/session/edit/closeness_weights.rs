@@ -1,11 +1,10 @@
-//! How much some vertices are kept close, more or less than the others: the entries of
-//! `closeness.weights` that an edit of single vertices leaves.
+//! Factors of closeness for single vertices: edits of the entries of `closeness.weights`.
 
 use crate::constraint::Selector;
 use crate::scene::{ClosenessTo, ClosenessWeight, Scene};
 
-/// Gives `vertices` the factor `weight`, whatever other entries say; an entry for each factor lists
-/// its vertices.
+/// Sets the factor of `vertices` to `weight`, whatever other entries contain. Each factor has one
+/// entry, which lists its vertices.
 pub(crate) fn set_closeness_weight(
     weights: &mut Vec<ClosenessWeight>,
     vertices: &[u32],
@@ -34,8 +33,8 @@ pub(crate) fn set_closeness_weight(
     }
 }
 
-/// Holds every vertex closer to where it was at rest: at first as a mesh that is opened, and from then on
-/// ten times as much. On the surface alone it may still shrink to a dot.
+/// Holds every vertex closer to its rest position: first as in a newly opened mesh, then ten times
+/// as strongly on each call. Closeness to the surface alone may let the shape shrink to a point.
 pub(crate) fn strengthen_closeness(document: &mut Scene) {
     let close = document.weights.close;
     if close > 0.0 && document.closeness.to == ClosenessTo::Rest {
@@ -63,7 +62,7 @@ mod tests {
         assert_eq!(weights, [entry(list(&[1, 3, 5]), 10.0), entry(list(&[4, 9]), 0.0)]);
         set_closeness_weight(&mut weights, &[1, 3, 4, 5, 9], 1.0);
         assert_eq!(weights, []);
-        // Of a set that the scene names, single vertices are taken out by an entry of their own.
+        // An entry of its own excludes single vertices from a set of the scene.
         weights.push(entry(Selector::Set("eaves".to_owned()), 3.0));
         set_closeness_weight(&mut weights, &[2], 1.0);
         assert_eq!(weights[1], entry(list(&[2]), 1.0));

@@ -1,22 +1,22 @@
-//! Where constraints may be: a selector, which may be about a set that has no name yet.
+//! The target of a constraint: a selector, which may refer to a set without a name.
 
 use crate::constraint::{Selector, Set, Sets};
 
-/// Where constraints may be: what a selector says, which may be about a set that has no name yet.
+/// The target of a constraint: a selector, which may refer to a set without a name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConstraintTarget {
     /// The selector.
     pub on: Selector,
-    /// The set that [`ConstraintTarget::UNNAMED`] names in the selector.
+    /// The set that [`ConstraintTarget::UNNAMED`] stands for in the selector.
     pub set: Option<Set>,
 }
 
 impl ConstraintTarget {
-    /// The name in the selector that stands for `set`.
+    /// The placeholder for `set` in the selector.
     pub const UNNAMED: &str = "";
 
-    /// The selector by the name that its set has in `sets`, or else by a name that is free there, with the
-    /// set that is to have it.
+    /// Returns the selector with the name that its set has in `sets`. If it has none, chooses an
+    /// unused name and also returns it with the set.
     pub(crate) fn named_in(self, sets: &Sets) -> (Selector, Option<(String, Set)>) {
         let ConstraintTarget { mut on, set } = self;
         let Some(set) = set else { return (on, None) };

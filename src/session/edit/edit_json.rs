@@ -1,4 +1,4 @@
-//! Edits, requests to select, and places, as hosts that speak JSON send them.
+//! JSON forms of edits, selection requests and constraint targets, as sent by hosts.
 
 use super::constraint_target::ConstraintTarget;
 use super::edit_list::{Edit, NewConstraint};
@@ -11,9 +11,10 @@ use serde::de::{Deserialize, Deserializer, Error};
 use serde_json::{Map, Value};
 
 impl Edit {
-    /// Reads an edit of `document`: an object with its `type`, which is the name of the variant in camel
-    /// case, and its fields. A constraint is described as in a scene file, but with its parameters in
-    /// `params` and `on` as a [`ConstraintTarget`]; of weights, those that are not given stay.
+    /// Reads an edit of `document`: an object with its `type`, which is the name of the variant in
+    /// camel case, and its fields. A constraint is written as in a scene file, but with its
+    /// parameters in `params` and `on` as a [`ConstraintTarget`]. Weights that are not given stay
+    /// as they are.
     ///
     /// # Errors
     /// As [`Scene::from_json`].
@@ -35,7 +36,7 @@ impl Edit {
         }
         let read = read_tree(&edit).map_err(|error| match &*error.path {
             "type" => JsonError::new("type", format!("`{}` is no edit", named(&edit))),
-            // Its paths are those within a lesson.
+            // Error paths within a lesson are relative to the lesson.
             path => match path.strip_prefix("lesson") {
                 Some(path) => JsonError::new(path.trim_start_matches('.'), error.message),
                 None => error,
@@ -46,7 +47,7 @@ impl Edit {
 }
 
 impl Remeshing {
-    /// Reads an operation with what it is applied to: its fields by their names.
+    /// Reads an operation and what it is applied to, an object with the fields by name.
     ///
     /// # Errors
     /// As [`Scene::from_json`].
@@ -56,7 +57,7 @@ impl Remeshing {
 }
 
 impl SelectRequest {
-    /// Reads a request: its fields by their names; without `from` nothing is selected now.
+    /// Reads a request, an object with the fields by name; `from` is empty by default.
     ///
     /// # Errors
     /// As [`Scene::from_json`].
@@ -66,11 +67,11 @@ impl SelectRequest {
 }
 
 impl ConstraintTarget {
-    /// Reads an array of places: each a selector as in a scene file, in which `in` may also be a set
-    /// without a name, `{"faces": ...}` or `{"vertices": ...}`.
+    /// Reads an array of targets: each is a selector as in a scene file, in which `in` may also be
+    /// a set without a name, `{"faces": ...}` or `{"vertices": ...}`.
     ///
     /// # Errors
-    /// As [`Scene::from_json`], with the path within the place.
+    /// As [`Scene::from_json`], with the path within the target.
     pub fn all_from_json(text: &str) -> Result<Vec<ConstraintTarget>, SceneError> {
         let places: Vec<Value> = read_tree(&tree(text)?)?;
         places.iter().map(|place| Ok(read(place)?)).collect()
@@ -90,7 +91,7 @@ impl<'de> Deserialize<'de> for ConstraintTarget {
     }
 }
 
-/// A selector with [`ConstraintTarget::UNNAMED`] where it has a set without a name, and this set.
+/// Replaces a set without a name in a selector by [`ConstraintTarget::UNNAMED`], and returns both.
 fn with_set_named(mut on: Value) -> Result<(Value, Option<Set>), JsonError> {
     let mut unnamed = None;
     if let Some(within) = on.get_mut("in").filter(|within| within.is_object()) {
@@ -100,7 +101,7 @@ fn with_set_named(mut on: Value) -> Result<(Value, Option<Set>), JsonError> {
     Ok((on, unnamed))
 }
 
-/// The row that an edit adds.
+/// A row to be added, in JSON.
 #[derive(serde::Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 struct ConstraintEntry {
@@ -113,7 +114,7 @@ struct ConstraintEntry {
     params: Map<String, Value>,
 }
 
-/// Read as an entry of a scene file.
+/// Reads the row as an entry of a scene file.
 impl<'de> Deserialize<'de> for NewConstraint {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<NewConstraint, D::Error> {
         let ConstraintEntry { kind, on, weight, params: mut entry } =

@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
 use std::rc::Rc;
 
-/// An edit of the document; [`Edit::from_json`] reads one.
+/// An edit of the document; see [`Edit::from_json`].
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(rename_all = "camelCase")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
@@ -20,55 +20,55 @@ pub enum Edit {
     AddConstraint(
         #[cfg_attr(target_arch = "wasm32", tsify(type = "ConstraintEntry"))] NewConstraint,
     ),
-    /// Asks for one shape of every face that can have it: see [`crate::scene::Scene::ask_of_panels`].
+    /// Constrains all suitable faces to one shape: see [`crate::scene::Scene::ask_of_panels`].
     #[serde(skip_deserializing)]
     MakePanels {
         /// The id of the kind.
         kind: String,
-        /// The tolerance that they have to be within; none weighs them.
+        /// The required tolerance; without one the constraints are soft.
         within: Option<f64>,
-        /// From the shape as it was opened, whatever it is now.
+        /// Whether to start at the opened shape instead of the current one.
         afresh: bool,
     },
     /// Removes row `index`.
     RemoveConstraint {
-        /// Which row.
+        /// Index of the row.
         index: usize,
     },
     /// Changes row `index`.
     SetConstraint {
-        /// Which row.
+        /// Index of the row.
         index: usize,
         /// New `w_i`.
         #[serde(default)]
         weight: Option<f64>,
-        /// Whether it is solved for.
+        /// Whether the row is enabled.
         #[serde(default)]
         enabled: Option<bool>,
-        /// Whether it is weighed, or met: as in scene files.
+        /// Whether it is soft or hard, as in scene files.
         #[serde(default)]
         #[cfg_attr(target_arch = "wasm32", tsify(type = "Require"))]
         require: Option<Require>,
-        /// New values of parameters, as in scene files; those that are not here stay.
+        /// New values of parameters, as in scene files; all others stay.
         #[serde(default)]
         #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
         params: Map<String, Value>,
     },
-    /// Adds a row like row `index` after it.
+    /// Adds a copy of row `index` after it.
     DuplicateConstraint {
-        /// Which row.
+        /// Index of the row.
         index: usize,
     },
-    /// Gives row `index` another name.
+    /// Renames row `index`.
     RenameConstraint {
-        /// Which row.
+        /// Index of the row.
         index: usize,
-        /// Empty for the label of its kind.
+        /// The new name; empty for the label of the kind.
         name: String,
     },
-    /// Gives a set a name, instead of what had that name.
+    /// Names a set, replacing any set of that name.
     NameSet {
-        /// Not empty.
+        /// The name, not empty.
         name: String,
         /// Its vertices.
         #[serde(default, deserialize_with = "indices::deserialize")]
@@ -77,29 +77,29 @@ pub enum Edit {
         #[serde(default, deserialize_with = "indices::deserialize")]
         faces: Vec<u32>,
     },
-    /// Takes a set away.
+    /// Removes a set.
     RemoveSet {
         /// Its name.
         name: String,
     },
-    /// Gives one of the declared settings another value.
+    /// Changes the value of a declared setting.
     Set {
         /// Its id.
         id: String,
-        /// Its value, in one of its forms.
+        /// Its value, in one of the declared forms.
         #[cfg_attr(target_arch = "wasm32", tsify(type = "ParamValue"))]
         value: Value,
     },
-    /// Keeps some vertices close more or less than the others.
+    /// Keeps some vertices closer or less close than the others.
     HoldClose {
-        /// Which vertices; all of them where there is no list.
+        /// The vertices; all if there is no list.
         #[serde(default, deserialize_with = "list_or_none")]
         vertices: Option<Vec<u32>>,
-        /// A factor of the weight of closeness, not negative; 1 is as the others.
+        /// Factor of the closeness weight, not negative; 1 for the same as the others.
         weight: f64,
     },
     /// Goes back to where iterating began, if the shape has collapsed since, and holds all vertices
-    /// closer to where they were.
+    /// closer to their rest positions.
     HoldCloser,
     /// Keeps vertices close to the surface of a mesh file instead of the original.
     FitTo {
@@ -108,97 +108,97 @@ pub enum Edit {
         /// Its text, OBJ or OFF.
         text: String,
     },
-    /// Takes the shapes that vertices keep from another pose of the mesh, in a file.
+    /// Uses another pose of the mesh, from a file, as the rest shape.
     TakePose {
         /// The name of the file.
         name: String,
-        /// Its text: OBJ or OFF with the faces of the mesh.
+        /// Its text, OBJ or OFF, with the faces of the mesh.
         text: String,
     },
-    /// Takes the shapes that vertices keep from the mesh itself again.
+    /// Uses the mesh itself as the rest shape again.
     LeavePose,
     /// Makes handles soft, with a weight.
     WeighHandles {
         /// Their vertices.
         #[serde(deserialize_with = "indices::deserialize")]
         vertices: Vec<u32>,
-        /// Positive.
+        /// The weight, positive.
         weight: f64,
     },
     /// Replaces the weights of Eq. 13.
     SetWeights(#[cfg_attr(target_arch = "wasm32", tsify(type = "Partial<Weights>"))] Weights),
-    /// Sets what belongs together: see [`crate::scene::PRESETS`].
+    /// Applies a preset: see [`crate::scene::PRESETS`].
     Preset {
         /// The id of a preset.
         id: String,
     },
-    /// Says in which unit the coordinates are; they stay as they are.
+    /// Sets the unit of the coordinates, which do not change.
     SetUnits {
-        /// Empty when not known.
+        /// The symbol of the unit; empty if unknown.
         units: String,
     },
-    /// Says which axis points up; the coordinates stay as they are.
+    /// Sets the vertical axis; the coordinates do not change.
     SetUp {
-        /// Which one.
+        /// The axis.
         #[cfg_attr(target_arch = "wasm32", tsify(type = "\"y\" | \"z\""))]
         up: Up,
     },
-    /// Makes the scene an exercise, or no longer.
+    /// Makes the scene an exercise, or ends that.
     SetLesson {
-        /// The exercise; none for no longer.
+        /// The exercise, or none.
         #[cfg_attr(target_arch = "wasm32", tsify(type = "LessonFile | null"))]
         lesson: Option<Lesson>,
-        /// Goes back to the rest shape and forgets the variants: students get no solution.
+        /// Goes to the rest shape and removes the variants, so that students get no solution.
         #[serde(default)]
         #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         unsolved: bool,
     },
-    /// Says what is to be made of the shape.
+    /// Sets how parts are built from the shape.
     SetBuild {
-        /// All settings; those that are left out get their defaults.
+        /// All settings; omitted ones get their defaults.
         build: Box<BuildSettings>,
     },
     /// Replaces the steps of the presentation.
     SetSteps {
-        /// All of them; none for no presentation.
+        /// All steps; empty for no presentation.
         steps: Vec<Slide>,
     },
-    /// Makes the shape and the weights those of step `index` of the presentation.
+    /// Goes to the shape and the weights of step `index` of the presentation.
     ShowStep {
-        /// Which one.
+        /// Index of the step.
         index: usize,
     },
-    /// Keeps the current shape among the variants, and makes it the design.
+    /// Adds the current shape to the variants, and makes it the design.
     #[serde(skip_deserializing)]
     KeepVariant {
-        /// The shape that it is a variant of, `#V by 3`: the first one that is kept.
+        /// The shape that it was derived from, `#V by 3`, which becomes the first variant.
         start: Rc<[Point]>,
     },
-    /// Goes to variant `index`, and makes it the design.
+    /// Goes to the shape of variant `index`, and makes it the design.
     GoToVariant {
-        /// Which one.
+        /// Index of the variant.
         index: usize,
     },
-    /// Takes variant `index` out of those that are kept.
+    /// Removes variant `index`.
     RemoveVariant {
-        /// Which one; not the design.
+        /// Index of the variant, which must not be the design.
         index: usize,
     },
-    /// Makes vertices handles where they are now; those that are handles already change how they hold.
+    /// Makes vertices handles at their positions; if one is a handle, its hold changes.
     AddHandles {
-        /// Which vertices.
+        /// The vertices.
         #[serde(deserialize_with = "indices::deserialize")]
         vertices: Vec<u32>,
-        /// Fixed or soft.
+        /// Whether they are fixed or soft.
         fixed: bool,
     },
     /// Releases vertices.
     RemoveHandles {
-        /// Which vertices.
+        /// The vertices.
         #[serde(deserialize_with = "indices::deserialize")]
         vertices: Vec<u32>,
     },
-    /// Makes several faces of each: see [`crate::mesh::Subdivision`]. The scene goes along.
+    /// Subdivides each face: see [`crate::mesh::Subdivision`]. The scene is carried over.
     Refine {
         /// The scheme.
         #[cfg_attr(
@@ -206,16 +206,16 @@ pub enum Edit {
             tsify(type = "\"catmull-clark\" | \"linear\" | \"loop\"")
         )]
         scheme: Scheme,
-        /// How often, at least once.
+        /// Number of levels, at least 1.
         levels: u32,
-        /// Creases and corners that turn by more than this stay sharp, in degrees.
+        /// Creases and corners with a larger turning angle than this, in degrees, stay sharp.
         #[serde(default = "kept_turn")]
         keep: f64,
-        /// The shape as it is becomes the original: the new mesh is kept close to it, and `moved` is measured from it.
+        /// Whether the current shape becomes the original, for closeness and for `moved`.
         #[serde(default)]
         adopt: bool,
     },
-    /// Changes the mesh by one of the [`crate::mesh::MESH_OPERATIONS`]. The scene goes along.
+    /// Changes the mesh by one of the [`crate::mesh::MESH_OPERATIONS`]. The scene is carried over.
     Remesh(Remeshing),
     /// Goes back to the rest shape; constraints, handles and weights stay.
     Reset,
@@ -229,11 +229,11 @@ fn list_or_none<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<u32>>, 
     Option::<Indices>::deserialize(from).map(|list| list.map(|Indices(list)| list))
 }
 
-/// A row of constraints to be added.
+/// A new row of constraints.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NewConstraint {
     /// The row.
     pub spec: ConstraintSpec,
-    /// The set that [`super::ConstraintTarget::UNNAMED`] names in the selector.
+    /// The set that [`super::ConstraintTarget::UNNAMED`] stands for in the selector.
     pub set: Option<Set>,
 }

@@ -1,16 +1,16 @@
-//! The locks of a lesson: which edits it refuses.
+//! Locks of a lesson: the edits that they forbid.
 
 use super::edit_list::Edit;
 use super::settings::is_of_solver;
 use crate::scene::{Lesson, Lock, Scene, SceneError};
 
-/// Refuses `edit` where the lesson of `document` locks what it would change.
+/// Refuses `edit` if the lesson of `document` locks a part that it would change.
 ///
 /// # Errors
 /// With the path `lesson.lock`.
 pub(crate) fn check_locks(edit: &Edit, document: &Scene) -> Result<(), SceneError> {
     let Some(now @ Lesson { lock, .. }) = &document.lesson else { return Ok(()) };
-    // Without it everything could be changed, and then it could be put back.
+    // Otherwise a student could remove the lesson, change everything, and restore the lesson.
     let changes = matches!(edit, Edit::SetLesson { lesson, .. } if lesson.as_ref() != Some(now));
     if changes && !lock.is_empty() {
         let message = "locked by the lesson, as the lesson itself is: undo to where it was written"
@@ -21,7 +21,7 @@ pub(crate) fn check_locks(edit: &Edit, document: &Scene) -> Result<(), SceneErro
     changed.iter().find(|part| lock.contains(part)).map_or(Ok(()), |part| Err(locked(*part)))
 }
 
-/// Refuses what would change `part` where the lesson of `document` locks it.
+/// Refuses a change of `part` if the lesson of `document` locks it.
 ///
 /// # Errors
 /// As [`check_locks`].
@@ -41,7 +41,7 @@ fn locked(part: Lock) -> SceneError {
     SceneError { path: "lesson.lock".to_owned(), message }
 }
 
-/// The parts that an edit changes, of those that can be locked.
+/// Returns the lockable parts that an edit changes.
 fn changed_by(edit: &Edit, document: &Scene) -> &'static [Lock] {
     match edit {
         Edit::AddConstraint(_)
@@ -50,7 +50,7 @@ fn changed_by(edit: &Edit, document: &Scene) -> &'static [Lock] {
         | Edit::DuplicateConstraint { .. }
         | Edit::RenameConstraint { .. }
         | Edit::RemoveSet { .. } => &[Lock::Constraints],
-        // One under a new name is no part of any constraint.
+        // A set under a new name is not used by any constraint.
         Edit::NameSet { name, .. } if document.sets.contains_key(name) => &[Lock::Constraints],
         Edit::NameSet { .. } => &[],
         Edit::SetConstraint { weight: Some(_), .. } => &[Lock::Weights, Lock::Constraints],
@@ -62,7 +62,7 @@ fn changed_by(edit: &Edit, document: &Scene) -> &'static [Lock] {
         | Edit::SetWeights(_)
         | Edit::Preset { .. } => &[Lock::Weights],
         Edit::ShowStep { .. } => &[Lock::Weights, Lock::Handles],
-        // The design is what is kept close, and handles go along.
+        // The shape is kept close to the design, and handles move to it.
         Edit::KeepVariant { .. } | Edit::GoToVariant { .. } => &[Lock::Weights, Lock::Handles],
         Edit::FitTo { .. } => &[Lock::Weights, Lock::Mesh],
         Edit::TakePose { .. }

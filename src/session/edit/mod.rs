@@ -3,18 +3,18 @@
 //! | file | holds |
 //! |---|---|
 //! | `edit_list` | the edits |
-//! | `apply` | what each does to a draft |
+//! | `apply` | the effect of each edit on a draft |
 //! | `edit_json` | edits and selections from JSON |
-//! | `constraint_target` | where a constraint may be |
-//! | `target_shape` | what that is to the mesh, for the usual kind |
-//! | `preview` | what adding a constraint would make |
-//! | `closeness_weights` | how close single vertices are kept |
-//! | `locks` | which edits a lesson refuses |
-//! | `variants` | shapes that were kept |
-//! | `moment` | the place of a state among the iterations |
+//! | `constraint_target` | the target of a constraint |
+//! | `target_shape` | its shape on the mesh, which determines the usual kind |
+//! | `preview` | the number of constraints that a new row would have |
+//! | `closeness_weights` | factors of closeness for single vertices |
+//! | `locks` | the edits that a lesson forbids |
+//! | `variants` | variants of the shape |
+//! | `moment` | the iteration count of a state, and its start |
 //! | `presenting` | the steps of a presentation |
 //! | `carry` | a scene carried over to another mesh |
-//! | `remeshing` | an operation on the mesh, and what it would make |
+//! | `remeshing` | operations on the mesh, and their previews |
 //! | `settings` | the declared settings of a scene |
 
 mod apply;

@@ -1,19 +1,19 @@
-//! The place of a state among the iterations, and the way back to the first.
+//! The position of a state in the sequence of iterations, and going back to the rest shape.
 
 use crate::scene::Variants;
 use crate::session::run::Start;
 use crate::session::state::{Draft, Part};
 use std::rc::Rc;
 
-/// The place of a state among the iterations.
+/// The position of a state in the sequence of iterations.
 pub(crate) struct Moment {
-    /// Iterations up to it.
+    /// Number of iterations up to the state.
     pub(crate) iteration: u32,
-    /// The shape from which they led to it, since somebody last changed something.
+    /// The shape at which these iterations began, after the last edit.
     pub(crate) start: Option<Rc<Start>>,
 }
 
-/// Goes back to the rest shape; the variants that were kept stay.
+/// Goes back to the rest shape; the kept variants stay.
 pub(super) fn reset(draft: &mut Draft<'_>, moment: &mut Moment) {
     let kept = draft.document().variants.kept.clone();
     back_to_rest(Variants { kept, design: None }, draft, moment);

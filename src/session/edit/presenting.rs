@@ -1,4 +1,4 @@
-//! Edits of a presentation: its steps, and the shape and the weights of one of them.
+//! Edits of a presentation: replacing its steps, and showing one of them.
 
 use super::moment::{Moment, reset};
 use super::variants;
@@ -8,17 +8,17 @@ use crate::session::state::{Draft, Part};
 /// Replaces the steps.
 ///
 /// # Errors
-/// When there are too many, or one names a variant or has a weight that there cannot be.
+/// If there are too many, or one has an invalid weight or refers to a missing variant.
 pub(super) fn set(steps: Vec<Slide>, draft: &mut Draft<'_>) -> Result<String, SceneError> {
     draft.put(Part::Steps(steps));
     draft.document().check_steps()?;
     Ok("Change presentation".to_owned())
 }
 
-/// Makes the shape and the weights those of a step.
+/// Goes to the shape and the weights of a step.
 ///
 /// # Errors
-/// When it is not there.
+/// If the step does not exist.
 pub(super) fn show(
     index: usize,
     draft: &mut Draft<'_>,
@@ -46,7 +46,7 @@ pub(super) fn show(
     Ok(words)
 }
 
-/// A variant was taken away: steps that go there stay where they are, and those behind it are one nearer.
+/// After the removal of variant `index`: clears it from the steps, and shifts later indices.
 pub(super) fn forget_variant(index: usize, draft: &mut Draft<'_>) {
     let mut steps = draft.document().steps.clone();
     for step in &mut steps {

@@ -11,26 +11,26 @@ use crate::session::state::{RestMesh, edges_among};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The size of a row of one kind at one target, before it is added.
+/// The size of a row of one kind on one target, before it is added.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Preview {
-    /// How many constraints.
+    /// Number of constraints.
     pub constraints: usize,
-    /// Elements whose number of vertices does not fit the kind.
+    /// Number of elements whose number of vertices does not fit the kind.
     pub skipped: usize,
-    /// Vertices of all constraints together; one counts in each constraint that it is in.
+    /// Total number of vertices of all constraints; a shared vertex counts once per constraint.
     pub vertices: usize,
-    /// Whether the kind is the usual choice there.
+    /// Whether the kind is the usual choice for the target.
     pub usual: bool,
 }
 
-/// The size of a row of each kind at each place: `#kinds by #places`, kinds in the order of
-/// [`KINDS`]. None where nothing fits, and where the elements are not those that the kind is
-/// meant for. Every place is resolved once.
+/// Returns the size of a row of each kind on each target: `#kinds by #targets`, kinds in the order
+/// of [`KINDS`]. An entry is none if no element fits, or if the kind is not meant for the type of
+/// element. Each target is resolved once.
 ///
 /// # Errors
-/// When a place names what is not there.
+/// If a target refers to something that does not exist.
 pub(crate) fn previews(
     places: &[ConstraintTarget],
     sets: &Sets,
@@ -51,7 +51,7 @@ fn sizes<'a>(
 ) -> Result<Sizes<'a>, SceneError> {
     let (mesh, topology) = (rest.mesh(), rest.topology());
     let (on, named) = place.clone().named_in(sets);
-    // A selector is about one set at most.
+    // A selector refers to at most one set.
     let own = named.map(|named| Sets::from([named]));
     let selected = select(&on, mesh, topology, own.as_ref().unwrap_or(sets))
         .map_err(|error| SceneError { path: "on".to_owned(), message: error.to_string() })?;
@@ -59,14 +59,14 @@ fn sizes<'a>(
     Ok(Sizes::new(&place.on, &selected, shape, topology))
 }
 
-/// How large the elements of a place are.
+/// Sizes of the elements of a target.
 struct Sizes<'a> {
     on: &'a Selector,
     /// Their shape on the mesh.
     shape: Option<TargetShape>,
-    /// How many elements have that many vertices.
+    /// Number of elements by their number of vertices.
     vertices: BTreeMap<usize, usize>,
-    /// How many elements have that many ends of edges among their vertices.
+    /// Number of elements by their number of edge ends.
     ends: BTreeMap<usize, usize>,
 }
 

@@ -1,5 +1,5 @@
-//! The settings of a scene beyond its weights, declared: what is kept close to what, what is
-//! smoothed, how it is solved. Hosts build their controls from the list.
+//! Declarations of the settings of a scene other than its weights: closeness, smoothness, solver.
+//! Hosts build their controls from the list.
 
 use crate::constraint::{Form, Param, ParamValue};
 use crate::scene::{
@@ -13,12 +13,12 @@ use serde_json::{Map, Value, json};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Setting {
-    /// Id, name and forms, as those of a parameter of a kind.
+    /// Id, name and forms, as for a parameter of a kind.
     #[serde(flatten)]
     pub param: Param,
     /// A description in one sentence.
     pub summary: &'static str,
-    /// The heading that hosts list it under.
+    /// The heading under which hosts list it.
     pub group: &'static str,
 }
 
@@ -27,7 +27,7 @@ const SMOOTH: &str = "Smoothness";
 const SOLVER: &str = "Solver";
 const OFF: Form = Form::Word("off");
 
-/// How the boundary is held.
+/// How the boundary is held; none if it is free.
 type BoundaryHold = Option<BoundaryRequire>;
 
 impl NamedEnum for BoundaryHold {
@@ -38,12 +38,11 @@ impl NamedEnum for BoundaryHold {
     ];
 }
 
-/// A switch.
 impl NamedEnum for bool {
     const WORDS: &'static [(&'static str, bool)] = &[("on", true), ("off", false)];
 }
 
-/// The words of a choice as forms of its value.
+/// Returns the words of a choice as forms of its value.
 const fn forms<T: NamedEnum, const N: usize>() -> [Form; N] {
     let mut forms = [Form::Nothing; N];
     let mut i = 0;
@@ -155,7 +154,7 @@ pub const SETTINGS: &[Setting] = &[
     },
 ];
 
-/// Whether the setting `id` is one of how it is solved, not of what.
+/// Whether the setting `id` concerns the solver and not the problem.
 pub(crate) fn is_of_solver(id: &str) -> bool {
     SETTINGS.iter().any(|setting| setting.param.id == id && setting.group == SOLVER)
 }
@@ -179,15 +178,15 @@ pub fn settings_of(scene: &Scene) -> Map<String, Value> {
         ("shortest-edge", solver.shortest_edge.map_or(json!("off"), |ratio| json!(ratio))),
     ];
     let mut settings = Map::new();
-    // Collecting them would bring a sort along.
+    // `collect` would pull in a sort.
     settings.extend(values.map(|(id, value)| (id.to_owned(), value)));
     settings
 }
 
-/// Gives a setting of `scene` another value, and tells its name.
+/// Changes a setting of `scene`, and returns its label.
 ///
 /// # Errors
-/// When there is no such setting, or the value has none of its forms or is out of range.
+/// If there is no such setting, or the value has none of its forms or is out of range.
 pub(crate) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static str, SceneError> {
     let error = |message: String| SceneError { path: id.to_owned(), message };
     let setting = SETTINGS
@@ -231,7 +230,7 @@ pub(crate) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static
     Ok(setting.param.label)
 }
 
-/// The choice that a value of setting `id` names.
+/// Parses a value of setting `id` as one of its choices.
 fn choice<T: NamedEnum>(id: &str, value: &Value) -> Result<T, SceneError> {
     value.as_str().and_then(T::of_word).ok_or_else(|| SceneError {
         path: id.to_owned(),

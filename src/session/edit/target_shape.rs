@@ -1,9 +1,9 @@
-//! The shape of a target on the mesh: loop, chain, patch, panels.
+//! The shape of a target on the mesh: loop, chain, patch or panels.
 
 use crate::constraint::{Element, Selector, TargetShape};
 use crate::mesh::{Mesh, Ragged, Topology};
 
-/// The shape of the rows of vertices that a selector gave; none where no kind is the usual one for it.
+/// Returns the shape of the rows of a selector; none if no kind is the usual one for it.
 pub(crate) fn target_shape(
     on: &Selector,
     rows: &Ragged,
@@ -26,7 +26,7 @@ pub(crate) fn target_shape(
     }
 }
 
-/// The shape of distinct vertices that one constraint acts on together.
+/// Returns the shape of distinct vertices that one constraint acts on together.
 fn together(vertices: &[u32], mesh: &Mesh, topology: &Topology) -> Option<TargetShape> {
     let mut inside = vec![false; mesh.positions.len()];
     vertices.iter().for_each(|&v| inside[v as usize] = true);
@@ -60,7 +60,7 @@ fn together(vertices: &[u32], mesh: &Mesh, topology: &Topology) -> Option<Target
     }
 }
 
-/// How many vertices edges lead to from `start` without leaving those that are `inside`.
+/// Counts the vertices that edges connect to `start` through vertices that are `inside`.
 fn reached(start: u32, inside: &[bool], topology: &Topology) -> usize {
     let mut left = inside.to_vec();
     let mut queue = vec![start];

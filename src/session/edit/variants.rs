@@ -1,14 +1,15 @@
-//! Edits of the shapes that were kept.
+//! Edits of the variants of the shape.
 
 use crate::mesh::Point;
 use crate::scene::{Hold, SceneError, Variant, Variants};
 use crate::session::state::{Draft, Part};
 use std::rc::Rc;
 
-/// Keeps the current shape and makes it the design; before the first one, the shape `start` that it came from.
+/// Adds the current shape to the variants and makes it the design. Before the first variant, also
+/// adds the shape `start` that it was derived from.
 ///
 /// # Errors
-/// When there is no room.
+/// If there are too many variants.
 pub(super) fn keep(start: Rc<[Point]>, draft: &mut Draft<'_>) -> Result<String, SceneError> {
     let Variants { mut kept, .. } = draft.document().variants.clone();
     if kept.is_empty() {
@@ -29,10 +30,10 @@ pub(super) fn keep(start: Rc<[Point]>, draft: &mut Draft<'_>) -> Result<String, 
     Ok(words)
 }
 
-/// Goes to one and makes it the design.
+/// Goes to a variant and makes it the design.
 ///
 /// # Errors
-/// When it is not there.
+/// If the variant does not exist.
 pub(super) fn go_to(index: usize, draft: &mut Draft<'_>) -> Result<String, SceneError> {
     let Variant { name, positions } = variant(index, draft)?.clone();
     let kept = draft.document().variants.kept.clone();
@@ -42,10 +43,10 @@ pub(super) fn go_to(index: usize, draft: &mut Draft<'_>) -> Result<String, Scene
     Ok(format!("Go to {name}"))
 }
 
-/// Takes one out.
+/// Removes a variant.
 ///
 /// # Errors
-/// When it is not there, or is the design.
+/// If the variant does not exist, or is the design.
 pub(super) fn remove(index: usize, draft: &mut Draft<'_>) -> Result<String, SceneError> {
     let words = format!("Remove {}", variant(index, draft)?.name);
     let mut variants = draft.document().variants.clone();
@@ -67,7 +68,7 @@ fn variant<'a>(index: usize, draft: &'a Draft<'_>) -> Result<&'a Variant, SceneE
     })
 }
 
-/// Soft handles would pull the shape back to where it was.
+/// Moves the soft handles to the shape; otherwise they would pull it back.
 fn take_handles_along(draft: &mut Draft<'_>) {
     let mut handles = draft.handles().to_vec();
     for handle in handles.iter_mut().filter(|handle| handle.hold != Hold::Fixed) {

@@ -1,20 +1,20 @@
-//! Which row of constraints each face and each vertex belongs to, to be shown in its colour.
+//! The row of constraints that each face and each vertex is coloured by.
 
 use crate::math::argsort;
 use crate::mesh::{Mesh, Topology};
 use crate::session::state::{ResolvedRow, RestMesh};
 
-/// The row that acts on each face and each vertex. Where several do, it is the one with the fewest
-/// vertices, which says the most about each; of those with as many the last.
+/// The row that acts on each face and each vertex. If several do, it is the one with the fewest
+/// vertices, which is the most specific; among equal ones the last.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ConstraintMap {
-    /// Per face the row, one of whose constraints has all its corners.
+    /// Per face, a row with a constraint that contains all its corners.
     pub faces: Vec<Option<u32>>,
-    /// Per vertex the row, one of whose constraints has it and covers no whole face: a beam, a rim.
+    /// Per vertex, a row with a constraint on it that covers no whole face: a beam, a rim.
     pub vertices: Vec<Option<u32>>,
 }
 
-/// The elements that the enabled ones of `rows` act on.
+/// Returns the enabled row that acts on each element.
 pub(crate) fn acting_rows(rows: &[ResolvedRow], rest: &RestMesh) -> ConstraintMap {
     let mesh = rest.mesh();
     let mut cover = ConstraintCoverage::new(mesh, rest.topology());
@@ -45,17 +45,17 @@ pub(crate) fn acting_rows(rows: &[ResolvedRow], rest: &RestMesh) -> ConstraintMa
     acting
 }
 
-/// The colours of the rows of constraints, each colour once.
+/// The colours of the rows of constraints, without duplicates.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RowPalette {
-    /// Per row one more than the place of its colour: 0 is left for what has none.
+    /// Per row, the index of its colour plus one; 0 is reserved for elements without a row.
     pub places: Vec<u8>,
     /// Red, green and blue from 0 to 255.
     pub colours: Vec<[u8; 3]>,
 }
 
 impl RowPalette {
-    /// That of these rows, disabled ones included.
+    /// Collects the colours of these rows, disabled ones included.
     pub(crate) fn of(rows: &[ResolvedRow]) -> RowPalette {
         let mut palette = RowPalette::default();
         for colour in rows.iter().map(|row| row.constraints.kind.info().colour) {
@@ -74,7 +74,7 @@ impl RowPalette {
 pub(crate) struct ConstraintCoverage<'a> {
     mesh: &'a Mesh,
     topology: &'a Topology,
-    /// Per vertex the last set that had it.
+    /// Per vertex, the last set that contained it.
     set_of: Vec<usize>,
     sets: usize,
     faces: Vec<u32>,
@@ -86,7 +86,7 @@ impl<'a> ConstraintCoverage<'a> {
         ConstraintCoverage { mesh, topology, set_of, sets: 0, faces: Vec::new() }
     }
 
-    /// The faces all of whose corners are in `set`.
+    /// Returns the faces whose corners are all in `set`.
     pub(crate) fn faces(&mut self, set: &[u32]) -> &[u32] {
         self.sets += 1;
         set.iter().for_each(|&vertex| self.set_of[vertex as usize] = self.sets);
@@ -94,7 +94,7 @@ impl<'a> ConstraintCoverage<'a> {
         for &vertex in set {
             for &face in self.topology.vertex_faces().row(vertex as usize) {
                 let corners = self.mesh.faces.row(face as usize);
-                // Each face is looked at once, from its first corner.
+                // Each face is tested once, at its first corner.
                 let is_covered = corners[0] == vertex
                     && corners.iter().all(|&corner| self.set_of[corner as usize] == self.sets);
                 if is_covered {

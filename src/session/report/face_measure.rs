@@ -1,7 +1,7 @@
-//! The numbers per face that hosts colour and list: how far a face is from a shape, from where its
-//! constraints want it, and from what it was.
+//! Measures of faces, by which hosts colour and list them: the distance of a face to a shape, to
+//! its constraints, and to the original.
 //!
-//! Which measures there are is declared here, so that hosts name none of them.
+//! All measures are declared here, so that hosts need no names of measures.
 
 use super::measure_cache::MeasureCache;
 use super::measuring::{Measuring, Shape};
@@ -20,7 +20,7 @@ use std::f64::consts::PI;
 pub enum MeasureUnit {
     /// The unit of the mesh.
     Length,
-    /// Per cent.
+    /// Percent.
     Percent,
     /// Degrees.
     Degrees,
@@ -28,7 +28,7 @@ pub enum MeasureUnit {
     Number,
     /// One over the unit of the mesh.
     PerLength,
-    /// One over its square.
+    /// One over the squared unit of the mesh.
     PerArea,
 }
 
@@ -38,19 +38,19 @@ pub enum MeasureUnit {
 pub struct FaceMeasure {
     /// Its name in messages.
     pub id: &'static str,
-    /// Its name for people.
+    /// Its name on the page.
     pub label: &'static str,
     /// The measured quantity.
     pub words: &'static str,
-    /// The statement that holds where the values of all faces are 0.
+    /// The statement that is true if the values of all faces are 0.
     pub met: &'static str,
     /// Its unit.
     pub unit: MeasureUnit,
-    /// Whether the fabrication tolerance of the model applies to it, a length.
+    /// Whether it is a length to which the fabrication tolerance of the model applies.
     pub toleranced: bool,
-    /// Whether it tells how the surface bends.
+    /// Whether it measures the curvature of the surface.
     pub curvature: bool,
-    /// Whether values have both signs: 0 is in the middle, and neither best nor worst.
+    /// Whether values have both signs; 0 is then the middle, and neither best nor worst.
     pub signed: bool,
     #[serde(skip)]
     values: fn(&mut Measuring<'_>, Shape) -> Vec<f64>,
@@ -236,15 +236,15 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     },
 ];
 
-/// The values of the measure `id`, `#F`, in its unit; not a number where a face has none, as the diagonals
-/// of a triangle. None when no measure is called so.
+/// Returns the values of the measure `id`, `#F`, in its unit; NaN for faces without one, such as a
+/// triangle, which has no diagonals. None if there is no such measure.
 pub(crate) fn face_values(model: &mut Measuring<'_>, id: &str, shape: Shape) -> Option<Vec<f64>> {
     let measure = FACE_MEASURES.iter().find(|measure| measure.id == id)?;
     Some((measure.values)(model, shape))
 }
 
-/// The values of the vertices (`#V`) whose largest a face has in the measure `id`, where they change
-/// gradually over the surface: distances to the original. None for every other measure.
+/// Returns the vertex values (`#V`) whose maximum over a face is its measure `id`. Only for
+/// distances to the original, which vary gradually; none for any other measure.
 pub(crate) fn corner_values(
     scene: &SolvedScene,
     rest: &RestMesh,
@@ -258,13 +258,13 @@ pub(crate) fn corner_values(
     }
 }
 
-/// Per face the largest value of its vertices.
+/// Returns the largest value among the corners of each face.
 fn worst_corner(model: &Measuring<'_>, values: &[f64]) -> Vec<f64> {
     let worst = |face: &[u32]| face.iter().map(|&v| values[v as usize]).fold(0.0, f64::max);
     model.faces().iter().map(worst).collect()
 }
 
-/// A value of every quad; other faces have none.
+/// Evaluates every quad; NaN for other faces.
 fn of_quads(
     model: &Measuring<'_>,
     shape: Shape,
@@ -310,7 +310,7 @@ fn planarity_by_edge(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     faces.map(|(face, distance)| 100.0 * ratio(*distance, edge(face))).collect()
 }
 
-/// Of the sides of a polygon.
+/// Mean length of the sides of a polygon.
 fn mean_length(corners: impl IntoIterator<Item = Vec3<f64>>) -> f64 {
     let corners: Vec<Vec3<f64>> = corners.into_iter().collect();
     let sum: f64 = polygon_sides(&corners).map(|[a, b]| (b - a).length()).sum();
@@ -348,7 +348,7 @@ fn off_curvature_lines(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     CurvatureLines::new(&model.positions(shape), faces, topology).of_faces(faces, topology)
 }
 
-/// Of the smooth surface through the vertices.
+/// Curvature of the smooth surface through the vertices.
 fn curvature(model: &mut Measuring<'_>, shape: Shape, quantity: fn(&Curvature) -> f64) -> Vec<f64> {
     let (faces, topology) = (model.faces(), model.rest.topology());
     face_curvatures(&model.positions(shape), faces, topology, quantity)
@@ -370,7 +370,7 @@ fn length(positions: &[Point], ends: [u32; 2]) -> f64 {
     (b - a).length()
 }
 
-/// 0 over 0 is no change.
+/// Returns a ratio; 0 over 0 counts as 0.
 fn ratio(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole }
 }

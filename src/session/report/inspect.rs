@@ -1,20 +1,20 @@
-//! Queries about rows of constraints and vertices: members and measure of a row, vertices with another
-//! closeness weight than the rest, vertices that no energy acts on.
+//! Queries about rows of constraints and vertices: members and measure of a row, vertices with a
+//! closeness factor of their own, vertices that no energy acts on.
 
 use super::constraint_map::ConstraintCoverage;
 use crate::constraint::{Element, Selector};
 use crate::scene::{BoundaryRequire, ClosenessTo, Scene};
 use crate::session::state::{ResolvedRow, RestMesh, SolvedScene};
 
-/// The id of the measure that row `index` brings to zero on single faces: that of its kind, if each of its
-/// constraints is on one face.
+/// Returns the id of the measure that row `index` makes zero on single faces, which is that of its
+/// kind; none if its constraints are not on single faces.
 pub(crate) fn asked_measure(document: &Scene, index: usize) -> Option<&'static str> {
     let row = document.constraints.get(index)?;
     let of_faces = matches!(row.on, Selector::Each { element: Element::Face, radius: 0, .. });
     row.kind.info().measure.filter(|_| of_faces)
 }
 
-/// How many vertices are kept close more or less than the others.
+/// Counts the vertices with a closeness factor other than 1.
 pub(crate) fn held_otherwise(document: &Scene, rest: &RestMesh) -> usize {
     let closeness = &document.closeness;
     if closeness.weights.is_empty() {
@@ -25,8 +25,8 @@ pub(crate) fn held_otherwise(document: &Scene, rest: &RestMesh) -> usize {
     factors.iter().filter(|&&factor| factor != 1.0).count()
 }
 
-/// The faces and the vertices that a row acts on, ascending; a face counts when one of the row's
-/// constraints has all its corners. Empty where there is no row.
+/// Returns the faces and the vertices that a row acts on, ascending; empty without a row. A face is
+/// included if one constraint of the row contains all its corners.
 pub(crate) fn members(row: Option<&ResolvedRow>, rest: &RestMesh) -> [Vec<u32>; 2] {
     let mut cover = ConstraintCoverage::new(rest.mesh(), rest.topology());
     let [mut faces, mut vertices] = [Vec::new(), Vec::new()];
@@ -42,7 +42,7 @@ pub(crate) fn members(row: Option<&ResolvedRow>, rest: &RestMesh) -> [Vec<u32>; 
     [faces, vertices]
 }
 
-/// The vertices on which neither a constraint nor closeness, smoothness, or a handle acts, ascending.
+/// Returns the vertices without constraint, closeness, smoothness and handle, ascending.
 pub(crate) fn free(scene: &SolvedScene, rest: &RestMesh) -> Vec<u32> {
     let (document, count) = (scene.document(), rest.positions().len());
     let mut acted_on = vec![false; count];

@@ -1,4 +1,4 @@
-//! The goals of a lesson, in words and as measured.
+//! Goals of a lesson, in words and as measured.
 
 use super::face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, face_values};
 use super::measuring::{Measuring, Shape};
@@ -19,21 +19,21 @@ pub struct GoalWords<'a> {
     pub words: &'static str,
     /// The unit of the values.
     pub unit: MeasureUnit,
-    /// The largest value that meets the goal, in that unit.
+    /// The largest value that meets the goal, in this unit.
     pub at_most: f64,
-    /// The id of the measure; none where it is about something else.
+    /// The id of the measure; none if the goal is not about a measure.
     pub measure: Option<&'static str>,
-    /// The id of the number of what is built; none where it is about something else.
+    /// The id of the build number; none if the goal is not about built parts.
     pub build: Option<&'static str>,
-    /// Where faces beyond this value are counted, the value, in that unit; `at_most` is a count then.
+    /// Only if faces above a value are counted: this value; `at_most` is then a count.
     pub beyond: Option<f64>,
 }
 
-/// Checks that `scene` asks for nothing that cannot be measured on `mesh`.
+/// Checks that all goals of `scene` can be measured on `mesh`.
 ///
 /// # Errors
-/// A goal on a measure that there is not, on one of faces where there are none, or on a constraint that
-/// there is not, with its JSON path.
+/// If a goal refers to a measure or a constraint that does not exist, or to a measure of faces and
+/// there are none; with its JSON path.
 pub(crate) fn check_lesson(scene: &Scene, mesh: &Mesh) -> Result<(), SceneError> {
     let goals = scene.lesson.iter().flat_map(|lesson| &lesson.goals);
     for (i, goal) in goals.enumerate() {
@@ -50,7 +50,7 @@ pub(crate) fn check_lesson(scene: &Scene, mesh: &Mesh) -> Result<(), SceneError>
     Ok(())
 }
 
-/// Checks that each step of the presentation of `scene` colours faces by a measure that there is.
+/// Checks that each step of the presentation of `scene` colours faces by an existing measure.
 ///
 /// # Errors
 /// As [`check_lesson`].
@@ -81,7 +81,7 @@ fn check_known(id: &str, known: Vec<&str>, mesh: &Mesh) -> Result<(), String> {
     Ok(())
 }
 
-/// One that is switched off is there.
+/// Checks that there is such a constraint, enabled or disabled.
 fn check_constraint(name: &str, scene: &Scene) -> Result<(), String> {
     let mut labels: Vec<&str> = Vec::new();
     for label in scene.constraints.iter().map(ConstraintSpec::label) {
@@ -105,7 +105,7 @@ fn declared(id: &str) -> Option<&'static FaceMeasure> {
     FACE_MEASURES.iter().find(|measure| measure.id == id)
 }
 
-/// The goals of a lesson in words, in their order.
+/// Returns the goals of a lesson in words, in their order.
 pub fn goals_in_words(lesson: &Lesson) -> Vec<GoalWords<'_>> {
     lesson.goals.iter().map(goal_in_words).collect()
 }
@@ -159,14 +159,14 @@ fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
     }
 }
 
-/// The value of each goal of the lesson on the shape as it is, in their order; empty without a lesson.
+/// Returns the value of each goal of the lesson on the current shape, in their order.
 pub(crate) fn goals(model: &mut Measuring<'_>) -> Vec<GoalResult> {
     let lesson = model.scene.document().lesson.as_ref();
     let goals = lesson.map(|lesson| lesson.goals.clone()).unwrap_or_default();
     let exact = exact_tolerance(model.rest.positions());
     let result = |goal: Goal| {
         let value = worst_of(model, &goal.of);
-        // At most zero asks for exact, which rounding keeps from zero itself.
+        // A limit of zero means exact, and rounding errors keep the value above zero.
         let at_most = match goal.of {
             GoalOf::Constraint(_) => goal.at_most.max(exact),
             GoalOf::Measure(_) | GoalOf::Beyond { .. } | GoalOf::Build(_) => goal.at_most,
@@ -176,7 +176,7 @@ pub(crate) fn goals(model: &mut Measuring<'_>) -> Vec<GoalResult> {
     goals.into_iter().map(result).collect()
 }
 
-/// The largest value, or how many are beyond; none where nothing has one.
+/// Returns the largest value, or the number of faces above the limit; none if nothing has a value.
 fn worst_of(model: &mut Measuring<'_>, of: &GoalOf) -> Option<f64> {
     match of {
         GoalOf::Measure(id) => {

@@ -1,5 +1,5 @@
-//! Measures of the current shape. As long as the shape stays, it is not measured again: a frame, a
-//! colour and a list ask for the same numbers.
+//! Cache of the measures of the current shape, because a frame, a colouring and a list all use
+//! them.
 
 use crate::math::Vec3;
 use crate::mesh::{Measures, Point, Surface};
@@ -8,7 +8,7 @@ use crate::solve::clock;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// The measures of the shape that was last asked for.
+/// The measures of the last measured shape.
 #[derive(Default)]
 pub(crate) struct MeasureCache(RefCell<Measured>);
 
@@ -17,18 +17,18 @@ struct Measured {
     /// The shape, `#V by 3`.
     positions: Option<Rc<[Point]>>,
     measures: Option<Rc<Measures>>,
-    /// Those that were taken last, of this shape or one before, and when, in seconds.
+    /// The last measures, of this or an earlier shape, and their time in seconds.
     recent: Option<(Rc<Measures>, f64)>,
-    /// `#V`
+    /// Distance of each vertex to the original surface, `#V`.
     surface_distances: Option<Rc<[f64]>>,
-    /// What others measured of this shape, by name.
+    /// Numbers of this shape that were computed elsewhere, by name.
     told: Vec<(String, f64)>,
-    /// The triangle of the original that was closest to each vertex last, `#V`; none before the first search.
+    /// The original triangle last closest to each vertex, `#V`; empty before the first search.
     closest: Vec<u32>,
 }
 
 impl MeasureCache {
-    /// Planarity and circularity of the faces as they are now.
+    /// Returns planarity and circularity of the faces of the current shape.
     pub(crate) fn measures(&self, scene: &SolvedScene, rest: &RestMesh) -> Rc<Measures> {
         let mut measured = self.0.borrow_mut();
         measured.begin(scene.positions());
@@ -42,8 +42,8 @@ impl MeasureCache {
         Rc::clone(measures.get_or_insert_with(measure))
     }
 
-    /// [`MeasureCache::measures`] at most `seconds` old: on large meshes measuring takes longer than an
-    /// iteration.
+    /// As [`MeasureCache::measures`], but up to `seconds` old: on large meshes measuring takes
+    /// longer than an iteration.
     pub(crate) fn recent_measures(
         &self,
         scene: &SolvedScene,
@@ -55,7 +55,7 @@ impl MeasureCache {
         recent.map_or_else(|| self.measures(scene, rest), |(measures, _)| measures)
     }
 
-    /// The distance of each vertex to the surface of the model that was opened, `#V`, in its unit.
+    /// Returns the distance of each vertex to the surface of the opened model, `#V`, in its unit.
     pub(crate) fn surface_distances(&self, scene: &SolvedScene, rest: &RestMesh) -> Rc<[f64]> {
         let mut measured = self.0.borrow_mut();
         measured.begin(scene.positions());
@@ -67,14 +67,14 @@ impl MeasureCache {
         Rc::clone(surface_distances.get_or_insert_with(search))
     }
 
-    /// Keeps what others measured of the current shape, by name.
+    /// Stores numbers of the current shape that were computed elsewhere, by name.
     pub(crate) fn tell(&self, scene: &SolvedScene, values: Vec<(String, f64)>) {
         let mut measured = self.0.borrow_mut();
         measured.begin(scene.positions());
         measured.told = values;
     }
 
-    /// What others measured of the current shape; none where they did not.
+    /// Returns a number of the current shape that was computed elsewhere; none if it was not.
     pub(crate) fn told(&self, scene: &SolvedScene, name: &str) -> Option<f64> {
         let mut measured = self.0.borrow_mut();
         measured.begin(scene.positions());
@@ -83,7 +83,7 @@ impl MeasureCache {
 }
 
 impl Measured {
-    /// Forgets what was measured of another shape; where vertices were closest is a start for this one.
+    /// Removes the measures of another shape, but keeps the closest triangles as initial guesses.
     fn begin(&mut self, positions: &Rc<[Point]>) {
         let is_same = |known: &Rc<[Point]>| Rc::ptr_eq(known, positions) || known == positions;
         if !self.positions.as_ref().is_some_and(is_same) {
@@ -94,14 +94,14 @@ impl Measured {
     }
 }
 
-/// The distance of each vertex of the original to its own surface, which is rounding: `#V`, in its unit.
+/// Distance of each original vertex to its own surface, a rounding error: `#V`, in its unit.
 pub(super) fn rest_surface_distances(scene: &SolvedScene, rest: &RestMesh) -> Rc<[f64]> {
     let (surface, centre) = scene.solver().rest_surface(rest.mesh());
     distances(&surface, centre, rest.positions(), &mut Vec::new())
 }
 
-/// The distance of each point to the surface, whose coordinates are relative to `centre`; `closest` has
-/// where the last search for each ended.
+/// Returns the distance of each point to the surface, whose coordinates are relative to `centre`.
+/// `closest` stores the triangle found by the last search for each point.
 fn distances(
     surface: &Surface,
     centre: Point,
@@ -114,7 +114,7 @@ fn distances(
     let places = points.iter().zip(closest);
     let distance = |(point, closest): (&Point, &mut u32)| {
         if is_first {
-            // Neighbours in the file are mostly neighbours in space.
+            // Neighbours in the file are usually neighbours in space.
             *closest = before;
         }
         let point = std::array::from_fn(|i| point[i] - centre[i]);

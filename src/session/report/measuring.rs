@@ -1,20 +1,20 @@
-//! The shapes that are measured, with what measuring them needs.
+//! The shapes to be measured, with the data that measuring needs.
 
 use super::measure_cache::{MeasureCache, rest_surface_distances};
 use crate::mesh::{Measures, Point, Ragged};
 use crate::session::state::{RestMesh, SolvedScene};
 use std::rc::Rc;
 
-/// Which shape is measured.
+/// The shape to be measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// The current positions.
     Now,
-    /// The rest shape: the model as it was opened.
+    /// The rest shape: the model as opened.
     Original,
 }
 
-/// A scene on its mesh at rest, and what was measured of it already.
+/// A scene with its rest mesh and cached measures.
 pub(crate) struct Measuring<'a> {
     pub(crate) rest: &'a RestMesh,
     pub(crate) scene: &'a mut SolvedScene,
@@ -31,7 +31,7 @@ impl Measuring<'_> {
         positions(self.scene, self.rest, shape)
     }
 
-    /// Planarity and circularity of the faces.
+    /// Returns planarity and circularity of the faces.
     pub(super) fn measures(&self, shape: Shape) -> Rc<Measures> {
         match shape {
             Shape::Now => self.cache.measures(self.scene, self.rest),
@@ -42,7 +42,7 @@ impl Measuring<'_> {
         }
     }
 
-    /// The distance of each vertex to the surface of the model that was opened, `#V`, in its unit.
+    /// Returns the distance of each vertex to the surface of the opened model, `#V`, in its unit.
     pub(super) fn surface_distances(&self, shape: Shape) -> Rc<[f64]> {
         match shape {
             Shape::Now => self.cache.surface_distances(self.scene, self.rest),

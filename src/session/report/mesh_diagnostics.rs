@@ -1,18 +1,18 @@
-//! Elements of the mesh that have something wrong, so that a host can show which they are.
+//! Elements of the mesh that have a problem, so that a host can show them.
 
 use crate::math::Vec3;
 use crate::mesh::{ElementsWithProblem, Point, ProblemKind};
 use crate::session::state::RestMesh;
 
-/// The name of a problem that no file has: faces without an area in the current shape.
+/// Name of a problem of the current shape, not of the file: faces of zero area.
 pub const ZERO_SIZE_FACES: &str = "zero-size-faces";
-/// The name of faces that are folded or dented in the current shape and are not at rest.
+/// Name of the faces that are folded or dented in the current shape but not at rest.
 pub const FOLDED_FACES: &str = "folded-faces";
 
-/// A face that is thinner than this part of the size of the mesh has no area but by rounding.
+/// A face thinner than this fraction of the mesh size has no area except by rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Problems whose elements are still in the mesh, by the name to ask for them.
+/// Problems whose elements are still in the mesh, with their names in queries.
 const PROBLEMS: &[(&str, ProblemKind)] = &[
     ("unused-vertices", ProblemKind::UnusedVertex),
     ("duplicate-faces", ProblemKind::DuplicateFace),
@@ -20,13 +20,13 @@ const PROBLEMS: &[(&str, ProblemKind)] = &[
     ("flipped-edges", ProblemKind::FlippedNeighbour),
 ];
 
-/// The name to ask for the elements with a problem; none where they are not in the mesh.
+/// Returns the query name of a problem; none if its elements are not in the mesh.
 pub fn flaw_of(kind: ProblemKind) -> Option<&'static str> {
     PROBLEMS.iter().find(|(_, other)| *other == kind).map(|(name, _)| *name)
 }
 
-/// The elements with the problem `name`, of [`flaw_of`] or [`ZERO_SIZE_FACES`], at `positions` (`#V by 3`);
-/// none for any other name.
+/// Returns the elements with the problem `name`, of [`flaw_of`] or [`ZERO_SIZE_FACES`], at
+/// `positions` (`#V by 3`); none for any other name.
 pub(crate) fn elements_with_problem(
     name: &str,
     positions: &[Point],
@@ -44,18 +44,18 @@ pub(crate) fn elements_with_problem(
     Some(crate::mesh::elements_with_problem(rest.mesh(), *kind))
 }
 
-/// Faces whose corners lie on one line or in one point.
+/// Returns the faces whose corners are collinear or coincident.
 fn zero_size_faces(positions: &[Point], rest: &RestMesh) -> Vec<u32> {
     let at = |v: u32| Vec3::from(positions[v as usize]);
     let least = ROUNDING * rest.diameter();
     let is_flat = |corners: &[u32]| {
         let first = at(corners[0]);
-        let ways = corners.iter().map(|&v| at(v) - first);
+        let offsets = corners.iter().map(|&v| at(v) - first);
         let farthest =
-            ways.clone().max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
+            offsets.clone().max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
         let Some(farthest) = farthest else { return true };
         let length = farthest.length();
-        ways.clone().all(|way| way.cross(farthest).length() <= least * length)
+        offsets.clone().all(|offset| offset.cross(farthest).length() <= least * length)
     };
     let faces = (0..).zip(rest.mesh().faces.iter());
     faces.filter(|(_, corners)| is_flat(corners)).map(|(face, _)| face).collect()
@@ -68,7 +68,7 @@ mod tests {
     use crate::scene::{MeshSource, Scene};
     use crate::session::Session;
 
-    /// A square, a triangle on one line, a quad in one point, and a vertex of its own.
+    /// A square, a collinear triangle, a triangle in one point, and an unused vertex.
     fn session(scale: f64) -> Session {
         let corners: [[f64; 3]; 8] = [
             [0.0, 0.0, 0.0],

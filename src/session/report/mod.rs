@@ -1,19 +1,19 @@
-//! Measures, reports, and lists of what is wrong.
+//! Measures, reports and diagnostics.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `run_report` | the report of the command line |
 //! | `moved` | displacements, and the shortest edge |
-//! | `verdict` | how many panels are as asked, within which tolerance |
-//! | `face_measure` | the numbers per face that hosts colour and list |
-//! | `measuring` | the shapes that are measured |
+//! | `verdict` | how many panels have the required shape within a tolerance |
+//! | `face_measure` | the measures of faces, by which hosts colour and list them |
+//! | `measuring` | the shapes to be measured |
 //! | `measure_cache` | measures of the current shape, each computed once |
 //! | `angles` | the angles at the corners of the faces |
 //! | `tables` | errors and energies as CSV |
-//! | `worst` | the elements that are farthest from what is asked of them |
-//! | `projected` | the projections of the constraints, to be drawn |
-//! | `constraint_map` | which row of constraints each face and vertex belongs to |
-//! | `inspect` | members and measure of a row; vertices that are close otherwise, or that nothing acts on |
+//! | `worst` | the elements that are farthest from their constraints |
+//! | `projected` | the projections of the constraints, for drawing |
+//! | `constraint_map` | the row of constraints of each face and vertex |
+//! | `inspect` | members and measure of a row; vertices with a closeness factor, or without any energy |
 //! | `mesh_diagnostics` | elements of the mesh that have a problem |
 //! | `lesson` | the goals of a lesson |
 

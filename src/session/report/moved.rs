@@ -1,16 +1,16 @@
-//! How far the vertices are from where they were, and how much the edges have shrunk.
+//! Displacements of the vertices, and shrinking of the edges.
 
 use crate::math::Vec3;
 use crate::session::state::{RestMesh, SolvedScene};
 use crate::solve::Moved;
 
-/// Distances of the vertices from their rest positions, in the unit of the mesh.
+/// Returns the distances of the vertices from their rest positions, in the unit of the mesh.
 pub(crate) fn moved(scene: &SolvedScene, rest: &RestMesh) -> Moved {
     rest.moved_by(scene.positions())
 }
 
-/// The least length of an edge as a part of its length at rest; those without a length at rest do not
-/// count, and without edges it is 1.
+/// Returns the smallest ratio of an edge length to its rest length. Ignores edges of zero rest
+/// length; 1 without edges.
 pub(crate) fn shortest_edge(scene: &SolvedScene, rest: &RestMesh) -> f64 {
     let squared = |of: &[[f64; 3]], [a, b]: [u32; 2]| {
         (Vec3::from(of[a as usize]) - Vec3::from(of[b as usize])).length_squared()
@@ -23,7 +23,7 @@ pub(crate) fn shortest_edge(scene: &SolvedScene, rest: &RestMesh) -> f64 {
     ratios.reduce(f64::min).map_or(1.0, f64::sqrt)
 }
 
-/// The distance of each vertex from its rest position, `#V`, in the unit of the mesh.
+/// Returns the distance of each vertex from its rest position, `#V`, in the unit of the mesh.
 pub(super) fn displacements(scene: &SolvedScene, rest: &RestMesh) -> Vec<f64> {
     rest.displacements(scene.positions()).collect()
 }

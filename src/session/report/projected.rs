@@ -1,5 +1,5 @@
-//! The projections of the constraints, to be drawn: the projected points, and the edges of the mesh
-//! between them.
+//! The projections of the constraints, for drawing: the projected points, and mesh edges between
+//! them.
 
 use super::measuring::{Measuring, Shape};
 use crate::constraint::{Centring, Projected};
@@ -8,22 +8,22 @@ use crate::scene::Pose;
 use crate::session::state::{RestMesh, SolvedScene};
 use crate::solve::{Constraints, rest_projections};
 
-/// Every point of every enabled constraint with its projection. A vertex has a point in each
-/// constraint that it is part of.
+/// Every point of every enabled constraint with its projection. A vertex has one point in each of
+/// its constraints.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Projections {
-    /// Per point its vertex.
+    /// Vertex of each point.
     pub vertices: Vec<u32>,
-    /// `#points by 3`: from the vertex to the shape that fits, in the unit of the mesh.
+    /// Displacement of each point to its projection, `#points by 3`, in the unit of the mesh.
     pub ways: Vec<[f64; 3]>,
-    /// Per point its row of constraints.
+    /// Row of constraints of each point.
     pub rows: Vec<u32>,
-    /// The outlines of the projected shapes as pairs of points of the same constraint: the ends of
-    /// the edges that it is about, else of the edges of the mesh among its vertices.
+    /// The outlines of the projected shapes, as pairs of points of the same constraint: the ends of
+    /// the edges that it acts on, or otherwise of the mesh edges among its vertices.
     pub outlines: Vec<[u32; 2]>,
 }
 
-/// The projections at the current positions.
+/// Returns the projections at the current positions.
 pub(crate) fn projections(scene: &mut SolvedScene, rest: &RestMesh) -> Projections {
     let enabled: Vec<(u32, Centring)> = (0..)
         .zip(scene.rows())
@@ -31,7 +31,7 @@ pub(crate) fn projections(scene: &mut SolvedScene, rest: &RestMesh) -> Projectio
         .map(|(index, row)| (index, row.constraints.kind.info().centring))
         .collect();
     let mut found = Projections::default();
-    let mut among = Among::new(rest.topology());
+    let mut finder = EdgeFinder::new(rest.topology());
     scene.projected(|row, points| {
         let (row, centring) = enabled[row];
         let first = found.vertices.len() as u32;
@@ -46,15 +46,15 @@ pub(crate) fn projections(scene: &mut SolvedScene, rest: &RestMesh) -> Projectio
                 .outlines
                 .extend((0..own.len() as u32 / 2).map(|k| [first + 2 * k, first + 2 * k + 1])),
             Centring::Together | Centring::Placed => {
-                among.edges(own, |ends| found.outlines.push(ends.map(|end| first + end)));
+                finder.edges(own, |ends| found.outlines.push(ends.map(|end| first + end)));
             }
         }
     });
     found
 }
 
-/// The distance of each face to where its constraints want it, `#F`, in the unit of the mesh: the largest
-/// distance of a corner to its projection in any enabled constraint.
+/// Returns the residual of each face, `#F`, in the unit of the mesh: the largest distance of a
+/// corner to its projection in any enabled constraint.
 pub(super) fn residuals(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     let mut squares = vec![0.0f64; model.rest.positions().len()];
     let mut take = |points: &Projected| {
@@ -78,19 +78,19 @@ pub(super) fn residuals(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
 }
 
 /// Finds the edges of the mesh among sets of vertices.
-struct Among<'a> {
+struct EdgeFinder<'a> {
     topology: &'a Topology,
-    /// Per vertex the last set that had it, and its place there.
+    /// Per vertex, the last set that contained it, and its index there.
     place: Vec<(usize, u32)>,
     sets: usize,
 }
 
-impl<'a> Among<'a> {
+impl<'a> EdgeFinder<'a> {
     fn new(topology: &'a Topology) -> Self {
-        Among { topology, place: vec![(0, 0); topology.neighbours().len()], sets: 0 }
+        EdgeFinder { topology, place: vec![(0, 0); topology.neighbours().len()], sets: 0 }
     }
 
-    /// Gives `each` the places in `set` of the ends of every edge among its vertices.
+    /// Calls `each` with the indices in `set` of the ends of every edge among its vertices.
     fn edges(&mut self, set: &[u32], mut each: impl FnMut([u32; 2])) {
         self.sets += 1;
         for (k, &vertex) in (0..).zip(set) {

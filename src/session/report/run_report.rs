@@ -10,85 +10,85 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 
-/// The report of `shape-up solve --report`, which the page shows in the same words and units.
+/// The report of `shape-up solve --report`; the page shows it with the same words and units.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
     /// `#V`
     pub vertices: usize,
     /// `#F`
     pub faces: usize,
-    /// Enabled constraints by kind.
+    /// Number of enabled constraints by kind.
     pub constraints: BTreeMap<&'static str, usize>,
-    /// Elements whose number of vertices does not fit their kind.
+    /// Number of elements whose number of vertices does not fit their kind.
     pub skipped: usize,
-    /// Rows of constraints that leave vertices free, as these have no partner at rest.
+    /// Rows of constraints that leave vertices free, because they have no partner at rest.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unpaired: Vec<Unpaired>,
-    /// Unknowns of the linear system, the extra ones of big constraints included; each is x, y and z.
+    /// Unknowns of the linear system (x, y and z each), with the extra ones of big constraints.
     pub unknowns: usize,
-    /// Nonzeros of `L` with its diagonal.
+    /// Nonzeros of `L`, including the diagonal.
     pub factor_nonzeros: usize,
     /// Iterations done.
     pub iterations: u32,
     /// `"tolerance"` or `"iterations"`.
     pub stopped_by: &'static str,
-    /// How steps were accelerated, in the words of the scene file.
+    /// The accelerator, in the words of the scene file.
     pub accelerator: &'static str,
-    /// Vertices pinned because nothing holds their part.
+    /// Vertices that were pinned because nothing holds their component.
     pub pinned: Vec<u32>,
-    /// Energies at the input and now.
+    /// Energies of the input and of the current shape.
     pub energy: EnergyReport,
     /// Planarity of the faces.
     pub planarity: Planarity,
     /// Circularity of the faces.
     pub circularity: Circularity,
-    /// How far the vertices are from their rest positions.
+    /// Distances of the vertices from their rest positions.
     pub moved: Moved,
-    /// The least length of an edge as a part of its length at rest.
+    /// The smallest ratio of an edge length to its rest length.
     pub shortest_edge: f64,
-    /// How many faces are folded or dented and are not at rest, if there are any.
+    /// Number of faces that are folded or dented but were not at rest, if there are any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub folded: Option<NonZeroUsize>,
-    /// How well hard constraints are met, where there are some and they were.
+    /// How well hard constraints are met, if there are any and they were met.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<ExactReport>,
-    /// Where the time went.
+    /// Time by stage.
     pub seconds: Seconds,
-    /// Every iteration, when a trace was asked for.
+    /// Every iteration, if a trace was requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub trace: Option<Vec<TraceEntry>>,
 }
 
-/// A row of constraints that acts on vertices in pairs, and not all of them have a partner.
+/// A row of constraints on pairs of vertices, some of which have no partner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Unpaired {
-    /// Which row of the scene.
+    /// Index of the row in the scene.
     pub constraint: usize,
-    /// How many have a partner.
+    /// Number of vertices with a partner.
     #[serde(flatten)]
     pub paired: Paired,
 }
 
-/// Energies at the input and now.
+/// Energies of the input and of the current shape.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct EnergyReport {
-    /// At the input.
+    /// Of the input.
     pub initial: Energy,
-    /// Now.
+    /// Of the current shape.
     #[serde(rename = "final")]
     pub last: Energy,
 }
 
-/// Seconds by stage.
+/// Time by stage, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Seconds {
     /// Reading the files.
     pub load: f64,
-    /// The normal matrix.
+    /// Assembling the normal matrix.
     pub assemble: f64,
-    /// The order of elimination.
+    /// Computing the elimination order.
     pub order: f64,
-    /// The factor.
+    /// Factoring the matrix.
     pub factor: f64,
     /// All iterations.
     pub iterate: f64,
@@ -97,7 +97,7 @@ pub struct Seconds {
 }
 
 impl Report {
-    /// The report as of now; `collapsed` says whether the shape has.
+    /// Returns the report on the current state; `collapsed` is whether the shape has collapsed.
     pub(crate) fn of(
         scene: &SolvedScene,
         rest: &RestMesh,
@@ -119,7 +119,7 @@ impl Report {
         let solver = scene.solver();
         let set_up = solver.set_up_seconds();
         let settings = &scene.document().solver;
-        // Without steps to learn from there is nothing but the plain iteration.
+        // With a window of 0, the accelerator is the plain iteration.
         let accelerator =
             if settings.window == 0 { Accelerator::None } else { settings.accelerator };
         let converged = solver.converged() && !collapsed;

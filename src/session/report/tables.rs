@@ -1,14 +1,14 @@
-//! Tables to be taken away, as CSV: the errors of the faces, and the energies of the iterations.
-//! Comma-separated with a decimal point, one head line; numbers have the fewest digits that read
-//! back to the same bits. Units stand in the head, in brackets, where they are known.
+//! Tables for export as CSV: the errors of the faces, and the energies of the iterations. They are
+//! comma-separated with a decimal point and one header line. Numbers have the fewest digits that
+//! read back to the same bits. Units are in the header, in brackets, if known.
 
 use super::face_measure::{FACE_MEASURES, MeasureUnit, face_values};
 use super::measuring::{Measuring, Shape};
 use crate::mesh::Decimal;
 use crate::session::run::TraceEntry;
 
-/// One line per face, from 0: its corners, the groups that it is in, and every measure of
-/// [`FACE_MEASURES`]; empty where a face has no such value.
+/// One line per face, from 0: its corners, its groups, and every measure of [`FACE_MEASURES`],
+/// empty if the face has no value.
 pub(crate) fn errors_csv(model: &mut Measuring<'_>) -> String {
     let mesh = model.rest.mesh();
     let mut groups = vec![String::new(); mesh.faces.len()];
@@ -50,7 +50,7 @@ pub(crate) fn errors_csv(model: &mut Measuring<'_>) -> String {
     text
 }
 
-/// One line per recorded iteration: its energies, weights included, in the square of the unit `units`.
+/// One line per recorded iteration: the weighted energies, in the squared unit `units`.
 pub(crate) fn convergence_csv(trace: &[TraceEntry], units: &str) -> String {
     let square = if units.is_empty() { String::new() } else { format!("{units}²") };
     let unit = bracketed(&square);
@@ -64,7 +64,7 @@ pub(crate) fn convergence_csv(trace: &[TraceEntry], units: &str) -> String {
     text
 }
 
-/// Appends a line: words, then numbers, nothing for what is not one.
+/// Appends a line: words, then numbers, with empty fields for numbers that are not finite.
 fn row(text: &mut String, words: &[String], numbers: &[f64]) {
     text.push_str(&words.join(","));
     for &number in numbers {
@@ -80,12 +80,12 @@ fn bracketed(unit: &str) -> String {
     if unit.is_empty() { String::new() } else { quoted_part(&format!(" ({unit})")) }
 }
 
-/// Without what would end the field: it stands in the middle of one.
+/// Replaces the characters that would end a field, for text inside one.
 fn quoted_part(text: &str) -> String {
     text.replace(['"', ',', '\n', '\r'], " ")
 }
 
-/// A field that holds anything.
+/// Quotes a field if its text requires it.
 fn quoted(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))

@@ -1,5 +1,5 @@
-//! The result of a run for somebody who builds: how many panels are as asked, within which tolerance, and
-//! how far vertices have moved for it.
+//! The result of a run for builders: how many panels have the required shape within a tolerance,
+//! and how far the vertices have moved for it.
 
 use super::face_measure::face_values;
 use super::inspect::{asked_measure, members};
@@ -9,46 +9,46 @@ use crate::session::state::RestMesh;
 use crate::solve::Moved;
 use serde::Serialize;
 
-/// How many panels have the shape asked for.
+/// How many panels have the required shape.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "camelCase")]
 pub struct Verdict {
-    /// The id of the kind that they are asked to have.
+    /// The id of the kind that constrains them.
     pub kind: &'static str,
-    /// The adjective for panels that have the shape: "flat".
+    /// The adjective for panels with the shape: "flat".
     pub adjective: &'static str,
-    /// How many are asked.
+    /// Number of constrained panels.
     pub panels: usize,
-    /// How many have their worst vertex within the tolerance.
+    /// Number of panels whose worst vertex is within the tolerance.
     pub within: usize,
     /// The tolerance, in the unit of the mesh.
     pub tolerance: f64,
-    /// The panels of which less is required, as they would fold within the tolerance.
+    /// The panels with a larger tolerance, because they would fold within this one.
     pub eased: Option<EasedPanels>,
-    /// The distance of the worst vertex, units of the mesh.
+    /// The distance of the worst vertex, in the unit of the mesh.
     pub worst: f64,
     /// The face that it belongs to.
     pub worst_face: u32,
-    /// How many faces of the mesh are folded or dented and are not at rest.
+    /// Number of faces of the mesh that are folded or dented but were not at rest.
     pub folded: usize,
-    /// How far the vertices are from their rest positions.
+    /// Distances of the vertices from their rest positions.
     pub moved: Moved,
 }
 
-/// Panels of which less is required.
+/// Panels with a larger tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct EasedPanels {
-    /// How many there are.
+    /// Number of panels.
     pub panels: usize,
-    /// The tolerance that they have, in the unit of the mesh.
+    /// Their tolerance, in the unit of the mesh.
     pub within: f64,
 }
 
 impl Verdict {
-    /// How near the panels are to what they are asked to be, by the last row that is on and asks it of
-    /// single faces: distances up to `tolerance` are within. None where nothing of the kind is asked.
+    /// Returns how many panels have the shape required by the last enabled row on single faces,
+    /// with distances up to `tolerance`. None if no row constrains panels.
     pub(crate) fn of(model: &mut Measuring<'_>, tolerance: f64) -> Option<Verdict> {
         let document = model.scene.document();
         let rows = document.constraints.iter().enumerate().rev();
@@ -82,8 +82,8 @@ impl Verdict {
     }
 }
 
-/// A tolerance for distances on a mesh: about a thousandth of the mean edge, rounded to 1, 2 or 5 times a
-/// power of ten, in the unit of the mesh.
+/// Returns a tolerance for distances on a mesh: about a thousandth of the mean edge, rounded to 1,
+/// 2 or 5 times a power of ten, in the unit of the mesh.
 pub(crate) fn tolerance(rest: &RestMesh) -> f64 {
     match rest.mean_edge() {
         edge if edge > 0.0 => round_number(1e-3 * edge),
@@ -91,12 +91,12 @@ pub(crate) fn tolerance(rest: &RestMesh) -> f64 {
     }
 }
 
-/// The nearest of 1, 2 and 5 times a power of ten; of nothing, 1.
+/// Rounds to 1, 2 or 5 times a power of ten; returns 1 for anything not positive.
 fn round_number(number: f64) -> f64 {
     if number.is_nan() || number <= 0.0 {
         return 1.0;
     }
-    // In decimal, so that the result is the number that is written so.
+    // Computed in decimal, so that the result equals its decimal notation.
     let text = format!("{number:e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     let mantissa: f64 = mantissa.parse().unwrap_or(1.0);

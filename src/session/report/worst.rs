@@ -1,4 +1,4 @@
-//! The worst elements: a list that says in words and numbers what the colours show.
+//! The worst elements: a list in words and numbers of what the colours show.
 
 use super::constraint_map::ConstraintCoverage;
 use super::face_measure::face_values;
@@ -7,28 +7,28 @@ use crate::constraint::{Element, Selector};
 use crate::math::{argsort, key_of_number};
 use serde::Serialize;
 
-/// An element that is far from what is asked of it.
+/// An element that is far from its constraint or has a large value of a measure.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct WorstElement {
     /// Its name: "face 37", "edge 3–4".
     pub element: String,
-    /// The groups of the mesh that one of its faces is in.
+    /// The groups of the mesh that contain one of its faces.
     pub groups: Vec<String>,
     /// The row of constraints: that of the list, or the one that pulls most at the face.
     pub row: Option<usize>,
-    /// The label of that row; empty where there is none.
+    /// The label of this row; empty if there is none.
     pub constraint: String,
-    /// How far, in the unit of the measure.
+    /// The distance or value, in the unit of the measure.
     pub value: f64,
-    /// Its faces, where it has all corners of any.
+    /// The faces whose corners are all in it.
     pub faces: Vec<u32>,
     /// Its vertices.
     pub vertices: Vec<u32>,
 }
 
-/// The `count` faces with the largest values of the measure `id`, of either sign, largest first, of equal ones
-/// the first of the mesh; those without a value are left out. `None` when no measure is called so.
+/// Returns the `count` faces with the largest absolute values of the measure `id`, largest first,
+/// ties in mesh order, without faces that have no value. None if there is no such measure.
 pub(crate) fn worst_faces(
     model: &mut Measuring<'_>,
     id: &str,
@@ -54,9 +54,9 @@ pub(crate) fn worst_faces(
     Some(worst.collect())
 }
 
-/// The `count` constraints of row `index` that are farthest from being met, farthest first: the
-/// largest distance of a vertex to its projection, in the unit of the mesh. Empty where the row is
-/// off or is not there.
+/// Returns the `count` constraints of row `index` that are farthest from being met, farthest first,
+/// by the largest distance of a vertex to its projection, in the unit of the mesh. Empty if the row
+/// is disabled or does not exist.
 pub(crate) fn worst_constraints(
     model: &mut Measuring<'_>,
     index: usize,
@@ -96,10 +96,10 @@ pub(crate) fn worst_constraints(
     worst.into_iter().map(element).collect()
 }
 
-/// Of each of these faces the row that has a corner of it farthest from its projection.
+/// Returns for each face the row with a corner farthest from its projection.
 fn pulling_rows(model: &mut Measuring<'_>, faces: &[u32]) -> Vec<Option<usize>> {
     let enabled: Vec<usize> = model.scene.enabled_rows().collect();
-    // Which of the faces each vertex is a corner of.
+    // The faces that each vertex is a corner of.
     let mut corners: Vec<(u32, usize)> = Vec::new();
     for (place, &face) in faces.iter().enumerate() {
         corners.extend(model.faces().row(face as usize).iter().map(|&v| (v, place)));
@@ -107,7 +107,7 @@ fn pulling_rows(model: &mut Measuring<'_>, faces: &[u32]) -> Vec<Option<usize>> 
     corners.sort_unstable();
     let mut most: Vec<(f64, Option<usize>)> = vec![(0.0, None); faces.len()];
     model.scene.projected(|row, points| {
-        // A constraint on many vertices may have a corner of any face: look these up in it.
+        // A constraint on many vertices may contain corners of any face, so search by vertex.
         for (vertex, way) in points {
             let first = corners.partition_point(|(corner, _)| corner < vertex);
             for (_, place) in corners[first..].iter().take_while(|(corner, _)| corner == vertex) {
@@ -121,7 +121,7 @@ fn pulling_rows(model: &mut Measuring<'_>, faces: &[u32]) -> Vec<Option<usize>> 
     most.into_iter().map(|(_, row)| row).collect()
 }
 
-/// The element that one constraint of a selector acts on.
+/// Returns the name of the element that one constraint of a selector acts on.
 fn name_of(on: &Selector, faces: &[u32], vertices: &[u32]) -> String {
     let Selector::Each { element, radius, .. } = on else {
         return match on {

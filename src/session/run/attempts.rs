@@ -1,86 +1,87 @@
-//! Which ways to meet hard constraints are tried where faces fold, one after the other.
+//! The sequence of attempts to meet hard constraints if faces fold.
 //!
-//! The first is as asked, from the soft solution. Where that folds a few faces, panels that are to be within a tolerance
-//! may be exact without folds: the approach ends earlier then, and the polish moves little. Smoother displacements from
-//! the rest shape on often end in a valley without folds. Where they do not, and the tolerance may be eased, it is: see
+//! The first attempt has the required tolerances and starts at the soft solution. If it folds a few
+//! faces, panels with a tolerance are made exact, which may avoid the folds: the approach then ends
+//! earlier, and the polish moves little. Smoother displacements, starting at the rest shape, often
+//! end in a valley without folds. If they do not, and the tolerance may be eased, it is: see
 //! [`Easing`].
 
 use super::easing::{Easing, Tolerances};
 use super::outcome::Outcome;
 
-/// What may be done for faces not to fold.
+/// The permitted ways to avoid folded faces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Unfolding {
-    /// Nothing: the shape follows a drag.
+    /// None: the shape follows a drag.
     Off,
     /// Smoother displacements.
     Smoother,
-    /// The same, and for some panels tolerances larger than this, which is asked, in the unit of the mesh.
+    /// The same and, for some panels, tolerances above this required one (unit of the mesh).
     Eased(f64),
 }
 
-/// The weight of smoothness is multiplied by this, in turn.
+/// Factors of the smoothness weight, in order.
 const SMOOTHER: [f64; 2] = [10.0, 30.0];
 
-/// A smoother displacement may take vertices so many times as far.
+/// Maximum displacement of a smoother attempt, relative to the first.
 const FAR: f64 = 2.0;
 
-/// The next smoother one is tried where the last left at most this part of the folds.
+/// The next smoother attempt is tried if the last left at most this fraction of the folds.
 const FEWER: f64 = 0.8;
 
-/// Exact panels are tried where the first attempt folds at most this part of the faces.
+/// Exact panels are tried if the first attempt folds at most this fraction of the faces.
 const FEW: f64 = 0.01;
 
-/// Iterations times vertices of the first attempt beyond which smoother ones would take too long.
+/// Iterations times vertices of the first attempt above which smoother ones would take too long.
 const MOST_WORK: u64 = 3_000_000;
 
-/// Iterations of an attempt within a larger tolerance, at most: where one needs more the shape resists.
-const EASILY: u32 = 600;
+/// Maximum number of iterations within a larger tolerance: if more, the shape resists.
+const MOST_EASED_ITERATIONS: u32 = 600;
 
 /// One way to meet hard constraints.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Attempt {
-    /// As asked.
+    /// With the requirements of the scene.
     Asked,
-    /// The panels exactly.
+    /// With exact panels.
     Exact,
-    /// As asked, with the weight of smoothness multiplied by this.
+    /// With the requirements of the scene, and the smoothness weight multiplied by this factor.
     Smoother(f64),
-    /// The panels within these tolerances, in a few iterations.
+    /// With the panels within these tolerances, in few iterations.
     Eased(Tolerances),
 }
 
 impl Attempt {
-    /// The weight of smoothness is multiplied by this.
+    /// The factor of the smoothness weight.
     pub(crate) fn smoother(&self) -> f64 {
         if let Attempt::Smoother(times) = self { *times } else { 1.0 }
     }
 
-    /// Iterations of the approach at most; none for those that are usual.
+    /// Maximum number of iterations of the approach; none for the default.
     pub(crate) fn iterations(&self) -> Option<u32> {
-        matches!(self, Attempt::Eased(_)).then_some(EASILY)
+        matches!(self, Attempt::Eased(_)).then_some(MOST_EASED_ITERATIONS)
     }
 }
 
-/// The attempts of one meeting.
+/// The attempts of one run.
 #[derive(Debug)]
 pub(crate) struct Attempts {
     now: Attempt,
-    /// Whether that has ended, and is the best so far.
+    /// Whether the current attempt has ended and is the best so far.
     is_best: bool,
     count: u32,
     first: Option<Outcome>,
-    /// How many faces the best one has folded.
+    /// Number of folded faces of the best attempt.
     folded: usize,
-    /// How many faces there are.
+    /// Number of faces of the mesh.
     faces: usize,
-    /// Not tried yet, the next one last, before tolerances are eased.
+    /// Attempts still to be tried before tolerances are eased, the next one last.
     others: Vec<Attempt>,
     easing: Option<Easing>,
 }
 
 impl Attempts {
-    /// As asked first, for a mesh of so many `faces`. `can_be_smoother` where displacements are smoothed at all.
+    /// Begins with the requirements of the scene; `can_be_smoother` if displacements are smoothed.
     pub(crate) fn new(
         unfolding: Unfolding,
         can_be_smoother: bool,
@@ -108,8 +109,8 @@ impl Attempts {
         }
     }
 
-    /// The attempt after the one that has come to this; none where all are made. `around` gives faces with those that
-    /// share a vertex with them.
+    /// Returns the attempt after the current one, which had this `outcome`; none after the last.
+    /// `around` adds to faces those that share a vertex with them.
     pub(crate) fn after(
         &mut self,
         outcome: &Outcome,
@@ -132,14 +133,14 @@ impl Attempts {
         Some(Attempt::Eased(easing.tolerances()))
     }
 
-    /// Goes on to an attempt; gives the one before, where that is the best so far.
+    /// Proceeds to an attempt; returns the previous one if it is the best so far.
     pub(crate) fn begin(&mut self, next: Attempt) -> Option<Attempt> {
         self.count += 1;
         let before = std::mem::replace(&mut self.now, next);
         std::mem::take(&mut self.is_best).then_some(before)
     }
 
-    /// Whether the attempt at hand, within the tolerance that is asked, has come to this as the best so far.
+    /// Records the outcome within the required tolerance; returns whether it is the best so far.
     fn judge(&mut self, outcome: &Outcome) -> bool {
         let (met, folded) = (outcome.met, outcome.folded.len());
         let Some(first) = &self.first else {
@@ -168,22 +169,21 @@ impl Attempts {
         is_best
     }
 
-    /// The attempt at hand.
     pub(crate) fn now(&self) -> &Attempt {
         &self.now
     }
 
-    /// Whether the attempt at hand has ended and is the best.
+    /// Whether the current attempt has ended and is the best so far.
     pub(crate) fn is_best(&self) -> bool {
         self.is_best
     }
 
-    /// How many there were, the one at hand with them.
+    /// Number of attempts, including the current one.
     pub(crate) fn count(&self) -> u32 {
         self.count
     }
 
-    /// How many faces the first one has folded.
+    /// Number of faces folded by the first attempt.
     pub(crate) fn folded_at_first(&self) -> usize {
         self.first.as_ref().map_or(0, |first| first.folded.len())
     }
@@ -202,7 +202,7 @@ mod tests {
         Outcome { met: true, folded: (0..folded).collect(), moved, work: 1 }
     }
 
-    /// The attempts that follow where they come to `outcomes`, and whether each of those was the best.
+    /// The attempts that follow these `outcomes`, and whether each was the best so far.
     fn follow(
         unfolding: Unfolding,
         is_smooth: bool,
@@ -241,7 +241,7 @@ mod tests {
         let exact = Some(Attempt::Exact);
         let all = follow(Unfolding::Eased(4e-4), true, &[outcome(10, 1.0), outcome(0, 1.1)]);
         assert_eq!(all, [(true, exact.clone()), (true, None)]);
-        // Where they fold as well, smoother ones come next; where many fold, at once.
+        // If they still fold, smoother ones come next; with many folds they come at once.
         let all = follow(Unfolding::Eased(4e-4), true, &[outcome(10, 1.0), outcome(10, 1.1)]);
         assert_eq!(all, [(true, exact), (false, smoother(10.0))]);
         let all = follow(Unfolding::Eased(4e-4), true, &[outcome(11, 1.0)]);

@@ -1,7 +1,7 @@
-//! The collapse of a shape: iterations that, without anybody dragging, shrink the model to a dot, crush
-//! its faces, or carry it away.
+//! Collapse of a shape: iterations, without a drag, that shrink the model to a dot, crush its
+//! faces, or carry it away.
 //!
-//! A shape is compared with that at the start: where somebody last changed something and iterating began.
+//! The shape is compared with the start: the shape at the first iteration after the last edit.
 
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged};
@@ -10,16 +10,16 @@ use std::fmt;
 use std::mem::size_of_val;
 use std::rc::Rc;
 
-/// The least diagonal of the bounding box, as a part of that at the start.
+/// Smallest allowed diagonal of the bounding box, relative to that at the start.
 const LEAST_DIAGONAL: f64 = 0.5;
-/// The farthest that a vertex may go, as a part of the diagonal at the start.
+/// Largest allowed displacement of a vertex, relative to the size of the start.
 const FARTHEST: f64 = 0.25;
-/// A face that has less than this part of its area at the start has lost it.
+/// A face with less than this fraction of its area at the start has lost it.
 const LOST: f64 = 0.05;
-/// So many of the faces may lose their area: with the settings of a mesh that is opened less than one
-/// in a hundred does, on real meshes with circular panels.
+/// Largest allowed fraction of faces that lose their area. With the settings of a newly opened mesh
+/// it is less than one in a hundred, on real meshes with circular panels.
 const MOST_LOST: f64 = 0.1;
-/// Handles that are away from their targets pull: the shape may change by so many times their way more.
+/// Extra change allowed, relative to the distance of the farthest handle from its target.
 const PER_PULL: f64 = 2.0;
 
 /// A collapse of a shape.
@@ -27,12 +27,12 @@ const PER_PULL: f64 = 2.0;
 pub struct Collapse {
     /// Its kind.
     pub reason: CollapseReason,
-    /// Shrunk: the part of the diagonal that is left. Area: the part of the faces that lost theirs. Moved:
-    /// the largest displacement of a vertex, as a part of the diagonal.
+    /// Shrunk: the remaining fraction of the diagonal. Area: the fraction of faces that lost their
+    /// area. Moved: the largest displacement of a vertex, relative to the size of the start.
     pub amount: f64,
 }
 
-/// As the end of a sentence: "the mesh shrank to a dot".
+/// Written to end a sentence: "the mesh shrank to a dot".
 impl fmt::Display for Collapse {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let percent = (100.0 * self.amount).round();
@@ -50,7 +50,7 @@ impl fmt::Display for Collapse {
 /// The kind of a collapse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CollapseReason {
-    /// The whole has shrunk.
+    /// The whole mesh has shrunk.
     Shrunk,
     /// Faces have lost their area.
     Area,
@@ -58,13 +58,13 @@ pub enum CollapseReason {
     Moved,
 }
 
-/// A shape from which iterations started.
+/// A shape at which iterations started.
 pub(crate) struct Start {
     /// `#V by 3`.
     positions: Rc<[Point]>,
     iteration: u32,
     diagonal: f64,
-    /// The greater one of `diagonal` and the diagonal at rest: after an undo it may start from a dot.
+    /// The larger of `diagonal` and the diagonal at rest: after an undo the start may be a dot.
     size: f64,
     /// `#F`.
     areas: Vec<f64>,
@@ -73,17 +73,17 @@ pub(crate) struct Start {
 }
 
 impl Start {
-    /// The shape `positions` (`#V by 3`) of `rest` after `iteration`, with these handles.
+    /// Stores the shape `positions` (`#V by 3`) of `rest` after `iteration`, with these handles.
     pub(crate) fn new(
         positions: &Rc<[Point]>,
         iteration: u32,
         handles: &[Handle],
         rest: &Mesh,
     ) -> Start {
-        let ways = handles.iter().map(|handle| {
+        let offsets = handles.iter().map(|handle| {
             Vec3::from(positions[handle.vertex as usize]) - Vec3::from(handle.target)
         });
-        let pull = ways.map(|way| way.length_squared()).fold(0.0, f64::max).sqrt();
+        let pull = offsets.map(|offset| offset.length_squared()).fold(0.0, f64::max).sqrt();
         let extent = diagonal(positions, &rest.faces);
         Start {
             diagonal: extent,
@@ -104,12 +104,12 @@ impl Start {
         self.iteration
     }
 
-    /// The bytes that it holds.
+    /// Memory in bytes.
     pub(crate) fn bytes(&self) -> usize {
         size_of_val(&*self.positions) + size_of_val(&*self.areas)
     }
 
-    /// How the shape `now`, `#V by 3`, has collapsed since.
+    /// Returns how the shape `now`, `#V by 3`, has collapsed since the start, if it has.
     pub(crate) fn collapse(&self, now: &[Point], mesh: &Mesh) -> Option<Collapse> {
         let slack = PER_PULL * self.pull;
         let diagonal = diagonal(now, &mesh.faces);
@@ -123,14 +123,15 @@ impl Start {
         if lost > MOST_LOST && self.pull == 0.0 {
             return Some(Collapse { reason: CollapseReason::Area, amount: lost });
         }
-        let ways = now.iter().zip(&*self.positions).map(|(&a, &b)| Vec3::from(a) - Vec3::from(b));
-        let farthest = ways.map(|way| way.length_squared()).fold(0.0, f64::max).sqrt();
+        let displacements =
+            now.iter().zip(&*self.positions).map(|(&a, &b)| Vec3::from(a) - Vec3::from(b));
+        let farthest = displacements.map(|it| it.length_squared()).fold(0.0, f64::max).sqrt();
         (farthest > FARTHEST * self.size + slack)
             .then(|| Collapse { reason: CollapseReason::Moved, amount: farthest / self.size })
     }
 }
 
-/// The diagonal of the bounding box of the vertices of faces; of all vertices where there are no faces.
+/// Diagonal of the bounding box of the vertices of faces, or without faces of all vertices.
 fn diagonal(positions: &[Point], faces: &Ragged) -> f64 {
     let [mut low, mut high] = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
     let mut enclose = |point: Point| {
@@ -147,7 +148,7 @@ fn diagonal(positions: &[Point], faces: &Ragged) -> f64 {
     (Vec3::from(high) - Vec3::from(low)).length()
 }
 
-/// The lengths of the area vectors of faces, `#F`.
+/// Lengths of the area vectors of the faces, `#F`.
 fn areas(positions: &[Point], faces: &Ragged) -> Vec<f64> {
     let at = |&v: &u32| Vec3::from(positions[v as usize]);
     faces.iter().map(|face| 0.5 * twice_vector_area(face.iter().map(at)).length()).collect()

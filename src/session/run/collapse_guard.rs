@@ -1,31 +1,31 @@
-//! The guard against collapse while iterations go on: see [`Collapse`]. A scene is solved as its author
-//! meant it, whatever becomes of it, until somebody edits what is asked of it.
+//! The guard against a collapse during iterations: see [`Collapse`]. A scene is solved as its
+//! author intended, even if it collapses; an edit of the problem arms the guard.
 
 use super::collapse::{Collapse, Start};
 use crate::scene::Scene;
 use crate::session::state::{RestMesh, SolvedScene, same_problem};
 use std::rc::Rc;
 
-/// How many iterations go by between two looks.
+/// Number of iterations between two checks.
 const EVERY: u32 = 8;
 
 /// The guard of a session.
 pub(crate) struct CollapseGuard {
     /// The document as it was opened, without handles and positions.
     opened: Scene,
-    /// The document asks for something else than the one that was opened.
+    /// Whether the document poses another problem than the opened one.
     armed: bool,
-    /// The run goes on whatever happens.
+    /// Whether the run continues after a collapse.
     goes_on: bool,
-    /// Where iterating began; none before the first iteration.
+    /// The shape where iterating began; none before the first iteration.
     start: Option<Rc<Start>>,
     collapse: Option<Collapse>,
-    /// Iterations since the last look.
+    /// Iterations since the last check.
     unseen: u32,
 }
 
 impl CollapseGuard {
-    /// That of a session on the document `opened`.
+    /// Creates the guard of a session on the document `opened`.
     pub(crate) fn new(opened: Scene) -> CollapseGuard {
         let (armed, goes_on, start, collapse, unseen) = (false, false, None, None, 0);
         CollapseGuard { opened, armed, goes_on, start, collapse, unseen }
@@ -36,34 +36,33 @@ impl CollapseGuard {
         self.collapse
     }
 
-    /// Where iterating began; none before the first iteration.
     pub(crate) fn start(&self) -> Option<Rc<Start>> {
         self.start.clone()
     }
 
-    /// Watches over the shape from here on, as after an edit.
+    /// Watches the shape from here on, as after an edit.
     pub(crate) fn arm(&mut self) {
         self.armed = true;
     }
 
-    /// Lets the run go on when the shape collapses, or no longer.
+    /// Sets whether the run continues if the shape collapses.
     pub(crate) fn let_go_on(&mut self, goes_on: bool) {
         self.goes_on = goes_on;
     }
 
-    /// The next iteration is where iterating begins, unless the shape has collapsed.
+    /// Makes the next iteration the start, unless the shape has collapsed.
     pub(crate) fn forget_start(&mut self) {
         if self.collapse.is_none() {
             self.start = None;
         }
     }
 
-    /// Replaces the document that edits are compared with: another problem than its own arms the guard.
+    /// Replaces the document that edits are compared with; a different problem arms the guard.
     pub(crate) fn set_opened(&mut self, opened: Scene) {
         self.opened = opened;
     }
 
-    /// Before an iteration that nobody drags in, after `iteration` of them.
+    /// Records the start before an iteration outside a drag, after `iteration` iterations.
     pub(crate) fn take_start(&mut self, scene: &SolvedScene, rest: &RestMesh, iteration: u32) {
         if self.start.is_some() || !self.armed {
             return;
@@ -73,7 +72,7 @@ impl CollapseGuard {
         self.unseen = 0;
     }
 
-    /// After an iteration: whether the shape has collapsed now and the run shall end.
+    /// Checks the shape after an iteration; returns whether it collapsed now and the run ends.
     pub(crate) fn watch(&mut self, scene: &SolvedScene, rest: &RestMesh, dragging: bool) -> bool {
         self.unseen += 1;
         if self.unseen < EVERY && !scene.solver().converged() {
@@ -84,14 +83,14 @@ impl CollapseGuard {
         before.is_none() && self.collapse.is_some() && !self.goes_on
     }
 
-    /// Compares the shape with that at the start; while somebody drags it has not collapsed.
+    /// Compares the shape with the start; during a drag it does not count as collapsed.
     pub(crate) fn look(&mut self, scene: &SolvedScene, rest: &RestMesh, dragging: bool) {
         let start = self.start.as_ref().filter(|_| !dragging);
         self.collapse = start.and_then(|start| start.collapse(scene.positions(), rest.mesh()));
         self.unseen = 0;
     }
 
-    /// After the document or the shape was replaced: iterations started from `start`.
+    /// Resets the guard for another document or shape, whose iterations began at `start`.
     pub(crate) fn start_from(
         &mut self,
         start: Option<Rc<Start>>,

@@ -1,57 +1,58 @@
-//! A larger tolerance, for as few panels as possible, where faces fold within the one that is asked.
+//! A larger tolerance for as few panels as possible, if faces fold within the required one.
 //!
-//! The first attempt has the largest tolerance for all panels. Where that folds nothing, the tolerance becomes smaller in
-//! steps down to the one that is asked. Faces that fold on the way are eased, with those around them, and the step is
-//! tried again from where it ended, but for the eased faces, which begin as in the last shape without folds; where it
-//! cannot be made without folds, those that folded within what is asked are eased. At last the tolerance of eased faces
-//! is halved as long as that folds nothing.
+//! The first attempt has the largest tolerance for all panels. If it folds nothing, the tolerance
+//! is reduced in steps to the required one. If a step folds faces, these and the faces around them
+//! are eased, and the step is repeated from its result; only the eased faces start as in the last
+//! shape without folds. If a step folds nothing but is not met, the faces that folded within the
+//! required tolerance are eased. Finally the tolerance of the eased faces is halved as long as
+//! nothing folds.
 
 use super::outcome::Outcome;
 use crate::scene::EasedFaces;
 
-/// The tolerance that is asked is multiplied by this, in turn; the first is no larger than this part of the mean edge.
+/// Factors of the required tolerance, in order, and its maximum relative to the mean edge.
 const STEPS: [f64; 3] = [100.0, 10.0, 1.0];
 const LARGEST: f64 = 0.15;
 
-/// The tolerance of eased faces, in those that all panels have at first: less often folds again what is between tight
-/// panels.
+/// Tolerance of eased faces, relative to the largest one of all panels: this reduces repeated folds
+/// of faces between tight panels.
 const EASED: f64 = 2.0;
 
-/// Steps are tried again so many times in all.
+/// Maximum number of repeated steps in total.
 const MOST_AGAIN: u32 = 12;
 
-/// Iterations times vertices of all attempts, at most.
+/// Maximum of iterations times vertices of all attempts.
 const MOST_WORK: u64 = 16_000_000;
 
-/// Tolerances of one attempt, in the unit of the mesh.
+/// Tolerances of an attempt, in the unit of the mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tolerances {
-    /// Of the panels that are not eased.
+    /// Tolerance of the panels that are not eased.
     pub(crate) within: f64,
-    /// Those that are, and their tolerance.
+    /// The eased faces and their tolerance.
     pub(crate) eased: Option<EasedFaces>,
 }
 
 /// The attempts within larger tolerances.
 #[derive(Debug)]
 pub(crate) struct Easing {
-    /// Not tried yet, the next one last.
+    /// Tolerances still to be tried, the next one last.
     steps: Vec<f64>,
     now: f64,
     largest: f64,
-    /// The tolerance of eased faces, and whether that becomes smaller already.
+    /// The tolerance of eased faces, and whether it is already being halved.
     of_eased: f64,
     is_last: bool,
-    /// The faces that are eased, ascending.
+    /// The eased faces, ascending.
     faces: Vec<u32>,
     again: u32,
     work: u64,
-    /// The faces that folded within what is asked, with those around them.
+    /// The faces that folded within the required tolerance, with those around them.
     resisting: Vec<u32>,
 }
 
 impl Easing {
-    /// From a tolerance that is asked, in the unit of the mesh; none where every larger one is too large.
+    /// Plans the steps to a required tolerance; none if every larger one is too large.
     pub(crate) fn new(asked: f64, mean_edge: f64) -> Option<Easing> {
         let steps = STEPS.map(|times| times * asked);
         let steps = steps.into_iter().filter(|&within| within <= LARGEST * mean_edge);
@@ -71,20 +72,19 @@ impl Easing {
         })
     }
 
-    /// Takes the faces that folded within what is asked, with those around them.
+    /// Sets the faces that folded within the required tolerance, with those around them.
     pub(crate) fn expect(&mut self, resisting: Vec<u32>) {
         self.resisting = resisting;
     }
 
-    /// The tolerances to be tried now.
     pub(crate) fn tolerances(&self) -> Tolerances {
         let eased = (!self.faces.is_empty())
             .then(|| EasedFaces { within: self.of_eased, faces: self.faces.clone() });
         Tolerances { within: self.now, eased }
     }
 
-    /// Takes what has come of these tolerances: whether nothing is folded within them, and whether there are others to be
-    /// tried. `around` gives faces with those that share a vertex with them.
+    /// Records the outcome of these tolerances. Returns whether they were met without folds, and
+    /// whether there are others to try. `around` adds to faces those that share a vertex with them.
     pub(crate) fn take(
         &mut self,
         outcome: &Outcome,
@@ -109,7 +109,7 @@ impl Easing {
         let is_new = |face: &&u32| self.faces.binary_search(face).is_err();
         let new: Vec<u32> = outcome.folded.iter().filter(is_new).copied().collect();
         self.ease(&around(&new));
-        // Where a face folds that is eased already, it takes more around it.
+        // If only eased faces fold, ease more faces around them.
         let mut more = outcome.folded.clone();
         while self.faces.len() == known {
             let before = more.len();
@@ -128,7 +128,7 @@ impl Easing {
         self.faces.dedup();
     }
 
-    /// Goes on to smaller tolerances, where there are any.
+    /// Proceeds to smaller tolerances, if there are any.
     fn go_on(&mut self) -> bool {
         if let Some(next) = self.steps.pop() {
             self.now = next;
@@ -148,7 +148,7 @@ mod tests {
         Outcome { met: true, folded: folded.to_vec(), moved: 1.0, work: 1 }
     }
 
-    /// Faces in a row.
+    /// Neighbours of faces in a row.
     fn around(faces: &[u32]) -> Vec<u32> {
         let near = |face: &u32| faces.iter().any(|&other| other.abs_diff(*face) <= 1);
         (0..100).filter(near).collect()
@@ -173,12 +173,12 @@ mod tests {
         assert_eq!(easing.tolerances(), tolerances(0.01, &[6, 7, 8]));
         assert_eq!(easing.take(&outcome(&[7, 20]), &around), (false, true));
         assert_eq!(easing.tolerances(), tolerances(0.01, &[6, 7, 8, 19, 20, 21]));
-        // All around it is eased already.
+        // All faces around it are eased already.
         assert_eq!(easing.take(&outcome(&[7]), &around), (false, true));
         assert_eq!(easing.tolerances(), tolerances(0.01, &[5, 6, 7, 8, 9, 19, 20, 21]));
         assert_eq!(easing.take(&outcome(&[]), &around), (true, true));
         assert_eq!(easing.tolerances().within, 1e-3);
-        // What is eased comes nearer, too, as long as nothing folds.
+        // The tolerance of eased faces is also reduced, as long as nothing folds.
         for of_eased in [0.1, 0.05] {
             assert_eq!(easing.take(&outcome(&[]), &around), (true, true));
             let eased = easing.tolerances().eased.expect("some are");

@@ -1,20 +1,21 @@
-//! The largest mesh that can be dragged interactively, estimated from the iterations of a small one.
+//! The largest mesh for interactive drags, estimated from iterations on a small one.
 
-/// Seconds of an iteration with which a drag is followed thirty times a second.
-const AT_ONCE: f64 = 1.0 / 30.0;
-/// A face of a large mesh costs this many times as much as one of a small mesh: the factor has more
-/// entries per vertex, and nothing stays in the cache. Measured from 361 to 49,729 faces.
+/// Duration of an iteration, in seconds, for thirty updates per second during a drag.
+const INTERACTIVE_SECONDS: f64 = 1.0 / 30.0;
+/// Cost of a face of a large mesh relative to one of a small mesh: the factor has more entries per
+/// vertex, and the cache is too small. Measured from 361 to 49,729 faces.
 const GROWTH: f64 = 2.0;
-/// The limits on any machine: fewer faces than the first are always worked with at once, more than
-/// the second fill its memory first.
+/// Bounds for any machine: fewer faces than the first are always interactive, and more than the
+/// second exceed its memory first.
 const BOUNDS: [f64; 2] = [1e4, 5e5];
 
-/// The most faces of a mesh whose iterations take no longer than a thirtieth of a second, on a machine
-/// that needs `seconds` for an iteration on `faces` faces; with one digit, or two where the first is 1.
+/// Returns the largest number of faces for iterations of at most a thirtieth of a second, on a
+/// machine that needs `seconds` for an iteration on `faces` faces. It has one digit, or two if the
+/// first is 1.
 pub fn max_interactive_faces(faces: usize, seconds: f64) -> u32 {
-    let most = AT_ONCE / GROWTH * faces as f64 / seconds;
+    let most = INTERACTIVE_SECONDS / GROWTH * faces as f64 / seconds;
     let [least, greatest] = BOUNDS;
-    // Not a number, where the clock stands still, counts as fast.
+    // NaN, from a clock that stands still, counts as fast.
     let most = if most < greatest { most.max(least) } else { greatest };
     let mut digit = 1.0;
     while most >= 20.0 * digit {

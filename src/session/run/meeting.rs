@@ -1,14 +1,14 @@
-//! Hard constraints that a run is meeting.
+//! Meeting hard constraints in a run.
 
 use super::attempts::{Attempt, Attempts};
 use super::outcome::Outcome;
 use crate::mesh::Point;
 use crate::solve::{Exact, SolveError, Stage, clock};
 
-/// Positions on the way are shown so often, in seconds: each time the energies are evaluated there.
+/// Interval of showing intermediate positions, in seconds: each time their energies are evaluated.
 const SHOWN_EVERY: f64 = 0.03;
 
-/// The exact solver of the attempt at hand, the best attempt so far, and the time when positions were last shown.
+/// The current exact solver, the best attempt so far, and the time of the last display.
 pub(crate) struct Meeting {
     exact: Exact,
     attempts: Attempts,
@@ -21,11 +21,11 @@ pub(crate) struct Meeting {
 pub(crate) struct MeetingEnd {
     /// The best shape.
     pub(crate) exact: Exact,
-    /// How it was found.
+    /// The attempt that found it.
     pub(crate) attempt: Attempt,
     /// Whether all attempts have ended.
     pub(crate) is_whole: bool,
-    /// How many faces the first attempt has folded, and how many attempts there were.
+    /// Number of faces folded by the first attempt, and number of attempts.
     pub(crate) folded_at_first: usize,
     pub(crate) attempts: u32,
 }
@@ -35,7 +35,7 @@ impl Meeting {
         Meeting { exact, attempts, best: None, shown: clock::now() }
     }
 
-    /// One iteration or step of an attempt; whether that has ended.
+    /// Runs one iteration or step of the current attempt; returns whether the attempt has ended.
     ///
     /// # Errors
     /// As [`Exact::step`].
@@ -43,13 +43,13 @@ impl Meeting {
         Ok(self.exact.step()? == Stage::Ended)
     }
 
-    /// The exact solver of the attempt at hand.
     pub(crate) fn exact(&self) -> &Exact {
         &self.exact
     }
 
-    /// The next attempt, and where it begins, `#V by 3`: at the last shape within a larger tolerance, else at rest, which
-    /// is none. There is none after the last. `outcome` is that of the attempt at hand; see [`Attempts::after`].
+    /// Returns the next attempt, if any, and its start, `#V by 3`: the last shape within a larger
+    /// tolerance, or none for the rest shape. `outcome` is of this attempt; see
+    /// [`Attempts::after`].
     pub(crate) fn next(
         &mut self,
         outcome: &Outcome,
@@ -62,7 +62,7 @@ impl Meeting {
         Some((next, was_eased.then(|| exact.positions())))
     }
 
-    /// Goes on to the exact solver of the next attempt.
+    /// Proceeds to the exact solver of the next attempt.
     pub(crate) fn turn_to(&mut self, exact: Exact, attempt: Attempt) {
         let before = std::mem::replace(&mut self.exact, exact);
         if let Some(attempt) = self.attempts.begin(attempt) {
@@ -80,7 +80,7 @@ impl Meeting {
         Some(self.exact.positions())
     }
 
-    /// The best shape so far.
+    /// Stops, and returns the best shape so far.
     pub(crate) fn end(mut self) -> MeetingEnd {
         let is_whole = self.exact.stage() == Stage::Ended;
         self.exact.stop();

@@ -1,4 +1,4 @@
-//! How well hard constraints are met, as the report says it.
+//! How well hard constraints are met, for the report.
 
 use crate::mesh::Point;
 use crate::scene::Scene;
@@ -7,18 +7,18 @@ use crate::solve::{ExactAnswer, Handle, Improved, Moved, Unmet};
 use serde::Serialize;
 use std::rc::Rc;
 
-/// How hard constraints were met at some positions of a scene.
+/// How hard constraints were met, and the state of the scene that this holds for.
 pub(crate) struct Met {
     positions: Rc<[Point]>,
     handles: Rc<[Handle]>,
     document: Scene,
-    /// It was not interrupted.
+    /// Whether all attempts ended without interruption.
     is_whole: bool,
     pub(crate) report: ExactReport,
 }
 
 impl Met {
-    /// Of the scene as it is.
+    /// Records a report on the current state of the scene.
     pub(crate) fn new(scene: &SolvedScene, report: ExactReport) -> Met {
         Met {
             positions: Rc::clone(scene.positions()),
@@ -29,86 +29,85 @@ impl Met {
         }
     }
 
-    /// It was interrupted: there is more to gain.
     pub(crate) fn interrupt(&mut self) {
         self.is_whole = false;
     }
 
-    /// Whether that is true of the scene as it is.
+    /// Whether the report holds for the current state of the scene.
     pub(crate) fn is_of(&self, scene: &SolvedScene) -> bool {
         Rc::ptr_eq(&self.positions, scene.positions())
             && same_problem(&self.document, scene.document())
     }
 
-    /// Whether the scene as it is has nothing to gain.
+    /// Whether another run cannot improve the current state of the scene.
     pub(crate) fn is_all(&self, scene: &SolvedScene) -> bool {
         self.is_whole
             && (Rc::ptr_eq(&self.handles, scene.handles()) || self.handles == *scene.handles())
     }
 }
 
-/// Panels within a larger tolerance than was asked, so that no face is folded.
+/// Panels with a larger tolerance than required, so that no face is folded.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Eased {
-    /// The tolerance that was asked, in the unit of the mesh.
+    /// The required tolerance, in the unit of the mesh.
     pub asked: f64,
-    /// The larger one.
+    /// The larger tolerance.
     pub within: f64,
-    /// How many faces have it.
+    /// Number of faces with the larger tolerance.
     pub panels: usize,
-    /// How many faces were folded within the one that was asked.
+    /// Number of faces that were folded within the required tolerance.
     pub folded: usize,
 }
 
-/// Constraints that are not met are named up to this many.
+/// Maximum number of unmet constraints that are listed.
 const MOST_NAMED: usize = 1000;
 
 /// How well hard constraints are met. Lengths are in the unit of the mesh.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct ExactReport {
-    /// The greatest distance of a vertex to the shape of a hard constraint.
+    /// The largest distance of a vertex to its projection by a hard constraint.
     pub max_distance: f64,
-    /// Up to this distance a constraint counts as met; the greatest where constraints have several.
+    /// The distance up to which a constraint counts as met; the largest, if constraints differ.
     pub tolerance: f64,
     /// Whether all hard constraints are met.
     pub met: bool,
-    /// Whether those that are not contradict each other.
+    /// Whether the unmet constraints contradict each other.
     pub contradiction: bool,
-    /// The entries of the scene's list of constraints that are not met.
+    /// Indices of the unmet rows in the scene's list of constraints.
     pub unmet: Vec<usize>,
-    /// Whether the mesh is too large for what is to be exact: that is met up to about a hundred-thousandth of the size
-    /// only.
+    /// Whether the mesh is too large for its exact constraints, which are then met only up to about
+    /// a hundred-thousandth of its size.
     pub too_large: bool,
-    /// How many constraints are not met, counted one by one.
+    /// Number of unmet constraints, counted individually.
     pub misses: usize,
-    /// The worst of them, by the entry of the list.
+    /// The worst of them, with indices of rows in the list.
     pub worst: Vec<Unmet>,
-    /// The way from the soft solution.
+    /// Displacements from the soft solution.
     pub moved: Moved,
-    /// How many edges are as short as they may be.
+    /// Number of edges that are as short as allowed.
     pub on_guard: usize,
-    /// The least ratio of a guarded edge to its length at rest; none without guard.
+    /// The smallest ratio of a guarded edge length to its rest length; none without guarded edges.
     pub shortest_edge: Option<f64>,
-    /// Iterations of the approach.
+    /// Number of iterations of the approach.
     pub iterations: u32,
-    /// Numeric factors of the scalar matrix.
+    /// Number of numeric factorisations of the scalar matrix.
     pub refactorizations: u32,
-    /// Numeric factors of the matrix of blocks.
+    /// Number of numeric factorisations of the block matrix.
     pub block_factors: u32,
-    /// How many ways to meet them were tried, so that no face is folded.
+    /// Number of attempts to meet the constraints without folding faces.
     pub attempts: u32,
-    /// The panels that have a larger tolerance for that.
+    /// The panels that needed a larger tolerance for that.
     pub eased: Option<Eased>,
-    /// The gain of an improvement, where one was asked for.
+    /// The gain of an improvement, if one was requested.
     pub improved: Option<Improved>,
-    /// Seconds of all of it.
+    /// Total time in seconds.
     pub seconds: f64,
 }
 
 impl ExactReport {
-    /// Of a shape that was found met: nothing was done for it.
+    /// Reports on a shape that already met the constraints, without any work.
     pub(crate) fn of_what_is_met(max_distance: f64, tolerance: f64) -> ExactReport {
         ExactReport {
             max_distance,
@@ -132,7 +131,7 @@ impl ExactReport {
         }
     }
 
-    /// Of an answer whose rows have these `places` in the scene's list of constraints.
+    /// Reports on an answer whose rows have these `places` in the scene's list of constraints.
     pub(crate) fn new(answer: ExactAnswer, places: &[usize]) -> ExactReport {
         let misses = answer.unmet.len();
         let mut unmet: Vec<usize> = answer.unmet.iter().map(|miss| places[miss.row]).collect();

@@ -1,18 +1,18 @@
-//! Iterating: what a run and its iterations leave behind.
+//! Iterating: the state and the outcome of runs and iterations.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `progress` | the count of iterations, and the record of their energies |
+//! | `progress` | the iteration count, and the record of the energies |
 //! | `trace` | the energies of the iterations |
 //! | `half_step` | the outcome of an iteration, and of its halves |
 //! | `collapse` | whether a shape has collapsed since a start |
-//! | `collapse_guard` | the guard against that while nobody drags |
-//! | `interactive_size` | how large a mesh can be that is still dragged smoothly |
-//! | `meeting` | hard constraints that a run is meeting |
-//! | `attempts` | the ways to meet them that are tried where faces fold |
+//! | `collapse_guard` | the guard against a collapse outside drags |
+//! | `interactive_size` | the largest mesh that can be dragged smoothly |
+//! | `meeting` | meeting hard constraints in a run |
+//! | `attempts` | the sequence of attempts if faces fold |
 //! | `easing` | a larger tolerance for as few panels as possible |
-//! | `outcome` | what has come of one of these |
-//! | `met` | how well hard constraints were met, and where |
+//! | `outcome` | the outcome of an attempt |
+//! | `met` | how well hard constraints were met, and for which shape |
 
 mod attempts;
 mod collapse;

@@ -1,9 +1,9 @@
-//! How far a session has iterated, and the energies on the way.
+//! The iteration count of a session, and the energies of the iterations.
 
 use super::trace::{Trace, TraceEntry};
 use crate::solve::Energy;
 
-/// The count of iterations and their record; it outlasts the solver.
+/// The iteration count and the recorded energies; they are kept when the solver is replaced.
 pub(crate) struct Progress {
     iteration: u32,
     initial: Energy,
@@ -13,17 +13,17 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// At the input, which has these energies.
+    /// Begins at the input, which has these energies.
     pub(crate) fn new(initial: Energy) -> Progress {
         Progress { iteration: 0, initial, trace: None, halfway: false, load_seconds: 0.0 }
     }
 
-    /// Iterations from where the scene starts to the current shape; undo takes them back.
+    /// Number of iterations from the start of the scene to the current shape; undo reduces it.
     pub(crate) fn iteration(&self) -> u32 {
         self.iteration
     }
 
-    /// The energies at the input.
+    /// The energies of the input.
     pub(crate) fn initial(&self) -> Energy {
         self.initial
     }
@@ -33,17 +33,17 @@ impl Progress {
         self.halfway
     }
 
-    /// The local step is done.
+    /// Marks the local step as done.
     pub(crate) fn begin_half(&mut self) {
         self.halfway = true;
     }
 
-    /// Something else than the global step comes next.
+    /// Clears the mark of the local step, because something other than the global step follows.
     pub(crate) fn leave_half(&mut self) {
         self.halfway = false;
     }
 
-    /// Seconds that reading the files took.
+    /// The time that reading the files took, in seconds.
     pub(crate) fn load_seconds(&self) -> f64 {
         self.load_seconds
     }
@@ -52,13 +52,13 @@ impl Progress {
         self.load_seconds = seconds;
     }
 
-    /// One more iteration, whose energies nobody has asked for.
+    /// Counts an iteration without recording its energies.
     pub(crate) fn count(&mut self) {
         self.halfway = false;
         self.iteration += 1;
     }
 
-    /// One more iteration, with the energies after it.
+    /// Counts an iteration and records the energies after it.
     pub(crate) fn advance(&mut self, energy: Energy) {
         self.halfway = false;
         self.iteration += 1;
@@ -67,7 +67,7 @@ impl Progress {
         }
     }
 
-    /// Counts on from another state, with the energies there.
+    /// Sets the iteration count and the energies after a jump to another state.
     pub(crate) fn go_to(&mut self, iteration: u32, energy: Energy) {
         self.halfway = false;
         self.iteration = iteration;
@@ -76,7 +76,7 @@ impl Progress {
         }
     }
 
-    /// Counts on from `iteration`, for a scene that is opened again where it stood: a record begins anew.
+    /// Sets the iteration count of a scene reopened in its saved state, and restarts the record.
     pub(crate) fn restore(&mut self, iteration: u32, energy: Energy) {
         self.iteration = iteration;
         if self.trace.is_some() {
@@ -84,17 +84,17 @@ impl Progress {
         }
     }
 
-    /// Records energies from here on, evenly within a bound: see [`Trace`].
+    /// Starts recording energies, evenly spaced and bounded in number: see [`Trace`].
     pub(crate) fn record(&mut self, energy: Energy) {
         self.trace = Some(Trace::bounded(TraceEntry::new(self.iteration, energy)));
     }
 
-    /// Records energies of all iterations from here on.
+    /// Starts recording the energies of all iterations.
     pub(crate) fn record_all(&mut self, energy: Energy) {
         self.trace = Some(Trace::whole(TraceEntry::new(self.iteration, energy)));
     }
 
-    /// The record; none where nothing is recorded.
+    /// The recorded energies; none if nothing is recorded.
     pub(crate) fn trace(&self) -> Option<&[TraceEntry]> {
         self.trace.as_ref().map(Trace::entries)
     }

@@ -3,34 +3,34 @@
 use crate::solve::Energy;
 use serde::Serialize;
 
-/// A trace of bounded length has at most so many entries: more than a plot has pixels.
+/// Maximum number of entries of a bounded trace: more than a plot has pixels.
 const MOST: usize = 8192;
 
-/// One entry per iteration, ascending. Iterations that were undone are not in it; of a run that was
-/// done again there is its last one.
+/// One entry per iteration, ascending, without iterations that were undone. Of a repeated run, only
+/// the last one is included.
 ///
-/// A host may iterate for hours. When a trace of bounded length is full, only every second of its
-/// iterations stays, then every fourth, and so on, evenly spaced; the first and the newest always do.
+/// A host may iterate for hours. When a bounded trace is full, it keeps every second of its
+/// iterations, then every fourth, and so on, evenly spaced; the first and the newest are always
+/// kept.
 #[derive(Clone)]
 pub(crate) struct Trace {
     entries: Vec<TraceEntry>,
-    /// Of the iterations between the first and the newest, its multiples are kept.
+    /// Of the iterations between the first and the newest, those divisible by the stride are kept.
     stride: u32,
     most: usize,
 }
 
 impl Trace {
-    /// Begins with the state that iterations start from, and keeps all of them.
+    /// Begins with the initial state, and keeps all iterations.
     pub(crate) fn whole(start: TraceEntry) -> Trace {
         Trace { entries: vec![start], stride: 1, most: usize::MAX }
     }
 
-    /// Begins with the state that iterations start from, and keeps as many as a plot can show.
+    /// Begins with the initial state, and keeps as many iterations as a plot can show.
     pub(crate) fn bounded(start: TraceEntry) -> Trace {
         Trace { most: MOST, ..Trace::whole(start) }
     }
 
-    /// Adds an iteration.
     pub(crate) fn push(&mut self, entry: TraceEntry) {
         if self.entries.len() > 1 {
             self.entries.pop_if(|newest| newest.iteration % self.stride != 0);
@@ -47,8 +47,8 @@ impl Trace {
         }
     }
 
-    /// Goes to a state from before or after, or from where an edit has changed the energies: forgets
-    /// what came later, and has an entry for the state as it is now.
+    /// Goes to an earlier or later state, or to one whose energies an edit has changed. Removes all
+    /// later entries, and sets the entry of the state.
     pub(crate) fn go_to(&mut self, state: TraceEntry) {
         let kept = self.entries.partition_point(|entry| entry.iteration <= state.iteration);
         self.entries.truncate(kept);
@@ -61,7 +61,6 @@ impl Trace {
         }
     }
 
-    /// All entries.
     pub(crate) fn entries(&self) -> &[TraceEntry] {
         &self.entries
     }
@@ -70,7 +69,7 @@ impl Trace {
 /// The energies after an iteration; iteration 0 is the input.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TraceEntry {
-    /// Which one.
+    /// The iteration.
     pub iteration: u32,
     /// Its energies.
     #[serde(flatten)]
@@ -78,7 +77,7 @@ pub struct TraceEntry {
 }
 
 impl TraceEntry {
-    /// The entry of an iteration.
+    /// Creates the entry of an iteration.
     pub fn new(iteration: u32, energy: Energy) -> Self {
         TraceEntry { iteration, energy }
     }

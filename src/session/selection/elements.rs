@@ -3,7 +3,7 @@
 use super::request::{Mode, Selection};
 use crate::mesh::{Mesh, Topology};
 
-/// Whether each element of one kind is meant.
+/// Whether each element of one kind is marked.
 pub(super) type Marks = Vec<bool>;
 
 /// The elements of a mesh.
@@ -12,25 +12,23 @@ pub(super) struct Elements<'a> {
     pub(super) topology: &'a Topology,
 }
 
-/// The others.
 pub(super) fn not(mut marks: Marks) -> Marks {
     marks.iter_mut().for_each(|mark| *mark = !*mark);
     marks
 }
 
-/// Marks of `count` elements.
+/// Marks `items` among `count` elements.
 pub(super) fn marked(count: usize, items: impl IntoIterator<Item = u32>) -> Marks {
     let mut marks = vec![false; count];
     items.into_iter().for_each(|item| marks[item as usize] = true);
     marks
 }
 
-/// The marked elements, ascending.
+/// Returns the marked elements, ascending.
 pub(super) fn items(marks: &Marks) -> impl Iterator<Item = u32> + '_ {
     (0..).zip(marks).filter(|(_, mark)| **mark).map(|(item, _)| item)
 }
 
-/// The marked elements as a selection.
 pub(super) fn selection(mode: Mode, marks: &Marks) -> Selection {
     let mut selection = Selection::default();
     let chosen = match mode {
@@ -47,7 +45,6 @@ impl<'a> Elements<'a> {
         Elements { mesh, topology }
     }
 
-    /// How many elements there are of a kind.
     pub(super) fn count(&self, mode: Mode) -> usize {
         match mode {
             Mode::Vertices => self.mesh.positions.len(),
@@ -56,7 +53,7 @@ impl<'a> Elements<'a> {
         }
     }
 
-    /// The vertices of an element; one vertex of itself.
+    /// Returns the vertices of an element; a vertex is its own.
     fn vertices_of(&self, mode: Mode, item: u32) -> Vec<u32> {
         match mode {
             Mode::Vertices => vec![item],
@@ -65,13 +62,13 @@ impl<'a> Elements<'a> {
         }
     }
 
-    /// The vertices of everything that is marked.
+    /// Returns the vertices of all marked elements.
     pub(super) fn corners(&self, mode: Mode, marks: &Marks) -> Marks {
         let corners = items(marks).flat_map(|item| self.vertices_of(mode, item));
         marked(self.count(Mode::Vertices), corners)
     }
 
-    /// The elements of a kind any (all, with `all`) of whose vertices are marked.
+    /// Returns the elements of a kind with any (or, with `all`, only) marked vertices.
     pub(super) fn with_corners(&self, mode: Mode, corners: &Marks, all: bool) -> Marks {
         (0..self.count(mode) as u32)
             .map(|item| {
@@ -82,13 +79,13 @@ impl<'a> Elements<'a> {
             .collect()
     }
 
-    /// A selection in one kind of element: those of that kind, and those all of whose vertices are in
-    /// the rest of it. As vertices: all vertices of it.
+    /// Converts a selection to one kind of element: its elements of that kind, and those whose
+    /// vertices all belong to the rest of the selection. As vertices: all its vertices.
     pub(super) fn marks(&self, mode: Mode, selection: &Selection) -> Marks {
         let Selection { vertices, edges, faces } = selection;
         let mut corners = marked(self.count(Mode::Vertices), vertices.iter().copied());
         for (other, items) in [(Mode::Edges, edges), (Mode::Faces, faces)] {
-            // What is of the kind itself stays as it is: not every face between selected ones is.
+            // A face between selected faces is not selected itself.
             if other != mode {
                 for vertex in items.iter().flat_map(|&item| self.vertices_of(other, item)) {
                     corners[vertex as usize] = true;
@@ -105,7 +102,7 @@ impl<'a> Elements<'a> {
         marks
     }
 
-    /// The marked elements and their neighbours: vertices along an edge, edges and faces at a vertex.
+    /// The marked elements and their neighbours: vertices along an edge, others at a vertex.
     pub(super) fn around(&self, mode: Mode, marks: &Marks) -> Marks {
         if mode != Mode::Vertices {
             return self.with_corners(mode, &self.corners(mode, marks), false);

@@ -1,4 +1,4 @@
-//! By number of sides, by valence, by error, by name.
+//! Selecting by number of sides, by valence, by error, by name.
 
 use super::elements::{Elements, Marks};
 use super::request::{Selection, error};
@@ -8,19 +8,19 @@ use crate::session::report::{Measuring, Shape, face_values};
 use crate::session::state::RestMesh;
 
 impl Elements<'_> {
-    /// Faces with that many corners.
+    /// Returns the faces with this number of corners.
     pub(super) fn with_sides(&self, sides: f64) -> Marks {
         self.mesh.faces.iter().map(|face| face.len() as f64 == sides).collect()
     }
 
-    /// Vertices with that many edges.
+    /// Returns the vertices with this number of edges.
     pub(super) fn with_valence(&self, edges: f64) -> Marks {
         self.topology.neighbours().iter().map(|row| row.len() as f64 == edges).collect()
     }
 }
 
-/// The faces whose error at the current shape is above `tolerance`; `measure` is one of
-/// [`crate::session::FACE_MEASURES`], and the tolerance in its unit.
+/// Returns the faces of the current shape whose error is above `tolerance`; `measure` is one of
+/// [`crate::session::FACE_MEASURES`], and the tolerance is in its unit.
 pub(super) fn with_error_above(
     model: &mut Measuring<'_>,
     measure: String,
@@ -32,8 +32,8 @@ pub(super) fn with_error_above(
     Ok(Selection { faces: above.map(|(face, _)| face).collect(), ..Selection::default() })
 }
 
-/// The members of a set, or where there is none of that name, of a group: as they are listed, and
-/// of the curves of a group their vertices.
+/// Returns the members of a set or, if there is none of that name, of a group: its faces, and the
+/// vertices of its curves.
 pub(super) fn named(name: String, sets: &Sets, rest: &RestMesh) -> Result<Selection, SceneError> {
     if let Some(set) = sets.get(&name) {
         let (vertices, faces) = (set.vertices.clone(), set.faces.clone());

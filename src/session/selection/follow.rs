@@ -1,4 +1,4 @@
-//! Along the mesh: connected parts, boundary loops, edge loops and rings, strips, flat patches.
+//! Selecting along the mesh: connected parts, boundaries, loops, rings, strips, flat patches.
 
 use super::elements::{Elements, Marks, items, marked};
 use super::request::{Mode, Selection};
@@ -6,7 +6,7 @@ use crate::math::{Vec3, cosine_and_sine_of_degrees, polygon_sides, twice_vector_
 use crate::mesh::{Point, components, edge_lines, strips};
 
 impl Elements<'_> {
-    /// Every connected part of the mesh that has something marked. A face connects its corners.
+    /// Returns every connected part of the mesh with a marked element. A face connects its corners.
     pub(super) fn connected(&self, mode: Mode, seeds: &Marks) -> Marks {
         let edges = self.topology.edges().iter().map(|ends| &ends[..]);
         let part = components(self.count(Mode::Vertices), edges.chain(self.mesh.faces.iter()));
@@ -18,8 +18,8 @@ impl Elements<'_> {
         self.with_corners(mode, &corners, true)
     }
 
-    /// The boundary loops that have a vertex of what is marked, or all of them where nothing is: their
-    /// vertices, their edges, or the faces along them.
+    /// Returns the boundary loops that contain a vertex of a marked element, or all loops if
+    /// nothing is marked: their vertices, their edges, or the faces along them.
     pub(super) fn boundary(&self, mode: Mode, seeds: &Marks) -> Marks {
         let corners = self.corners(mode, seeds);
         let anything = seeds.contains(&true);
@@ -36,7 +36,7 @@ impl Elements<'_> {
                     (Mode::Faces, Some(edge)) => {
                         marks[self.topology.edge_faces().row(edge as usize)[0] as usize] = true;
                     }
-                    // An open chain does not come back.
+                    // The two ends of an open chain share no edge.
                     (_, None) => {}
                 }
             }
@@ -44,7 +44,7 @@ impl Elements<'_> {
         marks
     }
 
-    /// The straight lines of edges through selected edges, as [`edge_lines`] follows them; of
+    /// Returns the straight lines of edges through selected edges, as in [`edge_lines`]; for
     /// vertices, the lines through selected neighbours.
     pub(super) fn edge_loops(&self, mode: Mode, from: &Selection) -> Marks {
         let seeds = self.marks(Mode::Edges, from);
@@ -60,15 +60,15 @@ impl Elements<'_> {
         marks
     }
 
-    /// The edges that strips of quads cross, where one of them is marked.
+    /// Returns the edges crossed by the strips of quads that cross a marked edge.
     pub(super) fn edge_rings(&self, seeds: &Marks) -> Marks {
         let crossed = self.crossed_edges();
         let met = crossed.iter().filter(|edges| edges.iter().any(|&e| seeds[e as usize]));
         marked(self.count(Mode::Edges), met.flatten().copied())
     }
 
-    /// The strips of quads that have the most of what is marked: both through one face, the one
-    /// that joins them through several in a row.
+    /// Returns the strips of quads with the most marked faces: for one face both of its strips, for
+    /// several in a row the strip that joins them.
     pub(super) fn strips(&self, seeds: &Marks) -> Marks {
         let mut best = 1;
         let mut chosen: Vec<Vec<u32>> = Vec::new();
@@ -88,7 +88,7 @@ impl Elements<'_> {
         marked(self.count(Mode::Faces), chosen.into_iter().flatten())
     }
 
-    /// Per strip of quads the edges that it crosses.
+    /// Returns the edges crossed by each strip of quads.
     fn crossed_edges(&self) -> Vec<Vec<u32>> {
         let rows = strips(self.mesh, self.topology);
         let edges = |strip: &[u32]| {
@@ -98,7 +98,7 @@ impl Elements<'_> {
         rows.iter().map(edges).collect()
     }
 
-    /// The quads between edges that follow each other, round to the first where the strip is closed.
+    /// Returns the quads between consecutive edges, in a closed strip also the last and first.
     fn faces_between(&self, edges: &[u32]) -> Vec<u32> {
         let faces = |edge: u32| self.topology.edge_faces().row(edge as usize);
         let between = polygon_sides(edges).flat_map(|[a, b]| {
@@ -108,11 +108,12 @@ impl Elements<'_> {
         between.collect()
     }
 
-    /// The faces that one reaches from those marked over edges of two faces where the surface, at
-    /// `positions`, bends by at most `angle` degrees. A face without an area bends everywhere.
+    /// Returns the faces connected to marked ones across edges with two faces, if the surface at
+    /// `positions` bends there by at most `angle` degrees. A face of zero area counts as bent
+    /// everywhere.
     pub(super) fn flat_patch(&self, seeds: &Marks, angle: f64, positions: &[Point]) -> Marks {
         let [least, _] = cosine_and_sine_of_degrees(angle);
-        // Rounding must not part faces in one plane.
+        // Rounding must not separate coplanar faces.
         let least = least - 1e-12;
         let normals: Vec<Vec3<f64>> =
             self.mesh.faces.iter().map(|face| normal(face, positions)).collect();
@@ -126,7 +127,7 @@ impl Elements<'_> {
                     continue;
                 };
                 let next = if first == face { second } else { first };
-                // Faces that run the same way along their edge lie the other way round.
+                // Faces that run the same way along their edge have opposite orientations.
                 let other = self.mesh.faces.row(next as usize);
                 let same_way = polygon_sides(other).any(|side| side == [a, b]);
                 let (n, m) = (normals[face as usize], normals[next as usize]);
@@ -141,7 +142,7 @@ impl Elements<'_> {
     }
 }
 
-/// The unit normal; zero where the face has no area.
+/// Returns the unit normal; zero if the face has no area.
 fn normal(face: &[u32], positions: &[Point]) -> Vec3<f64> {
     let area = twice_vector_area(face.iter().map(|&v| Vec3::from(positions[v as usize])));
     let length = area.length();

@@ -1,11 +1,11 @@
-//! Selecting by what the mesh is like: neighbours, loops, strips, patches, errors, sets.
+//! Selecting by properties of the mesh: neighbours, loops, strips, patches, errors, sets.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `request` | selections and requests for them |
-//! | `select` | carries out a request |
-//! | `operation` | the declared list of ways to select |
-//! | `elements` | vertices, edges and faces as marks, from one kind to another, and what touches them |
+//! | `select` | execution of a request |
+//! | `operation` | the declared selection operations |
+//! | `elements` | vertices, edges and faces as marks: conversion and neighbours |
 //! | `follow` | along the mesh: connected parts, boundary loops, edge loops and rings, strips, flat patches |
 //! | `find` | by number of sides, by valence, by error, by name |
 

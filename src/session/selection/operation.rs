@@ -1,11 +1,11 @@
-//! The declared ways to select: everything that hosts show of them, and nothing that they do.
+//! Declarations of the selection operations: all that hosts show of them, but not what they do.
 
 use super::request::Mode;
 use crate::constraint::{Form, Param, ParamValue};
 use crate::session::report::FACE_MEASURES;
 use serde::Serialize;
 
-/// The declaration of a way to select.
+/// The declaration of a selection operation.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "camelCase")]
@@ -16,21 +16,21 @@ pub struct Operation {
     pub label: &'static str,
     /// The resulting selection, in one sentence.
     pub summary: &'static str,
-    /// The heading that hosts list it under.
+    /// The heading under which hosts list it.
     pub group: &'static str,
-    /// The elements that must be picked for it to apply.
+    /// The kinds of element for which it is available.
     pub modes: &'static [Mode],
-    /// The elements that it selects, where these are not those picked.
+    /// The kind of element that it selects, if not the current one.
     pub gives: Option<Mode>,
-    /// Whether it starts from what is selected, and gives nothing where nothing is.
+    /// Whether it starts from the selection, and has no result without one.
     pub needs_selection: bool,
-    /// Whether it takes the name of a set or of a group, as the parameter `name`.
+    /// Whether its parameter `name` is the name of a set or a group.
     pub takes_name: bool,
     /// Its parameters.
     pub params: &'static [Param],
-    /// Keys of the page that do it, as "Ctrl+A".
+    /// Its keyboard shortcuts on the page, such as "Ctrl+A".
     pub keys: &'static [&'static str],
-    /// The element whose double-click does it.
+    /// The kind of element on which a double-click triggers it.
     pub double_click: Option<Mode>,
 }
 
@@ -64,7 +64,7 @@ const fn count(id: &'static str, label: &'static str, default: f64) -> Param {
     }
 }
 
-/// The measures of faces, as words.
+/// The ids of the measures of faces, as words.
 const MEASURES: [Form; FACE_MEASURES.len()] = {
     let mut words = [Form::Nothing; FACE_MEASURES.len()];
     let mut i = 0;
@@ -75,7 +75,7 @@ const MEASURES: [Form; FACE_MEASURES.len()] = {
     words
 };
 
-/// All ways to select, in the order in which hosts list them.
+/// All selection operations, in the order in which hosts list them.
 pub const OPERATIONS: &[Operation] = &[
     Operation {
         id: "all",

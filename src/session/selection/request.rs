@@ -1,18 +1,18 @@
-//! Selections and requests for them.
+//! Selections, and requests for them.
 
 use crate::json::indices;
 use crate::scene::{NamedEnum, SceneError};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-/// The kind of elements that are picked.
+/// The kind of element to select.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "kebab-case")]
 pub enum Mode {
     /// Vertices.
     Vertices,
-    /// Edges, numbered as in [`crate::mesh::Topology::edges`].
+    /// Edges, indexed as in [`crate::mesh::Topology::edges`].
     Edges,
     /// Faces.
     Faces,
@@ -31,7 +31,7 @@ pub struct Selection {
     /// Indices of vertices.
     #[serde(deserialize_with = "indices::deserialize")]
     pub vertices: Vec<u32>,
-    /// Numbers of edges, as in [`crate::mesh::Topology::edges`].
+    /// Indices of edges, as in [`crate::mesh::Topology::edges`].
     #[serde(deserialize_with = "indices::deserialize")]
     pub edges: Vec<u32>,
     /// Indices of faces.
@@ -39,18 +39,18 @@ pub struct Selection {
     pub faces: Vec<u32>,
 }
 
-/// A way to select, from where.
+/// A selection operation, applied to a selection.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct SelectRequest {
     /// The id of an [`Operation`](super::Operation).
     pub operation: String,
-    /// The kind of element that is picked; the answer is of that kind unless the operation gives another.
+    /// The kind of element; the result is of this kind unless the operation gives another.
     pub mode: Mode,
     /// The current selection.
     #[serde(default)]
     pub from: Selection,
-    /// The parameters that are not at their default.
+    /// The parameters that differ from their defaults.
     #[serde(default)]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
     pub params: Map<String, Value>,

@@ -1,4 +1,4 @@
-//! Carries out a request for a selection.
+//! Execution of selection requests.
 
 use super::elements::{self, Elements};
 use super::find::{named, with_error_above};
@@ -8,10 +8,10 @@ use crate::scene::SceneError;
 use crate::session::report::{Measuring, free};
 use serde_json::{Map, Value};
 
-/// The selection after `request`, on the current shape; indices ascending.
+/// Returns the selection after `request`, on the current shape; indices ascending.
 ///
 /// # Errors
-/// When it names an operation, a set, or an element that is not there, or when a parameter is not
+/// If it refers to an operation, a set or an element that does not exist, or if a parameter is not
 /// a number in its range.
 pub(crate) fn select(
     model: &mut Measuring<'_>,
@@ -24,13 +24,13 @@ pub(crate) fn select(
     let elements = Elements::new(model.rest.mesh(), model.rest.topology());
     check(&request.from, &elements)?;
     let mode = match operation.id {
-        // The faces along a boundary have a second ring of vertices, which nobody asked for.
+        // The edges, because the faces along a boundary would add an inner ring of vertices.
         "boundary" if request.mode == Mode::Faces => Mode::Edges,
         _ => operation.gives.unwrap_or(request.mode),
     };
     let params = Params { operation, given: &request.params };
     let found = match operation.id {
-        // These need more than the mesh: errors of faces, sets, and what acts on vertices.
+        // These need more than the mesh: errors of faces, sets, or what acts on vertices.
         "error" => with_error_above(model, params.word("measure")?, params.number("tolerance")?)?,
         "named" => named(params.word("name")?, &model.scene.document().sets, model.rest)?,
         "free" => Selection { vertices: free(model.scene, model.rest), ..Selection::default() },
@@ -58,7 +58,7 @@ pub(crate) fn select(
     Ok(elements::selection(mode, &marks))
 }
 
-/// Checks that every element of a selection is one of the mesh.
+/// Checks that all elements of a selection exist in the mesh.
 fn check(from: &Selection, elements: &Elements<'_>) -> Result<(), SceneError> {
     for (name, mode, items) in [
         ("vertices", Mode::Vertices, &from.vertices),
@@ -74,7 +74,7 @@ fn check(from: &Selection, elements: &Elements<'_>) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// The parameters of an operation: those given, else their defaults.
+/// The parameters of an operation: the given ones, and defaults for the rest.
 struct Params<'a> {
     operation: &'a Operation,
     given: &'a Map<String, Value>,

@@ -1,4 +1,4 @@
-//! A change of a scene while an edit makes it.
+//! A change of a scene that an edit is making.
 
 use super::part::{Part, Settings};
 use super::scene_change::SceneChange;
@@ -7,8 +7,8 @@ use crate::scene::{Scene, SceneError};
 use crate::solve::Handle;
 use std::rc::Rc;
 
-/// The document under edit, with the handles and positions that there shall be. Every change of the
-/// document is taken down, so that it can be taken back.
+/// The document under edit, with its new handles and positions. Every change of the document is
+/// recorded, so that it can be undone.
 pub(crate) struct Draft<'a> {
     pub(super) document: &'a mut Scene,
     pub(super) mesh: &'a Mesh,
@@ -34,7 +34,6 @@ impl Draft<'_> {
         &self.change.positions
     }
 
-    /// The same, shared.
     pub(crate) fn shared_positions(&self) -> Rc<[Point]> {
         Rc::clone(&self.change.positions)
     }
@@ -45,10 +44,10 @@ impl Draft<'_> {
         self.change.parts.push(part);
     }
 
-    /// Changes settings, and nothing else of the document.
+    /// Changes settings, and no other part of the document.
     ///
     /// # Errors
-    /// Those of `set`, which has then set nothing.
+    /// Those of `set`, which must then have changed nothing.
     pub(crate) fn set<T>(
         &mut self,
         set: impl FnOnce(&mut Scene) -> Result<T, SceneError>,
@@ -62,7 +61,7 @@ impl Draft<'_> {
     /// Changes settings and rows of constraints.
     ///
     /// # Errors
-    /// Those of `set`, which has then changed nothing.
+    /// Those of `set`, which must then have changed nothing.
     pub(crate) fn set_rows<T>(
         &mut self,
         set: impl FnOnce(&mut Scene, &Mesh) -> Result<T, SceneError>,
@@ -74,7 +73,6 @@ impl Draft<'_> {
         Ok(done)
     }
 
-    /// Replaces all handles.
     pub(crate) fn put_handles(&mut self, handles: Vec<Handle>) {
         self.change.handles = handles.into();
     }

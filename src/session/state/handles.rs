@@ -1,10 +1,10 @@
-//! Handles as a scene lists them and as the solver has them.
+//! Handles as listed in a scene, and as stored in the solver.
 
 use crate::mesh::Point;
 use crate::scene::{HandleSpec, Hold};
 use crate::solve::Handle;
 
-/// One handle per vertex.
+/// Returns one handle per vertex.
 pub(crate) fn flat(specs: &[HandleSpec], rest: &[Point]) -> Vec<Handle> {
     let mut handles = Vec::new();
     for spec in specs {
@@ -16,7 +16,7 @@ pub(crate) fn flat(specs: &[HandleSpec], rest: &[Point]) -> Vec<Handle> {
     handles
 }
 
-/// Runs of handles that hold alike, as the scene file lists them.
+/// Groups consecutive handles with the same hold, as in the scene file.
 pub(crate) fn grouped(handles: &[Handle]) -> Vec<HandleSpec> {
     let alike = |a: &Handle, b: &Handle| match (a.hold, b.hold) {
         (Hold::Fixed, Hold::Fixed) => true,

@@ -1,13 +1,13 @@
-//! The scene that is open, and how it changes.
+//! The open scene, and its changes.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `rest_mesh` | the mesh at rest: as it was opened, or as it was refined |
+//! | `rest_mesh` | the rest mesh: as opened, or derived from the opened one |
 //! | `rows` | rows of constraints: selectors resolved, elements that do not fit counted |
-//! | `handles` | handles as a scene lists them and as the solver has them |
-//! | `part` | parts of a document that are exchanged with it |
+//! | `handles` | handles as listed in a scene, and as stored in the solver |
+//! | `part` | parts of a document, which are exchanged with it |
 //! | `scene_change` | the difference of two states: parts, handles, positions |
-//! | `draft` | a change while an edit makes it |
+//! | `draft` | a change that an edit is making |
 //! | `solved_scene` | document, resolved rows and solver, kept in step |
 
 mod draft;

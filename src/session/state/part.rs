@@ -1,5 +1,5 @@
-//! Parts of a scene that an edit replaces. A part is exchanged with the scene's, and then holds what
-//! takes it back: an edit and its undo move one part, and copy nothing else of the scene.
+//! Parts of a scene that an edit replaces. Exchanging a part with the scene turns it into its
+//! inverse: an edit and its undo move one part, and copy nothing else of the scene.
 
 use crate::constraint::{Kind, Selector, Set, Sets};
 use crate::fabricate;
@@ -10,7 +10,7 @@ use crate::scene::{
 use crate::solve::Require;
 use std::mem::{size_of_val, swap};
 
-/// One part of a scene, with another value than the scene has.
+/// One part of a scene, with another value than in the scene.
 #[derive(Clone)]
 pub(crate) enum Part {
     Units(String),
@@ -21,19 +21,19 @@ pub(crate) enum Part {
     Steps(Vec<Slide>),
     Settings(Settings),
     ClosenessWeights(Vec<ClosenessWeight>),
-    /// A named set; none takes it away.
+    /// A named set; none removes it.
     Set(String, Option<Set>),
     /// The name of a row.
     RowName(usize, String),
-    /// Kind, weight, switch and requirement of a row.
+    /// Kind, weight, enabled state and requirement of a row.
     RowValues(usize, RowValues),
-    /// A row to be inserted at a place; none removes the row there.
+    /// A row to be inserted at an index; none removes the row there.
     Row(usize, Option<ConstraintSpec>),
     /// All rows.
     Rows(Vec<ConstraintSpec>),
 }
 
-/// The settings that are numbers and choices.
+/// The settings: numbers and choices.
 #[derive(Clone, PartialEq)]
 pub(crate) struct Settings {
     weights: Weights,
@@ -45,7 +45,7 @@ pub(crate) struct Settings {
     solver: SolverSettings,
 }
 
-/// Operator, weight, switch and requirement of a row of constraints: all but its name and its selector.
+/// All properties of a row of constraints but its name and its selector.
 #[derive(Clone, PartialEq)]
 pub(crate) struct RowValues {
     pub(crate) kind: Kind,
@@ -55,16 +55,16 @@ pub(crate) struct RowValues {
     pub(crate) eased: Option<EasedFaces>,
 }
 
-/// How much of a solver is left when a part is exchanged, least first.
+/// How much of the solver depends on an exchanged part, least first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Effect {
-    /// The solver does not know of the part.
+    /// The solver does not depend on the part.
     Nothing,
-    /// The weights of Eq. 13 alone.
+    /// Only the weights of Eq. 13.
     Weights,
-    /// Named sets: nothing where no row uses them.
+    /// Named sets; no effect if no row uses them.
     Sets,
-    /// Another problem.
+    /// The whole problem.
     Problem,
 }
 
@@ -105,7 +105,7 @@ impl Settings {
 }
 
 impl Part {
-    /// Puts the part in `scene`, and holds what was there.
+    /// Puts the part in `scene`, and stores the previous value.
     pub(crate) fn exchange(&mut self, scene: &mut Scene) {
         match self {
             Part::Units(units) => swap(units, &mut scene.units),
@@ -147,7 +147,7 @@ impl Part {
         }
     }
 
-    /// Whether exchanging it would leave `scene` as it is.
+    /// Whether `scene` already has this value.
     pub(crate) fn is_in(&self, scene: &Scene) -> bool {
         match self {
             Part::Units(units) => *units == scene.units,
@@ -166,7 +166,7 @@ impl Part {
         }
     }
 
-    /// The effect of having been exchanged with `scene`.
+    /// Returns the effect of having been exchanged with `scene`.
     pub(crate) fn effect(&self, scene: &Scene) -> Effect {
         match self {
             Part::Units(_)
@@ -196,8 +196,8 @@ impl Part {
         }
     }
 
-    /// The parts of `to` that are others than those of `from`: exchanged with `from`, they make it `to`.
-    /// Title, mesh, handles and positions are not compared.
+    /// Returns the parts of `to` that differ from those of `from`: exchanged with `from`, they make
+    /// it `to`. Title, mesh, handles and positions are not compared.
     pub(crate) fn between(from: &Scene, to: &Scene) -> Vec<Part> {
         let mut parts = vec![
             Part::Units(to.units.clone()),
@@ -212,7 +212,7 @@ impl Part {
         let names =
             from.sets.keys().chain(to.sets.keys().filter(|name| !from.sets.contains_key(*name)));
         parts.extend(names.map(|name| Part::Set(name.clone(), to.sets.get(name).cloned())));
-        if are_named_otherwise(&from.constraints, &to.constraints) {
+        if equal_except_names(&from.constraints, &to.constraints) {
             let names = to.constraints.iter().map(|row| row.name.clone());
             parts.extend((0..).zip(names).map(|(index, name)| Part::RowName(index, name)));
         } else {
@@ -222,7 +222,7 @@ impl Part {
         parts
     }
 
-    /// The bytes that it holds, on the heap too.
+    /// Memory in bytes, including the heap.
     pub(crate) fn bytes(&self) -> usize {
         let held = match self {
             Part::Units(text) | Part::RowName(_, text) => text.len(),
@@ -232,7 +232,7 @@ impl Part {
             Part::Build(build) => {
                 build.as_ref().map_or(0, |_| size_of::<fabricate::BuildSettings>())
             }
-            // Lists that follow each other share their shapes.
+            // Consecutive lists share their shapes.
             Part::Variants(variants) => size_of_val(&*variants.kept),
             Part::Steps(steps) => steps.iter().map(bytes_of_step).sum(),
             Part::ClosenessWeights(weights) => {
@@ -247,8 +247,8 @@ impl Part {
     }
 }
 
-/// Whether rows differ in their names and in nothing else.
-fn are_named_otherwise(from: &[ConstraintSpec], to: &[ConstraintSpec]) -> bool {
+/// Whether rows are equal except for their names.
+fn equal_except_names(from: &[ConstraintSpec], to: &[ConstraintSpec]) -> bool {
     let alike = |(a, b): (&ConstraintSpec, &ConstraintSpec)| {
         let values = |row: &ConstraintSpec| (row.weight, row.enabled, row.require);
         (&a.kind, &a.on, &a.eased, values(a)) == (&b.kind, &b.on, &b.eased, values(b))
@@ -256,13 +256,13 @@ fn are_named_otherwise(from: &[ConstraintSpec], to: &[ConstraintSpec]) -> bool {
     from.len() == to.len() && from.iter().zip(to).all(alike)
 }
 
-/// Whether two scenes differ in nothing that the solver knows of.
+/// Whether two scenes pose the same problem to the solver.
 pub(crate) fn same_problem(a: &Scene, b: &Scene) -> bool {
     Settings::of(a) == Settings::of(b)
         && a.closeness.weights == b.closeness.weights
         && same_design(&a.variants, &b.variants)
         && same_sets(&a.sets, &b.sets)
-        && are_named_otherwise(&a.constraints, &b.constraints)
+        && equal_except_names(&a.constraints, &b.constraints)
 }
 
 fn same_design(a: &Variants, b: &Variants) -> bool {

@@ -1,18 +1,15 @@
-//! The mesh at rest: as it was opened, or as it was made from that.
+//! The rest mesh: as opened, or derived from the opened one.
 
 use crate::math::Vec3;
 use crate::mesh::{BoundingSphere, Group, Mesh, Point, Topology, folded_faces};
 use crate::solve::Moved;
 
-/// A mesh at rest with its topology.
+/// A rest mesh with its topology.
 pub(crate) struct RestMesh {
     mesh: Mesh,
     topology: Topology,
-    /// Of the bounding sphere, in the unit of the mesh.
     diameter: f64,
-    /// How many meshes it was made through from the one that was opened.
     generation: u32,
-    /// A sentence for each thing that was not carried over to it.
     lost: Vec<String>,
 }
 
@@ -23,24 +20,24 @@ impl RestMesh {
         RestMesh { diameter, mesh, topology, generation: 0, lost: Vec::new() }
     }
 
-    /// One that was made from this one.
+    /// Creates a mesh that is derived from this one.
     pub(crate) fn next(&self, mesh: Mesh) -> RestMesh {
         RestMesh { generation: self.generation + 1, ..RestMesh::new(mesh) }
     }
 
-    /// About how many bytes it takes.
+    /// Approximate memory in bytes.
     pub(crate) fn bytes(&self) -> usize {
         let corners = self.mesh.faces.indices().len() + self.mesh.curves.indices().len();
-        // Of each corner the vertex, and twice an edge with its ends, faces and neighbours.
+        // For each corner: its vertex, and twice an edge with its ends, faces and neighbours.
         size_of_val(&*self.mesh.positions) + 64 * corners
     }
 
-    /// How many meshes it was made through from the one that was opened: 0 for that one.
+    /// Number of meshes derived one after another from the opened one; 0 for the opened mesh.
     pub(crate) fn generation(&self) -> u32 {
         self.generation
     }
 
-    /// A sentence for each thing that was not carried over to it.
+    /// A sentence for each item that was not carried over to it.
     pub(crate) fn lost(&self) -> &[String] {
         &self.lost
     }
@@ -61,17 +58,17 @@ impl RestMesh {
         &self.topology
     }
 
-    /// Positions at rest, `#V by 3`.
+    /// Rest positions, `#V by 3`.
     pub(crate) fn positions(&self) -> &[Point] {
         &self.mesh.positions
     }
 
-    /// The faces that `now` (`#V by 3`) has folded or dented; see [`folded_faces`].
+    /// Returns the faces that are folded or dented at `now` (`#V by 3`); see [`folded_faces`].
     pub(crate) fn folded_by(&self, now: &[Point]) -> Vec<u32> {
         folded_faces(&self.mesh, &self.topology, now)
     }
 
-    /// The faces, with those that share a vertex with them, ascending.
+    /// Returns the faces and all that share a vertex with them, ascending.
     pub(crate) fn faces_around(&self, faces: &[u32]) -> Vec<u32> {
         let mut is_near = vec![false; self.mesh.faces.len()];
         for &v in faces.iter().flat_map(|&face| self.mesh.faces.row(face as usize)) {
@@ -81,7 +78,7 @@ impl RestMesh {
         (0..).zip(is_near).filter(|(_, near)| *near).map(|(face, _)| face).collect()
     }
 
-    /// The distances of `now` (`#V by 3`) from the positions at rest, in the unit of the mesh.
+    /// Returns the distances of `now` (`#V by 3`) from the rest positions, in the unit of the mesh.
     pub(crate) fn displacements<'a>(
         &'a self,
         now: &'a [Point],
@@ -90,7 +87,7 @@ impl RestMesh {
         pairs.map(|(&now, &rest)| (Vec3::from(now) - Vec3::from(rest)).length())
     }
 
-    /// How far `now` (`#V by 3`) is from the positions at rest.
+    /// Summarises the distances of `now` (`#V by 3`) from the rest positions.
     pub(crate) fn moved_by(&self, now: &[Point]) -> Moved {
         Moved::of(self.displacements(now))
     }
@@ -100,19 +97,19 @@ impl RestMesh {
         self.diameter
     }
 
-    /// Mean length of an edge, in the unit of the mesh; zero without edges.
+    /// Mean edge length, in the unit of the mesh; zero without edges.
     pub(crate) fn mean_edge(&self) -> f64 {
         self.topology.mean_edge(&self.mesh.positions)
     }
 
-    /// The names of the groups that one of `faces` is in, in the order of the file.
+    /// Returns the names of the groups that contain one of `faces`, in the order of the file.
     pub(crate) fn groups_of(&self, faces: &[u32]) -> Vec<String> {
         let groups = self.mesh.groups.iter();
         let has_one = |group: &&Group| group.faces.iter().any(|face| faces.contains(face));
         groups.filter(has_one).map(|group| group.name.clone()).collect()
     }
 
-    /// The edges between these pairs of vertices, as places in [`Topology::edges`], ascending.
+    /// Indices in [`Topology::edges`] of the edges with these ends, ascending.
     pub(crate) fn edges_between(&self, ends: &[[u32; 2]]) -> Vec<u32> {
         let mut ends = ends.to_vec();
         ends.sort_unstable();

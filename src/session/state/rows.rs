@@ -12,26 +12,26 @@ use serde::Serialize;
 pub struct ResolvedRow {
     /// Kind, weight, and the vertices of each constraint.
     pub constraints: Constraints,
-    /// Elements whose number of vertices does not fit the kind.
+    /// Number of elements whose number of vertices does not fit the kind.
     pub skipped: usize,
-    /// Whether it is solved for.
+    /// Whether the row is enabled.
     pub enabled: bool,
-    /// Of a kind that acts on vertices in pairs, how many have a partner at rest.
+    /// Number of vertices with a partner at rest, for a kind that acts on vertices in pairs.
     pub paired: Option<Paired>,
 }
 
-/// Vertices that have a partner at rest, such as an image in a mirror: the others are free.
+/// Number of vertices with a partner at rest, such as a mirror image; all others are free.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Paired {
-    /// How many have one; a vertex counts in each constraint that it is in.
+    /// Number of vertices with a partner; a shared vertex counts once per constraint.
     pub vertices: usize,
-    /// Of so many.
+    /// Number of all vertices, counted in the same way.
     pub of: usize,
 }
 
 impl Paired {
-    /// Of all constraints of a row; none where the kind acts on every vertex.
+    /// Counts over all constraints of a row; none if the kind does not act on pairs.
     fn of(constraints: &Constraints, mesh: &Mesh) -> Option<Paired> {
         let mut vertices = 0;
         for members in constraints.members.iter() {
@@ -44,15 +44,15 @@ impl Paired {
     }
 }
 
-/// All constraints have at most so many vertices, counted in each of them: a few words of a scene could
+/// Maximum number of vertices of all constraints together, because a few words of a scene could
 /// stand for any number.
 const MOST_MEMBERS: usize = 40_000_000;
 
 /// Resolves every row of a scene.
 ///
 /// # Errors
-/// When a row has no constraint left, or all of them are on more vertices than can be solved for, with the
-/// JSON path of the row.
+/// If a row has no constraint left, or all constraints together have too many vertices for the
+/// solver, with the JSON path of the row.
 pub(crate) fn resolve_rows(
     scene: &Scene,
     mesh: &Mesh,
@@ -73,7 +73,7 @@ pub(crate) fn resolve_rows(
     resolved.collect()
 }
 
-/// Resolves one row; the error says why none is left.
+/// Resolves one row; the error is the reason why no constraint is left.
 pub(crate) fn resolve_row(
     spec: &ConstraintSpec,
     scene: &Scene,
@@ -107,8 +107,8 @@ pub(crate) fn resolve_row(
     Ok(ResolvedRow { constraints, skipped, enabled: spec.enabled, paired })
 }
 
-/// The edges of the mesh between `members`, one end after the other, in the order of the smaller end
-/// among the members.
+/// Returns the edges of the mesh between `members`, as consecutive pairs of ends, in the order of
+/// the smaller end among the members.
 pub(crate) fn edges_among(members: &[u32], topology: &Topology) -> Vec<u32> {
     let mut sorted = members.to_vec();
     sorted.sort_unstable();

@@ -1,4 +1,4 @@
-//! A scene with the solver that is set up for it: its document, its rows resolved, its positions.
+//! A scene with its solver: its document, its resolved rows, its positions.
 
 use super::draft::Draft;
 use super::part::Effect;
@@ -13,14 +13,14 @@ use crate::solve::{Constraints, Handle, SetupCache, Solver};
 use std::cell::OnceCell;
 use std::rc::Rc;
 
-/// A scene that is solved on a mesh, which is always the same [`RestMesh`].
+/// A scene with its solver on a mesh; all methods need the same [`RestMesh`].
 pub(crate) struct SolvedScene {
-    /// Without handles and positions: these are the solver's.
+    /// Without handles and positions, which the solver stores.
     document: Scene,
-    /// Of each row of the document.
+    /// The resolved rows of the document.
     rows: Vec<ResolvedRow>,
     solver: Solver,
-    /// Those of the solver, once somebody has asked for them since they last changed.
+    /// Handles and positions of the solver, cached until they change.
     positions: OnceCell<Rc<[Point]>>,
     handles: OnceCell<Rc<[Handle]>>,
 }
@@ -54,7 +54,7 @@ impl SolvedScene {
         &self.rows
     }
 
-    /// The places of the rows that are on, which are those that the solver has.
+    /// Returns the indices of the enabled rows, which are the rows of the solver.
     pub(crate) fn enabled_rows(&self) -> impl Iterator<Item = usize> {
         self.rows.iter().enumerate().filter(|(_, row)| row.enabled).map(|(index, _)| index)
     }
@@ -82,10 +82,10 @@ impl SolvedScene {
         self.solver.projected(each);
     }
 
-    /// One iteration.
+    /// Runs one iteration.
     ///
     /// # Errors
-    /// When a position leaves the finite numbers; the shape is then that before.
+    /// If a position is not finite; the shape is then that before the step.
     pub(crate) fn step(&mut self) -> Result<(), Error> {
         self.positions.take();
         Ok(self.solver.step()?)
@@ -97,7 +97,7 @@ impl SolvedScene {
         self.solver.settle();
     }
 
-    /// Shows other positions, `#V by 3`.
+    /// Sets the positions, `#V by 3`.
     pub(crate) fn show(&mut self, positions: &[Point]) {
         self.positions.take();
         self.solver.set_positions(positions);
@@ -109,13 +109,13 @@ impl SolvedScene {
         self.forget();
     }
 
-    /// The solver has changed.
+    /// Clears the cached positions and handles after a change of the solver.
     fn forget(&mut self) {
         self.positions.take();
         self.handles.take();
     }
 
-    /// The way back to this state, while nothing has changed.
+    /// Returns a change that restores the current state.
     pub(crate) fn way_back(&self) -> SceneChange {
         SceneChange {
             parts: Vec::new(),
@@ -124,8 +124,8 @@ impl SolvedScene {
         }
     }
 
-    /// Makes the change that `propose` makes of a draft, and gives with its result the way back; none where
-    /// nothing is changed.
+    /// Applies the change that `propose` makes of a draft, and returns its result with the inverse
+    /// change; none if nothing has changed.
     ///
     /// # Errors
     /// Those of `propose`, and as [`SolvedScene::exchange`]; nothing has changed then.
@@ -157,7 +157,7 @@ impl SolvedScene {
         }
     }
 
-    /// Exchanges a change with the state, which makes of it the way back.
+    /// Applies a change to the state, and turns the change into its inverse.
     ///
     /// # Errors
     /// When the document does not fit the mesh, or the system is singular; nothing has changed then.
@@ -170,8 +170,8 @@ impl SolvedScene {
         self.follow(rest, change)
     }
 
-    /// After the parts of `change` were exchanged: the same for handles and positions, and for what
-    /// follows from the document.
+    /// Completes an exchange after that of the parts of `change`: exchanges handles and positions,
+    /// and updates the solver.
     fn follow(&mut self, rest: &RestMesh, change: &mut SceneChange) -> Result<(), Error> {
         let SceneChange { handles, positions, .. } = self.way_back();
         let new_handles = !same_handles(&change.handles, &handles);
@@ -190,7 +190,7 @@ impl SolvedScene {
         }
         self.forget();
         let there = std::mem::replace(&mut change.positions, positions);
-        // Not where the solver moved vertices by itself, such as the corners of a boundary.
+        // They may differ if the solver moved vertices itself, such as the corners of a boundary.
         if self
             .solver
             .positions()
@@ -203,8 +203,8 @@ impl SolvedScene {
         Ok(())
     }
 
-    /// Makes solver and rows those of the document, with these handles and positions (`#V by 3`) where
-    /// there are others, at the least cost.
+    /// Updates solver and rows to the document, and to these handles and positions (`#V by 3`) if
+    /// they are given, at the least cost.
     fn set_up_again(
         &mut self,
         rest: &RestMesh,
@@ -235,7 +235,7 @@ impl SolvedScene {
             Effect::Weights | Effect::Sets | Effect::Problem => {
                 self.document.validate(rest.mesh())?;
                 let rows = resolve_rows(&self.document, rest.mesh(), rest.topology())?;
-                // A set that nothing uses needs no other solver.
+                // A change of unused sets needs no new solver.
                 let unused = effect == Effect::Sets
                     && rows == self.rows
                     && self.document.closeness.weights.is_empty()

@@ -1,5 +1,5 @@
-//! The cost of exactness, or the gain of an improvement, found from the current shape on without
-//! touching it.
+//! The cost of exactness, or the gain of an improvement, computed from the current shape without
+//! changing it.
 
 use crate::error::Error;
 use crate::mesh::Point;
@@ -11,25 +11,24 @@ use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage};
 use serde::Serialize;
 use std::rc::Rc;
 
-/// A trial of being exact instead of within a distance, or of an improvement, one step after the other.
+/// A trial of exact constraints instead of those within a distance, or of an improvement.
 pub struct ExactTrial {
     exact: Exact,
-    /// How far it has come.
     stage: TrialStage,
-    /// The rows that are to be exact, and the name of the step of undo.
+    /// The rows to be made exact, and the name of the step of undo.
     rows: Vec<usize>,
     name: &'static str,
-    /// The shape that it began from, `#V by 3`.
+    /// The shape at which it began, `#V by 3`.
     from: Rc<[Point]>,
     before: Price,
 }
 
 /// The stage of a trial.
 enum TrialStage {
-    /// Looks for the shape with the least energy, which may be far away.
+    /// Searches for the shape with the least energy, which may be far away.
     Far,
-    /// That one has so many folded faces and that energy, more than the shape as it is: one that is near to it may cost
-    /// less.
+    /// Searches near the current shape, because the far shape costs more than the current one.
+    /// Stores the far shape with its number of folded faces and its energy.
     Near(Box<Exact>, (usize, f64)),
     Ended,
 }
@@ -38,9 +37,9 @@ enum TrialStage {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Price {
-    /// The energies of all that is weighed, without what is met.
+    /// The total energy of the soft terms, without the hard constraints.
     pub energy: f64,
-    /// The way from the original.
+    /// Displacements from the original.
     pub moved: Moved,
 }
 
@@ -49,26 +48,26 @@ pub struct Price {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct ExactOffer {
-    /// Whether all that is required can be met.
+    /// Whether all requirements can be met.
     pub met: bool,
-    /// Whether the mesh is too large for it, so that nothing was tried.
+    /// Whether the mesh is too large, so that nothing was tried.
     pub too_large: bool,
-    /// How many constraints cannot.
+    /// Number of constraints that cannot be met.
     pub misses: usize,
-    /// How many faces are folded or dented in the exact shape and are not at rest.
+    /// Number of faces that are folded or dented in the exact shape but not at rest.
     pub folded: usize,
-    /// The greatest distance that is left.
+    /// The largest remaining distance.
     pub max_distance: f64,
-    /// The shape as it is.
+    /// The cost of the current shape.
     pub before: Price,
-    /// The exact shape.
+    /// The cost of the exact shape.
     pub after: Price,
-    /// The way from the one to the other.
+    /// Displacements between these two shapes.
     pub moved: Moved,
 }
 
 impl Session {
-    /// Tries to meet exactly what is met within a distance; none where there is no such row of constraints.
+    /// Tries to meet exactly the constraints within a distance; none if there is no such row.
     ///
     /// # Errors
     /// As [`Session::meeting`].
@@ -81,7 +80,7 @@ impl Session {
         Ok(exact.map(|exact| self.trial(exact, rows, "Make exact")))
     }
 
-    /// The exact solver of what is met within a distance, from the current shape on.
+    /// Returns the exact solver with those constraints exact, starting at the current shape.
     fn exactly(&self) -> Result<Option<Exact>, Error> {
         self.meeting_with(&|row: &ConstraintSpec| match row.require {
             Require::Within(_) => Required { require: Require::Exact, eased: None },
@@ -89,7 +88,7 @@ impl Session {
         })
     }
 
-    /// Looks for less energy among the shapes that meet what is required; none where that is not met now.
+    /// Searches for less energy with all requirements met; none if they are not met now.
     ///
     /// # Errors
     /// As [`Session::meeting`].
@@ -108,11 +107,11 @@ impl Session {
         ExactTrial { exact, stage: TrialStage::Far, rows, name, from, before }
     }
 
-    /// Takes the shape of a trial as far as it has come and requires it, as a step of undo or as a part of the last
-    /// one; whether the trial was of the current shape.
+    /// Accepts the current shape of a trial and its requirements, as a step of undo or as a part of
+    /// the last one. Returns false if the trial began at another shape.
     ///
     /// # Errors
-    /// When the system would be singular; nothing has changed then.
+    /// If the system would be singular; nothing has changed then.
     pub fn make_exact(&mut self, trial: &ExactTrial, joins_last: bool) -> Result<bool, Error> {
         self.end_transaction();
         if !Rc::ptr_eq(&trial.from, self.scene.positions()) {
@@ -141,12 +140,12 @@ impl Session {
 }
 
 impl ExactTrial {
-    /// Goes on by one step, in the `session` that it is of; whether there is more to do.
+    /// Runs one step, in the `session` of the trial; returns whether there is more to do.
     ///
     /// # Errors
     /// As [`Exact::step`] and [`Session::meeting`].
     pub fn step(&mut self, session: &Session) -> Result<bool, Error> {
-        // A long approach would end far from what is asked.
+        // If the polish does not fit in memory, a long approach would end far from exact.
         if matches!(self.stage, TrialStage::Ended) || !self.exact.can_polish() {
             return Ok(false);
         }
@@ -155,7 +154,7 @@ impl ExactTrial {
         }
         let own = self.cost(session);
         match std::mem::replace(&mut self.stage, TrialStage::Ended) {
-            TrialStage::Far if !self.rows.is_empty() && self.is_dear(own, session) => {
+            TrialStage::Far if !self.rows.is_empty() && self.costs_more(own, session) => {
                 let Some(mut near) = session.exactly()? else { return Ok(false) };
                 near.hurry();
                 let far = std::mem::replace(&mut self.exact, near);
@@ -170,18 +169,18 @@ impl ExactTrial {
         }
     }
 
-    /// How many faces are folded, and the energy.
+    /// Returns the number of folded faces, and the energy.
     fn cost(&mut self, session: &Session) -> (usize, f64) {
         let folded = session.rest.folded_by(&self.exact.positions()).len();
         (folded, self.exact.energy().total)
     }
 
-    /// Whether that costs more than the shape that it began from.
-    fn is_dear(&self, (folded, energy): (usize, f64), session: &Session) -> bool {
+    /// Whether this is more than the shape costs at which the trial began.
+    fn costs_more(&self, (folded, energy): (usize, f64), session: &Session) -> bool {
         energy > self.before.energy || folded > session.rest.folded_by(&self.from).len()
     }
 
-    /// What it costs, as of now, in the `session` that it is of.
+    /// Returns the current result, in the `session` of the trial.
     pub fn offer(&mut self, session: &Session) -> ExactOffer {
         let ExactAnswer { met, unmet, max_distance, moved, .. } = self.exact.answer();
         let positions = self.exact.positions();

@@ -1,9 +1,9 @@
-//! Trials on a copy of the session, which do not disturb it.
+//! Trials that do not change the session.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `exact_trial` | what it would cost to be exact |
-//! | `remedies` | changes that help where constraints are not met |
+//! | `exact_trial` | the cost of exactness |
+//! | `remedies` | edits that help if constraints are not met |
 
 mod exact_trial;
 mod remedies;

@@ -1,5 +1,5 @@
-//! Edits to offer where a run has ended and constraints are not met. Each is tried on a copy of the session,
-//! so that only edits that lower the worst distance are offered.
+//! Edits to offer if a run has ended with unmet constraints. Each is tried on a copy of the
+//! session, so that only edits that reduce the worst distance are offered.
 
 use crate::error::Error;
 use crate::mesh::BoundingSphere;
@@ -9,36 +9,36 @@ use crate::session::edit::Edit;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-/// A change is tried for at most so many iterations.
+/// Maximum number of iterations of a trial.
 const ITERATIONS: u32 = 200;
-/// To be offered, it has to bring the worst distance below this part of what it was.
+/// To be offered, an edit must reduce the worst distance below this fraction of its initial value.
 const HELPS: f64 = 0.9;
-/// A change that moves a vertex by more than this part of the size of the mesh is not offered.
+/// An edit that moves a vertex by more than this fraction of the size of the mesh is not offered.
 const FAR: f64 = 0.25;
-/// By which weights are lowered and raised.
+/// Factor by which weights are lowered and raised.
 const FACTOR: f64 = 10.0;
-/// By which the weight of the constraints is raised at most.
+/// Largest factor of the weight of the constraints.
 const MOST_FACTOR: f64 = 1000.0;
 
-/// A change that lowers the worst distance.
+/// An edit that reduces the worst distance.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Remedy {
-    /// The change, in words.
+    /// The label of the edit.
     pub label: String,
-    /// The edit, as [`Edit::from_json`] reads it.
+    /// The edit in JSON, for [`Edit::from_json`].
     #[cfg_attr(target_arch = "wasm32", tsify(type = "any"))]
     pub edit: Value,
-    /// The worst distance of a vertex to its projection when it was tried, in the unit of the mesh.
+    /// The worst distance of a vertex to its projection after the trial, in the unit of the mesh.
     pub worst: f64,
 }
 
-/// The trials, one iteration after the other.
+/// The trials, run iteration by iteration.
 pub struct Remedies {
-    /// The copy on which changes are tried.
+    /// The copy on which edits are tried.
     session: Session,
     before: f64,
-    /// Not tried yet, the last one first.
+    /// Edits still to be tried, the next one last.
     untried: Vec<(String, Value)>,
     current: Option<Trial>,
     found: Vec<Remedy>,
@@ -51,10 +51,10 @@ struct Trial {
 }
 
 impl Remedies {
-    /// Of a session whose run has ended.
+    /// Prepares the trials for a session whose run has ended.
     ///
     /// # Errors
-    /// As [`Session::open`]; what could be solved before can be solved again.
+    /// As [`Session::open`]; not expected, because the scene could be solved before.
     pub fn new(session: &Session) -> Result<Remedies, Error> {
         let mut untried = candidates(session);
         untried.reverse();
@@ -63,7 +63,7 @@ impl Remedies {
         Ok(Remedies { session: copy, before, untried, current: None, found: Vec::new() })
     }
 
-    /// Goes on by one iteration; whether there is more to try.
+    /// Runs one iteration; returns whether there is more to try.
     ///
     /// # Errors
     /// As [`Session::undo`].
@@ -72,7 +72,7 @@ impl Remedies {
             return self.begin_next();
         };
         trial.iterations += 1;
-        // A change that leads out of the finite numbers is no help.
+        // An edit that makes positions non-finite does not help.
         let ended = self.session.step().map_or(true, |step| step.converged);
         if ended || trial.iterations >= ITERATIONS {
             self.end_current()?;
@@ -88,7 +88,7 @@ impl Remedies {
     fn begin_next(&mut self) -> Result<bool, Error> {
         let Some((label, edit)) = self.untried.pop() else { return Ok(false) };
         let read = Edit::from_json(&edit.to_string(), self.session.document())?;
-        // What cannot be done, as when nothing would hold the mesh, is no help.
+        // An edit that is refused, for example because nothing would hold the mesh, does not help.
         if self.session.edit(read).is_ok() {
             self.current = Some(Trial { label, edit, iterations: 0 });
         }
@@ -111,9 +111,9 @@ impl Remedies {
     }
 }
 
-/// By how much the weight of the constraints has to be raised for all to be within the tolerance of the mesh:
-/// a power of ten. Distances fall like one over the weight.
-fn enough(session: &Session) -> f64 {
+/// Returns the factor of the weight of the constraints, a power of ten, that brings all of them
+/// within the tolerance of the mesh. Distances are about inversely proportional to the weight.
+fn sufficient_factor(session: &Session) -> f64 {
     let mut factor = FACTOR;
     while factor < MOST_FACTOR && session.worst_distance() > factor * session.tolerance() {
         factor *= FACTOR;
@@ -121,7 +121,7 @@ fn enough(session: &Session) -> f64 {
     factor
 }
 
-/// The candidate remedies, in the order in which they are tried.
+/// Returns the edits to try, in order.
 fn candidates(session: &Session) -> Vec<(String, Value)> {
     let document = session.document();
     let weights = document.weights;
@@ -139,7 +139,7 @@ fn candidates(session: &Session) -> Vec<(String, Value)> {
     }
     offer(
         "Weigh constraints more",
-        json!({ "type": "setWeights", "shape": weights.shape * enough(session) }),
+        json!({ "type": "setWeights", "shape": weights.shape * sufficient_factor(session) }),
     );
     let handles: Vec<u32> = session.solver().handles().iter().map(|handle| handle.vertex).collect();
     if !handles.is_empty() {

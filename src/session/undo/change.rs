@@ -8,16 +8,16 @@ use std::rc::Rc;
 /// The difference from the current state to another one.
 pub(crate) struct Change {
     pub(crate) scene: SceneChange,
-    /// The mesh of the other state and its whole document, where that is another mesh: then `scene` has no parts.
+    /// The other mesh and its whole document, if they differ; `scene` then has no parts.
     pub(crate) other: Option<Box<(RestMesh, Scene)>>,
-    /// Iterations up to the other state.
+    /// Iteration count of the other state.
     pub(crate) iteration: u32,
-    /// The shape from which iterations led to it, since somebody last changed something.
+    /// The shape at which its iterations began, after the last edit.
     pub(crate) start: Option<Rc<Start>>,
 }
 
 impl Change {
-    /// The bytes that it holds beyond those that `other` holds too.
+    /// Memory in bytes, without data shared with `other`.
     pub(crate) fn bytes_beside(&self, other: Option<&Change>) -> usize {
         let known = other.and_then(|other| other.start.as_ref());
         let start =

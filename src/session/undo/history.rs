@@ -2,10 +2,10 @@
 
 use super::change::Change;
 
-/// More bytes than this are not kept: the steps that are farthest from now go first.
+/// Memory limit in bytes; the steps that are farthest from now are dropped first.
 const LIMIT_BYTES: usize = 64 << 20;
 
-/// A step with its name and its way: back for a step of undo, forward for one of redo.
+/// A step with its name and its change: backwards for a step of undo, forwards for one of redo.
 pub(crate) type NamedStep = (String, Change);
 
 /// Steps of undo and redo, each list in the order in which its steps were made or undone.
@@ -22,20 +22,20 @@ impl History {
         history
     }
 
-    /// The steps of undo and those of redo.
+    /// The steps of undo, and those of redo.
     pub(crate) fn steps(&self) -> [&[NamedStep]; 2] {
         [&self.undo, &self.redo]
     }
 
-    /// Adds a step with its way back; what was undone can no longer be redone.
+    /// Adds a step with its inverse change; undone steps can no longer be redone.
     pub(crate) fn push(&mut self, name: String, back: Change) {
         self.redo.clear();
         self.push_undo((name, back));
     }
 
-    /// Makes what happened after the last step a part of it; `back` leads to where that ended.
+    /// Makes the changes after the last step a part of it; `back` leads to the end of that step.
     pub(crate) fn join(&mut self, back: Change) {
-        // A step to another mesh takes all of the document back already.
+        // A step to another mesh already restores the whole document.
         if let Some((_, step)) = self.undo.last_mut().filter(|(_, step)| step.other.is_none()) {
             step.scene.parts.extend(back.scene.parts);
         }
@@ -53,22 +53,20 @@ impl History {
         self.trim();
     }
 
-    /// Takes the last step out, to be undone.
     pub(crate) fn pop_undo(&mut self) -> Option<NamedStep> {
         self.undo.pop()
     }
 
-    /// Takes the step out that was last undone.
     pub(crate) fn pop_redo(&mut self) -> Option<NamedStep> {
         self.redo.pop()
     }
 
-    /// The names of the steps that undo and redo would take.
+    /// The names of the steps that undo and redo would apply.
     pub(crate) fn names(&self) -> [Option<&str>; 2] {
         [&self.undo, &self.redo].map(|steps| steps.last().map(|(name, _)| name.as_str()))
     }
 
-    /// Forgets steps beyond the limit; the nearest one of each list stays.
+    /// Drops steps beyond the memory limit; the nearest one of each list stays.
     fn trim(&mut self) {
         let mut bytes = bytes(&self.undo) + bytes(&self.redo);
         for steps in [&mut self.undo, &mut self.redo] {
@@ -86,7 +84,7 @@ fn bytes(steps: &[NamedStep]) -> usize {
     (0..steps.len()).map(|place| bytes_of(steps, place)).sum()
 }
 
-/// The bytes of one step of a list. Data that consecutive steps share counts for the later one.
+/// Bytes of one step of a list. Data shared by consecutive steps counts for the later one.
 fn bytes_of(steps: &[NamedStep], place: usize) -> usize {
     let (name, change) = &steps[place];
     let next = steps.get(place + 1).map(|(_, change)| change);

@@ -1,12 +1,12 @@
-//! Changes that can be taken back.
+//! Undo and redo.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `change` | the difference of two states of a session |
 //! | `history` | the steps of undo and redo |
-//! | `transaction` | a drag or a run that is under way, one step of undo in the end |
-//! | `targets` | what may be a target of a handle |
-//! | `saved` | steps of undo and unfinished work as bytes, to go on after a restart |
+//! | `transaction` | a drag or run under way, which becomes one step of undo |
+//! | `targets` | the check of handle targets |
+//! | `saved` | steps of undo and unfinished work as bytes, for a restart |
 
 mod change;
 mod history;

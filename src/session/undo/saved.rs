@@ -1,9 +1,9 @@
-//! Steps of undo and redo, and the progress of a run or a drag since the scene was written, as bytes beside
-//! the scene file, so that a session that is opened again goes on where it stood.
+//! Steps of undo and redo, and the progress of a run or a drag since the scene was written, as
+//! bytes beside the scene file. With them a reopened session continues in its saved state.
 //!
-//! A state to go to is written as what differs from the state that comes before it in the file, which is
-//! nearer to now: most edits leave the positions as they are. Numbers are little-endian and keep all of
-//! their bits; document and handles are a scene file.
+//! A state is written as its difference from the previous state in the file, which is nearer to
+//! now: most edits do not change the positions. Numbers are little-endian with all of their bits;
+//! document and handles are a scene file.
 
 use super::change::Change;
 use super::history::{History, NamedStep};
@@ -16,24 +16,24 @@ use std::rc::Rc;
 
 /// The first bytes of a history.
 const MAGIC: &[u8] = b"shape-up steps 1";
-/// More bytes are not saved, nor more steps of either list: those that are farthest from now go first.
+/// Limits of saved bytes, and of steps per list; the farthest steps are dropped first.
 const LIMIT_BYTES: usize = 20_000_000;
 const LIMIT_STEPS: usize = 1000;
-/// The first byte of each part of a state: as in the state before it, or written out.
+/// First byte of each part of a state: as in the previous state, or written out.
 const SAME: u8 = 0;
 const OTHER: u8 = 1;
-/// Of a document: written out, but with the variants of the state before it.
+/// First byte of a document that is written out, but with the variants of the previous state.
 const SAME_VARIANTS: u8 = 2;
 
 /// A state of a session.
 #[derive(Clone)]
 pub(crate) struct SavedState {
-    /// Without handles and positions.
+    /// The document without handles and positions.
     document: Scene,
     handles: Rc<[Handle]>,
     /// `#V by 3`.
     positions: Rc<[Point]>,
-    /// Iterations up to it.
+    /// Number of iterations up to the state.
     iteration: u32,
 }
 
@@ -48,7 +48,7 @@ impl SavedState {
         }
     }
 
-    /// Goes where `change` leads.
+    /// Applies `change`.
     pub(crate) fn follow(&mut self, change: &Change) {
         let SceneChange { handles, positions, .. } = &change.scene;
         change.scene.clone().exchange_parts(&mut self.document);
@@ -57,7 +57,7 @@ impl SavedState {
         self.iteration = change.iteration;
     }
 
-    /// The difference to the state `to`.
+    /// Returns the difference to the state `to`.
     pub(crate) fn change_to(&self, to: &SavedState) -> Change {
         let SavedState { document, handles, positions, iteration } = to;
         Change {
@@ -73,14 +73,14 @@ impl SavedState {
     }
 }
 
-/// The steps of undo and redo of a session on `mesh` that is in the state `now`.
+/// Writes the steps of undo and redo of a session on `mesh` in the state `now`.
 pub(crate) fn write_history(steps: [&[NamedStep]; 2], now: &SavedState, mesh: &Mesh) -> Vec<u8> {
     let mut out = MAGIC.to_vec();
     for steps in steps {
         let mut near = now.clone();
         let mut written = Vec::new();
         let mut count = 0;
-        // What was before the mesh is of no use to a session that is opened on this one.
+        // A session that is opened on this mesh cannot use steps from before the mesh.
         let on_this_mesh = steps.iter().rev().take_while(|(_, change)| change.other.is_none());
         for (name, change) in on_this_mesh.take(LIMIT_STEPS) {
             let before = written.len();
@@ -101,18 +101,17 @@ pub(crate) fn write_history(steps: [&[NamedStep]; 2], now: &SavedState, mesh: &M
     out
 }
 
-/// A state of a session on `mesh`.
 pub(crate) fn write_state(state: &SavedState, mesh: &Mesh) -> Vec<u8> {
     let mut out = Vec::new();
     write(&mut out, state, None, mesh);
     out
 }
 
-/// The steps of undo and redo of a session on `mesh` that is in the state `now`, and the document before
-/// the first of them.
+/// Reads the steps of undo and redo of a session on `mesh` in the state `now`. Also returns the
+/// document before the first step of undo.
 ///
 /// # Errors
-/// When the bytes are damaged or belong to another scene.
+/// If the bytes are damaged or belong to another scene.
 pub(crate) fn read_history(
     bytes: &[u8],
     now: &SavedState,
@@ -139,15 +138,15 @@ pub(crate) fn read_history(
     Ok((History::of(lists), first))
 }
 
-/// A state of a session on `mesh` that is in the state `now`.
+/// Reads a state of a session on `mesh`, which is in the state `now`.
 ///
 /// # Errors
-/// When the bytes are damaged or belong to another scene.
+/// If the bytes are damaged or belong to another scene.
 pub(crate) fn read_state(bytes: &[u8], now: &SavedState, mesh: &Mesh) -> Result<SavedState, Error> {
     read(&mut Bytes(bytes), None, &now.document.mesh, mesh)
 }
 
-/// Appends a state: all of it, or what differs from the one that is `near`.
+/// Appends a state: all of it, or its difference from the state `near`.
 fn write(out: &mut Vec<u8>, state: &SavedState, near: Option<&SavedState>, mesh: &Mesh) {
     out.extend(state.iteration.to_le_bytes());
     if near.is_some_and(|n| n.document == state.document && n.handles == state.handles) {
@@ -174,7 +173,7 @@ fn write(out: &mut Vec<u8>, state: &SavedState, near: Option<&SavedState>, mesh:
     }
 }
 
-/// Reads what [`write`] appends; the document has its mesh from `source`.
+/// Reads the output of [`write`]; `source` becomes the mesh of the document.
 fn read(
     bytes: &mut Bytes<'_>,
     near: Option<&SavedState>,
@@ -245,7 +244,7 @@ impl<'a> Bytes<'a> {
         std::str::from_utf8(bytes).map_err(|_| self.damaged("text"))
     }
 
-    /// As many positions as the mesh has vertices.
+    /// Reads one position for each vertex of the mesh.
     fn positions(&mut self, vertices: usize) -> Result<Vec<Point>, SceneError> {
         if self.count()? as usize != vertices {
             return Err(self.damaged("one position for each vertex"));

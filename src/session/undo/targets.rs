@@ -3,11 +3,11 @@
 use crate::mesh::{FARTHEST, Point, too_far};
 use crate::scene::SceneError;
 
-/// Checks that the targets of these vertices are such as a scene file may have.
+/// Checks that the targets of these vertices are valid in a scene file.
 ///
 /// # Errors
-/// When there is not one target for each vertex, or one is not finite or too far out: the error names its
-/// vertex.
+/// If the numbers of targets and vertices differ, or a target is not finite or too far out; the
+/// error names its vertex.
 pub fn check_targets(vertices: &[u32], targets: &[Point]) -> Result<(), SceneError> {
     let error = |message| Err(SceneError { path: "handles".to_owned(), message });
     if vertices.len() != targets.len() {

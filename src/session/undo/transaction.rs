@@ -1,16 +1,16 @@
-//! A drag or a run that is under way: many changes that are one step of undo together.
+//! A drag or run under way: many changes that become one step of undo.
 
 use super::change::Change;
 use crate::mesh::counted;
 use crate::session::state::SceneChange;
 use crate::solve::Handle;
 
-/// A drag or a run that has begun and is not yet a step of undo.
+/// A drag, run or variation that has begun and is not yet a step of undo.
 pub(crate) struct Transaction {
     kind: Kind,
-    /// The way back to where it began.
+    /// The change back to the state at which it began.
     back: Change,
-    /// It belongs to the step of undo that was made last, and becomes none of its own.
+    /// Whether it joins the last step of undo instead of becoming one.
     joins_last: bool,
 }
 
@@ -22,17 +22,17 @@ enum Kind {
 }
 
 impl Transaction {
-    /// A drag from where `back` leads.
+    /// Begins a drag; `back` leads to the state before it.
     pub(crate) fn drag(back: Change) -> Transaction {
         Transaction { kind: Kind::Drag, back, joins_last: false }
     }
 
-    /// A run from where `back` leads.
+    /// Begins a run; `back` leads to the state before it.
     pub(crate) fn run(back: Change) -> Transaction {
         Transaction { kind: Kind::Run, back, joins_last: false }
     }
 
-    /// A shape that is shown and not kept, instead of the one that `back` leads to.
+    /// Begins to show a shape that is not kept; `back` leads to the state before it.
     pub(crate) fn variation(back: Change) -> Transaction {
         Transaction { kind: Kind::Variation, back, joins_last: false }
     }
@@ -49,7 +49,6 @@ impl Transaction {
         self.kind == Kind::Run
     }
 
-    /// The way back to where it began.
     pub(crate) fn back(&self) -> &Change {
         &self.back
     }
@@ -58,22 +57,21 @@ impl Transaction {
         self.back
     }
 
-    /// Whether it belongs to the step of undo that was made last.
     pub(crate) fn joins_last(&self) -> bool {
         self.joins_last
     }
 
-    /// Makes it a part of the step that was made last.
+    /// Joins it to the last step of undo.
     pub(crate) fn join_last(&mut self) {
         self.joins_last = true;
     }
 
-    /// The document was changed too while it went on; `back` takes that back.
+    /// Includes a change of the document during the transaction; `back` is its inverse.
     pub(crate) fn include(&mut self, back: SceneChange) {
         self.back.scene.parts.extend(back.parts);
     }
 
-    /// The name of the step that a drag becomes, whose handles are `now`; none where no handle has moved.
+    /// The name of the step of a drag, with the handles `now`; none if no handle has moved.
     pub(crate) fn name_of_drag(&self, now: &[Handle]) -> Option<String> {
         let before = &self.back.scene.handles;
         if before.len() != now.len() {
@@ -86,7 +84,7 @@ impl Transaction {
         }
     }
 
-    /// The name of the step that a run becomes, up to `iteration`; none where it has not iterated.
+    /// Returns the name of the step of a run that ends at `iteration`; none without iterations.
     pub(crate) fn name_of_run(&self, iteration: u32) -> Option<String> {
         let iterations = iteration - self.back.iteration;
         let words = counted(iterations as usize, "iteration", "iterations");
