@@ -20,7 +20,8 @@ fn comments(scene: &SolvedScene) -> String {
     UnitsAndUp::comments(&document.units, document.up)
 }
 
-/// Returns the document with its handles, and positions unless they are the design or at rest.
+/// Returns the document with its handles, and with current positions if they differ from the
+/// design, or without a design from the rest positions.
 pub(super) fn whole_scene(scene: &SolvedScene, rest: &RestMesh) -> Scene {
     let mut whole = scene.document().clone();
     let positions = scene.positions();

@@ -274,7 +274,8 @@ impl Session {
         scene.to_json(self.mesh())
     }
 
-    /// Returns the scene in its current state, with current positions if they are not at rest.
+    /// Returns the scene in its current state, with current positions if they differ from the
+    /// design, or without a design from the rest positions.
     pub fn scene(&self) -> Scene {
         export::whole_scene(&self.scene, &self.rest)
     }
