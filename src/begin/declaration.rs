@@ -1,23 +1,23 @@
-//! The declaration of a kind of new mesh, and the errors of its sizes.
+//! Declaration of a kind of new mesh, and the errors in its sizes.
 
 use crate::mesh::{Mesh, Size, SizeError};
 use serde::Serialize;
 use std::fmt;
 
-/// More faces are not made: what one begins with is coarse, and refined later.
+/// Largest number of faces of a new mesh: it starts coarse and is refined later.
 pub(super) const MOST_FACES: f64 = 100_000.0;
 
-/// A kind of mesh to begin with. Hosts build their controls from it.
+/// A kind of new mesh. Hosts build their controls from it.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct NewKind {
-    /// The word for it.
+    /// Identifier.
     pub id: &'static str,
-    /// Its name.
+    /// Display name.
     pub label: &'static str,
-    /// One sentence.
+    /// Description in one sentence.
     pub summary: &'static str,
-    /// Its parameters, in the order of the values of [`NewKind::mesh`].
+    /// Parameters, in the order of the values of [`NewKind::mesh`].
     pub sizes: &'static [Size],
     #[serde(skip)]
     pub(super) make: fn(&[f64]) -> Result<Mesh, NewMeshError>,
@@ -28,12 +28,12 @@ pub struct NewKind {
 pub enum NewMeshError {
     /// A size is missing, or out of its limits.
     Size(SizeError),
-    /// Two sizes do not go together.
+    /// Two sizes contradict each other.
     Together {
-        /// The condition that they break.
+        /// The condition that they violate.
         expected: &'static str,
     },
-    /// More faces than are made, see the number.
+    /// Too many faces; holds their number.
     TooMany(f64),
 }
 
@@ -52,23 +52,23 @@ impl fmt::Display for NewMeshError {
 impl std::error::Error for NewMeshError {}
 
 impl NewKind {
-    /// The defaults of its sizes.
+    /// The default values of its sizes.
     pub fn defaults(&self) -> Vec<f64> {
         self.sizes.iter().map(|size| size.default).collect()
     }
 
-    /// The mesh with these sizes, in the order of [`NewKind::sizes`].
+    /// The mesh with these sizes, given in the order of [`NewKind::sizes`].
     ///
     /// # Errors
-    /// When a size is missing or out of its limits, two of them contradict each other, or there would be too
-    /// many faces.
+    /// If a size is missing or out of its limits, two sizes contradict each other, or the mesh
+    /// would have too many faces.
     pub fn mesh(&self, values: &[f64]) -> Result<Mesh, NewMeshError> {
         Size::check(self.sizes, values).map_err(NewMeshError::Size)?;
         (self.make)(values)
     }
 }
 
-/// Refuses more faces than are made.
+/// Fails if there would be too many faces.
 pub(super) fn few(faces: f64) -> Result<(), NewMeshError> {
     if faces > MOST_FACES { Err(NewMeshError::TooMany(faces)) } else { Ok(()) }
 }

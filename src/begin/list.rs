@@ -1,4 +1,4 @@
-//! The kinds.
+//! The list of kinds.
 
 use super::declaration::NewKind;
 use super::{round, sheets};
@@ -26,7 +26,7 @@ const WIDTH: Size = length("width", "Width", 12.0);
 const HEIGHT: Size = length("height", "Height", 8.0);
 const DIAMETER: Size = length("diameter", "Diameter", 16.0);
 
-/// The kinds, in the order in which hosts list them.
+/// All kinds, in the order in which hosts list them.
 pub const NEW_KINDS: &[NewKind] = &[
     NewKind {
         id: "grid",
@@ -140,7 +140,7 @@ pub const NEW_KINDS: &[NewKind] = &[
 ];
 
 impl NewKind {
-    /// The kind of that id.
+    /// The kind with this id.
     pub fn of(id: &str) -> Option<&'static NewKind> {
         NEW_KINDS.iter().find(|kind| kind.id == id)
     }

@@ -1,12 +1,12 @@
-//! Meshes to begin with: a few kinds, each with the sizes that it is made by. All are in the frame that `z` points up
-//! in, stand on the ground or lie on it, and have the same bits on every machine.
+//! New meshes to start from: a few kinds defined by sizes, from a plan, or between curves. `z`
+//! points up, every mesh stands or lies on the ground, and has the same bits on every machine.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `declaration` | what a kind and its sizes are, and what sizes are refused |
+//! | `declaration` | declaration of a kind, and errors in its sizes |
 //! | `list` | the kinds |
-//! | `sheets` | the flat and the arched ones: quads, triangles, hexagons |
-//! | `round` | those around an axis |
+//! | `sheets` | flat and arched sheets: quads, triangles, hexagons |
+//! | `round` | meshes of revolution |
 //! | `plan` | a mesh from a closed outline on the ground |
 //! | `span` | a mesh between curves of a file |
 

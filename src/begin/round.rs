@@ -1,4 +1,4 @@
-//! Meshes around the `z` axis: quads in rows, and triangles where they meet in a point.
+//! Meshes of revolution about the `z` axis: rows of quads, and triangles around an apex.
 
 use super::declaration::{NewMeshError, few};
 use crate::example::model::Rings;
@@ -15,7 +15,7 @@ pub(super) fn dome(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
         let expected = "an opening that is smaller than the diameter";
         return Err(NewMeshError::Together { expected });
     }
-    // From the axis, in turns.
+    // Angles from the axis, in turns.
     let low = angle(radius - rise, eaves) / TAU;
     let high = angle((radius * radius - hole * hole).max(0.0).sqrt(), hole) / TAU;
     revolved(around, rows, &|up| {
@@ -30,7 +30,7 @@ pub(super) fn cone(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
     revolved(around, rows, &|up| [0.5 * (diameter + up * (top - diameter)), up * height])
 }
 
-/// A quarter of an ellipse turned around the axis: upright at the neck, level at the rim.
+/// A quarter of an ellipse revolved about the axis: vertical at the neck, horizontal at the rim.
 pub(super) fn funnel(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
     let &[rim, neck, height, around, rows] = sizes else { return Err(wrong(sizes, 5)) };
     if neck >= rim {
@@ -48,8 +48,8 @@ pub(super) fn tube(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
     revolved(around, rows, &|up| [0.5 * diameter, up * height])
 }
 
-/// `profile` has the radius and the height of each row, from 0 at the bottom to 1 at the top, where the radius
-/// may be zero; compiled once for all kinds.
+/// Revolves a `profile`: radius and height of a row, from 0 at the bottom to 1 at the top, where
+/// the radius may be zero. `dyn`, to compile this once for all kinds.
 fn revolved(
     around: f64,
     rows: f64,

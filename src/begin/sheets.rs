@@ -1,4 +1,4 @@
-//! Sheets over a piece of the ground: quads, triangles and hexagons, seen from above counterclockwise.
+//! Sheets over a piece of the ground: quads, triangles and hexagons, counterclockwise from above.
 
 use super::declaration::{NewMeshError, few};
 use crate::example::model::{grid, honeycomb, triangle_rows};
@@ -42,13 +42,15 @@ pub(super) fn hypar(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
     quads(panels, panels, &|x, y| [0.5 * span * x, 0.5 * span * y, 0.5 * height * (1.0 + x * y)])
 }
 
-/// Regular hexagons where the length is a whole number of rows; halves of them along the boundary.
+/// Hexagons, regular if the length is a whole number of rows, with half hexagons along the
+/// boundary.
 pub(super) fn hexagons(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
     let (rows, across, point) = cap(sizes)?;
     Ok(honeycomb(rows, |_| across, point))
 }
 
-/// Triangles of equal sides where the length is a whole number of rows; halves of them at the sides.
+/// Triangles, equilateral if the length is a whole number of rows, with half triangles at the
+/// sides.
 pub(super) fn triangles(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
     let (rows, across, point) = cap(sizes)?;
     let mut mesh = triangle_rows(rows, &|_| across);
@@ -56,8 +58,8 @@ pub(super) fn triangles(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
     Ok(mesh)
 }
 
-/// Rows of triangle corners along the length, how many each has, and a paraboloid over the rectangle, level at its
-/// corners.
+/// The number of rows of triangle corners along the length, their number per row, and a paraboloid
+/// over the rectangle, level at its corners.
 fn cap(sizes: &[f64]) -> Result<(usize, usize, impl Fn(f64, f64) -> Point), NewMeshError> {
     let &[length, width, rise, size] = sizes else { return Err(wrong(sizes, 4)) };
     if size > length || size > width {
@@ -72,7 +74,7 @@ fn cap(sizes: &[f64]) -> Result<(usize, usize, impl Fn(f64, f64) -> Point), NewM
     Ok((rows as usize, across as usize + 1, point))
 }
 
-/// A grid of quads, mapped from the square from -1 to 1; compiled once for all kinds.
+/// A grid of quads mapped from the square from -1 to 1; `dyn`, to compile this once for all kinds.
 fn quads(along: f64, across: f64, point: &dyn Fn(f64, f64) -> Point) -> Result<Mesh, NewMeshError> {
     few(along * across)?;
     Ok(grid([along as usize, across as usize], point))

@@ -1,7 +1,12 @@
 //! A straight grid cut to the outline and its holes.
 //!
-//! Vertices of the grid near a loop are moved onto it, one to each of its corners; edges that it still crosses get
-//! a vertex there. What each cell has inside is a face: whole cells stay squares, and no face is a sliver.
+//! Grid vertices near a loop are moved onto it, one to each of its corners; edges that a loop still
+//! crosses get a vertex there. The part of each cell inside is a face: whole cells stay squares,
+//! and no face is a sliver.
+//!
+//! Grid vertices near a loop are moved onto it, one of them to each of its corners. Each grid edge
+//! that a loop still crosses gets a vertex at the crossing. The part of each cell inside the
+//! outline is a face: whole cells stay squares, and no face is a sliver.
 
 use super::declaration::PlanError;
 use super::outline::{
@@ -13,32 +18,32 @@ use crate::math::{cosine_and_sine_of_degrees, polygon_sides};
 use crate::mesh::{Mesh, Ragged};
 use std::collections::BTreeMap;
 
-/// Vertices of the grid so near to a loop, in sides of a cell, are moved onto it.
+/// Grid vertices closer to a loop than this are moved onto it, in sides of a cell.
 const NEAR: f64 = 0.3;
-/// Faces of a smaller area, in cells, that have nothing but vertices on loops are left out.
+/// Smallest area of a face that has all its vertices on loops, in cells; smaller ones are dropped.
 const SLIVER: f64 = 0.02;
-/// How far the places of an arc leave it, in sides of a cell.
+/// Tolerance of the polylines that replace arcs, in sides of a cell.
 const FLAT: f64 = 1e-3;
 
-/// Where a vertex lies.
+/// Position relative to the loops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Lies {
     Inside,
     Outside,
-    /// On this loop.
+    /// On the loop of this index.
     On(usize),
 }
 
 /// The grid over the extent of a plan; its cells have side 1.
 struct Cells {
-    /// In each direction.
+    /// Number of cells in each direction.
     count: [usize; 2],
     /// The loops, the outline first.
     polygons: Vec<Vec<Place>>,
-    /// Of each vertex of the grid, then of each crossing.
+    /// Positions of the grid vertices, then of the crossings.
     places: Vec<Place>,
     lies: Vec<Lies>,
-    /// Of each edge of the grid that a loop crosses the vertex there.
+    /// The vertex on each grid edge that a loop crosses.
     crossings: BTreeMap<[u32; 2], u32>,
 }
 
@@ -58,7 +63,7 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
     if count[0] * count[1] > MOST_FACES {
         return Err(PlanError::TooMany(count[0] * count[1]));
     }
-    // A little longer or shorter, so that whole cells fit.
+    // Stretched a little, so that a whole number of cells fits.
     let step = [extent[0] / count[0], extent[1] / count[1]];
     let into = |place: Place| {
         let place = minus(turned(place, [c, -s]), low);
@@ -81,7 +86,7 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
     cells.snap();
     cells.cross();
     let faces = cells.faces();
-    // A narrow piece of the outline between the vertices of a cell turns it over.
+    // A piece of the outline that is narrower than a cell can turn a face over.
     if faces.iter().any(|face| cells.twice_area(face) <= 0.0) {
         return Err(PlanError::TooCoarse(None));
     }
@@ -119,7 +124,7 @@ impl Cells {
         (j * (self.count[0] + 1) + i) as u32
     }
 
-    /// The vertices of the grid at most one step from the cell of a place.
+    /// The grid vertices at most `steps` from the cell that contains `place`.
     fn around(&self, place: Place, steps: f64) -> impl Iterator<Item = u32> + use<> {
         let [nx, ny] = self.count;
         let range = |x: f64, n: usize| {
@@ -131,8 +136,9 @@ impl Cells {
             .flat_map(move |j| columns.clone().map(move |i| (j * (nx + 1) + i) as u32))
     }
 
-    /// Moves a vertex of the grid to the corner of a loop: the nearest one of its cell where it is near, else one
-    /// outside, whose faces are cut anyway. None where other corners took them all.
+    /// Moves a grid vertex to a corner of the loop `on`: the nearest free one of its cell if it is
+    /// near, else preferably one outside, whose faces are cut anyway. None if other corners use
+    /// them all.
     fn corner(&mut self, place: Place, on: usize) -> Option<u32> {
         let far = |&v: &u32| {
             let by = minus(self.places[v as usize], place);
@@ -148,7 +154,7 @@ impl Cells {
         Some(nearest)
     }
 
-    /// Moves the vertices that are near a loop onto it.
+    /// Moves vertices that are near a loop onto it.
     fn snap(&mut self) {
         let mut nearest: BTreeMap<u32, (f64, Place, usize)> = BTreeMap::new();
         for (l, polygon) in self.polygons.iter().enumerate() {
@@ -178,7 +184,7 @@ impl Cells {
         }
     }
 
-    /// Puts a vertex where a loop crosses an edge of the grid from inside to outside.
+    /// Inserts a vertex at each crossing of a loop with a grid edge from inside to outside.
     fn cross(&mut self) {
         let [nx, ny] = self.count;
         let across = (0..=ny).flat_map(|j| (0..nx).map(move |i| ([i, j], [i + 1, j])));
@@ -199,7 +205,7 @@ impl Cells {
         }
     }
 
-    /// Where a loop crosses an edge first, from its end inside, and which one.
+    /// The crossing of a loop with an edge nearest to its inner end, and the loop.
     fn crossing(&self, ends: [u32; 2]) -> (Place, usize) {
         let is_turned = self.lies[ends[0] as usize] == Lies::Outside;
         let [p, q] = ends.map(|v| self.places[v as usize]);
@@ -217,12 +223,12 @@ impl Cells {
                 }
             }
         }
-        // Rounding alone keeps a loop from an edge whose ends it parts.
+        // The ends are on different sides of a loop: only rounding can hide the crossing.
         let t = if first.0.is_finite() { first.0 } else { 0.5 };
         (along(p, t, by), first.1)
     }
 
-    /// The part of each cell inside the outline, as a face, counterclockwise.
+    /// The part of each cell inside the outline as a face, counterclockwise.
     fn faces(&self) -> Vec<Vec<u32>> {
         let [nx, ny] = self.count;
         let mut faces = Vec::new();
@@ -250,7 +256,8 @@ impl Cells {
         twice_area(&places)
     }
 
-    /// Adds the face of a cell: none where that lies outside, two where the cell is inside at two opposite corners.
+    /// Adds the face of a cell: none if it lies outside, two if only two opposite corners are
+    /// inside.
     fn push_face(&self, faces: &mut Vec<Vec<u32>>, face: Vec<u32>) {
         let share = 1.0 / face.len() as f64;
         let places = face.iter().map(|&v| self.places[v as usize]);
@@ -271,7 +278,7 @@ impl Cells {
         }
     }
 
-    /// The vertices that faces have, in their order, in the coordinates of the plan.
+    /// The surface, with only the vertices that faces use, in plan coordinates.
     fn compact(
         &self,
         faces: &[Vec<u32>],

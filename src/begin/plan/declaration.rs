@@ -4,24 +4,24 @@ use crate::begin::declaration::MOST_FACES;
 use serde::Deserialize;
 use std::fmt;
 
-/// Longer lists of points are refused.
+/// Largest number of points in a list.
 const MOST_POINTS: usize = 500;
 
-/// A closed outline on the ground, and what becomes of it.
+/// A closed outline on the ground, and how it becomes a surface.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 pub struct Plan {
     /// The points of the outline, in either direction.
     pub outline: Vec<PlanPoint>,
-    /// Those of each hole.
+    /// The points of each hole.
     #[serde(default)]
     pub holes: Vec<Vec<PlanPoint>>,
-    /// How it is divided.
+    /// How it is divided into panels.
     pub layout: PlanLayout,
-    /// The length of a panel.
+    /// The target length of a panel's side.
     pub size: f64,
-    /// The direction of a grid that is cut, in degrees from the `x` axis.
+    /// Direction of a cut grid, in degrees from the `x` axis.
     #[serde(default)]
     pub turn: f64,
     /// The height of the highest vertex.
@@ -37,11 +37,11 @@ pub struct Plan {
 pub struct PlanPoint {
     /// Its coordinates.
     pub at: [f64; 2],
-    /// How far the side is an arc: its rise over half its chord, from -1 to 1 for half circles; outward where it
-    /// is positive.
+    /// Curvature as an arc: its rise over half its chord, from -1 to 1 (half circles), positive
+    /// outwards.
     #[serde(default)]
     pub bulge: f64,
-    /// Whether it is a corner of the surface: of a grid that follows the outline, and where that stands.
+    /// Whether it is a corner: of a grid that follows the outline, or to stand on.
     #[serde(default)]
     pub corner: bool,
 }
@@ -53,7 +53,7 @@ pub struct PlanPoint {
 pub enum PlanLayout {
     /// Into a grid of quads whose four sides are the pieces of the outline between its four corners.
     Follow,
-    /// Into squares that are cut where the outline and its holes end.
+    /// Into squares that are cut at the outline and its holes.
     Cut,
 }
 
@@ -64,14 +64,14 @@ pub enum PlanLayout {
 pub enum Standing {
     /// The whole outline.
     Outline,
-    /// The corners alone.
+    /// Only the corners.
     Corners,
 }
 
-/// A side of a plan, by where it is.
+/// A side of a plan: its loop and its first point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PlanSide {
-    /// The hole that it bounds, or none for the outline.
+    /// The hole that it bounds; none for the outline.
     pub hole: Option<usize>,
     /// The point where it begins.
     pub point: usize,
@@ -91,30 +91,30 @@ impl fmt::Display for PlanSide {
 /// An error in a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlanError {
-    /// An entry of its text, by its JSON path.
+    /// An invalid entry of the text.
     Entry {
-        /// Such as `outline[3].bulge`; empty for the whole text.
+        /// JSON path, such as `outline[3].bulge`; empty for the whole text.
         path: String,
         /// The value found, and what was expected.
         message: String,
     },
-    /// Two sides meet that should not.
+    /// Two sides cross or touch.
     Crossing([PlanSide; 2]),
     /// A hole lies outside the outline.
     Outside(usize),
-    /// So many corners are marked; a grid that follows the outline has four.
+    /// A grid that follows the outline needs four corners; holds the number marked.
     FourCorners(usize),
-    /// A surface that stands on its corners needs three, and so many are marked.
+    /// A surface that stands on its corners needs three; holds the number marked.
     NoCorners(usize),
     /// A grid that follows the outline has no holes.
     Holes,
-    /// Panels of a grid that follows the outline lie over each other.
+    /// Panels of a grid that follows the outline overlap.
     Folded,
-    /// This hole, or the outline where there is none, is smaller than a panel.
+    /// A hole, or the outline if none, is smaller than a panel.
     TooCoarse(Option<usize>),
-    /// There is a piece that stands nowhere.
+    /// A connected piece of the surface has no support.
     Apart,
-    /// More faces than are made, see the number.
+    /// Too many faces; holds their number.
     TooMany(f64),
 }
 
@@ -163,10 +163,10 @@ impl fmt::Display for PlanError {
 impl std::error::Error for PlanError {}
 
 impl Plan {
-    /// Reads a plan: its fields by their names.
+    /// Reads a plan from JSON.
     ///
     /// # Errors
-    /// Where it is no JSON, or an entry is not one of a plan.
+    /// If the text is not JSON, or an entry is not valid in a plan.
     #[cfg(feature = "cli")]
     pub fn from_json(text: &str) -> Result<Plan, PlanError> {
         use crate::json::{JsonError, parse, read_tree};
@@ -179,7 +179,7 @@ pub(super) fn entry(path: impl Into<String>, message: impl Into<String>) -> Plan
     PlanError::Entry { path: path.into(), message: message.into() }
 }
 
-/// Refuses lists of points that are no outline.
+/// Fails if a list of points cannot be a closed outline.
 pub(super) fn check(points: &[PlanPoint], path: &str) -> Result<(), PlanError> {
     let is_arc = points.iter().any(|point| point.bulge != 0.0);
     let fewest = if is_arc { 2 } else { 3 };

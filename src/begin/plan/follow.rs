@@ -6,7 +6,7 @@ use super::raise::Ground;
 use crate::begin::declaration::MOST_FACES;
 use crate::example::model::grid;
 
-/// Places that are smoothed in all sweeps together, so that the largest grids take a second.
+/// Limit of vertex updates in all smoothing sweeps together: the largest grids take a second.
 const MOST_MOVES: usize = 40_000_000;
 
 /// The grid between the four marked corners.
@@ -56,8 +56,8 @@ fn piece(outline: &Loop, from: usize, to: usize) -> Vec<Side> {
     (0..(to + n - from) % n).map(|k| outline.sides[(from + k) % n]).collect()
 }
 
-/// `n + 1` places in equal steps along some sides; the points between these are among them where there are
-/// enough.
+/// `n + 1` points in equal steps along some sides. The corners between sides replace the nearest of
+/// them, as far as there are enough.
 fn places(sides: &[Side], n: usize) -> Vec<Place> {
     let mut ends = vec![0.0];
     sides.iter().for_each(|side| ends.push(ends[ends.len() - 1] + side.length()));
@@ -78,7 +78,7 @@ fn places(sides: &[Side], n: usize) -> Vec<Place> {
     at.iter().map(place).collect()
 }
 
-/// Coons' patch between four sides, each counterclockwise around it.
+/// Coons patch between four sides, each of them counterclockwise around it.
 fn blended(south: &[Place], east: &[Place], north: &[Place], west: &[Place]) -> Vec<Place> {
     let (nx, ny) = (south.len() - 1, east.len() - 1);
     let mut places = Vec::with_capacity((nx + 1) * (ny + 1));
@@ -95,7 +95,7 @@ fn blended(south: &[Place], east: &[Place], north: &[Place], west: &[Place]) -> 
                 (-u * v, north[0]),
                 (-(1.0 - u) * v, north[nx]),
             ];
-            // A place of a side as it is, not rounded.
+            // Boundary points are copied, to avoid rounding.
             places.push(match (i, j) {
                 (_, 0) => south[i],
                 (_, j) if j == ny => north[nx - i],
@@ -108,8 +108,8 @@ fn blended(south: &[Place], east: &[Place], north: &[Place], west: &[Place]) -> 
     places
 }
 
-/// Winslow's smoothing (1966): the inverse of the map onto a square whose coordinates are harmonic, which lies
-/// over itself nowhere. Gauss-Seidel sweeps over its differences.
+/// Winslow's smoothing (1966): a map from the square whose inverse is harmonic, so that it does not
+/// fold. Solved by Gauss-Seidel sweeps over finite differences.
 fn smooth(places: &mut [Place], row: usize) {
     let inner = (row - 2) * (places.len() / row).saturating_sub(2);
     let extent = places.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));

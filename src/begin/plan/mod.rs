@@ -2,7 +2,7 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `declaration` | what a plan says, and what is wrong with one |
+//! | `declaration` | the description of a plan, and its errors |
 //! | `outline` | closed loops of straight and arc sides |
 //! | `follow` | a grid whose four sides follow the outline |
 //! | `cut` | a straight grid cut to the outline and its holes |

@@ -4,12 +4,12 @@ use super::declaration::{PlanError, PlanPoint, PlanSide, check};
 use crate::math::{angle, cosine, sine};
 use std::f64::consts::TAU;
 
-/// A place on the ground.
+/// A point on the ground.
 pub(super) type Place = [f64; 2];
 
-/// Flatter sides are straight.
+/// Sides with a smaller bulge are straight.
 const STRAIGHT: f64 = 1e-9;
-/// The cosine of the turn that makes a point of an outline sharp: 20 degrees.
+/// Cosine of the smallest turn at a sharp corner: 20 degrees.
 const SHARP: f64 = 0.939_692_620_785_908_4;
 
 /// A side: straight, or an arc.
@@ -18,9 +18,9 @@ pub(super) struct Side {
     from: Place,
     to: Place,
     bulge: f64,
-    /// The index of the point where it begins in the order in which they were given.
+    /// The index of its first point in the given order.
     pub(super) point: usize,
-    /// Whether that is marked as a corner.
+    /// Whether its first point is marked as a corner.
     pub(super) is_corner: bool,
 }
 
@@ -52,18 +52,18 @@ pub(super) fn length(a: Place) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// Twice the area of a polygon, positive where it is counterclockwise.
+/// Twice the area of a polygon, positive if it is counterclockwise.
 pub(super) fn twice_area(points: &[Place]) -> f64 {
     let first = points[0];
     points.windows(2).map(|w| cross(minus(w[0], first), minus(w[1], first))).sum()
 }
 
-/// A place turned around the origin by the angle of this cosine and sine.
+/// A point rotated about the origin by the angle with this cosine and sine.
 pub(super) fn turned([x, y]: Place, [c, s]: [f64; 2]) -> Place {
     [c * x - s * y, s * x + c * y]
 }
 
-/// The place of a segment that is nearest to `to`.
+/// The point of a segment that is nearest to `to`.
 pub(super) fn closest([a, b]: [Place; 2], to: Place) -> Place {
     let by = minus(b, a);
     let t = dot(minus(to, a), by) / dot(by, by);
@@ -71,7 +71,7 @@ pub(super) fn closest([a, b]: [Place; 2], to: Place) -> Place {
 }
 
 impl Side {
-    /// The angle that the arc spans, in turns; negative where it goes inward.
+    /// The angle that the arc spans, in turns; negative if it bulges inwards.
     fn turns(&self) -> f64 {
         4.0 * self.bulge.signum() * angle(1.0, self.bulge.abs()) / TAU
     }
@@ -80,7 +80,7 @@ impl Side {
         self.bulge.abs() < STRAIGHT
     }
 
-    /// The radius of the arc; negative where it goes inward.
+    /// The radius of the arc; negative if it bulges inwards.
     fn radius(&self) -> f64 {
         length(minus(self.to, self.from)) * (1.0 + self.bulge * self.bulge) / (4.0 * self.bulge)
     }
@@ -92,7 +92,7 @@ impl Side {
         self.radius() * self.turns() * TAU
     }
 
-    /// The place after the share `t` of its length.
+    /// The point at the fraction `t` of its length.
     pub(super) fn at(&self, t: f64) -> Place {
         let chord = minus(self.to, self.from);
         if self.is_straight() || t == 0.0 || t == 1.0 {
@@ -108,7 +108,7 @@ impl Side {
         along(place, radius * cosine(turns), outward)
     }
 
-    /// The unit directions in which it begins and ends.
+    /// The unit tangents at its start and its end.
     fn ends(&self) -> [Place; 2] {
         let chord = minus(self.to, self.from);
         let direction = chord.map(|c| c / length(chord));
@@ -116,7 +116,7 @@ impl Side {
         [-half, half].map(|by| turned(direction, [cosine(by), sine(by)]))
     }
 
-    /// Places along it that leave it by at most `tolerance`, without its end.
+    /// Points of a polyline within `tolerance` of the side, without its end.
     fn flattened(&self, tolerance: f64) -> impl Iterator<Item = Place> + '_ {
         let pieces = if self.is_straight() {
             1.0
@@ -134,7 +134,7 @@ impl Loop {
         check(points, &hole.map_or("outline".into(), |hole| format!("holes[{hole}]")))?;
         let n = points.len();
         let places: Vec<Place> = points.iter().map(|point| point.at).collect();
-        // Of two arcs both directions are the same.
+        // A loop of two arcs has no area here; its direction does not matter.
         let is_clockwise = twice_area(&places) < 0.0;
         let side = |k: usize| {
             let (from, to, arc) = match is_clockwise {
@@ -153,7 +153,7 @@ impl Loop {
         Ok(Loop { sides: (0..n).map(side).collect(), hole })
     }
 
-    /// Of each side whether the loop has a corner where it begins: a marked one, or a sharp turn.
+    /// For each side, whether the loop has a corner at its start: a marked one, or a sharp turn.
     pub(super) fn sharp(&self) -> Vec<bool> {
         let n = self.sides.len();
         let is_sharp = |k: usize| {
@@ -163,7 +163,7 @@ impl Loop {
         (0..n).map(is_sharp).collect()
     }
 
-    /// Places along it, and of each the side that it is on.
+    /// Points of a polyline along the loop, each with its side.
     pub(super) fn flattened(&self, tolerance: f64) -> Vec<(Place, usize)> {
         let of = |(k, side): (usize, &Side)| -> Vec<_> {
             side.flattened(tolerance).map(|place| (place, k)).collect()
@@ -171,7 +171,8 @@ impl Loop {
         self.sides.iter().enumerate().flat_map(of).collect()
     }
 
-    /// Refuses loops, the outline first, that cross themselves or each other, and holes outside the outline.
+    /// Fails if loops (the outline first) cross themselves or each other, or a hole is outside the
+    /// outline.
     pub(super) fn apart(loops: &[&Loop]) -> Result<(), PlanError> {
         let size = loops[0].sides.iter().map(Side::length).sum::<f64>();
         let mut segments = Vec::new();
@@ -205,7 +206,7 @@ impl Loop {
     }
 }
 
-/// Whether two segments have a point in common.
+/// Whether two segments have a common point.
 fn meet([a, b]: [Place; 2], [c, d]: [Place; 2]) -> bool {
     let apart = |k: usize| a[k].max(b[k]) < c[k].min(d[k]) || c[k].max(d[k]) < a[k].min(b[k]);
     if apart(0) || apart(1) {
@@ -215,7 +216,7 @@ fn meet([a, b]: [Place; 2], [c, d]: [Place; 2]) -> bool {
     side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) <= 0.0
 }
 
-/// Whether a place lies inside a polygon: a ray from it crosses an odd number of sides.
+/// Whether a point lies inside a polygon: a ray from it crosses an odd number of sides.
 pub(super) fn is_inside(polygon: &[Place], [x, y]: Place) -> bool {
     let mut inside = false;
     for (k, a) in polygon.iter().enumerate() {

@@ -1,14 +1,15 @@
-//! The height of every vertex: a net under its own weight, turned over.
+//! The height of every vertex: a net hanging under its own weight, turned upside down.
 
 use super::declaration::{PlanError, Standing};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Topology};
 use crate::sparse::{BlockMatrix, SymbolicAnalysis};
 
-/// Free edges pull so much more than the edges between panels: they are arches that carry the rest.
+/// Force density of free edges relative to edges between panels: they are arches that carry the
+/// rest.
 const EDGE: f64 = 4.0;
 
-/// A divided plan.
+/// A plan divided into panels.
 pub(super) struct Ground {
     pub(super) mesh: Mesh,
     /// The vertices on the outline.
@@ -20,14 +21,14 @@ pub(super) struct Ground {
 /// The surface over a plan.
 #[derive(Clone, Debug)]
 pub struct PlanSurface {
-    /// Its faces; `z = 0` is the ground.
+    /// The mesh; `z = 0` is the ground.
     pub mesh: Mesh,
-    /// The vertices that it stands on where those are its corners alone, which a designer holds; else none.
+    /// The corners that it stands on, to be fixed by handles; empty if it stands on its outline.
     pub feet: Vec<u32>,
 }
 
-/// Raises the mesh until its highest vertex is at `height`. The force densities of all edges are equal, the loads
-/// are the areas around the vertices (Schek 1974); the vertices that it stands on stay at zero.
+/// Raises the mesh until its highest vertex is at `height`. All inner edges have the same force
+/// density, loads are the areas around vertices (Schek 1974), and supported vertices stay at zero.
 pub(super) fn raised(
     ground: Ground,
     stands: Standing,
@@ -45,7 +46,7 @@ pub(super) fn raised(
     let node_of = analysis.place_of();
     let mut fixed = vec![false; n];
     held.iter().for_each(|&v| fixed[node_of[v as usize] as usize] = true);
-    // The same for each coordinate, of which the height is one.
+    // The blocks are multiples of the identity; the first coordinate is the height.
     let mut matrix = BlockMatrix::new(&analysis);
     for (e, ends) in (0..).zip(topology.edges()) {
         let density = if topology.is_boundary_edge(e) { EDGE } else { 1.0 };
@@ -53,7 +54,7 @@ pub(super) fn raised(
         let on_diagonal = |value: f64| move |r, c| if r == c { value } else { 0.0 };
         matrix.add(p, p, on_diagonal(density));
         matrix.add(q, q, on_diagonal(density));
-        // Those that are held are at zero and load nobody.
+        // Supported vertices are at zero: they add nothing to their neighbours' equations.
         if !fixed[p as usize] && !fixed[q as usize] {
             matrix.add(p.min(q), p.max(q), on_diagonal(-density));
         }
@@ -69,14 +70,14 @@ pub(super) fn raised(
             }
         }
     }
-    // A piece that stands nowhere could be at any height.
+    // The height of a piece without support is undetermined.
     let components = analysis.components();
     let mut stands = vec![false; n];
     (0..n).filter(|&k| fixed[k]).for_each(|k| stands[components[k] as usize] = true);
     if components.iter().any(|&part| !stands[part as usize]) {
         return Err(PlanError::Apart);
     }
-    // Each vertex hangs on one that is held.
+    // Every piece has a support, so the matrix is not singular.
     matrix.factor(&fixed).map_err(|_| PlanError::Apart)?;
     matrix.solve(&mut loads);
     let top = loads.iter().map(|load| load[0]).fold(0.0, f64::max);

@@ -7,10 +7,11 @@ use super::{cut, follow, raise};
 use crate::mesh::Mesh;
 
 impl Plan {
-    /// The surface over it: its faces turn counterclockwise seen from above, the ground is `z = 0`.
+    /// The surface over the plan: faces are counterclockwise seen from above, `z = 0` is the
+    /// ground.
     ///
     /// # Errors
-    /// Where a number is out of its limits, sides cross, or the plan cannot be divided as it says.
+    /// If a number is out of its limits, sides cross, or the plan cannot be divided as requested.
     pub fn surface(&self) -> Result<PlanSurface, PlanError> {
         let expect = |path: &str, found: f64, is_good: bool, expected: &str| match is_good {
             true => Ok(()),
@@ -33,10 +34,10 @@ impl Plan {
         raise::raised(ground, self.stands, height)
     }
 
-    /// The same, without what it stands on.
+    /// The mesh of the surface, without its supports.
     ///
     /// # Errors
-    /// As `surface`.
+    /// As [`Plan::surface`].
     pub fn mesh(&self) -> Result<Mesh, PlanError> {
         Ok(self.surface()?.mesh)
     }

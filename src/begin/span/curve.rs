@@ -1,20 +1,20 @@
-//! The curves of a file, and points in even steps along them.
+//! The curves of a file, and points in equal steps along them.
 
 use super::error::SpanError;
 use crate::math::{Vec3, angle};
 use crate::mesh::{Mesh, Topology};
 use serde::Serialize;
 
-/// A turn of so many degrees is a corner, which stays one.
+/// Turns of more degrees than this are corners, which are kept.
 const CORNER: f64 = 30.0;
 
 /// A polyline in space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpanCurve {
-    /// In order; of a closed one each once.
+    /// In order; a closed curve does not repeat its first point.
     pub(super) points: Vec<Vec3<f64>>,
     pub(super) closed: bool,
-    /// It is a boundary of faces, not a polyline.
+    /// Whether it is a boundary of faces, not a polyline.
     is_boundary: bool,
 }
 
@@ -22,9 +22,9 @@ pub struct SpanCurve {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct CurveWords {
-    /// Its name: "Curve 1", "Boundary 2".
+    /// Label, such as "Curve 1" or "Boundary 2".
     pub label: String,
-    /// In the unit of the mesh.
+    /// Length in the unit of the mesh.
     pub length: f64,
     /// Whether it ends where it begins.
     pub closed: bool,
@@ -48,7 +48,7 @@ impl SpanCurve {
         polylines.chain(loops).collect()
     }
 
-    /// How hosts list them.
+    /// The labels and lengths of curves, for hosts to list.
     pub fn words(curves: &[SpanCurve]) -> Vec<CurveWords> {
         let mut counts = [0; 2];
         let word = |curve: &SpanCurve| {
@@ -61,23 +61,24 @@ impl SpanCurve {
         curves.iter().map(word).collect()
     }
 
-    /// The curve of that number.
+    /// The curve with this index.
     ///
     /// # Errors
-    /// When there is none, or it has no length.
+    /// If there is none, or it has no length.
     pub fn of(curves: &[SpanCurve], number: usize) -> Result<&SpanCurve, SpanError> {
         let curve = curves.get(number);
         let curve = curve.ok_or(SpanError::Missing { asked: number, found: curves.len() })?;
         if length_of(&curve.ring()) > 0.0 { Ok(curve) } else { Err(SpanError::NoLength) }
     }
 
-    /// Its points from end to end: a closed one has its first at the end again.
+    /// Its points from end to end; a closed curve ends with its first point.
     pub(super) fn ring(&self) -> Vec<Vec3<f64>> {
         let again = self.points.first().filter(|_| self.closed);
         self.points.iter().chain(again).copied().collect()
     }
 
-    /// Its corners, the numbers of points that turn by more than 30 degrees, with the turn in degrees; ends are none.
+    /// The indices of points that turn by more than [`CORNER`], with the turn in degrees; ends do
+    /// not count.
     pub(super) fn corners(&self) -> Vec<(usize, f64)> {
         let n = self.points.len();
         let inner = if self.closed { 0..n } else { 1..n.max(2) - 1 };
@@ -95,8 +96,8 @@ pub(super) fn length_of(points: &[Vec3<f64>]) -> f64 {
     points.windows(2).map(|ends| (ends[1] - ends[0]).length()).sum()
 }
 
-/// `n + 1` points in even steps along a polyline from end to end; those of its points that are `corners` are among them
-/// where there are enough.
+/// `n + 1` points in equal steps along a polyline from end to end. The points in `corners` replace
+/// the nearest of them, as far as there are enough.
 pub(super) fn even_steps(points: &[Vec3<f64>], corners: &[usize], n: usize) -> Vec<Vec3<f64>> {
     let mut ends = vec![0.0];
     for pair in points.windows(2) {

@@ -6,11 +6,11 @@ use std::fmt;
 /// Why there is no surface between curves.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SpanError {
-    /// A curve that is not there.
+    /// There is no such curve.
     Missing {
-        /// Its number, from 0.
+        /// The index asked for, from 0.
         asked: usize,
-        /// How many there are.
+        /// The number of curves.
         found: usize,
     },
     /// A curve without length.
@@ -21,11 +21,11 @@ pub enum SpanError {
     Open,
     /// The two curves are the same.
     Same,
-    /// A size of panels that is no length.
+    /// A size of panels that is not a positive length.
     Size(f64),
-    /// More faces than are made, see the number.
+    /// Too many faces; holds their number.
     TooMany(f64),
-    /// A surface in the curve would be folded.
+    /// The surface inside the curve would be folded.
     Folded,
 }
 

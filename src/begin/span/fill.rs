@@ -1,4 +1,4 @@
-//! The surface inside a closed curve: Coons' patch between four corners.
+//! The surface inside a closed curve: a Coons patch between four corners.
 
 use super::curve::{SpanCurve, even_steps, length_of};
 use super::error::SpanError;
@@ -6,12 +6,12 @@ use super::loft::{few, quads, turn_up};
 use crate::math::{Vec3, argsort, key_of_number, twice_vector_area};
 use crate::mesh::{Mesh, Point, Topology};
 
-/// Quads of about `size` inside a closed curve, between its four sharpest corners; where it has fewer, between points at
-/// quarters of its length from its first corner on. Seen from above they are counterclockwise. The curve itself goes
-/// through in even steps, with its other corners.
+/// Quads of about `size` inside a closed curve, counterclockwise seen from above. Corners of the
+/// patch are its four sharpest corners; if it has fewer, points at quarters of its length from its
+/// first corner. The boundary has equal steps, and keeps further corners.
 ///
 /// # Errors
-/// A size that is no length, an open curve, too many faces, or a surface that would be folded.
+/// A size that is not a positive length, an open curve, too many faces, or a folded surface.
 pub fn fill(curve: &SpanCurve, size: f64) -> Result<Mesh, SpanError> {
     if !(size > 0.0 && size.is_finite()) {
         return Err(SpanError::Size(size));
@@ -53,11 +53,11 @@ pub fn fill(curve: &SpanCurve, size: f64) -> Result<Mesh, SpanError> {
     if is_folded(&mesh) { Err(SpanError::Folded) } else { Ok(mesh) }
 }
 
-/// The points of the four sides, each from corner to corner, and which of them are corners in between.
+/// The points of the four sides from corner to corner, and the indices of further corners on each.
 fn four_sides(curve: &SpanCurve) -> [(Vec<Vec3<f64>>, Vec<usize>); 4] {
     let sharp = curve.corners();
     let n = curve.points.len();
-    // The sharpest first, of equal ones those that come first.
+    // Sharpest first; ties in the order of the curve.
     let order = argsort(sharp.iter().map(|&(_, turn)| !key_of_number(turn)));
     let mut ends: Vec<usize> = order.iter().take(4).map(|&k| sharp[k as usize].0).collect();
     let mut points = curve.points.clone();
@@ -69,7 +69,7 @@ fn four_sides(curve: &SpanCurve) -> [(Vec<Vec3<f64>>, Vec<usize>); 4] {
         ring.push(points[0]);
         corners.iter_mut().for_each(|k| *k = (*k + n - first) % n);
         corners.sort_unstable();
-        // As many points as there were at least, with its quarters among them.
+        // At least as many points as before, with the quarters among them.
         let quarter = n.div_ceil(4);
         let inner: Vec<usize> = corners.iter().copied().filter(|&k| k > 0).collect();
         points = even_steps(&ring, &inner, 4 * quarter);
@@ -88,7 +88,7 @@ fn four_sides(curve: &SpanCurve) -> [(Vec<Vec3<f64>>, Vec<usize>); 4] {
     })
 }
 
-/// Whether faces on both sides of an edge look to opposite sides.
+/// Whether the two faces at some edge face opposite ways.
 fn is_folded(mesh: &Mesh) -> bool {
     let area = |face: u32| {
         let corners = mesh.faces.row(face as usize).iter();

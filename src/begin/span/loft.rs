@@ -1,4 +1,4 @@
-//! The surface between two curves: straight from each point of the one to a point of the other.
+//! The surface between two curves: straight lines from each point of one to a point of the other.
 
 use super::curve::{SpanCurve, even_steps, length_of};
 use super::error::SpanError;
@@ -6,13 +6,13 @@ use crate::begin::declaration::MOST_FACES;
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged};
 
-/// Quads of about `size` between two open curves, or two closed ones; seen from above counterclockwise where they are
-/// seen from above. Where the curves have equally many points, these are joined one to one; else points are in even
-/// steps along both, with their corners. The direction of the curves, and the first point of closed ones, do not
-/// matter: the nearest way to join them is taken.
+/// Quads of about `size` between two open or two closed curves, counterclockwise seen from above.
+/// Curves with equally many points are joined point by point; else both get equal steps, and keep
+/// their corners. The directions of curves and the first points of closed ones do not matter: the
+/// pairing with the shortest connections is used.
 ///
 /// # Errors
-/// A size that is no length, one curve closed and the other not, or too many faces.
+/// A size that is not a positive length, equal curves, only one closed curve, or too many faces.
 pub fn loft(first: &SpanCurve, second: &SpanCurve, size: f64) -> Result<Mesh, SpanError> {
     if !(size > 0.0 && size.is_finite()) {
         return Err(SpanError::Size(size));
@@ -61,7 +61,7 @@ pub fn loft(first: &SpanCurve, second: &SpanCurve, size: f64) -> Result<Mesh, Sp
     Ok(mesh)
 }
 
-/// The points of the second curve in the order that is nearest to the first, in the sum of squares.
+/// The points of the second curve, reordered to minimise the sum of squared distances to the first.
 fn joined(first: &[Vec3<f64>], second: &[Vec3<f64>], closed: bool) -> Vec<Vec3<f64>> {
     let n = second.len();
     let shifts = if closed { n } else { 1 };
@@ -78,7 +78,7 @@ fn joined(first: &[Vec3<f64>], second: &[Vec3<f64>], closed: bool) -> Vec<Vec3<f
     (0..n).map(|k| second[place(k, way)]).collect()
 }
 
-/// Quads between rows of vertices, `along` in each.
+/// Quads between `rows + 1` rows of vertices, `along` in each.
 pub(super) fn quads([along, rows]: [usize; 2], closed: bool) -> Ragged {
     let columns = along + usize::from(!closed);
     let at = |i: usize, j: usize| (j * columns + i % columns) as u32;
@@ -88,7 +88,7 @@ pub(super) fn quads([along, rows]: [usize; 2], closed: bool) -> Ragged {
     faces.collect()
 }
 
-/// Makes faces turn counterclockwise as seen from above, on the whole.
+/// Reverses all faces if their total area, seen from above, is negative.
 pub(super) fn turn_up(mesh: &mut Mesh) {
     let area = |face: &[u32]| {
         twice_vector_area(face.iter().map(|&v| Vec3::from(mesh.positions[v as usize]))).z
@@ -99,7 +99,7 @@ pub(super) fn turn_up(mesh: &mut Mesh) {
     }
 }
 
-/// Refuses more faces than are made.
+/// Fails if there would be too many faces.
 pub(super) fn few(faces: f64) -> Result<(), SpanError> {
     if faces > MOST_FACES { Err(SpanError::TooMany(faces)) } else { Ok(()) }
 }

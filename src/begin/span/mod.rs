@@ -1,11 +1,11 @@
-//! Surfaces between curves that a file brings: its polylines, and the boundaries of its faces.
+//! Surfaces between the curves of a file: its polylines, and the boundaries of its faces.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `curve` | the curves of a file, and points in even steps along them |
+//! | `curve` | the curves of a file, and points in equal steps along them |
 //! | `error` | why there is no surface |
 //! | `loft` | the surface between two curves |
-//! | `fill` | the surface inside a closed one |
+//! | `fill` | the surface inside a closed curve |
 
 mod curve;
 mod error;
