@@ -6,15 +6,16 @@ use crate::scene::{MeshSource, Scene};
 /// A scene to start from.
 #[derive(Clone, Copy, Debug)]
 pub struct Example {
-    /// The name of its files without their endings; that of a figure begins with its number.
+    /// The name of its files without their extensions; begins with the number of the figure, if
+    /// any.
     pub id: &'static str,
-    /// Shown as the name of the model.
+    /// The name of the model, as shown.
     pub title: &'static str,
     /// A hint of what to look for, in one sentence.
     pub summary: &'static str,
-    /// The result when it is solved with its own settings, in one sentence; tests check it.
+    /// The result of solving it with its own settings, in one sentence; tests check it.
     pub statement: &'static str,
-    /// How the name of its mesh file ends: `obj`, or `mesh` (Medit) where there are tetrahedra.
+    /// Extension of its mesh file: `obj`, or `mesh` (Medit) for tetrahedra.
     pub(super) ending: &'static str,
     pub(super) make: fn(&mut Scene) -> Mesh,
 }
@@ -25,12 +26,12 @@ impl Example {
         format!("{}.shapeup.json", self.id)
     }
 
-    /// The name of its mesh file, beside the scene.
+    /// The name of its mesh file, in the same folder.
     pub fn mesh_file(&self) -> String {
         format!("{}.{}", self.id, self.ending)
     }
 
-    /// The scene, which names its mesh as a file beside it, and that mesh.
+    /// The scene, which refers to its mesh file by name, and the mesh.
     pub fn build(&self) -> (Scene, Mesh) {
         let mut scene = Scene::new(MeshSource::File(self.mesh_file()));
         scene.title = self.title.to_owned();

@@ -3,10 +3,10 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `declaration` | what an example says of itself, and how it is built |
+//! | `declaration` | the texts of an example, and how it is built |
 //! | `scene` | the list of examples, and the scene of each |
 //! | `model` | the meshes |
-//! | `suggestions` | views that hosts offer of some examples |
+//! | `suggestions` | further views of some examples that hosts offer |
 
 #[cfg(any(feature = "cli", feature = "solver"))]
 mod declaration;

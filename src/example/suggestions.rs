@@ -1,24 +1,24 @@
-//! Views that some examples suggest: hosts show a button for each, and name none of them.
+//! Views suggested for some examples: hosts show a button for each, and need not know the examples.
 
 use serde::Serialize;
 
-/// Something to look at in an example.
+/// A suggested view of an example.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Suggestion {
     /// The label of the button.
     pub label: &'static str,
-    /// The effect of the button.
+    /// The view that the button opens.
     pub shows: Shows,
 }
 
-/// The view that a host shows.
+/// A view that a host can show.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Shows {
     /// Two pictures side by side: left and right.
     Split([SplitSide; 2]),
-    /// A plot, by its name.
+    /// A plot, by its id.
     Plot(&'static str),
 }
 
@@ -28,7 +28,7 @@ pub enum Shows {
 pub struct SplitSide {
     /// The id of the measure that colours its faces.
     pub measure: &'static str,
-    /// Whether it is of the original instead of the current shape.
+    /// Whether to show the original instead of the current shape.
     pub original: bool,
 }
 
@@ -51,7 +51,7 @@ const CIRCULARITY: Suggestion =
 const ANGLES: Suggestion =
     Suggestion { label: "Angles before and after", shows: Shows::Plot("angles") };
 
-/// The suggestions of the example `id`.
+/// The suggestions for the example `id`.
 pub fn suggestions(id: &str) -> &'static [Suggestion] {
     match id {
         "fig-05-planar" => &[PLANARITY, BOTH_ERRORS],

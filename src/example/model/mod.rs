@@ -1,11 +1,11 @@
-//! Meshes of the examples, computed. Lengths are in metres, z points up. Only `+ - * / sqrt` are
-//! used, so every machine makes the same bits.
+//! Computed meshes of the examples. Lengths are in metres, `z` points up. Only `+ - * / sqrt` are
+//! used, so that every machine computes the same bits.
 //!
 //! | folder | holds |
 //! |---|---|
 //! | `surface` | roofs, shells, towers, sheets |
 //! | `solid` | blocks, bodies, points |
-//! | `tool` | what the generators share |
+//! | `tool` | helpers shared by the generators |
 
 mod solid;
 mod surface;

@@ -1,4 +1,4 @@
-//! The limits of section 5, and the other uses of section 6.
+//! A limit from section 5 of the paper, and other uses from section 6.
 
 use super::parts::{constraint, each, fixed, moved};
 use crate::constraint::Kind;
@@ -114,7 +114,7 @@ fn fit(scene: &mut Scene) -> Mesh {
 fn transfer(scene: &mut Scene) -> Mesh {
     let tower = Tower { meridians: 32, rows: 20, ..Tower::default() };
     let upright = tower.mesh();
-    // The other one leans over; what holds its foot is the same.
+    // The leaning pose; its foot stays in place, for the handles.
     let mut posed = upright.positions.clone();
     for [x, y, z] in &mut posed {
         let above = (*z - 5.0).max(0.0);
@@ -141,7 +141,7 @@ fn spline(scene: &mut Scene) -> Mesh {
     let glides = glides.expect("the kind is in the list of kinds");
     scene.constraints = vec![
         constraint("equal-length", rim(), 1.0),
-        // Meant as it is.
+        // Weighted higher, so that the rim stays on the curve.
         ConstraintSpec { kind: glides, ..constraint("on-curve", rim(), 5.0) },
     ];
     scene.handles = vec![fixed(court.ring(court.rows).collect())];

@@ -58,7 +58,7 @@ fn points(scene: &mut Scene) -> Mesh {
         scene.constraints.push(constraint(kind, Selector::Set(name.clone()), 1.0));
         scene.sets.insert(name, Set { vertices, faces: Vec::new() });
     }
-    // There is no surface to stay near: each point stays near its own place.
+    // There is no surface to stay close to: each point stays close to its rest position.
     scene.closeness.to = ClosenessTo::Rest;
     scene.weights = Weights { shape: 100.0, close: 1.0, smooth: 0.0 };
     mesh

@@ -80,7 +80,7 @@ pub(super) const BAR_TETS: Example = Example {
     make: |scene| bar(scene, Blocks::tetrahedra, Element::Tet, 0),
 };
 
-/// Cubes of a plate along x and y, and how high its pegs are.
+/// Cubes of a plate along x and y, and the height of its pegs.
 const PLATE: [u32; 2] = [34, 16];
 const PEG: u32 = 4;
 
@@ -111,7 +111,7 @@ fn sheet(scene: &mut Scene, radius: u32) -> Mesh {
     stretched(scene, ring)
 }
 
-/// A sheet of blocks of panels, each a group of the file.
+/// A sheet with blocks of panels as elements, each a group of the file.
 fn blocks(scene: &mut Scene) -> Mesh {
     const SIDE: u32 = 6;
     const APART: usize = 4;
@@ -130,7 +130,7 @@ fn blocks(scene: &mut Scene) -> Mesh {
     mesh
 }
 
-/// A flat sheet of similar elements. Both short sides are held, and the right one is pulled away.
+/// A flat sheet of similar elements. Both short sides are fixed; the right one is pulled away.
 fn stretched(scene: &mut Scene, elements: Selector) -> Mesh {
     let sheet = Patch {
         panels: SHEET.map(|side| side as usize),
@@ -162,7 +162,7 @@ fn bar(scene: &mut Scene, mesh: fn(&Blocks) -> Mesh, element: Element, radius: u
     mesh
 }
 
-/// Only shapes and handles: neither closeness nor smoothness, as in Fig. 8.
+/// Only constraints and handles: neither closeness nor smoothness, as in Fig. 8.
 fn free(scene: &mut Scene, constraints: Vec<ConstraintSpec>) {
     scene.constraints = constraints;
     scene.closeness.to = ClosenessTo::None;
@@ -172,8 +172,8 @@ fn vertices(mesh: &Mesh, is_meant: impl Fn(Point) -> bool) -> Vec<u32> {
     (0..mesh.positions.len() as u32).filter(|&v| is_meant(mesh.positions[v as usize])).collect()
 }
 
-/// Where the end of a bar along x comes to when the bar bends upwards as an arc between two places,
-/// by an angle in turns.
+/// Position of the end of a bar along x that bends upwards in an arc between two coordinates, by an
+/// angle in turns.
 fn bent([x, y, z]: Point, [from, to]: [f64; 2], turns: f64) -> Point {
     let (c, s) = (cosine(turns), sine(turns));
     let radius = (to - from) / (turns * std::f64::consts::TAU);

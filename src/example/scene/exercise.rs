@@ -1,4 +1,4 @@
-//! Lessons: exercises with goals, which students meet and hand in.
+//! Lessons: exercises with goals that students achieve and hand in.
 
 use super::parts::{constraint, each, fixed};
 use crate::constraint::Element;
@@ -23,7 +23,7 @@ const TEXT: &str = "Each pane of this roof is to be one sheet of flat glass.
 Make every pane flat to a millimetre, and keep the roof within 5 cm of where it was drawn.
 Run it and see which goal is missed. Then change the weights of the energies until both are met, and hand in your results.";
 
-/// Four feet stand still; the goals pull against each other.
+/// A roof on four fixed feet, with two conflicting goals.
 fn glass_roof(scene: &mut Scene) -> Mesh {
     let roof = Canopy {
         panels: [20, 14],
@@ -108,7 +108,7 @@ fn curvature(scene: &mut Scene) -> Mesh {
         goals: vec![Goal { of: flat, at_most: 0.0 }, worst("displacement", 0.96)],
         lock: vec![Lock::Weights, Lock::Handles, Lock::Mesh],
     });
-    // One vault whose edges are along its lines of curvature, and one whose edges cross them.
+    // The edges of one vault are along its lines of curvature, those of the other across them.
     let mut both = vault(0.0, -6.5);
     let other = vault(1.0 / 12.0, 6.5);
     let first = both.positions.len() as u32;
@@ -119,7 +119,8 @@ fn curvature(scene: &mut Scene) -> Mesh {
     both
 }
 
-/// A vault over a square of 10 m, whose edges are turned by `turn`, a part of a full turn, from its lines of curvature, moved along x.
+/// A vault over a square of 10 m, moved along x, whose edges deviate by `turn`, in turns, from its
+/// lines of curvature.
 fn vault(turn: f64, along: f64) -> Mesh {
     let [c, s] = [cosine(turn), sine(turn)];
     grid([12, 12], |x, y| {
@@ -155,14 +156,14 @@ fn hexagons(scene: &mut Scene) -> Mesh {
     honeycomb(12, |_| 10, |u, v| [7.0 * u, 6.0 * v, 4.0 - 2.4 * u * u - 1.2 * v * v])
 }
 
-/// Little that keeps the vertices where they were, beside what panels are asked to be.
+/// Keeps vertices near their original positions, at weights small beside the constraints.
 fn near_where_it_was(scene: &mut Scene) {
     scene.weights = Weights { shape: 10_000.0, close: 1.0, smooth: 1.0 };
     scene.closeness.to = ClosenessTo::Rest;
     scene.smoothness = Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
 }
 
-/// The worst face by the measure of this id.
+/// A goal for the worst face in a measure, given by its id.
 fn worst(measure: &str, at_most: f64) -> Goal {
     Goal { of: GoalOf::Measure(measure.to_owned()), at_most }
 }

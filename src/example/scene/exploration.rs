@@ -1,4 +1,4 @@
-//! Fig. 6: shapes of circular meshes and of webs of circles, found by pulling at handles.
+//! Fig. 6: exploring shapes of circular meshes and of webs of circles by dragging handles.
 
 use super::parts::{constraint, each, fixed, moved};
 use crate::constraint::{Element, Selector};
@@ -28,13 +28,13 @@ pub(super) const WEB: Example = Example {
 fn lantern(scene: &mut Scene) -> Mesh {
     let lantern = Lantern::default();
     let mesh = lantern.mesh();
-    // Circles alone would let the few panels at a handle take up all of its move: that rings keep
-    // their proportions, at a small weight, spreads it.
+    // With circles alone the few panels near a handle would absorb all of its displacement. Similar
+    // rings at a small weight spread it.
     let rings = Selector::Each { element: Element::Ring, within: None, radius: 2 };
     scene.constraints =
         vec![constraint("circle", each(Element::Face), 10.0), constraint("similar", rings, 0.05)];
     scene.closeness.to = ClosenessTo::None;
-    // The ground stays; the rim is lifted, widened, tilted and moved aside.
+    // The ground is fixed; the rim is lifted, widened, tilted and moved aside.
     scene.handles = vec![
         fixed(lantern.ring(0).collect()),
         moved(&mesh, lantern.ring(lantern.rows).collect(), |[x, y, z]| {
@@ -54,7 +54,7 @@ fn web(scene: &mut Scene) -> Mesh {
     scene.closeness.to = ClosenessTo::None;
     let [nx, ny] = net.panels.map(|n| n as u32);
     let vertex = |i: u32, j: u32| j * (nx + 1) + i;
-    // The corners stay; the middle of one long side is lifted and pulled out, that of the other
+    // The corners are fixed; the middle of one long side is lifted and pulled out, the other
     // lowered.
     let corners = vec![vertex(0, 0), vertex(nx, 0), vertex(0, ny), vertex(nx, ny)];
     let [front, back] = [0, ny].map(|j| (nx / 2 - 1..=nx / 2 + 1).map(|i| vertex(i, j)).collect());

@@ -56,9 +56,9 @@ fn canopy(scene: &mut Scene) -> Mesh {
             hold: Hold::Soft { weight: HANDLE_WEIGHT },
         },
     ];
-    // So much for the shape that panels stay within the tolerance, a thousandth of an edge, while one drags.
+    // Large enough that panels stay within the tolerance, a thousandth of an edge, during a drag.
     scene.weights = Weights { shape: 5000.0, close: 0.05, smooth: 1.0 };
-    // The circle's projection is not exact: with the guard the total falls to the end.
+    // The projection onto circles is not exact: the guard makes the total energy decrease.
     scene.solver.monotone = true;
     scene.solver.iterations = 800;
     scene.solver.tolerance = 1e-5;
@@ -104,7 +104,7 @@ fn hypar(scene: &mut Scene) -> Mesh {
         constraint("line", each(Element::Curve), 1.0),
         constraint("plane", each(Element::Face), 0.1),
     ];
-    // The beams along the sides stand already.
+    // The beams along the sides are already straight.
     scene.handles = vec![fixed(hypar.sides())];
     scene.weights = Weights { shape: 10.0, close: 0.0, smooth: 0.01 };
     scene.closeness.to = ClosenessTo::None;

@@ -1,5 +1,5 @@
-//! Fig. 9: conformal parametrisation. Nothing is asked of the shape; the page's `Flatten` and the
-//! command line's `parametrize` flatten it.
+//! Fig. 9: conformal parametrisation. The scenes have no constraints; the page's `Flatten` and the
+//! command line's `parametrize` flatten their meshes.
 
 use crate::example::Example;
 use crate::example::model::{Mask, Mounds, opened};

@@ -14,8 +14,8 @@
 //! | `strip` | Fig. 11: edges that collapse |
 //! | `curves_and_points` | curves on a mesh, points without faces |
 //! | `exercise` | lessons to hand in |
-//! | `beyond` | a limit of section 5, and other uses of section 6 |
-//! | `parts` | constraints and handles, as these files write them |
+//! | `beyond` | a limit from section 5, and other uses from section 6 |
+//! | `parts` | constructors of constraints and handles |
 
 mod beyond;
 mod curves_and_points;

@@ -1,4 +1,4 @@
-//! Fig. 1: circles, rigid areas, spheres and handles on polygons, on triangles and on tetrahedra.
+//! Fig. 1: circles, rigid areas, spheres and handles on polygons, triangles and tetrahedra.
 
 use super::parts::{constraint, each, fixed, moved};
 use crate::constraint::{Element, Selector, Set};
@@ -36,7 +36,7 @@ pub(super) const TETRAHEDRA: Example = Example {
 
 fn overview(scene: &mut Scene) -> Mesh {
     let mesh = Mounds::default().mesh();
-    // The squared distance of a vertex from a place, in plan.
+    // The squared distance of a vertex from a point, in plan.
     let distance = |v: u32, at: [f64; 2]| {
         let [x, y, _] = mesh.positions[v as usize];
         (x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1])
@@ -54,7 +54,7 @@ fn overview(scene: &mut Scene) -> Mesh {
         constraint("sphere", Selector::Set("crown".to_owned()), 5.0),
         constraint("rigid", Selector::Set("rigid".to_owned()), 20.0),
     ];
-    // The short sides rest on walls, and the cells at the top of the narrow mound are pulled.
+    // The short sides rest on walls; the cells at the top of the narrow mound are pulled up.
     let all = || 0..mesh.positions.len() as u32;
     let walls = all().filter(|&v| mesh.positions[v as usize][0].abs() == 20.0).collect();
     let grip = all().filter(|&v| distance(v, narrow) < 1.5 * 1.5).collect();
@@ -81,7 +81,7 @@ fn triangles(scene: &mut Scene) -> Mesh {
         constraint("rigid", Selector::Set("foot".to_owned()), 20.0),
         constraint("similar", stars, 0.2),
     ];
-    // It stands on its foot, and is pulled by one side of the rim.
+    // The foot is fixed; one side of the rim is pulled.
     let lip = rim[0];
     scene.handles = vec![
         fixed(vase.ring(0).collect()),
@@ -94,7 +94,7 @@ fn triangles(scene: &mut Scene) -> Mesh {
 }
 
 fn tetrahedra(scene: &mut Scene) -> Mesh {
-    // The head is a cube of six, the rest a bar of four by four along the middle of it.
+    // The head is a cube of side six, the rest a bar of four by four along its middle.
     const SHAFT: u32 = 16;
     const HEAD: u32 = 6;
     let mesh = Blocks::new([SHAFT + HEAD, HEAD, HEAD], |[x, y, z]| {
@@ -126,7 +126,7 @@ fn tetrahedra(scene: &mut Scene) -> Mesh {
         constraint("rigid", set("handle"), 20.0),
         constraint("rigid", each(Element::Tet), 0.5),
     ];
-    // The end of the handle is held, and the far side of the head is raised.
+    // The end of the handle is fixed, and the far side of the head is raised.
     let end = select(false, &|x| x == 0.0);
     let middle = [shaft + head, 0.5 * head, 0.5 * head];
     let tip = mesh.positions.iter().position(|&p| p == middle).expect("it is a corner of cubes");

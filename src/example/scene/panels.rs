@@ -44,7 +44,7 @@ fn mixed(scene: &mut Scene) -> Mesh {
     const WIDTH: f64 = 1.5;
     let hall = Hall::default();
     shaped(scene, "circle");
-    // Rows of hexagons lie closer together than hexagons are wide.
+    // Rows of hexagons are closer together than hexagons are wide.
     let rows = (hall.length / (0.866 * WIDTH)) as usize;
     honeycomb(
         rows,
@@ -56,8 +56,8 @@ fn mixed(scene: &mut Scene) -> Mesh {
     )
 }
 
-/// The weights of Fig. 5. The border stays where it is, along its own line: the paper has a similar
-/// energy for it (section 4).
+/// Applies the weights of Fig. 5. The boundary stays close to its own curve: the paper has a
+/// similar energy for it (section 4).
 fn shaped(scene: &mut Scene, kind: &str) {
     scene.constraints = vec![constraint(kind, each(Element::Face), 1.0)];
     scene.weights = Weights { shape: 5.0, close: 10.0, smooth: 2.0 };

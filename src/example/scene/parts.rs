@@ -1,4 +1,4 @@
-//! Constraints and handles as the examples write them.
+//! Constructors of constraints and handles.
 
 use crate::constraint::{Element, Kind, Selector};
 use crate::mesh::{Mesh, Point};
@@ -21,12 +21,12 @@ pub(crate) fn constraint(id: &str, on: Selector, weight: f64) -> ConstraintSpec 
     }
 }
 
-/// Vertices that stay where they are.
+/// A handle that fixes vertices.
 pub(crate) fn fixed(vertices: Vec<u32>) -> HandleSpec {
     HandleSpec { vertices, targets: None, hold: Hold::Fixed }
 }
 
-/// Vertices that are put elsewhere.
+/// A handle that moves vertices to other positions.
 pub(crate) fn moved(mesh: &Mesh, vertices: Vec<u32>, to: impl Fn(Point) -> Point) -> HandleSpec {
     let targets = vertices.iter().map(|&v| to(mesh.positions[v as usize])).collect();
     HandleSpec { vertices, targets: Some(targets), hold: Hold::Fixed }

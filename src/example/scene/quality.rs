@@ -20,7 +20,7 @@ fn archway(scene: &mut Scene) -> Mesh {
     let mesh = Archway::default().mesh();
     scene.constraints = vec![
         constraint("square", each(Element::Face), 1.0),
-        // Each crease is a group. They are few, and meant as they are.
+        // Each crease is a group. They are few and have to be kept, hence the large weight.
         constraint("on-curve", each(Element::Group), 100.0),
     ];
     let open = mesh.curves.iter().filter(|curve| curve.first() != curve.last());

@@ -1,4 +1,4 @@
-//! Fig. 10: a model that comes back from a collapsed start, and from a scattered one.
+//! Fig. 10: a model that recovers from a collapsed start, and from a scattered one.
 
 use super::parts::constraint;
 use crate::constraint::{Element, Selector};
@@ -32,9 +32,9 @@ fn collapse(scene: &mut Scene) -> Mesh {
 }
 
 fn random(scene: &mut Scene) -> Mesh {
-    /// Half the sides of the box: about the animal.
+    /// Half the sides of the box, about the size of the animal.
     const BOX: Point = [3.2, 1.0, 1.7];
-    // From nowhere near, rings of one neighbour fold over; larger pieces overlap enough to unfold.
+    // From a random start, rings of radius one stay folded; larger ones overlap enough to unfold.
     let mesh = rings(scene, 2);
     let mut noise = Noise { state: 10 };
     let mut place = || BOX.map(|half| half * noise.next());
@@ -42,7 +42,7 @@ fn random(scene: &mut Scene) -> Mesh {
     mesh
 }
 
-/// The animal, with every ring of that radius rigid and nothing else.
+/// The animal, with rigid rings of this radius as its only constraints.
 fn rings(scene: &mut Scene, radius: u32) -> Mesh {
     let rings = Selector::Each { element: Element::Ring, within: None, radius };
     scene.solver.iterations = 500;

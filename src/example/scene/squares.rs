@@ -19,7 +19,7 @@ pub(super) const SQUARES: Example = Example {
 fn squares(scene: &mut Scene) -> Mesh {
     scene.constraints = vec![constraint("square", each(Element::Face), 1.0)];
     scene.weights = Weights { shape: 5.0, close: 1.0, smooth: 0.0 };
-    // Each global step goes where the paper's goes: to the middle between the squares.
+    // As in the paper, the global step moves vertices to the mean of their squares' corners.
     scene.solver.accelerator = Accelerator::None;
     Patch::default().mesh()
 }

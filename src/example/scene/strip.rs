@@ -1,4 +1,4 @@
-//! Fig. 11: a strip whose edges fairness pushes to collapse.
+//! Fig. 11: a strip whose edges are made to collapse by fairness.
 
 use super::parts::{constraint, each, fixed};
 use crate::constraint::Element;

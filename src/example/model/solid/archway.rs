@@ -5,17 +5,17 @@ use crate::example::model::tool::{Noise, rounded};
 use crate::math::{cosine, sine};
 use crate::mesh::{Group, GroupKeyword, Mesh, Topology, feature_curves};
 
-/// A block with a pitched roof and a round passage through it, of quads whose corners are displaced
-/// along the surface, but for the corners of the block. Those on a crease stay on it.
+/// A block with a pitched roof and a round passage through it, of quads. Vertices are displaced
+/// along the surface, except at the corners of the block; those on a crease stay on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Archway {
     /// Panels around the passage (a multiple of four), through the wall, and along the passage.
     pub panels: [u32; 3],
-    /// Half the width, height of the eaves and of the ridge, length.
+    /// Half the width, height of the eaves, height of the ridge, length.
     pub size: [f64; 4],
-    /// Radius of the passage, and where its round part begins.
+    /// Radius of the passage, and the height at which its arch begins.
     pub passage: [f64; 2],
-    /// How far corners are displaced at most, as a part of a panel.
+    /// Largest displacement of a vertex, as a fraction of a panel.
     pub jitter: f64,
 }
 
@@ -30,11 +30,11 @@ impl Default for Archway {
     }
 }
 
-/// By how many degrees the surface turns at a crease at least.
+/// Smallest turn of the surface at a crease, in degrees.
 const CREASE: f64 = 40.0;
 
 impl Archway {
-    /// The mesh. Its curves are its creases, as they are found in it, each a group of its own.
+    /// The mesh. Its curves are the creases detected in it, each in a group of its own.
     pub fn mesh(&self) -> Mesh {
         let mut mesh = Blocks::bar(self.panels).surface();
         let mut noise = Noise { state: 1 };
@@ -48,7 +48,7 @@ impl Archway {
             }
             *p = self.point(*p);
         }
-        // The map turns the block inside out.
+        // The map below turns the block inside out.
         let turned = |face: &[u32]| face.iter().rev().copied().collect::<Vec<_>>();
         mesh.faces = mesh.faces.iter().map(turned).collect();
         let mut mesh = rounded(mesh);
@@ -64,8 +64,8 @@ impl Archway {
         mesh
     }
 
-    /// Whether a corner of a panel has to stay where it is along an axis, or it would leave a side
-    /// of the block or one of its creases.
+    /// Whether a vertex keeps its coordinate `axis`, so that it does not leave a side of the block
+    /// or a crease.
     fn is_kept(&self, axis: usize, at: [f64; 3]) -> bool {
         let is_end = |axis: usize| at[axis] == 0.0 || at[axis] == f64::from(self.panels[axis]);
         let is_outside = at[1] == f64::from(self.panels[1]);
@@ -74,13 +74,13 @@ impl Archway {
         is_end(axis) || (axis == 0 && is_outside && at_crease)
     }
 
-    /// Where a place in the grid comes to: counted from one foot over the ridge to the other, from
-    /// the passage outwards, and along the passage.
+    /// Maps grid coordinates to space: around the passage from one foot over the ridge to the
+    /// other, from the passage outwards, and along the passage.
     fn point(&self, [around, outwards, along]: [f64; 3]) -> [f64; 3] {
         let [n, thick, long] = self.panels.map(f64::from);
         let [half, eaves, ridge, length] = self.size;
         let [radius, spring] = self.passage;
-        // Both sides alike: `t` from 0 at a foot to 1 over the middle.
+        // Both sides are symmetric: `t` runs from 0 at a foot to 1 at the ridge.
         let side = if 2.0 * around > n { 1.0 } else { -1.0 };
         let t = 1.0 - (2.0 * around / n - 1.0).abs();
         let outer = match t {

@@ -1,28 +1,28 @@
-//! Blocks of cubes: their surface as quads, and tetrahedra.
+//! Blocks of cubes: their surfaces as quads, and tetrahedra.
 
 use crate::mesh::{Mesh, Point, Ragged};
 
-/// Cubes of side 1 in a grid, each there or not. No two of them may touch along one edge or in one
-/// corner only, so that their surface is a manifold.
+/// Unit cubes of a grid, each filled or empty. No two may touch only along an edge or in a corner,
+/// so that their surface is a manifold.
 pub struct Blocks {
     size: [u32; 3],
-    /// By x, then y, then z.
+    /// By z, then y, then x.
     filled: Vec<bool>,
 }
 
 impl Blocks {
-    /// The cubes of a grid of `size` for which `is_there` holds.
+    /// Fills the cubes of a grid of `size` for which `is_there` is true.
     pub fn new(size: [u32; 3], is_there: impl Fn([u32; 3]) -> bool) -> Blocks {
         Blocks { size, filled: places(size).map(is_there).collect() }
     }
 
-    /// All cubes of a grid of `size`.
+    /// Fills all cubes of a grid of `size`.
     pub fn bar(size: [u32; 3]) -> Blocks {
         Blocks::new(size, |_| true)
     }
 
-    /// The surface: a quad for each side of a cube without a neighbour, turning counter-clockwise
-    /// from outside. Vertices are by z, then y, then x.
+    /// The surface: a quad for each side of a cube without a neighbour, counterclockwise from
+    /// outside. Vertices are ordered by z, then y, then x.
     pub fn surface(&self) -> Mesh {
         let mut quads: Vec<[[u32; 3]; 4]> = Vec::new();
         for cube in self.cubes() {
@@ -39,7 +39,7 @@ impl Blocks {
                     if covered {
                         continue;
                     }
-                    // Around the axis, seen from its positive end.
+                    // Counterclockwise seen from the positive end of the axis.
                     let mut quad = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(a, b)| {
                         let mut corner = cube;
                         corner[axis] += above;
@@ -59,11 +59,11 @@ impl Blocks {
         Mesh { positions: numbers.positions, faces, ..Mesh::default() }
     }
 
-    /// Six tetrahedra in each cube around its diagonal (Kuhn's subdivision, which fits together),
-    /// and their surface as triangles, turning counter-clockwise from outside. Vertices are by z,
-    /// then y, then x.
+    /// Six tetrahedra per cube around its diagonal (Kuhn's subdivision, which matches across
+    /// cubes), and their surface as triangles, counterclockwise from outside. Vertices are ordered
+    /// by z, then y, then x.
     pub fn tetrahedra(&self) -> Mesh {
-        // The order in which a path along the sides goes from the lowest to the highest corner.
+        // The axes along which each path goes from the lowest to the highest corner.
         const PATHS: [[usize; 3]; 6] =
             [[0, 1, 2], [1, 2, 0], [2, 0, 1], [1, 0, 2], [0, 2, 1], [2, 1, 0]];
         let mut corners: Vec<[[u32; 3]; 4]> = Vec::new();
@@ -76,7 +76,7 @@ impl Blocks {
                     *corner = at;
                 }
                 if k >= 3 {
-                    // The odd paths are mirrored.
+                    // Odd permutations give mirrored tetrahedra.
                     tet.swap(2, 3);
                 }
                 corners.push(tet);
@@ -114,7 +114,7 @@ impl Blocks {
     }
 }
 
-/// Corners of cubes as vertices.
+/// Vertex numbers of cube corners.
 struct Numbers {
     corners: [u32; 3],
     numbers: Vec<u32>,
@@ -131,12 +131,12 @@ fn place([x, y, z]: [u32; 3], [nx, ny, _]: [u32; 3]) -> usize {
     ((z * ny + y) * nx + x) as usize
 }
 
-/// All places of a grid, by z, then y, then x.
+/// All points of a grid, by z, then y, then x.
 fn places([nx, ny, nz]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
     (0..nx * ny * nz).map(move |k| [k % nx, k / nx % ny, k / (nx * ny)])
 }
 
-/// The triangles that one tetrahedron only has, turning counter-clockwise from outside, in the order
+/// The triangles that belong to only one tetrahedron, counterclockwise from outside, in the order
 /// of the tetrahedra.
 fn boundary(tets: &[[u32; 4]]) -> Ragged {
     let sides = |t: [u32; 4]| {

@@ -5,10 +5,10 @@ use crate::example::model::tool::{rounded, slide};
 use crate::math::Vec3;
 use crate::mesh::{Mesh, Point};
 
-/// An animal on four legs, with a long neck and a tail that swings to one side. It looks along x.
+/// An animal on four legs, with a long neck and a tail that bends to one side. It faces along x.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Creature {
-    /// Width of the cubes of the grid on which the surface is found: about that of its triangles.
+    /// Width of the cubes of the lattice: about the size of the triangles.
     pub spacing: f64,
 }
 
@@ -19,7 +19,7 @@ impl Default for Creature {
 }
 
 impl Creature {
-    /// The surface: closed, in one piece, triangles.
+    /// The surface: closed, connected, of triangles.
     pub fn mesh(&self) -> Mesh {
         let parts = parts();
         let field = |p: Point| blend(&parts, p);
@@ -32,15 +32,15 @@ impl Creature {
     }
 }
 
-/// A round part: the balls whose middles run from one point to another and whose radii change on the
-/// way.
+/// A round part: the union of balls whose centres run along a segment and whose radii change
+/// linearly.
 struct Part {
     ends: [Vec3<f64>; 2],
     radii: [f64; 2],
 }
 
 impl Part {
-    /// About the distance from the part, negative inside.
+    /// Approximate distance from the part, negative inside.
     fn distance(&self, p: Vec3<f64>) -> f64 {
         let [a, b] = self.ends;
         let axis = b - a;
@@ -49,7 +49,7 @@ impl Part {
     }
 }
 
-/// The parts with smooth transitions: a polynomial minimum of the distances.
+/// The union of the parts with smooth transitions: a polynomial minimum of their distances.
 fn blend(parts: &[Part], p: Point) -> f64 {
     const WIDTH: f64 = 0.22;
     let p = Vec3::from(p);
@@ -74,7 +74,7 @@ fn parts() -> Vec<Part> {
     ];
     for side in [-1.0, 1.0] {
         parts.extend([
-            // Fore leg, hind leg, each with its foot.
+            // Fore leg and hind leg, each with its foot.
             part([0.7, 0.4 * side, 1.4], [0.85, 0.55 * side, 0.7], [0.36, 0.24]),
             part([0.85, 0.55 * side, 0.7], [0.8, 0.55 * side, 0.2], [0.24, 0.21]),
             part([0.8, 0.55 * side, 0.18], [1.08, 0.6 * side, 0.15], [0.21, 0.18]),

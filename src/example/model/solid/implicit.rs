@@ -1,24 +1,24 @@
-//! The surface where a function of space is zero, as triangles: marching tetrahedra on a
-//! body-centred cubic grid, whose tetrahedra are all alike and nearly regular.
+//! Zero level set of a function of space as triangles: marching tetrahedra on a body-centred cubic
+//! lattice, whose tetrahedra are congruent and nearly regular.
 
 use crate::math::Vec3;
 use crate::mesh::{Mesh, Point, Ragged};
 use std::collections::BTreeMap;
 
-/// Cubes of side `spacing`, `cells` along x, y and z, from the corner `lowest` on.
+/// Cubes of side `spacing`, `cells` of them along x, y and z, from the corner `lowest`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lattice {
     /// The lowest corner.
     pub(crate) lowest: Point,
-    /// How many cubes along x, y and z.
+    /// Number of cubes along x, y and z.
     pub(crate) cells: [u32; 3],
     /// The side of a cube.
     pub(crate) spacing: f64,
 }
 
 impl Lattice {
-    /// The surface where `field` is zero, turning counter-clockwise from where it is positive. It is
-    /// closed, and a manifold, if `field` is positive along the border of the lattice.
+    /// The surface where `field` is zero, counterclockwise seen from where it is positive. It is a
+    /// closed manifold if `field` is positive along the border of the lattice.
     pub(crate) fn polygonise(&self, field: impl Fn(Point) -> f64) -> Mesh {
         let corners = self.cells.map(|n| n + 1);
         let half = 0.5 * self.spacing;
@@ -61,7 +61,7 @@ impl Lattice {
 struct Triangles<'a> {
     nodes: &'a [Point],
     values: &'a [f64],
-    /// The vertex on each edge of the grid that has one; the smaller node first.
+    /// The vertex on each lattice edge that has one; the smaller node first.
     on_edges: BTreeMap<[u32; 2], u32>,
     positions: Vec<Point>,
     faces: Ragged,
@@ -97,8 +97,8 @@ impl Triangles<'_> {
         }
     }
 
-    /// The vertex on an edge of the grid: where the function, taken as linear, is zero, but not so
-    /// near to a node that a sliver comes about.
+    /// The vertex on a lattice edge: the zero of the linear interpolant, kept away from the nodes
+    /// to avoid slivers.
     fn vertex(&mut self, a: u32, b: u32) -> u32 {
         const NEAREST: f64 = 0.15;
         let ends = [a.min(b), a.max(b)];
@@ -119,7 +119,7 @@ fn place([x, y, z]: [u32; 3], [nx, ny, _]: [u32; 3]) -> u32 {
     (z * ny + y) * nx + x
 }
 
-/// All places of a grid, by z, then y, then x.
+/// All points of a grid, by z, then y, then x.
 fn places([nx, ny, nz]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
     (0..nx * ny * nz).map(move |k| [k % nx, k / nx % ny, k / (nx * ny)])
 }

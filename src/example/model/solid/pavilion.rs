@@ -1,14 +1,14 @@
-//! Points without faces, as a survey of a building gives them.
+//! Points without faces, as from a survey of a building.
 
 use crate::example::model::tool::{Noise, rounded};
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Point};
 
-/// Points on a pavilion: a floor, a wall at its back, four columns and a dome on them, all of them
-/// displaced at random.
+/// Points on a pavilion: a floor, a wall at its back, and a dome on four columns, with random
+/// errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pavilion {
-    /// How far points are displaced at most along each axis.
+    /// Largest error of a point along each axis.
     pub error: f64,
 }
 
@@ -21,15 +21,15 @@ impl Default for Pavilion {
 /// Half the sides of the floor, and the height of the wall.
 const FLOOR: [f64; 2] = [5.6, 4.0];
 const WALL: f64 = 4.2;
-/// Where the columns stand, along x and y.
+/// Position of the columns along x and y.
 const COLUMN: f64 = 2.8;
-/// The middle of the dome over the ground, and its radius.
+/// Height of the centre of the dome, and its radius.
 const DOME: [f64; 2] = [1.4, 4.9];
 
 impl Pavilion {
-    /// The points, and the groups that they are in by name: those of the floor, the wall, the dome
-    /// and each column. The foot of the wall is in the floor, too; the ends of a column are in the
-    /// floor and in the dome.
+    /// The points, and by name the groups of the floor, the wall, the dome and each column. The
+    /// foot of the wall is also in the floor; the ends of a column are also in the floor and in the
+    /// dome.
     pub fn cloud(&self) -> (Mesh, Vec<(String, Vec<u32>)>) {
         let mut points: Vec<Point> = Vec::new();
         let mut add = |point: Point| {
@@ -54,11 +54,11 @@ impl Pavilion {
         }
         let [middle, radius] = DOME;
         let base = (radius * radius - 2.0 * COLUMN * COLUMN).sqrt() + middle;
-        // Rings from the top down to the heads of the columns, as wide apart as their points.
+        // Rings from the top down to the heads of the columns, spaced as widely as their points.
         for ring in 0..=7u32 {
             let around = if ring == 0 { 1 } else { 6 * ring };
             let lowest = (base - middle) / radius;
-            // By equal steps of the angle from the top, which is `ring / 7` of that of the base.
+            // Equal steps of the angle from the top: `ring / 7` of the angle at the base.
             let tilt = f64::from(ring) / 7.0 * turns_of_cosine(lowest);
             for i in 0..around {
                 let turn = (f64::from(i) + 0.5) / f64::from(around);
@@ -88,7 +88,7 @@ impl Pavilion {
     }
 }
 
-/// The angle in turns, up to a quarter, that has a cosine: by halving.
+/// The angle in turns, up to a quarter, with this cosine, by bisection.
 fn turns_of_cosine(value: f64) -> f64 {
     let (mut low, mut high) = (0.0, 0.25);
     for _ in 0..60 {

@@ -4,18 +4,18 @@ use crate::example::model::tool::grid;
 use crate::math::sine;
 use crate::mesh::Mesh;
 
-/// A canopy on four feet: a vault of quads over a plan whose sides are drawn in, with a wave across.
+/// A vault of quads on four feet, with a wave across, over a plan whose sides are curved inwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Canopy {
     /// Panels along x and along y.
     pub panels: [usize; 2],
-    /// Distances of the feet along x and along y.
+    /// Distances between the feet along x and along y.
     pub span: [f64; 2],
-    /// Height of the middle of each side over the feet.
+    /// Height of the middle of each side above the feet.
     pub rise: f64,
-    /// Height of the middle of the vault over the middle of its sides.
+    /// Height of the middle of the vault above the middle of its sides.
     pub crown: f64,
-    /// How far the middle of each side is drawn in, as a part of half the span.
+    /// How far the middle of each side is drawn in, as a fraction of half the span.
     pub waist: f64,
     /// Height of the wave.
     pub wave: f64,
@@ -35,12 +35,12 @@ impl Default for Canopy {
 }
 
 impl Canopy {
-    /// The mesh, `(panels[0] + 1) * (panels[1] + 1)` vertices. Vertex `(i, j)`, counted along x and
-    /// y, is number `j * (panels[0] + 1) + i`.
+    /// The mesh of `(panels[0] + 1) * (panels[1] + 1)` vertices. Vertex `(i, j)` along x and y has
+    /// index `j * (panels[0] + 1) + i`.
     pub fn mesh(&self) -> Mesh {
         grid(self.panels, |x, y| {
             let (xx, yy) = (x * x, y * y);
-            // One at the middle, zero at the feet.
+            // One along the middle lines, zero at the feet.
             let over_feet = 1.0 - xx * yy;
             let ripple = sine(0.6 * x + 0.3 * y);
             [

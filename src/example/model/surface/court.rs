@@ -4,18 +4,18 @@ use crate::example::model::tool::{Rings, rounded};
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Ragged};
 
-/// A ring-shaped roof, whose inner rim is an egg that rises and falls. Its panels crowd on one side.
+/// A ring-shaped roof with an egg-shaped inner rim that rises and falls. Panels crowd on one side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Court {
-    /// Panels around.
+    /// Panels around the ring.
     pub meridians: u32,
     /// Rows of panels from the rim to the eaves.
     pub rows: u32,
     /// The mean radius of the rim, and the radius of the eaves.
     pub radii: [f64; 2],
-    /// How far the rim rises and falls.
+    /// Amplitude of the rim's height.
     pub swing: f64,
-    /// How uneven the panels are around: at 1 they would have no width somewhere.
+    /// How unevenly the panels are spaced around: at 1 some would have no width.
     pub crowding: f64,
 }
 
@@ -26,7 +26,8 @@ impl Default for Court {
 }
 
 impl Court {
-    /// The mesh. Vertex `i` of ring `k`, from 0 at the rim to `rows` at the eaves, is number `k * meridians + i`.
+    /// The mesh. Vertex `i` of ring `k`, from 0 at the rim to `rows` at the eaves, has index `k *
+    /// meridians + i`.
     pub fn mesh(&self) -> Mesh {
         let Court { radii: [rim, eaves], swing, crowding, .. } = *self;
         let positions = self.rings().positions(|_, out, turn| {
@@ -36,7 +37,7 @@ impl Court {
             let height = 4.0 + swing * cosine(2.0 * turn) * (1.0 - out) - 2.5 * out * out;
             [radius * cosine(turn), radius * sine(turn), height]
         });
-        // Seen from above counter-clockwise.
+        // Counterclockwise seen from above.
         let faces = self.rings().quads().map(|[a, b, c, d]| [a, d, c, b]);
         rounded(Mesh { positions, faces: Ragged::from_iter(faces), ..Mesh::default() })
     }

@@ -3,11 +3,11 @@
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Point};
 
-/// A dome over a square with round corners, open on its four sides, with an oval hole away from its
-/// middle. Half of the meridians end on the way up, in a row of pentagons.
+/// A dome over a square with round corners, open on its four sides, with an oval hole off centre.
+/// Half of the meridians end partway up, in a row of pentagons.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dome {
-    /// Meridians round the hole; twice as many start at the eaves.
+    /// Meridians around the hole; twice as many start at the eaves.
     pub meridians: usize,
     /// Rows of quads below and above the row of pentagons.
     pub rows: [usize; 2],
@@ -15,13 +15,13 @@ pub struct Dome {
     pub half_width: f64,
     /// Mean radius of the hole.
     pub hole: f64,
-    /// How much longer than this the hole is along x, and shorter along y, as a part of it.
+    /// How much longer the hole is along x and shorter along y, as a fraction of `hole`.
     pub oval: f64,
-    /// How far the middle of the hole is from the middle of the square, along x.
+    /// Distance along x from the centre of the square to the centre of the hole.
     pub shift: f64,
-    /// Height of the hole over the corners of the eaves.
+    /// Height of the hole above the corners of the eaves.
     pub rise: f64,
-    /// Height of the eaves at the middle of a side over those at the corners.
+    /// Height of the eaves at the middle of a side above the corners.
     pub arch: f64,
 }
 
@@ -41,7 +41,7 @@ impl Default for Dome {
 }
 
 impl Dome {
-    /// The mesh. Vertices are numbered ring by ring from the eaves up, as [`Dome::ring`] says.
+    /// The mesh. Vertices are numbered ring by ring from the eaves up, see [`Dome::ring`].
     pub fn mesh(&self) -> Mesh {
         let mut mesh = Mesh::default();
         for k in 0..self.rings() {
@@ -66,12 +66,12 @@ impl Dome {
         mesh
     }
 
-    /// How many rings of vertices there are; the first is the eaves, the last goes round the hole.
+    /// Number of rings of vertices; the first is at the eaves, the last around the hole.
     pub fn rings(&self) -> usize {
         self.rows[0] + self.rows[1] + 2
     }
 
-    /// The first vertex of ring `k`, and how many vertices it has. They go round from the x axis
+    /// The first vertex of ring `k` and the number of its vertices, in order from the x axis
     /// towards the y axis.
     pub fn ring(&self, k: usize) -> (u32, u32) {
         let few = self.meridians as u32;
@@ -80,12 +80,12 @@ impl Dome {
         (before, if k < doubled { 2 * few } else { few })
     }
 
-    /// A point of the surface: `turn` from 0 to 1 goes round, `up` from 0 at the eaves to 1 at the
+    /// A point of the surface: `turn` from 0 to 1 goes around, `up` from 0 at the eaves to 1 at the
     /// hole.
     fn point(&self, turn: f64, up: f64) -> Point {
         let (c, s) = (cosine(turn), sine(turn));
         let (cc, ss) = (c * c, s * s);
-        // The curve x^4 + y^4 = 1, a square with round corners.
+        // The curve `x^4 + y^4 = half_width^4`, a square with round corners.
         let square = self.half_width / (cc * cc + ss * ss).sqrt().sqrt();
         let down = 1.0 - up;
         let hole = self.hole * (1.0 + self.oval * cosine(2.0 * turn));

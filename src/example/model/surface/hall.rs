@@ -4,9 +4,9 @@ use crate::example::model::tool::{grid, rounded};
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Point};
 
-/// A hall whose roof comes down to the ground on both long sides. Its spine swings in plan, its
-/// sections are flattened arcs, wide and more than half a circle at the swelling, narrow at the
-/// waist, and the open ends lean out. The lines of panels run askew, so that no panel is flat.
+/// A hall whose roof comes down to the ground on both long sides. Its spine swings in plan. Its
+/// sections are flattened arcs: wide and more than a half circle at the swelling, narrow at the
+/// waist; the open ends lean out. The lines of panels run askew, so that no panel is flat.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hall {
     /// Panels along the spine and across.
@@ -17,11 +17,11 @@ pub struct Hall {
     pub radius: f64,
     /// How much larger the radius is at the swelling, and smaller at the waist.
     pub swelling: f64,
-    /// How far the spine swings to each side.
+    /// Amplitude of the spine in plan.
     pub swing: f64,
-    /// Height of a section over that of a round one.
+    /// Height of a section relative to a round one.
     pub flatness: f64,
-    /// How far lines of panels along the spine swing to the sides, as a part of half the girth.
+    /// Sideways amplitude of the lines of panels along the spine, as a fraction of half the girth.
     pub skew: f64,
 }
 
@@ -40,8 +40,8 @@ impl Default for Hall {
 }
 
 impl Hall {
-    /// The mesh, `(panels[0] + 1) * (panels[1] + 1)` vertices. Vertex `(i, j)`, counted along the
-    /// spine and across, is number `j * (panels[0] + 1) + i`.
+    /// The mesh of `(panels[0] + 1) * (panels[1] + 1)` vertices. Vertex `(i, j)` along the spine
+    /// and across has index `j * (panels[0] + 1) + i`.
     pub fn mesh(&self) -> Mesh {
         rounded(grid(self.panels, |u, v| {
             let [u, v] = self.askew(u, v);
@@ -49,8 +49,8 @@ impl Hall {
         }))
     }
 
-    /// Where a place of an even net comes to when the lines run askew; places on the border stay on
-    /// their side of it.
+    /// Maps parameters of an even grid to those of the askew one; each side of the border maps to
+    /// itself.
     pub fn askew(&self, u: f64, v: f64) -> [f64; 2] {
         let (inside_u, inside_v) = (1.0 - u * u, 1.0 - v * v);
         [
@@ -59,7 +59,7 @@ impl Hall {
         ]
     }
 
-    /// A point of the roof: `u` from -1 to 1 goes along the spine, `v` from -1 to 1 across.
+    /// A point of the roof: `u` from -1 to 1 along the spine, `v` from -1 to 1 across.
     pub fn point(&self, u: f64, v: f64) -> Point {
         // The ends lean out over their thresholds.
         let along = u * (1.0 + 0.08 * u * u * (1.0 - v * v));
@@ -76,13 +76,13 @@ impl Hall {
         [spine[0] + aside * side[0], spine[1] + aside * side[1], up]
     }
 
-    /// The length of the section at `u`, round as if it were not flattened.
+    /// The length of the section at `u`, computed without the flattening.
     pub fn girth(&self, u: f64) -> f64 {
         let swell = self.swell(u);
         2.0 * std::f64::consts::TAU * opening(swell) * (self.radius + self.swelling * swell)
     }
 
-    /// From 1 at the swelling to -1 at the waist.
+    /// Runs from 1 at the swelling to -1 at the waist.
     fn swell(&self, u: f64) -> f64 {
         cosine(0.55 * (u + 0.6))
     }

@@ -5,8 +5,8 @@ use crate::example::model::tool::{dual, rounded};
 use crate::mesh::{Mesh, Point, Ragged};
 
 /// The dual of rows of triangles over the square from -1 to 1 in `u` and `v`, mapped by `point`.
-/// There are `rows + 1` rows of triangle corners along `u`; row `k` has `across(u)` of them and one
-/// more where `k` is odd, shifted by half their distance.
+/// There are `rows + 1` rows of triangle corners along `u`; an even row has `across(u)` of them, an
+/// odd row one more, shifted by half their distance.
 pub fn honeycomb(
     rows: usize,
     across: impl Fn(f64) -> usize,
@@ -22,7 +22,7 @@ pub fn honeycomb(
     rounded(cells)
 }
 
-/// Rows of triangles over the square from -1 to 1 in x and y, whose dual [`honeycomb`] is.
+/// Rows of triangles over the square from -1 to 1 in x and y; [`honeycomb`] is their dual.
 pub(crate) fn triangle_rows(rows: usize, across: &dyn Fn(f64) -> usize) -> Mesh {
     let mut positions: Vec<Point> = Vec::new();
     let mut faces = Ragged::new();
@@ -40,7 +40,7 @@ pub(crate) fn triangle_rows(rows: usize, across: &dyn Fn(f64) -> usize) -> Mesh 
     Mesh { positions, faces, ..Mesh::default() }
 }
 
-/// Places from -1 to 1: `n` at equal distances, or both ends and the middles between the `n`.
+/// Coordinates from -1 to 1: `n` equally spaced, or both ends and the midpoints between the `n`.
 fn row(n: usize, shifted: bool) -> Vec<f64> {
     let at = |k: f64| (2.0 * k - (n - 1) as f64) / (n - 1) as f64;
     if shifted {
@@ -51,7 +51,7 @@ fn row(n: usize, shifted: bool) -> Vec<f64> {
     }
 }
 
-/// Triangles between two rows, each with the shorter of its two possible diagonals.
+/// Triangles between two rows, each with the shorter of two possible diagonals.
 fn stitch(
     positions: &[Point],
     below: std::ops::Range<u32>,

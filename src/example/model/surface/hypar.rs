@@ -4,7 +4,7 @@ use crate::example::model::tool::grid;
 use crate::math::sine;
 use crate::mesh::Mesh;
 
-/// A hyperbolic paraboloid over a square, ruled along its two families of straight lines, that sags
+/// A hyperbolic paraboloid over a square, with edges along its two families of rulings, that sags
 /// in waves between its straight sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hypar {
@@ -12,7 +12,7 @@ pub struct Hypar {
     pub panels: usize,
     /// Length of a side in plan.
     pub span: f64,
-    /// Height of the two high corners over the two low ones.
+    /// Height of the two high corners above the two low ones.
     pub rise: f64,
     /// Depth of the sag.
     pub sag: f64,
@@ -25,14 +25,14 @@ impl Default for Hypar {
 }
 
 impl Hypar {
-    /// The mesh, `(panels + 1)^2` vertices. Vertex `(i, j)`, counted along x and y, is number
-    /// `j * (panels + 1) + i`.
+    /// The mesh of `(panels + 1)^2` vertices. Vertex `(i, j)` along x and y has index `j * (panels
+    /// + 1) + i`.
     pub fn mesh(&self) -> Mesh {
         let half = 0.5 * self.span;
         grid([self.panels; 2], |x, y| {
             let inside = (1.0 - x * x) * (1.0 - y * y);
             let wave = 0.6 + 0.4 * sine(0.75 * (x - y)) + 0.4 * sine(0.5 * x + 0.9 * y);
-            // Sideways too: lines that are straight in plan already would have less to do.
+            // Also sideways: lines already straight in plan would be too easy to straighten.
             let sway = 0.5 * self.sag * inside;
             [
                 half * x + sway * sine(0.7 * y),

@@ -1,21 +1,21 @@
-//! A surface of revolution: each of its panels has a circle through its corners.
+//! A surface of revolution: the corners of each panel lie on a circle.
 
 use crate::example::model::tool::{Rings, rounded};
 use crate::math::{cosine, sine};
 use crate::mesh::Mesh;
 
-/// A lantern, open below and above, whose outline swells and draws in.
+/// A lantern, open at the bottom and the top, whose profile swells and narrows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lantern {
-    /// Panels round it.
+    /// Panels around it.
     pub meridians: u32,
     /// Panels from the ground up.
     pub rows: u32,
-    /// Height of the rim over the ground.
+    /// Height of the rim above the ground.
     pub height: f64,
     /// Mean radius.
     pub radius: f64,
-    /// How much the radius swells and draws in.
+    /// Amplitude of the radius.
     pub swelling: f64,
 }
 
@@ -27,7 +27,7 @@ impl Default for Lantern {
 
 impl Lantern {
     /// The mesh. Vertex `i` of ring `k`, counted from the x axis towards the y axis and from the
-    /// ground up, is number `k * meridians + i`.
+    /// ground up, has index `k * meridians + i`.
     pub fn mesh(&self) -> Mesh {
         let rings = self.rings();
         let positions = rings.positions(|_, up, turn| {

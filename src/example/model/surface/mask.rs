@@ -4,19 +4,19 @@ use crate::example::model::tool::rounded;
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Point, Ragged};
 
-/// A mask that leans back: the front of an egg with a nose, brows, eyes, lips and a chin. It is open
-/// behind, and its triangles are of uneven shape.
+/// A mask that leans back: the front of an egg with a nose, brows, eyes, lips and a chin. It is
+/// open at the back, and its triangles are uneven.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mask {
-    /// Rings of triangles round the middle.
+    /// Rings of triangles around the middle.
     pub rings: u32,
     /// Half the width, half the height, and the depth of the egg.
     pub size: Point,
-    /// How far it reaches from the middle to its back, in turns.
+    /// Angle from the middle to the rim, in turns.
     pub reach: f64,
-    /// How far it is turned from -y towards x, and then leans back, in turns.
+    /// Rotation from -y towards x, then the lean backwards, in turns.
     pub pose: [f64; 2],
-    /// How far vertices are from where they would lie evenly, as a part of their distance.
+    /// Displacement of vertices from even spacing, as a fraction of the spacing.
     pub jitter: f64,
 }
 
@@ -26,7 +26,7 @@ impl Default for Mask {
     }
 }
 
-/// A bump of the face: where it is in x and z, its widths along x and z, and its height.
+/// A bump of the face: its position in x and z, its widths along x and z, and its height.
 type Bump = ([f64; 2], [f64; 2], f64);
 
 /// Bumps on the middle line, and bumps on both sides of it.
@@ -49,7 +49,7 @@ const SIDES: [Bump; 4] = [
 ];
 
 impl Mask {
-    /// The mesh, `1 + 3 rings (rings + 1)` vertices, ring by ring from the middle.
+    /// The mesh of `1 + 3 rings (rings + 1)` vertices, ring by ring from the middle.
     pub fn mesh(&self) -> Mesh {
         let mut positions = vec![self.point(0.0, 0.0)];
         for ring in 1..=self.rings {
@@ -64,7 +64,7 @@ impl Mask {
         let mut faces = Ragged::new();
         for ring in 0..self.rings {
             for side in 0..6 {
-                // Of six sides with `ring` edges inside and one more outside.
+                // One of six sectors, with `ring` edges inside and one more outside.
                 let inner = |k: u32| vertex(ring, side * ring + k);
                 let outer = |k: u32| vertex(ring + 1, side * (ring + 1) + k);
                 for k in 0..=ring {
@@ -78,7 +78,7 @@ impl Mask {
         rounded(Mesh { positions, faces, ..Mesh::default() })
     }
 
-    /// The point so far out, from 0 in the middle to 1 on the rim, in a direction in turns.
+    /// The point at radius `out`, from 0 in the middle to 1 on the rim, in a direction in turns.
     fn point(&self, out: f64, direction: f64) -> Point {
         let [width, height, depth] = self.size;
         let tilt = self.reach * out;
@@ -87,12 +87,12 @@ impl Mask {
         let up = across * sine(direction);
         let x = width * across * cosine(direction) * (1.0 + 0.16 * up);
         let z = height * up;
-        // Towards the back there is no face.
+        // The relief fades out towards the back.
         let front = along.clamp(0.0, 0.5) * 2.0;
         self.posed([x, -(depth * along + front * relief(x, z)), z])
     }
 
-    /// Leant back about the x axis, then turned about the z axis.
+    /// Leans the point back about the x axis, then turns it about the z axis.
     fn posed(&self, [x, y, z]: Point) -> Point {
         let [turn, lean] = self.pose.map(|turns| [cosine(turns), sine(turns)]);
         let [y, z] = [lean[0] * y + lean[1] * z, lean[0] * z - lean[1] * y];
@@ -100,12 +100,12 @@ impl Mask {
     }
 }
 
-/// Number `i` of a ring, which closes.
+/// Index of vertex `i` of a ring, modulo its length.
 fn vertex(ring: u32, i: u32) -> u32 {
     if ring == 0 { 0 } else { 1 + 3 * ring * (ring - 1) + i % (6 * ring) }
 }
 
-/// From -1/2 to 1/2, without order.
+/// A pseudo-random number from -1/2 to 1/2.
 fn scattered(ring: u32, i: u32, k: u32) -> f64 {
     let mixed = (ring * 7919 + i * 104_729 + k * 1_299_709) % 1009;
     f64::from(mixed) / 1009.0 - 0.5

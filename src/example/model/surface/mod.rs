@@ -6,14 +6,14 @@
 //! | `court` | a roof around a court |
 //! | `hall` | a flowing roof with a swelling and a waist |
 //! | `honeycomb` | hexagons over a height field |
-//! | `lantern` | a surface of revolution, whose panels have circles |
+//! | `lantern` | a surface of revolution, whose panels are circular |
 //! | `mask` | a face in relief, of uneven triangles |
 //! | `mounds` | a roof of polygons with two mounds |
-//! | `net` | a piece of a torus, whose lines are circles |
+//! | `net` | a piece of a torus, whose lines of edges are circles |
 //! | `patch` | a sheet of skew, uneven quads |
 //! | `strip` | a strip between two rails |
 //! | `tower` | a tower whose floors are wavy |
-//! | `vase` | a surface of revolution of triangles, out of the round |
+//! | `vase` | a vase of triangles, not quite round |
 
 mod canopy;
 mod court;

@@ -21,12 +21,12 @@ impl Default for Mounds {
 }
 
 impl Mounds {
-    /// Where the mounds are in plan.
+    /// Centres of the mounds in plan.
     pub const MIDDLES: [[f64; 2]; 2] = [[-8.0, 1.0], [11.0, -2.0]];
 
     /// The mesh.
     pub fn mesh(&self) -> Mesh {
-        // Cells as wide as their rows are apart, but for the slant of the hexagons.
+        // Cells are as wide as their rows are apart, up to the slant of hexagons.
         let width = self.span[0] / (0.866 * self.rows as f64);
         let across = (self.span[1] / width) as usize;
         honeycomb(self.rows, |_| across, |u, v| self.point(u, v))
@@ -39,7 +39,7 @@ impl Mounds {
             let far = 1.0 + (dx * dx + dy * dy) / (width * width);
             self.heights[k] / (far * far)
         };
-        // The long sides are drawn in between the corners.
+        // The long sides are curved inwards between the corners.
         [x, y * (0.86 + 0.14 * u * u), mound(0, 11.0) + mound(1, 6.5)]
     }
 }

@@ -4,14 +4,14 @@ use crate::example::model::tool::{grid, rounded};
 use crate::math::{cosine, sine};
 use crate::mesh::Mesh;
 
-/// The upper outer side of a torus that stands on edge: a vault.
+/// The upper outer side of an upright torus: a vault.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Net {
     /// Panels along the torus and around its tube.
     pub panels: [usize; 2],
-    /// Radii of the circle in the middle of the tube, and of the tube.
+    /// Radii of the centre circle of the tube, and of the tube.
     pub radii: [f64; 2],
-    /// Half of the angles along the torus and around its tube, in turns.
+    /// Half the angles along the torus and around its tube, in turns.
     pub angles: [f64; 2],
 }
 
@@ -22,8 +22,8 @@ impl Default for Net {
 }
 
 impl Net {
-    /// The mesh, `(panels[0] + 1) * (panels[1] + 1)` vertices. Vertex `(i, j)`, counted along x and
-    /// y, is number `j * (panels[0] + 1) + i`. The corners are at height 0.
+    /// The mesh of `(panels[0] + 1) * (panels[1] + 1)` vertices. Vertex `(i, j)` along x and y has
+    /// index `j * (panels[0] + 1) + i`. The corners are at height 0.
     pub fn mesh(&self) -> Mesh {
         let [large, small] = self.radii;
         let [along, around] = self.angles;

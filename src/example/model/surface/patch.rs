@@ -3,18 +3,18 @@
 use crate::example::model::tool::{Noise, grid, rounded};
 use crate::mesh::Mesh;
 
-/// A gently arched sheet whose panels lean over to one side and are of uneven sizes.
+/// A gently arched sheet whose panels are sheared to one side and uneven in size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Patch {
     /// Panels along x and along y.
     pub panels: [usize; 2],
     /// Mean width of a panel.
     pub width: f64,
-    /// How far each row is shifted against the one before, as a part of the width.
+    /// Shift of each row relative to the one before, as a fraction of the width.
     pub shear: f64,
-    /// How far vertices are displaced at most along each of x and y, as a part of the width.
+    /// Largest displacement of vertices along x and along y, as a fraction of the width.
     pub jitter: f64,
-    /// Height of the middle over the corners.
+    /// Height of the middle above the corners.
     pub rise: f64,
 }
 
@@ -25,8 +25,8 @@ impl Default for Patch {
 }
 
 impl Patch {
-    /// The mesh, `(panels[0] + 1) * (panels[1] + 1)` vertices. Vertex `(i, j)`, counted along x and
-    /// y, is number `j * (panels[0] + 1) + i`.
+    /// The mesh of `(panels[0] + 1) * (panels[1] + 1)` vertices. Vertex `(i, j)` along x and y has
+    /// index `j * (panels[0] + 1) + i`.
     pub fn mesh(&self) -> Mesh {
         let half = self.panels.map(|n| 0.5 * self.width * n as f64);
         let mut noise = Noise { state: 1 };

@@ -4,16 +4,16 @@ use crate::example::model::tool::{grid, rounded};
 use crate::math::sine;
 use crate::mesh::Mesh;
 
-/// A ruled strip along x whose two long sides swing up and down, not in step.
+/// A ruled strip along x whose two long sides swing up and down, out of step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strip {
     /// Panels along x and along y.
     pub panels: [usize; 2],
     /// Length along x, and width along y.
     pub size: [f64; 2],
-    /// How far the strip swings as a whole, one and a half times over its length.
+    /// Amplitude of the whole strip, over one and a half periods.
     pub swing: f64,
-    /// How far its sides swing against each other, once over its length.
+    /// Amplitude of its sides against each other, over one period.
     pub twist: f64,
 }
 
@@ -24,8 +24,8 @@ impl Default for Strip {
 }
 
 impl Strip {
-    /// The mesh, `(panels[0] + 1) * (panels[1] + 1)` vertices. Vertex `(i, j)`, counted along x and
-    /// y, is number `j * (panels[0] + 1) + i`.
+    /// The mesh of `(panels[0] + 1) * (panels[1] + 1)` vertices. Vertex `(i, j)` along x and y has
+    /// index `j * (panels[0] + 1) + i`.
     pub fn mesh(&self) -> Mesh {
         let Strip { panels, size, swing, twist } = *self;
         rounded(grid(panels, |x, y| {

@@ -4,8 +4,8 @@ use crate::example::model::tool::{Rings, rounded};
 use crate::math::{cosine, sine};
 use crate::mesh::Mesh;
 
-/// A tower, open below and above, whose plan is a rounded triangle that turns as it goes up, and
-/// whose rings of edges rise and fall around it.
+/// A tower, open at the bottom and the top, whose plan is a rounded triangle that twists on the way
+/// up, and whose rings of edges rise and fall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tower {
     /// Panels around it.
@@ -14,9 +14,9 @@ pub struct Tower {
     pub rows: u32,
     /// Height.
     pub height: f64,
-    /// How far the plan is from round, as a part of its radius.
+    /// Deviation of the plan from a circle, as a fraction of its radius.
     pub bulge: f64,
-    /// How far rings rise and fall.
+    /// Amplitude of the rings in height.
     pub wave: f64,
 }
 
@@ -28,11 +28,11 @@ impl Default for Tower {
 
 impl Tower {
     /// The mesh. Vertex `i` of ring `k`, counted from the x axis towards the y axis and from the
-    /// ground up, is number `k * meridians + i`.
+    /// ground up, has index `k * meridians + i`.
     pub fn mesh(&self) -> Mesh {
         let rings = self.rings();
         let positions = rings.positions(|_, up, turn| {
-            // The ground is level and round.
+            // The foot is level and round.
             let off_ground = up.min(0.1) / 0.1;
             let radius = 7.6 + 1.6 * cosine(0.7 * up + 0.05);
             let plan = 1.0 + self.bulge * off_ground * cosine(3.0 * turn - 0.5 * up);

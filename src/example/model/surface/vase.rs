@@ -1,19 +1,20 @@
-//! A surface of revolution of triangles, out of the round.
+//! A vase of triangles, not quite round.
 
 use crate::example::model::tool::{Rings, rounded};
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Ragged};
 
-/// A vase, open above and below. Its belly is pressed in from two sides, and its neck is oval.
+/// A vase, open at the bottom and the top. Its belly is pressed in from two sides, its neck is
+/// oval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vase {
     /// Vertices of each ring.
     pub meridians: u32,
     /// Rows of triangles from the ground up.
     pub rows: u32,
-    /// Height of the rim over the ground.
+    /// Height of the rim above the ground.
     pub height: f64,
-    /// How much longer than wide the neck is, and the other way round the belly.
+    /// Ovality of the neck, and of the belly in the other direction, as a fraction of the radius.
     pub ovality: f64,
 }
 
@@ -25,7 +26,7 @@ impl Default for Vase {
 
 impl Vase {
     /// The mesh. Vertex `i` of ring `k`, counted from the x axis towards the y axis and from the
-    /// ground up, is number `k * meridians + i`. Odd rings are turned by half a step.
+    /// ground up, has index `k * meridians + i`. Odd rings are turned by half a step.
     pub fn mesh(&self) -> Mesh {
         let rings = self.rings();
         let half_step = 0.5 / f64::from(self.meridians);

@@ -3,10 +3,10 @@
 use crate::math::polygon_corners;
 use crate::mesh::{Mesh, Point, Ragged};
 
-/// The dual of a surface that is a manifold: its vertices are the means of the faces, in their
-/// order, then the middles of the boundary edges; each vertex becomes the polygon of the faces
-/// around it, in the order of the vertices and turning as the faces do. A vertex on the boundary
-/// closes its polygon with the middles of its two boundary edges, and with itself where `is_corner`.
+/// The dual of a manifold surface. Its vertices are the centroids of the faces, in their order,
+/// then the midpoints of the boundary edges. Each vertex becomes the polygon of the faces around
+/// it, in the order of the vertices and with the orientation of the faces. At the boundary the
+/// polygon also has the midpoints of the two boundary edges, and the vertex itself if `is_corner`.
 pub(crate) fn dual(mesh: &Mesh, is_corner: impl Fn(u32) -> bool) -> Mesh {
     let mean = |face: &[u32]| -> Point {
         let sum = face.iter().fold([0.0; 3], |sum: Point, &v| {
@@ -35,7 +35,7 @@ pub(crate) fn dual(mesh: &Mesh, is_corner: impl Fn(u32) -> bool) -> Mesh {
     };
     let mut faces = Ragged::new();
     for (v, around) in (0..).zip(&wedges) {
-        // On the boundary the first wedge is the one that no other ends at.
+        // At a boundary vertex, start with the wedge whose `next` no other wedge ends at.
         let open = around.iter().find(|w| around.iter().all(|other| other.before != w.next));
         let Some(first) = open.or(around.first()) else { continue };
         let mut polygon = Vec::new();
@@ -62,7 +62,7 @@ pub(crate) fn dual(mesh: &Mesh, is_corner: impl Fn(u32) -> bool) -> Mesh {
     Mesh { positions, faces, ..Mesh::default() }
 }
 
-/// A face at one of its vertices, between the corner after and the corner before it.
+/// A face at one of its vertices, between the next corner and the one before.
 #[derive(Clone, Copy)]
 struct Wedge {
     face: u32,

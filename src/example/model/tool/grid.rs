@@ -2,7 +2,7 @@
 
 use crate::mesh::{Mesh, Point, Ragged};
 
-/// A grid of quads over the square from -1 to 1 in x and y, seen from above counter-clockwise.
+/// A grid of quads over the square from -1 to 1 in x and y, counterclockwise seen from above.
 pub(crate) fn grid(panels: [usize; 2], point: impl Fn(f64, f64) -> Point) -> Mesh {
     let [nx, ny] = panels;
     let at = |k: usize, n: usize| (2.0 * k as f64 - n as f64) / n as f64;

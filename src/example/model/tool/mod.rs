@@ -6,7 +6,7 @@
 //! | `grid` | a grid of quads over a square |
 //! | `noise` | a reproducible sequence of pseudo-random numbers |
 //! | `opening` | removes faces |
-//! | `relax` | moves vertices towards the middle of their neighbours |
+//! | `relax` | moves vertices towards the mean of their neighbours |
 //! | `rings` | vertices in rings one above another |
 //! | `rounding` | coordinates in whole tenths of a millimetre |
 

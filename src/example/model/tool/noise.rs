@@ -1,9 +1,9 @@
-//! Numbers without a visible pattern, the same on every machine.
+//! Pseudo-random numbers, the same on every machine.
 
-/// Numbers from -1 to 1: a linear congruential generator with Knuth's multiplier of MMIX, of which the
-/// upper half is used.
+/// Pseudo-random numbers from -1 to 1: the upper half of a linear congruential generator with
+/// Knuth's MMIX multiplier.
 pub(crate) struct Noise {
-    /// Where it starts.
+    /// State, initially the seed.
     pub(crate) state: u64,
 }
 

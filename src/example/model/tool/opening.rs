@@ -1,9 +1,9 @@
-//! Takes faces out of a mesh.
+//! Removes faces from a mesh.
 
 use crate::mesh::{Mesh, Point, Ragged};
 
-/// The mesh without the faces that have their middle where `is_open` says, and without the vertices
-/// that no face needs then; the order of the others stays.
+/// The mesh without the faces for whose centroid `is_open` is true, and without the vertices then
+/// unused; the rest keeps its order.
 pub fn opened(mesh: &Mesh, is_open: impl Fn(Point) -> bool) -> Mesh {
     let middle = |face: &[u32]| {
         let sum = face.iter().fold([0.0; 3], |sum, &v| {

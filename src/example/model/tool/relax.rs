@@ -1,10 +1,9 @@
-//! Vertices moved towards the middle of what is around them.
+//! Moves vertices towards the mean of their surroundings.
 
 use crate::math::Vec3;
 use crate::mesh::{Mesh, Point, Topology};
 
-/// Rounds the corners of a surface: in each step every vertex goes half the way to the mean of its
-/// neighbours.
+/// Smooths a surface: in each step every vertex moves halfway to the mean of its neighbours.
 pub fn soften(mesh: &mut Mesh, steps: usize) {
     let topology = Topology::new(mesh);
     for _ in 0..steps {
@@ -12,9 +11,9 @@ pub fn soften(mesh: &mut Mesh, steps: usize) {
     }
 }
 
-/// Evens out the triangles of the surface where `field` is zero: in each step every vertex goes half
-/// the way to the centre of the triangles around it, along the surface, and then back onto it.
-/// `spacing` is the step of the differences that stand for the gradient.
+/// Evens out the triangles of the surface where `field` is zero: in each step every vertex moves
+/// along the surface, halfway to the centre of the triangles around it, and is then projected back.
+/// `spacing` is the step of the finite differences for the gradient.
 pub(crate) fn slide(mesh: &mut Mesh, field: impl Fn(Point) -> f64, spacing: f64, steps: usize) {
     for _ in 0..steps {
         let towards = centres(mesh);
@@ -40,8 +39,7 @@ fn halfway(mesh: &Mesh, topology: &Topology) -> Vec<Vec3<f64>> {
     .collect()
 }
 
-/// For each vertex the middle between it and the centre of the triangles around it, by their
-/// areas.
+/// For each vertex the midpoint between it and the area-weighted centre of the triangles around it.
 fn centres(mesh: &Mesh) -> Vec<Vec3<f64>> {
     let mut sums = vec![(Vec3::zero(), 0.0); mesh.positions.len()];
     for face in mesh.faces.iter() {
@@ -56,7 +54,7 @@ fn centres(mesh: &Mesh) -> Vec<Vec3<f64>> {
     pairs.map(|(&p, (sum, area))| (Vec3::from(p) + sum * (1.0 / area)) * 0.5).collect()
 }
 
-/// By central differences.
+/// Gradient by central differences.
 fn gradient(field: impl Fn(Point) -> f64, p: Point, step: f64) -> Vec3<f64> {
     let along = |axis: usize| {
         let (mut low, mut high) = (p, p);

@@ -3,25 +3,25 @@
 use crate::mesh::{Point, Ragged};
 use std::ops::Range;
 
-/// Rings around the z axis, all of the same number of vertices.
+/// Rings around the z axis with equally many vertices.
 #[derive(Clone, Copy)]
 pub(crate) struct Rings {
     /// Vertices of each ring.
     pub meridians: u32,
-    /// Spaces between rings.
+    /// Rows of quads between the rings.
     pub rows: u32,
 }
 
 impl Rings {
-    /// Vertex `i` of ring `k` is number `k * meridians + i`. `point` has the number of the ring, how far
-    /// up it is from 0 to 1, and `i` as a part of a turn.
+    /// The positions; vertex `i` of ring `k` has index `k * meridians + i`. `point` gets the index
+    /// of the ring, its relative height from 0 to 1, and the angle in turns.
     pub(crate) fn positions(self, point: impl Fn(u32, f64, f64) -> Point) -> Vec<Point> {
         let part = |n: u32, of: u32| f64::from(n) / f64::from(of);
         let places = (0..=self.rows).flat_map(|k| (0..self.meridians).map(move |i| (k, i)));
         places.map(|(k, i)| point(k, part(k, self.rows), part(i, self.meridians))).collect()
     }
 
-    /// The corners of each quad from its lower left one, counter-clockwise from outside.
+    /// The corners of each quad from its lower left one, counterclockwise from outside.
     pub(crate) fn quads(self) -> impl Iterator<Item = [u32; 4]> {
         let below = move |k: u32, i: u32| k * self.meridians + i % self.meridians;
         let places = (0..self.rows).flat_map(move |k| (0..self.meridians).map(move |i| (k, i)));

@@ -2,7 +2,7 @@
 
 use crate::mesh::Mesh;
 
-/// The mesh with coordinates in whole tenths of a millimetre, so that its file is short.
+/// Rounds coordinates to tenths of a millimetre, so that the file is short.
 pub(crate) fn rounded(mut mesh: Mesh) -> Mesh {
     for x in mesh.positions.as_flattened_mut() {
         *x = (*x * 1e4).round() / 1e4;
