@@ -1,34 +1,35 @@
-//! Things that are the same within a tolerance, sorted into types: in their order each joins the nearest leader within
-//! the tolerance, else becomes one.
+//! Sorting of items into types: in order, each item joins the nearest type leader within the
+//! tolerance, or becomes a leader itself.
 
-/// Something that can be the same as others.
+/// An item that can be compared with others.
 pub(super) trait Alike {
-    /// How many corners or beams it has: things of different numbers are never the same.
+    /// Number of corners or beams; items with different numbers are never alike.
     fn count(&self) -> usize;
 
-    /// A number that differs by no more than `count` times the tolerance between things that are the same: it
-    /// tells most of the others apart at once.
+    /// A number that differs by at most `count` times the tolerance between alike items: a quick
+    /// test that excludes most candidates.
     fn sum(&self) -> f64;
 
-    /// How far it is from another of the same `count`, or something above `most` where it is farther than that.
+    /// Difference to another item of the same `count`; anything above `most` if it is larger than
+    /// that.
     fn difference(&self, other: &Self, mirror: bool, most: f64) -> f64;
 }
 
-/// Things sorted into types.
+/// Items sorted into types.
 #[derive(Clone, Debug, Default)]
 pub struct Types {
-    /// The type of each thing; none of those that cannot be compared.
+    /// The type of each item; none if it cannot be compared.
     pub of: Vec<Option<u32>>,
-    /// The first thing of each type, which the others are compared with.
+    /// The first item of each type, which the others are compared with.
     pub leaders: Vec<u32>,
-    /// How many things each type has.
+    /// Number of items of each type.
     pub counts: Vec<u32>,
-    /// The largest difference of a thing to the leader of its type.
+    /// Largest difference between an item of each type and its leader.
     pub worst: Vec<f64>,
 }
 
 impl Types {
-    /// Sorts things within `tolerance`; `mirror` images are the same where that is asked for.
+    /// Sorts items into types within `tolerance`; with `mirror`, mirror images are alike.
     pub(super) fn new<T: Alike>(
         things: impl Iterator<Item = Option<T>>,
         tolerance: f64,
@@ -36,7 +37,7 @@ impl Types {
     ) -> Types {
         let mut types = Types::default();
         let mut leaders: Vec<T> = Vec::new();
-        // Leaders by their counts and sums: those of the same type differ by little.
+        // Leaders sorted by count and sum, so that candidates are neighbours.
         let mut sorted: Vec<(usize, f64, u32)> = Vec::new();
         for (thing, number) in things.zip(0..) {
             let Some(thing) = thing else {

@@ -15,35 +15,35 @@ use crate::mesh::Mesh;
 /// The unit of the mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LengthInMetres {
-    /// Its symbol.
+    /// Symbol, such as `m`.
     pub symbol: String,
-    /// Its length in metres.
+    /// Length in metres.
     pub metres: f64,
 }
 
-/// A panel that is cut, in mm of the sheet, turned so that its smallest box lies along x.
+/// A panel as it is cut, in mm of the sheet, rotated so that its smallest box lies along x.
 #[derive(Clone, Debug)]
 pub struct CutPanel {
     /// The panel without the joint.
     pub whole: Vec<Point2>,
-    /// The turn from the plane of the panel, as cosine and sine.
+    /// The rotation from the plane of the panel, as cosine and sine.
     pub turn: Point2,
-    /// The size of its smallest box, with the joint taken off.
+    /// The size of its smallest box, with the joint subtracted.
     pub size: [f64; 2],
-    /// Which of [`Build::parts`] it is.
+    /// Its index in [`Build::parts`].
     pub part: usize,
 }
 
-/// A part that is not cut, and why.
+/// A part that is not cut, and the reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotCut {
     /// Its name.
     pub part: String,
-    /// In words.
+    /// The reason, in words.
     pub why: &'static str,
 }
 
-/// A shape as parts.
+/// A shape divided into parts.
 #[derive(Clone, Debug)]
 pub struct Build {
     /// The settings.
@@ -54,42 +54,42 @@ pub struct Build {
     pub surface: PanelSurface,
     /// The name of each panel.
     pub names: Vec<String>,
-    /// Each panel in its plane, in the unit of the mesh; none without area.
+    /// Each panel in its plane, in the unit of the mesh; none if it has no area.
     pub flat: Vec<Option<FlatPanel>>,
-    /// Each panel as it is cut; none where another product is made.
+    /// Each panel as it is cut; none if it is not cut.
     pub cut: Vec<Option<CutPanel>>,
     /// The parts that are not cut.
     pub not_cut: Vec<NotCut>,
     /// The parts to cut.
     pub parts: Vec<CutPart>,
-    /// Names of neighbours without room, and panels whose own name is too small to be read well.
+    /// Neighbours' names without room.
     pub dropped_names: usize,
-    /// See `dropped_names`.
+    /// Panels whose own name is too small to be read well.
     pub small_names: usize,
-    /// Holes that have no room.
+    /// Holes without room.
     pub dropped_holes: usize,
-    /// Where the parts are.
+    /// Where the parts are on the sheets.
     pub layout: Layout,
-    /// Panels that are alike.
+    /// Types of panels.
     pub types: Types,
-    /// The beams, where fins are made and the surface has an outside.
+    /// The beams, if fins are made and the surface has an outside.
     pub frame: Option<Frame>,
-    /// The paper model, where one is made.
+    /// The paper model, if one is made.
     pub paper: Option<PaperModel>,
-    /// The node axes of the offset with their check; none where the surface has no outside.
+    /// The node axes of the offset and their check; none if the surface has no outside.
     pub offset: Option<(Axes, OffsetCheck)>,
-    /// The errors of the kinds of offsets that were looked at for it.
+    /// The errors of each kind of offset that was tried.
     pub(super) tried: Vec<Choice>,
-    /// Sentences on what is not offered.
+    /// Products that are not available, and why.
     pub faults: Vec<Fault>,
 }
 
-/// Each panel in its plane.
+/// Lays each panel flat in its plane.
 pub(super) fn all_flat(surface: &PanelSurface) -> Vec<Option<FlatPanel>> {
     (0..surface.faces.len() as u32).map(|f| lay_flat(surface, f)).collect()
 }
 
-/// The name of a vertex as a node.
+/// The name of the node at a vertex.
 pub(super) fn node_name(vertex: u32) -> String {
     format!("N{vertex}")
 }
@@ -100,10 +100,10 @@ pub(super) fn beam_name([a, b]: [u32; 2]) -> String {
 }
 
 impl Build {
-    /// Makes all parts of a mesh at its `positions`.
+    /// All parts of a mesh at its `positions`.
     ///
     /// # Errors
-    /// A mesh without faces, or a setting out of its range.
+    /// If the mesh has no faces, or a setting is out of its range.
     pub fn new(
         mesh: &Mesh,
         settings: &BuildSettings,
@@ -140,12 +140,12 @@ impl Build {
         Ok(build)
     }
 
-    /// Millimetres of the building in a unit of the mesh.
+    /// Millimetres of the building per unit of the mesh.
     pub fn building(&self) -> f64 {
         1000.0 * self.unit.metres
     }
 
-    /// Millimetres of the sheet in a unit of the mesh.
+    /// Millimetres of the sheet per unit of the mesh.
     pub fn model(&self) -> f64 {
         self.building() / self.settings.scale
     }
@@ -155,12 +155,13 @@ impl Build {
         self.settings.distance.unwrap_or_else(|| 0.2 * self.surface.mean_edge())
     }
 
-    /// The width of beams as prisms, in the unit of the mesh.
+    /// The width of prisms, in the unit of the mesh.
     pub fn beam_width(&self) -> f64 {
         self.settings.beam_width.unwrap_or_else(|| 0.05 * self.surface.mean_edge())
     }
 
-    /// The offset of a kind, or of that with the smaller errors. Why there is none comes first of all faults.
+    /// Computes the offset of this kind, by default of the kind with the smallest errors. If there
+    /// is none, the reason becomes the first fault.
     pub(super) fn make_offset(&mut self, kind: Option<OffsetKind>) {
         let folded = self.surface.folded_over();
         let fault = match &self.surface.one_sided {
@@ -172,7 +173,7 @@ impl Build {
             self.offset = None;
             return;
         }
-        // A box or a mesh with holes is no case for corners: the smaller errors win.
+        // Corners do not suit a box or a mesh with holes: by default both kinds are tried.
         let kinds = match &kind {
             Some(kind) => std::slice::from_ref(kind),
             None => &[OffsetKind::Face, OffsetKind::Corner],
@@ -184,7 +185,7 @@ impl Build {
             tried.into_iter().min_by(|(_, a), (_, b)| a.worst_error().total_cmp(&b.worst_error()));
     }
 
-    /// The axes of some kinds, and their checks.
+    /// The axes of some kinds of offset, and their checks.
     pub(super) fn offsets_of(&self, kinds: &[OffsetKind]) -> Vec<(Axes, OffsetCheck)> {
         let distance = self.distance();
         let limits = self.settings.limits;
@@ -197,7 +198,7 @@ impl Build {
         axes.into_iter().map(checked).collect()
     }
 
-    /// The sheets as lines.
+    /// The sheets as line drawings.
     pub fn drawings(&self) -> Vec<Drawing> {
         let BuildSettings { sheet, margin, outlines_only, .. } = self.settings;
         let count = self.layout.sheets.len();
@@ -217,7 +218,7 @@ impl Build {
     /// The title of a sheet, with the units of the model and of the sheet.
     fn title(&self, number: usize, count: usize) -> String {
         let scale = places(self.settings.scale, 6);
-        // Only letters that every program reads.
+        // Only characters that every program can read.
         let plain = |text: &str| {
             text.chars().filter(|c| c.is_ascii_graphic() || *c == ' ').collect::<String>()
         };

@@ -1,4 +1,4 @@
-//! What the card shows, and what follows while somebody moves the shape or tries a distance.
+//! The part of the report that is updated while the user moves the shape or tries a distance.
 
 use super::build::Build;
 use super::check_card::CheckRow;
@@ -6,62 +6,62 @@ use super::offset::{Closing, OffsetKind, closing};
 use super::tighten::Tighten;
 use serde::Serialize;
 
-/// The offset.
+/// Numbers of the offset.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct OffsetReport {
-    /// The elements that keep their distance.
+    /// The kind of elements that keep their distance.
     pub kind: OffsetKind,
-    /// Whether it does so exactly; else the axes are the least-squares fit.
+    /// Whether they keep it exactly; else the axes are a least-squares fit.
     pub exact: bool,
-    /// Why not; empty where it is.
+    /// Why it is not exact; empty if it is.
     pub why_not: String,
     /// The distance, positive outwards.
     pub distance_mm: f64,
-    /// The largest distance of a beam's corners to its plane.
+    /// Largest distance of a beam's corners from its plane.
     pub warp_mm: f64,
-    /// The largest angle between the two ends of a beam.
+    /// Largest angle between the two ends of a beam.
     pub twist_deg: f64,
-    /// How far the distance is from what was asked for at worst.
+    /// Largest deviation from the requested distance.
     pub distance_error_mm: f64,
-    /// The largest angle between a node axis and the normal of the surface: of all nodes, and of inner ones,
-    /// which are judged (at the rim of a coarse mesh it is large and harmless).
+    /// Largest angle between a node axis and the surface normal over all nodes. At the rim of a
+    /// coarse mesh it is large and harmless.
     pub lean_deg: f64,
-    /// See `lean_deg`.
+    /// As `lean_deg`, over inner nodes only; this one is checked.
     pub inner_lean_deg: f64,
-    /// How far the panels of the offset are from flat.
+    /// Largest deviation of a panel of the offset from flat.
     pub offset_flatness_mm: f64,
-    /// The distances, inwards and outwards, at which an edge of the offset has no length; null without limit.
+    /// The distances, inwards and outwards, at which an edge of the offset has zero length; null if
+    /// none.
     pub safe_distance_mm: [Option<f64>; 2],
-    /// Heights of beams.
+    /// Least and largest height of beams.
     pub beam_height_mm: [f64; 2],
-    /// Of corner offsets: the largest turn around a panel, panels with an odd number of edges, and the turn around
-    /// each rim (null where it has an odd number of edges).
+    /// For corner offsets: the largest turn around a panel.
     pub closing_panel_deg: f64,
-    /// See `closing_panel_deg`.
+    /// For corner offsets: panels with an odd number of edges.
     pub odd_panels: usize,
-    /// See `closing_panel_deg`.
+    /// For corner offsets: the turn around each rim; null for an odd number of edges.
     pub closing_rims_deg: Vec<Option<f64>>,
 }
 
-/// The part of the report that the offset decides.
+/// The part of the report that depends on the offset.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct BuildCard {
-    /// The mean length of edges.
+    /// Mean length of edges.
     pub mean_edge_mm: f64,
-    /// The offset; null where it is not offered.
+    /// The offset; null if it is not available.
     pub offset: Option<OffsetReport>,
-    /// The five numbers.
+    /// The five numbers of the build check.
     pub check: Vec<CheckRow>,
     /// Remedies for the numbers that exceed their limits.
     pub tighten: Tighten,
-    /// Products that are not offered, each with the reason.
+    /// Products that are not available, each with the reason.
     pub problems: Vec<String>,
 }
 
 impl Build {
-    /// The card, without what the rest of the report takes to count.
+    /// The card, without the parts of the report that take longer.
     pub fn card(&self) -> BuildCard {
         let check = self.check_rows();
         BuildCard {
@@ -98,7 +98,7 @@ impl Build {
     }
 
     fn why_not(&self, kind: OffsetKind, closing: &Closing) -> String {
-        /// Turns below this are rounding or a tolerance of the solver.
+        /// Turns below this are due to rounding or the solver's tolerance.
         const CLOSED: f64 = 0.01;
         match kind {
             OffsetKind::Corner if closing.odd_panels > 0 => format!(

@@ -1,5 +1,5 @@
-//! The build check: five numbers with units and limits, each with the element that is worst, and all elements that
-//! are not within a limit. Lengths are in mm of the building.
+//! The build check: five numbers with units and limits, each with its worst element, and all
+//! elements that exceed a limit. Lengths are in mm of the building.
 
 use super::build::Build;
 use super::offset::{BeamCheck, NodeCheck};
@@ -10,21 +10,21 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct CheckRow {
-    /// Its name in files.
+    /// Identifier in files.
     pub id: &'static str,
-    /// Its name for people.
+    /// Display name.
     pub label: &'static str,
-    /// Its value; none where it does not apply.
+    /// Its value; none if it does not apply.
     pub value: Option<f64>,
-    /// The value that it should not pass; none of the safe distance inwards where there is no limit.
+    /// The largest permitted value; none for the offset distance if it has no limit on this side.
     pub limit: Option<f64>,
     /// `mm` or `deg`.
     pub unit: &'static str,
-    /// Whether it is within the limit; none where there is no value.
+    /// Whether it is within the limit; none without a value.
     pub met: Option<bool>,
-    /// The element that is worst: the ends of an edge, a vertex or a panel.
+    /// The worst element: an edge, a vertex or a panel.
     pub worst: Worst,
-    /// How many elements are not within the limit.
+    /// Number of elements that exceed the limit.
     pub failed: usize,
 }
 
@@ -33,42 +33,43 @@ pub struct CheckRow {
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub enum Worst {
-    /// None.
+    /// No element.
     #[default]
     None,
     /// A vertex.
     Vertex(u32),
-    /// The ends of an edge.
+    /// An edge, by its ends.
     Edge([u32; 2]),
     /// A face.
     Panel(u32),
 }
 
-/// The elements that are not within a limit.
+/// The elements that exceed a limit.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Failed {
     /// Panels that are not flat.
     pub panels: Vec<u32>,
-    /// Beams that are warped, and edges that turn round in the offset, by [`super::PanelSurface::edges`].
+    /// Beams that are warped, and edges that flip in the offset; indices of
+    /// [`super::PanelSurface::edges`].
     pub edges: Vec<u32>,
-    /// Vertices whose axis leans, or has another length than it should.
+    /// Vertices whose axis leans, or does not have the required length.
     pub nodes: Vec<u32>,
 }
 
-/// One number of every element of a kind, in the unit of its limit; none where an element has no such number.
+/// One value per element, in the unit of the limit; none if it does not apply to the element.
 struct Checked {
     values: Vec<Option<f64>>,
     limit: f64,
 }
 
 impl Checked {
-    /// The elements that are not within the limit.
+    /// The elements that exceed the limit.
     fn failed(&self) -> impl Iterator<Item = u32> + '_ {
         let failed = |value: &Option<f64>| value.is_some_and(|value| value > self.limit);
         (0..).zip(&self.values).filter(move |(_, value)| failed(value)).map(|(k, _)| k)
     }
 
-    /// The first element of the greatest value.
+    /// The largest value, and its first element.
     fn worst(&self) -> Option<(f64, u32)> {
         let values = (0..).zip(&self.values).filter_map(|(k, value)| Some(((*value)?, k)));
         values.reduce(|worst, other| if other.0 > worst.0 { other } else { worst })
@@ -94,7 +95,7 @@ impl Checked {
 }
 
 impl Build {
-    /// The card.
+    /// The five rows of the build check.
     pub(super) fn check_rows(&self) -> Vec<CheckRow> {
         let beam = |e: u32| Worst::Edge(self.surface.edges[e as usize].ends);
         vec![
@@ -106,11 +107,12 @@ impl Build {
         ]
     }
 
-    /// The values behind the rows of the card, in their order; none behind the distance, which is one number.
+    /// The values behind the rows of the check, in their order; empty for the distance, a single
+    /// number.
     pub(super) fn spreads(&self) -> [Vec<f64>; 5] {
         let values = |checked: Checked| checked.values.into_iter().flatten().collect();
         let checks = self.offset.iter().flat_map(|(_, check)| &check.nodes);
-        // Of a rim nothing is judged.
+        // Only inner nodes are checked.
         let lean = checks.filter(|node| node.is_inner).map(|node| node.lean_deg).collect();
         [
             values(self.warp()),
@@ -121,7 +123,7 @@ impl Build {
         ]
     }
 
-    /// All elements that are not within a limit.
+    /// All elements that exceed a limit.
     pub fn failed(&self) -> Failed {
         let edges = distinct(self.warp().failed().chain(self.shrinking().failed()));
         let nodes = distinct(self.distance_error().failed().chain(self.lean().failed()));
@@ -143,7 +145,7 @@ impl Build {
         self.of_beams(self.settings.limits.warp, |beam| beam.warp * building)
     }
 
-    /// By how much of its length an edge is shorter in the offset; one that is shorter by all of it turns round.
+    /// The fraction of its length that an edge loses in the offset; above 1 the edge flips.
     fn shrinking(&self) -> Checked {
         let distance = self.distance();
         self.of_beams(1.0, |beam| beam.shrinking * distance)
@@ -165,7 +167,7 @@ impl Build {
         Checked { values: flatness.collect(), limit: self.settings.limits.flatness }
     }
 
-    /// The limit of the distance on the side to which it goes.
+    /// The row of the offset distance, with its limit on the side of the offset.
     fn safe_distance_row(&self, beam: impl Fn(u32) -> Worst) -> CheckRow {
         let building = self.building();
         let side = usize::from(self.distance() > 0.0);

@@ -1,4 +1,5 @@
-//! The parts of a build: cut, laid out, and then named, so that names stand on their feet on the sheet.
+//! Cuts the parts of a build, lays them out, and then names them, so that names are upright on the
+//! sheet.
 
 use super::beam::{Frame, FrameSize};
 use super::build::{Build, CutPanel, NotCut, beam_name, node_name};
@@ -10,7 +11,7 @@ use super::sheet::{
     CutPart, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
 };
 
-/// For each side of a part, what lies beyond it, by name.
+/// The name of what lies beyond each side of a part.
 type Beside = Vec<Option<String>>;
 
 impl Build {
@@ -70,7 +71,7 @@ impl Build {
             let other = self.surface.edges[e as usize].across(f as u32)?;
             Some(self.names[other as usize].clone())
         };
-        // A corner that coincides with the next one is no corner of the part.
+        // A corner that coincides with the next one is dropped.
         let n = outline.len();
         let (outline, beside) = (0..n)
             .filter(|&k| outline[k] != outline[(k + 1) % n])
@@ -116,7 +117,7 @@ impl Build {
         all
     }
 
-    /// What is beside a panel of a piece depends on its tabs.
+    /// Cuts the pieces of a paper model; `write_names` finds neighbours, which depend on the tabs.
     fn cut_paper(&mut self) -> Vec<Beside> {
         let BuildSettings { sheet, margin, pieces, tab, print_inside, .. } = self.settings;
         let room = sheet.map(|side| side - 2.0 * margin);
@@ -133,7 +134,7 @@ impl Build {
         Vec::new()
     }
 
-    /// Engraves on each part its name, and what is `beside` its edges.
+    /// Engraves each part with its name and the names of its neighbours `beside` its edges.
     fn write_names(&mut self, beside: &[Beside]) {
         let places = self.layout.places(self.parts.len());
         for (k, part) in self.parts.iter_mut().enumerate() {
@@ -160,7 +161,7 @@ impl Build {
         self.write_on_waste();
     }
 
-    /// Writes which part it is beside those that have no room for it.
+    /// Writes the names of parts that have no room for them on the waste beside them.
     fn write_on_waste(&mut self) {
         let BuildSettings { sheet: size, margin, .. } = self.settings;
         let unnamed: Vec<bool> =

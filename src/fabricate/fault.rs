@@ -1,8 +1,8 @@
-//! Reasons why a mesh or a setting cannot be built, and the products that are offered all the same.
+//! Reasons why something cannot be built, and the products that are still available.
 
 use std::fmt;
 
-/// One sentence: what is the matter, and what is offered and what is not.
+/// One sentence: the problem, and what is available nevertheless.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault(pub String);
 
@@ -15,7 +15,7 @@ impl fmt::Display for Fault {
 impl std::error::Error for Fault {}
 
 impl Fault {
-    /// Nothing can be cut of points and curves.
+    /// Points and curves have nothing to cut.
     pub(super) fn no_panels(has_curves: bool) -> Fault {
         let what = if has_curves { "curves" } else { "points" };
         Fault(format!(
@@ -23,14 +23,14 @@ impl Fault {
         ))
     }
 
-    /// The surface has one side only, such as a Moebius strip.
+    /// The surface has only one side, such as a Moebius strip.
     pub(super) fn one_sided([a, b]: [u32; 2]) -> Fault {
         Fault(format!(
             "the surface has one side only (seen at the edge of vertices {a} and {b}), so that it has no outside: panels can be cut and folded, offsets and beams are not offered"
         ))
     }
 
-    /// Edges of more than two panels.
+    /// Edges with more than two panels.
     pub(super) fn crowded_edges(edges: usize) -> Fault {
         let edges = match edges {
             1 => "1 edge has".to_owned(),
@@ -41,7 +41,7 @@ impl Fault {
         ))
     }
 
-    /// Strips follow quads.
+    /// There are no quads for strips to follow.
     pub(super) fn no_strips() -> Fault {
         Fault(
             "the surface has no panels of four edges, which strips follow: nets are made instead"

@@ -6,16 +6,16 @@ use super::panel::{Point2, direction_of, distance_to_outline, is_inside};
 use super::settings::Product;
 use super::sheet::{CutPart, Hole};
 
-/// The middle of a hole is so many diameters away from its edge.
+/// Distance of the centre of a hole from its edge, in diameters.
 const FROM_EDGE: f64 = 1.5;
-/// And at least so many from every other edge, and twice as many from the next hole.
+/// Least distance from every other edge, and half of that from other holes, in diameters.
 const LEAST: f64 = 1.0;
-/// Where holes are along an edge, as shares of its length.
+/// Positions of holes along an edge, as fractions of its length.
 const ALONG: [f64; 2] = [1.0 / 3.0, 2.0 / 3.0];
 
 impl Build {
-    /// Drills holes of the diameter that is asked for, where they have room; counts those that have none. A paper model
-    /// has none.
+    /// Drills holes of the requested diameter that have room, and counts those that have none.
+    /// Paper models have no holes.
     pub(super) fn drill(&mut self) {
         let diameter = self.settings.hole;
         if diameter <= 0.0 {
@@ -35,7 +35,8 @@ impl Build {
             let cut = [f, g].map(|f| self.cut[f as usize].as_ref().map(|cut| (f, cut)));
             let [Some(one), Some(other)] = cut else { continue };
             for share in ALONG {
-                // From its own end of the edge, which both panels begin at the other one of: opposite each other.
+                // Both panels traverse the edge in opposite directions, so `other` gets `1 -
+                // share`.
                 let at = |(f, cut): (u32, &super::build::CutPanel), share: f64| {
                     let sides = self.surface.sides.row(f as usize);
                     let k = sides.iter().position(|&side| side == e)?;
@@ -73,7 +74,7 @@ impl Build {
     }
 }
 
-/// A point at a share of a side, so far inside of it.
+/// The point at a fraction of a side, moved inwards by `away`.
 fn beside([p, q]: [Point2; 2], share: f64, away: f64) -> Point2 {
     let [c, s] = direction_of(p, q);
     let at = |x: usize| p[x] + share * (q[x] - p[x]);

@@ -1,4 +1,5 @@
-//! The offset as points in space, at another distance and of a shape that moves, and where on the sheets something is not within a limit.
+//! The offset as points in space, while its distance or the shape changes, and the places on sheets
+//! where elements exceed a limit.
 
 use super::build::{Build, all_flat};
 use super::check_card::Failed;
@@ -7,8 +8,8 @@ use super::panel::Point2;
 use super::sheet::Sheet;
 
 impl Build {
-    /// `#V by 3`: where the offset has the vertices, in the coordinates of the mesh; vertices of no panel stay.
-    /// None where offsets are not offered.
+    /// The vertices of the offset (`#V by 3`), in the coordinates of the mesh; vertices of no panel
+    /// stay. None if offsets are not available.
     pub fn layer(&self) -> Option<Vec<[f64; 3]>> {
         let (axes, _) = self.offset.as_ref()?;
         let distance = self.distance();
@@ -16,8 +17,8 @@ impl Build {
         Some(points.map(|(v, n)| (*v + self.surface.centre + *n * distance).into()).collect())
     }
 
-    /// Takes another distance with the same axes. Their choice may depend on it, and fins do: both are made anew by
-    /// the next build.
+    /// Changes the distance, keeping the axes. The choice of axes and the fins may depend on it:
+    /// the next build computes them anew.
     pub fn move_layer(&mut self, distance: f64) {
         self.settings.distance = Some(distance);
         self.tried.clear();
@@ -26,21 +27,21 @@ impl Build {
         }
     }
 
-    /// Moves the shape to `positions`, `#V by 3`: its offset, of the same kind, and how flat its panels are. Parts, sheets
-    /// and types stay those of the shape before, until the next build.
+    /// Moves the shape to `positions` (`#V by 3`) with its offset of the same kind and the flatness
+    /// of panels. Parts, sheets and types are those of the previous shape until the next build.
     pub fn reshape(&mut self, positions: &[[f64; 3]]) {
         self.surface.move_to(positions);
         self.flat = all_flat(&self.surface);
         if self.offset.is_none() {
-            // It says why.
+            // Its first fault is the reason, which may no longer hold.
             self.faults.remove(0);
         }
         let before = self.offset.as_ref().map(|(axes, _)| axes.kind);
         self.make_offset(self.settings.kind.or(before));
     }
 
-    /// By sheets: the sides of panels whose beams fail, and as one point each their corners at nodes that fail; in
-    /// mm of the sheet.
+    /// For each sheet, the sides of panels whose beams fail, and as single points the corners whose
+    /// nodes fail, in mm of the sheet.
     pub fn failed_sides(&self, failed: &Failed) -> Vec<Vec<Vec<Point2>>> {
         let listed = |count: usize, list: &[u32]| {
             let mut is_listed = vec![false; count];
@@ -54,7 +55,7 @@ impl Build {
             for place in &sheet.places {
                 let Some(&panel) = self.parts[place.part].panels.first() else { continue };
                 let f = panel as usize;
-                // Panels are cut where they are the product.
+                // Empty for other products than panels.
                 let Some(Some(cut)) = self.cut.get(f) else { continue };
                 let corner = |k: usize| place.put(cut.whole[k % cut.whole.len()]);
                 let sides = self.surface.sides.row(f).iter().enumerate();

@@ -1,9 +1,9 @@
-//! From a shape to parts that can be cut: panels laid flat and laid out on sheets, and the numbers that say
-//! whether offsets, beams and panels fit.
+//! From a shape to parts that can be cut: panels laid flat and placed on sheets, and the numbers
+//! that show whether offsets, beams and panels fit.
 //!
-//! Lengths of the building are in the unit of the mesh until they are on a sheet, where everything is in mm.
-//! Distances are positive outwards; outside is where the area vectors of the panels point. Two scales in one
-//! number are the classic mistake: only `build` multiplies by the scale, once.
+//! Lengths of the building are in the unit of the mesh until they are on a sheet, where everything
+//! is in mm. Distances are positive outwards; outside is where the area vectors of the panels
+//! point. To avoid scaling twice, only `build` multiplies by the scale, once.
 //!
 //! ```text
 //! mesh -> surface -> panel -> sheet -> file
@@ -12,25 +12,25 @@
 //!
 //! | file or folder | holds |
 //! |---|---|
-//! | `settings` | what is asked once: scale, sheet, joint, distance; presets |
-//! | `fault` | what stands in the way, and what is offered all the same |
-//! | `surface` | the panels with an outside, edges with the panels on their two sides |
-//! | `alike` | things sorted into types |
+//! | `settings` | settings of a build: scale, sheet, joint, distance; presets |
+//! | `fault` | reasons why something cannot be built |
+//! | `surface` | the panels as an oriented surface, edges with the panels on both sides |
+//! | `alike` | sorting of items into types |
 //! | `panel` | panels laid flat, the joint, names, types |
 //! | `offset` | node axes, exact or fitted, and the check of an offset |
 //! | `beam` | beams along the edges: nodes, fins, prisms |
 //! | `paper` | paper models: nets and strips with folds and tabs |
 //! | `sheet` | parts, letters, labels, the layout on sheets |
 //! | `file` | SVG, DXF, PDF, CSV |
-//! | `build` | all of it for one shape |
-//! | `cutting` | its parts: cut, laid out, named |
+//! | `build` | everything for one shape |
+//! | `cutting` | cuts, lays out and names the parts |
 //! | `holes` | holes along edges and at the ends of fins |
-//! | `check_card` | the build check: five numbers with their limits, and what is not within them |
-//! | `card` | the card: what follows while somebody moves the shape |
-//! | `layer` | the offset as points, moved and of another shape, and the sides of parts that fail, for the view |
-//! | `numbers` | the numbers that a lesson may bound |
-//! | `tighten` | what a solver could do about it |
-//! | `report` | all numbers |
+//! | `check_card` | the build check: five numbers with limits, and the elements that exceed them |
+//! | `card` | the part of the report that is updated while the user moves the shape |
+//! | `layer` | the offset of a moving shape as points, failing sides of parts, for the view |
+//! | `numbers` | the numbers that a lesson can limit |
+//! | `tighten` | remedies that the solver offers |
+//! | `report` | the report with all numbers |
 //! | `report_page` | the report on one page, as PDF and SVG |
 //! | `tables` | lists of panels, beams, pieces, edges, nodes and types |
 //! | `space` | the shape with its offset and beams in space |

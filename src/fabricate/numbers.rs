@@ -1,4 +1,5 @@
-//! The numbers of a build that a lesson may bound. They are declared here for hosts that build nothing themselves.
+//! The numbers of a build that a lesson can limit. They are declared here for hosts that do not
+//! build.
 
 use super::build::Build;
 use serde::Serialize;
@@ -8,29 +9,29 @@ use serde::Serialize;
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub enum NumberUnit {
-    /// That of the mesh.
+    /// The unit of the mesh.
     Length,
     /// Degrees.
     Degrees,
-    /// A count.
+    /// A number of items.
     Count,
 }
 
-/// A number of a build: never negative, and 0 is best.
+/// A number of a build: never negative, 0 is best.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct BuildNumber {
-    /// Its name in files.
+    /// Identifier in files.
     pub id: &'static str,
-    /// Its name for people.
+    /// Display name.
     pub label: &'static str,
-    /// What it is.
+    /// Description.
     pub words: &'static str,
     /// Its unit.
     pub unit: NumberUnit,
 }
 
-/// All of them.
+/// All numbers.
 pub const BUILD_NUMBERS: [BuildNumber; 6] = [
     BuildNumber {
         id: "beam_warp",
@@ -71,8 +72,8 @@ pub const BUILD_NUMBERS: [BuildNumber; 6] = [
 ];
 
 impl Build {
-    /// Each of [`BUILD_NUMBERS`], lengths in the unit of the mesh; none where it does not apply. Sheets count only where
-    /// every part is on one.
+    /// The values of [`BUILD_NUMBERS`], lengths in the unit of the mesh; none if one does not
+    /// apply. Sheets are counted only if every part is on one.
     pub fn numbers(&self) -> [Option<f64>; BUILD_NUMBERS.len()] {
         let rows = self.check_rows();
         let placed: usize = self.layout.sheets.iter().map(|sheet| sheet.places.len()).sum();

@@ -6,12 +6,12 @@ use super::space::solids;
 use super::tables;
 use crate::mesh::write_obj;
 
-/// A file to be written.
+/// A file to be saved.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BuildFile {
     /// Its name, without folders.
     pub name: String,
-    /// Its content: ASCII, except for names of units and materials in tables.
+    /// Its content: ASCII, except for the names of units and materials in tables.
     pub text: String,
 }
 

@@ -1,4 +1,4 @@
-//! All numbers of a build. Lengths are in mm: of the building, but for what is on the sheet.
+//! All numbers of a build. Lengths are in mm of the building, except on the sheet.
 
 use super::alike::Types;
 use super::beam::{edge_types, node_types};
@@ -20,19 +20,19 @@ use serde::Serialize;
 pub struct FrameReport {
     /// Nodes with beams.
     pub nodes: usize,
-    /// Types of nodes, whose angles differ by no more than `alike_deg`.
+    /// Types of nodes, whose angles differ by at most `alike_deg`.
     pub node_types: usize,
-    /// See `node_types`.
+    /// Tolerance of `node_types`.
     pub alike_deg: f64,
-    /// How many types of nodes there are at each tolerance in degrees.
+    /// Pairs of a tolerance in degrees and the number of types of nodes.
     pub node_types_curve: Vec<[f64; 2]>,
-    /// By how much a fin is cut back at an end, at most, on the sheet.
+    /// Largest length cut off an end of a fin, on the sheet.
     pub cut_back_mm: f64,
-    /// The largest change of a distance between corners when fins are laid flat.
+    /// Largest change of a distance between corners when fins are laid flat.
     pub flattening_error_mm: f64,
-    /// The largest step between the upper faces of neighbouring prisms, and its vertex.
+    /// Largest step between the upper faces of neighbouring prisms.
     pub node_step_mm: f64,
-    /// See `node_step_mm`.
+    /// The vertex of `node_step_mm`.
     pub node_step_vertex: u32,
     /// Beams whose mitres leave nothing of a prism.
     pub without_prism: usize,
@@ -42,11 +42,11 @@ pub struct FrameReport {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct PaperReport {
-    /// Edges and creases that are folded to a ridge, seen from outside.
+    /// Edges and creases folded to a ridge, seen from outside.
     pub ridges: usize,
-    /// Those that are folded to a valley.
+    /// Edges and creases folded to a valley.
     pub valleys: usize,
-    /// Edges that are glued.
+    /// Glued edges.
     pub tabs: usize,
     /// Edges that are cut and have no room for a tab, by the names of their panels.
     pub without_tab: Vec<String>,
@@ -60,87 +60,88 @@ pub struct PaperReport {
 pub struct BuildReport {
     /// The product.
     pub product: Product,
-    /// Parts that can be cut: panels, fins, or pieces of paper.
+    /// Parts to be cut: panels, fins, or pieces of paper.
     pub parts: usize,
-    /// How many there are.
+    /// Panels.
     pub panels: usize,
-    /// How many there are.
+    /// Edges.
     pub edges: usize,
-    /// How many vertices panels have.
+    /// Vertices of panels.
     pub nodes: usize,
-    /// Connected parts of the surface.
+    /// Connected components of the surface.
     pub components: usize,
-    /// Panels that were turned to run as their neighbours do.
+    /// Panels that were reversed to agree with their neighbours.
     pub turned: usize,
-    /// The mean length of its edges.
+    /// Mean length of edges.
     pub mean_edge_mm: f64,
     /// The unit of the mesh.
     pub unit: String,
-    /// The model is one to so many.
+    /// The denominator of the scale.
     pub scale: f64,
     /// Sheets in use.
     pub sheets: usize,
-    /// The size of a sheet.
+    /// Width and height of a sheet.
     pub sheet_mm: [f64; 2],
     /// Parts on sheets.
     pub placed: usize,
-    /// The share of the area of the sheets that parts cover.
+    /// The fraction of the sheets' area that parts cover.
     pub used: f64,
     /// The names of parts that are larger than a sheet.
     pub too_large: Vec<String>,
     /// Parts that cannot be cut, each with the reason.
     pub not_cut: Vec<String>,
-    /// The area of all parts on sheets.
+    /// Area of all parts on sheets.
     pub cut_area_mm2: f64,
-    /// The length of their outlines.
+    /// Length of their outlines.
     pub cut_length_mm: f64,
     /// The gap between panels on the sheet.
     pub joint_mm: f64,
-    /// The least joint, on the sheet, that keeps panels of the thickness from touching when they are laid outside
-    /// of the surface; null where nothing closes. And the same inside.
+    /// The least joint on the sheet that keeps panels of this thickness from colliding, if they are
+    /// laid outside and inside of the surface; null if no edge closes.
     pub least_joint_mm: [Option<f64>; 2],
-    /// Names of neighbours that have no room on their part.
+    /// Neighbours' names without room on their part.
     pub dropped_names: usize,
-    /// Parts whose own name is smaller than 2 mm.
+    /// Parts whose own name is lower than 2 mm.
     pub small_names: usize,
-    /// The names of parts on sheets that have no room for them, neither on the part nor beside it.
+    /// The names of parts on sheets that have no room for their name, on the part or beside it.
     pub unnamed: Vec<String>,
     /// Holes in parts.
     pub holes: usize,
-    /// Holes that have no room.
+    /// Holes left out for lack of room.
     pub dropped_holes: usize,
     /// Types of panels.
     pub types: usize,
-    /// How many types of panels there are at each tolerance in mm of the building.
+    /// Pairs of a tolerance in mm of the building and the number of types of panels.
     pub types_curve: Vec<[f64; 2]>,
     /// Types of edges: lengths within the same tolerance.
     pub edge_types: usize,
-    /// How many of them there are at each tolerance in mm of the building.
+    /// Pairs of a tolerance in mm of the building and the number of types of edges.
     pub edge_types_curve: Vec<[f64; 2]>,
-    /// The largest change of a distance between corners when panels are laid flat.
+    /// Largest change of a distance between corners when panels are laid flat.
     pub flattening_error_mm: f64,
-    /// The smallest and the greatest fold, positive for ridges; null without inner edges.
+    /// Smallest and largest fold, positive for ridges; null without inner edges.
     pub fold_deg: Option<[f64; 2]>,
-    /// The offset; null where it is not offered.
+    /// The offset; null if it is not available.
     pub offset: Option<OffsetReport>,
-    /// Beams and nodes; null where they are not made.
+    /// Beams and nodes; null if they are not made.
     pub frame: Option<FrameReport>,
-    /// The paper model; null where another product is made.
+    /// The paper model; null for other products.
     pub paper: Option<PaperReport>,
-    /// The five numbers of the card.
+    /// The five numbers of the build check.
     pub check: Vec<CheckRow>,
     /// Remedies for the numbers that exceed their limits.
     pub tighten: Tighten,
-    /// Products that are not offered, each with the reason.
+    /// Products that are not available, each with the reason.
     pub problems: Vec<String>,
 }
 
 /// The tolerances at which types are counted, in mm of the building.
 const ALIKE_MM: [f64; 6] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0];
-/// Those of angles, in degrees.
+/// The tolerances of angles, in degrees.
 const ALIKE_DEG: [f64; 6] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0];
 
-/// How many types so many things are of at each tolerance; nothing where that would take longer than everything else.
+/// The number of types at each tolerance; empty for more than `MOST` items, where this would
+/// dominate the time.
 fn curve(tolerances: &[f64], things: usize, types: impl Fn(f64) -> Types) -> Vec<[f64; 2]> {
     const MOST: usize = 5000;
     let tolerances = tolerances.iter().take(if things > MOST { 0 } else { tolerances.len() });
@@ -233,7 +234,7 @@ impl Build {
         }
     }
 
-    /// The errors of every kind of offset; empty where offsets are not offered.
+    /// The errors of every kind of offset; empty if offsets are not available.
     pub fn choices(&self) -> Vec<Choice> {
         if self.offset.is_none() {
             return Vec::new();
@@ -248,8 +249,8 @@ impl Build {
         all
     }
 
-    /// Panels of a thickness `T` on one side close towards each other over an edge of fold `theta` on that side:
-    /// the joint has to be `2 T sin(|theta|/2) / cos(theta/2)`.
+    /// Panels of thickness `T` on one side collide at an edge of fold `theta` towards that side
+    /// unless the joint is at least `2 T sin(|theta|/2) / cos(theta/2)`.
     fn least_joint(&self, side: f64) -> Option<f64> {
         let folds = self.surface.edges.iter().filter_map(|edge| self.surface.fold(edge));
         let closing = folds.map(|fold| fold * side).filter(|fold| *fold < 0.0);

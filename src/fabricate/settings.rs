@@ -6,27 +6,29 @@ use super::paper::Pieces;
 use super::sheet::Order;
 use serde::{Deserialize, Serialize};
 
-/// The settings of a build: the key `build` of a scene. Lengths of the building are in the unit of the mesh, those
-/// of the sheet and of the material in mm.
+/// The settings of a build: the key `build` of a scene. Lengths of the building are in the unit of
+/// the mesh; lengths of the sheet and the material are in mm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct BuildSettings {
     /// The product.
     pub product: Product,
-    /// The elements that keep their distance in the offset; null chooses the kind with the smaller errors.
+    /// The elements that keep their distance in the offset; null chooses the kind with the smallest
+    /// errors.
     pub kind: Option<OffsetKind>,
-    /// The distance of the offset and the depth of beams, positive outwards; null takes a fifth of the mean edge.
+    /// Distance of the offset and depth of beams, positive outwards; null for a fifth of the mean
+    /// edge.
     pub distance: Option<f64>,
-    /// The weight of following the surface when axes are fitted.
+    /// Weight of following the surface normals when axes are fitted.
     pub follow: f64,
     /// The gap between neighbouring panels.
     pub joint: f64,
-    /// The scale of the model, one to so many.
+    /// The denominator of the scale.
     pub scale: f64,
     /// The name of the material, printed on the sheets.
     pub material: String,
-    /// The thickness of the material.
+    /// Thickness of the material.
     pub thickness: f64,
     /// Width and height of a sheet.
     pub sheet: [f64; 2],
@@ -34,33 +36,33 @@ pub struct BuildSettings {
     pub margin: f64,
     /// The gap between parts.
     pub gap: f64,
-    /// The width of cut: outlines are moved out by half of it.
+    /// Width of the cut: outlines are moved outwards by half of it.
     pub kerf: f64,
-    /// The diameter of holes along the edges where panels meet, and at the ends of fins; 0 drills none.
+    /// Diameter of holes along the edges between panels, and at the ends of fins; 0 for none.
     pub hole: f64,
-    /// In which order parts are laid out.
+    /// The order in which parts are laid out.
     pub order: Order,
     /// How panels are named.
     pub names: Names,
-    /// Panels whose corner distances differ by no more are of one type, in mm of the building.
+    /// Tolerance of panel types: difference of distances between corners, in mm of the building.
     pub alike: f64,
-    /// Whether mirror images are of one type: the sheet may be turned over.
+    /// Whether mirror images have the same type: the sheet may be turned over.
     pub mirror: bool,
-    /// Outlines alone, without names, on layer 0: some shops ask for that.
+    /// Whether to write only outlines, on layer 0 and without names, as some shops require.
     pub outlines_only: bool,
-    /// The width of beams as prisms; null takes a twentieth of the mean edge.
+    /// Width of prisms; null for a twentieth of the mean edge.
     pub beam_width: Option<f64>,
-    /// Nodes whose angles differ by no more are of one type, in degrees.
+    /// Tolerance of node types: difference of angles, in degrees.
     pub alike_deg: f64,
     /// The kind of pieces of a paper model.
     pub pieces: Pieces,
-    /// The height of tabs on paper; 0 makes none.
+    /// Height of tabs on paper; 0 for none.
     pub tab: f64,
-    /// Whether paper is printed on the side that will be inside: mirrored, with names that can be read.
+    /// Whether paper is printed on the side that will be inside: mirrored, with readable names.
     pub print_inside: bool,
-    /// The pages of the PDF: larger sheets are tiled.
+    /// Page size of the PDF: larger sheets are tiled.
     pub page: Page,
-    /// Which DXF is written.
+    /// The version of DXF.
     pub dxf: Dxf,
     /// Limits of the build check.
     pub limits: CheckLimits,
@@ -81,10 +83,10 @@ pub enum Product {
 }
 
 impl Product {
-    /// All of them.
+    /// All products.
     pub const ALL: [Product; 3] = [Product::Panels, Product::Fins, Product::Paper];
 
-    /// Its word in files and on the command line.
+    /// Its identifier in files and on the command line.
     pub fn word(self) -> &'static str {
         match self {
             Product::Panels => "panels",
@@ -99,7 +101,7 @@ impl Product {
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub enum Dxf {
-    /// AC1015: closed light polylines, units in the header.
+    /// AC1015: closed lightweight polylines, units in the header.
     #[default]
     R2000,
     /// AC1009, for old machines.
@@ -111,7 +113,7 @@ pub enum Dxf {
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub enum Page {
-    /// As large as the sheets.
+    /// The size of the sheets.
     #[default]
     Sheet,
     /// 210 x 297 mm.
@@ -121,10 +123,10 @@ pub enum Page {
 }
 
 impl Page {
-    /// All of them.
+    /// All page sizes.
     pub const ALL: [Page; 3] = [Page::Sheet, Page::A4, Page::A3];
 
-    /// Its word in files and on the command line.
+    /// Its identifier in files and on the command line.
     pub fn word(self) -> &'static str {
         match self {
             Page::Sheet => "sheet",
@@ -133,7 +135,7 @@ impl Page {
         }
     }
 
-    /// Its shorter and its longer side in mm; none where it is as large as the sheet.
+    /// Its shorter and its longer side in mm; none for the size of the sheet.
     pub fn size(self) -> Option<[f64; 2]> {
         match self {
             Page::Sheet => None,
@@ -143,18 +145,18 @@ impl Page {
     }
 }
 
-/// Above which a number of the build check is not met. Lengths in mm of the building.
+/// Limits of the build check. Lengths are in mm of the building.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct CheckLimits {
-    /// Of the corners of a beam to its plane.
+    /// Distance of the corners of a beam from its plane.
     pub warp: f64,
-    /// Of the distance of the offset from what is asked for.
+    /// Deviation of the offset from the requested distance.
     pub distance: f64,
-    /// Of the angle between a node axis and the surface, in degrees.
+    /// Angle between a node axis and the surface normal, in degrees.
     pub lean: f64,
-    /// Of the corners of a panel to its plane.
+    /// Distance of the corners of a panel from its plane.
     pub flatness: f64,
 }
 
@@ -199,11 +201,11 @@ impl Default for BuildSettings {
     }
 }
 
-/// Settings that belong together.
+/// A combination of settings.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct BuildPreset {
-    /// Its name.
+    /// Display name.
     pub label: &'static str,
     /// See [`BuildSettings`].
     pub material: &'static str,
@@ -255,10 +257,10 @@ pub const PRESETS: [BuildPreset; 5] = [
 ];
 
 impl BuildSettings {
-    /// Checks that every number is finite and in its range: the key, and what is wrong with it.
+    /// Checks that every number is finite and in its range.
     ///
     /// # Errors
-    /// The first that is not.
+    /// The key of the first invalid setting, and a message.
     pub fn check(&self) -> Result<(), (&'static str, String)> {
         let above = |value: f64| value > 0.0 && value.is_finite();
         let from_zero = |value: f64| value >= 0.0 && value.is_finite();

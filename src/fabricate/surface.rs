@@ -1,7 +1,8 @@
-//! The panels as a surface with an outside: faces that run round the same way, area vectors, edges with the
-//! panels on their two sides.
+//! The panels as an oriented surface: faces with consistent orientation, area vectors, edges with
+//! the panels on both sides.
 //!
-//! Everything is computed about the centre of the box, so that site coordinates cost no digits.
+//! Coordinates are relative to the centre of the bounding box, so that site coordinates cost no
+//! digits.
 
 use super::fault::Fault;
 use crate::math::{Vec3, polygon_sides, twice_vector_area};
@@ -12,13 +13,13 @@ use crate::mesh::{Mesh, Ragged, Topology, components};
 pub struct Edge {
     /// The vertices `i < j`.
     pub ends: [u32; 2],
-    /// The panel that runs from `i` to `j`, and the one that runs back. At the rim one of them; where
-    /// more than two panels meet, none.
+    /// The panel that traverses it from `i` to `j`, and the one that traverses it backwards. One at
+    /// the rim; none where more than two panels meet.
     pub panels: [Option<u32>; 2],
 }
 
 impl Edge {
-    /// The panel across, seen from one of its panels.
+    /// The panel across the edge from one of its panels.
     pub fn across(&self, panel: u32) -> Option<u32> {
         match self.panels {
             [Some(left), right] if left == panel => right,
@@ -26,7 +27,7 @@ impl Edge {
         }
     }
 
-    /// Whether it has one panel.
+    /// Whether it has only one panel.
     pub fn is_rim(&self) -> bool {
         matches!(self.panels, [Some(_), None] | [None, Some(_)])
     }
@@ -35,27 +36,28 @@ impl Edge {
 /// The panels of a mesh, oriented.
 #[derive(Clone, Debug)]
 pub struct PanelSurface {
-    /// `#V by 3`, about the centre of the box.
+    /// Vertex positions (`#V by 3`) about `centre`.
     pub positions: Vec<Vec3<f64>>,
     /// The centre of the box.
     pub centre: Vec3<f64>,
     /// The corners of each panel, counterclockwise seen from outside.
     pub faces: Ragged,
-    /// The sides of faces, each once, by their ends.
+    /// The sides of faces, each once.
     pub edges: Vec<Edge>,
-    /// The edge of each side of each panel: from its corner of that place to the next one.
+    /// The edge of each side of each panel; side `k` goes from corner `k` to the next one.
     pub sides: Ragged,
     /// Area vectors: half the sum of the cross products of consecutive corners (Newell).
     pub areas: Vec<Vec3<f64>>,
-    /// `N_i`, unit sum of the area vectors of the panels at a vertex; zero at a vertex without any.
+    /// `N_i`: normalised sum of the area vectors of the panels at a vertex; zero at a vertex
+    /// without panels.
     pub normals: Vec<Vec3<f64>>,
     /// The rims, as loops of vertices.
     pub rims: Ragged,
-    /// How many connected parts.
+    /// Number of connected components.
     pub parts: usize,
-    /// How many panels ran the other way than most of their part, and were turned.
+    /// Panels that were reversed to agree with most of their component.
     pub turned: usize,
-    /// Why the surface has no outside; none where it has one.
+    /// Why the surface has no outside; none if it has one.
     pub one_sided: Option<Fault>,
 }
 
@@ -63,7 +65,7 @@ impl PanelSurface {
     /// Orients the panels of a mesh.
     ///
     /// # Errors
-    /// A mesh without faces: points and curves have no panels.
+    /// If the mesh has no faces: points and curves have no panels.
     pub fn new(mesh: &Mesh) -> Result<PanelSurface, Fault> {
         if mesh.faces.is_empty() {
             return Err(Fault::no_panels(!mesh.curves.is_empty()));
@@ -116,18 +118,18 @@ impl PanelSurface {
         })
     }
 
-    /// Moves its vertices to `positions`, `#V by 3`.
+    /// Moves its vertices to `positions` (`#V by 3`).
     pub fn move_to(&mut self, positions: &[[f64; 3]]) {
         (self.positions, self.centre) = about_the_centre(positions);
         (self.areas, self.normals) = areas_and_normals(&self.positions, &self.faces);
     }
 
-    /// Where a vertex is, about the centre of the box.
+    /// The position of a vertex, relative to `centre`.
     pub fn at(&self, v: u32) -> Vec3<f64> {
         self.positions[v as usize]
     }
 
-    /// From the first to the second end.
+    /// From the first to the second end of an edge.
     pub fn along(&self, edge: &Edge) -> Vec3<f64> {
         self.at(edge.ends[1]) - self.at(edge.ends[0])
     }
@@ -137,7 +139,7 @@ impl PanelSurface {
         self.along(edge).length()
     }
 
-    /// `t_e`: the unit vector along an edge; zero for one without length.
+    /// `t_e`: the unit vector along an edge; zero if it has no length.
     pub fn direction(&self, edge: &Edge) -> Vec3<f64> {
         unit(self.along(edge))
     }
@@ -148,21 +150,21 @@ impl PanelSurface {
         total / self.edges.len().max(1) as f64
     }
 
-    /// `N_f`: the unit normal of a panel; zero for one without area.
+    /// `N_f`: the unit normal of a panel; zero if it has no area.
     pub fn normal(&self, panel: u32) -> Vec3<f64> {
         unit(self.areas[panel as usize])
     }
 
-    /// The fold of an edge in radians, positive where it is a ridge seen from outside: 180 degrees minus
-    /// the dihedral angle. None at the rim.
+    /// The fold of an edge in radians: 180 degrees minus the dihedral angle, positive for a ridge
+    /// seen from outside. None at the rim.
     pub fn fold(&self, edge: &Edge) -> Option<f64> {
         let [Some(left), Some(right)] = edge.panels else { return None };
         let (n, m) = (self.normal(left), self.normal(right));
         Some(libm::atan2(self.direction(edge).dot(n.cross(m)), n.dot(m)))
     }
 
-    /// The panels that are folded over at a corner: their normal and that of the vertex point to different
-    /// sides, so that every offset is meaningless there.
+    /// The panels that are folded over: the normals of the panel and of one of its vertices point
+    /// to opposite sides, so that no offset is meaningful there.
     pub fn folded_over(&self) -> Vec<u32> {
         let over = |f: &u32| {
             let area = self.areas[*f as usize];
@@ -172,7 +174,7 @@ impl PanelSurface {
     }
 }
 
-/// The unit vector; zero where there is no direction.
+/// Normalises a vector; zero if it has no direction.
 pub(super) fn unit(v: Vec3<f64>) -> Vec3<f64> {
     v.length_and_direction().1.unwrap_or(Vec3::zero())
 }
@@ -207,7 +209,7 @@ fn count_parts(positions: &[Vec3<f64>], faces: &Ragged) -> usize {
     distinct(faces.iter().map(|face| labels[face[0] as usize])).len()
 }
 
-/// All of some indices, each once, in ascending order.
+/// The distinct indices in ascending order.
 pub(super) fn distinct(indices: impl Iterator<Item = u32>) -> Vec<u32> {
     let mut is_there: Vec<bool> = Vec::new();
     for index in indices {
@@ -220,8 +222,8 @@ pub(super) fn distinct(indices: impl Iterator<Item = u32>) -> Vec<u32> {
     (0..).zip(is_there).filter(|(_, is_there)| *is_there).map(|(index, _)| index).collect()
 }
 
-/// Which faces have to be turned so that neighbours run through their edge in different directions, and why
-/// that is not possible. In each part the fewer are turned.
+/// The faces to reverse so that neighbours traverse their edge in opposite directions, and why that
+/// is impossible. In each component the minority is reversed.
 fn orientation(faces: &Ragged, topology: &Topology) -> (Vec<bool>, Option<Fault>) {
     let mut state: Vec<Option<bool>> = vec![None; faces.len()];
     let mut contradiction = None;

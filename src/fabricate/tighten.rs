@@ -5,16 +5,16 @@ use super::check_card::CheckRow;
 use super::offset::OffsetKind;
 use serde::Serialize;
 
-/// Beams and offsets are as good as panels are; these have to be so much better than the limit.
+/// Tolerance of panels relative to the limits of beams and offsets, which depend on them.
 const PART: f64 = 0.1;
 
-/// A shape for all panels.
+/// A constraint on all panels.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct PanelRemedy {
-    /// The constraint that all panels have to meet, by the name that scenes have for it.
+    /// The constraint, by its name in scenes.
     pub constraint: &'static str,
-    /// How nearly, in the unit of the mesh.
+    /// Its tolerance, in the unit of the mesh.
     pub within: f64,
 }
 
@@ -22,14 +22,14 @@ pub struct PanelRemedy {
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Tighten {
-    /// The first that panels of the mesh can have is the one to take.
+    /// In order of preference: the first that suits the panels of the mesh.
     pub remedies: Vec<PanelRemedy>,
-    /// Why there is none, or what helps where panels can have none of them.
+    /// Why there is none, or what helps if none of them suits the panels.
     pub otherwise: &'static str,
 }
 
 impl Build {
-    /// The remedies for the numbers of the card that exceed their limits.
+    /// Finds remedies for the numbers of the check that exceed their limits.
     pub(super) fn tighten(&self, rows: &[CheckRow]) -> Tighten {
         let limit = |id: &str| {
             let row = rows.iter().find(|row| row.id == id && row.met == Some(false));
@@ -44,7 +44,7 @@ impl Build {
         let corners = self.settings.kind.is_none_or(|kind| kind == OffsetKind::Corner);
         let mut remedies = Vec::new();
         if let Some(of_offset) = of_offset.filter(|_| corners) {
-            // Panels with their corners on circles are flat, too.
+            // Panels with their corners on circles are also flat.
             remedies.push(asks("circle", flatness.unwrap_or(f64::INFINITY).min(PART * of_offset)));
         }
         remedies.extend(flatness.map(|flatness| asks("plane", flatness)));

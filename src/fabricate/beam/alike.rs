@@ -1,6 +1,6 @@
-//! Nodes that are the same: as many beams, and every angle from one beam to the next and above the plane of the
-//! node equal within a tolerance, from whichever beam one starts, and in a mirror where that is asked for. And
-//! edges that are the same: of one length.
+//! Types of nodes and edges. Nodes are alike if they have equally many beams, and all elevations
+//! and angles between neighbouring beams agree within a tolerance for some choice of the first
+//! beam; optionally also mirrored. Edges are alike if their lengths are.
 
 use super::node::Node;
 use crate::fabricate::alike::{Alike, Types};
@@ -11,13 +11,13 @@ pub fn node_types(nodes: &[Option<Node>], tolerance_deg: f64, mirror: bool) -> T
     Types::new(nodes.iter().map(|node| node.as_ref().map(Angles::of)), tolerance_deg, mirror)
 }
 
-/// Sorts edges into types: lengths within `tolerance`, in the unit of the mesh.
+/// Sorts edges into types by length, within `tolerance` in the unit of the mesh.
 pub fn edge_types(surface: &PanelSurface, tolerance: f64) -> Types {
     let lengths = surface.edges.iter().map(|edge| Some(Length(surface.length(edge))));
     Types::new(lengths, tolerance, false)
 }
 
-/// Of every beam its elevation and the gap to the next one.
+/// The elevation of every beam, and the angle to the next one.
 struct Angles {
     elevations: Vec<f64>,
     gaps: Vec<f64>,
@@ -41,7 +41,7 @@ impl Alike for Angles {
         self.elevations.iter().sum()
     }
 
-    /// The least over all starts of the largest difference of an angle.
+    /// The largest difference of an angle, minimised over all first beams.
     fn difference(&self, other: &Angles, mirror: bool, most: f64) -> f64 {
         let n = self.gaps.len();
         let mut least = f64::INFINITY;
@@ -49,7 +49,7 @@ impl Alike for Angles {
             for mirrored in [false, true].into_iter().take(1 + usize::from(mirror)) {
                 let mut worst: f64 = 0.0;
                 for k in 0..n {
-                    // In a mirror one goes round the other way, and meets a gap before its beam.
+                    // Mirrored, the order is reversed, and each gap comes before its beam.
                     let (beam, gap) = match mirrored {
                         false => ((start + k) % n, (start + k) % n),
                         true => ((start + n - k) % n, (start + 2 * n - k - 1) % n),

@@ -1,6 +1,6 @@
-//! Fins: beams cut from flat sheet. In the plane along the edge and the upward direction `b` of the beam the outline
-//! is `(0, 0), (l, 0), (l + h t.n_j, h b.n_j), (h t.n_i, h b.n_i)`, each end moved back parallel to its axis so that
-//! the plates of a node do not meet.
+//! Fins: beams cut from flat sheet. In the plane of the edge and the upward direction `b` of the
+//! beam, the outline is `(0, 0), (l, 0), (l + h t.n_j, h b.n_j), (h t.n_i, h b.n_i)`. Each end is
+//! moved back parallel to its axis so that the plates of a node do not overlap.
 
 use super::node::Node;
 use crate::fabricate::offset::across_edge;
@@ -8,24 +8,25 @@ use crate::fabricate::panel::{Point2, is_simple};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::{Vec3, cosine_and_sine_of_degrees};
 
-/// A fin in its plane, in the unit of the mesh.
+/// A fin laid flat, in the unit of the mesh.
 #[derive(Clone, Debug)]
 pub struct Fin {
-    /// Counterclockwise, the edge first: that of the surface, the end at `sides[1]`, the side away from the surface,
-    /// the other end.
+    /// Corners, counterclockwise. Sides: the edge of the surface, the end at `ends[0]`, the side
+    /// away from the surface, the end at `ends[1]`.
     pub outline: [Point2; 4],
     /// The nodes at sides 1 and 3 of the outline.
     pub ends: [u32; 2],
-    /// By how much each end, of the first and the second node of the edge, is cut back along the edge.
+    /// How far the ends at the first and the second node of the edge are cut back along the edge.
     pub cut_back: [f64; 2],
-    /// The angle between the edge and the axis at its first and its second node, on the side of the fin, in degrees.
+    /// The angle between the edge and the axis at its first and its second node, on the side of the
+    /// fin, in degrees.
     pub end_deg: [f64; 2],
-    /// The largest change of a distance between corners when the fin is laid flat.
+    /// Largest change of a distance between corners when the fin is laid flat.
     pub flattening_error: f64,
 }
 
-/// How far from the axis the plate of beam `k` has to end so that plates of this thickness do not meet: half the
-/// thickness over the tangent of half the smaller angle to a neighbour.
+/// Distance from the axis at which the plate of beam `k` ends so that plates of this thickness do
+/// not overlap: half the thickness over the tangent of half the smaller angle to a neighbour.
 pub fn cut_back(node: &Node, k: usize, thickness: f64) -> f64 {
     let gaps: Vec<f64> = node.gaps_deg().collect();
     let n = gaps.len();
@@ -39,10 +40,11 @@ pub fn cut_back(node: &Node, k: usize, thickness: f64) -> f64 {
     }
 }
 
-/// The fin of an edge between its two nodes, so high in the unit of the mesh, negative inwards; plates are so thick.
+/// The fin of an edge between its two nodes; `height` (negative inwards) and `thickness` are in the
+/// unit of the mesh.
 ///
 /// # Errors
-/// Why there is none, in words.
+/// The reason in words if there is no fin.
 pub fn fin(
     surface: &PanelSurface,
     axes: &[Vec3<f64>],

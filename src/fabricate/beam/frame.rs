@@ -8,7 +8,7 @@ use crate::fabricate::alike::Types;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
 
-/// Lengths of beams, in the unit of the mesh.
+/// Dimensions of beams, in the unit of the mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct FrameSize {
     /// The height of fins and prisms, negative inwards.
@@ -22,21 +22,21 @@ pub struct FrameSize {
 /// The beams of a surface.
 #[derive(Clone, Debug)]
 pub struct Frame {
-    /// The node of each vertex.
+    /// The node at each vertex.
     pub nodes: Vec<Option<Node>>,
-    /// Nodes that are alike.
+    /// Types of nodes.
     pub types: Types,
-    /// The fin of each edge, or why there is none.
+    /// The fin of each edge, or the reason why there is none.
     pub fins: Vec<Result<Fin, &'static str>>,
-    /// The cuts of prisms at each node, one for each of its beams.
+    /// The end cuts of prisms at each node, one for each of its beams.
     pub cuts: Vec<Vec<EndCut>>,
-    /// The prism of each edge; none where the cuts leave nothing of it.
+    /// The prism of each edge; none if the cuts leave nothing of it.
     pub prisms: Vec<Option<Prism>>,
 }
 
 impl Frame {
-    /// The beams along all edges, with these node axes (`#V`); nodes whose angles differ by no more than
-    /// `alike_deg` are of one type.
+    /// The beams along all edges for these node axes (`#V`). Nodes whose angles differ by at most
+    /// `alike_deg` have the same type.
     pub fn new(
         surface: &PanelSurface,
         axes: &[Vec3<f64>],

@@ -1,5 +1,5 @@
-//! Beams: along every edge, between a node axis at each end. Fins are cut from flat sheet; prisms are sawn,
-//! their ends mitred in planes through the axis.
+//! Beams along every edge, between the node axes at its ends. Fins are cut from flat sheet; prisms
+//! are sawn, with ends mitred in planes through the axis.
 //!
 //! Source: Pottmann, Liu, Wallner, Bobenko, Wang, *Geometry of multi-layer freeform structures for architecture*
 //! (2007): nodes without torsion.
@@ -7,10 +7,10 @@
 //! | file | holds |
 //! |---|---|
 //! | `node` | the beams around each node: azimuth and elevation about its axis |
-//! | `alike` | nodes and edges that are the same within a tolerance |
+//! | `alike` | types of nodes and of edges |
 //! | `fin` | outlines of fins, cut back at the nodes |
 //! | `prism` | prisms with mitres, and the steps between their upper faces |
-//! | `frame` | all of them for one surface |
+//! | `frame` | all nodes and beams of a surface |
 
 mod alike;
 mod fin;

@@ -3,7 +3,7 @@
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::{Vec3, angle, key_of_number, sort_by_number};
 
-/// A beam, seen from one of its nodes.
+/// A beam as seen from one of its nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct Spoke {
     /// Its edge.
@@ -12,26 +12,27 @@ pub struct Spoke {
     pub to: u32,
     /// The unit vector along it, away from the node.
     pub along: Vec3<f64>,
-    /// Its angle about the axis, in degrees, counterclockwise seen from outside, from the first beam.
+    /// Its angle about the axis from the first beam, in degrees, counterclockwise seen from
+    /// outside.
     pub azimuth_deg: f64,
-    /// How far it rises above the plane across the axis, in degrees.
+    /// Its angle above the plane perpendicular to the axis, in degrees.
     pub elevation_deg: f64,
 }
 
 /// A vertex with beams.
 #[derive(Clone, Debug)]
 pub struct Node {
-    /// Which.
+    /// Its vertex.
     pub vertex: u32,
     /// The unit vector along its axis, outwards.
     pub axis: Vec3<f64>,
-    /// Its beams, counterclockwise seen from outside. At the rim the first has no panel on its right; inside it
-    /// leads to the vertex that comes first in the file.
+    /// Its beams, counterclockwise seen from outside. At the rim the first has no panel on its
+    /// right; at an inner node it leads to the vertex with the lowest index.
     pub spokes: Vec<Spoke>,
 }
 
 impl Node {
-    /// The angle in degrees from each beam to the next one; their sum is 360.
+    /// The angle in degrees from each beam to the next; they add up to 360.
     pub fn gaps_deg(&self) -> impl Iterator<Item = f64> + '_ {
         let n = self.spokes.len();
         (0..n).map(move |k| match k + 1 < n {
@@ -40,14 +41,14 @@ impl Node {
         })
     }
 
-    /// The place of a beam among those of the node.
+    /// The index of a beam among those of the node.
     pub fn place(&self, edge: u32) -> Option<usize> {
         self.spokes.iter().position(|spoke| spoke.edge == edge)
     }
 }
 
-/// The nodes of a surface with these axes, `#V`; none at a vertex without an axis or without an edge that has a
-/// length.
+/// The nodes of a surface with these axes (`#V`); none at a vertex without an axis or without an
+/// edge of positive length.
 pub fn nodes(surface: &PanelSurface, axes: &[Vec3<f64>]) -> Vec<Option<Node>> {
     let mut edges: Vec<Vec<u32>> = vec![Vec::new(); axes.len()];
     for (edge, e) in surface.edges.iter().zip(0..) {
@@ -68,7 +69,7 @@ fn node(surface: &PanelSurface, axis: Vec3<f64>, v: u32, edges: &[u32]) -> Optio
         let away = edge.ends[0] == v;
         let to = edge.ends[usize::from(away)];
         let along = surface.direction(edge) * if away { 1.0 } else { -1.0 };
-        // Seen from here: the panel on the left, and the one on the right.
+        // The panels on the left and on the right, as seen from the node.
         let [left, right] = if away { edge.panels } else { [edge.panels[1], edge.panels[0]] };
         (Spoke { edge: e, to, along, azimuth_deg: 0.0, elevation_deg: 0.0 }, left, right)
     };

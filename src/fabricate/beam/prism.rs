@@ -1,40 +1,42 @@
-//! Prisms: straight beams of rectangular section. Their ends are cut by two planes through the node axis, one to
-//! each neighbour, so that the cuts of a node meet; their upper faces meet without a step exactly where the offset
-//! keeps the height of beams.
+//! Prisms: straight beams of rectangular section. Each end is cut by two planes through the node
+//! axis, one towards each neighbour, so that the cuts at a node match. The upper faces meet without
+//! a step exactly if the offset keeps the height of beams constant.
 
 use super::node::{Node, degrees_between};
 use crate::fabricate::offset::across_edge;
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::Vec3;
 
-/// Neighbours closer to straight than this are cut square instead of mitred.
+/// Beams closer to a straight angle than this are cut square instead of mitred.
 const BUTT_DEG: f64 = 5.0;
 
-/// How a beam ends at a node.
+/// The end of a beam at a node.
 #[derive(Clone, Copy, Debug)]
 pub struct EndCut {
-    /// From the axis to the edge of the cut on the left of the beam, seen outwards from the node and from outside,
-    /// and on the right; across the axis, in the unit of the mesh.
+    /// Vectors from the axis to the left and the right end of the cut, perpendicular to the axis,
+    /// in the unit of the mesh. Left and right are seen from outside, looking along the beam from
+    /// the node.
     pub corners: [Vec3<f64>; 2],
-    /// The angle, about the axis, between the beam and the cut on its left and on its right: 90 is square.
+    /// The angle about the axis between the beam and the cut on its left and its right; 90 is
+    /// square.
     pub mitre_deg: [f64; 2],
-    /// The angle between the axis and the beam: 90 is upright.
+    /// The angle between the axis and the beam; 90 is upright.
     pub tilt_deg: f64,
-    /// The step between the upper face of this beam and that of the next one, counterclockwise.
+    /// The step between the upper faces of this beam and of the next one counterclockwise.
     pub step: f64,
 }
 
 /// A beam as a solid.
 #[derive(Clone, Debug)]
 pub struct Prism {
-    /// Lower corners, then upper corners, of `[left, axis, right]` at the first and `[right, axis, left]` at the
-    /// second node: counterclockwise seen from outside.
+    /// Lower corners, then upper corners: `[left, axis, right]` at the first node and `[right,
+    /// axis, left]` at the second, counterclockwise seen from outside.
     pub corners: [Vec3<f64>; 12],
     /// The lengths of its lower edges on the left and the right, and of the axis line.
     pub lengths: [f64; 3],
 }
 
-/// The upward direction of the beam along an edge: `P_e (n_i + n_j)` of unit length.
+/// The upward direction of the beam along an edge: `P_e (n_i + n_j)`, normalised.
 fn up(surface: &PanelSurface, axes: &[Vec3<f64>], edge: u32) -> Vec3<f64> {
     let own = &surface.edges[edge as usize];
     let [n, m] = own.ends.map(|v| axes[v as usize]);
@@ -51,7 +53,7 @@ pub fn end_cuts(
     let a = node.axis;
     let n = node.spokes.len();
     let ups: Vec<_> = node.spokes.iter().map(|spoke| up(surface, axes, spoke.edge)).collect();
-    // Across the axis: where cuts are mitred.
+    // Perpendicular to the axis, for the mitres.
     let lefts: Vec<_> = node
         .spokes
         .iter()
@@ -92,8 +94,8 @@ pub fn end_cuts(
     cuts
 }
 
-/// The prism of an edge between the cuts at its two nodes, so high in the unit of the mesh, negative inwards; none
-/// where the cuts leave nothing of it.
+/// The prism of an edge between the cuts at its two nodes; `height` is in the unit of the mesh,
+/// negative inwards. None if the cuts leave nothing of it.
 pub fn prism(
     surface: &PanelSurface,
     axes: &[Vec3<f64>],
@@ -111,7 +113,7 @@ pub fn prism(
         let rise = (tilted[end] * z - c).dot(b) / a.dot(b);
         at[end] + c + a * rise
     };
-    // From the second node left is right.
+    // Left and right are swapped as seen from the second node.
     let outline = |z: f64| {
         let [first, second] = cuts.map(|cut| cut.corners);
         [
@@ -136,7 +138,7 @@ pub fn prism(
 }
 
 impl Prism {
-    /// The faces over [`Prism::corners`], counterclockwise seen from outside of the beam.
+    /// The faces over [`Prism::corners`], counterclockwise seen from outside the beam.
     pub fn faces() -> Vec<Vec<u32>> {
         let mut faces = vec![(0..6).rev().collect(), (6..12).collect()];
         faces.extend((0..6_u32).map(|k| vec![k, (k + 1) % 6, 6 + (k + 1) % 6, 6 + k]));

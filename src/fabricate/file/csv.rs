@@ -1,4 +1,4 @@
-//! Comma separated values (RFC 4180): UTF-8, a header with units, a point as decimal mark.
+//! Comma-separated values (RFC 4180): UTF-8, a header with units, a point as decimal mark.
 
 use super::number::places;
 
@@ -7,7 +7,7 @@ use super::number::places;
 pub struct Table(String);
 
 impl Table {
-    /// With these columns.
+    /// A table with these columns.
     pub fn new(columns: &[&str]) -> Table {
         let mut table = Table(String::new());
         table.row(columns.iter().map(|&column| Cell::from(column)));
@@ -25,7 +25,7 @@ impl Table {
                     self.0 += &format!("\"{}\"", text.replace('"', "\"\""));
                 }
                 Cell::Text(text) => self.0 += text,
-                // A thousandth of a thousandth of a mm: sums of areas agree with those of the outlines.
+                // In steps of 1e-6 mm, so that sums of areas agree with the areas of the outlines.
                 Cell::Number(number) => self.0 += &places(number, 6),
                 Cell::Count(count) => self.0 += &count.to_string(),
                 Cell::None => {}
@@ -34,7 +34,7 @@ impl Table {
         self.0 += "\r\n";
     }
 
-    /// The file.
+    /// The text of the file.
     pub fn into_text(self) -> String {
         self.0
     }
@@ -43,13 +43,13 @@ impl Table {
 /// One value of a row.
 #[derive(Clone, Copy, Debug)]
 pub enum Cell<'a> {
-    /// Quoted where it has to be.
+    /// Text, quoted if necessary.
     Text(&'a str),
-    /// With a point.
+    /// A number with a decimal point.
     Number(f64),
     /// A whole number.
     Count(usize),
-    /// Nothing.
+    /// An empty cell.
     None,
 }
 

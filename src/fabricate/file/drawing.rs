@@ -1,4 +1,4 @@
-//! A sheet as lines, each with its role: what all formats write.
+//! A sheet as lines with roles: the input of all file formats.
 
 use crate::fabricate::panel::Point2;
 use crate::fabricate::sheet::{CutPart, Hole, Role, Sheet, strokes, text_width};
@@ -6,16 +6,16 @@ use crate::fabricate::sheet::{CutPart, Hole, Role, Sheet, strokes, text_width};
 /// A polyline of a sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnLine {
-    /// Its purpose, which gives its layer and colour.
+    /// Its purpose, which determines layer and colour.
     pub role: Role,
     /// Its points in mm from the lower left corner of the sheet.
     pub points: Vec<Point2>,
-    /// Whether the last point leads to the first, which is not repeated: so it is for outlines and holes, and for
-    /// nothing else.
+    /// Whether the last point is joined to the first, which is not repeated: true for outlines and
+    /// holes only.
     pub closed: bool,
     /// The name of its part; empty for the sheet's own lines.
     pub part: String,
-    /// Of an outline, the panels of its part.
+    /// For an outline, the panels of its part.
     pub panels: Vec<u32>,
 }
 
@@ -30,7 +30,7 @@ impl DrawnLine {
 /// A sheet with all its lines, in the order of [`Role::ALL`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
-    /// Its name, such as `sheet-01`.
+    /// Name, such as `sheet-01`.
     pub name: String,
     /// The title line: scale, unit, material, number.
     pub title: String,
@@ -40,11 +40,11 @@ pub struct Drawing {
     pub lines: Vec<DrawnLine>,
 }
 
-/// The height of the title in mm; the margin has room for it, or it is left out.
+/// Height of the title in mm; it is left out if it does not fit into the margin.
 const TITLE: f64 = 2.5;
 
 impl Drawing {
-    /// Draws a sheet. `outlines_only` leaves out everything but them and holes.
+    /// Draws a sheet. With `outlines_only` it has only outlines and holes.
     pub fn new(
         name: String,
         title: String,
@@ -84,7 +84,7 @@ impl Drawing {
         drawing
     }
 
-    /// The edge of the sheet, and its title in the margin.
+    /// Adds the border of the sheet, and its title in the margin.
     fn frame(&mut self, margin: f64) {
         let [width, height] = self.size;
         let corners = vec![[0.0, 0.0], [width, 0.0], [width, height], [0.0, height], [0.0, 0.0]];

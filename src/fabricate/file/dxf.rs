@@ -1,15 +1,16 @@
-//! DXF in ASCII: one group code and one value per line, CRLF, coordinates with six places.
+//! ASCII DXF: one group code and one value per line, CRLF, coordinates with six decimal places.
 //!
-//! R2000 (AC1015) is the first version with the unit in its header and with closed light polylines; it has to be
-//! whole, with all tables, blocks and handles, or AutoCAD discards it. R12 (AC1009) knows neither handles nor
-//! light polylines; it officially has no unit, which is written all the same.
+//! R2000 (AC1015) is the first version with the unit in its header and closed lightweight
+//! polylines. It must be complete, with all tables, blocks and handles, or AutoCAD rejects it. R12
+//! (AC1009) has neither handles nor lightweight polylines; officially it has no unit, but one is
+//! written anyway.
 
 use super::drawing::{Drawing, DrawnLine};
 use super::number::six;
 use crate::fabricate::settings::Dxf;
 use crate::fabricate::sheet::Role;
 
-/// Writes a sheet. With `layers` every role has its own; else all is on layer 0.
+/// Writes a sheet. With `layers` each role has its own layer; else all is on layer 0.
 pub fn dxf(drawing: &Drawing, version: Dxf, layers: bool) -> String {
     let mut writer = Writer { text: String::new(), handle: 0x100, layers };
     match version {
@@ -19,7 +20,7 @@ pub fn dxf(drawing: &Drawing, version: Dxf, layers: bool) -> String {
     writer.text
 }
 
-/// Handles of what is there once. Those of lines count on from `Writer::handle`.
+/// Handles of objects that occur once. Those of other objects count up from `Writer::handle`.
 mod handle {
     pub(super) const BLOCK_RECORDS: &str = "1";
     pub(super) const MODEL: &str = "20";
@@ -39,7 +40,7 @@ impl Writer {
         self.text += &format!("{code}\r\n{value}\r\n");
     }
 
-    /// Pairs of a code and a value, as they are written: `"0 SECTION 2 HEADER"`; `_` is an empty value.
+    /// Writes pairs of a code and a value, as in `"0 SECTION 2 HEADER"`; `_` is an empty value.
     fn pairs(&mut self, words: &str) {
         let mut words = words.split_whitespace();
         while let (Some(code), Some(value)) = (words.next(), words.next()) {
@@ -125,7 +126,7 @@ impl Writer {
         self.pairs("0 ENDSEC 0 EOF");
     }
 
-    /// A table of records: the kind of each, and its pairs behind `AcDbSymbolTableRecord`.
+    /// Writes a table of records: the type of each, and its pairs after `AcDbSymbolTableRecord`.
     fn table(&mut self, name: &str, own: &str, records: &[(&str, String)]) {
         self.pairs(&format!("0 TABLE 2 {name} 5 {own} 330 0 100 AcDbSymbolTable"));
         self.pairs(&format!("70 {}", records.len()));

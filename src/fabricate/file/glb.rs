@@ -1,5 +1,5 @@
-//! Binary glTF 2.0, for presentations and viewers of augmented reality: one buffer, a node and a material for each
-//! part. Faces have no normals: viewers shade them flat then, as panels are.
+//! Binary glTF 2.0, for presentations and augmented reality viewers: one buffer, and a node and a
+//! material for each part. There are no normals, so that viewers shade faces flat, as panels are.
 
 use crate::math::Vec3;
 
@@ -10,15 +10,15 @@ pub struct GlbPart {
     pub name: &'static str,
     /// Red, green, blue and opacity, linear, from 0 to 1.
     pub colour: [f32; 4],
-    /// In metres.
+    /// Positions in metres.
     pub positions: Vec<[f32; 3]>,
-    /// Three corners each.
+    /// The corners of each triangle.
     pub triangles: Vec<[u32; 3]>,
 }
 
 impl GlbPart {
-    /// Adds a polygon as triangles around the first corner from which all of them have its sense; around the
-    /// first one where there is none.
+    /// Adds a polygon as a fan of triangles around the first corner for which no triangle is
+    /// flipped, or around corner 0 if there is none.
     pub fn add_polygon(&mut self, corners: &[Vec3<f64>]) {
         let n = corners.len();
         let turn =
@@ -34,8 +34,8 @@ impl GlbPart {
     }
 }
 
-/// Writes parts; those without triangles are left out. glTF has y upwards: where the model has z upwards, the node
-/// of all parts is turned.
+/// Writes parts, without those that have no triangles. In glTF y points up: if z points up in the
+/// model, the root node is rotated.
 pub fn glb(parts: &[GlbPart], z_up: bool) -> Vec<u8> {
     let parts: Vec<_> = parts.iter().filter(|part| !part.triangles.is_empty()).collect();
     let mut bytes: Vec<u8> = Vec::new();
@@ -88,7 +88,7 @@ pub fn glb(parts: &[GlbPart], z_up: bool) -> Vec<u8> {
         env!("CARGO_PKG_VERSION"),
         nodes.join(",")
     );
-    // A list without members is not allowed.
+    // glTF does not allow empty lists.
     if !parts.is_empty() {
         for (key, list) in [
             ("meshes", &meshes),

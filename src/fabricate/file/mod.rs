@@ -1,17 +1,17 @@
-//! Sheets and lists as files. Everything is in mm of the sheet, y upwards but in SVG.
+//! Sheets and lists as files. Everything is in mm of the sheet, with y upwards except in SVG.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `drawing` | the lines of a sheet by their roles |
 //! | `svg` | SVG: mm, one path per part, no transforms |
-//! | `picture` | a sheet as a page shows it: one path per layer |
+//! | `picture` | a sheet as the page shows it: one path per layer |
 //! | `dxf` | DXF: R2000, or R12 for old machines |
-//! | `tiles` | sheets larger than a page, tiled |
+//! | `tiles` | sheets larger than a page, divided into pages |
 //! | `pdf` | PDF 1:1, a page per sheet or tiled, with layers and a ruler |
-//! | `pdf_objects` | objects of PDF as a file |
+//! | `pdf_objects` | the objects of a PDF file |
 //! | `csv` | tables of panels, edges, nodes, types, and a summary |
 //! | `glb` | binary glTF: the parts in space |
-//! | `number` | numbers with so many places |
+//! | `number` | numbers as text |
 
 mod csv;
 mod drawing;

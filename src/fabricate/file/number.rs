@@ -1,6 +1,6 @@
-//! Numbers as text with a point and without exponents.
+//! Numbers as text, with a decimal point and without exponents.
 
-/// With at most so many places, none that are zeros at the end, and no `-0`.
+/// Formats with at most `most` decimal places, without trailing zeros and without `-0`.
 pub(in crate::fabricate) fn places(value: f64, most: usize) -> String {
     let text = format!("{value:.most$}");
     let text = match text.contains('.') {
@@ -10,7 +10,7 @@ pub(in crate::fabricate) fn places(value: f64, most: usize) -> String {
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
-/// With exactly six places.
+/// Formats with exactly six decimal places.
 pub(super) fn six(value: f64) -> String {
     let text = format!("{value:.6}");
     if text == "-0.000000" { "0.000000".to_owned() } else { text }

@@ -1,5 +1,5 @@
-//! PDF 1.5 at 1:1: a page for each sheet, mm as units, a layer for each role that viewers can switch, a ruler of
-//! 100 mm, and the wish not to be scaled when it is printed.
+//! PDF 1.5 at 1:1: a page per sheet in mm, a layer for each role that viewers can switch on and
+//! off, a ruler of 100 mm, and a request to print without scaling.
 
 use super::drawing::{Drawing, DrawnLine};
 use super::number::places;
@@ -8,11 +8,11 @@ use super::tiles::{FREE, OVERLAP, Tile, tiles};
 use crate::fabricate::panel::Point2;
 use crate::fabricate::sheet::{Role, strokes, text_width};
 
-/// The height of the words beside the ruler, in mm.
+/// Height of text beside the ruler, in mm.
 const WORDS: f64 = 2.0;
 
-/// Writes all sheets: each a page of its size, or on as many of the size `page` (shorter and longer side in mm) as it
-/// takes.
+/// Writes all sheets, each on one page of its size, or on as many of the size `page` (shorter and
+/// longer side in mm) as needed.
 pub fn pdf(drawings: &[Drawing], page: Option<[f64; 2]>) -> String {
     let layers = Role::ALL.len();
     let references = |numbers: &[usize]| {
@@ -22,7 +22,8 @@ pub fn pdf(drawings: &[Drawing], page: Option<[f64; 2]>) -> String {
     let properties: Vec<String> =
         of_layers.iter().enumerate().map(|(k, number)| format!("/L{k} {number} 0 R")).collect();
     let (of_layers, properties) = (references(&of_layers), properties.join(" "));
-    // Catalogue, list of pages, layers; then of each sheet its content, and of each of its pages three objects.
+    // Catalogue, page tree, layers; then for each sheet its content, and three objects for each of
+    // its pages.
     let mut objects = vec![
         format!(
             "<< /Type /Catalog /Pages 2 0 R /ViewerPreferences << /PrintScaling /None >> /OCProperties << /OCGs [{of_layers}] /D << /Order [{of_layers}] >> >> >>"
@@ -53,7 +54,7 @@ pub fn pdf(drawings: &[Drawing], page: Option<[f64; 2]>) -> String {
     assembled(&objects)
 }
 
-/// The operators for some lines, layer by layer.
+/// The operators that draw some lines, layer by layer.
 fn content(lines: &[DrawnLine]) -> String {
     let mut text = String::new();
     for (k, role) in Role::ALL.into_iter().enumerate() {
@@ -69,8 +70,8 @@ fn content(lines: &[DrawnLine]) -> String {
     text
 }
 
-/// The operators before and after the content of a sheet on one of its pages: the unit, the clipping rectangle, a
-/// ruler, and marks for cutting.
+/// The operators before and after the content of a sheet on one of its pages: unit, clipping
+/// rectangle, ruler, and cutting marks.
 fn around(drawing: &Drawing, tile: &Tile) -> (String, String) {
     let scale = places(POINTS, 9);
     let mut before = format!("{scale} 0 0 {scale} 0 0 cm\n0.1 w 1 J 1 j\n");
@@ -91,7 +92,8 @@ fn around(drawing: &Drawing, tile: &Tile) -> (String, String) {
     (before, after + &content(&lines))
 }
 
-/// The frame that a page is cut along, ticks where the next page begins, and which page it is.
+/// The frame along which a page is cut, ticks where the next page begins, and the number of the
+/// page.
 fn marks(
     drawing: &Drawing,
     page: [f64; 2],
@@ -129,7 +131,7 @@ fn path(text: &mut String, line: &DrawnLine) {
     *text += if line.closed { "s\n" } else { "S\n" };
 }
 
-/// A ruler at the upper edge of a page, 100 mm long where the page is that wide, with what it is for.
+/// A ruler at the upper edge of a page with an instruction, 100 mm long if the page is wide enough.
 fn ruler([width, height]: [f64; 2]) -> Vec<Vec<Point2>> {
     let tens = ((width - 10.0) / 10.0).floor().clamp(0.0, 10.0);
     let words = format!("{} MM. PRINT AT 100 %", places(10.0 * tens, 0));

@@ -1,14 +1,14 @@
-//! Objects of PDF, numbered from one, as a file. The first is the catalogue.
+//! The objects of a PDF file, numbered from one. The first is the catalogue.
 
-/// Points of PDF in a mm.
+/// PDF points per mm.
 pub(in crate::fabricate) const POINTS: f64 = 72.0 / 25.4;
 
-/// An object that is text of its own, such as the content of a page.
+/// Makes a stream object, such as the content of a page.
 pub(in crate::fabricate) fn stream(text: &str) -> String {
     format!("<< /Length {} >>\nstream\n{text}\nendstream", text.len())
 }
 
-/// The file, with the table of where each object begins.
+/// The file, with the cross-reference table of the objects.
 pub(in crate::fabricate) fn assembled(objects: &[String]) -> String {
     let mut file = "%PDF-1.5\n".to_owned();
     let mut starts = Vec::new();

@@ -1,15 +1,15 @@
-//! A sheet as a page shows it: a path for each layer, however many parts there are, in whole hundredths of a
-//! millimetre, which are short to write and quick to read. The files that are saved are exact: see `svg`.
+//! A sheet as the page shows it: one path per layer regardless of the number of parts, rounded to
+//! hundredths of a millimetre to be short and quick to parse. Saved files are exact: see `svg`.
 
 use super::drawing::{Drawing, DrawnLine};
 use crate::fabricate::panel::Point2;
 use crate::fabricate::sheet::Role;
 use serde::Serialize;
 
-/// So many steps are a millimetre.
+/// Steps per millimetre.
 const STEPS: f64 = 100.0;
 
-/// A sheet as a page shows it; lengths are in hundredths of a millimetre, y downwards.
+/// A sheet as the page shows it; lengths are in hundredths of a millimetre, y points down.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct SheetPicture {
@@ -17,33 +17,34 @@ pub struct SheetPicture {
     pub name: String,
     /// Width and height.
     pub size: [i32; 2],
-    /// What lies under the outlines, from below.
+    /// Layers below the outlines, from the lowest up.
     pub layers: Vec<PictureLayer>,
-    /// The colour of outlines.
+    /// Colour of the outlines.
     pub colour: String,
-    /// The outline of each part, as a path of its own.
+    /// The outline of each part, as a separate path.
     pub outlines: Vec<String>,
     /// The name of each part.
     pub parts: Vec<String>,
     /// The panels of each part.
     pub panels: Vec<Vec<u32>>,
-    /// A path along the sides, and to the corners, of panels where beams and nodes are not within a limit.
+    /// A path along the sides of panels whose beams exceed a limit, and to the corners whose nodes
+    /// do.
     pub failed: String,
 }
 
-/// The lines of one purpose.
+/// The lines of one role.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct PictureLayer {
     /// The name of the layer in files.
     pub name: &'static str,
-    /// As CSS writes it.
+    /// Colour in CSS.
     pub colour: String,
     /// All lines as one path.
     pub path: String,
 }
 
-/// Draws a sheet, with these lines where something fails.
+/// Draws a sheet, with lines that mark elements exceeding a limit.
 pub fn picture(drawing: &Drawing, failed: &[Vec<Point2>]) -> SheetPicture {
     let height = drawing.size[1];
     let of = |role: Role| drawing.lines.iter().filter(move |line| line.role == role);
@@ -87,8 +88,8 @@ fn add(path: &mut String, line: &DrawnLine, height: f64) {
     }
 }
 
-/// Each point but the first by its way from the last one, as it was rounded: nothing adds up. One point alone is a line
-/// without length.
+/// Points are relative to the rounded previous one, so that rounding errors do not add up. A single
+/// point becomes a line of zero length.
 fn add_points(path: &mut String, points: &[Point2], height: f64) {
     let mut last = [0, 0];
     for (k, &[x, y]) in points.iter().enumerate() {

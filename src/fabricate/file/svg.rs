@@ -1,6 +1,6 @@
-//! SVG: width, height and viewBox in mm, so that no reader guesses the size of a pixel; absolute coordinates
-//! without transforms, styles or references, which simple readers ignore; a group for each layer, as Inkscape
-//! has them.
+//! SVG: width, height and viewBox in mm, so that no program guesses the size of a pixel.
+//! Coordinates are absolute, without transforms, styles or references, which simple programs
+//! ignore. Each layer is a group, as in Inkscape.
 
 use super::drawing::{Drawing, DrawnLine};
 use super::number::places;
@@ -24,7 +24,7 @@ pub fn svg(drawing: &Drawing) -> String {
             "<g id=\"{layer}\" inkscape:groupmode=\"layer\" inkscape:label=\"{layer}\" fill=\"none\" stroke=\"#{r:02X}{g:02X}{b:02X}\" stroke-width=\"0.1\">\n"
         );
         let lines: Vec<_> = lines.collect();
-        // The names on a part are one path: programs and pages have less to hold.
+        // The names on a part are one path, which makes the document smaller.
         for own in lines.chunk_by(|a, b| role != Role::Cut && a.part == b.part) {
             let path = |line: &&DrawnLine| {
                 path(&line.points, drawing.size[1]) + if line.closed { "Z" } else { "" }
@@ -44,8 +44,8 @@ pub fn svg(drawing: &Drawing) -> String {
     text + "</svg>\n"
 }
 
-/// The points of a line on a sheet of this height, y downwards, as a part of a path. One point alone is a line
-/// without length.
+/// The points of a line as part of a path on a sheet of this height, with y downwards. A single
+/// point becomes a line of zero length.
 pub(in crate::fabricate) fn path(points: &[Point2], height: f64) -> String {
     let end = if points.len() == 1 { "h0" } else { "" };
     let points = points.iter().enumerate().map(|(k, &[x, y])| {
@@ -55,7 +55,7 @@ pub(in crate::fabricate) fn path(points: &[Point2], height: f64) -> String {
     points.collect::<String>() + end
 }
 
-/// Text inside of XML.
+/// Escapes text for XML.
 pub(in crate::fabricate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -1,8 +1,8 @@
-//! Sheets larger than a page of paper, tiled: pages overlap by 10 mm, with a frame along which they are cut.
+//! Sheets larger than a page of paper, tiled: pages overlap by 10 mm and have a frame to cut along.
 
 /// The unprintable margin of a page, in mm.
 pub(super) const FREE: f64 = 5.0;
-/// By how much neighbouring pages overlap, in mm.
+/// Overlap of neighbouring pages, in mm.
 pub(super) const OVERLAP: f64 = 10.0;
 
 /// A page with a part of a sheet.
@@ -12,16 +12,17 @@ pub(super) struct Tile {
     pub(super) page: [f64; 2],
     /// The point of the sheet at its lower left corner.
     pub(super) origin: [f64; 2],
-    /// Its column and row, and how many there are; none where the whole sheet is on it.
+    /// Its column and row, and how many there are; none if the page shows the whole sheet.
     pub(super) place: Option<[[u32; 2]; 2]>,
 }
 
-/// The pages of a sheet, upright or lying, whichever takes fewer; column by column from the lower left.
+/// The pages of a sheet, portrait or landscape, whichever needs fewer; column by column from the
+/// lower left.
 pub(super) fn tiles(sheet: [f64; 2], page: Option<[f64; 2]>) -> Vec<Tile> {
     let whole = |page| vec![Tile { page, origin: [0.0; 2], place: None }];
     let Some([short, long]) = page else { return whole(sheet) };
     let both = [[short, long], [long, short]];
-    // A sheet and a page of one standard are the same up to rounding.
+    // A sheet and a page of the same standard size agree up to rounding.
     let holds = |page: &[f64; 2]| (0..2).all(|k| sheet[k] <= page[k] + 0.1);
     if let Some(page) = both.into_iter().find(holds) {
         return whole(page);

@@ -1,6 +1,6 @@
-//! Node axes: the exact ones where there are any, else those of the least-squares fit.
+//! Node axes: exact ones if there are any, else a least-squares fit.
 //!
-//! With `P_e x = x - (x . t_e) t_e`, what is minimised is
+//! With `P_e x = x - (x . t_e) t_e`, the fit minimises
 //!
 //! ```text
 //! E(n) = sum_e |P_e (n_j - n_i)|^2 + D(n) + mu sum_i |n_i - N_i|^2
@@ -9,18 +9,19 @@
 //! edge    D = sum over edges, both ends, of (|P_e n_i| - 1)^2
 //! ```
 //!
-//! by Newton steps from `n = N`. With `u` the direction of `x` in the last step, `(|x| - 1)^2` has the Hessian
-//! `u u' + c (I - u u')`, `c = 1 - 1 / |x|`; the second part takes `x` itself to zero, so that it changes the
-//! matrix of Gauss-Newton, where `|x| - 1` is `u . x - 1`, and not its right-hand side. Where `c < 0` makes the
-//! matrix indefinite, it is left out: Gauss-Newton takes some steps more. All terms are without unit; `mu` trades
-//! flat beams for upright axes. Only long steps factor their matrix: the others are solved by conjugate gradients
-//! with the last factor.
+//! by Newton steps from `n = N`. With `u` the direction of `x` in the previous step, `(|x| - 1)^2`
+//! has the Hessian `u u' + c (I - u u')`, `c = 1 - 1 / |x|`. The second term maps `x` itself to
+//! zero, so it changes the Gauss-Newton matrix (of `u . x - 1`), but not its right-hand side. If `c
+//! < 0` makes the matrix indefinite, the term is dropped, and Gauss-Newton takes some more steps.
+//! All terms are dimensionless; `mu` trades flat beams for upright axes. The matrix is factored for
+//! long steps only: short steps are solved by conjugate gradients with the last factor.
 //!
-//! The exact pass is `mu -> 0` without a choice of `mu`: proximal steps, ten times with one factor (corner and
-//! face). For corners it minimises `sum_e |n_j - R_e n_i|^2` with the reflections `R_e = I - 2 t_e t_e'`
-//! among unit vectors: its matrix is a connection Laplacian, and where circles close all around its zero modes
-//! are the exact axes. Carrying an axis from vertex to vertex by `R_e` instead would twist the last beams by
-//! degrees on a mesh whose circles are off by a thousandth.
+//! The exact pass is the limit `mu -> 0` without a choice of `mu`: ten proximal steps with one
+//! factor (corner and face). For corners it minimises `sum_e |n_j - R_e n_i|^2` with the
+//! reflections `R_e = I - 2 t_e t_e'` over unit vectors. Its matrix is a connection Laplacian; if
+//! the reflections close around all loops, its null vectors are the exact axes. Propagating an axis
+//! from vertex to vertex by `R_e` instead would twist the last beams by degrees on a mesh whose
+//! circles are off by a thousandth.
 
 use super::check::{most_lean, within};
 use super::exact::{can_be_exact, exact_pass};
@@ -30,13 +31,13 @@ use super::system::System;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
 
-/// An exact axis leans at most so many degrees more than the most leaning of the fit.
+/// Largest additional lean of the exact axes over the largest lean of the fit, in degrees.
 const MOST_LEAN: f64 = 30.0;
 
 /// The axes of an offset.
 #[derive(Clone, Debug)]
 pub struct Axes {
-    /// `#V` node axes; zero at vertices of no panel.
+    /// Node axes (`#V`); zero at vertices of no panel.
     pub axes: Vec<Vec3<f64>>,
     /// The elements that keep their distance.
     pub kind: OffsetKind,
@@ -44,8 +45,8 @@ pub struct Axes {
     pub exact: bool,
 }
 
-/// Of each kind the exact axes where beam warp and distance error at the distance `depth` stay below `tolerance`
-/// and no axis leans much more than the fit's; else the fit.
+/// For each kind the exact axes, if beam warp and distance error at the distance `depth` stay below
+/// `tolerance` and no axis leans much more than in the fit; else the fit.
 pub(in crate::fabricate) fn axes_of(
     surface: &PanelSurface,
     kinds: &[OffsetKind],
@@ -68,7 +69,7 @@ pub(in crate::fabricate) fn axes_of(
     kinds.iter().map(of).collect()
 }
 
-/// The least-squares axes with the weight `mu` of following the surface.
+/// The least-squares axes; `mu` is the weight of following the surface.
 pub fn fit(surface: &PanelSurface, kind: OffsetKind, mu: f64) -> Vec<Vec3<f64>> {
     descend(
         &mut System::new(surface),
@@ -80,7 +81,7 @@ pub fn fit(surface: &PanelSurface, kind: OffsetKind, mu: f64) -> Vec<Vec3<f64>> 
     )
 }
 
-/// The axes of the exact pass: what it leaves on a mesh without exact axes is of no use.
+/// The axes of the exact pass. On a mesh without exact axes the result is useless.
 pub fn exact(surface: &PanelSurface, kind: OffsetKind) -> Vec<Vec3<f64>> {
     let system = &mut System::new(surface);
     let fitted = match kind {

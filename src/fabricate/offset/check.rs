@@ -1,5 +1,5 @@
-//! Whether an offset can be built: how far beams are from flat, panels from flat, distances from what is
-//! asked for, axes from upright, and up to which distance no edge turns round.
+//! Checks whether an offset can be built: how far beams and panels are from flat, distances from
+//! the requested one, axes from the normals, and at which distance an edge flips.
 
 use super::kind::OffsetKind;
 use super::system::across_edge;
@@ -10,71 +10,72 @@ use crate::math::Vec3;
 /// The numbers of one beam.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BeamCheck {
-    /// The largest distance of its four corners to their least-squares plane.
+    /// Largest distance of its four corners from their least-squares plane.
     pub warp: f64,
     /// The angle between `P_e n_i` and `P_e n_j`.
     pub twist_deg: f64,
-    /// The least and the greatest height of its two ends.
+    /// The smaller and the larger height of its two ends.
     pub height: [f64; 2],
-    /// Its edge is `l (1 - d k)` long in the offset by `d`; this is `k`, zero for an edge without length.
+    /// `k` in the length `l (1 - d k)` of its edge in the offset by `d`; zero for an edge without
+    /// length.
     pub shrinking: f64,
 }
 
 /// The numbers of one node.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NodeCheck {
-    /// The largest of its distance errors, without sign.
+    /// Largest absolute value of its distance errors.
     pub distance_error: f64,
     /// The angle between its axis and `N_i`; zero at a vertex of no panel.
     pub lean_deg: f64,
-    /// Whether its lean is judged: at the rim of a coarse mesh it is large and harmless.
+    /// Whether its lean is checked. At the rim of a coarse mesh it is large and harmless.
     pub is_inner: bool,
 }
 
-/// The numbers of an offset by the distance `d`, lengths in the unit of the mesh. Where a number is that of
-/// one element, its index is beside it.
+/// The numbers of an offset by the distance `d`, lengths in the unit of the mesh.
 #[derive(Clone, Debug, Default)]
 pub struct OffsetCheck {
-    /// The greatest beam warp, and its edge.
+    /// Largest beam warp.
     pub warp: f64,
-    /// See `warp`.
+    /// The edge of `warp`.
     pub warp_edge: u32,
-    /// The greatest beam twist.
+    /// Largest beam twist.
     pub twist_deg: f64,
-    /// How far the distance is from what is asked for at worst: `d (|n| - 1)`, `d (n . N_f - 1)` at a corner,
-    /// `d (|P_e n| - 1)`; and the vertex.
+    /// Largest deviation from the requested distance: `d (|n| - 1)`, `d (n . N_f - 1)` at a corner,
+    /// or `d (|P_e n| - 1)`.
     pub distance_error: f64,
-    /// See `distance_error`.
+    /// The vertex of `distance_error`.
     pub distance_vertex: u32,
-    /// The least and the greatest distance of corners, of panels at their corners, and of beams.
+    /// Least and largest distance of corners.
     pub corner_distance: [f64; 2],
-    /// See `corner_distance`.
+    /// Least and largest distance of panels at their corners.
     pub face_distance: [f64; 2],
-    /// See `corner_distance`.
+    /// Least and largest distance of beams.
     pub edge_distance: [f64; 2],
-    /// The largest angle between a node axis and `N_i`, and its vertex.
+    /// Largest angle between a node axis and `N_i`.
     pub lean_deg: f64,
-    /// See `lean_deg`.
+    /// The vertex of `lean_deg`.
     pub lean_vertex: u32,
-    /// The same of inner vertices, whose lean is judged.
+    /// As `lean_deg`, over inner vertices, whose lean is checked.
     pub inner_lean_deg: f64,
-    /// See `inner_lean_deg`.
+    /// The vertex of `inner_lean_deg`.
     pub inner_lean_vertex: u32,
-    /// The mean of that angle.
+    /// Mean angle between a node axis and `N_i`.
     pub mean_lean_deg: f64,
-    /// How far the panels of the offset are from flat at worst, and which is.
+    /// Largest deviation of a panel of the offset from flat.
     pub offset_flatness: f64,
-    /// See `offset_flatness`.
+    /// The panel of `offset_flatness`.
     pub offset_panel: u32,
-    /// The distances, inwards and outwards, before an edge of the offset turns round; none without limit.
+    /// The distances, inwards and outwards, at which the first edge of the offset flips; none
+    /// without limit.
     pub safe_distance: [Option<f64>; 2],
-    /// The numbers of every beam, by edges.
+    /// The numbers of every beam, by edge.
     pub beams: Vec<BeamCheck>,
-    /// The numbers of every node, by vertices.
+    /// The numbers of every node, by vertex.
     pub nodes: Vec<NodeCheck>,
 }
 
-/// Checks the offset with these axes, `#V`, by `distance`.
+/// Checks the offset by `distance` with these axes (`#V`).
 pub fn check(
     surface: &PanelSurface,
     axes: &[Vec3<f64>],
@@ -159,7 +160,7 @@ pub fn check(
     (found.lean_deg, found.lean_vertex) = (lean_at.value, lean_at.element);
     (found.inner_lean_deg, found.inner_lean_vertex) = (inner_lean.value, inner_lean.element);
     (found.distance_error, found.distance_vertex) = (errors.value.abs(), errors.element);
-    // So many edges away there is no limit: what is left of k is rounding.
+    // Larger limits are due to rounding in `k`: there is none.
     let far = 1e6 * surface.mean_edge();
     let inverse = |k: f64| (k != 0.0).then(|| 1.0 / k).filter(|limit| limit.abs() < far);
     found.safe_distance = [inverse(slopes[0]), inverse(slopes[1])];
@@ -167,8 +168,8 @@ pub fn check(
     found
 }
 
-/// Whether beam warp and distance error of these axes, `#V`, stay below `tolerance`: tells at the first beam or node
-/// that says no.
+/// Whether beam warp and distance error of these axes (`#V`) stay below `tolerance`; stops at the
+/// first that does not.
 pub(super) fn within(
     surface: &PanelSurface,
     axes: &[Vec3<f64>],
@@ -194,19 +195,19 @@ pub(super) fn within(
         && surface.edges.iter().all(|edge| beam_warp(surface, edge.ends, axes, depth) <= tolerance)
 }
 
-/// The largest angle between an axis and the normal of the surface, in degrees.
+/// The largest angle between an axis and the surface normal, in degrees.
 pub(super) fn most_lean(surface: &PanelSurface, axes: &[Vec3<f64>]) -> f64 {
     let of_panels =
         axes.iter().zip(&surface.normals).filter(|(_, normal)| **normal != Vec3::zero());
     of_panels.map(|(axis, normal)| lean(*axis, *normal)).fold(0.0, f64::max)
 }
 
-/// The angle between an axis and the normal of the surface, in degrees.
+/// The angle between an axis and the surface normal, in degrees.
 fn lean(axis: Vec3<f64>, normal: Vec3<f64>) -> f64 {
     libm::atan2(axis.cross(normal).length(), axis.dot(normal)).to_degrees()
 }
 
-/// The largest of some values, by size, with its element.
+/// The value with the largest magnitude so far, and its element.
 #[derive(Default)]
 struct Worst {
     value: f64,
@@ -220,7 +221,7 @@ impl Worst {
         }
     }
 
-    /// The same of a distance error, which is noted at its node too.
+    /// Adds a distance error, and records it at its node.
     fn add_of_node(&mut self, error: f64, v: u32, nodes: &mut [NodeCheck]) {
         self.add(error, v);
         let worst = &mut nodes[v as usize].distance_error;
@@ -228,14 +229,14 @@ impl Worst {
     }
 }
 
-/// The largest distance of the corners of a beam to their least-squares plane.
+/// The largest distance of the corners of a beam from their least-squares plane.
 fn beam_warp(surface: &PanelSurface, [i, j]: [u32; 2], axes: &[Vec3<f64>], depth: f64) -> f64 {
     let (v, w) = (surface.at(i), surface.at(j));
     let corners = [v, w, w + axes[j as usize] * depth, v + axes[i as usize] * depth];
     plane_distance(&corners)
 }
 
-/// The panel of the offset that is farthest from flat: its distance, and which it is.
+/// The largest deviation of a panel of the offset from flat, and the panel.
 fn flatness(surface: &PanelSurface, axes: &[Vec3<f64>], distance: f64) -> (f64, u32) {
     let mut worst = Worst::default();
     for (face, f) in surface.faces.iter().zip(0..) {

@@ -1,15 +1,15 @@
-//! What one kind of offset would have for errors.
+//! The errors of one kind of offset.
 
 use super::axes::Axes;
 use super::check::OffsetCheck;
 use super::kind::OffsetKind;
 use serde::Serialize;
 
-/// The errors that one kind of offset would have, before it is chosen.
+/// The errors that one kind of offset would have, to choose between kinds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Choice {
-    /// Which.
+    /// The kind.
     pub kind: OffsetKind,
     /// Whether it is exact.
     pub exact: bool,
@@ -20,7 +20,7 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// Of these axes with their check, so many mm of the building in a unit of the mesh.
+    /// The errors of these axes; `building` is in mm of the building per unit of the mesh.
     pub(in crate::fabricate) fn of(axes: &Axes, check: &OffsetCheck, building: f64) -> Choice {
         Choice {
             kind: axes.kind,

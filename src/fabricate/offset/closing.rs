@@ -1,33 +1,34 @@
-//! Why corner offsets are exact or not. Carried over an edge, an axis is reflected: `n_j = R_e n_i` with
-//! `R_e = I - 2 t_e t_e'`. Around a panel, and around a hole, the product of these reflections has to leave
-//! the axis where it was.
+//! Why corner offsets are exact or not. Transported across an edge, an axis is reflected: `n_j =
+//! R_e n_i` with `R_e = I - 2 t_e t_e'`. Around a panel, and around a hole, the product of these
+//! reflections must leave the axis unchanged.
 
 use crate::fabricate::surface::PanelSurface;
 use crate::math::{Vec3, argsort, key_of_number, symmetric_eigen};
 
-/// A matrix of 3 by 3.
+/// A 3 by 3 matrix.
 type Matrix = [[f64; 3]; 3];
 
 const IDENTITY: Matrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// How reflections close around panels and rims.
+/// How well reflections close around panels and rims.
 #[derive(Clone, Debug, Default)]
 pub struct Closing {
-    /// The largest turn around a panel with an even number of edges, in degrees, and the panel.
+    /// Largest turn around a panel with an even number of edges, in degrees.
     pub panel_deg: f64,
-    /// See `panel_deg`.
+    /// The panel of `panel_deg`.
     pub panel: u32,
-    /// How many panels have an odd number of edges: around them no turn closes for every axis.
+    /// Number of panels with an odd number of edges, around which not every axis can close.
     pub odd_panels: usize,
-    /// The turn around each rim in degrees; none for one of an odd number of edges.
+    /// The turn around each rim in degrees; none if it has an odd number of edges.
     pub rims_deg: Vec<Option<f64>>,
-    /// The eigenvalues, ascending, of the closing form `H`: the mean over all edges outside of a spanning tree of
-    /// `(T_j - R_e T_i)' (T_j - R_e T_i)`, `T_i` the product of reflections along the tree. One that is zero is
-    /// one direction of exact axes. Those that are not zero depend on the tree.
+    /// The eigenvalues, ascending, of the closing form `H`: the mean of `(T_j - R_e T_i)' (T_j -
+    /// R_e T_i)` over all edges outside a spanning tree, with `T_i` the product of reflections
+    /// along the tree. Each zero eigenvalue gives one direction of exact axes. Nonzero eigenvalues
+    /// depend on the tree.
     pub eigenvalues: [f64; 3],
 }
 
-/// Follows the reflections around everything.
+/// Follows the reflections around all panels and rims.
 pub fn closing(surface: &PanelSurface) -> Closing {
     let mut found = Closing { eigenvalues: closing_form(surface), ..Closing::default() };
     for (face, f) in surface.faces.iter().zip(0..) {
@@ -41,8 +42,8 @@ pub fn closing(surface: &PanelSurface) -> Closing {
     found
 }
 
-/// The angle, in degrees, by which an axis is turned around a loop of vertices; none for an odd number of
-/// edges, where it is reflected.
+/// The angle in degrees by which an axis is rotated around a loop of vertices; none for an odd
+/// number of edges, where it is reflected.
 fn turn(surface: &PanelSurface, vertices: &[u32]) -> Option<f64> {
     let n = vertices.len();
     let mut product = IDENTITY;
@@ -57,7 +58,7 @@ fn turn(surface: &PanelSurface, vertices: &[u32]) -> Option<f64> {
     if edges % 2 == 1 {
         return None;
     }
-    // The axis of the turn, twice its sine long, keeps the digits that the trace loses near zero.
+    // The rotation axis, scaled by twice the sine, keeps the digits that the trace loses near zero.
     let [x, y, z] = product;
     let axis = Vec3::new(z[1] - y[2], x[2] - z[0], y[0] - x[1]);
     let cosine = x[0] + y[1] + z[2] - 1.0;

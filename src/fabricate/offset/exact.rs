@@ -1,4 +1,4 @@
-//! The exact pass: `mu -> 0` without a choice of `mu`, and whether it is worth its time.
+//! The exact pass: the limit `mu -> 0` without a choice of `mu`, and whether it is worthwhile.
 
 use super::kind::OffsetKind;
 use super::newton::{Start, Until, add_faces, descend, energy};
@@ -8,17 +8,18 @@ use crate::math::{Vec3, symmetric_eigen};
 
 /// The weight of a proximal step.
 const PROXIMAL: f64 = 1e-6;
-/// Proximal steps of an exact pass.
+/// Number of proximal steps.
 const PROXIMAL_STEPS: usize = 10;
-/// On a shape with exact axes of beams the energy without `mu` falls with `mu^2`. Where it does not fall to this
-/// part of it for a tenth of `mu`, there are none.
+/// If exact axes of beams exist, the energy without the term of `mu` falls with `mu^2`. If it does
+/// not fall to this fraction when `mu` falls to a tenth, there are none.
 const FALLS: f64 = 0.3;
-/// The least `mu` of axes of beams.
+/// Smallest `mu` for axes of beams.
 const LEAST_MU: f64 = 1e-8;
-/// Around a vertex, normals that differ by less than the root of this differ by rounding.
+/// Relative eigenvalue below which normals at a vertex are coplanar or equal up to rounding.
 const ONE_PLANE: f64 = 1e-12;
 
-/// The axes of the exact pass. Those of beams begin at the least-squares axes `fitted` of a weight `mu`.
+/// The axes of the exact pass. Axes of beams start at the least-squares axes `fitted` of weight
+/// `mu`.
 pub(super) fn exact_pass(
     system: &mut System,
     surface: &PanelSurface,
@@ -58,7 +59,7 @@ pub(super) fn exact_pass(
     axes
 }
 
-/// The axes of beams, with a weight that falls by tens.
+/// The axes of beams, with `mu` falling by tens.
 fn of_beams(
     system: &mut System,
     surface: &PanelSurface,
@@ -79,8 +80,9 @@ fn of_beams(
     axes
 }
 
-/// False where no axes can have distance errors below `tolerance` at the distance `depth`: for panels, each vertex
-/// by itself tells how far the planes around it are from touching a common cone.
+/// Returns false if no axes can have distance errors below `tolerance` at the distance `depth`.
+/// Only panels are tested: at each vertex, how far the planes around it are from touching a common
+/// cone.
 pub(super) fn can_be_exact(
     surface: &PanelSurface,
     kind: OffsetKind,
@@ -95,14 +97,14 @@ pub(super) fn can_be_exact(
         let normal = surface.normal(f);
         face.iter().for_each(|&v| around[v as usize].push(normal));
     }
-    // The greatest of some numbers is at least their root mean square.
+    // The largest error is at least the root mean square.
     around.iter().all(|normals| {
         let most = tolerance * tolerance * normals.len() as f64;
         normals.len() <= 3 || depth * depth * from_a_cone(normals) <= most
     })
 }
 
-/// The least sum of `(N . n - 1)^2` over some unit normals `N` that any `n` has.
+/// The minimum over `n` of the sum of `(N . n - 1)^2` over some unit normals `N`.
 fn from_a_cone(normals: &[Vec3<f64>]) -> f64 {
     let mut matrix = [[0.0; 3]; 3];
     let mut sum = Vec3::zero();

@@ -8,14 +8,14 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `kind` | what keeps its distance: corners, panels or beams |
+//! | `kind` | the elements that keep their distance: corners, panels or beams |
 //! | `system` | the sparse system of 3 by 3 blocks of one step |
 //! | `axes` | node axes: the exact ones, else the least-squares fit |
 //! | `newton` | the least-squares fit |
-//! | `exact` | the exact pass, and whether it is worth its time |
-//! | `closing` | why corner offsets are not exact: panels that do not close, holes that turn |
-//! | `check` | the numbers that say whether it can be built |
-//! | `choice` | those by which kinds are compared |
+//! | `exact` | the exact pass, and whether it is worthwhile |
+//! | `closing` | why corner offsets are not exact: turns around panels and holes |
+//! | `check` | the numbers that show whether an offset can be built |
+//! | `choice` | the errors by which kinds are compared |
 
 mod axes;
 mod check;

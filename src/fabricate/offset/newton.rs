@@ -5,21 +5,23 @@ use super::system::{System, across_edge, identity_and_outer, outer};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::Vec3;
 
-/// Steps at most; corners take about 5, edges 10, and several times as many without second derivatives.
+/// Largest number of steps; corners take about 5, edges 10, several times as many without second
+/// derivatives.
 const MOST_STEPS: usize = 300;
-/// The fit has ended when no axis moves by more in a step: with second derivatives, which double the digits, and
-/// without.
+/// The fit ends when no axis moves by more than this in a step: with second derivatives (quadratic
+/// convergence), and without.
 const STILL: [f64; 2] = [1e-7, 1e-12];
-/// Where no axis moved by more than this in the last step, the matrix hardly differs: conjugate gradients with the
-/// factor at hand are faster than another one.
+/// If no axis moved by more than this in the last step, the matrix has hardly changed: conjugate
+/// gradients with the existing factor are faster than a new factor.
 const NEAR: f64 = 0.3;
-/// They leave this part of the way, or less near the end: as much as the last step was long, so that the digits go
-/// on doubling, until so many are enough.
+/// Smallest and largest relative error of conjugate gradients. In between it is the length of the
+/// last step, so that convergence stays quadratic.
 const ACCURACY: [f64; 2] = [1e-4, 0.03];
-/// Where the axes are but on the way to others, a step that lowers the energy by less than this part is the last.
+/// While the axes are only an intermediate result, stop when a step lowers the energy by less than
+/// this fraction.
 const WORTH: f64 = 0.1;
 
-/// How far to go.
+/// When to stop.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Until {
     /// The energy hardly falls.
@@ -30,13 +32,13 @@ pub(super) enum Until {
 
 /// Where to start.
 pub(super) enum Start {
-    /// At some axes.
+    /// At these axes.
     At(Vec<Vec3<f64>>),
-    /// At axes whose matrix is near the one that was factored last.
+    /// At these axes, whose matrix is close to the one factored last.
     Near(Vec<Vec3<f64>>),
 }
 
-/// Newton's method; a step that would raise the energy is halved.
+/// Minimises the energy by Newton's method; a step that would raise the energy is halved.
 pub(super) fn descend(
     system: &mut System,
     surface: &PanelSurface,
@@ -84,7 +86,8 @@ pub(super) fn descend(
         let length = axes.iter().zip(&next).map(|(from, to)| (*to - *from).length());
         let length = length.fold(0.0, f64::max);
         let is_settled = value > lowest * (1.0 - WORTH);
-        // The next step would be as much shorter as this one is, squared, and mend what conjugate gradients left.
+        // Expected length of the next step: quadratic convergence, plus the error of conjugate
+        // gradients.
         let next_length = length * (length / last * (length / last) + error);
         let is_still = match curved && share == 1.0 {
             true => length <= STILL[0] || (last.is_finite() && next_length <= STILL[0]),
@@ -99,7 +102,7 @@ pub(super) fn descend(
     axes
 }
 
-/// The system of one step; not `curved`, that of Gauss-Newton.
+/// Assembles the system of one step; without `curved` the Gauss-Newton system.
 fn assemble(
     system: &mut System,
     surface: &PanelSurface,
@@ -108,7 +111,7 @@ fn assemble(
     axes: &[Vec3<f64>],
     curved: bool,
 ) {
-    // `c` of a vector of this length.
+    // The factor `c` for a vector of this length.
     let across_axis = |length: f64| if curved && length > 0.0 { 1.0 - 1.0 / length } else { 0.0 };
     system.begin_with_beams(mu, &surface.normals);
     if kind == OffsetKind::Edge {
@@ -142,7 +145,7 @@ fn assemble(
     }
 }
 
-/// `E(n)`.
+/// The energy `E(n)`.
 pub(super) fn energy(surface: &PanelSurface, kind: OffsetKind, mu: f64, axes: &[Vec3<f64>]) -> f64 {
     let mut sum = 0.0;
     let square = |x: f64| x * x;
@@ -170,7 +173,7 @@ pub(super) fn energy(surface: &PanelSurface, kind: OffsetKind, mu: f64, axes: &[
     sum
 }
 
-/// Adds `D` of faces, and gives what it adds to the right-hand side.
+/// Adds the term `D` of faces, and returns its contributions to the right-hand side.
 pub(super) fn add_faces(system: &mut System, surface: &PanelSurface) -> Vec<(u32, Vec3<f64>)> {
     let mut pulls = Vec::new();
     for (face, f) in surface.faces.iter().zip(0..) {

@@ -1,20 +1,21 @@
-//! The symmetric system of 3 by 3 blocks, in the pattern of the edges, of one step of the solve for axes.
+//! The symmetric system of 3 by 3 blocks, with the sparsity of the edges, for one step of the solve
+//! for axes.
 
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
 use crate::sparse::{BlockMatrix, SymbolicAnalysis};
 
-/// Conjugate gradients take so many rounds at most: to factor costs about as much as this many sweeps.
+/// Largest number of conjugate gradient iterations: a factorisation costs about as much.
 const MOST_ROUNDS: usize = 15;
-/// What is left of the square of the way has to be less than this part.
+/// Largest acceptable squared relative residual after that.
 const ENOUGH: f64 = 0.01;
 
-/// `A n = b` with a block of `A` for each vertex and each edge. What is added to it is a square form: the
-/// matrix has `c c'` for every term `(c . n - 1)^2`, the right-hand side `c`.
+/// `A n = b` with a block of `A` for each vertex and each edge. Quadratic terms are added to it: a
+/// term `(c . n - 1)^2` adds `c c'` to the matrix and `c` to the right-hand side.
 pub(super) struct System {
     analysis: SymbolicAnalysis,
     matrix: BlockMatrix,
-    /// The values of the matrix of flat beams, which every step begins with.
+    /// The values of the matrix of flat beams, with which every step begins.
     beams: Vec<f64>,
     /// Vertices of no panel: their axis is zero.
     excluded: Vec<bool>,
@@ -22,7 +23,7 @@ pub(super) struct System {
 }
 
 impl System {
-    /// In the pattern of the edges of `surface`.
+    /// The system of the edges of `surface`.
     pub(super) fn new(surface: &PanelSurface) -> System {
         let n = surface.positions.len();
         let edges = surface.edges.iter().map(|edge| edge.ends);
@@ -48,18 +49,18 @@ impl System {
         system
     }
 
-    /// Vertices of no panel.
+    /// Whether a vertex belongs to no panel.
     pub(super) fn is_excluded(&self, v: usize) -> bool {
         self.excluded[v]
     }
 
-    /// Begins with `A = mu I` and `b = mu` times `near`, `#V` vectors.
+    /// Begins with `A = mu I` and `b` as `mu` times the vectors `near` (`#V`).
     pub(super) fn begin(&mut self, mu: f64, near: &[Vec3<f64>]) {
         self.matrix.clear();
         self.follow(mu, near);
     }
 
-    /// The same with `sum_e |P_e (n_j - n_i)|^2`.
+    /// As `begin`, with the terms `sum_e |P_e (n_j - n_i)|^2`.
     pub(super) fn begin_with_beams(&mut self, mu: f64, near: &[Vec3<f64>]) {
         self.matrix.set_values(&self.beams);
         self.follow(mu, near);
@@ -72,7 +73,7 @@ impl System {
         self.aim(mu, near);
     }
 
-    /// Makes the right-hand side `mu` times `near`.
+    /// Sets the right-hand side to `mu` times `near`.
     pub(super) fn aim(&mut self, mu: f64, near: &[Vec3<f64>]) {
         self.right.iter_mut().zip(near).for_each(|(right, near)| *right = *near * mu);
     }
@@ -94,7 +95,7 @@ impl System {
         self.right[v as usize] += by;
     }
 
-    /// Factors what has been added. False where rounding makes it singular.
+    /// Factors the matrix. Returns false if it is singular up to rounding.
     pub(super) fn factor(&mut self) -> bool {
         let n = self.analysis.size();
         let excluded: Vec<bool> =
@@ -102,16 +103,16 @@ impl System {
         self.matrix.factor(&excluded).is_ok()
     }
 
-    /// The solution for the right-hand side, `#V` vectors.
+    /// Solves for the right-hand side; returns `#V` vectors.
     pub(super) fn solve(&mut self) -> Vec<Vec3<f64>> {
         let mut rows = self.in_places(&self.right);
         self.matrix.solve(&mut rows);
         self.by_vertices(&rows)
     }
 
-    /// The same from `near` on by conjugate gradients, with what was factored last as the preconditioner, until no more
-    /// than `accuracy` of the way is left, or for as long as to factor takes. None where most of the way is left
-    /// then, or where the matrix is not positive definite.
+    /// Solves by conjugate gradients from `near`, preconditioned by the last factor, until the
+    /// relative error is at most `accuracy`, or for about the time of a factorisation. Returns none
+    /// if most of the error is left then, or the matrix is not positive definite.
     pub(super) fn solve_near(
         &mut self,
         near: &[Vec3<f64>],
@@ -147,7 +148,7 @@ impl System {
         (size < ENOUGH * first).then(|| self.by_vertices(&found))
     }
 
-    /// Vectors of vertices in the order of elimination; zero where they are of no panel.
+    /// Reorders vectors of vertices to the order of elimination; zero for vertices of no panel.
     fn in_places(&self, vectors: &[Vec3<f64>]) -> Vec<[f64; 4]> {
         let mut rows = vec![[0.0; 4]; vectors.len()];
         for (v, (vector, &place)) in vectors.iter().zip(self.analysis.place_of()).enumerate() {
@@ -168,7 +169,7 @@ impl System {
     }
 }
 
-/// Adds so many times `vectors`.
+/// Adds `times` times `vectors`.
 fn add(to: &mut [[f64; 4]], times: f64, vectors: &[[f64; 4]]) {
     for (to, vector) in to.iter_mut().zip(vectors) {
         to.iter_mut().zip(vector).for_each(|(to, value)| *to += times * value);

@@ -1,15 +1,15 @@
-//! Panels that are the same. `delta(P, Q)` is the least, over cyclic shifts and (where the sheet may be turned
-//! over) mirror images, of the largest difference of corresponding corner-to-corner distances. It is zero
-//! exactly for congruent panels, and nothing is fitted.
+//! Types of panels. The difference `delta(P, Q)` is the largest difference of corresponding
+//! distances between corners, minimised over cyclic shifts and (if the sheet may be turned over)
+//! mirror images. It is zero exactly for congruent panels, and needs no fitting.
 
 use super::flat::FlatPanel;
 use super::polygon::{length, minus, perimeter};
 use crate::fabricate::alike::{Alike, Types};
 
-/// Distances from each corner to those behind it, and the perimeter.
+/// Distances between the corners of a panel, and its perimeter.
 struct Shape {
     corners: usize,
-    /// `distances[s * corners + k]`: from corner `k` to the one `s + 1` behind it.
+    /// `distances[s * corners + k]`: from corner `k` to corner `k + s + 1`.
     distances: Vec<f64>,
     perimeter: f64,
 }
@@ -33,7 +33,7 @@ impl Alike for Shape {
         self.perimeter
     }
 
-    /// `delta`.
+    /// The difference `delta`.
     fn difference(&self, other: &Shape, mirror: bool, most: f64) -> f64 {
         let n = self.corners;
         let mut least = f64::INFINITY;

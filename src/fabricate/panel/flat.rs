@@ -10,21 +10,21 @@ use crate::math::Vec3;
 pub struct FlatPanel {
     /// Its corners, in the order of the surface.
     pub corners: Vec<Point2>,
-    /// Where the origin of the plane is, about the centre of the box, and its two axes: a corner `(x, y)`
-    /// goes back to `origin + x axes[0] + y axes[1]`.
+    /// Origin of the plane, near the centre of the box. A corner `(x, y)` is at `origin + x axes[0]
+    /// + y axes[1]` in space.
     pub origin: Vec3<f64>,
-    /// See `origin`.
+    /// The axes of the plane.
     pub axes: [Vec3<f64>; 2],
-    /// The largest distance of a corner to the plane.
+    /// Largest distance of a corner from the plane.
     pub flatness: f64,
-    /// The largest change of a distance between two corners.
+    /// Largest change of a distance between two corners.
     pub flattening_error: f64,
 }
 
-/// Of more corners than this only neighbours, and those across, are compared.
+/// With more corners than this, only neighbouring and opposite corners are compared.
 const MOST_CORNERS: usize = 200;
 
-/// Lays a panel flat; none where it has no area.
+/// Lays a panel flat; none if it has no area.
 pub fn lay_flat(surface: &PanelSurface, panel: u32) -> Option<FlatPanel> {
     let outside = surface.normal(panel);
     if outside == Vec3::zero() {

@@ -1,13 +1,14 @@
-//! The joint taken off a panel: every edge line moved in by half of it, consecutive lines intersected. The
-//! area of a convex panel becomes `A - (g/2) L + (g/2)^2 sum cot(angle/2)`.
+//! Subtraction of the joint: every edge is moved inwards by half the joint `g`, and consecutive
+//! lines are intersected. The area of a convex panel becomes `A - (g/2) L + (g/2)^2 sum
+//! cot(angle/2)`.
 
 use super::polygon::{Point2, area, cross, direction_of, dot, is_simple, minus};
 
-/// Lines whose directions have a smaller sine are parallel.
+/// Lines are parallel if the sine of their angle is smaller than this.
 const PARALLEL: f64 = 1e-9;
 
-/// The polygon with every edge moved in by `by`, or out where it is negative. None where an edge would turn
-/// round: the panel is too small for the joint. Coincident corners stay coincident.
+/// Moves every edge of a polygon inwards by `by`, or outwards if it is negative. Returns none if an
+/// edge would flip: the panel is too small for the joint. Coincident corners stay coincident.
 pub fn inset(polygon: &[Point2], by: f64) -> Option<Vec<Point2>> {
     let n = polygon.len();
     let distinct: Vec<usize> = (0..n).filter(|&k| polygon[k] != polygon[(k + 1) % n]).collect();
@@ -26,14 +27,14 @@ pub fn inset(polygon: &[Point2], by: f64) -> Option<Vec<Point2>> {
         let cosine = dot(before, after);
         let [x, y] = corners[k];
         if sine.abs() <= PARALLEL {
-            // A straight corner goes in at right angles; a spike has no inside.
+            // A straight corner moves at right angles; a spike has no inside.
             if cosine < 0.0 {
                 return None;
             }
             moved.push([x - by * after[1], y + by * after[0]]);
             continue;
         }
-        // On both lines: by / sine (after - before) from the corner.
+        // The lines intersect at `by / sine (after - before)` from the corner.
         let share = by / sine;
         moved.push([x + share * (after[0] - before[0]), y + share * (after[1] - before[1])]);
     }
@@ -41,7 +42,7 @@ pub fn inset(polygon: &[Point2], by: f64) -> Option<Vec<Point2>> {
     if by != 0.0 && ((0..m).any(turned) || area(&moved) <= 0.0 || !is_simple(&moved)) {
         return None;
     }
-    // Every corner of the panel, those that coincide with the next distinct one.
+    // Coincident corners get the position of their distinct corner.
     let at = |k: usize| moved[distinct.partition_point(|&own| own < k) % m];
     Some((0..n).map(at).collect())
 }

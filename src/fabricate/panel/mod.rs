@@ -1,13 +1,13 @@
-//! Single panels: laid flat, with the joint taken off, named, sorted into types.
+//! Single panels: laid flat, with the joint subtracted, named, sorted into types.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `plane` | least-squares planes |
-//! | `polygon` | polygons in the plane: area, hull, where a label fits |
-//! | `flat` | a panel laid flat, and what that changes |
-//! | `inset` | the joint taken off |
+//! | `polygon` | polygons in the plane: area, hull, the roomiest point for a label |
+//! | `flat` | a panel laid flat, and the errors of that |
+//! | `inset` | subtraction of the joint |
 //! | `name` | short, stable names of panels |
-//! | `alike` | panels that are the same within a tolerance |
+//! | `alike` | types of panels |
 
 mod alike;
 mod flat;

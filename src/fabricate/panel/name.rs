@@ -1,7 +1,7 @@
-//! Names: short, stable, the same on every sheet and in every list.
+//! Names of panels: short, stable, the same on every sheet and in every list.
 //!
-//! `P12` is face 12 of the file, counted from 0 as everywhere. On a mesh that is one grid of quads names by row
-//! and column may be asked for (`C-07`), because builders read rows.
+//! `P12` is face 12 of the file, counted from 0 as everywhere. On a mesh that is one grid of quads,
+//! names by row and column (`C-07`) are an option, because builders work in rows.
 
 use crate::fabricate::surface::PanelSurface;
 use crate::math::{argsort, key_of_pair};
@@ -15,7 +15,7 @@ pub enum Names {
     /// By the index of the face.
     #[default]
     Index,
-    /// By row and column, where the mesh is one grid of quads; else by the index.
+    /// By row and column if the mesh is one grid of quads; else by the index.
     Rows,
 }
 
@@ -37,7 +37,7 @@ pub fn panel_names(surface: &PanelSurface, names: Names) -> Vec<String> {
     }
 }
 
-/// A, B, ..., Z, AA, AB, ...
+/// Letters: A, B, ..., Z, AA, AB, ...
 fn letters(row: u32) -> String {
     let mut rest = row + 1;
     let mut name = String::new();
@@ -49,12 +49,12 @@ fn letters(row: u32) -> String {
     name
 }
 
-/// Row and column of each face, where all are quads of one connected grid; none elsewhere.
+/// Row and column of each face if all faces are quads of one connected grid; else none.
 fn grid_places(surface: &PanelSurface) -> Option<Vec<[u32; 2]>> {
     if surface.faces.iter().any(|face| face.len() != 4) {
         return None;
     }
-    // Where each face is, and which of its sides leads to the next column.
+    // Row and column of each face, and its side towards the next column.
     let mut found: Vec<Option<([i64; 2], usize)>> = vec![None; surface.faces.len()];
     *found.first_mut()? = Some(([0, 0], 1));
     let (mut queue, mut next) = (vec![0_u32], 0);
@@ -67,7 +67,8 @@ fn grid_places(surface: &PanelSurface) -> Option<Vec<[u32; 2]>> {
             let e = *sides.get((ahead + k) % 4)?;
             let Some(across) = surface.edges[e as usize].across(f) else { continue };
             let back = surface.sides.row(across as usize).iter().position(|&side| side == e)?;
-            // There the same edge leads back: two sides after it, on in the same direction.
+            // There the edge is on the near side; the opposite side continues in the same
+            // direction.
             let own = ([place[0] + step[0], place[1] + step[1]], (back + 2 + 4 - k) % 4);
             match found[across as usize] {
                 None => {

@@ -7,14 +7,14 @@ use crate::math::{PrincipalAxes, Vec3};
 pub(super) struct Plane {
     /// The mean of the points.
     pub(super) centre: Vec3<f64>,
-    /// Its unit normal, of either sign.
+    /// Unit normal, of either sign.
     pub(super) normal: Vec3<f64>,
-    /// The largest distance of a point.
+    /// Largest distance of a point from the plane.
     pub(super) distance: f64,
 }
 
 impl Plane {
-    /// Of at least one point. Points on one line have some plane through it.
+    /// Fits a plane to at least one point. Collinear points get some plane through them.
     pub(super) fn of(points: &[Vec3<f64>]) -> Plane {
         let mut own = points.to_vec();
         let centre = crate::math::centre(&mut own);
@@ -24,7 +24,7 @@ impl Plane {
     }
 }
 
-/// The largest distance of some points to their least-squares plane.
+/// The largest distance of some points from their least-squares plane.
 pub(in crate::fabricate) fn plane_distance(points: &[Vec3<f64>]) -> f64 {
     Plane::of(points).distance
 }

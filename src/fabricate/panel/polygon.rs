@@ -26,10 +26,10 @@ pub(in crate::fabricate) fn sides(polygon: &[Point2]) -> impl Iterator<Item = [P
     crate::math::polygon_sides(polygon)
 }
 
-/// The signed area, positive counterclockwise.
+/// The signed area, positive if counterclockwise.
 pub fn area(polygon: &[Point2]) -> f64 {
     let Some(&first) = polygon.first() else { return 0.0 };
-    // About a corner: far from the origin the products would cost digits.
+    // Relative to a corner: far from the origin the products would lose digits.
     let twice: f64 = sides(polygon).map(|[p, q]| cross(minus(p, first), minus(q, first))).sum();
     0.5 * twice
 }
@@ -39,25 +39,26 @@ pub fn perimeter(polygon: &[Point2]) -> f64 {
     sides(polygon).map(|[p, q]| length(minus(q, p))).sum()
 }
 
-/// The unit vector from one point to another; x where they coincide.
+/// The unit vector from one point to another; the x direction if they coincide.
 pub(in crate::fabricate) fn direction_of(from: Point2, to: Point2) -> Point2 {
     let step = minus(to, from);
     let l = length(step);
     if l > 0.0 { [step[0] / l, step[1] / l] } else { [1.0, 0.0] }
 }
 
-/// A point turned by the angle whose cosine and sine are `turn`.
+/// A point rotated by the angle whose cosine and sine are given.
 pub(in crate::fabricate) fn rotated([x, y]: Point2, [c, s]: Point2) -> Point2 {
     [c * x - s * y, s * x + c * y]
 }
 
-/// Whether no two sides cross or touch but neighbours at their corner. Sides without length are none.
+/// Whether no two sides cross or touch, except neighbours at their corner. Sides without length are
+/// ignored.
 pub fn is_simple(polygon: &[Point2]) -> bool {
     let all: Vec<[Point2; 2]> = sides(polygon).filter(|[a, b]| a != b).collect();
     let n = all.len();
     let turns_left =
         |k: usize| cross(minus(all[k][1], all[k][0]), minus(all[(k + 1) % n][1], all[k][1])) > 0.0;
-    // Sides that turn left all the way, once, make a convex polygon.
+    // If all sides turn left, and once around in total, the polygon is convex.
     let wraps = |k: usize| {
         let (a, b) = (minus(all[k][1], all[k][0]), minus(all[(k + 1) % n][1], all[k][1]));
         (a[1] < 0.0) != (b[1] < 0.0)
@@ -83,7 +84,7 @@ fn cross_each_other([a, b]: [Point2; 2], [c, d]: [Point2; 2]) -> bool {
     u * v <= 0.0 && w * x <= 0.0 && !(u == 0.0 && v == 0.0 && !overlap([a, b], [c, d]))
 }
 
-/// Whether two segments on one line have a point in common.
+/// Whether two collinear segments have a common point.
 fn overlap([a, b]: [Point2; 2], [c, d]: [Point2; 2]) -> bool {
     let axis = minus(b, a);
     let at = |p: Point2| dot(minus(p, a), axis);
@@ -119,8 +120,8 @@ pub fn hull(points: &[Point2]) -> Vec<Point2> {
     all
 }
 
-/// The turn, as cosine and sine, that gives the polygon the box of least area, wider than high; and the
-/// width and height of that box. One side of it lies along an edge of the hull.
+/// The rotation (cosine and sine) that gives the polygon its box of least area, wider than high,
+/// and the width and height of that box. One side of it lies along an edge of the hull.
 pub fn smallest_box(polygon: &[Point2]) -> (Point2, [f64; 2]) {
     let hull = hull(polygon);
     let mut best: Option<(f64, Point2, [f64; 2])> = None;
@@ -132,7 +133,7 @@ pub fn smallest_box(polygon: &[Point2]) -> (Point2, [f64; 2]) {
             true => (turn, [width, height]),
             false => ([s, c], [height, width]),
         };
-        // A tie goes to the first edge, whatever rounding says.
+        // In a tie the first edge wins regardless of rounding.
         if best.is_none_or(|(area, ..)| width * height < area * (1.0 - 1e-9)) {
             best = Some((width * height, turn, size));
         }
@@ -160,7 +161,7 @@ pub(in crate::fabricate) fn is_inside(polygon: &[Point2], [x, y]: Point2) -> boo
     sides(polygon).filter(crosses).count() % 2 == 1
 }
 
-/// The distance of a point to the outline.
+/// The distance of a point from the outline.
 pub(in crate::fabricate) fn distance_to_outline(polygon: &[Point2], point: Point2) -> f64 {
     let to = |[p, q]: [Point2; 2]| {
         let (along, at) = (minus(q, p), minus(point, p));
@@ -171,8 +172,8 @@ pub(in crate::fabricate) fn distance_to_outline(polygon: &[Point2], point: Point
     sides(polygon).map(to).fold(f64::INFINITY, f64::min)
 }
 
-/// The point inside that is farthest from the outline, and how far that is: a grid, refined about its best
-/// point. For labels, so that a hundredth is enough.
+/// The point inside that is farthest from the outline, and its distance: a grid, refined around its
+/// best point. For labels a hundredth is accurate enough.
 pub fn roomiest_point(polygon: &[Point2]) -> (Point2, f64) {
     const STEPS: i32 = 4;
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
@@ -195,7 +196,7 @@ pub fn roomiest_point(polygon: &[Point2]) -> (Point2, f64) {
                 let share = |k: i32, half: f64| f64::from(k) / f64::from(STEPS) * half;
                 let point = [centre[0] + share(i, half[0]), centre[1] + share(j, half[1])];
                 let found = room(point);
-                // The middle wins a tie: a label stays where it is.
+                // In a tie the centre wins, so that labels stay in place.
                 if found > best.1 * (1.0 + 1e-9) + f64::MIN_POSITIVE {
                     best = (point, found);
                 }

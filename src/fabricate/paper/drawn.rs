@@ -7,14 +7,14 @@ use crate::fabricate::panel::{Point2, direction_of, rotated, smallest_box};
 use crate::fabricate::sheet::{CutPart, Inscription, label, strokes, upright};
 use crate::math::sort_by_number;
 
-/// Dashes of a valley are so long, in mm, and gaps between them this part of it.
+/// Length of the dashes of a valley fold in mm.
 const DASH: f64 = 2.5;
-/// See [`DASH`].
+/// Gap between dashes, as a fraction of [`DASH`].
 const GAP: f64 = 0.6;
-/// Folds of less, in radians, are none: nothing is scored between two panels of one plane.
+/// Folds below this angle, in radians, are not scored: their panels are coplanar.
 const FLAT: f64 = 1e-3;
 
-/// Where a point of a piece is on its part: mirrored where that is asked for, then turned.
+/// Maps a point of a piece to its part: mirrored if the inside is printed, then rotated.
 #[derive(Clone, Copy)]
 struct Put {
     inside: bool,
@@ -27,7 +27,8 @@ impl Put {
     }
 }
 
-/// The outline of a piece with its tabs, counterclockwise on its part, and where its points are there.
+/// The outline of a piece with its tabs, counterclockwise on its part, and the map from piece to
+/// part.
 fn outline(model: &PaperModel, piece: u32, inside: bool) -> (Vec<Point2>, Put) {
     let as_it_is = Put { inside, turn: [1.0, 0.0] };
     let mut points: Vec<Point2> = Vec::new();
@@ -46,7 +47,7 @@ fn outline(model: &PaperModel, piece: u32, inside: bool) -> (Vec<Point2>, Put) {
     (points.into_iter().map(|point| rotated(point, turn)).collect(), Put { inside, turn })
 }
 
-/// The piece of this number: outline and folds.
+/// The part of a piece: outline and folds.
 pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
     let (net, piece) = (&model.net, model.pieces[number]);
     let (outline, place) = outline(model, piece, inside);
@@ -56,7 +57,7 @@ pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
             let Some(joint) = net.facets[f as usize].joints[k as usize] else { continue };
             let fold = net.joints[joint as usize].fold;
             let is_drawn = match model.glue[joint as usize] {
-                // Once, from the first of its sides.
+                // Only once, from the first of its sides.
                 Glue::Folded => net.joints[joint as usize].sides[0] == (f, k) && fold.abs() > FLAT,
                 Glue::Tab(tab) => tab.side == OutlineSide { facet: f, side: k },
                 Glue::Bare => false,
@@ -77,18 +78,19 @@ pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
     part
 }
 
-/// What has no room on a piece.
+/// The names without room on a piece.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Unnamed {
-    /// Names of neighbours.
+    /// Neighbours' names.
     pub dropped: usize,
     /// Panels whose name is too small to be read well.
     pub small: usize,
-    /// Its own name.
+    /// Whether its own name is missing.
     pub piece: bool,
 }
 
-/// Engraves on a piece, turned so on its sheet, the names of panels and of neighbours, and its own.
+/// Engraves the names of panels, of neighbours and of the piece on its part, rotated by `turn` on
+/// its sheet.
 pub fn write_names(
     part: &mut CutPart,
     (model, number): (&PaperModel, usize),
@@ -105,7 +107,7 @@ pub fn write_names(
             let sides = own.iter().map(|&side| named_side(model, names, side, &put));
             let (mut polygon, mut beside): (Vec<Point2>, Vec<_>) = sides.unzip();
             if inside {
-                // Counterclockwise again: each name stays with its side.
+                // Counterclockwise again; each name stays with its side.
                 polygon.reverse();
                 beside.reverse();
                 beside.rotate_left(1);
@@ -117,7 +119,7 @@ pub fn write_names(
             };
             let name = &names[panel as usize];
             let mut labels = named(name);
-            // The first panel on which that costs nothing else also says which piece it is.
+            // The first panel with enough room also shows the name of the piece.
             if !is_named {
                 let both = named(&format!("{}: {name}", part.name));
                 if !both.small && both.dropped == labels.dropped {
@@ -139,7 +141,8 @@ pub fn write_names(
     Unnamed { dropped, small, piece: !is_named }
 }
 
-/// Where the names of a panel go: round all of it where it is in one piece, else round each of its facets.
+/// Outlines for the names of a panel: the whole panel if it is on this piece, else each of its
+/// facets.
 fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<OutlineSide>> {
     let net = &model.net;
     let sides = |f: u32| (0..net.facets[f as usize].corners.len() as u32).map(move |k| (f, k));
@@ -164,8 +167,8 @@ fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<OutlineSid
     }
 }
 
-/// The start of a side on the sheet, and the name of the neighbour beside it: where the side is cut, and has no tab
-/// with that name on it.
+/// The start of a side on the sheet, and the name of the neighbour beyond it if the side is cut and
+/// the name is not on a tab of the side.
 fn named_side(
     model: &PaperModel,
     names: &[String],
@@ -185,7 +188,7 @@ fn named_side(
     (start, name)
 }
 
-/// The name on the tab of a side, its height and its middle; none where it has no room.
+/// The name on the tab of a side, its height and its centre; none if it has no room.
 fn tab_name(
     model: &PaperModel,
     names: &[String],
@@ -198,7 +201,8 @@ fn tab_name(
     Some((name, height, middle))
 }
 
-/// A dashed line that begins and ends with a dash: as lines of their own, which every program keeps.
+/// A dashed line that begins and ends with a dash, as separate lines, which every program
+/// preserves.
 fn dashes(p: Point2, q: Point2) -> Vec<Vec<Point2>> {
     let [x, y] = [q[0] - p[0], q[1] - p[1]];
     let length = (x * x + y * y).sqrt();

@@ -1,12 +1,13 @@
-//! Facets: flat polygons in mm. A flat panel is one; a panel that is not flat is creased into triangles, so that
-//! all lengths are kept. Between two facets there is a joint, which is folded or glued.
+//! Facets: flat polygons in mm. A flat panel is one facet; other panels are creased into triangles,
+//! which preserves all lengths. Facets are connected by joints, which are folded or glued.
 
 use super::triangles::{triangles, turn};
 use crate::fabricate::panel::{FlatPanel, Point2, is_simple};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::Vec3;
 
-/// Panels whose corner distances change by more, in mm on the sheet, when they are laid flat are creased.
+/// Panels are creased if laying them flat would change a distance between corners by more, in mm on
+/// the sheet.
 const FLAT: f64 = 0.02;
 
 /// A flat facet of a panel.
@@ -18,9 +19,9 @@ pub struct Facet {
     pub corners: Vec<Point2>,
     /// The vertices of its corners.
     pub vertices: Vec<u32>,
-    /// Of each side, from its corner to the next one: which side of the panel it is; none of a crease.
+    /// For each side, from its corner to the next one: the side of the panel; none for a crease.
     pub panel_sides: Vec<Option<u32>>,
-    /// Of each side its joint; none at the rim.
+    /// The joint of each side; none at the rim.
     pub joints: Vec<Option<u32>>,
     /// The same area as convex polygons.
     pub convex: Vec<Vec<Point2>>,
@@ -31,22 +32,23 @@ pub struct Facet {
 /// The joint between two facets.
 #[derive(Clone, Copy, Debug)]
 pub struct Joint {
-    /// The facets and the sides of them.
+    /// The two facets, each with its side.
     pub sides: [(u32, u32); 2],
-    /// The fold in radians, positive where it is a ridge seen from outside.
+    /// The fold angle in radians, positive for a ridge seen from outside.
     pub fold: f64,
-    /// The edge of the surface; none of a crease.
+    /// The edge of the surface; none for a crease.
     pub edge: Option<u32>,
 }
 
-/// The facets of panels and their joints; a unit of the mesh is `model` mm. Beside them why panels have none.
+/// The facets of panels and their joints, and the panels without facets with the reason; `model` is
+/// in mm per unit of the mesh.
 pub(super) fn facets(
     surface: &PanelSurface,
     flat: &[Option<FlatPanel>],
     model: f64,
 ) -> (Vec<Facet>, Vec<Joint>, Vec<(u32, &'static str)>) {
     let (mut facets, mut joints, mut without) = (Vec::new(), Vec::new(), Vec::new());
-    // The facets of each panel.
+    // The range of facets of each panel.
     let mut of_panels = vec![0..0; flat.len()];
     for (panel, f) in flat.iter().zip(0..) {
         let first = facets.len();
@@ -134,7 +136,7 @@ fn creased(facets: &mut Vec<Facet>, surface: &PanelSurface, f: u32, panel: &Flat
         let (length, along) = (b.length(), unit(b));
         let across = c - along * c.dot(along);
         let normal = unit(b.cross(c));
-        // A triangle without area has nothing to fold.
+        // A triangle without area cannot be folded.
         if normal == Vec3::zero() {
             continue;
         }
@@ -159,7 +161,7 @@ fn creased(facets: &mut Vec<Facet>, surface: &PanelSurface, f: u32, panel: &Flat
     }
 }
 
-/// The sides that two facets of a panel have in common, where they have one.
+/// The common side of two facets of a panel, if they have one.
 fn crease(facets: &[Facet], [a, b]: [usize; 2]) -> Option<[(usize, usize); 2]> {
     let ends = |f: usize, k: usize| {
         let own = &facets[f].vertices;

@@ -1,5 +1,5 @@
-//! Pieces grow by joints that are folded: one joins two pieces where they fit on the sheet together, do not overlap,
-//! and leave room for the tabs of the edges that stay open between them.
+//! Growth of pieces: folding a joint merges two pieces if they fit on the sheet together, do not
+//! overlap, and leave room for the tabs of the edges that stay open between them.
 
 use super::motion::Motion;
 use super::net::{OutlineSide, PaperNet};
@@ -8,8 +8,8 @@ use super::tab::tab;
 use crate::fabricate::panel::{Point2, smallest_box};
 
 impl PaperNet {
-    /// Folds a joint where that is possible: the pieces on its two sides become one. `room` is what a piece may
-    /// measure without its tabs, which are up to `tab_height` high.
+    /// Folds a joint if possible: the pieces on its two sides become one. `room` is the largest
+    /// size of a piece without its tabs, which are up to `tab_height` high.
     pub(super) fn fold(&mut self, joint: u32, room: [f64; 2], tab_height: f64) -> bool {
         let [mut still, mut moving] = self.joints[joint as usize].sides;
         if self.piece_of[still.0 as usize] == self.piece_of[moving.0 as usize] {
@@ -51,7 +51,7 @@ impl PaperNet {
         is_good
     }
 
-    /// The joint, and all others between the moved facets and the piece whose two sides lie on each other.
+    /// The joint, and all others between the moved facets and the piece whose two sides coincide.
     fn welded(&self, joint: u32, moved: &[u32], piece: u32) -> Vec<u32> {
         let mut found = vec![joint];
         for &f in moved {
@@ -84,8 +84,8 @@ impl PaperNet {
         own.iter().any(|p| other.iter().any(|q| meet(p, q)))
     }
 
-    /// Whether a piece is one closed line, and every edge that stays open inside of it, with its two sides on
-    /// the piece, can have a tab on one of them.
+    /// Whether the outline of a piece is one closed line, and every cut edge with both sides on the
+    /// piece has room for a tab on one of them.
     fn has_room_for_tabs(&self, piece: u32, moved: &[u32], tab_height: f64) -> bool {
         let Some(outline) = self.outline(piece) else { return false };
         let convex = self.convex(piece);

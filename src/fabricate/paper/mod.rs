@@ -1,18 +1,18 @@
-//! Paper models: panels laid flat side by side as strips and nets, folded along their edges, glued with tabs that
-//! hide behind the neighbour.
+//! Paper models: panels laid flat side by side as strips and nets, folded along their edges, and
+//! glued with tabs that are hidden behind the neighbour.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `triangles` | a polygon as triangles, shortest diagonals first |
 //! | `facet` | flat facets in mm and the joints between them; a panel that is not flat is creased |
-//! | `strip` | in which order joints are folded: along strips, or by their fold |
+//! | `strip` | the order in which joints are folded: along strips, or by their fold angle |
 //! | `overlap` | whether convex polygons meet |
 //! | `motion` | motions of the plane |
 //! | `net` | facets placed in the plane, piece by piece |
-//! | `tab` | tabs that have room and are hidden |
+//! | `tab` | hidden tabs, where they have room |
 //! | `tab_name` | the name on a tab |
-//! | `grow` | how pieces grow by folded joints |
-//! | `model` | all of it: pieces with their tabs |
+//! | `grow` | growth of pieces by folded joints |
+//! | `model` | the model: pieces with their tabs |
 //! | `drawn` | a piece as a part to be cut: outline, folds, names |
 
 mod drawn;

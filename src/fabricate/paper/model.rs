@@ -11,37 +11,37 @@ use crate::math::sort_by_number;
 /// Sizes in mm.
 #[derive(Clone, Copy, Debug)]
 pub struct PaperSize {
-    /// Millimetres of the sheet in a unit of the mesh.
+    /// Millimetres of the sheet per unit of the mesh.
     pub model: f64,
-    /// The largest size of a piece with its tabs.
+    /// Largest size of a piece with its tabs.
     pub room: [f64; 2],
-    /// The height of tabs; 0 makes none.
+    /// The height of tabs; 0 for none.
     pub tab: f64,
 }
 
 /// How a joint is made.
 #[derive(Clone, Copy, Debug)]
 pub enum Glue {
-    /// It is folded.
+    /// Folded.
     Folded,
-    /// It is cut, and one of its sides has a tab.
+    /// Cut, with a tab on one of its sides.
     Tab(Tab),
-    /// It is cut, and no tab has room on either side.
+    /// Cut, without room for a tab on either side.
     Bare,
 }
 
 /// A paper model.
 #[derive(Clone, Debug)]
 pub struct PaperModel {
-    /// Facets, joints and where they lie.
+    /// Facets, joints and their positions.
     pub net: PaperNet,
     /// How each joint is made.
     pub glue: Vec<Glue>,
-    /// The pieces of the net that have facets, by the first of those.
+    /// The pieces of the net that have facets, sorted by their first facet.
     pub pieces: Vec<u32>,
-    /// Panels without facets, and why.
+    /// Panels without facets, and the reasons.
     pub without: Vec<(u32, &'static str)>,
-    /// Whether strips were asked for where there are no quads, and nets are made instead.
+    /// Whether nets are made because strips were requested and there are no quads.
     pub is_without_quads: bool,
 }
 
@@ -77,8 +77,8 @@ impl PaperModel {
     }
 }
 
-/// All joints folded that may be and can. Strips that are too long for the sheet are cut evenly where that makes no more
-/// pieces.
+/// Folds all joints that are allowed and possible. Strips too long for the sheet are divided evenly
+/// if that makes no more pieces.
 fn folded(unfolded: &PaperNet, order: &Foldable, size: PaperSize) -> PaperNet {
     let room = size.room.map(|side| side - 2.0 * size.tab);
     let all = |cuts: &[bool]| {
@@ -100,7 +100,7 @@ fn folded(unfolded: &PaperNet, order: &Foldable, size: PaperSize) -> PaperNet {
     if count(&even) <= count(&longest) { even } else { longest }
 }
 
-/// Tabs on the piece that comes first, else on the other side.
+/// Chooses tabs: on the piece that comes first, or else on the other side.
 fn glue(net: &PaperNet, pieces: &[u32], tab_height: f64) -> Vec<Glue> {
     let mut place = vec![0; net.pieces.len()];
     pieces.iter().enumerate().for_each(|(k, &piece)| place[piece as usize] = k);
@@ -115,7 +115,7 @@ fn glue(net: &PaperNet, pieces: &[u32], tab_height: f64) -> Vec<Glue> {
         }
         let mut sides =
             joint.sides.map(|side| (place[net.piece_of[side.0 as usize] as usize], side));
-        // The piece that comes first has the tab.
+        // The piece that comes first is tried first.
         if sides[1] < sides[0] {
             sides.swap(0, 1);
         }

@@ -1,24 +1,24 @@
-//! Motions of the plane.
+//! Rigid motions of the plane.
 
 use crate::fabricate::panel::{Point2, direction_of, rotated};
 
-/// How a facet is moved: turned about the origin, then shifted.
+/// A rotation about the origin, followed by a translation.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {
-    /// Cosine and sine.
+    /// Rotation, as cosine and sine.
     pub turn: Point2,
-    /// In mm.
+    /// Translation in mm.
     pub shift: Point2,
 }
 
 impl Motion {
-    /// Where a point comes to lie.
+    /// The image of a point.
     pub fn put(&self, point: Point2) -> Point2 {
         let [x, y] = rotated(point, self.turn);
         [x + self.shift[0], y + self.shift[1]]
     }
 
-    /// The motion that brings one segment onto another, middle on middle, with its direction.
+    /// The motion that maps the direction and the midpoint of one segment to those of another.
     pub fn between([p, q]: [Point2; 2], [r, s]: [Point2; 2]) -> Motion {
         let ([a, b], [c, d]) = (direction_of(p, q), direction_of(r, s));
         let turn = [a * c + b * d, a * d - b * c];

@@ -13,25 +13,25 @@ pub struct OutlineSide {
     pub side: u32,
 }
 
-/// All pieces.
+/// All pieces of a paper model.
 #[derive(Clone, Debug)]
 pub struct PaperNet {
     /// The facets.
     pub facets: Vec<Facet>,
     /// The joints between them.
     pub joints: Vec<Joint>,
-    /// Which joints are folded; the others are glued.
+    /// Whether each joint is folded; the others are glued.
     pub folded: Vec<bool>,
-    /// Where each facet is in the plane of its piece.
+    /// The position of each facet in the plane of its piece.
     pub places: Vec<Motion>,
     /// The piece of each facet.
     pub piece_of: Vec<u32>,
-    /// The facets of each piece; empty of one that became part of another.
+    /// The facets of each piece; empty if it was merged into another.
     pub pieces: Vec<Vec<u32>>,
 }
 
 impl PaperNet {
-    /// Every facet a piece of its own.
+    /// Makes each facet a piece of its own.
     pub(super) fn new(facets: Vec<Facet>, joints: Vec<Joint>) -> PaperNet {
         let n = facets.len();
         PaperNet {
@@ -67,14 +67,14 @@ impl PaperNet {
         self.pieces[piece as usize].iter().flat_map(of_facet).collect()
     }
 
-    /// The other side of the joint of a side.
+    /// The joint of a side, and the side beyond it.
     pub fn across(&self, own: (u32, u32)) -> Option<(u32, (u32, u32))> {
         let joint = self.facets[own.0 as usize].joints[own.1 as usize]?;
         let [a, b] = self.joints[joint as usize].sides;
         Some((joint, if a == own { b } else { a }))
     }
 
-    /// The outline of a piece, counterclockwise; none where it is not one closed line.
+    /// The outline of a piece, counterclockwise; none if it is not one closed line.
     pub fn outline(&self, piece: u32) -> Option<Vec<OutlineSide>> {
         let is_open = |f: u32, k: u32| {
             self.facets[f as usize].joints[k as usize].is_none_or(|j| !self.folded[j as usize])

@@ -1,15 +1,15 @@
-//! Whether convex polygons meet, by their separating axes.
+//! Intersection test of convex polygons, by separating axes.
 
 use crate::fabricate::panel::{Point2, direction_of};
 
-/// The gap between parts of a piece without a common corner, in mm: room for scissors.
+/// Gap between parts of a piece without a common corner, in mm: room for scissors.
 const CLEARANCE: f64 = 0.5;
-/// Corners that are so near are the same, in mm.
+/// Corners closer than this are the same, in mm.
 pub(super) const SAME: f64 = 0.05;
-/// Parts with a common corner may overlap by what a panel that counts as flat is off, in mm.
+/// Permitted overlap of parts with a common corner, in mm: the error of panels that count as flat.
 const ROUNDING: f64 = 0.02;
 
-/// Whether two convex polygons, counterclockwise, overlap; or come too near where they have no common corner.
+/// Whether two convex counterclockwise polygons overlap, or are too close without a common corner.
 pub(super) fn meet(a: &[Point2], b: &[Point2]) -> bool {
     let boxes = [a, b].map(|polygon| {
         let range = |k: usize| {
@@ -30,7 +30,7 @@ pub(super) fn meet(a: &[Point2], b: &[Point2]) -> bool {
     deepest(a, b) > allowed && deepest(b, a) > allowed
 }
 
-/// How deep the second polygon reaches behind the side of the first that it reaches behind least.
+/// The depth of the second polygon behind a side of the first, minimised over the sides.
 fn deepest(a: &[Point2], b: &[Point2]) -> f64 {
     let behind = |k: usize| {
         let (p, q) = (a[k], a[(k + 1) % a.len()]);

@@ -1,4 +1,4 @@
-//! In which order joints are folded: whatever comes first decides the shape of the pieces.
+//! The order in which joints are folded, which determines the shape of the pieces.
 
 use super::facet::Joint;
 use crate::fabricate::surface::PanelSurface;
@@ -13,17 +13,17 @@ pub enum Pieces {
     /// Nets: the flattest edges are folded first.
     #[default]
     Nets,
-    /// Strips of quads, in the direction that leads through the first side of the first face.
+    /// Strips of quads, in the direction through the first side of the first face.
     Strips,
     /// Strips of quads, in the other direction.
     Across,
 }
 
 impl Pieces {
-    /// All of them.
+    /// All kinds.
     pub const ALL: [Pieces; 3] = [Pieces::Nets, Pieces::Strips, Pieces::Across];
 
-    /// Its word in files and on the command line.
+    /// Its identifier in files and on the command line.
     pub fn word(self) -> &'static str {
         match self {
             Pieces::Nets => "nets",
@@ -35,15 +35,16 @@ impl Pieces {
 
 /// The joints that may be folded.
 pub(super) struct Foldable {
-    /// In any case, in order: creases, and the edges of nets.
+    /// Joints outside strips, in order: creases, and the edges of nets.
     pub always: Vec<u32>,
-    /// One after another along each strip.
+    /// The joints along each strip, in order.
     pub strips: Vec<Vec<u32>>,
 }
 
 impl Foldable {
-    /// Of all `joints`, those at which strips end early so that each is cut into pieces of about as many panels as there
-    /// would be pieces if each were as long as possible, as in `folded`.
+    /// For each joint, whether to cut a strip there, so that it is divided into equally many pieces
+    /// as in `folded` (where pieces are as long as possible), but with about equal numbers of
+    /// panels.
     pub(super) fn even_cuts(&self, folded: &[bool]) -> Vec<bool> {
         let mut cuts = vec![false; folded.len()];
         for strip in &self.strips {
@@ -55,7 +56,7 @@ impl Foldable {
     }
 }
 
-/// The joints that may be folded. None where strips are asked for and there are no quads.
+/// The joints that may be folded; none if strips are requested and there are no quads.
 pub(super) fn foldable(
     surface: &PanelSurface,
     joints: &[Joint],
@@ -86,9 +87,9 @@ pub(super) fn foldable(
     Some(Foldable { always, strips: own_strips })
 }
 
-/// The edges that strips of quads cross, strip by strip; the strip through the first quad of a part leads through
-/// its side `first`. None without quads. Where the mesh is no grid the direction turns at some edge, and a strip
-/// ends there.
+/// The edges that each strip of quads crosses; none without quads. In each connected part the strip
+/// through the first quad crosses its side `first`. If the mesh is not a grid, the direction is
+/// inconsistent at some edges, and strips end there.
 fn strips(surface: &PanelSurface, first: usize) -> Option<Vec<Vec<u32>>> {
     let faces = surface.faces.len();
     let is_quad = |f: u32| surface.faces.row(f as usize).len() == 4;
@@ -98,7 +99,7 @@ fn strips(surface: &PanelSurface, first: usize) -> Option<Vec<Vec<u32>>> {
         let g = surface.edges[e as usize].across(f).filter(|&g| g != f && is_quad(g))?;
         Some((e, g, sides(g).iter().position(|&side| side == e)?))
     };
-    // Of each quad, which pair of its sides the strip crosses.
+    // For each quad, the pair of its sides that the strip crosses.
     let mut crossed: Vec<Option<usize>> = vec![None; faces];
     for start in (0..faces as u32).filter(|&f| is_quad(f)) {
         if crossed[start as usize].is_some() {
@@ -129,7 +130,7 @@ fn strips(surface: &PanelSurface, first: usize) -> Option<Vec<Vec<u32>>> {
         let Some(own) = crossed[start as usize].filter(|_| !is_seen[start as usize]) else {
             continue;
         };
-        // Back to its end, or all the way round.
+        // Back to the start of the strip, or once around.
         let (mut f, mut k) = (start, own);
         while let Some((_, g, on)) = ahead(f, k) {
             if g == start {

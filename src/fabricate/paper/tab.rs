@@ -1,5 +1,5 @@
-//! Tabs: trapezia on one of the two edges of a cut pair, cut down until they lie behind the neighbour, where they
-//! cannot be seen, and outside of everything else on the piece.
+//! Tabs: trapezia on one of the two edges of a cut joint, shortened until they lie behind the
+//! neighbour, where they are hidden, and overlap nothing else on the piece.
 
 use super::motion::Motion;
 use super::net::{OutlineSide, PaperNet};
@@ -7,13 +7,13 @@ use super::overlap::meet;
 use crate::fabricate::panel::{Point2, direction_of, distance_to_outline, is_inside};
 use crate::math::cosine_and_sine_of_degrees;
 
-/// A tab lower than this holds nothing, in mm.
+/// Smallest useful height of a tab, in mm.
 const LEAST: f64 = 2.0;
-/// The steepest angle at its base, in degrees.
+/// Largest angle at its base, in degrees.
 const STEEPEST: f64 = 45.0;
-/// The shortest side away from the piece, as a share of the edge.
+/// Shortest side away from the piece, as a fraction of the edge.
 const TOP: f64 = 0.25;
-/// How far it stays inside of the neighbour, in mm.
+/// Least distance from the tab to the outline of the neighbour, in mm.
 const HIDDEN: f64 = 0.3;
 
 /// A tab.
@@ -21,14 +21,15 @@ const HIDDEN: f64 = 0.3;
 pub struct Tab {
     /// The side that it is on.
     pub side: OutlineSide,
-    /// Its corners, counterclockwise: from the start of the side, outwards, along, and back to its end.
+    /// Its corners, counterclockwise: the start of the side, the two outer corners, the end of the
+    /// side.
     pub corners: [Point2; 4],
     /// Its height in mm.
     pub height: f64,
 }
 
-/// The highest tab, at most `most`, on a side of the outline of a piece that keeps clear of `taken`, convex polygons
-/// counterclockwise; none where less than 2 mm remain, or at the rim.
+/// The highest tab of at most `most` mm on a side of an outline that keeps clear of the convex
+/// counterclockwise polygons `taken`. None at the rim, or if it would be lower than [`LEAST`].
 pub(super) fn tab(
     net: &PaperNet,
     outline: &[OutlineSide],
@@ -42,16 +43,16 @@ pub(super) fn tab(
     let ends = |side: OutlineSide| net.ends((side.facet, side.side));
     let [p, q] = ends(side);
     let length = distance(p, q);
-    // The neighbour, unfolded over the edge: behind it the tab is hidden.
+    // The neighbour, unfolded over the edge: the tab is hidden behind it.
     let of_neighbour = &net.facets[there.0 as usize].corners;
     let m = of_neighbour.len();
     let [i, j] = [there.1 as usize, (there.1 as usize + 1) % m];
     let unfolded = Motion::between([of_neighbour[i], of_neighbour[j]], [q, p]);
     let neighbour: Vec<Point2> = of_neighbour.iter().map(|&corner| unfolded.put(corner)).collect();
-    // There the side runs from q to p.
+    // In the neighbour the side runs from q to p.
     let inside_q = angle(q, p, neighbour[(i + m - 1) % m]);
     let inside_p = angle(p, neighbour[(j + 1) % m], q);
-    // What is free beside the piece is shared with the tab of the next side.
+    // The free angle beside the piece is shared with the tab of the adjacent side.
     let share = |other: OutlineSide| {
         let same = net.across((other.facet, other.side)).is_some_and(|(own, _)| own == joint);
         if same { 0.9 } else { 0.48 }
@@ -88,7 +89,8 @@ pub(super) fn tab(
     None
 }
 
-/// The angle at a point, counterclockwise from one other point to a second, in degrees from 0 to 360.
+/// The angle at a point, counterclockwise from one other point to a second, in degrees from 0 to
+/// 360.
 fn angle(at: Point2, from: Point2, to: Point2) -> f64 {
     let ([a, b], [c, d]) = (direction_of(at, from), direction_of(at, to));
     let degrees = libm::atan2(a * d - b * c, a * c + b * d).to_degrees();

@@ -1,20 +1,20 @@
-//! The name on a tab: as high as there is room for it between the sides of the tab, which come together away from the
-//! piece.
+//! The name on a tab: as high as possible between the sides of the tab, which converge away from
+//! the piece.
 
 use super::tab::Tab;
 use crate::fabricate::panel::{Point2, direction_of, rotated};
 use crate::fabricate::sheet::text_width;
 
-/// Names on tabs are at most so high, in mm, and at least; lower ones go onto the panel.
+/// Largest height of names on tabs, in mm.
 const TALLEST: f64 = 3.5;
-/// See [`TALLEST`].
+/// Smallest height; lower names are written on the panel.
 const LEAST: f64 = 1.8;
-/// And at most this part of the tab.
+/// Largest height relative to the tab.
 const OF_TAB: f64 = 0.55;
-/// From letters to what is cut or folded, in mm.
+/// Distance of letters from cut and folded lines, in mm.
 const CLEAR: f64 = 0.5;
 
-/// The height of a name on a tab and its middle, along the side that the tab is on; none where it has no room.
+/// The height of a name on a tab and its centre, along the side of the tab; none if it has no room.
 pub(super) fn place_on_tab(tab: &Tab, name: &str) -> Option<(f64, Point2)> {
     let [p, a, b, q] = tab.corners;
     let along = direction_of(p, q);
@@ -24,13 +24,13 @@ pub(super) fn place_on_tab(tab: &Tab, name: &str) -> Option<(f64, Point2)> {
         [x, -y]
     };
     let [left, right, end] = [a, b, q].map(frame);
-    // How far each end leans in for each millimetre away from the piece, and what is kept clear beside it there.
+    // Inward slope of each end of the tab, and the clearance it requires along the text.
     let (lean_in, lean_out) = (left[0] / tab.height, (end[0] - right[0]) / tab.height);
     let beside = |lean: f64| CLEAR * (1.0 + lean * lean).sqrt();
     let mut height = (OF_TAB * tab.height).min(TALLEST);
     while height >= LEAST {
         let spare = tab.height - height;
-        // In the middle, else beside the fold, where the tab is longer.
+        // Centred, or else close to the fold, where the tab is wider.
         for below in [0.5 * spare, CLEAR] {
             if below < CLEAR || spare - below < CLEAR {
                 continue;

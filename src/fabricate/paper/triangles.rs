@@ -2,7 +2,7 @@
 
 use crate::fabricate::panel::Point2;
 
-/// Cuts off ears, the one with the shortest diagonal first: corners of the triangles, counterclockwise.
+/// Cuts off ears, the one with the shortest diagonal first: triangles as corners, counterclockwise.
 pub(super) fn triangles(polygon: &[Point2]) -> Vec<[usize; 3]> {
     let mut left: Vec<usize> = (0..polygon.len()).collect();
     let mut found = Vec::new();
@@ -23,7 +23,7 @@ pub(super) fn triangles(polygon: &[Point2]) -> Vec<[usize; 3]> {
                 && !left.iter().filter(is_other).any(|&corner| holds(polygon[corner]))
         };
         let shortest = |a: &usize, b: &usize| diagonal(*a).total_cmp(&diagonal(*b)).then(a.cmp(b));
-        // Of a polygon that crosses itself any triangle goes first.
+        // A polygon that crosses itself may have no ear: cut off any triangle.
         let k = (0..n).filter(is_whole).min_by(shortest).unwrap_or(0);
         found.push(ear(k));
         left.remove(k);
@@ -32,7 +32,7 @@ pub(super) fn triangles(polygon: &[Point2]) -> Vec<[usize; 3]> {
     found
 }
 
-/// Twice the area of a triangle, positive counterclockwise.
+/// Twice the signed area of a triangle, positive if counterclockwise.
 pub(super) fn turn(a: Point2, b: Point2, c: Point2) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }

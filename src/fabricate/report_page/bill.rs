@@ -6,7 +6,7 @@ use crate::fabricate::panel::Point2;
 use crate::fabricate::report::BuildReport;
 use crate::fabricate::settings::Product;
 
-/// A line of the bill: what, and how much of it.
+/// A line of the bill: item and quantity.
 pub(super) type Line = (&'static str, String);
 
 /// The bills of the model and of the building.
@@ -14,7 +14,7 @@ pub(super) fn bill(build: &Build, report: &BuildReport) -> [Vec<Line>; 2] {
     [model(build, report), building(build, report)]
 }
 
-/// The noun of what is made.
+/// The noun for the parts of a product.
 pub(super) fn noun(product: Product) -> &'static str {
     match product {
         Product::Panels => "panel",

@@ -1,7 +1,7 @@
-//! Helvetica, which every reader of PDF has, so that no font is put into the file: the widths of its letters
-//! (Adobe's font metrics), and the breaking of lines.
+//! Helvetica, which every PDF viewer has, so that files embed no font: the widths of its letters
+//! (Adobe's font metrics), and line breaking.
 
-/// Thousandths of the size, from the space to the tilde.
+/// Widths in thousandths of the font size, from the space to the tilde.
 const WIDTHS: [u16; 95] = [
     278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556,
     556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667,
@@ -10,7 +10,7 @@ const WIDTHS: [u16; 95] = [
     222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584,
 ];
 
-/// The width of a line of words in a font of this size.
+/// The width of a line of text in a font of this size.
 pub(super) fn width(words: &str, size: f64) -> f64 {
     let thousandths = words.chars().map(|letter| {
         let place = (letter as usize).checked_sub(' ' as usize);
@@ -24,7 +24,7 @@ pub(super) fn width(words: &str, size: f64) -> f64 {
     f64::from(thousandths.map(u32::from).sum::<u32>()) * size / 1000.0
 }
 
-/// As many of the first letters as are no wider than `most`.
+/// The longest prefix that is no wider than `most`.
 pub(super) fn fitting(words: &str, size: f64, most: f64) -> &str {
     let mut ends = words.char_indices().map(|(at, letter)| at + letter.len_utf8());
     let mut fits = 0;
@@ -34,7 +34,7 @@ pub(super) fn fitting(words: &str, size: f64, most: f64) -> &str {
     &words[..fits]
 }
 
-/// Lines no wider than `most`, broken at spaces, and within a word that is wider.
+/// Breaks text into lines no wider than `most`, at spaces, or within words that are wider.
 pub(super) fn lines(words: &str, size: f64, most: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     let mut rest = words.trim();
@@ -42,7 +42,7 @@ pub(super) fn lines(words: &str, size: f64, most: f64) -> Vec<String> {
         let fits = fitting(rest, size, most);
         let end = match rest[fits.len()..].chars().next() {
             None | Some(' ') => fits.len(),
-            // A single letter that is too wide stands alone.
+            // A single letter that is too wide gets its own line.
             Some(letter) if fits.is_empty() => letter.len_utf8(),
             Some(_) => fits.rfind(' ').unwrap_or(fits.len()),
         };

@@ -1,17 +1,17 @@
-//! How the values behind a number of the build check are spread, from 0 to the limit or beyond it.
+//! Histogram of the values behind a number of the build check, from 0 to the limit or beyond.
 
 use super::mark::{GREY, Mark, PALE, RED, block, line, text, text_to};
 use super::words::with_unit;
 use crate::fabricate::panel::Point2;
 
-/// Bars of a histogram.
+/// Number of bars.
 const BARS: usize = 30;
-/// The size of its words.
+/// The font size of its labels.
 const WORDS: f64 = 2.1;
-/// The colour of what is within the limit.
+/// The colour of values within the limit.
 const WITHIN: [u8; 3] = [88, 104, 150];
 
-/// Draws it in a box: `values` from 0 on, above which `limit` they should not be.
+/// Draws `values`, which should be from 0 to `limit`, in a box.
 pub(super) fn histogram(
     values: &[f64],
     limit: f64,
@@ -35,7 +35,7 @@ pub(super) fn histogram(
     let mut marks = vec![line([[x, base], [x + width, base]], 0.15, PALE)];
     for (k, count) in counts.into_iter().enumerate().filter(|(_, count)| *count > 0) {
         let from = k as f64 / BARS as f64 * end;
-        // What is rare is seen all the same.
+        // Rare values remain visible.
         let high = (f64::from(count) / most * room).max(0.4);
         let fill = if from >= limit { RED } else { WITHIN };
         marks.push(block([x + k as f64 * step, base], [0.85 * step, high], fill));

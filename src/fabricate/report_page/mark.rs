@@ -11,48 +11,48 @@ pub(super) const GREY: Colour = [104, 108, 118];
 pub(super) const PALE: Colour = [205, 208, 215];
 pub(super) const RED: Colour = [190, 30, 45];
 
-/// Something on a page.
+/// An element of a page.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Mark {
     Text(Text),
     Shape(Shape),
-    /// A place that leads somewhere when it is pressed: two corners, and the address.
+    /// An area that opens an address when clicked: two corners, and the address.
     Link([Point2; 2], String),
 }
 
-/// A line of words.
+/// A line of text.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Text {
     /// The left end of its baseline.
     pub(super) at: Point2,
-    /// The size of the font.
+    /// The font size.
     pub(super) size: f64,
     pub(super) bold: bool,
     pub(super) colour: Colour,
     pub(super) words: String,
 }
 
-/// Lines or areas of one kind.
+/// Lines or areas of one style.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Shape {
     pub(super) paths: Vec<Vec<Point2>>,
-    /// Closed paths are filled; others are lines.
+    /// Fill colour of closed paths; none for lines.
     pub(super) fill: Option<Colour>,
-    /// The width of the lines, and their colour.
+    /// Width and colour of the lines.
     pub(super) pen: Option<(f64, Colour)>,
 }
 
-/// Words from `at` to the right.
+/// Text from `at` to the right.
 pub(super) fn text(at: Point2, size: f64, colour: Colour, words: &str) -> Mark {
     Mark::Text(Text { at, size, bold: false, colour, words: words.to_owned() })
 }
 
-/// Words that end at `at`.
+/// Text that ends at `at`.
 pub(super) fn text_to([x, y]: Point2, size: f64, colour: Colour, words: &str) -> Mark {
     text([x - width(words, size), y], size, colour, words)
 }
 
-/// Bold words from `at` to the right.
+/// Bold text from `at` to the right.
 pub(super) fn heading(at: Point2, size: f64, words: &str) -> Mark {
     Mark::Text(Text { at, size, bold: true, colour: BLACK, words: words.to_owned() })
 }
@@ -62,7 +62,7 @@ pub(super) fn line(ends: [Point2; 2], pen: f64, colour: Colour) -> Mark {
     Mark::Shape(Shape { paths: vec![ends.into()], fill: None, pen: Some((pen, colour)) })
 }
 
-/// A filled box from its lower left corner.
+/// A filled box, by its lower left corner and size.
 pub(super) fn block([x, y]: Point2, [w, h]: [f64; 2], fill: Colour) -> Mark {
     let corners = vec![[x, y], [x + w, y], [x + w, y + h], [x, y + h]];
     Mark::Shape(Shape { paths: vec![corners], fill: Some(fill), pen: None })

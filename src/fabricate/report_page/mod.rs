@@ -1,17 +1,18 @@
-//! The report on one page of A4: the shape as it is looked at, its plan, the build check with limits and histograms,
-//! a bill of materials, and the link that opens the model. The numbers are those of [`BuildReport`].
+//! The report on one A4 page: the shape in the current view, its plan, the build check with limits
+//! and histograms, a bill of materials, and a link that opens the model. The numbers come from
+//! [`BuildReport`].
 //!
 //! | file | holds |
 //! |---|---|
-//! | `mark` | words, shapes and links on a page |
-//! | `helvetica` | how wide words are, and where lines of them break |
-//! | `words` | numbers as people read them |
+//! | `mark` | text, shapes and links on a page |
+//! | `helvetica` | widths of text, and line breaking |
+//! | `words` | rounded numbers with units, as text |
 //! | `picture` | the shape in parallel projection, and its plan |
-//! | `histogram` | how the values behind a number are spread |
-//! | `bill` | what has to be bought and made |
-//! | `page` | what is where on the page |
+//! | `histogram` | histogram of the values behind a number |
+//! | `bill` | the bill of materials |
+//! | `page` | the layout of the page |
 //! | `pdf` | the page as PDF |
-//! | `svg` | the page as SVG, to be looked at and printed |
+//! | `svg` | the page as SVG, for the screen and for printing |
 //!
 //! [`BuildReport`]: super::BuildReport
 

@@ -13,27 +13,27 @@ use crate::fabricate::check_card::CheckRow;
 use crate::fabricate::offset::OffsetKind;
 use crate::fabricate::report::BuildReport;
 
-/// A4, upright.
+/// A4, portrait.
 const SIZE: [f64; 2] = [210.0, 297.0];
 /// The margin.
 const MARGIN: f64 = 14.0;
-/// Where the contents end to the right.
+/// Right end of the contents.
 const RIGHT: f64 = SIZE[0] - MARGIN;
-/// The size of words, and of smaller ones.
+/// Font size of text.
 const WORDS: f64 = 3.3;
-/// See [`WORDS`].
+/// Font size of small text.
 const SMALL: f64 = 2.7;
-/// From one line of words to the next.
+/// Line spacing.
 const LINE: f64 = 5.2;
-/// The pictures: their left ends, widths, and height.
+/// The two pictures: left ends, widths, and height.
 const PICTURES: ([f64; 2], [f64; 2], f64) = ([MARGIN, 122.0], [102.0, 74.0], 68.0);
-/// A row of the build check.
+/// Height of a row of the build check.
 const ROW: f64 = 9.5;
-/// The baseline of the last line, and from one line of the link to the next.
+/// The baseline of the last line, and the line spacing of the link.
 const FOOT: [f64; 2] = [9.0, 3.6];
-/// The camera that every mesh is first seen from, as in the view: turn and tilt in radians.
+/// Camera of the initial view of every mesh, as in the page's view: turn and tilt in radians.
 const FIRST: [f64; 2] = [0.55, 0.65];
-/// So many lines of a link are written out; a longer one is only pressed.
+/// Largest number of lines of a printed link; longer ones can only be clicked.
 const MOST_LINK: usize = 4;
 
 /// The model as the report shows it.
@@ -41,26 +41,26 @@ const MOST_LINK: usize = 4;
 pub struct ReportView {
     /// The name of the model.
     pub title: String,
-    /// Whether z is the axis of the mesh that is up; else y is.
+    /// Whether z points up in the mesh; else y does.
     pub z_up: bool,
-    /// By how much the camera is turned about that axis, and by how much it looks down, in radians; none is the
-    /// view that every mesh is first seen from.
+    /// Rotation of the camera about the upward axis, and its tilt down, in radians; none for the
+    /// initial view.
     pub camera: Option<[f64; 2]>,
-    /// An address that opens the model; empty where there is none.
+    /// An address that opens the model; empty if there is none.
     pub link: String,
 }
 
 /// The report on a page, for saving and for the screen.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReportPage {
-    /// As PDF, in ASCII.
+    /// PDF, in ASCII.
     pub pdf: String,
-    /// As SVG.
+    /// SVG.
     pub svg: String,
 }
 
 impl Build {
-    /// The report on a page of A4.
+    /// The report on an A4 page.
     pub fn report_page(&self, view: &ReportView) -> ReportPage {
         let mut page = Page { marks: Vec::new(), y: SIZE[1] - 20.0 };
         let report = self.report();
@@ -233,7 +233,7 @@ impl Page {
         }
     }
 
-    /// Words in as many lines as it takes.
+    /// Adds text in as many lines as needed.
     fn paragraph(&mut self, words: &str, colour: super::mark::Colour) {
         for line in lines(words, WORDS, RIGHT - MARGIN) {
             self.y -= LINE;
@@ -259,9 +259,9 @@ impl Page {
     }
 }
 
-/// A link as lines of text, shortened where it is too long.
+/// A link as lines of text, replaced by a note if it is too long.
 fn shown_link(link: &str) -> Vec<String> {
-    // Beside the last line is the name of the program.
+    // The name of the program is beside the last line.
     let mut found = lines(link, SMALL, RIGHT - MARGIN - 25.0);
     if found.len() > MOST_LINK {
         let length = link.chars().count();
@@ -273,7 +273,7 @@ fn shown_link(link: &str) -> Vec<String> {
     found
 }
 
-/// The next of 1, 2, 2.5, 5, 10, ... from `value` on.
+/// Rounds up to the next of 1, 2, 2.5, 5, 10, ...
 fn round_up(value: f64) -> f64 {
     let mut power = 1.0;
     while 10.0 * power < value {

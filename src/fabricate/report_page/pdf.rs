@@ -1,4 +1,5 @@
-//! The page as PDF 1.5. Words are in Helvetica, which every reader has; letters that it has not are question marks.
+//! The page as PDF 1.5. Text is in Helvetica, which every viewer has; other letters become question
+//! marks.
 
 use super::mark::{Colour, Mark, Shape, Text};
 use crate::fabricate::file::{POINTS, assembled, places, stream};
@@ -77,7 +78,7 @@ fn lines(content: &mut String, Shape { paths, fill, pen }: &Shape) {
     };
 }
 
-/// Latin-1 as `WinAnsi` has it, all but ASCII by its number.
+/// Escapes Latin-1 text in `WinAnsi` encoding, with octal codes for non-ASCII.
 fn escaped(text: &str) -> String {
     let letter = |letter: char| match letter {
         '(' | ')' | '\\' => format!("\\{letter}"),

@@ -1,4 +1,5 @@
-//! The shape as lines and areas: panels from the farthest to the nearest, each over those before.
+//! The shape as lines and areas, by the painter's algorithm: panels from the farthest to the
+//! nearest.
 
 use super::helvetica::width;
 use super::mark::{BLACK, Colour, GREY, Mark, RED, Shape, text};
@@ -7,28 +8,28 @@ use crate::fabricate::check_card::Failed;
 use crate::fabricate::panel::{Point2, roomiest_point};
 use crate::math::{self, Vec3, argsort, key_of_number};
 
-/// Names are on the plan where this share of them has room.
+/// Names are shown on the plan if this fraction of them has room.
 const MOST: f64 = 0.7;
 
-/// Where one looks from, as unit vectors: to the right, upwards, and away.
+/// The direction of view as unit vectors: right, up, and away from the viewer.
 pub(super) type Sight = [Vec3<f64>; 3];
 
-/// The size of the names of panels on a plan: as large as there is room, from the first to the second.
+/// Smallest and largest font size of panel names on a plan.
 const NAMES: [f64; 2] = [1.1, 2.4];
 
-/// The axes of a mesh that are east, north and up, where z is up, or else y.
+/// The axes of a mesh that point east, north and up, if z is up, or else y.
 fn compass(z_up: bool) -> Sight {
     let [x, y, z] = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)];
     if z_up { [x, y, z] } else { [x, -z, y] }
 }
 
-/// From above.
+/// The view from above.
 pub(super) fn from_above(z_up: bool) -> Sight {
     let [east, north, up] = compass(z_up);
     [east, north, -up]
 }
 
-/// As a camera looks that is turned about the upward axis and tilted down, in radians.
+/// The view of a camera that is turned about the upward axis and tilted down, in radians.
 pub(super) fn from_camera(z_up: bool, camera: [f64; 2]) -> Sight {
     let [east, north, up] = compass(z_up);
     let turns = |radians: f64| radians / std::f64::consts::TAU;
@@ -39,12 +40,12 @@ pub(super) fn from_camera(z_up: bool, camera: [f64; 2]) -> Sight {
     [right, right.cross(away), away]
 }
 
-/// A shape as it is seen, in the unit of the mesh.
+/// A shape in a view, in the unit of the mesh.
 pub(super) struct Picture<'a> {
     build: &'a Build,
     sight: Sight,
     points: Vec<Point2>,
-    /// The panels, the farthest first.
+    /// The panels, farthest first.
     order: Vec<u32>,
     low: Point2,
     pub(super) size: [f64; 2],
@@ -77,7 +78,7 @@ impl Picture<'_> {
         if scale.is_finite() { scale } else { 1.0 }
     }
 
-    /// Where the vertices are in the middle of a box.
+    /// The vertices, centred in a box.
     fn placed(&self, corner: Point2, room: [f64; 2], scale: f64) -> Vec<Point2> {
         let put = |point: &Point2| {
             [0, 1].map(|k| {
@@ -88,7 +89,7 @@ impl Picture<'_> {
         self.points.iter().map(put).collect()
     }
 
-    /// Panels in the light, what fails in red.
+    /// Shaded panels, with failing elements in red.
     pub(super) fn shaded(&self, corner: Point2, room: [f64; 2], failed: &Failed) -> Vec<Mark> {
         let scale = self.scale_in(room);
         let points = self.placed(corner, room, scale);
@@ -114,13 +115,13 @@ impl Picture<'_> {
         marks
     }
 
-    /// Panels as lines, with their names where there is room, at a scale in mm per unit of the mesh.
+    /// Panels as outlines, with names if there is room, at a scale in mm per unit of the mesh.
     pub(super) fn plan(&self, corner: Point2, room: [f64; 2], scale: f64) -> Vec<Mark> {
         let points = self.placed(corner, room, scale);
         let pen = (0.02 * scale * self.build.surface.mean_edge()).clamp(0.03, 0.12);
         let panels = self.panels(&points, pen, |_| [255; 3]);
         let names: Vec<Option<Mark>> = self.order.iter().map(|&f| self.name(f, &points)).collect();
-        // A part of the names alone would look as if panels were missing.
+        // With only some of the names, panels would seem to be missing.
         let enough = names.iter().flatten().count() as f64 >= MOST * names.len() as f64;
         let shown = |(panel, name)| [Some(panel), name].into_iter().flatten();
         match enough {
@@ -129,10 +130,10 @@ impl Picture<'_> {
         }
     }
 
-    /// The name of a panel in its middle, where it has room.
+    /// The name of a panel at its roomiest point, if it fits.
     fn name(&self, f: u32, points: &[Point2]) -> Option<Mark> {
         let name = &self.build.names[f as usize];
-        // The letters are 0.72 of the size high.
+        // Capital letters are 0.72 of the font size high.
         let [half, tall] = [0.5 * width(name, 1.0), 0.36];
         let corners: Vec<Point2> =
             self.build.surface.faces.row(f as usize).iter().map(|&v| points[v as usize]).collect();

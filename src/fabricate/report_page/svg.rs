@@ -1,4 +1,5 @@
-//! The page as SVG, for the screen and for printing. Words are as wide as in the PDF, whichever font there is.
+//! The page as SVG, for the screen and for printing. Text has the same width as in the PDF in any
+//! font.
 
 use super::helvetica::width;
 use super::mark::{Colour, Mark, Shape, Text};
@@ -33,7 +34,7 @@ fn hex([r, g, b]: Colour) -> String {
 
 fn words(Text { at, size, bold, colour, words }: &Text, high: f64) -> String {
     let [x, y, size_of_font] = [at[0], high - at[1], *size].map(|at| places(at, 3));
-    // The widths of bold letters are not known here, and nothing is beside them.
+    // The widths of bold letters are unknown here, and nothing is beside them.
     let look = match bold {
         true => "font-weight=\"bold\"".to_owned(),
         false => format!("textLength=\"{}\"", places(width(words, *size), 3)),

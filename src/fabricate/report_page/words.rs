@@ -1,8 +1,8 @@
-//! Numbers as people read them: three digits, and no length finer than a hundredth of a mm.
+//! Numbers for readers: three digits, and lengths no finer than a hundredth of a mm.
 
 use crate::fabricate::file::places;
 
-/// Lengths are rounded to this many mm.
+/// Smaller values are shown as less than this, in mm.
 const LEAST_MM: f64 = 0.01;
 
 /// A number in mm or degrees.
@@ -20,12 +20,12 @@ pub(super) fn short(value: f64) -> String {
     }
 }
 
-/// A length in mm, from 10 m on in metres.
+/// A length in mm, or in metres from 10 m.
 pub(super) fn length(mm: f64) -> String {
     if mm.abs() < 1e4 { format!("{} mm", short(mm)) } else { format!("{} m", short(mm / 1000.0)) }
 }
 
-/// An area in mm2, as square metres.
+/// An area in mm2, in square metres.
 pub(super) fn area(mm2: f64) -> String {
     format!("{} m\u{b2}", short(mm2 / 1e6))
 }
@@ -35,7 +35,7 @@ pub(super) fn with_unit(value: f64, unit: &str) -> String {
     if unit == "deg" { format!("{}\u{b0}", short(value)) } else { length(value) }
 }
 
-/// A sentence with its first letter in capitals, where that is one of ASCII.
+/// A sentence with its first letter in upper case, if it is ASCII.
 pub(super) fn sentence(words: &str) -> String {
     let mut words = words.to_owned();
     if let Some(first) = words.get_mut(..1) {
@@ -44,7 +44,7 @@ pub(super) fn sentence(words: &str) -> String {
     words
 }
 
-/// So many of something.
+/// A number with its noun.
 pub(super) fn count(number: usize, noun: &str) -> String {
     format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
 }

@@ -1,17 +1,17 @@
-//! How near two convex parts may come to each other.
+//! Clearance between two convex parts.
 
 use crate::fabricate::panel::{Point2, direction_of, dot, sides};
 
-/// Directions whose x is smaller are vertical.
+/// Directions with a smaller x are vertical.
 const VERTICAL: f64 = 1e-12;
 
-/// The least shift along x that brings `moving` to the right of `fixed` with this gap between them; none where it is
-/// above or below it whatever the shift. Both are convex and counterclockwise.
+/// The least shift along x that brings `moving` to the right of `fixed` with this gap between them;
+/// none if it is above or below for any shift. Both are convex and counterclockwise.
 ///
-/// Two convex polygons are apart by the gap when a normal of one of their sides says so: at corners the real distance is
-/// a little larger.
+/// The gap is measured along the normals of sides; between corners the actual distance is a little
+/// larger.
 pub(super) fn least_shift(fixed: &[Point2], moving: &[Point2], gap: f64) -> Option<f64> {
-    // Above or below by their boxes, which is told soonest.
+    // Quick test by bounding boxes: above or below.
     let range = |polygon: &[Point2]| {
         let ys = || polygon.iter().map(|point| point[1]);
         [ys().fold(f64::INFINITY, f64::min), ys().fold(f64::NEG_INFINITY, f64::max)]
@@ -36,7 +36,7 @@ pub(super) fn least_shift(fixed: &[Point2], moving: &[Point2], gap: f64) -> Opti
     Some(least)
 }
 
-/// The unit normal of a side, away from the polygon.
+/// The outward unit normal of a side.
 fn outwards(p: Point2, q: Point2) -> Point2 {
     let [x, y] = direction_of(p, q);
     [y, -x]

@@ -1,6 +1,7 @@
-//! Names inside an outline: its own in the middle, an arrow to edge 0 where it is asked for, and along each edge that of the
-//! neighbour, or across a short edge. What does not fit is made smaller, down to a height that can still be read, and then
-//! left out and counted. A part may lie on its head on its sheet: names stand on their feet there.
+//! Names inside an outline: its own in the middle, optionally an arrow to edge 0, and the names of
+//! neighbours along their edges, or across short ones. Names that do not fit are made smaller down
+//! to a readable height, then left out and counted. All names are upright on the sheet, however the
+//! part is rotated.
 
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
@@ -8,27 +9,28 @@ use crate::fabricate::panel::{
     Point2, direction_of, distance_to_outline, is_inside, roomiest_point, rotated, sides,
 };
 
-/// The letters of neighbours are at most so high, in mm.
+/// Largest height of neighbours' names, in mm.
 const TALLEST: f64 = 8.0;
-/// And at least.
+/// Smallest height of names, in mm.
 const LEAST: f64 = 2.0;
-/// They are a quarter of the radius of the largest circle in the outline high.
+/// Height of neighbours' names relative to the radius of the largest circle in the outline.
 const OF_RADIUS: f64 = 0.25;
-/// The name in the middle is so many times as high, or less where that leaves room for more.
+/// Height of the own name relative to neighbours' names; smaller if that leaves room for more.
 const OWN: [f64; 3] = [1.7, 1.3, 1.0];
-/// The sine of the angle by which a vertical text may lean over backwards: such texts all read upwards.
+/// Sine of the angle by which a nearly vertical text may lean backwards and still read upwards.
 const LEANING: f64 = 0.2;
-/// The name of a neighbour is at most this part of its edge long.
+/// Largest length of a neighbour's name relative to its edge.
 const OF_EDGE: f64 = 0.7;
-/// Names of neighbours are this part of their greatest height before they are written across their edge.
+/// Names are shrunk to this fraction of their largest height before they are written across their
+/// edge.
 const SMALL: f64 = 0.7;
-/// Where along its edge the name of a neighbour is tried.
+/// Positions along an edge at which a neighbour's name is tried.
 const SHARES: [f64; 9] = [0.5, 0.38, 0.62, 0.28, 0.72, 0.24, 0.76, 0.14, 0.86];
-/// Room around a text, in its heights.
+/// Room around a text, relative to its height.
 const ROOM: f64 = 0.35;
-/// The own name is underlined where another one is higher than this part of it, so far below it in its heights.
+/// The own name is underlined if a neighbour's is higher than this fraction of it.
 const ALIKE: f64 = 0.85;
-/// See [`ALIKE`].
+/// Distance of the underline, relative to the height of the name.
 const BELOW: f64 = 0.2;
 
 /// The engraved lines of a part.
@@ -36,15 +38,15 @@ const BELOW: f64 = 0.2;
 pub struct Labels {
     /// Polylines.
     pub lines: Vec<Vec<Point2>>,
-    /// The texts that are there.
+    /// The texts that are written.
     pub texts: Vec<String>,
-    /// Names of neighbours that have no room.
+    /// Neighbours' names without room.
     pub dropped: usize,
-    /// Whether its own name is smaller than can be read well.
+    /// Whether its own name is too small to be read well.
     pub small: bool,
 }
 
-/// A rectangle in any direction that nothing else may touch.
+/// A rotated rectangle that nothing else may overlap.
 #[derive(Clone, Copy)]
 struct Box2 {
     centre: Point2,
@@ -71,7 +73,7 @@ impl Box2 {
         })
     }
 
-    /// Whether two are apart, by their separating axes.
+    /// Whether two are disjoint, by their separating axes.
     fn is_apart(&self, other: &Box2) -> bool {
         let separates = |axis: Point2| {
             let range = |corners: [Point2; 4]| {
@@ -90,7 +92,7 @@ impl Box2 {
         })
     }
 
-    /// Whether it lies in the polygon: its corners do, and the outline does not come in between.
+    /// Whether it lies in a polygon: its corners do, and no corner of the polygon is in it.
     fn is_in(&self, outline: &[Point2]) -> bool {
         let inside = self.corners().iter().all(|&corner| is_inside(outline, corner));
         let [c, s] = self.along;
@@ -102,24 +104,25 @@ impl Box2 {
     }
 }
 
-/// What is written inside of an outline.
+/// The texts to write inside an outline.
 #[derive(Clone, Copy, Debug)]
 pub struct Inscription<'a> {
     /// The outline in mm, counterclockwise.
     pub outline: &'a [Point2],
     /// Its name.
     pub name: &'a str,
-    /// For each edge the name of the neighbour there, if any. Edge `k` goes from corner `k` to the next one.
+    /// For each edge, the name of the neighbour there, if any. Edge `k` goes from corner `k` to the
+    /// next one.
     pub neighbours: &'a [Option<String>],
-    /// Whether an arrow shows edge 0.
+    /// Whether an arrow points to edge 0.
     pub with_arrow: bool,
-    /// The turn of the part on its sheet, as cosine and sine.
+    /// The rotation of the part on its sheet, as cosine and sine.
     pub turn: Point2,
-    /// Holes in the part, which nothing is written over.
+    /// Holes in the part, which names must avoid.
     pub holes: &'a [Hole],
 }
 
-/// The labels that have room.
+/// Writes the labels that have room.
 pub fn label(own: Inscription<'_>) -> Labels {
     let room = roomiest_point(own.outline);
     let mut best: Option<(usize, Labels)> = None;
@@ -136,7 +139,7 @@ pub fn label(own: Inscription<'_>) -> Labels {
     best.map_or_else(Labels::default, |(_, labels)| labels)
 }
 
-/// The same with the `own` name so many times as high as those of the neighbours, and whether the arrow is there.
+/// As `label`, with the relative height `own` of the own name; also whether the arrow is there.
 fn label_of_height(
     Inscription { outline, name, neighbours, with_arrow, turn, holes }: Inscription<'_>,
     (centre, radius): (Point2, f64),
@@ -157,8 +160,8 @@ fn label_of_height(
     let beside = (OF_RADIUS * radius).clamp(LEAST, TALLEST);
     let mut taken: Vec<Box2> = holes.iter().map(Box2::of_hole).collect();
     let (mut height, mut own) = (own * beside, None);
-    // Where there is most room, which may be beside a hole at one end of a slender part, else in the middle; along
-    // the sheet, else along the longest edge; ever smaller until it is inside.
+    // Try the roomiest point (it may be beside a hole at one end of a slender part) and the middle;
+    // along the sheet and along the longest edge; with decreasing height until the name is inside.
     let middle = middle(outline);
     while own.is_none() && height > 0.02 * beside {
         own = [centre, middle]
@@ -208,9 +211,9 @@ fn underline(Box2 { centre, along: [c, s], .. }: Box2, width: f64, height: f64) 
     vec![at(-0.5 * width), at(0.5 * width)]
 }
 
-/// The height of the name of a neighbour beside its edge, and its box: along the edge, else across it, as high as
-/// there is room, and at most `tallest`; where a hole is in the way, beyond the one that is nearest to the edge. None
-/// where it cannot be read.
+/// The height of a neighbour's name beside its edge, and its box: along the edge or else across it,
+/// as high as there is room up to `tallest`, if necessary beyond the hole nearest to the edge. None
+/// if it would be unreadable.
 fn beside_edge(
     outline: &[Point2],
     [p, q]: [Point2; 2],
@@ -229,7 +232,7 @@ fn beside_edge(
     let mut height = tallest;
     loop {
         let width = text_width(name, height);
-        // Across it only where along it letters would become small.
+        // Across the edge only if letters along it would become small.
         let directions = [(along, true), (inwards, false)];
         let is_tall = height > LEAST.max(SMALL * tallest);
         let tried = if is_tall { &directions[..1] } else { &directions };
@@ -240,7 +243,8 @@ fn beside_edge(
             }
             let away = 0.5 * depth + ROOM * height + 0.4;
             for away in [Some(away), beyond.map(|beyond| beyond + away)].into_iter().flatten() {
-                // In the middle of the edge, else to either side; near its ends only where letters are small.
+                // In the middle of the edge, else to either side; near its ends only with small
+                // letters.
                 for share in if is_tall { &SHARES[..5] } else { &SHARES[..] } {
                     let centre = [0, 1].map(|x| p[x] + share * (q[x] - p[x]) + away * inwards[x]);
                     let own = Box2::of_text(name, height, centre, upright(direction, turn));
@@ -257,7 +261,8 @@ fn beside_edge(
     }
 }
 
-/// An arrow from the middle towards edge 0, as long as a letter is high; false where there is no room.
+/// Adds an arrow from the middle towards edge 0, as long as a letter is high; false if there is no
+/// room.
 fn arrow(
     outline: &[Point2],
     labels: &mut Labels,
@@ -270,7 +275,7 @@ fn arrow(
     let aim = [0, 1].map(|x| 0.5 * (outline[0][x] + outline[1 % n][x]));
     let along = direction_of(own.centre, aim);
     let half = [0.5 * height, 0.25 * height];
-    // Just outside of the box of the name.
+    // Just outside the box of the name.
     let mut away = 0.0;
     let room = |away: f64| {
         let centre = [0, 1].map(|x| own.centre[x] + away * along[x]);
@@ -298,14 +303,14 @@ fn arrow(
     true
 }
 
-/// The direction or its opposite, whichever does not put letters on their heads once the part is turned: what is nearly
-/// vertical on the sheet reads upwards.
+/// The direction or its opposite, such that letters are upright when the part is rotated; nearly
+/// vertical text on the sheet reads upwards.
 pub(in crate::fabricate) fn upright(along: Point2, turn: Point2) -> Point2 {
     let [c, s] = rotated(along, turn);
     if c < -LEANING || (c <= LEANING && s < 0.0) { along.map(|x| -x) } else { along }
 }
 
-/// The mean of all points of an outline.
+/// The centroid of the outline as a curve.
 fn middle(outline: &[Point2]) -> Point2 {
     let (mut sum, mut whole) = ([0.0; 2], 0.0);
     for [p, q] in sides(outline) {
@@ -325,7 +330,7 @@ fn distance([a, b]: Point2, [c, d]: Point2) -> f64 {
 mod tests {
     use super::*;
 
-    /// Height and width of polylines.
+    /// Width and height of polylines.
     fn extent(lines: &[Vec<Point2>]) -> [f64; 2] {
         [0, 1].map(|x| {
             let at = || lines.iter().flatten().map(|point| point[x]);
@@ -354,7 +359,7 @@ mod tests {
         let neighbour = Some("P7".to_owned());
         let neighbours = &[neighbour.clone(), None, neighbour, None][..];
         let (name, with_arrow, turn, holes) = ("P5", false, AS_IT_IS, &[][..]);
-        // As wide, and with room for a larger name in the middle or not.
+        // Equally wide, with or without room for a larger name in the middle.
         for (high, is_underlined) in [(14.0, false), (11.5, true)] {
             let outline = &[[0.0, 0.0], [8.0, 0.0], [8.0, high], [0.0, high]][..];
             let own = Inscription { outline, name, neighbours, with_arrow, turn, holes };
@@ -381,7 +386,7 @@ mod tests {
 
     #[test]
     fn the_name_of_a_slender_part_keeps_away_from_the_holes_at_its_ends() {
-        // A little wider at its end, as a fin is: there is most room, but for the hole.
+        // A little wider at its end, as a fin is: without the hole there is most room.
         let outline = [[0.0, 0.0], [80.0, 0.0], [80.0, 10.2], [0.0, 10.0]];
         let holes = [4.0, 76.0].map(|x| Hole { centre: [x, 5.0], radius: 1.0 });
         let (outline, name, neighbours, turn) = (&outline[..], "B10-11", &[][..], AS_IT_IS);

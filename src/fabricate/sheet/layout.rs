@@ -1,4 +1,4 @@
-//! Parts on sheets: of several ways to lay them in rows the one that takes least.
+//! Layout of parts on sheets: the smallest of several arrangements in rows.
 
 use super::part::CutPart;
 use super::place::{Order, Place, SheetSize};
@@ -16,14 +16,14 @@ pub struct Sheet {
 /// All sheets.
 #[derive(Clone, Debug, Default)]
 pub struct Layout {
-    /// Sheets in order.
+    /// The sheets in order.
     pub sheets: Vec<Sheet>,
-    /// The parts that are larger than a sheet. They are named, never scaled.
+    /// The parts that are larger than a sheet. They are reported, never scaled.
     pub too_large: Vec<usize>,
 }
 
 impl Layout {
-    /// Of each of so many parts the number of its sheet, from 1, and its place there.
+    /// For each of `parts` parts, the number of its sheet from 1, and its place there.
     pub fn places(&self, parts: usize) -> Vec<Option<(usize, Place)>> {
         let mut places = vec![None; parts];
         for (sheet, number) in self.sheets.iter().zip(1..) {
@@ -33,10 +33,10 @@ impl Layout {
     }
 }
 
-/// Lays out all parts: in rows or in columns, along their longer side or across, whichever takes fewest sheets, and least of
-/// the last one. In the order of their names they lie in rows.
+/// Lays out all parts: in rows or columns, along their longer sides or across, whichever needs
+/// fewest sheets and then least of the last one. In the order of names they lie in rows.
 pub fn lay_out(parts: &[CutPart], sheet: SheetSize, order: Order) -> Layout {
-    /// With more parts only the first way is tried.
+    /// With more parts only the first arrangement is tried.
     const MOST_TRIED: usize = 3000;
     let found = resting(parts);
     let tried = if order == Order::Names || parts.len() > MOST_TRIED { 1 } else { WAYS.len() };
@@ -50,11 +50,11 @@ pub fn lay_out(parts: &[CutPart], sheet: SheetSize, order: Order) -> Layout {
     best.map_or_else(Layout::default, |laid| laid.layout)
 }
 
-/// A way to lay parts out.
+/// An arrangement of parts.
 struct Way {
-    /// In columns from the left, else in rows from below.
+    /// In columns from the left; else in rows from below.
     in_columns: bool,
-    /// Along the longer sides of parts, else across.
+    /// Along the longer sides of parts; else across.
     along: bool,
 }
 
@@ -65,7 +65,7 @@ const WAYS: [Way; 4] = [
     Way { in_columns: true, along: false },
 ];
 
-/// A layout, and the share of its last sheet that is taken.
+/// A layout, and the used fraction of its last sheet.
 struct Laid {
     layout: Layout,
     last: f64,
@@ -87,14 +87,14 @@ impl Way {
             }
         }
         if order == Order::Size {
-            // The highest first; those of one height stay in the order of their names.
+            // Highest first; parts of equal height stay in the order of their names.
             sort_by_number(&mut boxes, |own| key_of_number(-own.step()));
         }
         let mut shelves = Shelves::new(room, sheet.gap, order);
         for own in boxes {
             let (number, Place { part, mut turn, offset: [mut x, mut y] }) = shelves.lay(own);
             if self.in_columns {
-                // All turned to the right.
+                // Rotated clockwise by a right angle.
                 turn = rotated(turn, [0.0, -1.0]);
                 [x, y] = [y, height - x];
             }

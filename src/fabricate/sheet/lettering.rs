@@ -1,13 +1,13 @@
-//! Single-line letters on a grid of 4 by 6: machines engrave the outlines of a font twice, and cutting
-//! services want no live text.
+//! Single-line letters on a grid of 4 by 6: machines engrave the outlines of a font twice, and
+//! cutting services do not accept text.
 
 use crate::fabricate::panel::{Point2, rotated};
 
-/// Units of the grid from one letter to the next.
+/// Grid units from one letter to the next.
 const ADVANCE: f64 = 6.0;
-/// Height and width of a letter in units of the grid.
+/// Height of a letter in grid units.
 const HEIGHT: f64 = 6.0;
-/// See [`HEIGHT`].
+/// Width of a letter in grid units.
 const WIDTH: f64 = 4.0;
 
 /// The strokes of a letter: pairs of digits are the x and y of points.
@@ -66,7 +66,8 @@ pub fn text_width(text: &str, height: f64) -> f64 {
     ((ADVANCE * letters - (ADVANCE - WIDTH)) * height / HEIGHT).max(0.0)
 }
 
-/// The strokes of a line of text of this height, its middle at `centre`, along the unit vector `along`.
+/// The strokes of a line of text of this height, centred at `centre`, along the unit vector
+/// `along`.
 pub fn strokes(text: &str, height: f64, centre: Point2, along: Point2) -> Vec<Vec<Point2>> {
     let unit = height / HEIGHT;
     let left = -0.5 * text_width(text, height);

@@ -2,14 +2,14 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `part` | a part to be cut: outline, engraved lines, what it was |
+//! | `part` | a part to be cut: outline, engraved lines, its panels |
 //! | `lettering` | single-line letters |
-//! | `label` | names and an arrow inside an outline, where they fit |
+//! | `label` | names and an arrow inside an outline |
 //! | `waste` | names beside parts that have no room for them |
-//! | `place` | where a part is, and in which order parts are laid out |
-//! | `layout` | sheets with parts, and where each part is |
-//! | `shelf` | parts in rows, each on its feet or on its head |
-//! | `clearance` | how near two parts may come to each other |
+//! | `place` | the position of a part, and the order in which parts are laid out |
+//! | `layout` | layout of parts on sheets |
+//! | `shelf` | parts in rows, each upright or upside down |
+//! | `clearance` | clearance between two parts |
 
 mod clearance;
 mod label;

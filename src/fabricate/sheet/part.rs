@@ -8,7 +8,7 @@ use crate::math::{cosine, sine};
 pub enum Role {
     /// Cut through.
     Cut,
-    /// Cut through, inside of a part and before its outline.
+    /// Cut through, inside a part and before its outline.
     Hole,
     /// Scored: a fold that is a ridge seen from the printed side.
     Fold,
@@ -16,13 +16,12 @@ pub enum Role {
     Valley,
     /// Names, as strokes.
     Engrave,
-    /// The edge of the sheet and its title: not to be cut.
+    /// The border of the sheet and its title: not to be cut.
     Sheet,
 }
 
 impl Role {
-    /// All of them, in the order in which a machine should work: names, folds, holes, then
-    /// outlines.
+    /// All roles, in the order in which a machine should work: names, folds, holes, then outlines.
     pub const ALL: [Role; 6] =
         [Role::Sheet, Role::Engrave, Role::Fold, Role::Valley, Role::Hole, Role::Cut];
 
@@ -38,7 +37,7 @@ impl Role {
         }
     }
 
-    /// Its number among the colours of AutoCAD.
+    /// Its AutoCAD colour index.
     pub fn aci(self) -> u8 {
         match self {
             Role::Cut => 1,
@@ -66,14 +65,15 @@ impl Role {
 /// A round hole, in mm of the sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hole {
-    /// Its middle.
+    /// Its centre.
     pub centre: Point2,
     /// Its radius.
     pub radius: f64,
 }
 
 impl Hole {
-    /// A closed polygon on the circle: machines that sort by closed outlines find nothing else in a file.
+    /// A closed polygon on the circle: machines that sort by closed outlines then find only
+    /// polylines.
     pub fn outline(&self) -> Vec<Point2> {
         const CORNERS: u32 = 32;
         let corner = |k: u32| {
@@ -88,7 +88,7 @@ impl Hole {
 /// Where the name of a part is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum NamePlace {
-    /// Nowhere: there is no room, or no name is asked for.
+    /// Nowhere: there is no room, or no name is requested.
     #[default]
     Nowhere,
     /// On the part.
@@ -108,14 +108,14 @@ impl NamePlace {
     }
 }
 
-/// A part in a plane of its own, in mm of the sheet.
+/// A part in its own plane, in mm of the sheet.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CutPart {
-    /// Its name, different from all others.
+    /// Its name, unique among the parts.
     pub name: String,
-    /// Where that is written.
+    /// Where the name is written.
     pub named: NamePlace,
-    /// The panels that it is made of, or that it lies between.
+    /// The panels that it is made of, or lies between.
     pub panels: Vec<u32>,
     /// The closed outline that is cut, counterclockwise; the first corner is not repeated.
     pub outline: Vec<Point2>,
@@ -125,6 +125,6 @@ pub struct CutPart {
     pub engraved: Vec<Vec<Point2>>,
     /// Folds that are ridges seen from the printed side.
     pub ridges: Vec<Vec<Point2>>,
-    /// Folds that are valleys, each dash a line.
+    /// Folds that are valleys, one line for each dash.
     pub valleys: Vec<Vec<Point2>>,
 }

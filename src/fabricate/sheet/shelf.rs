@@ -1,28 +1,29 @@
-//! Parts in rows: each is pushed to the left until it touches the row, on its feet or on its head, whichever leaves more
-//! room, so that trapezoids lie alternately and arcs in each other.
+//! Parts in rows: each is pushed to the left until it touches the row, upright or upside down,
+//! whichever leaves more room, so that trapezoids alternate and arcs nest.
 
 use super::clearance::least_shift;
 use super::part::CutPart;
 use super::place::{Order, Place};
 use crate::fabricate::panel::{Point2, area, hull, rotated, sides, smallest_box};
 
-/// Heights of shelves are multiples of this, in mm.
+/// Step of the heights of shelves, in mm.
 const STEP: f64 = 0.01;
-/// After so many parts that had no room a shelf is full.
+/// Number of parts without room after which a shelf is full.
 const MOST_MISSES: u32 = 30;
-/// What rounding may add to a height, in steps.
+/// Tolerance for rounding errors in heights, in units of [`STEP`].
 const ROUNDING: f64 = 1e-3;
 
-/// A part as it rests on its smallest box.
+/// A part that rests on its smallest bounding box.
 #[derive(Clone)]
 pub(super) struct Resting {
-    /// Which of the parts.
+    /// The index of the part.
     part: usize,
-    /// Cosine and sine of its turn.
+    /// Cosine and sine of its rotation.
     turn: Point2,
-    /// Convex polygons that cover it after the turn; the lower left corner of its box is at the origin.
+    /// Convex polygons that cover the rotated part; the lower left corner of its box is at the
+    /// origin.
     cover: Vec<Vec<Point2>>,
-    /// By how much it was moved to be there.
+    /// The translation that moved it there.
     moved: Point2,
     /// Width and height of the box.
     pub size: [f64; 2],
@@ -37,7 +38,7 @@ impl Resting {
         Resting { part, turn, cover, moved, size: [high[0] - low[0], high[1] - low[1]] }
     }
 
-    /// Turned further.
+    /// Rotated further.
     fn turned(&self, by: Point2) -> Resting {
         let put = |polygon: &Vec<Point2>| {
             let back = polygon.iter().map(|&[x, y]| [x - self.moved[0], y - self.moved[1]]);
@@ -46,7 +47,7 @@ impl Resting {
         Resting::new(self.part, rotated(self.turn, by), self.cover.iter().map(put).collect())
     }
 
-    /// Its height in steps, with what rounding may have added to it: parts of one height are of one step.
+    /// Its height in steps, rounded so that parts of equal height have equal steps.
     pub(super) fn step(&self) -> f64 {
         (self.size[1] / STEP - ROUNDING).ceil()
     }
@@ -57,7 +58,7 @@ impl Resting {
     }
 }
 
-/// All parts, along the longer side of their smallest boxes.
+/// All parts, along the longer sides of their smallest boxes.
 pub(super) fn resting(parts: &[CutPart]) -> Vec<Resting> {
     let rest = |(k, part): (usize, &CutPart)| {
         let (turn, _) = smallest_box(&part.outline);
@@ -67,7 +68,8 @@ pub(super) fn resting(parts: &[CutPart]) -> Vec<Resting> {
     parts.iter().enumerate().map(rest).collect()
 }
 
-/// Convex polygons that cover an outline: its hull, or where that is much larger the hulls of slices across it.
+/// Convex polygons that cover an outline: its hull, or hulls of slices across it if the hull is
+/// much larger.
 fn cover(outline: &[Point2]) -> Vec<Vec<Point2>> {
     const SLICES: u32 = 12;
     const LARGER: f64 = 1.15;
@@ -108,31 +110,31 @@ fn plus([a, b]: Point2, [c, d]: Point2) -> Point2 {
 struct Shelf {
     sheet: usize,
     low: f64,
-    /// Its height, in steps of parts.
+    /// Its height, in steps.
     step: f64,
     /// The height of its highest part.
     height: f64,
-    /// How far it reaches.
+    /// The right end of its parts.
     right: f64,
-    /// How many parts were tried that had no room.
+    /// Number of parts tried that had no room.
     misses: u32,
-    /// Convex polygons from its lower left corner, each with its own right end.
+    /// Convex polygons relative to its lower left corner, each with its right end.
     laid: Vec<(f64, Vec<Point2>)>,
 }
 
-/// Where on a shelf a part would lie.
+/// A possible position on a shelf.
 struct Found {
-    /// How far it would reach.
+    /// The right end of the part.
     right: f64,
     resting: Resting,
     at: Point2,
 }
 
 impl Shelf {
-    /// Where a part leaves most room; none where it has none.
+    /// The position of a part that leaves most room; none without room.
     fn room_for(&mut self, own: &Resting, width: f64, gap: f64, may_grow: bool) -> Option<Found> {
         let [w, h] = own.size;
-        // A part does not get in between others by more than this share of its width.
+        // A part nests between others by at most this fraction of its width.
         let overlap = if own.cover.len() > 1 { 1.0 } else { 0.5 };
         if (own.step() > self.step && !may_grow) || self.right + (1.0 - overlap) * w > width {
             return None;
@@ -153,14 +155,14 @@ impl Shelf {
                 for moving in raised {
                     let left = moving.iter().map(|point| point[0]).fold(f64::INFINITY, f64::min);
                     for (right, laid) in self.laid.iter().rev() {
-                        // To the left of where it is already.
+                        // Otherwise it is to the left already.
                         if right + gap > shift + left {
                             shift = shift.max(least_shift(laid, &moving, gap).unwrap_or(0.0));
                         }
                     }
                 }
                 let right = shift + w;
-                // A tie goes to the first, whatever rounding says.
+                // In a tie the first wins regardless of rounding.
                 let is_better = best.as_ref().is_none_or(|best| right < best.right - 1e-9 * w);
                 if right <= width && is_better {
                     best = Some(Found { right, resting: resting.clone(), at: [shift, y] });
@@ -183,29 +185,29 @@ impl Shelf {
     }
 }
 
-/// Rows on as many sheets as it takes.
+/// Rows on as many sheets as needed.
 pub(super) struct Shelves {
     room: [f64; 2],
     gap: f64,
     order: Order,
     shelves: Vec<Shelf>,
-    /// Above the highest shelf of each sheet.
+    /// The height above which each sheet is free.
     free: Vec<f64>,
 }
 
 impl Shelves {
-    /// Sheets with so much room for parts.
+    /// Empty sheets with this much room.
     pub(super) fn new(room: [f64; 2], gap: f64, order: Order) -> Shelves {
         Shelves { room, gap, order, shelves: Vec::new(), free: Vec::new() }
     }
 
-    /// How much of the last sheet is taken.
+    /// The used height of the last sheet.
     pub(super) fn height_of_last(&self) -> f64 {
         self.free.last().copied().unwrap_or(0.0)
     }
 
-    /// Lays a part that fits on an empty sheet on the first shelf that has room: the number of the sheet, and the place
-    /// there.
+    /// Lays a part that fits on an empty sheet on the first shelf with room; returns the index of
+    /// the sheet and the place.
     pub(super) fn lay(&mut self, own: Resting) -> (usize, Place) {
         let [width, height] = self.room;
         let gap = self.gap;
@@ -215,7 +217,7 @@ impl Shelves {
                 .iter_mut()
                 .enumerate()
                 .find_map(|(s, shelf)| Some((s, shelf.room_for(&own, width, gap, false)?))),
-            // Only the last one, which nothing is above: it may grow.
+            // Only the last shelf, which may grow because nothing is above it.
             Order::Names => {
                 let last = self.shelves.len().checked_sub(1);
                 last.filter(|&s| self.shelves[s].low + own.size[1] <= height)

@@ -6,28 +6,28 @@ use crate::fabricate::panel::{Point2, direction_of, is_inside, sides};
 
 /// Heights of such a name in mm, the best first.
 const HEIGHTS: [f64; 3] = [3.5, 2.7, 2.0];
-/// It is so far from its own part, in its heights.
+/// Distance from its own part, relative to the height.
 const NEAR: f64 = 0.3;
-/// And at least so far from others, so that nobody takes it for theirs.
+/// Least distance from other parts, relative to the height, to show which part it belongs to.
 const FAR: f64 = 1.0;
-/// Where along a side it is tried.
+/// Positions tried along a side.
 const SHARES: [f64; 3] = [0.5, 0.2, 0.8];
 
-/// The lower left and the upper right corner of a rectangle along the sheet.
+/// The lower left and the upper right corner of an axis-parallel rectangle.
 type Corners = [Point2; 2];
 
-/// A sheet with parts, and names that were written beside them.
+/// A sheet with parts, and the names written beside them.
 pub struct Waste {
-    /// Where the sheet may be written on.
+    /// The area that may be written on.
     room: Corners,
-    /// The outline of each part on the sheet, and what it is within.
+    /// The outline of each part on the sheet, and its bounding box.
     outlines: Vec<(Vec<Point2>, Corners)>,
     /// The names so far.
     names: Vec<Corners>,
 }
 
 impl Waste {
-    /// A sheet of this size with the outlines of its parts, all in mm.
+    /// Makes a sheet of this size with the outlines of its parts, all in mm.
     pub fn new(size: [f64; 2], margin: f64, outlines: Vec<Vec<Point2>>) -> Waste {
         let within = |outline: Vec<Point2>| {
             let within = extent(outline.iter());
@@ -37,8 +37,8 @@ impl Waste {
         Waste { room, outlines: outlines.into_iter().map(within).collect(), names: Vec::new() }
     }
 
-    /// The height and the middle of a name beside the outline of this number, along the sheet: as high as there is room;
-    /// none where there is none. Nothing else is written there afterwards.
+    /// The height and the centre of a name beside the outline `own`, along the sheet, as high as
+    /// there is room; none without room. Its area is then reserved.
     pub fn write(&mut self, own: usize, name: &str) -> Option<(f64, Point2)> {
         let outline = &self.outlines.get(own)?.0;
         for height in HEIGHTS {
@@ -48,7 +48,7 @@ impl Waste {
             };
             for [p, q] in sides(outline) {
                 let [c, s] = direction_of(p, q);
-                // Outwards, until the text is beside the side.
+                // Outwards, until the text is clear of the side.
                 let away = s.abs() * half[0] + c.abs() * half[1] + NEAR * height;
                 for share in SHARES {
                     let centre = [
@@ -69,7 +69,7 @@ impl Waste {
         None
     }
 
-    /// Whether a rectangle is free of the part of this number, and a larger one of all others and of names.
+    /// Whether `near` is free of part `own` and of names, and the larger `far` of all other parts.
     fn is_free(&self, own: usize, near: Corners, far: Corners) -> bool {
         let [low, high] = self.room;
         let is_on_sheet = (0..2).all(|x| near[0][x] >= low[x] && near[1][x] <= high[x]);

@@ -1,5 +1,5 @@
-//! Everything that is built as objects on layers, for CAD programs: panels, offset, beams, the axes of nodes, and beside
-//! the shape its sheets at their real size.
+//! Everything that is built as objects on layers, for CAD programs: panels, offset, beams, node
+//! axes, and the sheets at their real size beside the shape.
 
 use crate::fabricate::beam::Prism;
 use crate::fabricate::build::{Build, beam_name, node_name};
@@ -15,21 +15,21 @@ pub struct SpatialPart {
     pub layer: String,
     /// The colour of the layer: red, green, blue.
     pub colour: [u8; 3],
-    /// Its name; empty of what has none.
+    /// Its name; may be empty.
     pub name: String,
     /// Its points.
     pub points: Vec<[f64; 3]>,
-    /// Its faces over the points, counterclockwise seen from outside; a line has none.
+    /// Its faces over the points, counterclockwise seen from outside; empty for a line.
     pub faces: Vec<Vec<u32>>,
     /// Whether a line leads back to its first point, which is not repeated.
     pub closed: bool,
 }
 
-/// Sheets are so far from the shape and from each other, as a part of their width.
+/// Distance of sheets from the shape and from each other, as a fraction of their width.
 const BESIDE: f64 = 0.1;
 
 impl Build {
-    /// All objects. `z_up` says which axis of the mesh is up, z or y; they are turned so that it is z.
+    /// All objects, rotated so that z is up. `z_up` is whether z is up in the mesh; else y is.
     pub fn spatial_parts(&self, z_up: bool) -> Vec<SpatialPart> {
         let surface = &self.surface;
         let turned = |point: Vec3<f64>| -> [f64; 3] {
@@ -82,7 +82,8 @@ impl Build {
         parts
     }
 
-    /// The lines of all sheets at their real size, side by side to the right of this place on the ground.
+    /// The lines of all sheets at their real size, side by side to the right of this point on the
+    /// ground.
     fn sheets_from(&self, [right, front]: [f64; 2]) -> Vec<SpatialPart> {
         let of_mm = 1.0 / self.building();
         let mut parts = Vec::new();

@@ -3,8 +3,8 @@
 //! | file | holds |
 //! |---|---|
 //! | `solids` | panels, offset and beams as groups of one mesh |
-//! | `layers` | panels, offset, beams, axes of nodes and sheets as objects on layers, for CAD programs |
-//! | `presentation` | shape, offset and beams as one file with colours |
+//! | `layers` | panels, offset, beams, node axes and sheets on layers, for CAD programs |
+//! | `presentation` | shape, offset and beams as one coloured file |
 
 mod layers;
 mod presentation;

@@ -8,8 +8,8 @@ use crate::math::Vec3;
 pub const PRESENTATION: &str = "model.glb";
 
 impl Build {
-    /// Panels, the panels of the offset and flat beams between them as binary glTF, in metres about the centre of the
-    /// box. `z_up` says which axis of the mesh is up, z or y.
+    /// Writes panels, offset panels and flat beams between them as binary glTF, in metres about the
+    /// centre of the bounding box. `z_up` is whether z is up in the mesh; else y is.
     pub fn presentation(&self, z_up: bool) -> Vec<u8> {
         let [mut panels, mut offset, mut beams] = [
             ("panels", [0.80, 0.81, 0.83, 1.0]),

@@ -1,11 +1,12 @@
-//! The shape, its offset and its beams in space, as groups of one mesh in the unit and the place of the model.
+//! The shape, its offset and its beams in space, as groups of one mesh in the unit and the
+//! coordinates of the model.
 
 use crate::fabricate::beam::Prism;
 use crate::fabricate::build::{Build, beam_name};
 use crate::math::Vec3;
 use crate::mesh::{Group, GroupKeyword, Mesh};
 
-/// Panels, the offset, and every prism by its name; none where no beams are made.
+/// Panels, the offset, and every prism by its name; none if no beams are made.
 pub(in crate::fabricate) fn solids(build: &Build) -> Option<Mesh> {
     let frame = build.frame.as_ref()?;
     let (axes, _) = build.offset.as_ref()?;

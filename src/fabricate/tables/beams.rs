@@ -5,7 +5,7 @@ use crate::fabricate::build::{Build, beam_name, node_name};
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::panel::area;
 
-/// All of them by the names of their files.
+/// All tables, with the names of their files.
 pub(super) fn all(build: &Build, frame: &Frame) -> Vec<(&'static str, String)> {
     vec![
         ("fins.csv", fins(build, frame)),
@@ -37,7 +37,7 @@ fn fins(build: &Build, frame: &Frame) -> String {
     for (edge, fin) in build.surface.edges.iter().zip(&frame.fins) {
         let Ok(fin) = fin else { continue };
         let name = beam_name(edge.ends);
-        // One that the kerf leaves nothing of is no part.
+        // A fin with nothing left after the kerf is not a part.
         if build.parts.get(part).is_none_or(|part| part.name != name) {
             continue;
         }
@@ -64,7 +64,8 @@ fn fins(build: &Build, frame: &Frame) -> String {
     table.into_text()
 }
 
-/// The list for the saw: of each beam its lengths, and at both ends the cuts and the step to the next beam.
+/// The saw list: for each beam its lengths, and at both ends the cuts and the step to the next
+/// beam.
 fn prisms(build: &Build, frame: &Frame) -> String {
     let ends = ["a", "b"].map(|end| {
         ["mitre_left", "mitre_right", "tilt"]
@@ -98,7 +99,7 @@ fn prisms(build: &Build, frame: &Frame) -> String {
             let node = frame.nodes[v as usize].as_ref();
             let cut =
                 node.and_then(|node| node.place(e as u32)).map(|k| &frame.cuts[v as usize][k]);
-            // Left and right are those seen from the first node.
+            // Left and right as seen from the first node.
             row.extend(side.map(|side: usize| Cell::from(cut.map(|cut| cut.mitre_deg[side]))));
             row.push(Cell::from(cut.map(|cut| cut.tilt_deg)));
             row.push(Cell::from(cut.map(|cut| cut.step * building)));

@@ -1,11 +1,11 @@
-//! Lists of what is made, and a summary. Lengths of parts are at the scale of the model; those of edges, nodes and
-//! prisms are of the building. Every column says its unit.
+//! Lists of the parts, and a summary. Lengths of parts are at the scale of the model; lengths of
+//! edges, nodes and prisms are of the building. Every column name includes its unit.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `panels` | panels that are cut, and their types |
+//! | `panels` | panels as cut, and their types |
 //! | `beams` | fins, prisms with their end cuts, the beams around each node, types of nodes |
-//! | `paper` | pieces of a paper model, and what becomes of every edge |
+//! | `paper` | pieces of a paper model, and how each edge is joined |
 //! | `shape` | edges and nodes of the shape |
 
 mod beams;
@@ -17,7 +17,7 @@ use super::build::Build;
 use super::file::{Cell, Table};
 use super::settings::Product;
 
-/// All tables by the names of their files.
+/// All tables, with the names of their files.
 pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
     let mut tables = match (build.settings.product, &build.frame) {
         (Product::Panels, _) => {

@@ -1,4 +1,4 @@
-//! Panels that are cut, and their types.
+//! Panels as cut, and their types.
 
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
@@ -35,7 +35,7 @@ pub(super) fn panels(build: &Build) -> String {
         let cut = build.cut[f].as_ref();
         let outline = cut.map(|cut| &build.parts[cut.part].outline[..]);
         let place = cut.and_then(|cut| places[cut.part].map(|place| (cut, place)));
-        // The turn from the plane of the panel, which its first edge is along.
+        // The rotation from the plane of the panel, whose x axis is its first edge.
         let turn = place.map(|(cut, (_, place))| {
             let [c, s] = rotated(cut.turn, place.turn);
             libm::atan2(s, c).to_degrees()

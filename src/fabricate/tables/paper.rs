@@ -1,11 +1,11 @@
-//! Pieces of a paper model, and what becomes of every edge.
+//! Pieces of a paper model, and how each edge is joined.
 
 use crate::fabricate::build::{Build, beam_name};
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::panel::area;
 use crate::fabricate::paper::{Glue, PaperModel};
 
-/// Both by the names of their files.
+/// Both tables, with the names of their files.
 pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
     let Some(model) = &build.paper else { return Vec::new() };
     vec![("pieces.csv", pieces(build, model)), ("joins.csv", joins(build, model))]
@@ -46,7 +46,7 @@ fn pieces(build: &Build, model: &PaperModel) -> String {
     table.into_text()
 }
 
-/// Seen from outside, whichever side is printed.
+/// Folds are as seen from outside, whichever side is printed.
 fn joins(build: &Build, model: &PaperModel) -> String {
     let columns = [
         "edge",
