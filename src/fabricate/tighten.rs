@@ -39,15 +39,16 @@ impl Build {
         let flatness = limit("panel_flatness");
         let of_offset = [limit("beam_warp"), limit("distance_error")].into_iter().flatten();
         let of_offset = of_offset.reduce(f64::min);
-        let asks =
+        let remedy =
             |constraint, within: f64| PanelRemedy { constraint, within: within / self.building() };
         let corners = self.settings.kind.is_none_or(|kind| kind == OffsetKind::Corner);
         let mut remedies = Vec::new();
         if let Some(of_offset) = of_offset.filter(|_| corners) {
             // Panels with their corners on circles are also flat.
-            remedies.push(asks("circle", flatness.unwrap_or(f64::INFINITY).min(PART * of_offset)));
+            remedies
+                .push(remedy("circle", flatness.unwrap_or(f64::INFINITY).min(PART * of_offset)));
         }
-        remedies.extend(flatness.map(|flatness| asks("plane", flatness)));
+        remedies.extend(flatness.map(|flatness| remedy("plane", flatness)));
         let otherwise = if of_offset.is_some() && !corners {
             "Let corners keep the distance: circular panels make their offset exact."
         } else if is_missed("safe_distance") {

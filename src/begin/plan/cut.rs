@@ -65,18 +65,18 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
     }
     // Stretched a little, so that a whole number of cells fits.
     let step = [extent[0] / count[0], extent[1] / count[1]];
-    let into = |place: Place| {
+    let to_grid = |place: Place| {
         let place = minus(turned(place, [c, -s]), low);
         [place[0] / step[0], place[1] / step[1]]
     };
     let polygons =
-        flattened.iter().map(|places| places.iter().map(|&(place, _)| into(place)).collect());
+        flattened.iter().map(|places| places.iter().map(|&(place, _)| to_grid(place)).collect());
     let mut cells = Cells::new(count.map(|n| n as usize), polygons.collect());
     let mut corners = Vec::new();
     for (l, one) in loops.iter().enumerate() {
         let sharp = one.sharp();
         for (side, _) in one.sides.iter().zip(sharp).filter(|(_, is_sharp)| *is_sharp) {
-            match cells.corner(into(side.at(0.0)), l) {
+            match cells.corner(to_grid(side.at(0.0)), l) {
                 Some(v) if side.is_corner => corners.push(v),
                 None if side.is_corner => return Err(PlanError::TooCoarse(l.checked_sub(1))),
                 _ => {}
@@ -95,11 +95,11 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
             return Err(PlanError::TooCoarse(l.checked_sub(1)));
         }
     }
-    let out = |place: &Place| {
+    let from_grid = |place: &Place| {
         let place = [low[0] + place[0] * step[0], low[1] + place[1] * step[1]];
         turned(place, [c, s])
     };
-    let mut ground = cells.compact(&faces, &corners, out);
+    let mut ground = cells.compact(&faces, &corners, from_grid);
     ground.corners.retain(|&v| v != u32::MAX);
     Ok(ground)
 }
@@ -283,14 +283,14 @@ impl Cells {
         &self,
         faces: &[Vec<u32>],
         corners: &[u32],
-        out: impl Fn(&Place) -> Place,
+        from_grid: impl Fn(&Place) -> Place,
     ) -> Ground {
         let mut name = vec![u32::MAX; self.places.len()];
         faces.iter().flatten().for_each(|&v| name[v as usize] = 0);
         let mut positions = Vec::new();
         for (name, place) in name.iter_mut().zip(&self.places).filter(|(name, _)| **name == 0) {
             *name = positions.len() as u32;
-            let [x, y] = out(place);
+            let [x, y] = from_grid(place);
             positions.push([x, y, 0.0]);
         }
         let mut named = Ragged::from_iter(faces);

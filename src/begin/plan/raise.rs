@@ -7,7 +7,7 @@ use crate::sparse::{BlockMatrix, SymbolicAnalysis};
 
 /// Force density of free edges relative to edges between panels: they are arches that carry the
 /// rest.
-const EDGE: f64 = 4.0;
+const FREE_EDGE: f64 = 4.0;
 
 /// A plan divided into panels.
 pub(super) struct Ground {
@@ -49,7 +49,7 @@ pub(super) fn raised(
     // The blocks are multiples of the identity; the first coordinate is the height.
     let mut matrix = BlockMatrix::new(&analysis);
     for (e, ends) in (0..).zip(topology.edges()) {
-        let density = if topology.is_boundary_edge(e) { EDGE } else { 1.0 };
+        let density = if topology.is_boundary_edge(e) { FREE_EDGE } else { 1.0 };
         let [p, q] = ends.map(|v| node_of[v as usize]);
         let on_diagonal = |value: f64| move |r, c| if r == c { value } else { 0.0 };
         matrix.add(p, p, on_diagonal(density));

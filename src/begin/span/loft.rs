@@ -65,17 +65,17 @@ pub fn loft(first: &SpanCurve, second: &SpanCurve, size: f64) -> Result<Mesh, Sp
 fn joined(first: &[Vec3<f64>], second: &[Vec3<f64>], closed: bool) -> Vec<Vec3<f64>> {
     let n = second.len();
     let shifts = if closed { n } else { 1 };
-    let ways = (0..shifts).flat_map(|shift| [(shift, false), (shift, true)]);
-    let place = |k: usize, (shift, back): (usize, bool)| {
+    let orders = (0..shifts).flat_map(|shift| [(shift, false), (shift, true)]);
+    let index = |k: usize, (shift, back): (usize, bool)| {
         let k = (k + shift) % n;
         if back { n - 1 - k } else { k }
     };
-    let far = |way: (usize, bool)| -> f64 {
-        (0..n).map(|k| (second[place(k, way)] - first[k]).length_squared()).sum()
+    let distance = |order: (usize, bool)| -> f64 {
+        (0..n).map(|k| (second[index(k, order)] - first[k]).length_squared()).sum()
     };
-    let best = ways.map(|way| (way, far(way))).min_by(|(_, a), (_, b)| a.total_cmp(b));
-    let way = best.map_or((0, false), |(way, _)| way);
-    (0..n).map(|k| second[place(k, way)]).collect()
+    let best = orders.map(|order| (order, distance(order))).min_by(|(_, a), (_, b)| a.total_cmp(b));
+    let order = best.map_or((0, false), |(order, _)| order);
+    (0..n).map(|k| second[index(k, order)]).collect()
 }
 
 /// Quads between `rows + 1` rows of vertices, `along` in each.

@@ -9,7 +9,7 @@ use crate::fabricate::panel::Point2;
 use crate::fabricate::sheet::{Role, strokes, text_width};
 
 /// Height of text beside the ruler, in mm.
-const WORDS: f64 = 2.0;
+const TEXT_HEIGHT: f64 = 2.0;
 
 /// Writes all sheets, each on one page of its size, or on as many of the size `page` (shorter and
 /// longer side in mm) as needed.
@@ -118,8 +118,8 @@ fn marks(
         column + 1,
         row + 1
     );
-    let centre = [FREE + 0.5 * text_width(&words, WORDS), 0.5 * FREE];
-    lines.extend(strokes(&words, WORDS, centre, [1.0, 0.0]));
+    let centre = [FREE + 0.5 * text_width(&words, TEXT_HEIGHT), 0.5 * FREE];
+    lines.extend(strokes(&words, TEXT_HEIGHT, centre, [1.0, 0.0]));
     lines
 }
 
@@ -141,10 +141,10 @@ fn ruler([width, height]: [f64; 2]) -> Vec<Vec<Point2>> {
         let x = 5.0 + 10.0 * f64::from(k);
         lines.push(vec![[x, y], [x, y - 1.5]]);
     }
-    let long = text_width(&words, WORDS);
+    let long = text_width(&words, TEXT_HEIGHT);
     let from = 8.0 + 10.0 * tens;
     if from + long < width {
-        lines.extend(strokes(&words, WORDS, [from + 0.5 * long, height - 1.8], [1.0, 0.0]));
+        lines.extend(strokes(&words, TEXT_HEIGHT, [from + 0.5 * long, height - 1.8], [1.0, 0.0]));
     }
     lines
 }

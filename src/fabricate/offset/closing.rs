@@ -80,21 +80,21 @@ fn closing_form(surface: &PanelSurface) -> [f64; 3] {
         at[i as usize].push((j, e));
         at[j as usize].push((i, e));
     }
-    let mut carried: Vec<Option<Matrix>> = vec![None; n];
+    let mut transported: Vec<Option<Matrix>> = vec![None; n];
     let mut of_tree = vec![false; surface.edges.len()];
     for first in 0..n {
-        if carried[first].is_some() {
+        if transported[first].is_some() {
             continue;
         }
-        carried[first] = Some(IDENTITY);
+        transported[first] = Some(IDENTITY);
         let (mut queue, mut next) = (vec![first as u32], 0);
         while let Some(&i) = queue.get(next) {
             next += 1;
-            let own = carried[i as usize].unwrap_or(IDENTITY);
+            let own = transported[i as usize].unwrap_or(IDENTITY);
             for &(j, e) in &at[i as usize] {
-                if carried[j as usize].is_none() {
+                if transported[j as usize].is_none() {
                     let t = surface.direction(&surface.edges[e as usize]);
-                    carried[j as usize] = Some(reflected(t, own));
+                    transported[j as usize] = Some(reflected(t, own));
                     of_tree[e as usize] = true;
                     queue.push(j);
                 }
@@ -103,7 +103,7 @@ fn closing_form(surface: &PanelSurface) -> [f64; 3] {
     }
     let (mut sum, mut count) = ([[0.0; 3]; 3], 0.0);
     for (edge, of_tree) in surface.edges.iter().zip(of_tree) {
-        let [Some(from), Some(to)] = edge.ends.map(|v| carried[v as usize]) else { continue };
+        let [Some(from), Some(to)] = edge.ends.map(|v| transported[v as usize]) else { continue };
         if of_tree {
             continue;
         }

@@ -100,12 +100,12 @@ pub(super) fn can_be_exact(
     // The largest error is at least the root mean square.
     around.iter().all(|normals| {
         let most = tolerance * tolerance * normals.len() as f64;
-        normals.len() <= 3 || depth * depth * from_a_cone(normals) <= most
+        normals.len() <= 3 || depth * depth * cone_error(normals) <= most
     })
 }
 
 /// The minimum over `n` of the sum of `(N . n - 1)^2` over some unit normals `N`.
-fn from_a_cone(normals: &[Vec3<f64>]) -> f64 {
+fn cone_error(normals: &[Vec3<f64>]) -> f64 {
     let mut matrix = [[0.0; 3]; 3];
     let mut sum = Vec3::zero();
     for &normal in normals {

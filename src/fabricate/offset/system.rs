@@ -6,7 +6,7 @@ use crate::math::Vec3;
 use crate::sparse::{BlockMatrix, SymbolicAnalysis};
 
 /// Largest number of conjugate gradient iterations: a factorisation costs about as much.
-const MOST_ROUNDS: usize = 15;
+const MOST_ITERATIONS: usize = 15;
 /// Largest acceptable squared relative residual after that.
 const ENOUGH: f64 = 0.01;
 
@@ -118,34 +118,34 @@ impl System {
         near: &[Vec3<f64>],
         accuracy: f64,
     ) -> Option<Vec<Vec3<f64>>> {
-        let mut found = self.in_places(near);
-        let mut left = self.in_places(&self.right);
-        let mut product = vec![[0.0; 4]; left.len()];
-        self.matrix.times(&found, &mut product);
-        add(&mut left, -1.0, &product);
-        let mut towards = left.clone();
-        self.matrix.solve(&mut towards);
-        let mut size = inner(&left, &towards);
+        let mut solution = self.in_places(near);
+        let mut residual = self.in_places(&self.right);
+        let mut product = vec![[0.0; 4]; residual.len()];
+        self.matrix.times(&solution, &mut product);
+        add(&mut residual, -1.0, &product);
+        let mut direction = residual.clone();
+        self.matrix.solve(&mut direction);
+        let mut size = inner(&residual, &direction);
         let first = size;
-        for _ in 0..MOST_ROUNDS {
+        for _ in 0..MOST_ITERATIONS {
             if size <= accuracy * accuracy * first {
-                return Some(self.by_vertices(&found));
+                return Some(self.by_vertices(&solution));
             }
-            self.matrix.times(&towards, &mut product);
-            let curvature = inner(&towards, &product);
+            self.matrix.times(&direction, &mut product);
+            let curvature = inner(&direction, &product);
             if curvature <= 0.0 || curvature.is_nan() {
                 return None;
             }
-            add(&mut found, size / curvature, &towards);
-            add(&mut left, -size / curvature, &product);
-            product.copy_from_slice(&left);
+            add(&mut solution, size / curvature, &direction);
+            add(&mut residual, -size / curvature, &product);
+            product.copy_from_slice(&residual);
             self.matrix.solve(&mut product);
-            let next = inner(&left, &product);
-            add(&mut product, next / size, &towards);
-            towards.copy_from_slice(&product);
+            let next = inner(&residual, &product);
+            add(&mut product, next / size, &direction);
+            direction.copy_from_slice(&product);
             size = next;
         }
-        (size < ENOUGH * first).then(|| self.by_vertices(&found))
+        (size < ENOUGH * first).then(|| self.by_vertices(&solution))
     }
 
     /// Reorders vectors of vertices to the order of elimination; zero for vertices of no panel.

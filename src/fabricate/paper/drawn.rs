@@ -30,13 +30,13 @@ impl Put {
 /// The outline of a piece with its tabs, counterclockwise on its part, and the map from piece to
 /// part.
 fn outline(model: &PaperModel, piece: u32, inside: bool) -> (Vec<Point2>, Put) {
-    let as_it_is = Put { inside, turn: [1.0, 0.0] };
+    let unrotated = Put { inside, turn: [1.0, 0.0] };
     let mut points: Vec<Point2> = Vec::new();
     for side in model.net.outline(piece).unwrap_or_default() {
         let [p, _] = model.net.ends((side.facet, side.side));
-        points.push(as_it_is.put(p));
+        points.push(unrotated.put(p));
         if let Some(tab) = model.tabs(piece).find(|tab| tab.side == side) {
-            points.extend(tab.corners[1..3].iter().map(|&corner| as_it_is.put(corner)));
+            points.extend(tab.corners[1..3].iter().map(|&corner| unrotated.put(corner)));
         }
     }
     if inside {

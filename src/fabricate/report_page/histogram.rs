@@ -7,7 +7,7 @@ use crate::fabricate::panel::Point2;
 /// Number of bars.
 const BARS: usize = 30;
 /// The font size of its labels.
-const WORDS: f64 = 2.1;
+const TEXT_SIZE: f64 = 2.1;
 /// The colour of values within the limit.
 const WITHIN: [u8; 3] = [88, 104, 150];
 
@@ -29,8 +29,8 @@ pub(super) fn histogram(
         counts[((value / end * BARS as f64) as usize).min(BARS - 1)] += 1;
     }
     let most = f64::from(counts.iter().copied().fold(1, u32::max));
-    let base = y + WORDS + 0.6;
-    let room = height - WORDS - 0.6;
+    let base = y + TEXT_SIZE + 0.6;
+    let room = height - TEXT_SIZE - 0.6;
     let step = width / BARS as f64;
     let mut marks = vec![line([[x, base], [x + width, base]], 0.15, PALE)];
     for (k, count) in counts.into_iter().enumerate().filter(|(_, count)| *count > 0) {
@@ -43,6 +43,9 @@ pub(super) fn histogram(
     let at = x + limit / end * width;
     marks.push(line([[at, base - 0.6], [at, base + room]], 0.25, RED));
     let words = with_unit(end, unit);
-    marks.extend([text([x, y], WORDS, GREY, "0"), text_to([x + width, y], WORDS, GREY, &words)]);
+    marks.extend([
+        text([x, y], TEXT_SIZE, GREY, "0"),
+        text_to([x + width, y], TEXT_SIZE, GREY, &words),
+    ]);
     marks
 }

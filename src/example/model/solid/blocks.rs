@@ -13,7 +13,7 @@ pub struct Blocks {
 impl Blocks {
     /// Fills the cubes of a grid of `size` for which `is_there` is true.
     pub fn new(size: [u32; 3], is_there: impl Fn([u32; 3]) -> bool) -> Blocks {
-        Blocks { size, filled: places(size).map(is_there).collect() }
+        Blocks { size, filled: grid_points(size).map(is_there).collect() }
     }
 
     /// Fills all cubes of a grid of `size`.
@@ -89,7 +89,10 @@ impl Blocks {
     }
 
     fn cubes(&self) -> impl Iterator<Item = [u32; 3]> {
-        places(self.size).zip(&self.filled).filter(|(_, filled)| **filled).map(|(cube, _)| cube)
+        grid_points(self.size)
+            .zip(&self.filled)
+            .filter(|(_, filled)| **filled)
+            .map(|(cube, _)| cube)
     }
 
     fn has(&self, cube: [u32; 3]) -> bool {
@@ -102,9 +105,9 @@ impl Blocks {
     fn numbers<'a>(&self, used: impl Iterator<Item = &'a [u32; 3]>) -> Numbers {
         let corners = self.size.map(|n| n + 1);
         let mut numbers = vec![0; corners.iter().product::<u32>() as usize];
-        used.for_each(|&corner| numbers[place(corner, corners)] = 1);
+        used.for_each(|&corner| numbers[linear_index(corner, corners)] = 1);
         let mut positions: Vec<Point> = Vec::new();
-        for (number, at) in numbers.iter_mut().zip(places(corners)) {
+        for (number, at) in numbers.iter_mut().zip(grid_points(corners)) {
             if *number == 1 {
                 *number = positions.len() as u32;
                 positions.push(at.map(f64::from));
@@ -123,16 +126,16 @@ struct Numbers {
 
 impl Numbers {
     fn of(&self, corner: [u32; 3]) -> u32 {
-        self.numbers[place(corner, self.corners)]
+        self.numbers[linear_index(corner, self.corners)]
     }
 }
 
-fn place([x, y, z]: [u32; 3], [nx, ny, _]: [u32; 3]) -> usize {
+fn linear_index([x, y, z]: [u32; 3], [nx, ny, _]: [u32; 3]) -> usize {
     ((z * ny + y) * nx + x) as usize
 }
 
 /// All points of a grid, by z, then y, then x.
-fn places([nx, ny, nz]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
+fn grid_points([nx, ny, nz]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
     (0..nx * ny * nz).map(move |k| [k % nx, k / nx % ny, k / (nx * ny)])
 }
 

@@ -25,15 +25,15 @@ impl Lattice {
         let at = |cell: [u32; 3], shift: f64| -> Point {
             std::array::from_fn(|i| self.lowest[i] + self.spacing * f64::from(cell[i]) + shift)
         };
-        let mut nodes: Vec<Point> = places(corners).map(|cell| at(cell, 0.0)).collect();
+        let mut nodes: Vec<Point> = grid_points(corners).map(|cell| at(cell, 0.0)).collect();
         let first_centre = nodes.len() as u32;
-        nodes.extend(places(self.cells).map(|cell| at(cell, half)));
+        nodes.extend(grid_points(self.cells).map(|cell| at(cell, half)));
         let values: Vec<f64> = nodes.iter().map(|&p| field(p)).collect();
 
-        let corner = |c: [u32; 3]| place(c, corners);
-        let centre = |c: [u32; 3]| first_centre + place(c, self.cells);
+        let corner = |c: [u32; 3]| linear_index(c, corners);
+        let centre = |c: [u32; 3]| first_centre + linear_index(c, self.cells);
         let mut surface = Triangles { nodes: &nodes, values: &values, ..Triangles::default() };
-        for cell in places(self.cells) {
+        for cell in grid_points(self.cells) {
             for axis in 0..3 {
                 let mut beside = cell;
                 beside[axis] += 1;
@@ -115,11 +115,11 @@ impl Triangles<'_> {
     }
 }
 
-fn place([x, y, z]: [u32; 3], [nx, ny, _]: [u32; 3]) -> u32 {
+fn linear_index([x, y, z]: [u32; 3], [nx, ny, _]: [u32; 3]) -> u32 {
     (z * ny + y) * nx + x
 }
 
 /// All points of a grid, by z, then y, then x.
-fn places([nx, ny, nz]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
+fn grid_points([nx, ny, nz]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
     (0..nx * ny * nz).map(move |k| [k % nx, k / nx % ny, k / (nx * ny)])
 }
