@@ -1,5 +1,5 @@
-//! Holes for dowels, bolts or ties: two along every edge where panels meet, on both of them and opposite each other, or
-//! one at each end of a fin.
+//! Holes for dowels, bolts or ties: two on each side of every edge between panels, opposite each
+//! other, or one at each end of a fin.
 
 use super::build::Build;
 use super::panel::{Point2, direction_of, distance_to_outline, is_inside};
@@ -35,8 +35,7 @@ impl Build {
             let cut = [f, g].map(|f| self.cut[f as usize].as_ref().map(|cut| (f, cut)));
             let [Some(one), Some(other)] = cut else { continue };
             for share in ALONG {
-                // Both panels traverse the edge in opposite directions, so `other` gets `1 -
-                // share`.
+                // The panels traverse the edge in opposite directions: hence `1 - share`.
                 let at = |(f, cut): (u32, &super::build::CutPanel), share: f64| {
                     let sides = self.surface.sides.row(f as usize);
                     let k = sides.iter().position(|&side| side == e)?;

@@ -29,8 +29,8 @@ pub struct EndCut {
 /// A beam as a solid.
 #[derive(Clone, Debug)]
 pub struct Prism {
-    /// Lower corners, then upper corners: `[left, axis, right]` at the first node and `[right,
-    /// axis, left]` at the second, counterclockwise seen from outside.
+    /// Lower corners, then upper corners: `[left, axis, right]` at the first node and
+    /// `[right, axis, left]` at the second, counterclockwise seen from outside.
     pub corners: [Vec3<f64>; 12],
     /// The lengths of its lower edges on the left and the right, and of the axis line.
     pub lengths: [f64; 3],

@@ -11,10 +11,11 @@
 //!
 //! by Newton steps from `n = N`. With `u` the direction of `x` in the previous step, `(|x| - 1)^2`
 //! has the Hessian `u u' + c (I - u u')`, `c = 1 - 1 / |x|`. The second term maps `x` itself to
-//! zero, so it changes the Gauss-Newton matrix (of `u . x - 1`), but not its right-hand side. If `c
-//! < 0` makes the matrix indefinite, the term is dropped, and Gauss-Newton takes some more steps.
-//! All terms are dimensionless; `mu` trades flat beams for upright axes. The matrix is factored for
-//! long steps only: short steps are solved by conjugate gradients with the last factor.
+//! zero, so it changes the Gauss-Newton matrix (of `u . x - 1`), but not its right-hand side. If
+//! `c < 0` makes the matrix indefinite, the term is dropped, and Gauss-Newton takes some more
+//! steps. All terms are dimensionless; `mu` trades flat beams for upright axes. The matrix is
+//! factored for long steps only: short steps are solved by conjugate gradients with the last
+//! factor.
 //!
 //! The exact pass is the limit `mu -> 0` without a choice of `mu`: ten proximal steps with one
 //! factor (corner and face). For corners it minimises `sum_e |n_j - R_e n_i|^2` with the

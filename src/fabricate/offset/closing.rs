@@ -1,6 +1,6 @@
-//! Why corner offsets are exact or not. Transported across an edge, an axis is reflected: `n_j =
-//! R_e n_i` with `R_e = I - 2 t_e t_e'`. Around a panel, and around a hole, the product of these
-//! reflections must leave the axis unchanged.
+//! Why corner offsets are exact or not. Transported across an edge, an axis is reflected:
+//! `n_j = R_e n_i` with `R_e = I - 2 t_e t_e'`. Around a panel, and around a hole, the product of
+//! these reflections must leave the axis unchanged.
 
 use crate::fabricate::surface::PanelSurface;
 use crate::math::{Vec3, argsort, key_of_number, symmetric_eigen};
@@ -21,10 +21,10 @@ pub struct Closing {
     pub odd_panels: usize,
     /// The turn around each rim in degrees; none if it has an odd number of edges.
     pub rims_deg: Vec<Option<f64>>,
-    /// The eigenvalues, ascending, of the closing form `H`: the mean of `(T_j - R_e T_i)' (T_j -
-    /// R_e T_i)` over all edges outside a spanning tree, with `T_i` the product of reflections
-    /// along the tree. Each zero eigenvalue gives one direction of exact axes. Nonzero eigenvalues
-    /// depend on the tree.
+    /// The eigenvalues, ascending, of the closing form `H`: the mean of
+    /// `(T_j - R_e T_i)' (T_j - R_e T_i)` over all edges outside a spanning tree, with `T_i` the
+    /// product of reflections along the tree. Each zero eigenvalue gives one direction of exact
+    /// axes. Nonzero eigenvalues depend on the tree.
     pub eigenvalues: [f64; 3],
 }
 

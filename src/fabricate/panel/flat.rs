@@ -10,8 +10,8 @@ use crate::math::Vec3;
 pub struct FlatPanel {
     /// Its corners, in the order of the surface.
     pub corners: Vec<Point2>,
-    /// Origin of the plane, near the centre of the box. A corner `(x, y)` is at `origin + x axes[0]
-    /// + y axes[1]` in space.
+    /// Origin of the plane, near the centre of the box. A corner `(x, y)` is at
+    /// `origin + x axes[0] + y axes[1]` in space.
     pub origin: Vec3<f64>,
     /// The axes of the plane.
     pub axes: [Vec3<f64>; 2],

@@ -1,6 +1,6 @@
 //! Subtraction of the joint: every edge is moved inwards by half the joint `g`, and consecutive
-//! lines are intersected. The area of a convex panel becomes `A - (g/2) L + (g/2)^2 sum
-//! cot(angle/2)`.
+//! lines are intersected. The area of a convex panel becomes
+//! `A - (g/2) L + (g/2)^2 sum cot(angle/2)`.
 
 use super::polygon::{Point2, area, cross, direction_of, dot, is_simple, minus};
 

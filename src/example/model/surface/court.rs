@@ -26,8 +26,8 @@ impl Default for Court {
 }
 
 impl Court {
-    /// The mesh. Vertex `i` of ring `k`, from 0 at the rim to `rows` at the eaves, has index `k *
-    /// meridians + i`.
+    /// The mesh. Vertex `i` of ring `k`, from 0 at the rim to `rows` at the eaves, has index
+    /// `k * meridians + i`.
     pub fn mesh(&self) -> Mesh {
         let Court { radii: [rim, eaves], swing, crowding, .. } = *self;
         let positions = self.rings().positions(|_, out, turn| {

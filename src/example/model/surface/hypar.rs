@@ -25,8 +25,8 @@ impl Default for Hypar {
 }
 
 impl Hypar {
-    /// The mesh of `(panels + 1)^2` vertices. Vertex `(i, j)` along x and y has index `j * (panels
-    /// + 1) + i`.
+    /// The mesh of `(panels + 1)^2` vertices. Vertex `(i, j)` along x and y has index
+    /// `j * (panels + 1) + i`.
     pub fn mesh(&self) -> Mesh {
         let half = 0.5 * self.span;
         grid([self.panels; 2], |x, y| {
