@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `plane` | least-squares planes |
 //! | `polygon` | polygons in the plane: area, hull, the roomiest point for a label |
-//! | `flat` | a panel laid flat, and the errors of that |
+//! | `flat` | a panel laid flat, with its errors |
 //! | `inset` | subtraction of the joint |
 //! | `name` | short, stable names of panels |
 //! | `alike` | types of panels |
