@@ -1,8 +1,8 @@
 //! Many constraints of one kind and one number of points, projected in lanes.
 //!
-//! This is the only place between the whole mesh and an operator: it gathers the points of
-//! `LANES` constraints at a time, centres them (`N_i` of Eq. 5), projects them, and scatters
-//! the gradient `w_i N_i (N_i V_i - P_i)` (Appendix A). The operator sees points and nothing else.
+//! The only layer between the mesh and an operator: it gathers the points of `LANES` constraints at
+//! a time, centres them (`N_i` of Eq. 5), projects them, and scatters the gradient
+//! `w_i N_i (N_i V_i - P_i)` (Appendix A). The operator receives points only.
 
 mod points;
 
@@ -19,19 +19,20 @@ use crate::mesh::Ragged;
 pub struct LocalStep {
     /// `sum_i w_i |N_i V_i - P_i|^2` over the batch, in squared length.
     pub energy: f64,
-    /// The largest squared distance of a vertex to the shape that fits.
+    /// The largest squared distance of a vertex to the fitted shape.
     pub worst_squared: f64,
 }
 
-/// The points of one constraint: which node, and the way from there to the shape that fits.
+/// The points of one constraint: the node, and the displacement from it to the fitted shape.
 pub type Projected = [(u32, Vec3<f64>)];
 
-/// Batches the constraints of one kind: one batch for each number of points, fewest first.
+/// Returns one batch for each number of points among the constraints of a kind, fewest points
+/// first.
 ///
 /// `members` are the node indices of each constraint, `rest` the rest position of each node,
-/// `weight` is `w_i`, the same for all. Points that the kind centres by edge come
-/// in pairs. With `guarded`, each constraint keeps the nearer of the new and the previous projection,
-/// so that the energy never rises with operators that are not exact.
+/// `weight` is `w_i`, the same for all. Points that the kind centres by edge come in pairs. With
+/// `guarded`, each constraint keeps the nearer of the new and the previous projection, so that the
+/// energy never rises even with inexact operators.
 pub fn batches(
     kind: &Kind,
     members: &Ragged,
@@ -40,7 +41,7 @@ pub fn batches(
     guarded: bool,
     reference: &Reference<'_>,
 ) -> Vec<Batch> {
-    // Sorted by first node, neighbours in a batch read and write neighbouring rows.
+    // Sorted by smallest node, consecutive constraints read and write neighbouring rows.
     let key = |nodes: &[u32]| [nodes.len() as u32, nodes.iter().min().map_or(0, |&first| first)];
     let order = argsort(members.iter().map(|nodes| key_of_pair(key(nodes))));
     let by_size: Vec<&[u32]> = order.into_iter().map(|i| members.row(i as usize)).collect();
@@ -79,30 +80,33 @@ pub struct Batch {
     operator: Box<dyn Operator>,
     centring: Centring,
     weight: f64,
-    /// Points per constraint.
+    /// The number of points per constraint.
     n: usize,
-    /// Constraints; the last chunk is padded with copies of the last one.
+    /// The number of constraints; the last chunk is padded with copies of the last one.
     count: usize,
-    /// Chunk by chunk, point by point, lane by lane.
+    /// Node indices, chunk by chunk, point by point, lane by lane.
     nodes: Vec<[u32; LANES]>,
-    /// Centred and prepared rest points in the layout of `nodes`; empty where the operator does not read them.
+    /// Centred and prepared rest points in the layout of `nodes`; empty if the operator does not
+    /// read them.
     rest: Vec<Vec3<Lanes>>,
-    /// The previous projections in the layout of `nodes`; only with the guard, from its second step on.
+    /// The previous projections in the layout of `nodes`; empty without the guard and before its
+    /// first step.
     previous: Vec<Vec3<Lanes>>,
     /// The projections before `previous`, for [`Batch::take_back`].
     earlier: Vec<Vec3<Lanes>>,
     guarded: bool,
-    /// The ways to the projections in the layout of `nodes`; only while they are asked for.
-    ways: Option<Vec<Vec3<Lanes>>>,
-    /// Points of one chunk and their projections, where there are too many for the stack.
+    /// The displacements to the projections in the layout of `nodes`, while [`Batch::projected`]
+    /// collects them.
+    displacements: Option<Vec<Vec3<Lanes>>>,
+    /// Points of one chunk and their projections, for constraints too large for the stack.
     scratch: Vec<Vec3<Lanes>>,
 }
 
-/// What a local step sums up, in lanes.
+/// The sums of a local step, in lanes.
 struct Residuals {
     /// Squared distances of the points to their centred projections.
     squared: Lanes,
-    /// The largest squared distance to the shape that fits.
+    /// The largest squared distance to the fitted shape.
     worst: Lanes,
 }
 
@@ -112,7 +116,7 @@ impl Default for Residuals {
     }
 }
 
-/// A [`Projection`] whose type is not known: what is not a matter of the kind is compiled once.
+/// A type-erased [`Projection`], so that code independent of the kind is compiled once.
 trait Operator {
     /// See [`Projection::prepare`].
     fn prepare(&self, rest: &mut [Vec3<f64>]);
@@ -128,7 +132,8 @@ impl<P: Projection> Operator for P {
     }
 
     fn project(&self, rest: &[Vec3<Lanes>], v: &[Vec3<Lanes>], projected: &mut [Vec3<Lanes>]) {
-        // What the arity rules out is not compiled. Most panels have four corners.
+        // Instances that the arity rules out are not compiled. Four points are special-cased for
+        // kinds of panels, as most panels have four corners.
         let closed_form = match v.len() {
             2 if const { matches!(P::INFO.arity, Arity::Exactly(2)) } => closed_form_of_few::<P, 2>,
             3 if const { matches!(P::INFO.arity, Arity::Exactly(3)) } => closed_form_of_few::<P, 3>,
@@ -150,9 +155,9 @@ impl<P: Projection> Operator for P {
     }
 }
 
-/// A number of points that is known at compile time: everything stays in registers.
-// Functions of their own: V8 replaces a wasm function by optimised code only between calls, so hot
-// kernels are entered often.
+/// The closed form for a number of points known at compile time, which keeps them in registers.
+// Separate functions: V8 switches a wasm function to optimised code only between calls, so hot
+// kernels must be entered often.
 #[inline(never)]
 fn closed_form_of_few<P: Projection, const N: usize>(
     operator: &P,
@@ -213,19 +218,20 @@ impl Batch {
             previous: Vec::new(),
             earlier: Vec::new(),
             guarded: make.guarded,
-            ways: None,
+            displacements: None,
             scratch: vec![Vec3::zero(); 2 * n],
         }
     }
 
-    /// The local step at positions `x` (`#nodes` rows): adds half the gradient of
+    /// Runs the local step at positions `x` (`#nodes` rows): adds half the gradient of
     /// `scale * E_shape` to `gradient` (`#nodes` rows).
     ///
-    /// It is the same with `N_i` and without: a translated projection has the shape too, so that
-    /// the residual is centred in both cases. Only the normal matrix differs.
+    /// The result does not depend on mean-centring: the set is closed under translation, so that
+    /// the residual is centred with or without `N_i`. Only the normal matrix differs.
     pub fn local_step(&mut self, x: &[Row], gradient: &mut [Row], scale: f64) -> LocalStep {
         let scale = scale * self.weight;
-        // One sum for each lane: no chunk waits for the sum of the lanes of the one before.
+        // Sums stay in lanes until the end, so that no chunk waits for the horizontal sum of the
+        // previous one.
         let mut all = Residuals::default();
         let mut scratch = std::mem::take(&mut self.scratch);
         for chunk in 0..self.count.div_ceil(LANES) {
@@ -246,24 +252,26 @@ impl Batch {
         found
     }
 
-    /// Gives `each` the projection of every constraint at positions `x`: its nodes, and the way from
-    /// each to the shape that fits. The energy takes the same projection, moved to the mean of the points.
+    /// Calls `each` with the projection of every constraint at positions `x`: its nodes, and the
+    /// displacement of each to the fitted shape. The energy uses the same projection, translated to
+    /// the mean of the points.
     pub fn projected(&mut self, x: &[Row], each: &mut dyn FnMut(&Projected)) {
-        self.ways = Some(vec![Vec3::zero(); self.nodes.len()]);
+        self.displacements = Some(vec![Vec3::zero(); self.nodes.len()]);
         self.local_step(x, &mut vec![[0.0; 4]; x.len()], 0.0);
-        let ways = self.ways.take().unwrap_or_default();
+        let displacements = self.displacements.take().unwrap_or_default();
         let mut points = Vec::with_capacity(self.n);
         for i in 0..self.count {
             let (first, lane) = (i / LANES * self.n, i % LANES);
-            let chunk = self.nodes[first..].iter().zip(&ways[first..]).take(self.n);
+            let chunk = self.nodes[first..].iter().zip(&displacements[first..]).take(self.n);
             points.clear();
-            points.extend(chunk.map(|(nodes, way)| (nodes[lane], way.lane(lane))));
+            points
+                .extend(chunk.map(|(nodes, displacement)| (nodes[lane], displacement.lane(lane))));
             each(&points);
         }
     }
 
-    /// Appends the shapes that fit the constraints at positions `x`, to be drawn: not those that are so
-    /// much larger than their points that they would lie over all else.
+    /// Appends the shapes fitted to the constraints at positions `x`, for drawing. Omits shapes
+    /// much larger than their points, which would cover the drawing.
     pub fn fitted(&self, x: &[Row], shapes: &mut Vec<Fitted>) {
         let mut points = vec![Vec3::zero(); self.n];
         for i in 0..self.count {
@@ -277,7 +285,8 @@ impl Batch {
         }
     }
 
-    /// The local step of chunk `chunk`. `centred` and `projected` are scratch for `n` points each.
+    /// Runs the local step of chunk `chunk`. `centred` and `projected` are scratch for `n` points
+    /// each.
     #[inline(always)]
     fn step_chunk(
         &mut self,
@@ -295,17 +304,17 @@ impl Batch {
         centre_as(self.centring, centred);
         let rest = self.rest.get(first..first + n).unwrap_or_default();
         self.operator.project(rest, centred, projected);
-        // Distances are those to the shape that fits, before it is moved.
+        // Distances are to the fitted shape before it is re-centred.
         let mut worst = Lanes::zero();
         for (v, p) in centred.iter().zip(projected.iter()) {
             worst = worst.max((*v - *p).length_squared());
         }
-        if self.ways.is_some() {
-            self.note_ways(first, centred, projected);
+        if self.displacements.is_some() {
+            self.store_displacements(first, centred, projected);
         }
-        // The set of a shape is closed under translation of what is centred together, so that the
-        // centred projection has the shape too, and is nearer. Circle and sphere results are not centred
-        // by themselves.
+        // The set is closed under translation of points that are centred together, so that the
+        // centred projection is also in the set, and is nearer. Projections to circles and spheres
+        // are not centred already.
         centre_as(self.centring, projected);
         if self.guarded {
             self.keep_nearer(first, centred, projected);
@@ -336,25 +345,31 @@ impl Batch {
         self.step_chunk(chunk, (&mut centred, &mut projected), rows, scale, all);
     }
 
-    /// Notes the ways from points to projections of the chunk whose points start at `first`.
+    /// Stores the displacements from points to projections of the chunk whose points start at
+    /// `first`.
     #[cold]
     #[inline(never)]
-    fn note_ways(&mut self, first: usize, centred: &[Vec3<Lanes>], projected: &[Vec3<Lanes>]) {
-        let Some(ways) = &mut self.ways else { return };
-        let ways = &mut ways[first..first + centred.len()];
-        for ((way, v), p) in ways.iter_mut().zip(centred).zip(projected) {
-            *way = *p - *v;
+    fn store_displacements(
+        &mut self,
+        first: usize,
+        centred: &[Vec3<Lanes>],
+        projected: &[Vec3<Lanes>],
+    ) {
+        let Some(displacements) = &mut self.displacements else { return };
+        let displacements = &mut displacements[first..first + centred.len()];
+        for ((displacement, v), p) in displacements.iter_mut().zip(centred).zip(projected) {
+            *displacement = *p - *v;
         }
     }
 
-    /// Takes back the last local step: its positions were turned down, and the guard compares with
-    /// the projections before them.
+    /// Undoes the last local step after its positions were rejected: the guard compares with the
+    /// projections before it.
     pub fn take_back(&mut self) {
         std::mem::swap(&mut self.previous, &mut self.earlier);
     }
 
-    /// Replaces the projections of the chunk whose points start at `first` lane by lane by the previous
-    /// ones where these are nearer.
+    /// Replaces the projections of the chunk whose points start at `first`, lane by lane, by the
+    /// previous ones if these are nearer.
     fn keep_nearer(
         &mut self,
         first: usize,
@@ -381,7 +396,7 @@ impl Batch {
     }
 }
 
-/// `N_i` for the points that count together.
+/// Applies `N_i`: subtracts the mean of the points that are centred together.
 #[inline(always)]
 fn centre_as(centring: Centring, points: &mut [Vec3<Lanes>]) {
     match centring {

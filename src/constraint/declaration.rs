@@ -1,10 +1,10 @@
-//! The declaration of a kind: everything that hosts show or check without knowing it.
+//! The declaration of a kind: all that hosts and tests need to show or check it generically.
 
 use super::parameter::Param;
 use super::select::Element;
 use serde::Serialize;
 
-/// The declaration of a kind: everything that hosts show or check without knowing it.
+/// The declaration of a kind: all that hosts and tests need to show or check it generically.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Info {
@@ -14,32 +14,32 @@ pub struct Info {
     pub label: &'static str,
     /// The condition on its vertices, in one sentence.
     pub summary: &'static str,
-    /// Where the paper defines it.
+    /// The section of the paper that defines it; empty if none does.
     pub paper: &'static str,
-    /// How many points it takes.
+    /// The number of points.
     pub arity: Arity,
-    /// The translations it is invariant under, hence which points are centred together.
+    /// The translations under which it is invariant, which determine the points centred together.
     pub centring: Centring,
-    /// The elements whose vertices come in the order that it means; hosts offer it on these only.
-    /// Empty where any elements will do.
+    /// The elements whose vertex order the kind relies on; hosts offer it on these only. Empty if
+    /// it can act on any element.
     pub elements: &'static [Element],
-    /// Whether the projection is the closest point of the set, with the default parameters. Where it is
+    /// Whether the projection, with the default parameters, is the closest point of the set. If
     /// not, the total energy can rise, unless the `monotone` guard is on.
     pub exact: bool,
-    /// The error measure of a face (`"planarity"` or `"circularity"`) that says how far faces are
-    /// from the shape, when they are what it acts on. None where no measure of a face does.
+    /// The measure (`"planarity"` or `"circularity"`) of the deviation of faces from the shape, for
+    /// constraints on faces. None if no face measure applies.
     pub measure: Option<&'static str>,
-    /// The adjective for panels that have the shape ("flat"), of kinds that hosts offer for all panels by one
-    /// press. Such a kind has a `measure` of faces, and every triangle meets it.
+    /// The adjective for panels that have the shape ("flat"), for kinds that hosts offer for all
+    /// panels by one press. Such a kind has a `measure` of faces, and every triangle satisfies it.
     pub panels: Option<&'static str>,
-    /// The colour of its members on the page, as sRGB bytes.
+    /// The sRGB colour of its members on the page.
     pub colour: [u8; 3],
     /// The parameters of the scene file.
     pub params: &'static [Param],
 }
 
 impl Info {
-    /// How many vertices or edges it takes, in words.
+    /// The number of vertices or edges, in words.
     pub fn takes(&self) -> String {
         match (self.centring, self.arity) {
             (Centring::ByEdge, Arity::AtLeast(ends)) => format!("{} or more edges", ends / 2),
@@ -49,7 +49,7 @@ impl Info {
     }
 }
 
-/// How many vertices a constraint takes.
+/// The number of vertices of a constraint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "kebab-case")]
@@ -61,7 +61,7 @@ pub enum Arity {
 }
 
 impl Arity {
-    /// Whether `n` vertices fit.
+    /// Whether `n` vertices are allowed.
     pub const fn fits(self, n: usize) -> bool {
         match self {
             Arity::AtLeast(least) => n >= least,
@@ -79,16 +79,16 @@ impl std::fmt::Display for Arity {
     }
 }
 
-/// Which points of a constraint are centred together: `N_i` of Eq. 5 takes the mean of these.
+/// The points of a constraint that are centred together: `N_i` of Eq. 5 subtracts their mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "kebab-case")]
 pub enum Centring {
-    /// All of them: the shape may be anywhere.
+    /// All points: the shape may be anywhere.
     Together,
-    /// The two ends of each edge: what counts is the vectors along edges. The points come in pairs,
-    /// the edges of the mesh between the vertices that are selected; a vertex may be in several.
+    /// The two ends of each edge: the shape depends on edge vectors only. The points come in pairs,
+    /// one for each edge of the mesh between selected vertices; a vertex may be in several pairs.
     ByEdge,
-    /// None: the shape has a place.
+    /// None: the shape has a fixed location.
     Placed,
 }

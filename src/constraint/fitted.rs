@@ -1,11 +1,11 @@
-//! Shapes that are fitted to points, to be drawn.
+//! Shapes fitted to points, for drawing.
 
 use crate::math::Vec3;
 
-/// A fitted shape, to be drawn over the mesh.
+/// A fitted shape, drawn over the mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fitted {
-    /// A circle in space: centre, unit normal, radius.
+    /// A circle in space.
     Circle {
         /// Centre.
         centre: Vec3<f64>,
@@ -14,7 +14,7 @@ pub enum Fitted {
         /// Radius, positive and finite.
         radius: f64,
     },
-    /// A sphere: centre, radius.
+    /// A sphere.
     Sphere {
         /// Centre.
         centre: Vec3<f64>,
@@ -23,11 +23,12 @@ pub enum Fitted {
     },
 }
 
-/// A shape whose radius is so many times the extent of its points is all but a line or a plane there.
+/// Largest radius that is drawn, relative to the extent of the points; beyond, the shape is
+/// practically a line or a plane there.
 const LARGEST_DRAWN: f64 = 4.0;
 
 impl Fitted {
-    /// As the view takes it: 0 for a circle and 1 for a sphere, centre, normal, radius.
+    /// The numbers that the view reads: 0 for a circle or 1 for a sphere, centre, normal, radius.
     pub fn numbers(&self) -> [f64; 8] {
         match *self {
             Fitted::Circle { centre: c, normal: n, radius } => {
@@ -37,7 +38,7 @@ impl Fitted {
         }
     }
 
-    /// Whether its radius is not many times the extent of its points.
+    /// Whether its radius is at most [`LARGEST_DRAWN`] times the extent of its points.
     pub(super) fn is_of_the_size_of(&self, points: &[Vec3<f64>]) -> bool {
         let (Fitted::Circle { radius, .. } | Fitted::Sphere { radius, .. }) = *self;
         let extent = points.iter().map(|&p| (p - points[0]).length()).fold(0.0, f64::max);

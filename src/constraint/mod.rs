@@ -1,31 +1,31 @@
-//! Shape constraints `C_i`: projection operators (paper section 3), the list of kinds, and which
-//! vertices they act on.
+//! Shape constraints `C_i`: projection operators (paper section 3), the list of kinds, and the
+//! selection of vertices.
 //!
 //! # Adding an operator
 //!
 //! 1. Write `kinds/<kind>.rs`: a struct whose fields are the parameters of the scene file, and its
-//!    [`Projection`]. It sees its own mean-centred points and their rest points, and nothing else: no
-//!    indices, no mesh, no weights.
+//!    [`Projection`]. The operator receives only its own mean-centred points and their rest points:
+//!    no indices, no mesh, no weights.
 //! 2. Add one line to the list in `kinds/mod.rs`.
 //!
 //! The scene format, the command line, the controls of the page, the property tests and the
-//! operator table follow from the declaration.
+//! operator table are derived from the declaration.
 //!
 //! # Files
 //!
 //! | file or folder | holds |
 //! |---|---|
 //! | `projection` | the trait of an operator |
-//! | `declaration` | what a kind declares: its id, texts, arity, parameters |
+//! | `declaration` | the declaration of a kind: id, texts, arity, parameters |
 //! | `kinds` | the operators and their list |
-//! | `parameter` | parameters from JSON, and values that kinds have in common |
+//! | `parameter` | parameters from JSON, and value types shared by several kinds |
 //! | `select` | selectors and named sets |
 //! | `resolve` | from a selector to the vertices of each constraint |
 //! | `batch` | many constraints of one kind, projected in lanes |
-//! | `reference` | the rest surface, for operators that ask for it |
-//! | `fitted` | fitted circles and spheres, to be drawn |
-//! | `target_shape` | what a selection is to the mesh, for which a kind is the usual choice |
-//! | `sketch` | a drawing of what a kind asks, made by the operator itself |
+//! | `reference` | the rest surface, for operators that need it |
+//! | `fitted` | fitted circles and spheres, for drawing |
+//! | `target_shape` | the shape of a selection, which determines the usual kind for it |
+//! | `sketch` | a drawing of a kind, made by the operator itself |
 
 mod batch;
 mod declaration;

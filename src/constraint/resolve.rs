@@ -1,17 +1,18 @@
-//! From a selector to the vertices of each constraint that it makes.
+//! Resolves a selector to the vertices of each of its constraints.
 
 use super::select::MOST_MEMBERS;
 use super::{Element, SelectError, Selector, Sets};
 use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, repeated, stars, strips};
 
-/// The vertices of each constraint that a selector makes: one row of distinct vertices for each.
+/// Returns the vertices of each constraint of a selector: one row of distinct vertices per
+/// constraint.
 ///
 /// | selected | rows | vertices of a row |
 /// |---|---|---|
 /// | faces, tets | in the order of the mesh | as its corners |
-/// | edges | in the order of [`Topology::edges`] | the smaller first |
+/// | edges | in the order of [`Topology::edges`] | the smaller index first |
 /// | rings | one per vertex | the vertex, then ring by ring, each ring ascending |
-/// | curves | polylines, then edge lines; not those that run along another, see [`repeated`] | along the curve |
+/// | curves | polylines, then edge lines; without those that run along another, see [`repeated`] | along the curve |
 /// | polylines | in the order of the file | along the polyline |
 /// | edge lines | as [`edge_lines`] | along the line |
 /// | boundary | as [`Topology::boundary_loops`] | along the loop |
@@ -22,14 +23,14 @@ use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, repeated,
 /// | groups, sets | groups in the order of the mesh; a set is one row | vertices as listed, then those of faces, then those of curves |
 /// | vertices | one row | as listed |
 ///
-/// A name stands for a set, or where there is none, for all groups of that name. `within` keeps
-/// the faces that it lists, if it lists any, and likewise curves of the file; a ring whose centre is
-/// in it; and any other element all of whose vertices are in it, those of its faces and curves
-/// included. Then `radius` adds rings of neighbours to what is left, each ring ascending.
+/// A name stands for a set or, if there is none, for all groups of that name. `within` keeps the
+/// faces that it lists, if it lists any, and likewise the curves of the file; rings whose centre is
+/// in it; and any other element all of whose vertices are in it, including those of its faces and
+/// curves. Then `radius` adds rings of neighbours to each remaining element, each ring ascending.
 ///
 /// # Errors
-/// When a name is unknown, a set or list has an index that the mesh does not have, or the rows have more
-/// vertices than can be solved for.
+/// If a name is unknown, a set or list has an index out of range, or the rows have more vertices
+/// than can be solved for.
 pub fn resolve(
     selector: &Selector,
     mesh: &Mesh,
@@ -46,65 +47,65 @@ pub fn resolve(
             let within =
                 within.as_ref().map(|name| Members::named(name, mesh, sets)).transpose()?;
             let kept = within.as_ref().map(|members| Kept::new(members, mesh));
-            let keeps = |place: Place, vertices: &[u32]| {
-                kept.as_ref().is_none_or(|kept| kept.keeps(place, vertices))
+            let keeps = |origin: Origin, vertices: &[u32]| {
+                kept.as_ref().is_none_or(|kept| kept.keeps(origin, vertices))
             };
-            let mut push = |place: Place, vertices: &[u32]| {
-                if keeps(place, vertices) && rows.rows.indices().len() <= MOST_MEMBERS {
+            let mut push = |origin: Origin, vertices: &[u32]| {
+                if keeps(origin, vertices) && rows.rows.indices().len() <= MOST_MEMBERS {
                     let own = rows.distinct(vertices);
                     rows.rows.push(&topology.grow(&own, *radius));
                 }
             };
             match element {
-                Element::Face => each(&mesh.faces, |f, face| push(Place::Face(f), face)),
-                Element::Edge => topology.edges().iter().for_each(|ends| push(Place::Other, ends)),
+                Element::Face => each(&mesh.faces, |f, face| push(Origin::Face(f), face)),
+                Element::Edge => topology.edges().iter().for_each(|ends| push(Origin::Other, ends)),
                 Element::Ring => {
-                    (0..mesh.positions.len() as u32).for_each(|v| push(Place::Other, &[v]));
+                    (0..mesh.positions.len() as u32).for_each(|v| push(Origin::Other, &[v]));
                 }
-                Element::Tet => mesh.tets.iter().for_each(|tet| push(Place::Other, tet)),
+                Element::Tet => mesh.tets.iter().for_each(|tet| push(Origin::Other, tet)),
                 Element::Curve => {
                     let lines = edge_lines(topology);
-                    // What a set leaves out repeats nothing.
-                    let kept = |place, row| if keeps(place, row) { row } else { &[][..] };
+                    // Curves outside the set do not count as repeated.
+                    let kept = |origin, row| if keeps(origin, row) { row } else { &[][..] };
                     let polylines = (0..)
                         .zip(mesh.curves.iter())
-                        .map(|(c, curve)| kept(Place::Curve(c), curve));
-                    let kept_lines = lines.iter().map(|line| kept(Place::Other, line));
+                        .map(|(c, curve)| kept(Origin::Curve(c), curve));
+                    let kept_lines = lines.iter().map(|line| kept(Origin::Other, line));
                     let found = repeated(&polylines.collect(), &kept_lines.collect(), topology);
                     each(&mesh.curves, |c, curve| {
                         if !found.polylines[c] {
-                            push(Place::Curve(c), curve);
+                            push(Origin::Curve(c), curve);
                         }
                     });
                     each(&lines, |k, line| {
                         if !found.lines[k] {
-                            push(Place::Other, line);
+                            push(Origin::Other, line);
                         }
                     });
                 }
-                Element::Polyline => each(&mesh.curves, |c, curve| push(Place::Curve(c), curve)),
+                Element::Polyline => each(&mesh.curves, |c, curve| push(Origin::Curve(c), curve)),
                 Element::EdgeLine => {
-                    each(&edge_lines(topology), |_, line| push(Place::Other, line));
+                    each(&edge_lines(topology), |_, line| push(Origin::Other, line));
                 }
                 Element::Boundary => {
-                    each(topology.boundary_loops(), |_, one| push(Place::Other, one));
+                    each(topology.boundary_loops(), |_, one| push(Origin::Other, one));
                 }
                 Element::Strip => {
-                    each(&strips(mesh, topology), |_, strip| push(Place::Other, strip));
+                    each(&strips(mesh, topology), |_, strip| push(Origin::Other, strip));
                 }
                 Element::Corner => {
-                    corners(mesh).for_each(|(f, corner)| push(Place::Face(f), &corner));
+                    corners(mesh).for_each(|(f, corner)| push(Origin::Face(f), &corner));
                 }
                 Element::Star => {
-                    stars(mesh, topology).iter().for_each(|star| push(Place::Other, star));
+                    stars(mesh, topology).iter().for_each(|star| push(Origin::Other, star));
                 }
                 Element::Hinge => {
-                    hinges(mesh, topology).iter().for_each(|hinge| push(Place::Other, hinge));
+                    hinges(mesh, topology).iter().for_each(|hinge| push(Origin::Other, hinge));
                 }
                 Element::Group => {
                     for group in &mesh.groups {
                         let members = Members::new(&[], &group.faces, &group.curves, mesh)?;
-                        push(Place::Other, &members.vertices);
+                        push(Origin::Other, &members.vertices);
                     }
                 }
             }
@@ -120,16 +121,16 @@ fn each(rows: &Ragged, mut visit: impl FnMut(usize, &[u32])) {
     rows.iter().enumerate().for_each(|(i, row)| visit(i, row));
 }
 
-/// Rows of distinct vertices in the making.
+/// Collects rows of distinct vertices.
 struct Rows {
-    /// The last round in which a vertex came by.
+    /// The last round (row) in which each vertex occurred.
     seen: Vec<u32>,
     round: u32,
     rows: Ragged,
 }
 
 impl Rows {
-    /// The vertices without repetitions, in the order in which they first come.
+    /// Returns the vertices without repetitions, in the order of their first occurrence.
     fn distinct(&mut self, vertices: &[u32]) -> Vec<u32> {
         self.round += 1;
         let mut distinct = vertices.to_vec();
@@ -144,9 +145,9 @@ impl Rows {
     }
 }
 
-/// Where an element comes from, as far as sets and groups list it by its index.
+/// The origin of an element, if sets and groups can list it by its index.
 #[derive(Clone, Copy)]
-enum Place {
+enum Origin {
     Face(usize),
     Curve(usize),
     Other,
@@ -154,7 +155,7 @@ enum Place {
 
 /// The members of a set or group.
 struct Members {
-    /// Those listed, those of the faces, those of the curves; may repeat.
+    /// Listed vertices, then those of the faces, then those of the curves; may repeat.
     vertices: Vec<u32>,
     faces: Vec<u32>,
     curves: Vec<u32>,
@@ -197,7 +198,7 @@ impl Members {
     }
 }
 
-/// Which elements `within` keeps.
+/// The elements that `within` keeps.
 struct Kept {
     /// `#V`.
     vertices: Vec<bool>,
@@ -222,10 +223,10 @@ impl Kept {
         }
     }
 
-    fn keeps(&self, place: Place, vertices: &[u32]) -> bool {
-        match (place, &self.faces, &self.curves) {
-            (Place::Face(f), Some(faces), _) => faces[f],
-            (Place::Curve(c), _, Some(curves)) => curves[c],
+    fn keeps(&self, origin: Origin, vertices: &[u32]) -> bool {
+        match (origin, &self.faces, &self.curves) {
+            (Origin::Face(f), Some(faces), _) => faces[f],
+            (Origin::Curve(c), _, Some(curves)) => curves[c],
             _ => vertices.iter().all(|&v| self.vertices[v as usize]),
         }
     }

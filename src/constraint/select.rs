@@ -1,4 +1,4 @@
-//! Selectors: which vertices a constraint acts on, orthogonal to its kind.
+//! Selectors: the vertices that a constraint acts on, independent of its kind.
 
 use crate::json::indices;
 use serde::{Deserialize, Serialize};
@@ -33,8 +33,8 @@ pub enum Element {
     Ring,
     /// The corners of a tetrahedron.
     Tet,
-    /// A polyline of the file, or a straight edge line of a quad-dominant mesh; of two of which one runs
-    /// along the other, the longer.
+    /// A polyline of the file, or a straight edge line of a quad-dominant mesh; if one runs along
+    /// the other, the longer.
     Curve,
     /// A polyline of the file.
     Polyline,
@@ -42,7 +42,7 @@ pub enum Element {
     EdgeLine,
     /// A boundary loop.
     Boundary,
-    /// The quads that one crosses through opposite edges, on a quad-dominant mesh.
+    /// A strip of quads joined across opposite edges, on a quad-dominant mesh.
     Strip,
     /// All vertices of a group.
     Group,
@@ -54,7 +54,7 @@ pub enum Element {
     Hinge,
 }
 
-/// Which vertices a constraint acts on.
+/// The vertices that a constraint acts on.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Selector {
     /// One constraint per element.
@@ -63,7 +63,7 @@ pub enum Selector {
         element: Element,
         /// Only those in this set or group.
         within: Option<String>,
-        /// Enlarge each element by this many rings of neighbours; a ring itself has radius 1.
+        /// The rings of neighbours added to each element; a ring itself has radius 1.
         radius: u32,
     },
     /// One constraint of all vertices of a set or group.
@@ -73,7 +73,7 @@ pub enum Selector {
 }
 
 impl Element {
-    /// All of them, in the order in which hosts list them.
+    /// All elements, in the order in which hosts list them.
     pub const ALL: [Element; 13] = [
         Element::Face,
         Element::Edge,
@@ -109,7 +109,7 @@ impl Element {
         }
     }
 
-    /// The word in scene files for all of them, one constraint on each, if there is one.
+    /// The word in scene files for one constraint on each element of this type, if there is one.
     pub fn word_for_all(self) -> Option<&'static str> {
         match self {
             Element::Face => Some("faces"),
@@ -128,12 +128,12 @@ impl Element {
         }
     }
 
-    /// The name of one of them on the page.
+    /// The name on the page, in the singular.
     pub fn label(self) -> &'static str {
         self.words()[0]
     }
 
-    /// One and many.
+    /// Singular and plural.
     fn words(self) -> [&'static str; 2] {
         match self {
             Element::Face => ["face", "faces"],
@@ -153,8 +153,8 @@ impl Element {
     }
 }
 
-/// The elements that one selector selects have at most so many vertices, counted in each of them. With a
-/// radius they could have the square of those of the mesh.
+/// Upper bound on the number of vertices of all elements of one selector, counted once per element.
+/// With a radius, this number could reach the square of the number of vertices of the mesh.
 pub(super) const MOST_MEMBERS: usize = 20_000_000;
 
 /// Why a selector cannot be resolved.
@@ -162,11 +162,11 @@ pub(super) const MOST_MEMBERS: usize = 20_000_000;
 pub enum SelectError {
     /// There is no set or group of that name.
     UnknownSet(String),
-    /// A vertex that the mesh does not have.
+    /// A vertex index out of range.
     VertexOutOfRange(u32),
-    /// A face that the mesh does not have.
+    /// A face index out of range.
     FaceOutOfRange(u32),
-    /// All constraints together are on more vertices than can be solved for.
+    /// All constraints together have more vertices than can be solved for.
     TooMany,
 }
 
@@ -188,7 +188,7 @@ impl fmt::Display for SelectError {
 
 impl std::error::Error for SelectError {}
 
-/// A selector in words: "all faces", "each face of eaves", "12 vertices".
+/// Describes a selector in words: "all faces", "each face of eaves", "12 vertices".
 pub fn describe(selector: &Selector) -> String {
     match selector {
         Selector::Each { element, within, radius } => {

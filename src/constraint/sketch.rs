@@ -1,8 +1,8 @@
-//! A small drawing of what a kind asks, made by the operator itself: a sample of points that miss
-//! the shape, and their projection, seen obliquely from above.
+//! A small drawing of a kind, made by the operator itself: sample points off the shape and their
+//! projection, seen obliquely from above.
 //!
-//! The sample follows from the declaration: how many points, which elements, what is centred
-//! together. It goes through the same batches as a mesh.
+//! The sample follows from the declaration (arity, elements, centring) and goes through the same
+//! batches as a mesh.
 
 use super::{Arity, Centring, Element, Fitted, Info, Kind, KindVisitor, Projection};
 use super::{Reference, Row, batches};
@@ -15,18 +15,19 @@ use std::rc::Rc;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Sketch {
-    /// The sample as it is given, `#P by 2`.
+    /// The sample before projection, `#P by 2`.
     pub points: Vec<[f64; 2]>,
     /// Its projection, `#P by 2`.
     pub projected: Vec<[f64; 2]>,
-    /// Which points are joined, `#L by 2`.
+    /// The lines between points, `#L by 2`.
     pub lines: Vec<[usize; 2]>,
     /// The fitted shapes, as closed curves.
     pub outlines: Vec<Vec<[f64; 2]>>,
 }
 
 impl Kind {
-    /// The drawing of the kind with these parameters; the same on every call and every machine.
+    /// Returns the drawing of the kind with these parameters; the same on every call and every
+    /// machine.
     pub fn sketch(&self) -> Sketch {
         let sample = Sample::new(self.info(), self.visit(ReadsRest));
         let x = to_rows(&sample.points);
@@ -36,8 +37,8 @@ impl Kind {
         let rest = to_rows(&sample.rest);
         let mut batches = batches(self, &sample.members, &rest, 1.0, false, &reference);
 
-        // With weight one, and each point in one constraint, half the gradient is what a point is
-        // off its projection (Appendix A).
+        // With weight one and each point in one constraint, half the gradient is the offset of a
+        // point from its projection (Appendix A).
         let mut off = vec![[0.0; 4]; x.len()];
         let mut shapes = Vec::new();
         for batch in &mut batches {
@@ -70,7 +71,7 @@ impl Sketch {
         for point in self.all() {
             for axis in 0..2 {
                 let off_middle = (point[axis] - 0.5 * (low[axis] + high[axis])) / size;
-                // Rounding must not leave the square.
+                // Keeps rounded values inside the square.
                 point[axis] = (0.5 + off_middle).clamp(0.0, 1.0);
             }
         }
@@ -93,7 +94,7 @@ impl KindVisitor for ReadsRest {
     }
 }
 
-/// The sample that is projected: a figure of about unit size and a disturbed copy of it.
+/// The sample: a figure of about unit size and a perturbed copy of it.
 struct Sample {
     /// `#P`.
     rest: Vec<Vec3<f64>>,
@@ -105,10 +106,10 @@ struct Sample {
     lines: Vec<[usize; 2]>,
 }
 
-/// Open arities get this many points.
+/// The number of points for open arities.
 const MANY: usize = 8;
 
-/// The displacement of each point of the figure.
+/// The perturbation of each point of the figure.
 const DISTURBANCE: [[f64; 3]; 8] = [
     [0.12, -0.18, 0.26],
     [-0.24, 0.14, -0.28],
@@ -129,7 +130,7 @@ impl Sample {
             (Arity::AtLeast(least), _) => least.max(MANY),
         };
         let by_edge = info.centring == Centring::ByEdge;
-        // Kinds of one point each move several, which together make a figure.
+        // For kinds of one point, several constraints make up a figure.
         let all = if n == 1 { MANY } else { n };
         let (rest, lines) = match info.elements.first() {
             _ if by_edge => edges(all),
@@ -141,8 +142,8 @@ impl Sample {
             _ if reads_rest && matches!(info.arity, Arity::AtLeast(0..=7)) => arrow(),
             _ => (polygon(all), loop_of(all)),
         };
-        // What keeps its size at rest is shown shrunk; figures that are known at a glance, and edges
-        // side by side, are soon lost.
+        // Kinds with a rest shape are shown shrunk, as they keep its size. Characteristic figures
+        // and parallel edges get a smaller perturbation, as a larger one would obscure them.
         let scale = if reads_rest { 0.75 } else { 1.0 };
         let is_star = info.elements.first() == Some(&Element::Star);
         let disturbance = if reads_rest || by_edge || is_star { 0.55 } else { 1.0 };
@@ -175,20 +176,20 @@ fn path(n: usize) -> Vec<[usize; 2]> {
     (1..n).map(|k| [k - 1, k]).collect()
 }
 
-/// A long polygon in the plane; four corners stand as a rectangle does.
+/// An elongated polygon in the plane; four corners form an axis-aligned rectangle.
 fn polygon(n: usize) -> Vec<Vec3<f64>> {
     let corners = UnitPolygon::new(2 * n);
     (0..n).map(|k| corners[2 * k + 1]).map(|[x, y]| Vec3::new(1.2 * x, 0.85 * y, 0.0)).collect()
 }
 
-/// An arrow: a figure that is not regular, but its own mirror image.
+/// An arrow: not regular, but mirror-symmetric.
 fn arrow() -> Figure {
     let corners =
         [[-0.4, -1.0], [0.4, -1.0], [0.4, 0.1], [1.0, 0.1], [0.0, 1.2], [-1.0, 0.1], [-0.4, 0.1]];
     (corners.map(|[x, y]| Vec3::new(x, y, 0.0)).to_vec(), loop_of(corners.len()))
 }
 
-/// Edges side by side, each of another length; `n` ends.
+/// Edges side by side, of different lengths; `n` ends.
 fn edges(n: usize) -> Figure {
     let count = n / 2;
     let edge = |k: usize| {
@@ -199,7 +200,7 @@ fn edges(n: usize) -> Figure {
     ((0..count).flat_map(edge).collect(), (0..count).map(|k| [2 * k, 2 * k + 1]).collect())
 }
 
-/// The middle, then what is around it, further down: a long rim, so that its angles are unequal.
+/// The centre, then the rim around it, farther down and elongated, so that its angles are unequal.
 fn star(n: usize) -> Figure {
     let around = n - 1;
     let mut points = vec![Vec3::new(0.0, 0.0, 0.5)];
@@ -225,7 +226,8 @@ fn to_rows(points: &[Vec3<f64>]) -> Vec<Row> {
     points.iter().map(|p| [p.x, p.y, p.z, 0.0]).collect()
 }
 
-/// Unit vectors to the right and up on the paper: seen from a little left of the front, from above.
+/// Unit vectors to the right and upwards in the drawing: seen from slightly left of the front, from
+/// above.
 const RIGHT: [f64; 3] = [0.96, -0.28, 0.0];
 const UP: [f64; 3] = [0.224, 0.768, 0.6];
 
@@ -233,7 +235,7 @@ fn seen(p: Vec3<f64>) -> [f64; 2] {
     [p.dot(Vec3::from(RIGHT)), -p.dot(Vec3::from(UP))]
 }
 
-/// A fitted shape as closed curves: a sphere as its outline on the paper and its equator.
+/// Returns a fitted shape as closed curves: a sphere by its outline in the drawing and its equator.
 fn outlines(shape: &Fitted) -> Vec<Vec<Vec3<f64>>> {
     let (right, up) = (Vec3::from(RIGHT), Vec3::from(UP));
     match *shape {
@@ -245,15 +247,15 @@ fn outlines(shape: &Fitted) -> Vec<Vec<Vec3<f64>>> {
     }
 }
 
-/// The circle about `centre` in the plane of two unit vectors at right angles.
+/// Returns the circle about `centre` in the plane of two orthogonal unit vectors.
 fn circle(centre: Vec3<f64>, [e, f]: [Vec3<f64>; 2], radius: f64) -> Vec<Vec3<f64>> {
     UnitPolygon::new(48).iter().map(|&[x, y]| centre + (e * x + f * y) * radius).collect()
 }
 
-/// Two unit vectors at right angles to a unit vector and to each other.
+/// Returns two unit vectors orthogonal to a unit vector and to each other.
 fn across(normal: Vec3<f64>) -> [Vec3<f64>; 2] {
     let (right, up) = (Vec3::from(RIGHT), Vec3::from(UP));
-    // The one that is farther from the normal.
+    // The axis farther from the normal.
     let near = if normal.dot(right).abs() < normal.dot(up).abs() { right } else { up };
     let e = near - normal * near.dot(normal);
     let e = e * (1.0 / e.length());

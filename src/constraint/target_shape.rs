@@ -1,22 +1,21 @@
-//! The role of the vertices of a place in the mesh, as far as it decides which kind is usually wanted
-//! there.
+//! The shape of a selection, which determines the usual kind of constraint for it.
 
-/// The role of the vertices of a place in the mesh. A kind names those that it is the usual choice for
-/// in [`Projection::USUAL_FOR`](super::Projection::USUAL_FOR); hosts choose it beforehand there.
+/// The shape of a selection. A kind lists those for which it is the usual choice in
+/// [`Projection::USUAL_FOR`](super::Projection::USUAL_FOR); hosts preselect it there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TargetShape {
-    /// Faces of four or more corners, each for itself.
+    /// Faces of four or more corners, one constraint each.
     Panels,
-    /// Triangles, each for itself.
+    /// Triangles, one constraint each.
     Triangles,
-    /// Edges, each for itself.
+    /// Edges, one constraint each.
     Edges,
     /// Closed loops of edges.
     Loop,
     /// Open chains of edges.
     Chain,
-    /// Several faces together that are not the whole mesh.
+    /// Several faces together, but not the whole mesh.
     Patch,
-    /// Several vertices that no edges join to one of the above.
+    /// Several vertices not joined by edges to one of the above.
     Points,
 }

@@ -1,27 +1,28 @@
-//! The constraints of a batch one by one: their points and projections, for solvers that shift points before
-//! they are projected, or project displaced copies of them.
+//! Access to the single constraints of a batch: their points and projections, for solvers that
+//! shift points before projecting them, or project displaced copies.
 
 use super::{Batch, centre_as};
 use crate::constraint::{Centring, Row};
 use crate::math::{LANES, Lane, Lanes, Vec3};
 
 impl Batch {
-    /// Points of each constraint.
+    /// The number of points of each constraint.
     pub fn points(&self) -> usize {
         self.n
     }
 
-    /// How many constraints there are.
+    /// The number of constraints.
     pub fn count(&self) -> usize {
         self.count
     }
 
-    /// `w_i`, the same for all of them.
+    /// The weight `w_i`, the same for all constraints.
     pub fn weight(&self) -> f64 {
         self.weight
     }
 
-    /// One in the lanes of chunk `chunk` that are constraints, zero in those that only pad the last chunk.
+    /// One in the lanes of chunk `chunk` that hold constraints, zero in the padding of the last
+    /// chunk.
     #[inline(always)]
     pub fn counts(&self, chunk: usize) -> Lanes {
         let lanes = self.count - chunk * LANES;
@@ -31,13 +32,13 @@ impl Batch {
         Lanes::from_fn(|lane| f64::from(u8::from(lane < lanes)))
     }
 
-    /// Which points are centred together.
+    /// The points that are centred together.
     pub fn centring(&self) -> Centring {
         self.centring
     }
 
-    /// The nodes of all constraints: chunk by chunk, point by point, one for each lane. The last chunk is padded
-    /// with copies of the last constraint.
+    /// The nodes of all constraints, chunk by chunk, point by point, one per lane. The last chunk
+    /// is padded with copies of the last constraint.
     pub fn nodes(&self) -> &[[u32; LANES]] {
         &self.nodes
     }
@@ -57,7 +58,7 @@ impl Batch {
         self.centre(points);
     }
 
-    /// `N_i`: centres what counts together.
+    /// Applies `N_i`: subtracts the mean of the points that are centred together.
     #[inline(always)]
     pub fn centre(&self, points: &mut [Vec3<Lanes>]) {
         centre_as(self.centring, points);
@@ -70,13 +71,13 @@ impl Batch {
         self.operator.project(&rest[..rest.len().min(self.n)], v, projected);
     }
 
-    /// The input of [`Batch::project_copies`] for constraint `i`: its rest points in every lane.
+    /// The rest points of constraint `i` in every lane, for [`Batch::project_copies`].
     pub fn rest_of(&self, i: usize) -> Vec<Vec3<Lanes>> {
         let rest = self.rest.iter().skip(i / LANES * self.n).take(self.n);
         rest.map(|point| Vec3::splat(point.lane(i % LANES))).collect()
     }
 
-    /// Projects copies of one constraint, a lane each, whose centred points are `v`.
+    /// Projects copies of one constraint, one per lane, with centred points `v`.
     pub fn project_copies(
         &self,
         rest: &[Vec3<Lanes>],

@@ -1,33 +1,33 @@
 //! Angle: the angle at the corner of a face, or between two neighbouring segments, lies within limits.
 //!
 //! With `x` and `y` the edges from the corner to the vertices before and after it, and mean-centred
-//! points, a movement counts `2/3 (|dx|^2 + |dy|^2 - dx.dy)`. For one angle `a` the shape is
-//! `x = p u`, `y = q R u`, with a unit vector `u`, the rotation `R` by `a`, and `p, q >= 0`. It lies
-//! in the plane of the points: for given `p` and `q` it is a triangle that is moved as a whole, and
-//! the best motion of one planar set onto another keeps the plane (Kabsch 1976), and the sense of
-//! rotation, as the flipped triangle would have `sigma_1 - sigma_2` in place of
+//! points, the squared distance of a displacement is `2/3 (|dx|^2 + |dy|^2 - dx.dy)`. For one angle
+//! `a` the shape is `x = p u`, `y = q R u`, with a unit vector `u`, the rotation `R` by `a`, and
+//! `p, q >= 0`. It lies in the plane of the points: for given `p` and `q` it is a triangle moved
+//! rigidly, and the best motion of one planar set onto another keeps the plane (Kabsch 1976) and
+//! the orientation, as the flipped triangle would have `sigma_1 - sigma_2` in place of
 //! `sigma_1 + sigma_2` there.
 //!
-//! For given `u` the best `p` and `q` solve two linear equations, and what is then left of the distance
-//! is a quadratic form in `u`: its greatest eigenvector is the closest, if its `p` and `q` agree in sign.
-//! If not, one of them is zero, and it is that of the shorter edge.
+//! For given `u` the best `p` and `q` solve two linear equations, and the remaining distance is a
+//! quadratic form in `u`: its greatest eigenvector is the closest, if its `p` and `q` agree in
+//! sign. If not, one of them is zero: that of the shorter edge.
 
 use crate::constraint::parameter::{AngleRange, Limits};
 use crate::constraint::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
 use crate::math::{Lane, Vec3, plane_frame};
 use serde::{Deserialize, Serialize};
 
-/// Eigenvalues that differ by less than this fraction are equal: no direction is better than another.
-/// So it is where a straight corner of equal edges is to become a right one.
+/// Eigenvalues that differ by less than this fraction count as equal: all directions are equally
+/// close. An example is a straight corner of equal edges that must become a right angle.
 const EQUAL: f64 = 1e-12;
 
-/// The angle at the middle one of three vertices lies within limits. Where it does, nothing moves;
+/// The angle at the middle one of three vertices lies within limits. If it does, nothing moves;
 /// else it becomes the nearer limit, and all three vertices move.
 ///
-/// An edge without length has no direction and so no angle: nothing moves then. If straightening or
-/// closing the corner would turn an edge by more than it takes to lose it, as with an obtuse angle that
-/// is to be zero, the shorter edge is lost. A straight or closed corner opens in the plane of its
-/// line and of one of the coordinate axes farthest from it.
+/// With an edge without length the angle is undefined, and nothing moves. If straightening or
+/// closing the corner would turn an edge farther than it takes to collapse it, as for an obtuse
+/// angle that must become zero, the shorter edge collapses. A straight or closed corner opens in
+/// the plane of its line and of one of the coordinate axes farthest from it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Angle {
@@ -73,7 +73,7 @@ impl Projection for Angle {
         let (x, y) = (v[0] - v[1], v[2] - v[1]);
         let (xx, yy) = (x.length_squared(), y.length_squared());
         self.closest(v, x, y, projected);
-        // Squares of lengths keep all digits in this range.
+        // Squared lengths neither overflow nor underflow in this range.
         let accurate = xx.min(yy).if_greater(S::splat(1e-60), S::one(), S::zero());
         S::splat(1e60).if_greater(xx.max(yy), accurate, S::zero()).all_greater(S::zero())
     }
@@ -89,7 +89,7 @@ impl Projection for Angle {
         let scaled: Vec<_> =
             v.iter().map(|p| Vec3::new(p.x / size, p.y / size, p.z / size)).collect();
         let (x, y) = (scaled[0] - scaled[1], scaled[2] - scaled[1]);
-        // An edge as short as this cannot move anything by more than rounding.
+        // An edge this short cannot move anything by more than rounding.
         if x.length().min(y.length()) > 1e-25 {
             self.closest(&scaled, x, y, v);
             v.iter_mut().for_each(|p| *p = *p * size);
@@ -98,14 +98,14 @@ impl Projection for Angle {
 }
 
 impl Angle {
-    /// The closest points, for edges `x` and `y` that are not zero.
+    /// Writes the closest points, for edges `x` and `y` that are not zero.
     #[inline(always)]
     fn closest<S: Lane>(&self, v: &[Vec3<S>], x: Vec3<S>, y: Vec3<S>, projected: &mut [Vec3<S>]) {
         let (zero, half) = (S::zero(), S::splat(0.5));
         let [e, f] = plane_frame(x, y);
         let flat = |v: Vec3<S>| [v.dot(e), v.dot(f)];
         let (a, b) = (flat(x), flat(y));
-        // The angle is below the least, or beyond the greatest, where the sine of the difference is
+        // The angle is below the least or above the greatest if the sine of the difference is
         // positive.
         let (dot, cross) = (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0]);
         let splat = |pair: [f64; 2]| pair.map(S::splat);
@@ -115,7 +115,7 @@ impl Angle {
         let inside = if self.angle.is_one_angle { -S::one() } else { -below.max(beyond) };
         let [c, s] = [0, 1].map(|i| below.if_greater(zero, least[i], greatest[i]));
 
-        // What `u` and `R u` are measured against, the latter turned back.
+        // The vectors whose products with `u` and `R u` enter the form; `h` is turned back by `R`.
         let (before, after) = (x - y * half, y - x * half);
         let g = flat(before);
         let h = flat(after);
@@ -124,7 +124,7 @@ impl Angle {
             |i: usize, j: usize| g[i] * g[j] + h[i] * h[j] + c * half * (g[i] * h[j] + g[j] * h[i]);
         let u = greatest_eigenvector([form(0, 0), form(0, 1), form(1, 1)], between(g, h));
         let (along_x, along_y) = (g[0] * u[0] + g[1] * u[1], h[0] * u[0] + h[1] * u[1]);
-        // Times the determinant 1 - c^2 / 4 of the two equations.
+        // `p` and `q` times the determinant 1 - c^2 / 4 of the two equations.
         let p = along_x + c * half * along_y;
         let q = along_y + c * half * along_x;
         let scale = S::one() / (S::one() - c * c * S::splat(0.25));
@@ -133,23 +133,23 @@ impl Angle {
         let new_x = (e * u[0] + f * u[1]) * p;
         let new_y = (e * ru[0] + f * ru[1]) * q;
 
-        // Without agreement the shorter edge is lost.
+        // If the signs differ, the shorter edge collapses.
         let longer = x.length_squared() - y.length_squared();
-        let lost_x = Vec3::if_greater(longer, zero, before, Vec3::zero());
-        let lost_y = Vec3::if_greater(longer, zero, Vec3::zero(), after);
-        let new_x = Vec3::if_greater(zero, agree, lost_x, new_x);
-        let new_y = Vec3::if_greater(zero, agree, lost_y, new_y);
+        let collapsed_x = Vec3::if_greater(longer, zero, before, Vec3::zero());
+        let collapsed_y = Vec3::if_greater(longer, zero, Vec3::zero(), after);
+        let new_x = Vec3::if_greater(zero, agree, collapsed_x, new_x);
+        let new_y = Vec3::if_greater(zero, agree, collapsed_y, new_y);
         let corner = (new_x + new_y) * S::splat(-1.0 / 3.0);
         let moved = [new_x + corner, corner, new_y + corner];
         for ((to, moved), own) in projected.iter_mut().zip(moved).zip(v) {
-            // Sines that are zero mean that the angle is a limit.
+            // Zero sines mean that the angle equals a limit.
             *to = Vec3::if_greater(inside, S::splat(-f64::MIN_POSITIVE), *own, moved);
         }
     }
 }
 
-/// The unit eigenvector of the greatest eigenvalue of a symmetric 2-by-2 matrix; where both are equal,
-/// `otherwise`.
+/// Returns the unit eigenvector of the greatest eigenvalue of a symmetric 2-by-2 matrix;
+/// `otherwise` if both eigenvalues are equal.
 #[inline(always)]
 fn greatest_eigenvector<S: Lane>([xx, xy, yy]: [S; 3], otherwise: [S; 2]) -> [S; 2] {
     let (difference, twice) = (xx - yy, xy + xy);
@@ -164,7 +164,8 @@ fn greatest_eigenvector<S: Lane>([xx, xy, yy]: [S; 3], otherwise: [S; 2]) -> [S;
     ]
 }
 
-/// The unit vector that halves the angle between `g` and `h`; the first axis where they are opposite.
+/// Returns the unit vector that bisects the angle between `g` and `h`; the first axis if they are
+/// opposite.
 #[inline(always)]
 fn between<S: Lane>(g: [S; 2], h: [S; 2]) -> [S; 2] {
     let inverse = |v: [S; 2]| S::one() / (v[0] * v[0] + v[1] * v[1]).sqrt();

@@ -1,11 +1,11 @@
 //! Area of a triangle: as at rest, given, or within limits.
 //!
-//! In its own plane, with complex numbers for points, a centred triangle is the sum of two equilateral
-//! ones that turn opposite ways, `z_k = a w^k + b w^-k` with `w` a third of a turn. Its singular values
-//! are `|a| + |b|` and `|a| - |b|`, times the root of 3/2; its area is `|a|^2 - |b|^2`, times
-//! `3 sqrt(3) / 4`. The closest triangle of another area has the same axes and the closest singular
-//! values whose product is right (von Neumann's trace inequality): see [`pair_with_product`]. So `a` and
-//! `b` keep their directions.
+//! In its own plane, with complex numbers for points, a centred triangle is the sum of two
+//! equilateral ones of opposite orientation, `z_k = a w^k + b w^-k` with `w` a third of a turn. Its
+//! singular values are `|a| + |b|` and `|a| - |b|`, times the root of 3/2; its area is
+//! `|a|^2 - |b|^2`, times `3 sqrt(3) / 4`. The closest triangle of another area has the same
+//! singular vectors and the closest singular values with the required product (von Neumann's trace
+//! inequality): see [`pair_with_product`]. So `a` and `b` keep their directions.
 
 use crate::constraint::parameter::{Limits, Target};
 use crate::constraint::{Arity, Centring, Info, Projection};
@@ -19,19 +19,19 @@ const EQUILATERAL: f64 = 1.299_038_105_676_658;
 /// `sqrt(3) / 2`, the sine of a third of a turn.
 const SINE: f64 = 0.866_025_403_784_438_6;
 
-/// Three vertices span the area that they span at rest, or a given one. With limits instead of one
-/// number only what is beyond them is corrected.
+/// Three vertices span their rest area, or a given one. With limits instead of one number, only an
+/// area outside them is corrected.
 ///
-/// Collinear vertices part in the plane of their line and of one of the coordinate axes farthest from
-/// it. Vertices that coincide become an equilateral triangle in the plane of the first two axes. Where
-/// an equilateral triangle loses more than three quarters of its area, all directions in which it could
-/// be flattened are equally close; one of them is taken.
+/// Collinear vertices move apart in the plane of their line and of one of the coordinate axes
+/// farthest from it. Coincident vertices become an equilateral triangle in the plane of the first
+/// two axes. If an equilateral triangle loses more than three quarters of its area, all directions
+/// of flattening are equally close; one is chosen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Area {
     /// The area.
     area: Target,
-    /// Where the area is that at rest: times this.
+    /// Factor of the rest area, if that is the target.
     strain: Limits,
 }
 
@@ -59,11 +59,11 @@ impl Projection for Area {
 
     const READS_REST: bool = true;
 
-    /// The least and the greatest `sqrt(|a|^2 - |b|^2)`.
+    /// Stores the least and the greatest `sqrt(|a|^2 - |b|^2)`.
     fn prepare(&self, rest: &mut [Vec3<f64>]) {
         let size = Scaled::of(rest).map_or(0.0, |Scaled { size, triangle, .. }| {
             let [s, t] = triangle.singular_values();
-            // The last one is not quite that of a flat triangle.
+            // Rounding can make the last one of a flat triangle negative.
             (s * t.max(0.0)).sqrt() * size
         });
         let unit = (1.0 / EQUILATERAL).sqrt();
@@ -89,8 +89,8 @@ impl Projection for Area {
             *to = Vec3::if_greater(moves, S::zero(), moved, *own);
         }
         let accurate = moves.if_greater(S::zero(), accurate, S::one());
-        // Squares of squares of lengths keep all digits in this range; this fails for numbers that are
-        // none, too.
+        // Fourth powers of lengths neither overflow nor underflow in this range; the comparisons
+        // also fail for NaN.
         let accurate = s.if_greater(S::splat(1e-30), accurate, S::zero());
         let accurate = S::splat(1e30).if_greater(least, accurate, S::zero());
         S::splat(1e30).if_greater(s, accurate, S::zero()).all_greater(S::zero())
@@ -126,7 +126,7 @@ struct Triangle<S> {
 }
 
 impl<S: Lane> Triangle<S> {
-    /// With these edges from the first corner, of which one is not zero.
+    /// The triangle with these edges from the first corner, at least one of them not zero.
     #[inline(always)]
     fn of(x: Vec3<S>, y: Vec3<S>) -> Self {
         let frame = plane_frame(x, y);
@@ -149,7 +149,7 @@ impl<S: Lane> Triangle<S> {
         [a + b, a - b]
     }
 
-    /// The corners of the triangle with these singular values in place of its own.
+    /// Returns the corners of the triangle with these singular values in place of its own.
     #[inline(always)]
     fn with_singular_values(&self, [s, t]: [S; 2]) -> [Vec3<S>; 3] {
         let (half, sine) = (S::splat(0.5), S::splat(SINE));
@@ -172,7 +172,7 @@ fn length<S: Lane>([x, y]: [S; 2]) -> S {
     (x * x + y * y).sqrt()
 }
 
-/// The vector with another length; along the first axis where it is zero.
+/// Returns the vector with length `to`; along the first axis if it is zero.
 #[inline(always)]
 fn resized<S: Lane>(v: [S; 2], to: S) -> [S; 2] {
     let own = length(v);
@@ -187,9 +187,9 @@ struct Scaled {
 }
 
 impl Scaled {
-    /// None where all points coincide.
+    /// Returns none if all points coincide.
     fn of(v: &[Vec3<f64>]) -> Option<Scaled> {
-        // Halved first: the difference of two finite numbers need not be finite.
+        // Halved first, as the difference of two finite numbers need not be finite.
         let edges = [1, 2].map(|k| v[k] * 0.5 - v[0] * 0.5);
         let size = edges.iter().fold(0.0f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()));
         let [x, y] = edges.map(|p| Vec3::new(p.x / size, p.y / size, p.z / size));

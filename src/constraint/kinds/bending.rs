@@ -1,29 +1,29 @@
 //! Bending at the edge between two triangles: flat, or bent as much as at rest.
 //!
-//! The vector `sum_i w_i v_i` over the ends of the edge and the two corners opposite to it, with weights
-//! from the cotangents of the rest triangles, is zero exactly where the rest triangles, unfolded, fit on
-//! the points up to an affine map; its length is that of the discrete mean curvature vector of the hinge
-//! (Bergou, Wardetzky, Harmon, Zorin, Grinspun 2006). It is linear in the points, so that the closest
-//! points with another vector `s*` in place of `s` are `v_i - w_i (s - s*) / sum_k w_k^2`.
+//! The vector `s = sum_i w_i v_i` over the ends of the edge and the two corners opposite to it,
+//! with weights from the cotangents of the rest triangles, is zero exactly if the points are an
+//! affine image of the unfolded rest triangles; its length is that of the discrete mean curvature
+//! vector of the hinge (Bergou, Wardetzky, Harmon, Zorin, Grinspun 2006). As it is linear in the
+//! points, the closest points with another vector `s*` are `v_i - w_i (s - s*) / sum_k w_k^2`.
 
 use crate::constraint::parameter::Limits;
 use crate::constraint::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// A vector shorter than this fraction of the size of the hinge is rounding error.
+/// A bending vector shorter than this fraction of the size of the hinge is rounding error.
 const FLAT: f64 = 1e-13;
 
-/// Two triangles with a common edge are flat, or bent as much as at rest, or within limits between and
-/// beyond; to which side does not count.
+/// Two triangles with a common edge are flat, bent as much as at rest, or bent within limits
+/// relative to that; the side to which they bend does not matter.
 ///
-/// Flat triangles that are to be bent are bent towards the side on which they are at rest. A rest triangle
-/// without area counts as the collinear points that it is, and the other one for nothing beside it. Where
-/// both have none, there is nothing to bend, and nothing moves.
+/// Flat triangles that must bend do so towards the side on which they bend at rest. A rest triangle
+/// without area counts as its collinear points, and the other one has no weight beside it. If both
+/// have no area, nothing moves.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Bending {
-    /// Times the bending at rest.
+    /// Limits relative to the bending at rest.
     bend: Limits,
 }
 
@@ -58,8 +58,8 @@ impl Projection for Bending {
 
     const READS_REST: bool = true;
 
-    /// The weights of the ends and of the corners, scaled so that their squares sum to one; the length of
-    /// the vector at rest, and on which side of the hinge it is.
+    /// Stores the weights of the ends and of the corners, scaled so that their squares sum to one;
+    /// the length of the bending vector at rest, and the side of the hinge to which it points.
     fn prepare(&self, rest: &mut [Vec3<f64>]) {
         let size = greatest(rest);
         let unit = if size > 0.0 { size } else { 1.0 };
@@ -81,14 +81,14 @@ impl Projection for Bending {
     ) -> bool {
         self.bend_to_limits(rest, v, measure(rest, v), projected);
         let squared = v.iter().fold(S::zero(), |sum, p| sum + p.length_squared());
-        // Squares of squares of lengths keep all digits in this range.
+        // Fourth powers of lengths neither overflow nor underflow in this range.
         let accurate = squared.if_greater(S::splat(1e-60), S::one(), S::zero());
         S::splat(1e60).if_greater(squared, accurate, S::zero()).all_greater(S::zero())
     }
 
     fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let size = greatest(v);
-        // Points that coincide are as flat as any.
+        // Coincident points are flat.
         let unit = if size > 0.0 { size } else { 1.0 };
         let own = v.to_vec();
         let scaled: Vec<_> =
@@ -99,7 +99,8 @@ impl Projection for Bending {
 }
 
 impl Bending {
-    /// Brings the vector, of this length and direction, within the limits.
+    /// Projects to points whose bending vector, with this length and direction, is within the
+    /// limits.
     #[inline(always)]
     fn bend_to_limits<S: Lane>(
         &self,
@@ -117,8 +118,8 @@ impl Bending {
     }
 }
 
-/// Length and direction of the vector. Where the hinge is flat to rounding, the direction is that of its
-/// normal, on the side of the rest shape.
+/// Returns length and direction of the bending vector. If the hinge is flat up to rounding, the
+/// direction is that of its normal, on the side of the rest shape.
 #[inline(always)]
 fn measure<S: Lane>(rest: &[Vec3<S>], v: &[Vec3<S>]) -> (S, Vec3<S>) {
     let (zero, one) = (S::zero(), S::one());
@@ -132,8 +133,9 @@ fn measure<S: Lane>(rest: &[Vec3<S>], v: &[Vec3<S>]) -> (S, Vec3<S>) {
     (length, Vec3::if_greater(squared, is_bent, s * (one / length), normal))
 }
 
-/// The weights, whose squares sum to one, of a hinge of size about one; all zero where both triangles
-/// have no area. Cotangents are dot over cross product; here they are multiplied by both areas.
+/// Returns the weights, whose squares sum to one, of a hinge of size about one; all zero if both
+/// triangles have no area. Cotangents are dot over cross product; here they are multiplied by both
+/// areas.
 fn weights([a, b, c, d]: [Vec3<f64>; 4]) -> [f64; 4] {
     let edge = b - a;
     let area = |corner: Vec3<f64>| edge.cross(corner - a).length();
@@ -168,13 +170,13 @@ fn bending<S: Lane>(rest: &[Vec3<S>], v: &[Vec3<S>]) -> Vec3<S> {
     (v[0] * a + v[1] * b) + (v[2] * c + v[3] * d)
 }
 
-/// The sum of the normals of both triangles, times twice their areas.
+/// The sum of the triangle normals, each times twice its area.
 #[inline(always)]
 fn normal<S: Lane>(v: &[Vec3<S>]) -> Vec3<S> {
     (v[1] - v[0]).cross(v[2] - v[3])
 }
 
-/// The greatest coordinate.
+/// The greatest absolute coordinate.
 fn greatest(v: &[Vec3<f64>]) -> f64 {
     v.iter().fold(0.0f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()))
 }

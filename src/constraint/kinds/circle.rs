@@ -1,5 +1,5 @@
-//! Circle (paper section 3.1): the least-squares plane, then the circle of Thomas and Chan in it. Its
-//! radius may be given.
+//! Circle (paper section 3.1): the least-squares plane, then the circle of Thomas and Chan in it.
+//! The radius may be given.
 
 use crate::constraint::parameter::Limits;
 use crate::constraint::{
@@ -8,25 +8,25 @@ use crate::constraint::{
 use crate::math::{CircleFit, Lane, PrincipalRound, Vec3, centre};
 use serde::{Deserialize, Serialize};
 
-/// All vertices on one circle, in any order and at any spacing, of any radius, a given one, or one
-/// within limits.
+/// All vertices lie on one circle, in any order and at any spacing, of any radius, a given one, or
+/// one within limits.
 ///
 /// Not exact: with vertices off a circle by 1 %, 10 % or 30 % of its radius, the squared distance is
 /// on average 3e-5, 3e-3 or 2.5 % greater than the least possible (8 vertices all around).
 ///
-/// With a given radius that is about that of the vertices these are 8e-6, 7e-4 and 1.3 %: only the
-/// plane is not the best. Where it is 1.4 times as great they are up to 12 %, more beyond: the closest
-/// circle then has vertices all around it on one side of itself, and there are several such. Limits
-/// change nothing where the radius is within.
+/// With a given radius close to that of the vertices these excesses are 8e-6, 7e-4 and 1.3 %: only
+/// the plane is not optimal. With one 1.4 times as great they are up to 12 %, and more beyond: the
+/// closest circle to vertices all around then has them on one side, and there are several such
+/// circles. Limits change nothing if the fitted radius is within them.
 ///
-/// Collinear vertices stay on their line, the limit of great circles; with a given radius they bulge
-/// to one side. The circle is a line again where the radius exceeds a million times their size.
-/// Coincident vertices stay where they are. A vertex at the centre goes to the circle along the
+/// Collinear vertices stay on their line, the limit of large circles; with a given radius they
+/// bulge to one side. The circle is replaced by a line if the radius exceeds a million times their
+/// size. Coincident vertices stay where they are. A vertex at the centre is projected along the
 /// longest principal axis.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Circle {
-    /// The radius; none is the one that fits best.
+    /// The radius; none for the best fit.
     radius: Option<Limits>,
 }
 
@@ -55,7 +55,7 @@ impl Projection for Circle {
 
     const USUAL_FOR: &'static [TargetShape] = &[TargetShape::Panels, TargetShape::Loop];
 
-    // In place, so that the number of corners is known where it is called with four.
+    // Inlined, so that the number of corners is a constant in the instance for four.
     #[inline(always)]
     fn closed_form<S: Lane>(
         &self,
@@ -96,7 +96,7 @@ impl Projection for Circle {
 }
 
 impl Circle {
-    /// The nearest radius that is allowed.
+    /// Returns the nearest allowed radius.
     fn clamp(&self, radius: f64) -> f64 {
         self.radius.map_or(radius, |limits| limits.clamp(radius))
     }

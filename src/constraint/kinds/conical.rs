@@ -2,22 +2,22 @@
 //! (Liu, Pottmann, Wallner, Yang and Wang 2006; the condition on angles is from Wang, Wallner and Liu,
 //! "An angle criterion for conical mesh vertices", Journal for Geometry and Graphics 11 (2007)).
 //!
-//! For the angles `a_k` between one edge and the next the condition is `D = a_1 - a_2 + a_3 - a_4 = 0`.
-//! With unit vectors `u_k` along the edges, `|u_k + u_(k+1)|` and `|u_k - u_(k+1)|` are twice the cosine and
-//! the sine of half the angle, and products of such complex numbers give cosine and sine of `D / 2`. That
-//! the angles around a flat vertex make a full turn, or those of a deep one less, does not matter then.
+//! For the angles `a_k` between consecutive edges the condition is `D = a_1 - a_2 + a_3 - a_4 = 0`.
+//! With unit vectors `u_k` along the edges, `|u_k + u_(k+1)|` and `|u_k - u_(k+1)|` are twice the
+//! cosine and the sine of half the angle, and products of such complex numbers give the cosine and
+//! sine of `D / 2`. This works whether or not the angles around the vertex add up to a full turn.
 
 use crate::constraint::{Arity, Centring, Element, Info, Projection};
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// A vertex and its four neighbours around it: the first and third angle between its edges have the
-/// same sum as the second and fourth. Where the four faces are flat, they then touch a common cone.
+/// A vertex and its four neighbours in order: the first and third angle between its edges have the
+/// same sum as the second and fourth. If the four faces are flat, they touch a common cone.
 ///
-/// Not exact: for vertices off by 1 %, 10 % or 30 % of the length of an edge the squared distance is on
-/// average 2e-13, 3e-4 or 4e-7 greater than the least possible, and at most 3e-12, 8e-3 or 1e-5 (25
-/// vertices each). A neighbour that meets the vertex has any
-/// direction, and the condition holds.
+/// Not exact: for vertices off by 1 %, 10 % or 30 % of the length of an edge the squared distance
+/// is on average 2e-13, 3e-4 or 4e-7 greater than the least possible, and at most 3e-12, 8e-3 or
+/// 1e-5 (25 vertices each). If a neighbour coincides with the vertex, its direction is arbitrary
+/// and the condition holds.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Conical {}
@@ -69,7 +69,8 @@ impl Projection for Conical {
         accurate.all_greater(S::zero())
     }
 
-    /// Of what is found by slower steps, and of the vertex joined to each neighbour, the nearest.
+    /// Takes the nearest among the results of damped steps and those of merging the vertex with a
+    /// neighbour.
     fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let unit = v.iter().fold(0.0f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()));
         if unit == 0.0 {
@@ -87,25 +88,26 @@ impl Projection for Conical {
     }
 }
 
-/// Steps towards the closest points, then onto the shape.
+/// Numbers of steps towards the closest points, then onto the shape.
 const NEAR: usize = 10;
 const ONTO: usize = 4;
 
-/// The condition holds up to here, where edges are much shorter than the coordinates.
+/// Tolerance for the sine of `D / 2`: its rounding error if edges are much shorter than the
+/// coordinates.
 const ROUNDING: f64 = 1e-12;
 
-/// The squared correction is less than this part of all squared edges; greater ones take the slower
-/// way.
+/// Upper bound on the squared correction, relative to the square of the shortest edge, for the
+/// closed form; greater corrections are left to the robust projection.
 const MILD: f64 = 0.25;
 
 /// The angles around the vertex.
 struct Angles<S> {
-    /// Of the edges.
+    /// The lengths of the edges.
     lengths: [S; 4],
-    /// Of half the difference of the sums of opposite angles.
+    /// Cosine and sine of `D / 2`.
     cosine: S,
     sine: S,
-    /// The gradient of that difference, one for each of the five points.
+    /// The gradient of `D` with respect to the five points.
     gradient: [Vec3<S>; 5],
 }
 
@@ -124,9 +126,9 @@ impl<S: Lane> Angles<S> {
             let (plus, minus) = (u[k] + u[next], u[k] - u[next]);
             let (c, s) = (plus.length() * half, minus.length() * half * sign);
             (cosine, sine) = (cosine * c - sine * s, sine * c + cosine * s);
-            // Where the ends go when the angle grows: each away from the other edge.
+            // Each end of an angle moves away from the other edge when the angle grows.
             let opposite = u[k].dot(u[next]);
-            // Over the sine of the angle, which is twice that of its half times the cosine.
+            // Divided by the sine of the angle, 2 sin(a/2) cos(a/2).
             let turn = -(sign + sign) / (plus.length() * minus.length());
             let (away, back) = (u[next] - u[k] * opposite, u[k] - u[next] * opposite);
             gradient[k + 1] += away * (turn / lengths[k]);
@@ -136,8 +138,8 @@ impl<S: Lane> Angles<S> {
         Angles { lengths, cosine, sine, gradient }
     }
 
-    /// The points closest to `v` at which the difference is zero, if it were linear around `x`, of which
-    /// these are the angles.
+    /// Returns the points closest to `v` at which the linearisation of `D` at `x`, the points of
+    /// these angles, is zero.
     #[inline(always)]
     fn nearest(&self, v: &[Vec3<S>; 5], x: &[Vec3<S>; 5]) -> [Vec3<S>; 5] {
         let (mut square, mut slope) = (S::zero(), S::zero());
@@ -146,19 +148,19 @@ impl<S: Lane> Angles<S> {
             slope += self.gradient[k].dot(v[k] - x[k]);
         }
         let step = (self.sine / self.cosine * S::splat(2.0) + slope) / square;
-        // Where the gradient is zero the points have the shape, or none is nearer than others.
+        // If the gradient is zero, the points have the shape, or none is nearer than others.
         let step = square.if_greater(S::zero(), step, S::zero());
         std::array::from_fn(|k| v[k] - self.gradient[k] * step)
     }
 }
 
-/// A step of the slower way from `x` towards `v`.
+/// One step of the robust projection from `x` towards `v`.
 #[inline(never)]
 fn step(v: &[Vec3<f64>; 5], x: &[Vec3<f64>; 5]) -> [Vec3<f64>; 5] {
     Angles::of(x).nearest(v, x)
 }
 
-/// Candidates for the closest points to `v` that have the shape; at least one has it.
+/// Returns candidates for the closest points to `v` that have the shape; at least one has it.
 fn candidates(v: &[Vec3<f64>; 5]) -> Vec<[Vec3<f64>; 5]> {
     let has_shape = |x: &[Vec3<f64>; 5]| {
         let angles = Angles::of(x);
@@ -168,22 +170,22 @@ fn candidates(v: &[Vec3<f64>; 5]) -> Vec<[Vec3<f64>; 5]> {
         return vec![*v];
     }
     let mut found = Vec::new();
-    for slower in [1.0, 0.3, 0.1] {
+    for step_size in [1.0, 0.3, 0.1] {
         let mut x = *v;
-        for _ in 0..SLOW {
+        for _ in 0..ROBUST_STEPS {
             let next = step(v, &x);
-            x = std::array::from_fn(|k| x[k] + (next[k] - x[k]) * slower);
+            x = std::array::from_fn(|k| x[k] + (next[k] - x[k]) * step_size);
         }
-        for _ in 0..SLOW {
+        for _ in 0..ROBUST_STEPS {
             x = step(&x, &x);
         }
         found.push(x);
-        // And straight onto the shape.
+        // Directly onto the shape.
         let mut x = *v;
-        for k in 0..SLOW {
+        for k in 0..ROBUST_STEPS {
             let next = step(&x, &x);
-            let slower = if 2 * k < SLOW { slower } else { 1.0 };
-            x = std::array::from_fn(|k| x[k] + (next[k] - x[k]) * slower);
+            let step_size = if 2 * k < ROBUST_STEPS { step_size } else { 1.0 };
+            x = std::array::from_fn(|k| x[k] + (next[k] - x[k]) * step_size);
         }
         found.push(x);
     }
@@ -197,5 +199,5 @@ fn candidates(v: &[Vec3<f64>; 5]) -> Vec<[Vec3<f64>; 5]> {
     found
 }
 
-/// Steps of the slower way.
-const SLOW: usize = 40;
+/// The number of steps of each phase of the robust projection.
+const ROBUST_STEPS: usize = 40;

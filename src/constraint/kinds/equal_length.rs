@@ -1,4 +1,4 @@
-//! Equal lengths: the edges among the selected vertices get one common length.
+//! Equal lengths: the edges among the selected vertices have a common length.
 
 use crate::constraint::{Arity, Centring, Info, Projection};
 use crate::math::{Lane, Vec3};
@@ -6,12 +6,12 @@ use serde::{Deserialize, Serialize};
 
 /// All edges among the vertices are equally long.
 ///
-/// The closest are the same directions, all with the mean length. Proof: an edge of length `l` that
-/// gets the length `m` moves its vector by at least `|l - m|`, and exactly that in its own direction;
-/// the sum of squares of `l - m` is least where `m` is the mean of `l`.
+/// The closest edges keep their directions and have the mean length. Proof: changing the length of
+/// an edge from `l` to `m` moves its vector by at least `|l - m|`, and by exactly that along its
+/// own direction; the sum of squares of `l - m` is least if `m` is the mean of `l`.
 ///
-/// An edge whose ends coincide takes its rest direction, and that of the first axis where its ends
-/// coincide at rest too. Where all do, they stay.
+/// An edge whose ends coincide gets its rest direction, or that of the first axis if they coincide
+/// at rest too. If the ends of all edges coincide, they stay.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct EqualLength {}
@@ -34,7 +34,7 @@ impl Projection for EqualLength {
 
     const READS_REST: bool = true;
 
-    /// The direction of each edge, at both of its ends.
+    /// Stores the direction of each edge at both of its ends.
     fn prepare(&self, rest: &mut [Vec3<f64>]) {
         for ends in rest.chunks_exact_mut(2) {
             let (_, direction) = half(ends).length_and_direction();
@@ -55,7 +55,7 @@ impl Projection for EqualLength {
             let length = squared.sqrt();
             sum += length;
             half_and_length.copy_from_slice(&[half, Vec3::new(length, length, length)]);
-            // Squares of lengths keep all digits in this range.
+            // Squared lengths neither overflow nor underflow in this range.
             accurate = squared.if_greater(S::splat(1e-60), accurate, S::zero());
             accurate = S::splat(1e60).if_greater(squared, accurate, S::zero());
         }
@@ -79,8 +79,8 @@ impl Projection for EqualLength {
     }
 }
 
-/// Half the vector from the first end to the second. Halved first: the difference of two finite
-/// numbers need not be finite.
+/// Returns half the vector from the first end to the second. Halved first, as the difference of two
+/// finite numbers need not be finite.
 #[inline(always)]
 fn half<S: Lane>(ends: &[Vec3<S>]) -> Vec3<S> {
     ends[1] * S::splat(0.5) - ends[0] * S::splat(0.5)

@@ -5,12 +5,12 @@ use crate::constraint::{Arity, Centring, Element, Info, Projection};
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// Four vertices, in turn: opposite sides have the same sum. A flat convex panel then has a circle
-/// inside that touches its four sides; the sides of one that is not flat touch a sphere.
+/// Four vertices, in order: opposite sides have the same sum. The sides of a flat convex panel then
+/// touch a circle inside; those of a non-planar quad touch a sphere.
 ///
 /// Not always exact: for vertices off by up to 30 % of the size of such a quad nothing closer was
-/// found, but in 2 of 400 clouds of four points something was. Vertices that meet are a side of no
-/// length.
+/// found, but for 2 of 400 clouds of four points something was. Coincident vertices form a
+/// side of zero length.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Incircle {}

@@ -6,14 +6,14 @@ use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projecti
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// All vertices on one straight line, of any direction or of a given one.
+/// All vertices lie on one straight line, of any direction or of a given one.
 ///
-/// Where two directions fit equally well (the corners of a square, coincident points) one of them
-/// is taken; both are closest.
+/// If several directions fit equally well (the corners of a square, coincident points), one is
+/// chosen.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Line {
-    /// The direction of the line; none is the one that fits best.
+    /// The direction of the line; none for the best fit.
     direction: Option<Direction>,
 }
 

@@ -1,22 +1,22 @@
-//! Line segment (paper section 3.3): the ends of an edge at a given distance, or at a distance
-//! within limits.
+//! Line segment (paper section 3.3): the ends of an edge have a given distance, or one within
+//! limits.
 
 use crate::constraint::parameter::{Limits, Target};
 use crate::constraint::{Arity, Centring, Info, Projection, TargetShape};
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// Two vertices have the distance that they have at rest, or a given one. With limits instead of one
-/// number only what is beyond them is corrected: strain limiting.
+/// Two vertices have their rest distance, or a given one. With limits instead of one number, only a
+/// distance outside them is corrected: strain limiting.
 ///
-/// The closest segment has the same middle and direction. Ends that coincide are parted along their
-/// rest direction, and along the first axis where they coincide at rest too.
+/// The closest segment has the same midpoint and direction. Coincident ends move apart along their
+/// rest direction, or along the first axis if they coincide at rest too.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct LineSegment {
     /// The length.
     length: Target,
-    /// Where the length is that at rest: times this.
+    /// Factor of the rest length, if that is the target.
     strain: Limits,
 }
 
@@ -46,7 +46,7 @@ impl Projection for LineSegment {
 
     const READS_REST: bool = true;
 
-    /// The length at rest, then the direction.
+    /// Stores the length at rest, then the direction.
     fn prepare(&self, rest: &mut [Vec3<f64>]) {
         let (length, direction) = (rest[1] - rest[0]).length_and_direction();
         rest[0] = Vec3::new(length, 0.0, 0.0);
@@ -64,13 +64,13 @@ impl Projection for LineSegment {
         let length = squared.sqrt();
         let half = half * (self.clamped(length, rest[0].x) / length);
         projected.copy_from_slice(&[-half, half]);
-        // Squares of lengths keep all digits in this range.
+        // Squared lengths neither overflow nor underflow in this range.
         let accurate = squared.if_greater(S::splat(1e-60), S::one(), S::zero());
         S::splat(1e60).if_greater(squared, accurate, S::zero()).all_greater(S::zero())
     }
 
     fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
-        // Halved first: the difference of two finite numbers need not be finite.
+        // Halved first, as the difference of two finite numbers need not be finite.
         let (length, direction) = (v[1] * 0.5 - v[0] * 0.5).length_and_direction();
         let half = direction.unwrap_or(rest[1]) * self.clamped(length, rest[0].x);
         v.copy_from_slice(&[-half, half]);
@@ -78,7 +78,7 @@ impl Projection for LineSegment {
 }
 
 impl LineSegment {
-    /// Half the length that is nearest to twice `half`, where the length at rest is `rest`.
+    /// Returns half the allowed length nearest to twice `half`, for the rest length `rest`.
     #[inline(always)]
     fn clamped<S: Lane>(&self, half: S, rest: S) -> S {
         match self.length {

@@ -1,13 +1,13 @@
 //! The projection operators, one file each, and the list of them.
 //!
-//! A line of the list is all that the project has to know of a kind: it declares the module and makes
-//! the kind one of [`Kind`]. (So `cargo fmt` does not find these files by itself; `npm test` names them
-//! to it.)
+//! A kind needs only its line in the list, which declares the module and adds it to [`Kind`]. (As a
+//! macro declares the modules, `cargo fmt` does not find these files; `npm test` passes them to
+//! it.)
 //!
 //! | file or folder | holds |
 //! |---|---|
-//! | `registry` | the enum of kinds, made from the list |
-//! | `shared` | what several operators are made of |
+//! | `registry` | the enum of kinds, generated from the list |
+//! | `shared` | parts of several operators |
 
 #[macro_use]
 mod registry;

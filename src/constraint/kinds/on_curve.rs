@@ -1,34 +1,36 @@
 //! On curve (an application of paper section 4.2, where vertices slide along feature curves): the
-//! closest point of a polyline, or of a spline through its vertices, that stays in its place.
+//! closest point of a fixed polyline, or of a spline through its vertices.
 
 use crate::constraint::kinds::shared::separate_lanes;
 use crate::constraint::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
 use crate::math::{Cubic, Lane, Vec3, cosine};
 use serde::{Deserialize, Serialize};
 
-/// The vertices glide along the polyline that they make at rest, in the order in which they are
-/// given, each on its own piece of it: from one corner to the next. The corners themselves stay at
-/// their rest places, and so do the ends of an open curve.
+/// The vertices glide along the polyline of their rest positions, in the given order, each on its
+/// own piece: from one corner to the next. Corners and the ends of an open curve stay at their rest
+/// positions.
 ///
-/// A corner is where the curve turns by more than `corners`. A curve of three or more vertices is
-/// closed when the gap from its last vertex to its first is no longer than 1.5 times the longest of
-/// its other segments, unless `closed` says yes or no. A segment without length turns nowhere.
+/// A corner is a vertex at which the curve turns by more than `corners`. A curve of three or more
+/// vertices is closed if the gap from its last vertex to its first is at most 1.5 times the longest
+/// of its other segments, unless `closed` says yes or no. There is no corner at a segment without
+/// length.
 ///
-/// Each vertex goes to the closest point of its piece, and to one of them where several are equally
-/// close.
+/// Each vertex is projected to the closest point of its piece, or to one of several equally close
+/// ones.
 ///
-/// Between the rest places the curve is straight, or a `spline`: one cubic for each segment, which goes on
-/// in the same direction in the next one of its piece. The direction at a place is that of the parabola through it
-/// and its two neighbours, in the centripetal parameter, with which it has no loops between them (Yuksel,
-/// Schaefer, Keyser 2011); where a piece ends, that of the parabola through the last three places.
+/// Between the rest positions the curve is straight or a `spline`: one cubic per segment, with
+/// continuous direction within a piece. The tangent at a vertex is that of the parabola through it
+/// and its two neighbours in the centripetal parametrisation, which rules out loops between them
+/// (Yuksel, Schaefer, Keyser 2011); at the end of a piece, that of the parabola through the last
+/// three vertices.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct OnCurve {
-    /// The least turn of a corner, in degrees.
+    /// The least turning angle of a corner, in degrees.
     corners: f64,
     /// Whether the last vertex is followed by the first.
     closed: Closed,
-    /// The curve between rest places.
+    /// The curve between rest positions.
     between: Between,
 }
 
@@ -53,7 +55,7 @@ impl Default for OnCurve {
     }
 }
 
-/// How much longer than all other segments the gap of a closed curve may be.
+/// Greatest length of the gap of a closed curve, relative to the longest segment.
 const GAP: f64 = 1.5;
 
 impl Projection for OnCurve {
@@ -105,7 +107,7 @@ impl Projection for OnCurve {
         v: &[Vec3<S>],
         projected: &mut [Vec3<S>],
     ) -> bool {
-        // How far a search goes depends on where the points are, so the lanes go separate ways.
+        // The extent of the search depends on the points, so each lane is projected separately.
         separate_lanes(rest, v, projected, |lane, projected| {
             let curve = Curve::new(self, rest.len(), |i| rest[i].lane(lane));
             let largest = v.iter().map(|v| largest_coordinate(v.lane(lane)));
@@ -121,7 +123,8 @@ impl Projection for OnCurve {
         })
     }
 
-    /// The same in units of the largest coordinate, so that squares of lengths keep their digits.
+    /// The same in units of the largest coordinate, so that squared lengths neither overflow nor
+    /// underflow.
     fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let largest = |points: &[Vec3<f64>]| {
             points.iter().fold(0.0f64, |largest, p| largest.max(largest_coordinate(*p)))
@@ -142,12 +145,12 @@ fn largest_coordinate(p: Vec3<f64>) -> f64 {
 
 /// The polyline of one constraint.
 struct Curve<P> {
-    /// Its vertices, `n` of them.
+    /// Returns the position of vertex `i` of `n`.
     at: P,
     n: usize,
     closed: bool,
     is_spline: bool,
-    /// No segment is longer.
+    /// Upper bound on the length of a segment.
     longest: f64,
     /// The cosine of the least turn of a corner.
     cosine: f64,
@@ -190,18 +193,18 @@ impl<P: Fn(usize) -> Vec3<f64>> Curve<P> {
         let here = (self.at)(i);
         let (before, after) = (here - (self.at)((i + n - 1) % n), (self.at)((i + 1) % n) - here);
         let lengths = before.length() * after.length();
-        // Rounding makes no corner of a straight line.
+        // The tolerance keeps rounding from making a corner of a straight line.
         lengths > 0.0 && before.dot(after) < (self.cosine - 1e-12) * lengths
     }
 
-    /// Calls `place` for each vertex, with what gives the closest point of its piece.
+    /// Calls `place` for each vertex, with a function that returns the closest point of its piece.
     fn glide(&self, mut place: impl FnMut(usize, &dyn Fn(Vec3<f64>) -> Vec3<f64>)) {
         let (n, segments) = (self.n, self.segments());
         let Some(first) = (0..n).find(|&i| self.is_kept(i)) else {
             (0..n).for_each(|i| place(i, &|v| self.closest(0, segments, i, v)));
             return;
         };
-        // The pieces go from kept vertex to kept vertex, all around where the curve is closed.
+        // Pieces extend from one kept vertex to the next, around the whole curve if it is closed.
         let mut start = first;
         while start < first + segments {
             let after = (start + 1..first + segments).find(|&i| self.is_kept(i % n));
@@ -214,9 +217,9 @@ impl<P: Fn(usize) -> Vec3<f64>> Curve<P> {
         (0..n).filter(|&i| self.is_kept(i)).for_each(|i| place(i, &|_| (self.at)(i)));
     }
 
-    /// The point closest to `v` on the segments from `start` to before `end`, where the number of a
-    /// segment is that of its first vertex. The search begins at vertex `near`, and leaves out
-    /// segments that are too far along the curve to be nearer than what it has.
+    /// Returns the point closest to `v` on the segments `start..end`, numbered by their first
+    /// vertices. The search begins at vertex `near` and skips segments too far along the curve to
+    /// be nearer than the best point so far.
     fn closest(&self, start: usize, end: usize, near: usize, v: Vec3<f64>) -> Vec3<f64> {
         let mut best = ((self.at)(near % self.n), f64::INFINITY);
         let mut consider = |segment: usize| {
@@ -229,7 +232,7 @@ impl<P: Fn(usize) -> Vec3<f64>> Curve<P> {
             if distance < best.1 {
                 best = (point, distance);
             }
-            // All of the segment's neighbours begin at least this much farther away than the best.
+            // Neighbouring segments begin at least this much farther away than the best point.
             let spare = distance - best.1;
             if spare > 0.0 { (spare / self.longest) as usize } else { 0 }
         };
@@ -249,13 +252,13 @@ impl<P: Fn(usize) -> Vec3<f64>> Curve<P> {
         [(self.at)(segment % self.n), (self.at)((segment + 1) % self.n)]
     }
 
-    /// A segment of the spline.
+    /// Returns a segment of the spline.
     fn cubic(&self, segment: usize) -> Cubic {
         let (n, ends) = (self.n, self.ends(segment));
         let (first, second) = (segment % n, (segment + 1) % n);
         let chord = ends[1] - ends[0];
         let step = chord.length().sqrt();
-        // By the next place beyond an end, and how far it is; none where the piece ends.
+        // The chord beyond an end, and its parameter step; none at the end of a piece.
         let beyond = |end: usize, other: usize| {
             let chord =
                 if end == first { ends[0] - (self.at)(other) } else { (self.at)(other) - ends[1] };

@@ -1,5 +1,5 @@
-//! On surface (the closest point `c(v)` of paper Eq. 11, for some of the vertices, as a shape
-//! constraint): the closest point of the rest surface.
+//! On surface: the closest point `c(v)` of the rest surface (paper Eq. 11), as a shape constraint
+//! on some of the vertices.
 
 use crate::constraint::kinds::shared::separate_lanes;
 use crate::constraint::{Arity, Centring, Info, Projection, Reference};
@@ -9,11 +9,11 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::rc::Rc;
 
-/// The vertices glide on the rest surface of the whole mesh: its faces, triangulated as fans;
-/// without faces its curves.
+/// The vertices glide on the rest surface of the whole mesh: its faces, triangulated as fans, or
+/// its curves if there are no faces.
 ///
-/// Each vertex goes to the closest point, and to one of them where several are equally close. A
-/// coordinate beyond 1e100 counts as much nearer in the same direction.
+/// Each vertex is projected to the closest point, or to one of several equally close ones. Points
+/// with a coordinate beyond 1e100 are first scaled down to it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct OnSurface {
@@ -21,7 +21,7 @@ pub struct OnSurface {
     surface: RestSurface,
 }
 
-/// The rest surface, once it is known. No parameter: two operators with the same ones are equal.
+/// The rest surface, once it is bound. Not a parameter: operators with equal parameters are equal.
 #[derive(Clone, Default)]
 struct RestSurface(Option<Rc<Surface>>);
 
@@ -59,7 +59,7 @@ impl Projection for OnSurface {
         self.surface = RestSurface(Some((reference.surface)()));
     }
 
-    /// Where on the surface the vertex is at rest: later searches start there.
+    /// Stores the triangle closest to each vertex at rest, where later searches start.
     fn prepare(&self, rest: &mut [Vec3<f64>]) {
         for r in rest {
             let mut triangle = Surface::COLD;
@@ -84,7 +84,7 @@ impl Projection for OnSurface {
     }
 }
 
-/// The square of a coordinate is finite up to here.
+/// Largest coordinate; its square is finite.
 const FARTHEST: f64 = 1e100;
 
 impl OnSurface {

@@ -1,14 +1,14 @@
 //! Parallelogram (paper section 3.3, Eq. 9). The paper fits it in the least-squares plane; in space
-//! the same problem is linear too, and its solution is flat by itself and closer.
+//! the problem is linear too, and its solution is planar and closer.
 
 use crate::constraint::{Arity, Centring, Info, Projection};
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// Four vertices, in turn, are the corners of a parallelogram: its diagonals halve each other.
+/// Four vertices, in order, are the corners of a parallelogram: its diagonals bisect each other.
 ///
 /// With the half-diagonals `a = (v1 - v3) / 2` and `b = (v2 - v4) / 2` the closest one is
-/// `(a, b, -a, -b)`. Every input has exactly one; collinear vertices give a flat one on their line.
+/// `(a, b, -a, -b)`. It is unique for every input; for collinear vertices it lies on their line.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Parallelogram {}

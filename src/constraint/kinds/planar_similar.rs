@@ -1,29 +1,30 @@
-//! Planar similar (paper section 3.2, Eq. 7 and 8): points and rest points in their least-squares
-//! planes, then the closest similarity in two dimensions.
+//! Planar similar (paper section 3.2, Eq. 7 and 8): the closest two-dimensional similarity between
+//! the points and the rest points, each in their least-squares plane.
 //!
-//! With complex numbers for the points of a plane, Eq. 8 is one column: `A` holds the rest points
-//! `r_j` divided by the first. `P = A (A^T A)^-1 A^T` is then `r r^H / |r|^2`, and with `r` of length
-//! one, `P z = r (r^H z)`: no matrix is needed.
+//! With complex numbers for the points of a plane, `A` of Eq. 8 is one column: the rest points
+//! `r_j` divided by the first. `P = A (A^T A)^-1 A^T` is then `r r^H / |r|^2`, and with `r` of
+//! length one, `P z = r (r^H z)`: no matrix is needed.
 //!
-//! Nor are axes in the plane of the points. With its unit normal `n`, multiplication by `i` is the cross
-//! product with `n`. For `h_x = sum x_j v_j` and `h_y = sum y_j v_j`, where `r_j = x_j + i y_j`,
-//! the images of the two axes of the rest plane are `e = h_x - n x h_y` (without its component along
-//! `n`) and `n x e`. Both signs of `n` are planes of the points; the one nearer to
+//! Axes in the plane of the points are not needed either. With its unit normal `n`, multiplication
+//! by `i` is the cross product with `n`. For `h_x = sum x_j v_j` and `h_y = sum y_j v_j`, where
+//! `r_j = x_j + i y_j`, the images of the two axes of the rest plane are `e = h_x - n x h_y`
+//! (without its component along `n`) and `n x e`. Both signs of `n` are valid; the one nearer to
 //! `h_x x h_y` gives the longer `e`, and so the closer points.
 
 use crate::constraint::{Arity, Centring, Info, Projection};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// The vertices lie in one plane, and have there the rest shape (in its own plane) up to its size.
+/// The vertices lie in one plane and have the rest shape (flattened to its own plane) up to its
+/// size.
 ///
-/// Not exact, unless the vertices are planar, as three of them always are: the closest similar shape
-/// need not lie in the least-squares plane. With vertices off such a shape by 1 %, 10 % or 30 % of its
-/// size, the squared distance is on average 1e-5, 3e-3 or 1 % greater than the least possible (8
-/// vertices).
+/// Not exact, unless the vertices are planar, as three of them always are: the closest similar
+/// shape need not lie in the least-squares plane. With vertices off such a shape by 1 %, 10 % or 30
+/// % of its size, the squared distance is on average 1e-5, 3e-3 or 1 % greater than the least
+/// possible (8 vertices).
 ///
-/// Where several planes fit the vertices equally well, one of them is taken. Vertices that all
-/// coincide, and a rest shape that has no size, give one point.
+/// If several planes fit the vertices equally well, one is chosen. Coincident vertices, and a rest
+/// shape without size, give one point.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct PlanarSimilar {}
@@ -47,8 +48,8 @@ impl Projection for PlanarSimilar {
     const READS_REST: bool = true;
     const TAKES_POSE: bool = true;
 
-    /// The coordinates in the least-squares plane, scaled so that their squares sum to one; the third
-    /// is zero.
+    /// Replaces the points by their coordinates in the least-squares plane, scaled so that their
+    /// squares sum to one; the third is zero.
     fn prepare(&self, rest: &mut [Vec3<f64>]) {
         PrincipalAxes::rotate(rest);
         let square: f64 = rest.iter().map(|r| r.x * r.x + r.y * r.y).sum();
@@ -82,7 +83,8 @@ impl Projection for PlanarSimilar {
     }
 }
 
-/// The rest shape in the plane with unit normal `n`, or `-n`, as close to `v` as there can be.
+/// Writes the rest shape, placed as close to `v` as possible in the plane with unit normal `n` or
+/// `-n`.
 #[inline(always)]
 fn place<S: Lane>(rest: &[Vec3<S>], v: &[Vec3<S>], n: Vec3<S>, projected: &mut [Vec3<S>]) {
     let (mut x, mut y) = (Vec3::zero(), Vec3::zero());

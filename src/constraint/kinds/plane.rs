@@ -1,30 +1,29 @@
 //! Plane (paper section 3.1): the normal of the plane is the eigenvector of the smallest eigenvalue
-//! of the scatter matrix. It may be given, or a direction in the plane may be.
+//! of the scatter matrix. The normal, or a direction in the plane, may be given.
 
 use crate::constraint::parameter::Direction;
 use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projection, TargetShape};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// The least difference of two eigenvalues, relative to their sum, at which the closed form is used.
-/// The normal is off by about an ulp divided by this.
+/// The least difference of two eigenvalues, relative to their sum, for which the closed form is
+/// used. The error of the normal is about an ulp divided by this.
 const LEAST_GAP: f64 = 1e-4;
 
-/// All vertices in one plane: any, one with a given normal (a horizontal panel), or one that
+/// All vertices lie in one plane: any, one with a given normal (a horizontal panel), or one that
 /// contains a given direction (a vertical wall).
 ///
-/// Where several planes fit equally well (collinear points, a regular tetrahedron) one of them is
-/// taken; all are closest.
+/// If several planes fit equally well (collinear points, a regular tetrahedron), one is chosen.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Given")]
 pub struct Plane {
-    /// The normal, of either sign.
+    /// The normal; its sign does not matter.
     normal: Option<Direction>,
-    /// A direction in the plane; not given where the normal is.
+    /// A direction in the plane; excludes `normal`.
     along: Option<Direction>,
 }
 
-/// The direction as the scene file gives it.
+/// The parameters as in the scene file.
 #[derive(Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct Given {
@@ -102,9 +101,9 @@ impl Projection for Plane {
     fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         if let Some(along) = &self.along {
             let [e, f] = frame_across(along);
-            let mut seen: Vec<_> = v.iter().map(|v| Vec3::new(e.dot(*v), f.dot(*v), 0.0)).collect();
-            // The third axis is that of the third coordinate, which is zero throughout.
-            let [_, least, _] = PrincipalAxes::rotate(&mut seen).axes;
+            let mut flat: Vec<_> = v.iter().map(|v| Vec3::new(e.dot(*v), f.dot(*v), 0.0)).collect();
+            // The third axis is the third coordinate axis, as all third coordinates are zero.
+            let [_, least, _] = PrincipalAxes::rotate(&mut flat).axes;
             let normal = e * least.x + f * least.y;
             for p in v {
                 *p -= normal * normal.dot(*p);
@@ -126,19 +125,19 @@ fn flatten<S: Lane>(normal: Vec3<S>, v: &[Vec3<S>], projected: &mut [Vec3<S>]) {
     }
 }
 
-/// Two unit vectors at right angles to each other and to the direction.
+/// Returns two unit vectors orthogonal to each other and to the direction.
 fn frame_across(along: &Direction) -> [Vec3<f64>; 2] {
     let along = along.unit::<f64>();
     let e = along.across();
     [e, along.cross(e)]
 }
 
-/// The normal of the closest plane among those whose normals are combinations of `e` and `f`, with one
-/// in the lanes where it is accurate, else zero.
+/// Returns the normal of the closest plane among those whose normals are combinations of `e` and
+/// `f`, and one in the lanes in which it is accurate, else zero.
 ///
 /// The coordinates along `e` and `f` have a 2x2 scatter matrix; the angle of its greatest
 /// eigenvector is half of that of `(xx - yy, 2 xy)`.
-// Apart, so that planes of any direction keep their registers.
+// Not inlined, to keep register pressure low for planes of any direction.
 #[inline(never)]
 fn normal_across<S: Lane>([e, f]: [Vec3<f64>; 2], v: &[Vec3<S>]) -> (Vec3<S>, S) {
     let splat = |v: Vec3<f64>| Vec3::new(S::splat(v.x), S::splat(v.y), S::splat(v.z));

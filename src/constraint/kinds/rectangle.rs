@@ -1,31 +1,31 @@
-//! Rectangle (paper section 3.3): the closest one in space, or the one that the paper fits.
+//! Rectangle (paper section 3.3): the closest one in space, or the one fitted by the paper.
 //!
 //! The closest is the parallelogram whose half-diagonals are both rescaled to their mean length.
 //!
 //! The paper projects the vertices to their least-squares plane and fits four lines there (Eq. 10,
-//! by QR decomposition and a 2x2 eigenproblem, Gander and von Matt). With centred points the offsets
-//! are `c1 = -n.p` and `c2 = -n'.q`, where `p = (v1 + v2) / 2`, `q = (v2 + v3) / 2` and `n'` is `n`
-//! turned by a right angle, which leaves `max (n.p)^2 + (n'.q)^2` over unit vectors `n`. In complex
-//! numbers this says that `n^2` has the direction of `p^2 - q^2 = a b`, the product of the
-//! half-diagonals: `n` halves the angle between them. So do the sides of the closest rectangle in
-//! the plane, and the offsets are its too. The two fits differ in the plane alone: closest is that
-//! of the half-diagonals.
+//! by QR decomposition and a 2x2 eigenproblem, Gander and von Matt). With centred points the
+//! offsets are `c1 = -n.p` and `c2 = -n'.q`, where `p = (v1 + v2) / 2`, `q = (v2 + v3) / 2` and
+//! `n'` is `n` rotated by a right angle, which leaves `max (n.p)^2 + (n'.q)^2` over unit vectors
+//! `n`. In complex numbers, `n^2` has the direction of `p^2 - q^2 = a b`, the product of the
+//! half-diagonals: `n` bisects the angle between them. The sides of the closest rectangle in the
+//! plane have the same directions and offsets, so the two fits differ only in the plane, which for
+//! the closest rectangle is that of the half-diagonals.
 
 use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projection};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// Four vertices, in turn, are the corners of a rectangle: its diagonals halve each other and are
+/// Four vertices, in order, are the corners of a rectangle: its diagonals bisect each other and are
 /// equally long.
 ///
 /// With the half-diagonals `a = (v1 - v3) / 2` and `b = (v2 - v4) / 2` of the closest parallelogram,
 /// and `m` the mean of `|a|` and `|b|`, the closest rectangle is `(a', b', -a', -b')` with
 /// `a' = m a / |a|` and `b' = m b / |b|`.
 ///
-/// Collinear vertices give a rectangle without width on their line. Where one diagonal is zero,
-/// every direction is equally close for it; a square is taken, in the plane of the other diagonal
-/// and the coordinate axis farthest from it (in the least-squares plane, where that is asked for).
-/// Where both are zero, all vertices meet.
+/// Collinear vertices give a rectangle without width on their line. If one diagonal is zero, all
+/// directions are equally close for it; a square is chosen, in the plane of the other diagonal and
+/// the coordinate axis farthest from it (or, if requested, in the least-squares plane). If both are
+/// zero, all vertices coincide.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Rectangle {
@@ -40,7 +40,7 @@ enum Fit {
     /// The closest.
     #[default]
     Closest,
-    /// That of the paper: of least-squares lines in the least-squares plane.
+    /// The rectangle of the paper: least-squares lines in the least-squares plane.
     ///
     /// Not exact: with vertices off a rectangle by 1 %, 10 % or 30 % of its size, the squared distance
     /// is on average 1e-5, 1e-3 or 1.5 % greater than the least possible.
@@ -90,7 +90,7 @@ impl Projection for Rectangle {
         let mean = (length_a + length_b) * half;
         let (a, b) = (a * (mean / length_a), b * (mean / length_b));
         projected.copy_from_slice(&[a, b, -a, -b]);
-        // Squares of lengths keep all digits in this range.
+        // Squared lengths neither overflow nor underflow in this range.
         let accurate = aa.min(bb).if_greater(S::splat(1e-60), good, S::zero());
         S::splat(1e60).if_greater(aa.max(bb), accurate, S::zero()).all_greater(S::zero())
     }
@@ -111,9 +111,9 @@ impl Projection for Rectangle {
     }
 }
 
-/// The half-diagonals in the least-squares plane, with one in the lanes where they are accurate, else
-/// zero.
-// Apart, so that the closest rectangle keeps its registers.
+/// Returns the half-diagonals in the least-squares plane, and one in the lanes in which they are
+/// accurate, else zero.
+// Not inlined, to keep register pressure low for the closest rectangle.
 #[inline(never)]
 fn flat_half_diagonals<S: Lane>(v: &[Vec3<S>]) -> (Vec3<S>, Vec3<S>, S) {
     let half = S::splat(0.5);
@@ -121,14 +121,14 @@ fn flat_half_diagonals<S: Lane>(v: &[Vec3<S>]) -> (Vec3<S>, Vec3<S>, S) {
     let n = scatter.unit.smallest_eigenvector();
     let flat = |v: Vec3<S>| v - n.vector * n.vector.dot(v);
     let (a, b) = (flat((v[0] - v[2]) * half), flat((v[1] - v[3]) * half));
-    // What is left of a steep diagonal has lost digits.
+    // The projection of a steep diagonal has lost digits.
     let least = a.length_squared().min(b.length_squared());
     let bound = S::splat(1e-6) * scatter.mean_square;
     (a, b, least.if_greater(bound, n.accurate * scatter.in_range, S::zero()))
 }
 
-/// Replaces four points by the closest rectangle. Where one diagonal is zero, it gets the direction
-/// `across` that of the other.
+/// Replaces four points by the closest rectangle. If one diagonal is zero, it gets the direction
+/// `across` the other one.
 fn closest(v: &mut [Vec3<f64>], across: impl Fn(Vec3<f64>) -> Vec3<f64>) {
     let (length_a, a) = (v[0] - v[2]).length_and_direction();
     let (length_b, b) = (v[1] - v[3]).length_and_direction();
@@ -138,7 +138,7 @@ fn closest(v: &mut [Vec3<f64>], across: impl Fn(Vec3<f64>) -> Vec3<f64>) {
         (None, Some(b)) => [across(b), b],
         (None, None) => [Vec3::zero(); 2],
     };
-    // The diagonals were not halved before.
+    // The diagonals were not halved above.
     let mean = 0.25 * length_a + 0.25 * length_b;
     let (a, b) = (a * mean, b * mean);
     v.copy_from_slice(&[a, b, -a, -b]);

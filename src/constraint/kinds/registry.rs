@@ -1,8 +1,8 @@
-//! The enum of kinds and what is the same for each of them, made from the list.
+//! The enum of kinds and its generic methods, generated from the list.
 
 use crate::constraint::Projection;
 
-/// A computation that needs the operator's type, such as making a batch of it.
+/// A computation that needs the concrete type of the operator, such as making a batch.
 pub trait KindVisitor {
     /// The result.
     type Output;
@@ -10,8 +10,7 @@ pub trait KindVisitor {
     fn visit<P: Projection>(self, operator: &P) -> Self::Output;
 }
 
-/// Makes the enum of kinds and everything that is the same for each of them. The only list of
-/// kinds in the project.
+/// Generates the enum of kinds and its generic methods, from the only list of kinds in the project.
 macro_rules! kinds {
     ($($module:ident :: $Kind:ident),* $(,)?) => {
         $(mod $module;)*
@@ -23,17 +22,18 @@ macro_rules! kinds {
             $Kind($module::$Kind),)*
         }
 
-        /// Every kind, in the order in which hosts list them.
+        /// All kinds, in the order in which hosts list them.
         pub const KINDS: &[Info] = &[$($module::$Kind::INFO),*];
 
-        /// `#KINDS` rows: see [`Projection::USUAL_FOR`].
+        /// [`Projection::USUAL_FOR`] of each kind, `#KINDS` rows.
         pub const USUAL_FOR: &[&[TargetShape]] = &[$($module::$Kind::USUAL_FOR),*];
 
         impl Kind {
-            /// The kind named `id` with the parameters `params`.
+            /// Returns the kind named `id` with the parameters `params`.
             ///
             /// # Errors
-            /// When no kind has that id, or a parameter is unknown or out of type.
+            /// If no kind has that id, or a parameter is unknown, of the wrong type or out of
+            /// range.
             pub fn new(id: &str, params: serde_json::Value) -> Result<Kind, KindError> {
                 $(if id == $module::$Kind::INFO.id {
                     let kind = Kind::$Kind(crate::json::read(&params)?);
@@ -50,29 +50,29 @@ macro_rules! kinds {
                 ALL.iter().find(|info| info.id == id).expect("every kind is in the list of kinds")
             }
 
-            /// Whether its projection is the closest point of the set, with these parameters.
+            /// Whether its projection is the closest point of the set with these parameters.
             pub fn is_exact(&self) -> bool {
                 match self { $(Kind::$Kind(p) => p.is_exact()),* }
             }
 
-            /// Whether the total energy can rise with it where the scene has no `monotone` guard.
+            /// Whether the total energy can rise with it if the scene has no `monotone` guard.
             pub fn can_rise(&self) -> bool {
                 match self { $(Kind::$Kind(p) => !(p.is_exact() || $module::$Kind::GUARDED)),* }
             }
 
-            /// The parameters as the object of a scene file.
+            /// The parameters as in a scene file.
             pub fn params(&self) -> serde_json::Value {
                 match self { $(Kind::$Kind(p) => serde_json::to_value(p)),* }
                     .expect("parameters are plain numbers, strings and arrays")
             }
 
-            /// How many points of one constraint it acts on, of those that are at `rest`, where these decide
-            /// that: see [`Projection::paired`].
+            /// The number of points of one constraint with rest positions `rest` that have a
+            /// partner: see [`Projection::paired`].
             pub fn paired(&self, rest: &[Vec3<f64>]) -> Option<usize> {
                 match self { $(Kind::$Kind(p) => p.paired(rest)),* }
             }
 
-            /// Calls `visitor` with the operator itself.
+            /// Calls `visitor` with the operator.
             pub fn visit<V: KindVisitor>(&self, visitor: V) -> V::Output {
                 match self { $(Kind::$Kind(p) => visitor.visit(p)),* }
             }

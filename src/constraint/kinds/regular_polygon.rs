@@ -1,20 +1,20 @@
-//! Regular polygon of any size and place (paper section 3.3).
+//! Regular polygon of any size and position (paper section 3.3).
 //!
-//! The paper fits the regular polygon as a template, by the similarity of Umeyama 1991. Its corners
-//! lie in a plane, so that the 3x3 matrix of Umeyama has only two columns that count,
-//! `p = sum cos(2 pi k / n) v_k` and `q = sum sin(2 pi k / n) v_k`. The best frame in space is
-//! the closest pair of equal, orthogonal vectors to them, and turns either way without a reflection.
+//! The paper fits the regular polygon as a template, by the similarity of Umeyama 1991. As its
+//! corners lie in a plane, only two columns of the 3x3 matrix of Umeyama matter,
+//! `p = sum cos(2 pi k / n) v_k` and `q = sum sin(2 pi k / n) v_k`. The best frame in space is the
+//! closest pair of equal, orthogonal vectors to them, and gives either orientation without a
+//! reflection.
 
 use crate::constraint::{Arity, Centring, Info, Projection, TargetShape};
 use crate::math::{Lane, OrthogonalPair, UnitPolygon, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// The vertices, in turn, are the corners of a regular polygon: equal sides and equal angles.
+/// The vertices, in order, are the corners of a regular polygon: equal sides and equal angles.
 ///
-/// Where `p` and `q` are parallel, as for collinear vertices, every plane through their line is
-/// equally close, and one of them is taken. Where both are zero, the vertices have nothing of the
-/// polygon (each second corner of a square in one place, say), and the closest one is a point, their
-/// mean.
+/// If `p` and `q` are parallel, as for collinear vertices, all planes through their line are
+/// equally close, and one is chosen. If both are zero (as for a square with opposite corners in one
+/// point each), the closest polygon is a point, the mean of the vertices.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct RegularPolygon {}
@@ -58,7 +58,8 @@ impl Projection for RegularPolygon {
     }
 }
 
-/// `p` and `q`, divided by `n / 2`: the half-axes of the closest affine image of the polygon.
+/// Returns `p` and `q`, divided by `n / 2`: the half-axes of the closest affine image of the
+/// polygon.
 #[inline(always)]
 fn sums<S: Lane>(corners: &[[f64; 2]], v: &[Vec3<S>]) -> (Vec3<S>, Vec3<S>) {
     let (mut p, mut q) = (Vec3::zero(), Vec3::zero());
@@ -70,7 +71,7 @@ fn sums<S: Lane>(corners: &[[f64; 2]], v: &[Vec3<S>]) -> (Vec3<S>, Vec3<S>) {
     (p, q)
 }
 
-/// Writes the polygon with the first corner at `u` and a quarter turn leading to `w`.
+/// Writes the polygon with the first corner at `u` and the direction `w` a quarter turn from it.
 #[inline(always)]
 fn place<S: Lane>(corners: &[[f64; 2]], pair: OrthogonalPair<S>, projected: &mut [Vec3<S>]) {
     for ([c, s], to) in corners.iter().zip(projected) {

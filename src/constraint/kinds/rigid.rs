@@ -5,13 +5,13 @@ use crate::constraint::{Arity, Centring, Info, Projection};
 use crate::math::{Alignment, Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// The vertices keep their rest shape: it may move and turn, not bend, grow or flip over. Two
-/// vertices keep their distance.
+/// The vertices keep their rest shape: it may be translated and rotated, but not deformed, scaled
+/// or reflected. Two vertices keep their distance.
 ///
-/// Where several rotations are equally close, one of them is taken; all are closest. That is so when
-/// the vertices are collinear and the rest shape is not (any turn about the line), when they all
-/// coincide (the rest shape is then not turned), and when they are a mirror image of a shape that has
-/// two equal singular values (several planes to flip it over).
+/// If several rotations are equally close, one is chosen. This happens if the vertices are
+/// collinear and the rest shape is not (any rotation about the line), if all vertices coincide (the
+/// rest shape is then not rotated), and if they are a mirror image of a shape with two equal
+/// singular values (several planes of reflection).
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Rigid {}

@@ -1,4 +1,4 @@
-//! Similar (paper section 3.2): the rest points, moved by the closest rotation, uniform scale and
+//! Similar (paper section 3.2): the rest points, moved by the closest rotation, uniform scaling and
 //! translation (Umeyama 1991), with the scale between two limits.
 
 use crate::constraint::parameter::Limits;
@@ -6,14 +6,14 @@ use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projecti
 use crate::math::{Alignment, Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// The vertices keep their rest shape up to its size: it may move, turn and grow, not bend or flip
-/// over.
+/// The vertices keep their rest shape up to its size: it may be translated, rotated and scaled, but
+/// not deformed or reflected.
 ///
 /// The rotation does not depend on the scale, and the distance is a parabola in the scale, so that
 /// clamping the best scale is exact.
 ///
-/// Degenerate shapes are treated as by `rigid`. Vertices that all coincide, and a rest shape that has
-/// no size, give one point, unless the least scale asks for more.
+/// Degenerate shapes are treated as by `rigid`. Coincident vertices, and a rest shape without size,
+/// give one point, unless the least scale requires more.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Similar {

@@ -1,5 +1,5 @@
-//! Sphere (paper section 3.1): the circle's equation minimised directly over the points in space
-//! (Thomas and Chan). Its radius may be given.
+//! Sphere (paper section 3.1): the fit of the circle (Thomas and Chan) applied to the points in
+//! space. The radius may be given.
 
 use crate::constraint::parameter::Limits;
 use crate::constraint::{
@@ -8,24 +8,24 @@ use crate::constraint::{
 use crate::math::{Lane, PrincipalRound, Round, RoundWithin, Scatter, Vec3, centre};
 use serde::{Deserialize, Serialize};
 
-/// All vertices on one sphere, of any radius, a given one, or one within limits.
+/// All vertices lie on one sphere, of any radius, a given one, or one within limits.
 ///
-/// Not exact: with vertices off a sphere by 1 %, 10 % or 30 % of its radius, the squared distance is
-/// on average 6e-5, 7e-3 or 6 % greater than the least possible (8 vertices all around).
+/// Not exact: with vertices off a sphere by 1 %, 10 % or 30 % of its radius, the squared distance
+/// is on average 6e-5, 7e-3 or 6 % greater than the least possible (8 vertices all around).
 ///
-/// With a given radius that is about that of the vertices these are 3e-14, 2e-8 and 8e-4. Where it is
-/// 1.4 times as great they are up to 20 %, more beyond: the closest sphere then has vertices all around
-/// it on one side of itself, and there are several such. Limits change nothing where the radius is
-/// within.
+/// With a given radius close to that of the vertices these excesses are 3e-14, 2e-8 and 8e-4. With
+/// one 1.4 times as great they are up to 20 %, and more beyond: the closest sphere to vertices all
+/// around then has them on one side, and there are several such spheres. Limits change nothing if
+/// the fitted radius is within them.
 ///
-/// Coplanar vertices stay in their plane, the limit of great spheres; with a given radius they bulge
-/// to one side. The sphere is a plane again where the radius exceeds a million times their size.
-/// Collinear and coincident vertices stay where they are, or on an arc over their line. A vertex at
-/// the centre goes to the sphere along the longest principal axis.
+/// Coplanar vertices stay in their plane, the limit of large spheres; with a given radius they
+/// bulge to one side. The sphere is replaced by a plane if the radius exceeds a million times their
+/// size. Collinear and coincident vertices stay where they are, or move to an arc over their line.
+/// A vertex at the centre is projected along the longest principal axis.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Sphere {
-    /// The radius; none is the one that fits best.
+    /// The radius; none for the best fit.
     radius: Option<Limits>,
 }
 
@@ -94,15 +94,15 @@ impl Projection for Sphere {
 }
 
 impl Sphere {
-    /// The nearest radius that is allowed.
+    /// Returns the nearest allowed radius.
     fn clamp(&self, radius: f64) -> f64 {
         self.radius.map_or(radius, |limits| limits.clamp(radius))
     }
 }
 
-/// Projects to the sphere whose radius is within limits, where `clamp` gives the nearest one; with the
-/// sphere, and one in the lanes where all is accurate, else zero.
-// Apart, so that spheres of any radius keep their registers.
+/// Projects to the sphere with the fitted radius limited by `clamp`. Returns the sphere, and one in
+/// the lanes in which all is accurate, else zero.
+// Not inlined, to keep register pressure low for spheres of any radius.
 #[inline(never)]
 fn project_within<S: Lane>(
     v: &[Vec3<S>],
@@ -117,7 +117,7 @@ fn project_within<S: Lane>(
     (sphere, good)
 }
 
-/// The sphere in closed form; one in the lanes where it is accurate, else zero.
+/// Fits the sphere in closed form; returns one in the lanes in which it is accurate, else zero.
 #[inline(always)]
 fn fit<S: Lane>(v: &[Vec3<S>]) -> (Round<S>, S) {
     let scatter = Scatter::of(v);

@@ -1,16 +1,16 @@
-//! Square (paper section 3.3): the regular polygon with four corners. Their cosines and sines are 0,
-//! 1 and -1, so that the two sums of the regular polygon are its diagonals.
+//! Square (paper section 3.3): the regular polygon with four corners. Their cosines and sines are
+//! 0, 1 and -1, so that the two sums of the regular polygon are the diagonals.
 
 use crate::constraint::{Arity, Centring, Info, Projection};
 use crate::math::{Lane, OrthogonalPair, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// Four vertices, in turn, are the corners of a square: its diagonals halve each other, are equally
-/// long and at right angles.
+/// Four vertices, in order, are the corners of a square: its diagonals bisect each other, are
+/// equally long and orthogonal.
 ///
-/// Where the diagonals are parallel or one of them is zero, as for collinear vertices, every plane
-/// through their line is equally close, and one of them is taken. Where both are zero, all vertices
-/// meet.
+/// If the diagonals are parallel or one of them is zero, as for collinear vertices, all planes
+/// through their line are equally close, and one is chosen. If both are zero, all vertices
+/// coincide.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Square {}

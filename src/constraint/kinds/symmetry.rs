@@ -1,5 +1,5 @@
-//! Symmetry (an application named in paper section 6): vertices as they would be after the mean over
-//! a symmetry group, here of a mirror plane or an n-fold axis.
+//! Symmetry (an application named in paper section 6): vertices averaged over a symmetry group,
+//! that of a mirror plane or an n-fold axis.
 
 use crate::constraint::kinds::shared::{SymmetryGroup, separate_lanes};
 use crate::constraint::parameter::Direction;
@@ -7,24 +7,24 @@ use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projecti
 use crate::math::{Lane, UnitPolygon, Vec3};
 use serde::{Deserialize, Deserializer, Serialize};
 
-/// The vertices as a set are their own mirror image, or their own image when they are turned by a
-/// full turn over `fold`. Only the direction of the plane or axis is given: it lies where it fits.
+/// The set of vertices is its own mirror image, or its own image under rotation by a full turn over
+/// `fold`. Only the direction of the plane or axis is given: its position is fitted.
 ///
-/// Which vertex is the image of which is told by the rest shape: the one whose rest place is
-/// nearest to the image, and no farther from it than 1e-3 of the size of the rest shape. Vertices
-/// without a partner are free, and of several at one rest place all but one may be. A vertex that
-/// is its own image stays on the plane or axis.
+/// Images are paired at rest: the image of a vertex is the one whose rest position is nearest to
+/// the image, and no farther from it than 1e-3 of the size of the rest shape. Vertices without a
+/// partner are free; of several at one rest position all but one may be. A vertex that is its own
+/// image stays on the plane or axis.
 ///
-/// The projection is linear: the mean over the symmetries of what they make of the points, around
-/// the mean of all that have a partner.
+/// The projection is linear: the mean over the symmetries of the transformed points, around the
+/// mean of all that have a partner.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Symmetry {
     /// The normal of the mirror plane.
     mirror: Direction,
-    /// The axis of the rotation, in place of the mirror plane.
+    /// The axis of the rotation, used instead of the mirror plane if given.
     axis: Option<Direction>,
-    /// How many times the shape meets itself in a full turn.
+    /// The order of the rotational symmetry.
     #[serde(deserialize_with = "whole")]
     fold: u32,
 }
@@ -36,13 +36,13 @@ impl Default for Symmetry {
     }
 }
 
-/// The normal of the mirror plane where none is given.
+/// The default normal of the mirror plane.
 const MIRROR: [f64; 3] = [1.0, 0.0, 0.0];
 
 /// The least and the greatest fold.
 const FOLDS: [f64; 2] = [2.0, 360.0];
 
-/// How far from its image a partner may be at rest, as a part of the size of the rest shape.
+/// Greatest distance of a partner from the image at rest, relative to the size of the rest shape.
 const TOLERANCE: f64 = 1e-3;
 
 impl Projection for Symmetry {
@@ -88,7 +88,7 @@ impl Projection for Symmetry {
 
     const READS_REST: bool = true;
 
-    /// Which vertex is the first image, then what it is itself.
+    /// Stores the index of the first image of each vertex, then the role of the vertex.
     fn prepare(&self, rest: &mut [Vec3<f64>]) {
         let next = self.group().pairs(rest, TOLERANCE);
         for i in 0..rest.len() {
@@ -114,7 +114,7 @@ impl Projection for Symmetry {
         projected: &mut [Vec3<S>],
     ) -> bool {
         let group = self.group();
-        // Each constraint has its own images, so the lanes go separate ways.
+        // Each constraint has its own pairing, so each lane is projected separately.
         separate_lanes(rest, v, projected, |lane, projected| {
             average(&group, lane, rest, v, projected);
             true
@@ -122,13 +122,12 @@ impl Projection for Symmetry {
     }
 }
 
-/// The role of a vertex: without a partner, the least of those that are images of each other, or one of
-/// the others.
+/// Roles of a vertex: without a partner, the least index of its orbit, or another member of it.
 const FREE: f64 = 0.0;
 const LEAST: f64 = 1.0;
 const IMAGE: f64 = 2.0;
 
-/// The mean over the symmetries in one lane.
+/// Writes the mean over the symmetries in one lane.
 fn average<S: Lane>(
     group: &SymmetryGroup,
     lane: usize,
@@ -173,7 +172,7 @@ impl Symmetry {
     }
 }
 
-/// A whole number of turns.
+/// Deserialises a whole number of turns.
 fn whole<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
     let [least, greatest] = FOLDS;
     let number = f64::deserialize(deserializer)?;

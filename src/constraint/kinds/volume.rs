@@ -1,11 +1,11 @@
 //! Volume of a tetrahedron: as at rest, given, or within limits.
 //!
-//! Centred, four points have three coordinates in each direction of space: those in the orthonormal basis
-//! `(1, 1, -1, -1) / 2`, `(1, -1, 1, -1) / 2`, `(1, -1, -1, 1) / 2` of all centred quadruples. They
-//! are the rows of a 3-by-3 matrix with the same distances, whose determinant is three times the volume.
-//! The closest matrix with another determinant has the same axes and the closest singular values whose
-//! product is right, the last one with the sign of the determinant (von Neumann's trace inequality
-//! for rotations): see [`triple_with_product`].
+//! Four centred points have three coordinates for each axis of space in the orthonormal basis
+//! `(1, 1, -1, -1) / 2`, `(1, -1, 1, -1) / 2`, `(1, -1, -1, 1) / 2` of all centred quadruples.
+//! These form a 3-by-3 matrix with the same distances, whose determinant is three times the volume.
+//! The closest matrix with another determinant has the same singular vectors and the closest
+//! singular values with the required product, the last one with the sign of the determinant (von
+//! Neumann's trace inequality for rotations): see [`triple_with_product`].
 
 use crate::constraint::parameter::{Limits, Target};
 use crate::constraint::{Arity, Centring, Element, Info, Projection};
@@ -14,20 +14,20 @@ use crate::math::{
 };
 use serde::{Deserialize, Serialize};
 
-/// Four vertices span the volume that they span at rest, or a given one, on the side on which they are at
-/// rest: a tetrahedron that is inside out is turned back. With limits instead of one number only what
-/// is beyond them is corrected.
+/// Four vertices span their rest volume, or a given one, with the orientation that they have at
+/// rest: an inverted tetrahedron is turned back. With limits instead of one number, only a volume
+/// outside them is corrected.
 ///
-/// Where the rest volume is zero, the right side is that of the order of the vertices: the fourth one is
-/// on the side from which the others are seen counter-clockwise, and their volume is at least zero. Points
-/// without volume part across their plane, or line, or become a regular tetrahedron whose edges are
-/// diagonals of a cube along the axes. Where several directions are equally close, one is taken.
+/// If the rest volume is zero, the required orientation is positive: the fourth vertex is on the
+/// side from which the others are seen counter-clockwise. Points without volume move apart across
+/// their plane or line, or become a regular tetrahedron whose edges are diagonals of a cube along
+/// the axes. If several directions are equally close, one is chosen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Volume {
     /// The volume.
     volume: Target,
-    /// Where the volume is that at rest: times this.
+    /// Factor of the rest volume, if that is the target.
     strain: Limits,
 }
 
@@ -55,7 +55,7 @@ impl Projection for Volume {
 
     const READS_REST: bool = true;
 
-    /// The least and the greatest cube root of the determinant, and the sign that it has at rest.
+    /// Stores the least and the greatest cube root of the determinant, and its sign at rest.
     fn prepare(&self, rest: &mut [Vec3<f64>]) {
         let (found, scale) = SingularValues::robust(rows(rest));
         let [a, b, c] = found.values;
@@ -85,7 +85,7 @@ impl Projection for Volume {
         }
         let close = moves.if_greater(S::zero(), close, S::one());
         let accurate = close.if_greater(S::zero(), accurate, S::zero());
-        // Cubes of lengths keep all digits in this range.
+        // Cubes of lengths neither overflow nor underflow in this range.
         let accurate = a.if_greater(S::splat(1e-30), accurate, S::zero());
         let accurate = S::splat(1e30).if_greater(least, accurate, S::zero());
         S::splat(1e30).if_greater(a, accurate, S::zero()).all_greater(S::zero())
@@ -114,16 +114,16 @@ impl Projection for Volume {
     }
 }
 
-/// Four centred points in the orthonormal basis, in an order in which the determinant has the sign of
-/// the volume.
+/// Returns four centred points in the orthonormal basis, ordered so that the determinant has the
+/// sign of the volume.
 #[inline(always)]
 fn rows<S: Lane>(v: &[Vec3<S>]) -> [Vec3<S>; 3] {
-    // Halved first: the sum of four finite numbers need not be finite.
+    // Halved first, as the sum of four finite numbers need not be finite.
     let [a, b, c, d] = [0, 1, 2, 3].map(|k| v[k] * S::splat(0.5));
     [(a - b) + (c - d), (a + b) - (c + d), (a - b) - (c - d)]
 }
 
-/// The points with these coordinates: the transpose.
+/// Returns the points with these coordinates: multiplies by the transpose.
 #[inline(always)]
 fn points<S: Lane>(rows: [Vec3<S>; 3]) -> [Vec3<S>; 4] {
     let [q, p, r] = rows.map(|row| row * S::splat(0.5));

@@ -5,8 +5,8 @@ use crate::math::cosine_and_sine_of_degrees;
 use serde::de::Deserializer;
 use serde::{Deserialize, Serialize, Serializer};
 
-/// In JSON one number, or an array of two, each a number or null for no limit: in degrees. That no
-/// angle is beyond 180 is for the declaration of the parameter to say.
+/// In JSON one number, or an array of two, each a number or null for no limit, in degrees. The
+/// upper bound of 180 is checked by the declaration of the parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct AngleRange {
     degrees: Limits,
@@ -14,12 +14,12 @@ pub(crate) struct AngleRange {
     pub(crate) least: [f64; 2],
     /// Cosine and sine of the greatest angle.
     pub(crate) greatest: [f64; 2],
-    /// Whether they are one.
+    /// Whether both limits are equal.
     pub(crate) is_one_angle: bool,
 }
 
 impl AngleRange {
-    /// From limits in degrees.
+    /// Makes a range from limits in degrees.
     pub(crate) fn of(degrees: Limits) -> AngleRange {
         let ends = degrees.ends().map(|end| end.min(180.0));
         let [least, greatest] = ends.map(cosine_and_sine_of_degrees);

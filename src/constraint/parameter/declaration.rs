@@ -1,4 +1,4 @@
-//! The declaration of a parameter: its key, unit, default and the values it takes.
+//! The declaration of a parameter: its key, unit, default and accepted values.
 
 use serde::Serialize;
 
@@ -18,9 +18,9 @@ pub struct Param {
     pub unit: &'static str,
     /// The value when the key is absent.
     pub default: ParamValue,
-    /// The accepted forms; that of the default is one of them.
+    /// The accepted forms, including that of the default.
     pub forms: &'static [Form],
-    /// Least and greatest number, also at the ends of a range. JSON has null for infinity.
+    /// Least and greatest number, which also bound the ends of a range. Infinity is null in JSON.
     pub range: [f64; 2],
 }
 
@@ -31,17 +31,17 @@ pub struct Param {
 pub enum Form {
     /// One number.
     Number,
-    /// From and to, either end null for no limit.
+    /// A lower and an upper limit, each null for no limit.
     Range,
     /// Three numbers, not all zero: a direction.
     Vector,
     /// This word.
     Word(&'static str),
-    /// Null: whatever fits best.
+    /// Null: the best fit.
     Nothing,
 }
 
-/// The value of a parameter, as in JSON.
+/// The value of a parameter, as written in JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(untagged)]

@@ -1,13 +1,13 @@
 //! A direction in space that the scene file gives.
 //!
-//! In JSON an array of three numbers that are not all zero, of any length.
+//! In JSON an array of three numbers, not all zero, of any length.
 
 use crate::math::{Lane, Vec3};
 use serde::de::{self, Deserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
 use std::fmt;
 
-/// A direction: what the file said, and the unit vector.
+/// A direction: the numbers of the file, and the unit vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Direction {
     given: [f64; 3],
@@ -15,7 +15,7 @@ pub(crate) struct Direction {
 }
 
 impl Direction {
-    /// None where all numbers are zero or one is not finite.
+    /// Returns none if all numbers are zero or one is not finite.
     pub(crate) fn new(given: [f64; 3]) -> Option<Direction> {
         if !given.iter().all(|x| x.is_finite()) {
             return None;

@@ -1,17 +1,17 @@
-//! Why a kind with its parameters is refused.
+//! Errors of a kind and its parameters.
 
 use crate::json::JsonError;
 
-/// Why [`Kind::new`](crate::constraint::Kind::new) gave none.
+/// The error of [`Kind::new`](crate::constraint::Kind::new).
 #[derive(Clone, Debug, PartialEq)]
 pub enum KindError {
     /// No kind has that id.
     Unknown,
-    /// A parameter is unknown, missing or out of type.
+    /// A parameter is unknown, missing or of the wrong type.
     Params {
-        /// Where below the constraint, such as `scale[0]`.
+        /// The JSON path below the constraint, such as `scale[0]`.
         path: String,
-        /// The fault, and what was expected instead.
+        /// The fault, and the expected value.
         message: String,
     },
 }

@@ -1,35 +1,35 @@
-//! Limits of a quantity that is never negative, such as a scale, a length or a radius.
+//! Limits of a non-negative quantity, such as a scale, a length or a radius.
 //!
-//! In JSON one number for exactly that, or an array of two, each a number or null for no limit.
+//! In JSON one number for an exact value, or an array of two, each a number or null for no limit.
 
 use crate::math::Lane;
 use serde::de::{self, Deserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
 use std::fmt;
 
-/// Least and greatest; none is no limit.
+/// Least and greatest value; none for no limit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Limits([Option<f64>; 2]);
 
 impl Limits {
-    /// Exactly this much.
+    /// Both limits equal to `amount`.
     pub(crate) const fn exactly(amount: f64) -> Limits {
         Limits([Some(amount); 2])
     }
 
-    /// Least and greatest: zero and infinity where there is no limit.
+    /// Returns the limits, with zero and infinity for no limit.
     pub(crate) fn ends(self) -> [f64; 2] {
         let [least, greatest] = self.0;
         [least.unwrap_or(0.0), greatest.unwrap_or(f64::INFINITY)]
     }
 
-    /// The amount nearest to `amount` within the limits.
+    /// Returns the amount nearest to `amount` within the limits.
     #[inline(always)]
     pub(crate) fn clamp<S: Lane>(self, amount: S) -> S {
         self.clamp_times(amount, S::one())
     }
 
-    /// The same with both limits times `unit`.
+    /// As [`Limits::clamp`], with both limits times `unit`.
     #[inline(always)]
     pub(crate) fn clamp_times<S: Lane>(self, amount: S, unit: S) -> S {
         let [least, greatest] = self.0;
@@ -90,7 +90,7 @@ impl<'de> Visitor<'de> for LimitsVisitor {
     }
 }
 
-/// Reads one limit that is not below this one.
+/// Deserialises one limit that is at least this.
 struct LimitFrom(f64);
 
 impl<'de> de::DeserializeSeed<'de> for LimitFrom {
@@ -118,7 +118,7 @@ impl Visitor<'_> for LimitFrom {
     }
     fn visit_f64<E: de::Error>(self, value: f64) -> Result<Option<f64>, E> {
         if value >= self.0 && value.is_finite() {
-            // Zero has one sign.
+            // Turns -0 into +0.
             return Ok(Some(value + 0.0));
         }
         Err(E::custom(format_args!("found {value}, expected {}", &self as &dyn de::Expected)))

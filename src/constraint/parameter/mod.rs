@@ -1,13 +1,13 @@
-//! Parameters of kinds: what a kind declares of them, how they are read, and values that several kinds
-//! take.
+//! Parameters of kinds: their declaration, deserialisation, and value types shared by several
+//! kinds.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `declaration` | key, unit, default, forms and range of a parameter |
-//! | `range` | whether numbers are in their range |
-//! | `kind_error` | why a kind or a parameter is refused |
-//! | `limits`, `angle_range` | a number or a range; of lengths, of angles |
-//! | `target` | a quantity relative to that at rest, or given |
+//! | `range` | range checks of numbers |
+//! | `kind_error` | errors of a kind or a parameter |
+//! | `limits`, `angle_range` | a number or a range, of amounts or angles |
+//! | `target` | an amount, given or as at rest |
 //! | `direction` | a direction in space |
 
 mod angle_range;

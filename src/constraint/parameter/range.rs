@@ -1,10 +1,10 @@
-//! Whether numbers are in the range that their parameter declares.
+//! Range checks of numbers.
 
 use super::declaration::Param;
 use super::kind_error::KindError;
 use serde_json::Value;
 
-/// Checks that the numbers among the values of `params` are in their ranges.
+/// Checks that the numbers among the values of `params` are in their declared ranges.
 pub(crate) fn check_ranges(params: &[Param], values: &Value) -> Result<(), KindError> {
     for param in params {
         let [least, greatest] = param.range;

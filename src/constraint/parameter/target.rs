@@ -1,4 +1,4 @@
-//! An amount that is that of the rest shape, or given.
+//! An amount, given or as at rest.
 
 use super::declaration::{Form, Param, ParamValue};
 use super::limits::Limits;
@@ -20,7 +20,8 @@ impl Target {
     /// The word for [`Target::Rest`].
     pub(crate) const REST: &'static str = "rest";
 
-    /// The parameters of a kind with a target: the amount, called as its unit, and `strain`.
+    /// Returns the parameters of a kind with a target: the amount, named like its unit, and
+    /// `strain`.
     pub(crate) const fn params(
         unit: &'static str,
         label: &'static str,
@@ -46,9 +47,10 @@ impl Target {
         ]
     }
 
-    /// Least and greatest size, such that its square is an area, or its cube a volume: `root` takes such
-    /// a root, `rest` is the size at rest, `unit` that of the area or volume one. What is as at rest
-    /// is so times `strain`.
+    /// Returns the least and greatest size, a length whose square is the area or whose cube is the
+    /// volume. `root` computes that square or cube root, `rest` is the size at rest, `unit` the
+    /// size of a unit area or volume. For [`Target::Rest`] the limits are those of `strain`,
+    /// relative to the rest shape.
     pub(crate) fn sizes(
         self,
         strain: Limits,
@@ -59,7 +61,7 @@ impl Target {
             Target::Rest => (strain, rest),
             Target::Within(limits) => (limits, unit),
         };
-        // No limit is none for a rest shape without size too.
+        // Keeps infinity for a rest size of zero, where the product would not be a number.
         limits.ends().map(|end| if end.is_finite() { root(end) * size } else { end })
     }
 }

@@ -1,10 +1,10 @@
-//! Parts that several operators share.
+//! Parts shared by several operators.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `pitot` | quads with an incircle, and pairs of them whose incircles touch |
+//! | `pitot` | quads with an incircle, and pairs of triangles with tangent incircles |
 //! | `symmetry_group` | the symmetries of a regular polygon about an axis |
-//! | `separate_lanes` | lane by lane, for operators whose work depends on where the points are |
+//! | `separate_lanes` | projection lane by lane, for operators whose control flow depends on the points |
 
 pub(super) mod pitot;
 mod separate_lanes;

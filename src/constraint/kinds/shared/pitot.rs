@@ -1,16 +1,16 @@
-//! Four sides in turn, of which opposite ones have the same sum: `|s0| + |s2| = |s1| + |s3|`, as
-//! Pitot found of quads whose sides touch a circle. Here the sides need not lie in one plane.
+//! Quads whose opposite sides have the same sum, `|s0| + |s2| = |s1| + |s3|`: Pitot's condition for
+//! quads whose sides touch a circle. Here the sides need not lie in one plane.
 //!
-//! The closest such points `x` to points `v` are `x_k = v_k +- l (n_(k-1) + n_k)`, plus for even `k`,
-//! with the unit directions `n_k` of the sides of `x` and a multiplier `l` (Lagrange). With the sides
-//! `w_k` of `v` and the two vectors `p = l (n0 + n2)` and `q = l (n1 + n3)`, this says
+//! The closest such points `x` to points `v` are `x_k = v_k +- l (n_(k-1) + n_k)`, with plus for
+//! even `k`, the unit directions `n_k` of the sides of `x` and a Lagrange multiplier `l`. With the
+//! sides `w_k` of `v` and the two vectors `p = l (n0 + n2)` and `q = l (n1 + n3)`, this means
 //!
 //! ```text
 //! n0 and n2 are the directions of w0 - q and w2 - q, n1 and n3 those of w1 + p and w3 + p
 //! 8 l = |w0 - q| + |w2 - q| - |w1 + p| - |w3 + p|
 //! ```
 //!
-//! which are six equations for `p` and `q`, with an inverse of three rows for Newton's method.
+//! These are six equations for `p` and `q`; Newton's method for them needs only a 3x3 inverse.
 
 use crate::constraint::Projection;
 use crate::constraint::kinds::line::Line;
@@ -23,20 +23,20 @@ struct Newton<S> {
     w: [Vec3<S>; 4],
     /// The required difference between the sums of opposite sides.
     difference: S,
-    /// One, or minus one where a side points the other way than `w0 - q` and so on.
+    /// One, or minus one if a side points opposite to `w0 - q` and so on.
     signs: [S; 4],
     p: Vec3<S>,
     q: Vec3<S>,
 }
 
-/// The sides of `x` as `p` and `q` give them.
+/// The sides of `x` given by `p` and `q`.
 struct Sides<S> {
-    /// Directions, and lengths of `w0 - q`, `w1 + p`, `w2 - q`, `w3 + p`.
+    /// Directions, and signed lengths of `w0 - q`, `w1 + p`, `w2 - q`, `w3 + p`.
     n: [Vec3<S>; 4],
     m: [S; 4],
     /// The multiplier.
     l: S,
-    /// By how much the equations for `p` and `q` fail.
+    /// The residuals of the equations for `p` and `q`.
     off: [Vec3<S>; 2],
 }
 
@@ -59,7 +59,7 @@ impl<S: Lane> Newton<S> {
         Sides { n, m, l, off }
     }
 
-    /// One step, from what the sides are.
+    /// Makes one Newton step from the current sides.
     #[inline(always)]
     fn step(&mut self, sides: &Sides<S>) {
         let Sides { n, m, l, off } = sides;
@@ -80,7 +80,8 @@ impl<S: Lane> Newton<S> {
             e + bend1(bend0(e))
         });
         let (r0, r1, r2) = (c1.cross(c2), c2.cross(c0), c0.cross(c1));
-        // At least one: the product of two matrices that are not negative.
+        // The determinant is at least one: the matrix is the identity plus a product of two
+        // positive semidefinite matrices.
         let determinant = one / c0.dot(r0);
         let solve = |x: Vec3<S>| Vec3::new(r0.dot(x), r1.dot(x), r2.dot(x)) * determinant;
         let q0 = solve(-off[1] - bend1(off[0]));
@@ -101,7 +102,7 @@ impl Newton<f64> {
         }
     }
 
-    /// The points, where opposite sides have the same sum.
+    /// Returns the points if their opposite sides have the same sum.
     fn found(&self, v: &[Vec3<f64>]) -> Option<[Vec3<f64>; 4]> {
         let mut x = [Vec3::zero(); 4];
         points(v, &self.sides(), &mut x);
@@ -109,7 +110,7 @@ impl Newton<f64> {
     }
 }
 
-/// The points of which `sides` are the sides.
+/// Writes the points with sides `sides`.
 #[inline(always)]
 fn points<S: Lane>(v: &[Vec3<S>], sides: &Sides<S>, projected: &mut [Vec3<S>]) {
     let Sides { n, l, .. } = sides;
@@ -120,11 +121,11 @@ fn points<S: Lane>(v: &[Vec3<S>], sides: &Sides<S>, projected: &mut [Vec3<S>]) {
     projected[3] = v[3] - (n[2] + n[3]) * l;
 }
 
-/// Steps of the closed form.
+/// The number of Newton steps of the closed form.
 const STEPS: usize = 5;
 
-/// The closest points to `v`, four each, whose opposite sides have the same sum; false where they
-/// are not found, or might not be the closest. One function for all kinds that are made of it.
+/// Writes the closest points to `v` whose opposite sides have the same sum; false if they are not
+/// found, or might not be the closest. Not inlined, so that all kinds share one instance.
 #[inline(never)]
 pub(crate) fn closest<S: Lane>(v: &[Vec3<S>; 4], projected: &mut [Vec3<S>; 4]) -> bool {
     let mut newton = Newton::new(v);
@@ -149,10 +150,10 @@ pub(crate) fn closest<S: Lane>(v: &[Vec3<S>; 4], projected: &mut [Vec3<S>; 4]) -
     accurate.all_greater(S::zero())
 }
 
-/// Corrections that are less than this part of all sides are the least.
+/// Corrections below this fraction of the shortest side are the least.
 const MILD: f64 = 0.1;
 
-/// The same, slower and for all finite points.
+/// As [`closest`], slower and for all finite points.
 pub(crate) fn project_robust(v: &mut [Vec3<f64>]) {
     let mean = centre(v);
     let unit = v.iter().fold(0.0f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()));
@@ -171,17 +172,18 @@ fn distance(v: &[Vec3<f64>], x: &[Vec3<f64>; 4]) -> f64 {
     v.iter().zip(x).map(|(v, x)| (*v - *x).length_squared()).sum()
 }
 
-/// How much the sums of opposite sides differ.
+/// The difference between the sums of opposite sides.
 fn difference(v: &[Vec3<f64>]) -> f64 {
     let [a, b, c, d] = std::array::from_fn(|k| (v[(k + 1) % 4] - v[k]).length());
     a + c - b - d
 }
 
-/// How finely the difference is brought to zero.
+/// The number of stages in which the difference is reduced to zero, and of iterations from other
+/// starts.
 const STAGES: usize = 32;
 
-/// Where the iteration for `p` and `q` may begin: their values at a point with the shape not far
-/// from `x`, and from `v` if that is near. Each time the difference is taken to be linear.
+/// Returns a start for the iteration for `p` and `q`: their values at a point with the shape not
+/// far from `x`, and from `v` if that is near. Each step linearises the difference.
 fn approach(v: &[Vec3<f64>], mut x: [Vec3<f64>; 4]) -> [Vec3<f64>; 2] {
     let mut ends = [Vec3::zero(); 2];
     for _ in 0..STAGES {
@@ -194,7 +196,7 @@ fn approach(v: &[Vec3<f64>], mut x: [Vec3<f64>; 4]) -> [Vec3<f64>; 2] {
         let linear: f64 = (0..4).map(|k| gradient[k].dot(v[k] - x[k])).sum();
         let l = if square > 0.0 { (difference(&x) + linear) / square } else { 0.0 };
         for k in 0..4 {
-            // Halfway, so that it settles where the sides turn much.
+            // Half a step: full steps need not converge if the sides turn much.
             x[k] = (x[k] + v[k] - gradient[k] * l) * 0.5;
         }
         ends = [(n[0] + n[2]) * l, (n[1] + n[3]) * l];
@@ -202,22 +204,23 @@ fn approach(v: &[Vec3<f64>], mut x: [Vec3<f64>; 4]) -> [Vec3<f64>; 2] {
     ends
 }
 
-/// Candidates for the closest points to `v`.
+/// Returns candidates for the closest points to `v`.
 fn candidates(v: &[Vec3<f64>]) -> Vec<[Vec3<f64>; 4]> {
-    let at_first = difference(v);
+    let initial = difference(v);
     let mut found = Vec::new();
-    if at_first.abs() <= 1e-15 {
+    if initial.abs() <= 1e-15 {
         found.push([v[0], v[1], v[2], v[3]]);
         return found;
     }
-    // Smoothly on from the points themselves, less of the difference at a time.
+    // Continuation from the points themselves, reducing the difference in stages.
     let mut newton = Newton::new(v);
     for stage in (0..STAGES).rev() {
-        newton.difference = at_first * stage as f64 / STAGES as f64;
+        newton.difference = initial * stage as f64 / STAGES as f64;
         newton.run(STEPS);
     }
     found.extend(newton.found(v));
-    // From near points that have the shape, reached from the points and from beside them.
+    // Newton's method from nearby points that have the shape, approached from the points and from
+    // perturbed copies.
     for k in 0..4 {
         for beside in [0.0, 0.1, -0.1] {
             let mut x = [v[0], v[1], v[2], v[3]];
@@ -227,13 +230,14 @@ fn candidates(v: &[Vec3<f64>]) -> Vec<[Vec3<f64>; 4]> {
             for [a, b] in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
                 let mut newton = Newton::new(v);
                 [newton.p, newton.q] = start;
-                newton.signs = if at_first > 0.0 { [1.0, a, 1.0, b] } else { [a, 1.0, b, 1.0] };
+                newton.signs = if initial > 0.0 { [1.0, a, 1.0, b] } else { [a, 1.0, b, 1.0] };
                 newton.run(STAGES);
                 found.extend(newton.found(v));
             }
         }
     }
-    // Two in turn meet, on the straight line between the other two; or three in turn meet.
+    // Degenerate shapes: two consecutive vertices coincide on the segment between the other two, or
+    // three coincide.
     for k in 0..4 {
         let [a, b, c, d] = [k, k + 1, k + 2, k + 3].map(|k| k % 4);
         let both = (v[a] + v[b]) * 0.5;

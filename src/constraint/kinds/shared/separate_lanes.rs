@@ -1,10 +1,10 @@
-//! Lanes that go separate ways: for operators whose work depends on where the points are.
+//! Projection lane by lane, for operators whose control flow depends on the points.
 
 use crate::math::{Lane, Vec3};
 
-/// Lets `project` write the projections of each lane, whose number it gets, until it returns false;
-/// true if it never does. A lane that repeats the one before, as lanes do that only fill up a
-/// batch, is copied.
+/// Calls `project` with the number of each lane to write its projections, until it returns false;
+/// true if it never does. A lane equal to the previous one, such as the padding of a batch, is
+/// copied.
 #[inline(always)]
 pub(crate) fn separate_lanes<S: Lane>(
     rest: &[Vec3<S>],

@@ -1,18 +1,18 @@
-//! A mirror plane or a rotation axis, and which of given points are images of each other in it.
+//! A mirror plane or a rotation axis, and the pairing of points that are images of each other.
 
 use crate::math::{UnitPolygon, Vec3, argsort, key_of_number};
 
-/// The symmetries of a mirror plane, or those of an n-fold axis, through the origin.
+/// The symmetries of a mirror plane or of an n-fold axis through the origin.
 #[derive(Clone, Debug)]
 pub(crate) enum SymmetryGroup {
     /// The plane with this unit normal.
     Mirror(Vec3<f64>),
-    /// The axis along this unit vector, and how far each rotation turns.
+    /// The axis along this unit vector, and the cosine and sine of each rotation.
     Axis(Vec3<f64>, UnitPolygon),
 }
 
 impl SymmetryGroup {
-    /// How many symmetries there are, the one that leaves everything in place included.
+    /// The number of symmetries, including the identity.
     pub(crate) fn order(&self) -> usize {
         match self {
             SymmetryGroup::Mirror(_) => 2,
@@ -20,7 +20,7 @@ impl SymmetryGroup {
         }
     }
 
-    /// The image of `v` in the symmetry number `k`: the first one, `k` times over.
+    /// Returns the image of `v` under symmetry `k`: the first one applied `k` times.
     pub(crate) fn image(&self, k: usize, v: Vec3<f64>) -> Vec3<f64> {
         match self {
             SymmetryGroup::Mirror(_) if k == 0 => v,
@@ -33,7 +33,7 @@ impl SymmetryGroup {
         }
     }
 
-    /// The part of a translation that moves the plane or the axis.
+    /// Returns the component of a translation that moves the plane or the axis.
     fn across(&self, v: Vec3<f64>) -> Vec3<f64> {
         match self {
             SymmetryGroup::Mirror(normal) => *normal * normal.dot(v),
@@ -41,13 +41,12 @@ impl SymmetryGroup {
         }
     }
 
-    /// Which of the points is the first image of each: the nearest one to it. None where that is
-    /// farther away than `tolerance` times the greatest distance of a point from the origin, or
-    /// where the images of the images do not come back to the point itself.
+    /// Returns for each point the index of its first image: the point nearest to its image under
+    /// the first symmetry. None if that is farther away than `tolerance` times the greatest
+    /// distance of a point from the origin, or if repeating this does not lead back to the point.
     ///
-    /// The plane or axis goes through the origin first. It then follows the nearest points, as they
-    /// lie from the images in the middle (the median), so that some points without a partner do not
-    /// carry it off.
+    /// The plane or axis starts at the origin. It is then shifted by the median offset of the
+    /// nearest points from the images; a median is robust to points without a partner.
     pub(crate) fn pairs(&self, points: &[Vec3<f64>], tolerance: f64) -> Vec<Option<usize>> {
         let extent = points.iter().fold(0.0f64, |m, p| m.max(p.length_and_direction().0));
         if extent == 0.0 {
@@ -81,10 +80,10 @@ impl SymmetryGroup {
     }
 }
 
-/// How often the plane or axis is put in a new place, at most.
+/// The most shifts of the plane or axis.
 const ROUNDS: usize = 10;
 
-/// Of each coordinate the one in the middle.
+/// Returns the median of each coordinate.
 fn median(vectors: impl Iterator<Item = Vec3<f64>> + Clone) -> Vec3<f64> {
     let middle = |coordinate: fn(Vec3<f64>) -> f64| {
         let all: Vec<f64> = vectors.clone().map(coordinate).collect();
@@ -93,7 +92,7 @@ fn median(vectors: impl Iterator<Item = Vec3<f64>> + Clone) -> Vec3<f64> {
     Vec3::new(middle(|v| v.x), middle(|v| v.y), middle(|v| v.z))
 }
 
-/// Points in the order of the coordinate in which they spread most.
+/// Points sorted by the coordinate with the greatest spread.
 struct Sorted<'a> {
     points: &'a [Vec3<f64>],
     coordinate: fn(Vec3<f64>) -> f64,
@@ -118,13 +117,13 @@ impl<'a> Sorted<'a> {
         Sorted { points, coordinate, order }
     }
 
-    /// The point nearest to `place`, and `own` where no other is nearer.
+    /// Returns the point nearest to `place`; `own` if no other is nearer.
     fn nearest(&self, place: Vec3<f64>, own: usize) -> usize {
         let at = (self.coordinate)(place);
         let middle = self.order.partition_point(|&i| (self.coordinate)(self.points[i]) < at);
         let mut best = ((self.points[own] - place).length_squared(), own);
         let (below, above) = self.order.split_at(middle);
-        // Away from the place on both sides, as long as the coordinate alone leaves a chance.
+        // Searches on both sides until the coordinate alone exceeds the least distance.
         let mut consider = |&i: &usize| {
             let away = (self.coordinate)(self.points[i]) - at;
             let distance = (self.points[i] - place).length_squared();
@@ -152,7 +151,7 @@ mod tests {
             Vec3::new(0.1 + 0.02 * i, (i * i) % 7.0 / 7.0, (i * 3.0) % 11.0 / 11.0)
         });
         let mut points: Vec<_> = right.flat_map(|p| [p, mirror.image(1, p)]).collect();
-        // On the plane, and two points of nothing.
+        // A point on the plane, and two without a partner.
         points.extend([
             Vec3::new(0.0, 0.5, 0.5),
             Vec3::new(0.7, 2.0, 0.0),
@@ -176,7 +175,7 @@ mod tests {
         points.push(Vec3::new(0.0, 0.0, 1.0));
         let found: Vec<_> = axis.pairs(&points, 1e-3).into_iter().flatten().collect();
         assert_eq!(found, [1, 2, 3, 4, 5, 0, 6]);
-        // Five of six come round to nothing.
+        // With five of six points no cycle closes.
         assert_eq!(axis.pairs(&points[1..6], 1e-3), [None; 5]);
     }
 }
