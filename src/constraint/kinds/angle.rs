@@ -24,10 +24,10 @@ const EQUAL: f64 = 1e-12;
 /// The angle at the middle one of three vertices lies within limits. If it does, nothing moves;
 /// else it becomes the nearer limit, and all three vertices move.
 ///
-/// With an edge without length the angle is undefined, and nothing moves. If straightening or
-/// closing the corner would turn an edge farther than it takes to collapse it, as for an obtuse
-/// angle that must become zero, the shorter edge collapses. A straight or closed corner opens in
-/// the plane of its line and of one of the coordinate axes farthest from it.
+/// If an edge has no length, the angle is undefined and nothing moves. If straightening or closing
+/// the corner would turn an edge farther than it takes to collapse it, as for an obtuse angle that
+/// must become zero, the shorter edge collapses. A straight or closed corner opens in the plane of
+/// its line and of one of the coordinate axes farthest from it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Angle {

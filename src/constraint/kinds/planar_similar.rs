@@ -19,8 +19,8 @@ use serde::{Deserialize, Serialize};
 /// size.
 ///
 /// Not exact, unless the vertices are planar, as three of them always are: the closest similar
-/// shape need not lie in the least-squares plane. With vertices off such a shape by 1 %, 10 % or 30
-/// % of its size, the squared distance is on average 1e-5, 3e-3 or 1 % greater than the least
+/// shape need not lie in the least-squares plane. With vertices off such a shape by 1 %, 10 % or
+/// 30 % of its size, the squared distance is on average 1e-5, 3e-3 or 1 % greater than the least
 /// possible (8 vertices).
 ///
 /// If several planes fit the vertices equally well, one is chosen. Coincident vertices, and a rest
