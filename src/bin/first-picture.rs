@@ -1,5 +1,5 @@
-//! `first-picture FILE`: writes what the page shows before it can draw, the first example solved, as
-//! the view will show it, as a piece of HTML. A step of the build, not for users.
+//! `first-picture FILE`: writes the placeholder of the 3D view as a piece of HTML: the first
+//! example, solved and drawn as the view will show it. A step of the build, not for users.
 
 mod pictures;
 
@@ -11,7 +11,7 @@ use shape_up::view::svg::picture as still;
 use std::error::Error;
 
 /// The sizes of the 3D view in CSS pixels for which there is a picture: in a window of 1440 by 900
-/// and on a phone of 390 by 844. The style sheet shows the one for windows that wide.
+/// and on a phone of 390 by 844. The style sheet selects one by the width of the window.
 const SIZES: [(&str, Vec2); 2] =
     [("wide", Vec2::new(884.0, 832.0)), ("narrow", Vec2::new(390.0, 667.0))];
 
@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .map_err(|_| "usage: first-picture FILE")?;
     let (scene, mesh) = EXAMPLES[0].build();
     let mut session = Session::open(scene, mesh)?;
-    // As the page colours it: a run keeps the range of its start.
+    // As on the page, the range of colours is that of the start.
     let greatest = pictures::greatest(&pictures::values(&session));
     session.solve(false)?;
     if !session.exact().is_some_and(|exact| exact.met) {

@@ -1,5 +1,5 @@
-//! `gallery-pictures FOLDER`: solves every example and writes what the gallery shows of it: a picture
-//! of the start and of the end, `<id>-start.svg` and `<id>-end.svg`, and what was measured, in
+//! `gallery-pictures FOLDER`: solves every example and writes its files for the gallery: pictures
+//! of the start and the end, `<id>-start.svg` and `<id>-end.svg`, and the measurements in
 //! `results.json`. A step of the build, not for users.
 
 mod pictures;
@@ -15,9 +15,9 @@ use shape_up::view::svg::thumbnail;
 use std::error::Error;
 use std::path::Path;
 
-/// The size of the pictures in CSS pixels, twice that at which the gallery shows them.
+/// The size of the pictures in CSS pixels, twice their size in the gallery.
 const SIZE: Vec2 = Vec2::new(432.0, 312.0);
-/// Width of a bin of the histograms of angles: five degrees.
+/// The number of bins of the histograms of angles, each five degrees wide.
 const BINS: usize = 36;
 
 /// The measurements of an example.
@@ -25,11 +25,11 @@ const BINS: usize = 36;
 struct Result {
     id: &'static str,
     iterations: u32,
-    /// The total energy at the start and at the end; none where nothing is asked of the shape.
+    /// The total energy at the start and at the end; none without constraints.
     #[serde(skip_serializing_if = "Option::is_none")]
     energy: Option<[f64; 2]>,
-    /// How many corners of faces have which angle, at rest and at the end, in bins of equal width
-    /// from 0 to 180 degrees; where that is what the scene is about.
+    /// Histograms of the angles at corners of faces, at rest and at the end, in bins of equal width
+    /// from 0 to 180 degrees; only for scenes of squares.
     #[serde(skip_serializing_if = "Option::is_none")]
     angles: Option<[Vec<u32>; 2]>,
 }
@@ -47,8 +47,8 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
     Ok(std::fs::write(folder.join("results.json"), results + "\n")?)
 }
 
-/// Solves an example and draws it at both ends, from one place. One of which nothing is asked is there
-/// to be flattened: its end is its flat map, seen from above.
+/// Solves an example and draws its start and end with the same camera. For an example without
+/// constraints, made to be flattened, the end is its flat map, seen from above.
 fn picture(example: &Example, folder: &Path) -> std::result::Result<Result, Box<dyn Error>> {
     let (scene, mesh) = example.build();
     let mut session = Session::open(scene, mesh)?;
@@ -64,11 +64,11 @@ fn picture(example: &Example, folder: &Path) -> std::result::Result<Result, Box<
     };
 
     state.resize(SIZE);
-    let later: &[Point] = if is_map { &[] } else { &end };
-    let seen: Vec<_> =
-        start.iter().chain(later).map(|&p| state.mesh().relative(DVec3::from(p))).collect();
+    let also_framed: &[Point] = if is_map { &[] } else { &end };
+    let framed: Vec<_> =
+        start.iter().chain(also_framed).map(|&p| state.mesh().relative(DVec3::from(p))).collect();
     let margin = 0.01 * state.size();
-    state.move_camera(|camera| framing::frame(camera, seen.into_iter(), margin));
+    state.move_camera(|camera| framing::frame(camera, framed.into_iter(), margin));
     std::fs::write(folder.join(format!("{}-start.svg", example.id)), thumbnail::svg(&state))?;
     state.set_positions(end.as_flattened())?;
     if is_map {
@@ -89,7 +89,7 @@ fn picture(example: &Example, folder: &Path) -> std::result::Result<Result, Box<
     })
 }
 
-/// Where the vertices are on the flat map, with the settings that the page begins with.
+/// Returns the vertices on the flat map, with the default settings of the page.
 fn flat_map(session: &Session) -> std::result::Result<Vec<Point>, SolveError> {
     let (weights, norm) = (ConformalWeights::default(), ConformalNorm::default());
     let map = Parametrization::new(session.mesh(), session.topology(), weights, norm)?;

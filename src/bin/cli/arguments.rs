@@ -49,13 +49,13 @@ pub(super) enum Command {
 pub(super) struct Solve {
     /// A scene or a mesh.
     pub(super) input: PathBuf,
-    /// The id of the kind that is asked of every face.
+    /// The id of the kind required of every face.
     pub(super) panels: Option<&'static str>,
-    /// The requirement for all constraints; none leaves it to the scene.
+    /// The requirement of all constraints; none for those of the scene.
     pub(super) require: Option<Require>,
-    /// Whether less energy is looked for once the constraints are met.
+    /// Whether the energy is reduced further once the constraints are met.
     pub(super) improve: bool,
-    /// How the boundary is held; none leaves it to the scene.
+    /// The closeness of the boundary; none for that of the scene.
     pub(super) boundary: Option<BoundaryCloseness>,
     pub(super) iterations: Option<u32>,
     pub(super) tolerance: Option<f64>,
@@ -65,7 +65,7 @@ pub(super) struct Solve {
     pub(super) trace: bool,
 }
 
-/// `shape-up build`: what is not given is that of the scene.
+/// `shape-up build`: absent options are as in the scene.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Build {
     /// A scene or a mesh.
@@ -84,9 +84,9 @@ pub(super) struct Build {
     /// A folder.
     pub(super) out: Option<PathBuf>,
     pub(super) report: Option<PathBuf>,
-    /// The report on one page.
+    /// The file of the report on one page.
     pub(super) report_page: Option<PathBuf>,
-    /// The address that it names.
+    /// The link on that page.
     pub(super) link: Option<String>,
 }
 
@@ -96,9 +96,9 @@ pub(super) struct Refine {
     /// A scene or a mesh.
     pub(super) input: PathBuf,
     pub(super) subdivision: Subdivision,
-    /// The id of the kind that is asked of every face, before the first level and after each.
+    /// The id of the kind required of every face, before the first level and after each.
     pub(super) panels: Option<&'static str>,
-    /// Each level's shape is the original of the next.
+    /// Whether the shape of each level is the original of the next.
     pub(super) adopt: bool,
     pub(super) out: Option<PathBuf>,
     pub(super) report: Option<PathBuf>,
@@ -124,7 +124,7 @@ pub(super) struct Experiment {
     pub(super) csv: Option<PathBuf>,
 }
 
-/// Reads the arguments after the name of the program; the error says what is wrong with them.
+/// Parses the arguments after the name of the program.
 pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
     let asks_for_help = |word: &&OsString| *word == "--help" || *word == "-h";
     if arguments.iter().take_while(|word| *word != "--").any(|word| asks_for_help(&word)) {
@@ -299,7 +299,7 @@ fn refine(mut words: Words) -> Result<Command, String> {
     Ok(Command::Refine(Refine { input, subdivision, panels, adopt, out, report }))
 }
 
-/// Asks something of all constraints, once.
+/// Sets the requirement of all constraints, at most once.
 fn require(solve: &mut Solve, require: Require) -> Result<(), String> {
     match solve.require.replace(require) {
         None => Ok(()),

@@ -58,7 +58,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     output::print(&(words(&report, &remarks) + &names.collect::<String>()))
 }
 
-/// Those of the scene, but for what is asked.
+/// Returns the settings of the scene, overridden by the options.
 fn settings(asked: &arguments::Build, scene: &Scene) -> BuildSettings {
     let own = scene.build.as_deref().cloned().unwrap_or_default();
     BuildSettings {

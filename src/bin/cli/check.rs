@@ -1,4 +1,4 @@
-//! `shape-up check`: what there is to say of a mesh before it is solved.
+//! `shape-up check`: reports on a mesh before it is solved.
 
 use super::{Failure, input, output};
 use serde::Serialize;
@@ -11,10 +11,10 @@ use shape_up::scene::Forecast;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Of so many lengths of strips the text tells; the report has all strips.
+/// Lengths of strips in the text; the report has all strips.
 const LINES: usize = 3;
 
-/// The report that `--report` writes.
+/// The report written by `--report`.
 #[derive(Serialize)]
 struct Check {
     vertices: usize,
@@ -23,34 +23,35 @@ struct Check {
     curves: usize,
     tets: usize,
     groups: Vec<String>,
-    /// How many faces have how many corners.
+    /// The number of faces for each number of corners.
     face_degrees: BTreeMap<usize, usize>,
-    /// How many vertices have how many neighbours.
+    /// The number of vertices for each number of neighbours.
     vertex_degrees: BTreeMap<usize, usize>,
     boundary: Boundary,
-    /// Connected parts; a vertex that nothing uses is none.
+    /// The number of connected parts; unused vertices do not count.
     components: usize,
     planarity: Planarity,
     circularity: Circularity,
-    /// Where it is the greatest; none without a vertex inside a surface.
+    /// None without an interior vertex.
     #[serde(skip_serializing_if = "Option::is_none")]
     gauss_curvature: Option<GaussCurvature>,
     strips: Vec<StripReport>,
     curvature: Curvature,
-    /// The forecast for panels of one shape; none where no such shape is offered.
+    /// The forecast for panels of one shape; none if no such shape is offered.
     #[serde(skip_serializing_if = "Option::is_none")]
     forecast: Option<Forecast>,
     problems: Vec<Problem>,
     notes: Vec<String>,
 }
 
-/// How the edges lie to the lines of curvature.
+/// The alignment of the edges with the lines of curvature.
 #[derive(Serialize)]
 struct Curvature {
-    /// The mean angle between them, by length; left out where the surface has no principal directions.
+    /// The mean angle between them, weighted by length; left out if the surface has no principal
+    /// directions.
     #[serde(skip_serializing_if = "Option::is_none")]
     mean_degrees: Option<f64>,
-    /// The part of the edges, by length, that has such an angle.
+    /// The fraction of the edges, by length, for which the angle is defined.
     directed: f64,
 }
 
@@ -60,14 +61,14 @@ struct Boundary {
     edges: usize,
 }
 
-/// The greatest Gauss curvature, of either sign, in one over squared length.
+/// The Gauss curvature of greatest magnitude, in one over squared length.
 #[derive(Serialize)]
 struct GaussCurvature {
     max: f64,
     vertex: usize,
 }
 
-/// One strip, by the smallest rectangle around it.
+/// One unrolled strip, with the size of the smallest rectangle around it.
 #[derive(Serialize)]
 struct StripReport {
     quads: usize,
@@ -167,7 +168,7 @@ fn largest_gauss_curvature(mesh: &Mesh, topology: &Topology) -> Option<GaussCurv
     Some(GaussCurvature { max, vertex })
 }
 
-/// All strips; each quad is in two, one for each of its directions.
+/// Returns all strips; each quad is in two, one for each of its directions.
 fn strip_reports(mesh: &Mesh, topology: &Topology) -> Vec<StripReport> {
     let strips = strips(mesh, topology);
     let flat = strips.iter().filter_map(|s| UnrolledStrip::new(&mesh.positions, s, topology));
@@ -178,7 +179,7 @@ fn strip_reports(mesh: &Mesh, topology: &Topology) -> Vec<StripReport> {
     flat.map(report).collect()
 }
 
-/// A line for the strips of one number of quads, the longest first.
+/// Returns a line for each number of quads, the longest strips first.
 fn words_of(strips: &[StripReport]) -> Vec<String> {
     let mut by_quads: Vec<&StripReport> = strips.iter().collect();
     by_quads.sort_by_key(|strip| std::cmp::Reverse(strip.quads));
@@ -200,7 +201,7 @@ fn words_of(strips: &[StripReport]) -> Vec<String> {
     alike.map(line).collect()
 }
 
-/// The angle of the edges to the lines of curvature; nothing without an angle.
+/// Describes the angle of the edges to the lines of curvature, if it is defined.
 fn curvature(edges: &Curvature) -> Option<String> {
     let mean = edges.mean_degrees?;
     Some(format!("curvature   edges are {mean:.0} degrees off the lines of curvature on average"))
@@ -214,7 +215,7 @@ fn tally(degrees: impl Iterator<Item = usize>) -> BTreeMap<usize, usize> {
     counts
 }
 
-/// Connected parts of the vertices that something uses.
+/// Counts the connected parts, without unused vertices.
 fn parts(mesh: &Mesh) -> usize {
     let tets = mesh.tets.iter().map(|tet| tet.as_slice());
     let elements = || mesh.faces.iter().chain(mesh.curves.iter()).chain(tets.clone());

@@ -11,28 +11,28 @@ use shape_up::scene::Scene;
 use shape_up::session::{GoalWords, goals_in_words};
 use std::path::{Path, PathBuf};
 
-/// One entry of `index.json`, from which the page makes its list and the gallery its cards.
+/// One entry of `index.json`, from which the page builds its list and the gallery its cards.
 #[derive(Serialize)]
 struct Entry<'a> {
     id: &'static str,
-    /// The figure of the paper, if it is of one.
+    /// The figure of the paper that it reproduces, if any.
     figure: Option<u32>,
     title: &'static str,
     summary: &'static str,
     statement: &'static str,
     scene: String,
     mesh: String,
-    /// How many of them the mesh has.
+    /// Counts of the mesh.
     vertices: usize,
     faces: usize,
     tets: usize,
-    /// In which its coordinates are.
+    /// The unit of its coordinates.
     units: &'a str,
-    /// The kinds of its constraints, each once.
+    /// The distinct kinds of its constraints.
     kinds: Vec<KindName>,
     /// `lambda_shape`, `lambda_close` and `lambda_smooth` of Eq. 13.
     weights: [f64; 3],
-    /// The comparison that can be run on it.
+    /// The experiment of the example.
     experiment: Option<&'static Experiment>,
     /// The description of the example.
     suggestions: &'static [Suggestion],
@@ -79,15 +79,15 @@ impl<'a> Entry<'a> {
     }
 }
 
-/// One line per example.
+/// Prints one line per example.
 pub(super) fn list() -> Result<(), Failure> {
     let line =
         |example: &Example| format!("{:<20} {}. {}\n", example.id, example.title, example.summary);
     output::print(&EXAMPLES.iter().map(line).collect::<String>())
 }
 
-/// Writes `<id>.shapeup.json` and the mesh of each example, and `index.json`. Meshes are OBJ, those
-/// with tetrahedra Medit.
+/// Writes `<id>.shapeup.json` and the mesh of each example, and `index.json`. Meshes are OBJ, or
+/// Medit if they have tetrahedra.
 pub(super) fn write(folder: &Path) -> Result<(), Failure> {
     let _made = MadeFolders::make(folder)?;
     let mut files: Vec<(PathBuf, String)> = Vec::new();

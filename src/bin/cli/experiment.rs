@@ -1,4 +1,4 @@
-//! `shape-up experiment`: one of the paper's comparisons, run here and now.
+//! `shape-up experiment`: runs one of the comparisons of the paper.
 
 use super::arguments::Experiment as Asked;
 use super::input::{self, Input};
@@ -9,7 +9,7 @@ use shape_up::mesh::Mesh;
 use shape_up::scene::Scene;
 use std::path::Path;
 
-/// One line per example that has an experiment of its own.
+/// Prints one line per example with its own experiment.
 pub(super) fn list() -> Result<(), Failure> {
     let lines = EXPERIMENTS.iter().flat_map(|experiment| {
         let line =
@@ -34,7 +34,8 @@ pub(super) fn run(asked: &Asked) -> Result<(), Failure> {
     output::print(&table(&run))
 }
 
-/// An example with the experiment that is made for it, or with the one for all; or a scene of one's own.
+/// Returns an example with its own experiment, or with the generic one; or a scene file with the
+/// generic one.
 fn problem(on: &Path) -> Result<(&'static Experiment, Scene, Mesh), Failure> {
     let id = on.to_string_lossy();
     if let Some(example) = EXAMPLES.iter().find(|example| example.id == id) {
@@ -49,7 +50,7 @@ fn problem(on: &Path) -> Result<(&'static Experiment, Scene, Mesh), Failure> {
     Ok((&COMPARISON, scene, mesh))
 }
 
-/// The last numbers of every method.
+/// Formats the last sample of each method.
 fn table(run: &Run) -> String {
     let experiment = run.experiment();
     let mut rows =

@@ -1,4 +1,4 @@
-//! Mesh and scene files in.
+//! Reading of mesh and scene files.
 
 use super::Failure;
 use shape_up::mesh::{self, Mesh, Read, Weld};
@@ -7,7 +7,7 @@ use std::fs::File;
 use std::io::{self, Read as _};
 use std::path::Path;
 
-/// No mesh and no scene that can be solved here is larger, in bytes.
+/// The largest size of an input file, in bytes; no larger mesh or scene can be solved.
 const MOST_BYTES: u64 = 1 << 30;
 
 /// A scene with its mesh.
@@ -16,16 +16,16 @@ pub(super) struct Input {
     pub(super) mesh: Mesh,
     /// How the mesh file was welded.
     pub(super) weld: Option<Weld>,
-    /// The problems of the mesh file that could be survived, and notes about it.
+    /// Tolerated problems of the mesh file, and notes about it.
     pub(super) remarks: Vec<String>,
 }
 
-/// Whether the name is that of a scene rather than of a mesh.
+/// Whether the extension is that of a scene.
 pub(super) fn is_scene(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
 }
 
-/// Reads a scene and the mesh that it names, or a mesh as the scene of one that is opened.
+/// Reads a scene and its mesh, or a mesh with the default scene of an opened mesh.
 pub(super) fn read(path: &Path) -> Result<Input, Failure> {
     if !is_scene(path) {
         let bytes = bytes(path)?;
@@ -63,7 +63,7 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
     Ok(Input { scene, mesh, weld: None, remarks })
 }
 
-/// Reads the mesh file that a scene names at `place`.
+/// Reads the mesh file named in a scene at the JSON path `place`.
 fn named_mesh(scene: &Path, place: &str, file: &str) -> Result<Read, Failure> {
     let beside = scene.parent().unwrap_or(Path::new("")).join(file);
     let unread = |why: String| {
@@ -73,7 +73,7 @@ fn named_mesh(scene: &Path, place: &str, file: &str) -> Result<Read, Failure> {
             beside.display()
         ))
     };
-    // A scene comes from anywhere: what it names may be a device without an end.
+    // A scene may come from an untrusted source and name an endless device.
     let about = std::fs::metadata(&beside).map_err(|error| unread(error.to_string()))?;
     if !about.is_file() {
         return Err(unread("it is no regular file".to_owned()));
@@ -82,7 +82,7 @@ fn named_mesh(scene: &Path, place: &str, file: &str) -> Result<Read, Failure> {
     mesh::read(&beside.to_string_lossy(), &bytes).map_err(|error| Failure::Input(error.to_string()))
 }
 
-/// Reads a mesh file to be measured: one whose numbers can be squared.
+/// Reads a mesh file for measurement, with numbers whose squares are finite.
 pub(super) fn read_mesh(path: &Path) -> Result<Read, Failure> {
     let read = mesh::read(&path.to_string_lossy(), &bytes(path)?)
         .map_err(|error| Failure::Input(error.to_string()))?;
@@ -92,7 +92,7 @@ pub(super) fn read_mesh(path: &Path) -> Result<Read, Failure> {
     Ok(read)
 }
 
-/// The problems and notes of the mesh reader, one line each.
+/// Returns the problems and notes of the mesh reader, one line each.
 pub(super) fn remarks(read: &Read) -> Vec<String> {
     read.problems.iter().map(ToString::to_string).chain(read.notes.iter().cloned()).collect()
 }
@@ -104,7 +104,7 @@ pub(super) fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     })
 }
 
-/// The bytes of a file, which may be a pipe, but not one without an end.
+/// Returns the bytes of a file or pipe. Endless ones are an error.
 fn read_whole(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     File::open(path)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;

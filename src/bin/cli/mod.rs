@@ -1,16 +1,16 @@
-//! The commands, and how they end: exit code 0 done, 1 the input is at fault, 2 usage, 3 internal.
+//! The commands, and their exit codes: 0 done, 1 the input is at fault, 2 usage, 3 internal.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `arguments` | the commands with their arguments |
-//! | `words` | files, options and their values one by one |
-//! | `usage` | how the program is called |
-//! | `input` | mesh and scene files in |
-//! | `output` | files and standard output, whole or not at all |
+//! | `words` | lexer of the command line: files, options and their values |
+//! | `usage` | the usage text |
+//! | `input` | reading of mesh and scene files |
+//! | `output` | atomic writing of files, and standard output |
 //! | `folder` | folders for several files |
-//! | `meshes` | the commands `new`, `edit` and `refine`, and a solved mesh as a file |
+//! | `meshes` | the commands `new`, `edit` and `refine`, and mesh files of sessions |
 //! | `solve`, `build`, `check`, `parametrize`, `examples`, `experiment` | the commands of these names |
-//! | `results` | `check` of what a student hands in |
+//! | `results` | `check` of students' results |
 
 mod arguments;
 mod build;
@@ -32,15 +32,16 @@ use meshes::{edit, new_mesh, refine};
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-/// Why a command was not done.
+/// The failure of a command.
 pub(crate) enum Failure {
-    /// The input is at fault: file, line or JSON path, what is wrong, what was expected.
+    /// The input is at fault; the message has the file, line or JSON path, the fault, and the
+    /// expected value.
     Input(String),
     /// The command line is at fault.
     Usage(String),
 }
 
-/// Runs the command that the arguments ask for. An error of the input is one line on standard error.
+/// Runs the command given by the arguments. A failure of the input is one line on standard error.
 pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(ToString::to_string).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Output: files written whole or not at all, and text on standard output.
+//! Output: atomic writing of files, and text on standard output.
 
 use super::Failure;
 use shape_up::mesh::{Circularity, Planarity};
@@ -6,8 +6,8 @@ use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes all files. Each goes beside its place first and is then moved there, all of them once
-/// all are complete: whatever fails, no file is there in part.
+/// Writes all files, or none in part: each is written under a temporary name beside its
+/// destination, and all are renamed once all are complete.
 pub(super) fn write(files: &[(&Path, impl AsRef<[u8]>)]) -> Result<(), Failure> {
     let mut complete: Vec<Complete<'_>> = Vec::new();
     let result = files
@@ -34,30 +34,30 @@ pub(super) fn write(files: &[(&Path, impl AsRef<[u8]>)]) -> Result<(), Failure> 
         });
     if result.is_err() {
         for file in &complete {
-            // Those that are in their place already are not here any more.
+            // Files renamed already no longer have this name.
             let _ = fs::remove_file(&file.beside);
         }
     }
     result
 }
 
-/// A file that is written and not yet in its place.
+/// A complete file that is not renamed yet.
 struct Complete<'a> {
-    /// Its option on the command line.
+    /// The path on the command line.
     path: &'a Path,
     beside: PathBuf,
     place: PathBuf,
 }
 
-/// The kind of place that a path leads to.
+/// The destination of a path.
 enum Place {
-    /// A file, there or not: behind all links, so that these stay.
+    /// A regular file, existing or not. Links are resolved, so that they remain.
     File {
-        /// The name under which it is written first.
+        /// The temporary name.
         beside: PathBuf,
         place: PathBuf,
     },
-    /// A pipe or a device: nothing is there in part, and nothing may take its place.
+    /// A pipe or a device: written directly, as it must not be replaced.
     Stream,
 }
 
@@ -87,7 +87,7 @@ fn cannot(path: &Path, error: &io::Error) -> Failure {
     ))
 }
 
-/// Writes to standard output. A reader that has gone away, such as `head`, is no error.
+/// Writes to standard output. A closed pipe, as after `head`, is no error.
 pub(super) fn print(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
@@ -98,7 +98,7 @@ pub(super) fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Planarity in one line.
+/// Formats planarity in one line.
 pub(super) fn planarity(planarity: &Planarity, units: &str) -> String {
     format!(
         "planarity   worst {}, mean {}, largest diagonal ratio {}",
@@ -108,7 +108,7 @@ pub(super) fn planarity(planarity: &Planarity, units: &str) -> String {
     )
 }
 
-/// Circularity in one line.
+/// Formats circularity in one line.
 pub(super) fn circularity(circularity: &Circularity, units: &str) -> String {
     format!(
         "circularity worst {}, mean {}",
@@ -121,7 +121,7 @@ fn length(value: f64, units: &str) -> String {
     format!("{} {units}", short(value)).trim_end().to_owned()
 }
 
-/// A number with the digits that a person reads.
+/// Formats a number with few digits, for reading.
 pub(super) fn short(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 {

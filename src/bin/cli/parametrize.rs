@@ -1,4 +1,4 @@
-//! `shape-up parametrize`: a flat map of a mesh that keeps angles.
+//! `shape-up parametrize`: a conformal map of a mesh to the plane.
 
 use super::arguments::Parametrize;
 use super::{Failure, input, output};
@@ -8,7 +8,7 @@ use shape_up::scene::NamedEnum;
 use shape_up::solve::{ConformalNorm, ConformalSeconds, FewerFlips, Parametrization, clock};
 use std::path::Path;
 
-/// The report that `--report` writes.
+/// The report written by `--report`.
 #[derive(Serialize)]
 struct Report {
     vertices: usize,

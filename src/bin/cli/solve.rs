@@ -1,4 +1,4 @@
-//! `shape-up solve`: solves a scene or a mesh, with the kind of the command line on every face.
+//! `shape-up solve`: solves a scene or a mesh, optionally with a kind of panels on every face.
 
 use super::arguments::Solve;
 use super::meshes::mesh_file;
@@ -12,7 +12,7 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
-/// How many pinned vertices the summary names; the report has them all.
+/// Pinned vertices named in the summary; the report has them all.
 const NAMED_PINS: usize = 8;
 
 pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
@@ -78,7 +78,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     output::print(&summary(&command.input, &report, &remarks, &units))
 }
 
-/// The elements that each row of constraints skipped.
+/// Describes the elements that each row of constraints skipped.
 fn misfits(session: &Session) -> impl Iterator<Item = String> {
     let rows = session.document().constraints.iter().zip(session.rows());
     rows.filter(|(_, row)| row.enabled && row.skipped > 0).map(|(spec, row)| {
@@ -93,7 +93,7 @@ fn misfits(session: &Session) -> impl Iterator<Item = String> {
     })
 }
 
-/// A row of constraints that acts on vertices in pairs, and not all of them have a partner.
+/// Describes a row of constraints that pairs vertices, some of which have no partner.
 fn unpaired(row: Unpaired, session: &Session) -> String {
     let spec = &session.document().constraints[row.constraint];
     let (of, on) = (row.paired.of, describe(&spec.on));
@@ -191,7 +191,7 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
     text
 }
 
-/// How well hard constraints are met.
+/// Formats how well hard constraints are met.
 fn exact_line(exact: &ExactReport, units: &str) -> String {
     let length = |length: f64| {
         let unit = if units.is_empty() { String::new() } else { format!(" {units}") };

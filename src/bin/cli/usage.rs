@@ -1,4 +1,4 @@
-//! How the program is called, in words.
+//! The usage text.
 
 use shape_up::begin::NEW_KINDS;
 use shape_up::constraint::KINDS;
@@ -7,7 +7,7 @@ use shape_up::mesh::{MESH_OPERATIONS, Scheme, Size};
 use shape_up::scene::{Accelerator, NamedEnum};
 use shape_up::solve::{ConformalNorm, ConformalWeights};
 
-/// How the program is called.
+/// Returns the usage text.
 pub(super) fn usage() -> String {
     format!(
         "\
@@ -94,13 +94,13 @@ Exit code: 0 done, 1 the input is at fault, 2 usage, 3 internal.",
     )
 }
 
-/// The operations on meshes, a line each, with their sizes.
+/// Lists the operations on meshes with their sizes, one per line.
 fn operations() -> String {
     let lines = MESH_OPERATIONS.iter().map(|operation| line(operation.id, operation.sizes));
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// The kinds of new meshes, a line each, with their sizes.
+/// Lists the kinds of new meshes with their sizes, one per line.
 fn new_kinds() -> String {
     let lines = NEW_KINDS.iter().map(|kind| line(kind.id, kind.sizes));
     lines.collect::<Vec<_>>().join("\n")
@@ -111,7 +111,7 @@ fn line(id: &str, sizes: &[Size]) -> String {
     format!(" {id}{}", sizes.collect::<String>())
 }
 
-/// The ids of the kinds, in lines under each other.
+/// Lists the ids of the kinds of constraints, wrapped to lines.
 fn kinds() -> String {
     const WIDTH: usize = 96;
     let mut lines = vec![String::new()];

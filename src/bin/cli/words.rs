@@ -1,4 +1,4 @@
-//! Files and options of a command line one by one, and the values of options by their types.
+//! Lexer of the command line: files, options, and the typed values of options.
 
 use lexopt::Arg;
 use shape_up::constraint::KINDS;
@@ -6,16 +6,16 @@ use shape_up::scene::{BoundaryCloseness, BoundaryRequire, NamedEnum};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
-/// The arguments of a command, one after another.
+/// The remaining arguments of a command.
 pub(super) struct Words {
     parser: lexopt::Parser,
-    /// The options so far: none is given twice.
+    /// The options so far, to reject repetitions.
     seen: Vec<String>,
 }
 
 pub(super) enum Word {
     File(OsString),
-    /// The name with its dashes.
+    /// The name, including its dashes.
     Option(String),
 }
 
@@ -24,7 +24,7 @@ impl Words {
         Words { parser: lexopt::Parser::from_args(arguments), seen: Vec::new() }
     }
 
-    /// The next one; none at the end.
+    /// Returns the next file or option; none at the end.
     pub(super) fn next(&mut self) -> Result<Option<Word>, String> {
         let name = match self.parser.next().map_err(|error| error.to_string())? {
             None => return Ok(None),
@@ -39,7 +39,7 @@ impl Words {
         Ok(Some(Word::Option(name)))
     }
 
-    /// The next option of a command that takes one file; the file goes to its place.
+    /// Returns the next option of a command that takes one file, and stores the file in `place`.
     pub(super) fn option(&mut self, place: &mut Option<PathBuf>) -> Result<Option<String>, String> {
         loop {
             match self.next()? {
@@ -50,7 +50,7 @@ impl Words {
         }
     }
 
-    /// True, of an option that takes no value.
+    /// Returns true for an option that takes no value.
     pub(super) fn flag(&mut self, name: &str) -> Result<bool, String> {
         match self.parser.optional_value() {
             None => Ok(true),
@@ -60,20 +60,20 @@ impl Words {
         }
     }
 
-    /// The value of an option: behind its `=`, or the next word.
+    /// Returns the value of an option: after its `=`, or the next argument.
     fn value(&mut self, name: &str) -> Result<OsString, String> {
         let present = |v: &OsString| !v.is_empty() && !v.as_encoded_bytes().starts_with(b"--");
         let value = self.parser.value().ok().filter(present);
         value.ok_or_else(|| format!("{name} needs a value"))
     }
 
-    /// The value of an option that takes the name of a file.
+    /// Returns the value of an option that takes the name of a file.
     pub(super) fn file(&mut self, name: &str) -> Result<PathBuf, String> {
         self.value(name).map(PathBuf::from)
     }
 
-    /// The value of an option that takes the name of a mesh file to be written, of one of the `formats`.
-    /// An ending that no mesh format has is no matter.
+    /// Returns the value of an option that takes the name of a mesh file to write, in one of the
+    /// `formats`. Extensions of no mesh format are accepted.
     pub(super) fn mesh(&mut self, name: &str, formats: &[&str]) -> Result<PathBuf, String> {
         let path = self.file(name)?;
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
@@ -86,27 +86,27 @@ impl Words {
         Ok(path)
     }
 
-    /// The value of an option that takes a whole number.
+    /// Returns the value of an option that takes a whole number.
     pub(super) fn iterations(&mut self, name: &str) -> Result<u32, String> {
         let value = self.text(name)?;
         value.parse().map_err(|_| format!("{name} takes a whole number from 0, found `{value}`"))
     }
 
-    /// The value of an option that takes a number that is not negative.
+    /// Returns the value of an option that takes a non-negative number.
     pub(super) fn not_negative(&mut self, name: &str) -> Result<f64, String> {
         let value = self.text(name)?;
         let parsed = value.parse().ok().filter(|number: &f64| number.is_finite() && *number >= 0.0);
         parsed.ok_or_else(|| format!("{name} takes a number from 0, found `{value}`"))
     }
 
-    /// The value of an option that takes any number.
+    /// Returns the value of an option that takes any number.
     pub(super) fn number(&mut self, name: &str) -> Result<f64, String> {
         let value = self.text(name)?;
         let parsed = value.parse().ok().filter(|number: &f64| number.is_finite());
         parsed.ok_or_else(|| format!("{name} takes a number, found `{value}`"))
     }
 
-    /// The value of an option that says how a boundary is held.
+    /// Returns the value of an option that sets the closeness of the boundary.
     pub(super) fn boundary(&mut self, name: &str) -> Result<BoundaryCloseness, String> {
         let value = self.text(name)?;
         let held = BoundaryCloseness::default();
@@ -118,7 +118,7 @@ impl Words {
         weight.map(|weight| BoundaryCloseness { weight, ..held }).ok_or_else(expected)
     }
 
-    /// The value of an option that takes a number above zero.
+    /// Returns the value of an option that takes a positive number.
     pub(super) fn positive(&mut self, name: &str) -> Result<f64, String> {
         match self.not_negative(name)? {
             0.0 => Err(format!("{name} takes a number above 0, found 0")),
@@ -126,14 +126,14 @@ impl Words {
         }
     }
 
-    /// The value of an option that takes a length of either sign that is not zero.
+    /// Returns the value of an option that takes a non-zero length of either sign.
     pub(super) fn distance(&mut self, name: &str) -> Result<f64, String> {
         let value = self.text(name)?;
         let parsed = value.parse().ok().filter(|number: &f64| number.is_finite() && *number != 0.0);
         parsed.ok_or_else(|| format!("{name} takes a number that is not 0, found `{value}`"))
     }
 
-    /// The value of an option that takes a width and a height.
+    /// Returns the value of an option that takes a width and a height.
     pub(super) fn sheet(&mut self, name: &str) -> Result<[f64; 2], String> {
         let value = self.text(name)?;
         let sides = value.split_once(['x', 'X']).and_then(|(width, height)| {
@@ -146,7 +146,7 @@ impl Words {
         })
     }
 
-    /// The value of an option that takes the `word` of one of `all`.
+    /// Returns the value of an option that takes the `word` of one of `all`.
     pub(super) fn word_of<T: Copy, const N: usize>(
         &mut self,
         name: &str,
@@ -159,7 +159,7 @@ impl Words {
             .ok_or_else(|| format!("{name} takes {}, found `{value}`", all.map(word).join(" or ")))
     }
 
-    /// The value of an option that takes the id of a kind.
+    /// Returns the value of an option that takes the id of a kind.
     pub(super) fn kind(&mut self, name: &str) -> Result<&'static str, String> {
         let value = self.text(name)?;
         let known: Vec<_> = KINDS.iter().map(|info| info.id).collect();
@@ -170,14 +170,14 @@ impl Words {
             .ok_or_else(|| format!("{name} takes {}, found `{value}`", known.join(" or ")))
     }
 
-    /// The value of an option that takes one of some words.
+    /// Returns the value of an option that takes a word of a named enum.
     pub(super) fn one_of<T: NamedEnum>(&mut self, name: &str) -> Result<T, String> {
         let value = self.text(name)?;
         let expected = || format!("{name} takes {}, found `{value}`", T::list(" or "));
         T::of_word(&value).ok_or_else(expected)
     }
 
-    /// The value of an option that takes any text.
+    /// Returns the value of an option that takes any text.
     pub(super) fn text(&mut self, name: &str) -> Result<String, String> {
         let value = self.value(name)?;
         let text = |value: &OsStr| value.to_str().map(str::to_owned);

@@ -1,4 +1,4 @@
-//! From a session to the stage that the programs of the build draw.
+//! View states of sessions, for the programs of the build that draw examples.
 
 use shape_up::scene::Hold;
 use shape_up::session::Session;
@@ -7,8 +7,8 @@ use shape_up::view::camera::UpAxis;
 use shape_up::view::model::ViewError;
 use shape_up::view::state::ViewState;
 
-/// The view of a scene as the page opens it: handles, and faces in the colours of what the
-/// first row of constraints asks of them, or where that has no measure, in the colours of the rows.
+/// Returns the view of a scene as the page opens it: handles, and faces coloured by the measure of
+/// the first row of constraints or, if it has none, by row.
 pub(crate) fn state(session: &Session) -> Result<ViewState, ViewError> {
     let mesh = session.mesh();
     let lists = |rows: &shape_up::mesh::Ragged| (rows.offsets().to_vec(), rows.indices().to_vec());
@@ -36,15 +36,15 @@ pub(crate) fn state(session: &Session) -> Result<ViewState, ViewError> {
     Ok(state)
 }
 
-/// The colours of the page (`www/viewport/colour-scale.js`): up to the tolerance faces keep the material, and the
-/// range ends at a round number from `greatest` on.
+/// Returns the colour scale of the page (`www/viewport/colour-scale.js`): faces within the
+/// tolerance keep the material, and the range ends at a round number of at least `greatest`.
 pub(crate) fn scale(session: &Session, greatest: f32) -> ColourScale {
     let tolerance = session.tolerance() as f32;
     let high = round_up(greatest.max(2.0 * tolerance));
     ColourScale { tolerance: Some(tolerance), ..ColourScale::linear(tolerance, high) }
 }
 
-/// As `roundUp` of `www/ui/plot/value-axis.js`.
+/// Equivalent of `roundUp` in `www/ui/plot/value-axis.js`.
 fn round_up(value: f32) -> f32 {
     let power = 10_f64.powi(f64::from(value).log10().floor() as i32);
     let round = [1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0].map(|round| round * power);
@@ -52,7 +52,7 @@ fn round_up(value: f32) -> f32 {
     enough.map_or(value, |round| round as f32)
 }
 
-/// The error of each face in the measure of the first row of constraints that has one.
+/// Returns the error of each face in the measure of the first row of constraints that has one.
 pub(crate) fn values(session: &Session) -> Option<Vec<f32>> {
     let measures = session.measures();
     let rows = (0..).zip(session.rows()).filter(|(_, row)| row.enabled);
@@ -63,12 +63,13 @@ pub(crate) fn values(session: &Session) -> Option<Vec<f32>> {
     Some(values.iter().map(|&value| value as f32).collect())
 }
 
-/// The largest of the values, 0 where there are none.
+/// Returns the largest value, or 0.
 pub(crate) fn greatest(values: &Option<Vec<f32>>) -> f32 {
     values.iter().flatten().copied().fold(0.0, f32::max)
 }
 
-/// The colour of the row of constraints that acts on each face, and on each vertex outside of these.
+/// Returns the colour of the row of constraints that acts on each face, and on each vertex outside
+/// of these.
 fn row_colours(session: &Session) -> Result<RowColours, ViewError> {
     let acting = session.acting_rows();
     let place = |row: u32| u8::try_from(row + 1).expect("an example has few rows");

@@ -1,4 +1,4 @@
-//! `shape-up edit`: a scene or a mesh changed by an operation.
+//! `shape-up edit`: applies a mesh operation to a scene or a mesh.
 
 use super::mesh_file;
 use crate::cli::words::{Word, Words};
@@ -15,14 +15,15 @@ pub(in crate::cli) struct Remesh {
     input: PathBuf,
     /// The id of the operation.
     operation: &'static str,
-    /// In the order of the sizes of the operation, where they are given.
+    /// The given sizes, in the order of those of the operation.
     sizes: Vec<Option<f64>>,
-    /// `vertices` and `faces`, where they are given.
+    /// `vertices` and `faces`, if given.
     picked: Map<String, Value>,
     out: Option<PathBuf>,
 }
 
-/// Reads the arguments: input and operation come first, because the operation says which sizes there are.
+/// Parses the arguments. Input and operation come first, as the operation determines the options
+/// for sizes.
 pub(in crate::cli) fn parse(mut words: Words) -> Result<Remesh, String> {
     let known = || MESH_OPERATIONS.iter().map(|it| it.id).collect::<Vec<_>>().join(", ");
     let Some(Word::File(input)) = words.next()? else {
@@ -62,7 +63,7 @@ pub(in crate::cli) fn parse(mut words: Words) -> Result<Remesh, String> {
     Ok(Remesh { input: input.into(), operation: operation.id, sizes, picked, out })
 }
 
-/// Does it, and says what came of it.
+/// Applies the operation and prints the result.
 pub(in crate::cli) fn edit(command: &Remesh) -> Result<(), Failure> {
     let input::Input { scene, mesh, mut remarks, .. } = input::read(&command.input)?;
     let at_input = |error: Error| Failure::Input(format!("{}: {error}", command.input.display()));

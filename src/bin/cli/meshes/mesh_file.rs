@@ -1,11 +1,12 @@
-//! A solved mesh as a file, by the ending of its name: Medit (`.mesh`), else OBJ.
+//! Mesh files of sessions, with the format by extension: Medit (`.mesh`), else OBJ.
 
 use crate::cli::input;
 use shape_up::mesh::{Mesh, Weld, counted, write_medit};
 use shape_up::session::Session;
 use std::path::Path;
 
-/// The text of the file `path`; with the vertices and faces as they came where they were welded.
+/// Returns the text of the file `path`; with the original vertices and faces if the mesh was
+/// welded.
 pub(in crate::cli) fn text(path: &Path, session: &Session, weld: Option<&Weld>) -> String {
     let now = session.positions();
     match (is_medit(path), weld) {
@@ -19,8 +20,8 @@ pub(in crate::cli) fn text(path: &Path, session: &Session, weld: Option<&Weld>) 
     }
 }
 
-/// Adds to `files` the mesh of a session that has changed it, or where the name ends in .json, the scene with it;
-/// what the format cannot hold, if anything.
+/// Adds to `files` the changed mesh of a session or, if the name ends in .json, the scene with the
+/// mesh. Returns a remark on parts that the format cannot represent.
 pub(in crate::cli) fn write_changed<'a>(
     path: &'a Path,
     session: &Session,
@@ -34,7 +35,7 @@ pub(in crate::cli) fn write_changed<'a>(
     left_out(path, session.mesh())
 }
 
-/// The parts of the mesh that the format of `path` cannot hold: none where all of it is written.
+/// Returns a remark on the parts of the mesh that the format of `path` cannot represent, if any.
 pub(in crate::cli) fn left_out(path: &Path, mesh: &Mesh) -> Option<String> {
     let larger = mesh.faces.iter().filter(|face| face.len() > 4).count();
     let (format, parts) = if is_medit(path) {

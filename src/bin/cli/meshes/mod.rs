@@ -1,8 +1,8 @@
-//! The commands that make meshes, and meshes as files.
+//! The commands that make meshes, and mesh files of sessions.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `mesh_file` | a solved mesh as a file, by the ending of its name |
+//! | `mesh_file` | mesh files of sessions, with the format by extension |
 //! | `new_mesh` | the command `new`, with its arguments |
 //! | `edit` | the command `edit`, with its arguments |
 //! | `refine` | the command `refine` |

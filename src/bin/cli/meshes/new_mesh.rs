@@ -1,4 +1,4 @@
-//! `shape-up new`: a mesh to begin with.
+//! `shape-up new`: makes a mesh to start from.
 
 use crate::cli::words::{Word, Words};
 use crate::cli::{Failure, input, output};
@@ -18,11 +18,11 @@ pub(in crate::cli) struct New {
 /// The source of the mesh.
 #[derive(Debug, PartialEq)]
 enum From {
-    /// The id of a kind, and sizes in the order of its own.
+    /// The id of a kind, and its sizes in order.
     Kind(&'static str, Vec<f64>),
     /// The file of a plan.
     Plan(PathBuf),
-    /// Between curves of a file.
+    /// Curves of a file.
     Span(Span),
 }
 
@@ -30,16 +30,16 @@ enum From {
 #[derive(Debug, PartialEq)]
 struct Span {
     file: PathBuf,
-    /// One that is filled, or two.
+    /// One curve for `fill`, two for `loft`.
     curves: Vec<usize>,
-    /// Of a panel.
+    /// The size of a panel.
     size: Option<f64>,
 }
 
-/// The size of a panel where none is given, as a part of the length of the first curve.
+/// The default size of a panel, relative to the length of the first curve.
 const PANEL: f64 = 0.05;
 
-/// Reads the arguments: the kind comes first, because it says which sizes there are.
+/// Parses the arguments. The kind comes first, as it determines the options for sizes.
 pub(in crate::cli) fn parse(mut words: Words) -> Result<New, String> {
     let known = || {
         NEW_KINDS.iter().map(|kind| kind.id).collect::<Vec<_>>().join(", ")
@@ -122,7 +122,7 @@ fn parse_span(mut words: Words, name: &str, count: usize) -> Result<New, String>
     Ok(New { from: From::Span(Span { file, curves, size }), units, out })
 }
 
-/// Writes it to the file, or to standard output.
+/// Makes the mesh and writes it to the file, or to standard output.
 pub(in crate::cli) fn make(command: &New) -> Result<(), Failure> {
     let mesh = mesh(&command.from)?;
     let text = UnitsAndUp::comments(&command.units, Up::Z) + &write_obj(&mesh, &mesh.positions);

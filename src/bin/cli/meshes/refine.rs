@@ -1,4 +1,5 @@
-//! `shape-up refine`: a scene or a mesh with several faces for each, solved at every level where panels are asked.
+//! `shape-up refine`: subdivides the mesh of a scene or a mesh file, and solves at every level if
+//! panels are required.
 
 use super::mesh_file;
 use crate::cli::arguments::Refine;
@@ -11,24 +12,24 @@ use shape_up::solve::Require;
 use std::path::Path;
 use std::time::Instant;
 
-/// The `--report`.
+/// The report written by `--report`.
 #[derive(Serialize)]
 struct RefineReport {
-    /// From the mesh as it came to the last level.
+    /// From the input mesh to the last level.
     levels: Vec<Level>,
-    /// A sentence for each thing that was not carried over.
+    /// A sentence for each item that was not carried over.
     lost: Vec<String>,
-    /// Of the last level.
+    /// The report of the last level.
     report: Report,
 }
 
-/// A level, where it was solved.
+/// A solved level.
 #[derive(Serialize)]
 struct Level {
     vertices: usize,
     faces: usize,
     total: f64,
-    /// How near the panels are to what they are asked to be.
+    /// The deviation of the panels from the required shape.
     verdict: Option<Verdict>,
     seconds: f64,
 }

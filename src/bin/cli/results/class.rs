@@ -1,4 +1,4 @@
-//! `shape-up check FOLDER [--scene SCENE] [--csv FILE.csv]`: a table of what a class hands in.
+//! `shape-up check FOLDER [--scene SCENE] [--csv FILE.csv]`: tabulates the results of a class.
 
 use super::super::{Failure, input, output};
 use super::read;
@@ -7,7 +7,7 @@ use shape_up::scene::{NamedEnum, Results};
 use shape_up::session::{Checked, check_results};
 use std::path::{Path, PathBuf};
 
-/// The ending of the name of a scene.
+/// The extension of scene files.
 const SCENE: &str = ".shapeup.json";
 
 const HEAD: [&str; 9] = [
@@ -22,12 +22,12 @@ const HEAD: [&str; 9] = [
     "file",
 ];
 
-/// The entry of a table for a file that cannot be read or is of something else.
+/// The entries in column `altered` for an unreadable file, and for one of another mesh or lesson.
 const NOT_RESULTS: &str = "unreadable";
 const OTHER: &str = "another mesh or lesson";
 
-/// Checks every file of results in `folder`, by the name of the student. The scene is the one in the folder
-/// where none is given.
+/// Checks every results file in `folder`, sorted by the name of the student. The default scene is
+/// the one in the folder.
 pub(crate) fn check(
     folder: &Path,
     scene: Option<&Path>,
@@ -76,7 +76,7 @@ pub(crate) fn check(
     }
 }
 
-/// The files in a folder that may be scenes or results, by name.
+/// Returns the files in a folder that may be scenes or results, sorted by name.
 fn files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let entries = std::fs::read_dir(folder).map_err(|error| {
         Failure::Input(format!("{}: cannot be read: {error}, expected a folder", folder.display()))
@@ -115,14 +115,14 @@ fn row(path: &Path, results: &Results, checked: Option<Checked>) -> [String; 9] 
     ]
 }
 
-/// Three digits tell students apart.
+/// Formats a number with three significant digits, enough to tell students apart.
 fn short(value: f64) -> String {
     let digits =
         if value == 0.0 { 0 } else { (2 - value.abs().log10().floor() as i32).clamp(0, 12) };
     format!("{value:.*}", digits as usize)
 }
 
-/// Columns one below the other, without what was changed, which is long.
+/// Formats the table in aligned columns, without the column `changed`, which is long.
 fn aligned(rows: &[[String; 9]], units: &str) -> String {
     let shown = |row: &[String; 9]| {
         let [student, met, of, distance, moved, iterations, altered, _, file] = row.clone();
@@ -153,7 +153,8 @@ fn aligned(rows: &[[String; 9]], units: &str) -> String {
     lines.iter().map(padded).collect::<String>() + &sum
 }
 
-/// A line of fields. One that a spreadsheet would take for a formula, as a student may be called, becomes text.
+/// Formats a line of CSV. A field that a spreadsheet would read as a formula (students' names are
+/// untrusted) is turned into text.
 fn comma_separated(row: &[String]) -> String {
     let field = |text: &String| {
         let text = match text.chars().next() {

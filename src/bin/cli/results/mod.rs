@@ -1,8 +1,8 @@
-//! `shape-up check` of what students hand in of a lesson: of one, or of a class.
+//! `shape-up check` of the results of a lesson: of one student, or of a class.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `one` | whether the results of one student meet the goals |
+//! | `one` | check of one student's results against the goals |
 //! | `class` | a table of all results in a folder |
 
 mod class;
@@ -15,7 +15,7 @@ use super::{Failure, input};
 use shape_up::scene::Results;
 use std::path::Path;
 
-/// Reads a file of results.
+/// Reads a results file.
 fn read(path: &Path) -> Result<Results, Failure> {
     let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
     let text = String::from_utf8(input::bytes(path)?)

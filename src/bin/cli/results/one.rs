@@ -1,4 +1,4 @@
-//! `shape-up check RESULTS --scene SCENE`: whether what a student hands in meets the goals.
+//! `shape-up check RESULTS --scene SCENE`: checks a student's results against the goals.
 
 use super::super::{Failure, input, output};
 use super::read;
@@ -53,7 +53,7 @@ fn words(results: &Results, checked: &Checked, units: &str) -> String {
     lines.join("\n") + "\n"
 }
 
-/// The subject of a goal, its value, and its limit.
+/// Formats the subject of a goal, its value, and its limit.
 fn measured(goal: &GoalResult) -> String {
     let of = match &goal.goal.of {
         GoalOf::Measure(id) => id.clone(),
