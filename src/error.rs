@@ -1,16 +1,16 @@
-//! The one error type that a host sees. Each variant lives beside its stage and is converted here.
+//! The error type of hosts. Each variant is defined in its stage and converted here.
 
 use std::fmt;
 
-/// The errors between a file and a solved mesh. All of it is the input's fault: a broken
-/// internal contract panics instead.
+/// An error between reading a file and solving. All are faults of the input: a broken internal
+/// contract panics instead.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Error {
     /// A mesh file could not be read.
     Mesh(crate::mesh::ReadError),
     /// A scene is not valid.
     Scene(crate::scene::SceneError),
-    /// The scene is valid, but cannot be solved as it stands.
+    /// The scene is valid, but cannot be solved.
     Solve(crate::solve::SolveError),
 }
 

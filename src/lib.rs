@@ -2,8 +2,8 @@
 //!
 //! An implementation of *Shape-Up: Shaping Discrete Geometry with Projections* (Bouaziz, Deuss,
 //! Schwartzburg, Weise, Pauly; Symposium on Geometry Processing 2012), for polygon meshes, curves,
-//! tetrahedra and point sets. Everything is computed where the user is: the solver is compiled to
-//! WebAssembly and runs in a worker, the view draws with wgpu, a thin page connects them.
+//! tetrahedra and point sets. Everything is computed in the browser: the solver is compiled to
+//! WebAssembly and runs in a worker, the view draws with wgpu, and a thin page connects them.
 //!
 //! # Data flow
 //!
@@ -12,75 +12,77 @@
 //!                    math and sparse lie under all of them
 //! ```
 //!
-//! Nothing to the left knows of anything to the right; [`view`] sees positions and index buffers,
-//! never the solver. What a room knows of, it may know all of; `tests/rooms.rs` holds the code to this
-//! table.
+//! Each stage depends only on those to its left; [`view`] receives positions and index buffers,
+//! never the solver. `tests/rooms.rs` enforces the dependencies of this table: a room may use any
+//! item of the rooms that it knows of.
 //!
-//! | room | holds | knows of |
+//! | room | contents | knows of |
 //! |---|---|---|
-//! | [`math`] | small vectors in lanes, eigenvectors, closest rotations, fitted circles and spheres | nothing |
-//! | `json` | JSON to serde types with the place of an error, and back to text | nothing |
-//! | [`mesh`] | polygon mesh, files in and out, topology, Laplacian, closest point, error measures | math |
+//! | [`math`] | vectors in SIMD lanes, eigenvectors, closest rotations, fitted circles and spheres | nothing |
+//! | `json` | JSON to serde types, with the paths of errors, and back to text | nothing |
+//! | [`mesh`] | polygon mesh, reading and writing of files, topology, Laplacian, closest point, error measures | math |
 //! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, json, mesh |
 //! | [`sparse`] | `L D L^T` on the types of sprs: ordering, symbolic analysis, two numeric factors, triangular sweeps | math |
 //! | [`solve`] | energies, assembly, the two-step iteration, accelerators, conformal maps | math, mesh, constraint, sparse |
-//! | [`fabricate`] | parts to be cut: panels on sheets, offsets, the build check, files for machines | math, mesh, sparse |
-//! | [`scene`] | the scene file: serde form and validation; the problem that it poses | math, json, mesh, constraint, sparse, solve, fabricate |
-//! | [`error`] | the one error that hosts see | mesh, scene, solve |
+//! | [`fabricate`] | parts to cut: panels on sheets, offsets, the build check, files for machines | math, mesh, sparse |
+//! | [`scene`] | the scene file: serde types, validation, and the optimisation problem that it defines | math, json, mesh, constraint, sparse, solve, fabricate |
+//! | [`error`] | the error type of hosts | mesh, scene, solve |
 //! | [`example`] | the example scenes, and the generators of their meshes | math, mesh, constraint, scene |
-//! | [`begin`] | meshes to begin with, by kinds and sizes, from a plan, or between curves | math, json, mesh, sparse, example |
-//! | [`session`] | what every host drives: load, edit, drag, step, undo, report | all above |
+//! | [`begin`] | new meshes: by kind and sizes, from a plan, or between curves | math, json, mesh, sparse, example |
+//! | [`session`] | the interface of all hosts: load, edit, drag, step, undo, report | all above |
 //! | [`experiment`] | the paper's comparisons with other methods (Fig. 10, 11), run live | all above |
 //! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |
-//! | `web` | wasm-bindgen faces: one for the worker (solver), one for the page (view) | all above |
+//! | `web` | wasm-bindgen interfaces: one for the worker (solver), one for the page (view) | all above |
 //!
-//! `src/bin` is outside: the command line, which drives sessions too, and the steps of the build that
-//! draw examples.
+//! `src/bin` is outside: the command line, which drives sessions too, and the build steps that draw
+//! examples.
 //!
-//! Beside the pipeline, [`experiment`] holds what the paper compares its method with: gradient descent,
-//! quasi-Newton without a metric, and a penalty method with Gauss-Newton. It drives sessions as a host
-//! does, and nothing else depends on it.
+//! Beside the pipeline, [`experiment`] contains the methods that the paper compares with: gradient
+//! descent, quasi-Newton without a metric, and a penalty method with Gauss-Newton. It drives
+//! sessions as a host does, and nothing else depends on it.
 //!
 //! # One drag
 //!
-//! 1. The page's view finds the handle under the pointer (`view::picking`) and turns the way of the pointer
-//!    into a target (`view::gizmo`). The page sends vertex and target to the worker.
-//! 2. `web::worker` calls `Session::drag` ([`session`], `undo/drag_transaction`), which checks the target
-//!    and hands it to the solver. Only the gradient of the handle's energy changes: no matrix, no factor.
-//! 3. The next iteration sees it: `Session::step` calls `Solver::step` ([`solve`], `solver/step`).
+//! 1. The page's view finds the handle under the pointer (`view::picking`) and converts the motion
+//!    of the pointer to a target (`view::gizmo`). The page sends vertex and target to the worker.
+//! 2. `web::worker` calls `Session::drag` ([`session`], `undo/drag_transaction`), which checks the
+//!    target and passes it to the solver. Only the gradient of the handle's energy changes: no
+//!    matrix, no factor.
+//! 3. The next iteration uses it: `Session::step` calls `Solver::step` ([`solve`], `solver/step`).
 //!    - Local step: each batch of constraints projects its points ([`constraint`], `batch` and `kinds`).
 //!    - `solve::energy` sums energies and gradients of shape, closeness, smoothness and handles.
 //!    - Global step: `solve::system` applies the inverse of the normal matrix, by triangular sweeps through
 //!      the factor of [`sparse`]; `solve::accelerate` improves the step, or falls back to it.
 //! 4. The worker copies the positions to the page, which gives them to `view::state`; `view::gpu` draws.
-//! 5. The end of the drag makes one step of undo of it (`session/state/history`).
+//! 5. The end of the drag records it as one step of undo (`session/state/history`).
 //!
 //! # One run
 //!
-//! 1. [`mesh`] reads a file, or [`scene`] a scene and the mesh it names. `Session::open` ([`session`],
-//!    `load`) checks one against the other and resolves the selectors (`state/rows`).
+//! 1. [`mesh`] reads a file, or [`scene`] a scene and its mesh. `Session::open` ([`session`],
+//!    `load`) validates the scene against the mesh and resolves the selectors (`state/rows`).
 //! 2. `Solver::new` assembles the normal matrix (`solve::assemble`); [`sparse`] orders and factors it.
-//! 3. `Session::begin_run`, then `Session::step` until it says that it has ended: converged, collapsed
-//!    (`session/run/collapse_guard`), or, after one press for all panels, with all of them within the
-//!    tolerance (`run/make_panels`).
-//! 4. `Session::end_run` keeps the iterate of least energy and makes one step of undo of the run.
+//! 3. `Session::begin_run`, then `Session::step` until it reports the end: converged, collapsed
+//!    (`session/run/collapse_guard`), or, for a run started for all panels, with all of them within
+//!    the tolerance (`run/make_panels`).
+//! 4. `Session::end_run` keeps the iterate of least energy and records the run as one step of undo.
 //! 5. `Session::report` measures the shape ([`mesh`], `measure`); `session/export` writes OBJ or the scene.
 //!
 //! # From a shape to parts
 //!
-//! [`fabricate`] takes a mesh and settings (the key `build` of a scene), and knows nothing of solvers. The command
-//! line calls it with the shape of a scene; the page loads it as a module of its own, in a worker of its own
-//! (`www/features/build`), so that the solver stays small. Both write the same bytes.
+//! [`fabricate`] takes a mesh and settings (the key `build` of a scene), and is independent of
+//! solvers. The command line calls it with the shape of a scene; the page loads it as a separate
+//! module in its own worker (`www/features/build`), so that the solver stays small. Both write the
+//! same bytes.
 //!
 //! # Two numeric factors
 //!
 //! The normal matrix is a [`sprs::CsMatI`], and `sprs-ldl` factors it up to
-//! [`sparse::Factorization::MOST_SIMPLICIAL`] unknowns. It computes one column of `L` after another, which is
-//! all that a small system needs. On larger ones most columns of `L` share their rows with their neighbours:
-//! a numeric phase of our own computes such runs (supernodes) as dense blocks in 128-bit lanes, from the
-//! same pattern in the same order, about three times faster at 10,000 vertices (`npm run bench -- --parts
-//! factors`). Both fill the same panels, so that iterating costs the same, and the same tests hold both to
-//! dense factors.
+//! [`sparse::Factorization::MOST_SIMPLICIAL`] unknowns. It computes `L` column by column, which
+//! suffices for small systems. In larger ones most columns of `L` have the same rows as their
+//! neighbours: our own numeric phase computes such runs of columns (supernodes) as dense blocks in
+//! 128-bit lanes, with the same pattern and order, about three times faster at 10,000 vertices
+//! (`npm run bench -- --parts factors`). Both fill the same panels, so that an iteration costs the
+//! same, and the same tests compare both with dense factors.
 //!
 //! # Notation of the paper, and its names here
 //!
@@ -95,7 +97,7 @@
 //! | `lambda_shape`, `lambda_close`, `lambda_smooth` (Eq. 13) | `weights.{shape, close, smooth}` |
 //! | `c(v)` (Eq. 11) | closest point on the reference surface |
 //! | `P_i` as a matrix (Eq. 8, 14) | `planar-similar`, and [`solve::Parametrization`] |
-//! | `w_ij`, `l_i` (Eq. 12) | edge weight; the position or the displacement that is smoothed |
+//! | `w_ij`, `l_i` (Eq. 12) | edge weight; the smoothed quantity, position or displacement |
 //! | `e_p`, `e_c` (Fig. 5) | planarity and circularity error: mean squared distance |
 //!
 //! # The paper, row by row
@@ -104,10 +106,10 @@
 //!
 //! # Conventions
 //!
-//! Arrays state their shape as in `#V by 3`. Indices are 0-based everywhere but in files that
-//! count from one. Lengths are in the units of the mesh. Energies, gradients and positions are
-//! `f64`. The solver uses only `+ - * / sqrt` and, for angles, `libm`, so that native and wasm builds give
-//! the same bits.
+//! Array shapes are written as `#V by 3`. Indices are 0-based except in file formats that count
+//! from one. Lengths are in the units of the mesh. Energies, gradients and positions are `f64`. The
+//! solver uses only `+ - * / sqrt` and, for angles, `libm`, so that native and wasm builds give the
+//! same bits.
 
 #[cfg(any(feature = "cli", feature = "build"))]
 pub mod begin;
