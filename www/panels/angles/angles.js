@@ -1,6 +1,6 @@
 /**
- * The angles at the corners of the faces (Fig. 7 of the paper): bars for the shape as it is, over the
- * outline of the original. Loaded when it is first shown.
+ * Histogram of the angles at the corners of the faces (Fig. 7 of the paper): bars for the current
+ * shape, over the outline of the original. Loaded when it is first shown.
  */
 
 import { button } from '../../ui/controls/fields.js';
@@ -95,15 +95,15 @@ export function anglesPanel(panel, { store, solver, files, actions }) {
   });
   bars.addEventListener('pointerleave', () => shown && draw(shown));
   solver.on('frame', update);
-  // A panel that comes into sight shows what is so now.
+  // Updates the panel when it becomes visible.
   new ResizeObserver(update).observe(panel);
   update();
 }
 
 /**
- * The bins between which the middle half of what is counted lies.
+ * Returns the range of bins with the middle half of the counts.
  * @param {number[]} counts
- * @returns {[number, number]} where the first begins and the last ends
+ * @returns {[number, number]} the start of the first and the end of the last
  */
 function middleHalf(counts) {
   const all = counts.reduce((sum, count) => sum + count, 0);

@@ -1,6 +1,6 @@
 /**
- * The list of constraints. Rows are kept while the list has the same rows, so that a field that is
- * being typed into is not taken away by a frame.
+ * The list of constraints. Rows are rebuilt only if the list changes, so that a frame does not
+ * replace a field with the focus.
  */
 
 import { amountField, closeButton } from '../../ui/controls/fields.js';
@@ -20,27 +20,33 @@ const renaming = () => import('./rename.js');
  * @param {import("../../app/context.js").AppContext} app
  */
 export function constraintsPanel(place, { store, actions, solver }) {
-  /** What the iteration says of each row. @type {{ worst: HTMLElement, within: HTMLElement, share: HTMLElement }[]} */
+  /**
+   * Cells with values of the iteration, per row.
+   * @type {{ worst: HTMLElement, within: HTMLElement, share: HTMLElement }[]}
+   */
   let cells = [];
   const moved = element('p.quiet', { title: 'How far the vertices are from where they were' });
-  /** The row that just got a name: it has the focus again. @type {number | null} */
+  /** The row that was just renamed and gets the focus back. @type {number | null} */
   let renamed = null;
-  /** The rows that are on the page. */
+  /** The displayed rows, serialised. */
   let shown = '';
-  /** The rows that are open, by what they are: an index would change with what is before it. @type {Set<string>} */
+  /** The open rows, by key: an index would change with preceding rows. @type {Set<string>} */
   const open = new Set();
 
-  /** What opens below a row comes with the first that is opened. @type {typeof import("./details.js") | null} */
+  /**
+   * The module of the details, loaded when a row is first opened.
+   * @type {typeof import("./details.js") | null}
+   */
   let rowDetails = null;
   const loadDetails = async () => (rowDetails ??= await import('./details.js'));
   const untint = () => actions.tint(null);
 
-  /** Tints what a constraint acts on. @param {ConstraintRow} row */
+  /** Tints the members of a constraint. @param {ConstraintRow} row */
   async function tint(row) {
     const members = await actions.members(row);
     const hovered = place.querySelector('.constraint:is(:hover, :focus-within)');
     if (members && hovered?.getAttribute('data-index') === String(row.index)) {
-      // Dots on the corners of tinted faces would say nothing more.
+      // Dots on the corners of tinted faces would be redundant.
       const vertices = members.faces.length > 0 ? NONE : members.vertices;
       actions.tint({ faces: members.faces, vertices, colour: row.colour });
     }
@@ -138,7 +144,7 @@ export function constraintsPanel(place, { store, actions, solver }) {
         onpointerleave: untint,
         onfocusin: () => {
           tint(row);
-          // It has to be there before somebody types on.
+          // Preloaded, so that it is ready before the user types.
           renaming();
         },
         onfocusout: untint,
@@ -164,7 +170,7 @@ export function constraintsPanel(place, { store, actions, solver }) {
   }
 
   /**
-   * A row under the key that stays its own while others come and go.
+   * Makes a row with a key that stays unique while other rows come and go.
    * @param {ConstraintRow} row
    * @param {number} index
    * @param {ConstraintRow[]} rows
@@ -176,9 +182,9 @@ export function constraintsPanel(place, { store, actions, solver }) {
 
   const showNumbers = throttled(RENEW_MS, () => {
     const { numbers, document, size, tolerance } = store.get();
-    const way = movedInWords(store.get());
-    setText(moved, way && `Moved ${way}`);
-    moved.hidden = !way;
+    const movedText = movedInWords(store.get());
+    setText(moved, movedText && `Moved ${movedText}`);
+    moved.hidden = !movedText;
     document?.constraints.forEach((row, i) => {
       const value = numbers?.worst[i];
       if (!cells[i]) return;
@@ -226,7 +232,7 @@ export function constraintsPanel(place, { store, actions, solver }) {
 }
 
 /**
- * What is required, and parameters that are not at their default, in words.
+ * Describes the requirement, and parameters that differ from their defaults.
  * @param {ConstraintRow} row
  * @param {import("../../solver/messages.js").ParamInfo[]} params
  * @param {string} units
@@ -242,7 +248,10 @@ function paramsInWords(row, params, units) {
   return words.map((one) => ` · ${one}`).join('');
 }
 
-/** The accessible name of the field that has the focus, to give it back. @param {HTMLElement} place */
+/**
+ * Returns the accessible name of the focused field, to restore the focus. @param {HTMLElement}
+ * place
+ */
 function focusedField(place) {
   const { activeElement } = document;
   return place.contains(activeElement) ? activeElement?.getAttribute('aria-label') : null;

@@ -1,4 +1,4 @@
-/** What opens below a row of the list of constraints: what it asks, and its parameters, which act at once. */
+/** The details of a constraint: its drawing, requirement and parameters. Changes act at once. */
 
 import { button } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
@@ -15,7 +15,7 @@ import { easedOf, requirementOf } from './requirement.js';
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../store/actions.js").Actions} actions
  * @param {import("../../solver/solver-client.js").SolverClient} solver
- * @param {{ select: () => void, rename: () => void }} own what only the list can do
+ * @param {{ select: () => void, rename: () => void }} own actions of the list
  * @returns {Node[]}
  */
 export function detailsOf(row, name, store, actions, solver, { select, rename }) {

@@ -1,12 +1,12 @@
-/** The name of a row of constraints, written in its place. */
+/** Renaming a constraint in its row. */
 
 import '../../ui/styles/lists.css';
 import { element } from '../../ui/dom.js';
 
 /**
- * Puts a field in the place of the button that shows the name. Enter and leaving it take the name,
- * Escape puts back what was; nothing is the label of the kind.
- * @param {HTMLElement} opener shows the name
+ * Replaces the button that shows the name by a field. Enter or leaving the field accepts the name,
+ * Escape restores the old one; an empty name means the label of the kind.
+ * @param {HTMLElement} opener the button that shows the name
  * @param {string} name of the row, empty when it has none
  * @param {string} label of its kind
  * @param {(name: string) => void} rename

@@ -1,4 +1,4 @@
-/** How a row of constraints counts: weighed, met within a length, or met. What is chosen acts at once. */
+/** The requirement of a constraint: soft, within a length, or exact. Changes act at once. */
 
 import { amountField, choice } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
@@ -50,7 +50,7 @@ export function requirementOf({ index, require }, name, store, actions) {
 }
 
 /**
- * The panels of which less is required.
+ * Describes the panels with an eased requirement.
  * @param {import("../../solver/messages.js").ConstraintRow["eased"]} eased
  * @param {string} units of the mesh
  */

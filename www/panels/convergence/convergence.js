@@ -1,6 +1,6 @@
 /**
- * The energies of the iterations since the model was opened or reset, drawn while they are in sight.
- * The plotting library comes with the first iteration, not with the page.
+ * The energies of the iterations since the model was opened or reset, plotted while visible. The
+ * plotting library is loaded with the first iteration, not with the page.
  */
 
 import { element, throttled } from '../../ui/dom.js';
@@ -40,7 +40,7 @@ export class Convergence {
     store.subscribe(['dark'], () => this.#plot?.then((plot) => plot.restyle()));
   }
 
-  /** No plot: there is no iteration, or none any more. */
+  /** Removes the plot: there are no iterations. */
   #showNone() {
     this.#plot?.then((plot) => plot.destroy());
     this.#plot = null;
@@ -49,7 +49,7 @@ export class Convergence {
 
   async #drawNow() {
     if (!this.#inSight || !this.#store.get().model) return;
-    // A solver that has stopped says so itself.
+    // A stopped solver reports its own error.
     const trace = await this.#actions.trace().catch(() => null);
     if (!trace) return;
     if (trace.length < 2 * TRACE_WIDTH) return this.#showNone();
@@ -62,7 +62,8 @@ export class Convergence {
   }
 
   /**
-   * Columns: iteration, shape, close, smooth, handles, total; energies as they are shown.
+   * Returns the columns iteration, shape, close, smooth, handles, total, with rounding shown as
+   * zero.
    * @param {Float64Array} trace
    */
   #columnsOf(trace) {

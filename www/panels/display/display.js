@@ -1,11 +1,11 @@
-/** What the view shows: what the faces are coloured by, and what is drawn over them. */
+/** Display settings: the measure that colours the faces, and toggles of drawn items. */
 
 import { checkbox, choice, setOptions } from '../../ui/controls/fields.js';
 import { byId, element } from '../../ui/dom.js';
 
 /** @typedef {import("../../solver/messages.js").Measure} Measure */
 
-/** In the order in which they are offered. */
+/** Labels of the toggles, in the order of display. */
 const TOGGLES = {
   edges: 'Edges',
   vertices: 'Vertices',
@@ -47,7 +47,7 @@ export function displayPanel(place, { store, actions }) {
     setOptions(colourBy, [['', 'nothing'], ...measures.map(({ id, label }) => [id, label])]);
     colourBy.value = measure ?? '';
   });
-  // The colours of a flat map go before, and it has controls of its own for them.
+  // A flat map has colours and controls of its own, which take precedence.
   store.subscribe(['flatMap'], ({ flatMap }) => (colourRow.hidden = flatMap !== null));
   // Only a surface can be flattened.
   const parametrize = byId('parametrize');

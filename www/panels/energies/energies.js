@@ -1,4 +1,4 @@
-/** The three weights of Eq. 13 in plain words, and the energies as they stand. */
+/** The three weights of Eq. 13 in plain words, and the current energies. */
 
 import { amountField } from '../../ui/controls/fields.js';
 import { RENEW_MS, element, setText, throttled } from '../../ui/dom.js';
@@ -8,13 +8,13 @@ import { weightPresets } from './weight-presets.js';
 
 /** @typedef {import("../../solver/messages.js").SceneDocument} SceneDocument */
 
-/** The slider's ends as powers of ten; its left end is off. */
+/** The ends of the slider as powers of ten; position 0 means a weight of 0. */
 const LEAST = -3;
 const MOST = 4;
 const STEPS_PER_DECADE = 20;
 
 /**
- * What each term asks for depends on what the scene says of it.
+ * The terms; the explanation depends on the settings of the scene.
  * @type {{ id: "shape" | "close" | "smooth", label: string, words: (document: SceneDocument) => string }[]}
  */
 const TERMS = [
@@ -72,7 +72,7 @@ export function energiesPanel(place, { store, actions }) {
 }
 
 /**
- * What most people never need: it comes when it is first opened.
+ * Settings for experts, loaded when first opened.
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../store/actions.js").Actions} actions
  */
@@ -111,7 +111,7 @@ function termRow({ id, label, words }, actions) {
       field.value = String(weightAt(slider.valueAsNumber));
       slider.setAttribute('aria-valuetext', field.value);
     },
-    // One gesture is one edit: the weight is set when the slider is let go.
+    // The weight is set on release, so that one gesture is one edit.
     onchange: () => send(weightAt(slider.valueAsNumber)),
   });
   const explanation = element('span.words');
@@ -141,7 +141,7 @@ function termRow({ id, label, words }, actions) {
 }
 
 /**
- * The weight at a place of the slider: 0 at its left end, else to two digits.
+ * Returns the weight at a slider position: 0 at its left end, else two digits.
  * @param {number} place
  */
 function weightAt(place) {
@@ -155,7 +155,7 @@ function placeOf(weight) {
   return Math.min(Math.max(place, 1), (MOST - LEAST) * STEPS_PER_DECADE);
 }
 
-/** The term's colour in the plot. @param {string} id */
+/** A swatch in the colour of the term in the plot. @param {string} id */
 function swatch(id) {
   return element('span.swatch', { style: `--chip: var(--series-${id})` });
 }

@@ -1,6 +1,6 @@
 /**
- * The settings of a scene that most people never need: what is kept close to what, what is smoothed,
- * how it is solved. Made from the declared list when it is first opened.
+ * Advanced settings of a scene: closeness, smoothness and solver. Built from their declarations
+ * when first opened.
  */
 
 import './settings.css';
@@ -10,14 +10,14 @@ import { count } from '../../ui/format.js';
 import { Parameters } from '../../ui/kinds/parameters.js';
 import { sizeOfSelection } from '../../store/selection.js';
 
-/** Another surface to be close to. */
+/** Fitting to another surface. */
 const FIT = {
   label: 'Fit to another surface',
   type: /** @type {const} */ ('fitTo'),
   words: 'A second file in the same coordinates: the mesh comes to lie on its surface.',
   done: (/** @type {string} */ name) => `Vertices stay near ${name}`,
 };
-/** Another pose. */
+/** Rest shapes from another pose. */
 const POSE = {
   label: 'Take the pose of another file',
   type: /** @type {const} */ ('takePose'),
@@ -26,7 +26,7 @@ const POSE = {
   done: (/** @type {string} */ name) => `Shapes are those of ${name}`,
 };
 
-/** What the buttons give the selected vertices, as factors of the weight of closeness. */
+/** Closeness buttons for the selected vertices, with factors of the weight of closeness. */
 const HOLDS = [
   { label: 'More', weight: 10, title: 'Ten times the closeness of the others' },
   { label: 'Less', weight: 0.1, title: 'A tenth of the closeness of the others' },
@@ -87,10 +87,10 @@ function settingRow(setting, store, actions) {
 }
 
 /**
- * A second file that an edit takes something from.
+ * A row with a file input for an edit that reads a second file.
  * @param {{ label: string, type: "fitTo" | "takePose", words: string, done: (name: string) => string }} of
  * @param {import("../../store/actions.js").Actions} actions
- * @param {...HTMLElement} more beside the button
+ * @param {...HTMLElement} more elements beside the button
  */
 function fileRow({ label, type, words, done }, actions, ...more) {
   const input = element('input', {
@@ -115,7 +115,7 @@ function fileRow({ label, type, words, done }, actions, ...more) {
 }
 
 /**
- * The shapes that vertices keep, taken from another pose of the mesh.
+ * The row for rest shapes from another pose of the mesh.
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../store/actions.js").Actions} actions
  */
@@ -126,12 +126,12 @@ function poseRow(store, actions) {
 }
 
 /**
- * Holding the selected vertices more or less than the others.
+ * The row for the closeness of the selected vertices relative to the others.
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../store/actions.js").Actions} actions
  */
 function holdRow(store, actions) {
-  const said = element('p.quiet');
+  const note = element('p.quiet');
   const hold = async (/** @type {typeof HOLDS[number]} */ { label, weight }) => {
     const vertices = actions.chosenVertices();
     if ((await actions.edit({ type: 'holdClose', vertices, weight })) === undefined) return;
@@ -157,13 +157,13 @@ function holdRow(store, actions) {
       : '';
     const others =
       held > 0 ? `${count(held, 'vertex has its', 'vertices have their')} own closeness.` : '';
-    setText(said, [words, others].filter(Boolean).join(' '));
+    setText(note, [words, others].filter(Boolean).join(' '));
   });
   return element(
     'div.setting',
     { role: 'group', 'aria-label': 'Closeness of the selection' },
     element('p', 'Closeness of the selection'),
     element('div.row-buttons', ...buttons, all),
-    said,
+    note,
   );
 }

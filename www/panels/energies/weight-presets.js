@@ -1,6 +1,6 @@
 /**
- * The settings of the paper's figures, to be taken with one choice. One that assumes what this mesh has
- * not says so before it is taken.
+ * Presets with the settings of the paper's figures. A preset whose assumptions the mesh does not
+ * meet shows a warning first.
  */
 
 import { button, choice, setOptions } from '../../ui/controls/fields.js';
@@ -18,7 +18,7 @@ const SMALL = { class: 'small bordered' };
 export function weightPresets(actions) {
   /** @type {Preset[]} */
   let presets = [];
-  /** The one whose settings the scene has. @type {string | null} */
+  /** The id of the preset that matches the scene. @type {string | null} */
   let current = null;
   const select = choice({ 'aria-label': 'Preset' }, choose);
   const warning = element('div.warning', {
@@ -26,19 +26,19 @@ export function weightPresets(actions) {
     'aria-labelledby': 'preset-warning',
     hidden: true,
   });
-  const take = (/** @type {Preset} */ { id }) => actions.edit({ type: 'preset', id });
+  const apply = (/** @type {Preset} */ { id }) => actions.edit({ type: 'preset', id });
 
   /** @param {string} chosen */
   function choose(chosen) {
     const preset = presets.find(({ id }) => id === chosen);
     if (!preset) return;
-    if (!preset.warning) return void take(preset);
-    // It is not taken yet.
+    if (!preset.warning) return void apply(preset);
+    // The preset is not applied yet.
     showChosen();
     const close = () => leave(warning, () => (warning.hidden = true));
     const useAnyway = () => {
       close();
-      take(preset);
+      apply(preset);
     };
     warning.replaceChildren(
       element('p', { id: 'preset-warning' }, `${preset.assumes} ${preset.warning}`),

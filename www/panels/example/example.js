@@ -1,4 +1,7 @@
-/** What to look for in the example that is open, and the ways to the ones beside it. */
+/**
+ * Note on the open example: its figure, what to look for, and links to the previous and next
+ * examples.
+ */
 
 import { element } from '../../ui/dom.js';
 import { linkTo } from '../../documents/example-links.js';
@@ -7,7 +10,7 @@ import { withSymbols } from '../../ui/symbols.js';
 /** @typedef {import("../../solver/examples.js").Example} Example */
 
 /**
- * @param {HTMLElement} place a section, which is hidden while no example is open
+ * @param {HTMLElement} place a section, hidden while no example is open
  * @param {import("../../app/context.js").AppContext} app
  * @param {(shows: import("../../solver/examples.js").Suggestion["shows"]) => void} show
  */
@@ -17,7 +20,7 @@ export function exampleNote(place, { files, actions }, show) {
     if (!to) return [];
     /** @param {Event} event */
     const onclick = (event) => {
-      // The address that is there already leads nowhere.
+      // A link to the current address would do nothing.
       if (location.hash !== linkTo(to.id)) return;
       event.preventDefault();
       actions.reportErrors(files.openExample(to));

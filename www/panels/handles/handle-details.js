@@ -1,4 +1,6 @@
-/** The selected handles in numbers: where they should be, and how they hold. Comes with the first. */
+/**
+ * Fields for the selected handles: target, kind and weight. Loaded with the first selected handle.
+ */
 
 import './handle-details.css';
 import { RENEW_MS, element, setText, throttled } from '../../ui/dom.js';
@@ -9,11 +11,11 @@ import { handlesNow } from '../../store/state.js';
 
 /** @typedef {import("../../solver/messages.js").Handle} Handle */
 
-/** The mesh follows a target that was typed as it does a drag of this long, in milliseconds. */
+/** The length of the simulated drag by which the mesh follows a typed target, in milliseconds. */
 const FOLLOW_MS = 300;
 const AXES = ['x', 'y', 'z'];
 const MIXED = 'mixed';
-/** Numbers with more characters stand one below the other. */
+/** Longer numbers are placed one below the other. */
 const MOST_BESIDE = 8;
 
 /**
@@ -23,9 +25,9 @@ const MOST_BESIDE = 8;
 export function handleDetails(store, actions) {
   /** @type {Handle[]} */
   let chosen = [];
-  /** Where handles are to be that the document does not know yet. @type {Map<number, Handle["target"]>} */
+  /** Targets not yet in the document, by vertex. @type {Map<number, Handle["target"]>} */
   const ahead = new Map();
-  /** Ends the move that the mesh still follows. @type {(() => void) | null} */
+  /** Ends the current simulated drag. @type {(() => void) | null} */
   let pending = null;
   /** @param {(handle: Handle) => boolean} [which] */
   const vertices = (which = () => true) => chosen.filter(which).map(({ vertex }) => vertex);
@@ -33,7 +35,7 @@ export function handleDetails(store, actions) {
   /** Moves all selected handles along one axis, as one step of undo. @param {number} axis */
   function move(axis) {
     const field = targets[axis];
-    if (field.value.trim() === '') return leave(field);
+    if (field.value.trim() === '') return discardInput(field);
     /** @type {ReturnType<typeof readLength>} */
     let entry;
     try {
@@ -67,7 +69,7 @@ export function handleDetails(store, actions) {
 
   const title = element('p.quiet');
   const error = element('p.error', { id: 'target-error', 'aria-live': 'polite' });
-  /** Fields with something in them that is not taken over yet. @type {Set<HTMLInputElement>} */
+  /** Fields with uncommitted input. @type {Set<HTMLInputElement>} */
   const typed = new Set();
   const targets = AXES.map((axis, at) => {
     const field = element('input.number', {
@@ -82,10 +84,10 @@ export function handleDetails(store, actions) {
       onkeydown: (/** @type {KeyboardEvent} */ event) => {
         if (event.key !== 'Escape' || !typed.has(field)) return;
         event.stopPropagation();
-        leave(field);
+        discardInput(field);
       },
-      // What is wrong stays, to be set right.
-      onblur: () => field.hasAttribute('aria-invalid') || leave(field),
+      // Invalid input stays, to be corrected.
+      onblur: () => field.hasAttribute('aria-invalid') || discardInput(field),
     });
     return field;
   });
@@ -97,7 +99,7 @@ export function handleDetails(store, actions) {
     element(
       'button',
       {
-        // Those that are so already keep their weight.
+        // Handles of this kind already keep their weight.
         onclick: () => {
           const others = vertices((handle) => handle.fixed !== fixed);
           if (others.length > 0) actions.addHandles(others, fixed);
@@ -124,7 +126,7 @@ export function handleDetails(store, actions) {
     },
   });
   const weightLabel = element('label', 'weight', weight);
-  const all = element(
+  const group = element(
     'div.handle-details',
     { role: 'group', 'aria-label': 'Selected handles' },
     title,
@@ -133,16 +135,16 @@ export function handleDetails(store, actions) {
     element('div.hold', element('span.segmented', soft, fixed), weightLabel),
   );
 
-  /** What was typed is not wanted. @param {HTMLInputElement} field */
-  function leave(field) {
+  /** Discards the input of a field. @param {HTMLInputElement} field */
+  function discardInput(field) {
     typed.delete(field);
     show();
   }
 
   /**
-   * Shows what the handles have in common.
-   * @param {HTMLInputElement} field stays as it is while it is typed into
-   * @param {string[]} values of each handle
+   * Shows a value if it is common to all handles.
+   * @param {HTMLInputElement} field unchanged while it has uncommitted input
+   * @param {string[]} values one for each handle
    */
   function showCommon(field, values) {
     if (typed.has(field)) return;
@@ -156,8 +158,8 @@ export function handleDetails(store, actions) {
     chosen = handlesNow(store.get())
       .filter(({ vertex }) => selected.has(vertex))
       .map((handle) => ({ ...handle, target: ahead.get(handle.vertex) ?? handle.target }));
-    all.hidden = chosen.length === 0;
-    if (all.hidden) return typed.clear();
+    group.hidden = chosen.length === 0;
+    if (group.hidden) return typed.clear();
     const one = chosen.length === 1;
     setText(title, one ? `Handle at vertex ${chosen[0].vertex}` : count(chosen.length, 'handle'));
     const decimals = decimalsFor(store.get().size);
@@ -182,11 +184,11 @@ export function handleDetails(store, actions) {
     if (!pending) ahead.clear();
     show();
   });
-  // What was typed was for the handles that were selected.
+  // Discard input meant for the previous selection.
   store.subscribe(['selection'], () => {
     typed.clear();
     show();
   });
   store.subscribe(['moved'], throttled(RENEW_MS, show));
-  return all;
+  return group;
 }

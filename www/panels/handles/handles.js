@@ -1,4 +1,4 @@
-/** The handles: how many, and what to do with the selected ones. */
+/** The handles: their number, and buttons for the selected ones. */
 
 import { element } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
@@ -32,14 +32,14 @@ export function handlesPanel(place, { store, actions }) {
     const chosen = sizeOfSelection(selection) > 0;
     summary.textContent = wordsFor(handles.length, fixed);
     const pinned = document?.pinned.length ?? 0;
-    // Without constraints nothing moves, and that something is pinned would only puzzle.
+    // Without constraints nothing moves, so pinned vertices do not matter.
     if (pinned > 0 && document?.constraints.length) {
       summary.textContent += ` ${count(pinned, 'vertex is', 'vertices are')} fixed automatically, because nothing else holds that part. Add a handle to hold it where you want.`;
     }
     add.disabled = fix.disabled = !chosen;
     const vertices = new Set(actions.chosenVertices());
     remove.disabled = !handles.some(({ vertex }) => vertices.has(vertex));
-    // Without either they would do nothing.
+    // Hidden if no button could do anything.
     row.hidden = !chosen && handles.length === 0;
     if (remove.disabled || asked) return;
     asked = true;
@@ -52,8 +52,8 @@ export function handlesPanel(place, { store, actions }) {
 }
 
 /**
- * @param {number} all
- * @param {number} fixed of them
+ * @param {number} all number of handles
+ * @param {number} fixed number of fixed handles
  */
 function wordsFor(all, fixed) {
   if (all === 0) return 'No handle yet. Double-click a vertex to make one, then drag it.';

@@ -1,6 +1,7 @@
 /**
- * The legend of the faces' colours: a histogram of their values over the ramp, the ends of the range,
- * which can be dragged or entered, how many faces are within the tolerance, and how far the mesh moved.
+ * The legend of the face colours: a histogram of their values over the colour ramp, the ends of the
+ * range, which can be dragged or entered, the number of faces within the tolerance, and the
+ * displacement of the mesh.
  */
 
 import { cover } from '../../viewport/covered.js';
@@ -24,9 +25,9 @@ import { rangeEnd } from './range-end.js';
 
 /** @typedef {import("../../store/state.js").State} State */
 
-/** Only what is beyond the tolerance has colours. */
+/** The option that colours only values beyond the tolerance. */
 const BEYOND = 'beyond';
-/** The maps with their names, and what they are for. @type {[string, string, string][]} */
+/** Id, label and tooltip of each colour map. @type {[string, string, string][]} */
 const MAPS = [
   [BEYOND, 'Beyond tolerance', 'Only what is beyond the tolerance has colours'],
   ['viridis', 'Viridis', 'All values have colours'],
@@ -34,7 +35,7 @@ const MAPS = [
   ['grey', 'Grey', 'All values, for print'],
 ];
 
-/** On a telephone on its side it is a strip below the model. */
+/** On a phone in landscape orientation the legend is a strip below the model. */
 const strip = matchMedia('(min-width: 700px) and (max-height: 480px)');
 
 /**
@@ -98,7 +99,7 @@ export function legend(place, { store, viewport, actions }, fit) {
   new ResizeObserver(() => cover(viewport, place, strip.matches && !isEmbedded)).observe(place);
   const toleranceRow = /** @type {HTMLElement} */ (tolerance.closest('div'));
 
-  /** The unit of all values of the measure: that of its tolerance, or of its greatest value. */
+  /** Returns the unit for all values: that of the tolerance, or else of the greatest value. */
   function unitNow() {
     const state = store.get();
     const about = declared(state, state.measure);
@@ -107,18 +108,18 @@ export function legend(place, { store, viewport, actions }, fit) {
   }
 
   /**
-   * A value in the unit of the legend; of an empty field, none.
+   * Makes a field for a value in the unit of the legend; null if empty.
    * @param {string} name
-   * @param {(value: number | null) => void} take
+   * @param {(value: number | null) => void} accept
    */
-  function field(name, take) {
+  function field(name, accept) {
     const input = element('input', {
       type: 'text',
       inputMode: 'decimal',
       'aria-label': name,
       onchange: () => {
         const value = numberIn(input);
-        take(value === null ? null : value / unitNow().factor);
+        accept(value === null ? null : value / unitNow().factor);
       },
       onblur: () => show(),
     });
@@ -129,7 +130,7 @@ export function legend(place, { store, viewport, actions }, fit) {
     const state = store.get();
     const { measure, range, spread, document, model, flatMap, split, display } = state;
     const about = declared(state, measure);
-    // A flat map has colours and a legend of its own, and so have two pictures.
+    // A flat map has its own colours and legend, and so has the split view.
     const isShown = about && !flatMap && !split && model?.faces;
     place.hidden = !isShown || !isDrawn(state);
     if (!about || place.hidden) return;
@@ -138,10 +139,10 @@ export function legend(place, { store, viewport, actions }, fit) {
     log.box.checked = display.log;
     if (!spread) return;
     const allowed = toleranceOf(state, about);
-    // Values of both signs have a map of their own, no tolerance, and a range that is as long to both sides.
+    // Signed values have their own map, no tolerance, and a symmetric range.
     map.hidden = log.label.hidden = toleranceRow.hidden = about.signed;
     low.disabled = about.signed;
-    // Without a tolerance there is nothing to be beyond of, and no middle.
+    // Without a tolerance, the maps relative to it do not apply.
     setOptions(
       map,
       MAPS.filter(([name]) => allowed !== null || (name !== BEYOND && name !== 'diverging')),
@@ -184,7 +185,7 @@ export function legend(place, { store, viewport, actions }, fit) {
     const compared = was === null ? '' : `; originally up to ${was}`;
     const named = `${groupDigits(spread.faces)} faces between ${about.signed ? words(-spread.greatest) : 0} and ${worst}${compared}`;
     setAttribute(histogram, 'aria-label', named);
-    // Each is drawn to its own highest bar: it is how they are spread that is compared.
+    // Each histogram is scaled to its own highest bar, to compare their shapes.
     drawOutline(
       before,
       spread.original?.counts ?? null,
@@ -218,7 +219,7 @@ export function legend(place, { store, viewport, actions }, fit) {
 }
 
 /**
- * What is entered: a number that is not negative, else none.
+ * Returns the number in a field if it is non-negative, else null.
  * @param {HTMLInputElement} input
  */
 function numberIn(input) {

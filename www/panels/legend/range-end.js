@@ -1,4 +1,4 @@
-/** An end of the range of the colours on the ramp of the legend: dragged, or moved by keys. */
+/** One end of the colour range on the ramp of the legend, moved by dragging or keys. */
 
 import { element } from '../../ui/dom.js';
 import { followTrack, placeOnTrack } from '../../ui/controls/track.js';
@@ -6,17 +6,17 @@ import { placeOn, valueAt } from '../../ui/plot/value-axis.js';
 
 /** @typedef {import("../../ui/plot/value-axis.js").Axis} Axis */
 
-/** A step of a key, of the axis. */
+/** The step of an arrow key, relative to the axis. */
 const STEP = 0.02;
-/** The ends stay so far apart, of the axis. */
+/** The least distance between the ends, relative to the axis. */
 const APART = 0.01;
 
 /**
  * @param {"low" | "high"} end
  * @param {HTMLElement} ramp
  * @param {import("../../store/actions.js").Actions} actions
- * @returns {{ show: (axis: Axis, range: [number, number], words: string, follows: boolean) => void }} an end that
- *   follows the other one is not seen
+ * @returns {{ show: (axis: Axis, range: [number, number], words: string, follows: boolean) => void
+ *   }} an end that follows the other one is hidden
  */
 export function rangeEnd(end, ramp, actions) {
   const isLow = end === 'low';
@@ -28,7 +28,7 @@ export function rangeEnd(end, ramp, actions) {
   });
   ramp.append(handle);
 
-  /** What the ramp shows. @type {{ axis: Axis, range: [number, number] } | null} */
+  /** The axis and range of the ramp. @type {{ axis: Axis, range: [number, number] } | null} */
   let shown = null;
 
   followTrack(handle, {
@@ -41,7 +41,7 @@ export function rangeEnd(end, ramp, actions) {
       const value = isLow
         ? Math.max(0, Math.min(place, other - APART))
         : Math.min(1, Math.max(place, other + APART));
-      // The axis stays while something moves on it.
+      // Keeps the axis fixed while an end moves.
       actions.setRange({ [end]: valueAt(axis, value), top: axis.high });
     },
     reset: () => actions.setRange({ [end]: null }),

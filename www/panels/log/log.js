@@ -1,4 +1,4 @@
-/** The log: what was read from the file, and the messages since the page was opened. */
+/** The log: a report on the file, and the messages since the page was opened. */
 
 import '../../ui/styles/lists.css';
 import { button } from '../../ui/controls/fields.js';
@@ -16,18 +16,18 @@ const NAMES = { error: 'Error', notice: 'Notice', status: '' };
 export function logOf(panel, app) {
   const { store, alerts, actions } = app;
   const file = element('div.import-report');
-  // It scrolls, also by keyboard.
+  // Focusable, so that it can be scrolled by keyboard.
   const list = element('ol.log', { 'aria-label': 'Messages', tabindex: 0 });
-  const said = element('span.quiet', { 'aria-live': 'polite' });
+  const copyResult = element('span.quiet', { 'aria-live': 'polite' });
   panel.append(
     element('h3', 'File'),
     file,
     element('h3', 'Messages'),
     list,
-    element('p.log-end', button('Copy as text', copy), said),
+    element('p.log-end', button('Copy as text', copy), copyResult),
   );
 
-  /** Selects the elements that a problem is about. @param {string} flaw */
+  /** Selects the elements affected by a problem. @param {string} flaw */
   async function select(flaw) {
     const found = await actions.reportErrors(actions.flawed(flaw));
     if (!found) return;
@@ -94,7 +94,7 @@ export function logOf(panel, app) {
       () => 'Copied',
       () => 'This browser does not let the page copy',
     );
-    setText(said, done);
+    setText(copyResult, done);
   }
 }
 
@@ -102,7 +102,7 @@ export function logOf(panel, app) {
 const clock = (time) => time.toTimeString().slice(0, 8);
 
 /**
- * What the file holds, a sentence each.
+ * Returns the contents of the file, a sentence each.
  * @param {import("../../solver/messages.js").Loaded} model
  * @param {string} units
  * @param {"y" | "z"} up

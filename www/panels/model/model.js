@@ -1,4 +1,4 @@
-/** The model: its name, what it holds, and what was wrong in its file. */
+/** The model: its name, its contents, and the problems of its file. */
 
 import { button } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
@@ -8,7 +8,7 @@ import { frameFields } from '../../documents/units-prompt.js';
 /**
  * @param {HTMLElement} place
  * @param {import("../../app/context.js").AppContext} app
- * @param {() => void} showLog where each problem can be looked at
+ * @param {() => void} showLog opens the log, with the details of each problem
  */
 export function modelPanel(place, { store, actions }, showLog) {
   const frame = frameFields(store, actions);

@@ -1,4 +1,4 @@
-/** The bar of selecting: there while the Select tool is, or something is selected. */
+/** The selection bar: shown while the Select tool is active, or something is selected. */
 
 import { sizeOfSelection } from '../../store/selection.js';
 import { byId } from '../../ui/dom.js';

@@ -1,6 +1,7 @@
 /**
- * The bar of selecting, over the view: with what a drag selects, whether also behind the surface,
- * and the menu of everything else. It is there while the Select tool is, or something is selected.
+ * The selection bar over the view: the shape of the drag, whether to select through the surface,
+ * and the menu of all other operations. Shown while the Select tool is active, or something is
+ * selected.
  */
 
 import './select-bar.css';
@@ -56,11 +57,11 @@ export function selectBar(bar, menu, { store, actions, selecting, alerts }) {
     title: 'Brush radius ([ and ])',
     oninput: () => actions.useTool({ brush: brush.valueAsNumber }),
   });
-  const said = element('span.said');
+  const selectionText = element('span.said');
   const opener = element(
     'button.bordered',
     { popovertarget: menu.id, 'aria-haspopup': 'dialog' },
-    said,
+    selectionText,
     icon('chevron'),
   );
   const none = closeButton('Clear', actions.selectNothing, {
@@ -89,13 +90,15 @@ export function selectBar(bar, menu, { store, actions, selecting, alerts }) {
     brush.value = String(state.brush);
     brush.setAttribute('aria-valuetext', `${state.brush} pixels`);
     const words = describe(selection);
-    setText(said, words || 'Select by…');
+    setText(selectionText, words || 'Select by…');
     opener.setAttribute('aria-label', words ? `${words}: select by…` : 'Select by…');
     none.hidden = !some;
   });
 
   placeMenu(menu, () => opener);
-  /** Used seldom: it comes when it is first asked for. @type {typeof import("./select-menu.js") | null} */
+  /**
+   * The module of the menu, loaded on first use. @type {typeof import("./select-menu.js") | null}
+   */
   let contents = null;
   menu.addEventListener('beforetoggle', async (event) => {
     if (/** @type {ToggleEvent} */ (event).newState !== 'open') return;

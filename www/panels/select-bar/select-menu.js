@@ -1,6 +1,6 @@
 /**
- * The menu of everything that selects: the declared operations under their headings, and the sets
- * and groups by name. What asks something shows its fields in the menu's place.
+ * The menu of selection operations: the declared operations by group, then sets and groups by name.
+ * An operation with parameters replaces the menu by its form.
  */
 
 import { button, closeButton } from '../../ui/controls/fields.js';
@@ -43,7 +43,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
     return button;
   }
 
-  /** The fields of an operation. @param {Operation} operation */
+  /** Makes the form of an operation. @param {Operation} operation */
   function form(operation) {
     const parameters = new Parameters(operation.params, {}, store.get().model);
     const find = async (/** @type {import("../../store/selection.js").Combine} */ combine) => {
@@ -56,7 +56,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
         if (!parameters.refuse(error)) await actions.reportErrors(Promise.reject(error));
       }
     };
-    // Enter in a field is to press Find, so that no other may submit.
+    // The only submit button is Find, so that Enter in a field presses it.
     const submit = (/** @type {SubmitEvent} */ event) => {
       event.preventDefault();
       find('replace');
@@ -77,7 +77,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
     );
   }
 
-  /** Sets of the scene and groups of the file. */
+  /** Lists the sets of the scene and the groups of the file. */
   function named() {
     const operation = operations.find(({ takesName }) => takesName);
     if (!operation) return [];
@@ -134,7 +134,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
       if (!words) return name.focus();
       close();
       const { vertices, faces, edges } = store.get().selection;
-      // A set of the scene has vertices and faces: edges are kept by their ends.
+      // Sets have only vertices and faces, so edges are stored by their ends.
       const ends = edgeEnds(edges);
       const edit = {
         type: /** @type {const} */ ('nameSet'),
@@ -191,7 +191,7 @@ function heading(text) {
 }
 
 /**
- * What starts from the selection replaces it.
+ * Operations that start from the selection replace it.
  * @param {Operation} operation
  * @param {MouseEvent} event
  */

@@ -1,12 +1,12 @@
 /**
- * What the page finds around it, told in the status bar: whether there is a network, and whether a
- * graphics card draws. Comes when the page works.
+ * Status of the environment in the status bar: offline, and software rendering. Loaded after the
+ * page has started.
  */
 
 import { element } from '../../ui/dom.js';
 import { isDrawn } from '../../store/state.js';
 
-/** Names of renderers that compute pictures on the processor. */
+/** Names of software renderers. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 const SLOW =
   'Software rendering, which is slow: turn on graphics acceleration in the settings of the browser.';
@@ -30,7 +30,7 @@ export function environmentStatus(numbers, { store, actions }) {
 }
 
 /**
- * Says that there is no network, as long as there is none.
+ * Shows that the browser is offline, while it is.
  * @param {HTMLElement} place
  * @param {import("../../store/actions.js").Actions} actions
  */
@@ -49,7 +49,7 @@ function networkStatus(place, actions) {
   update();
 }
 
-/** Whether pictures are drawn without a graphics card. */
+/** Whether WebGL is rendered in software. */
 function drawsInSoftware() {
   const context = document.createElement('canvas').getContext('webgl2');
   const names = context?.getExtension('WEBGL_debug_renderer_info');

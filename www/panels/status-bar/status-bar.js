@@ -1,4 +1,4 @@
-/** The status bar: what happened, what to do next, and the numbers of the iteration. */
+/** The status bar: status message, hint, and numbers of the iteration. */
 
 import { RENEW_MS, element, setAttribute, setText, throttled } from '../../ui/dom.js';
 import { duration, groupDigits, number } from '../../ui/format.js';
@@ -60,7 +60,7 @@ export function statusBar(places, store) {
       const worst = worstOf(state, about.id);
       const shown = worst < roundingOf(about, size) ? 0 : worst;
       set('worst', valueInWords(about, shown, units, toleranceOf(state, about)));
-      // A sphere on a region is no panel.
+      // The residual also applies to constraints that are not on panels.
       const what = about.signed ? 'greatest' : 'worst panel';
       setText(cells.get('worst').label, about.id === 'residual' ? 'worst distance' : what);
       setAttribute(cells.get('worst').row, 'title', `${about.label}: ${about.words}`);
@@ -87,7 +87,7 @@ export function statusBar(places, store) {
   store.subscribe(['dragMs', 'display'], showDrag);
   store.subscribe(['saved'], ({ saved }) => {
     set('saved', saved);
-    // That something is not saved is said everywhere.
+    // Unsaved changes are shown on screens of any width.
     cells.get('saved').row.className = /^Saved/.test(saved) ? 'wide narrow-hidden' : '';
   });
   store.subscribe(['renderer'], ({ renderer }) => set('renderer', RENDERERS[renderer]));
@@ -108,10 +108,10 @@ export function statusBar(places, store) {
   );
 }
 
-/** What to do with the Select tool. */
+/** Hints for the Select tool, by shape of the drag. */
 const SHAPES = { box: 'Drag a box', lasso: 'Draw a lasso', paint: 'Brush' };
 
-/** What to do next. @param {import("../../store/state.js").State} state */
+/** Returns the hint for the next action. @param {import("../../store/state.js").State} state */
 function hintOf(state) {
   const { model, document, tool, shape, mode, running, converged, selection, dragged, renderer } =
     state;

@@ -1,6 +1,6 @@
 /**
- * The worst elements as a table: what the colours show, in words and numbers. Which they are is
- * found in the worker; it is asked while the table is in sight, a few times a second during a run.
+ * The table of the worst elements: the values behind the colours. The worker finds them; it is
+ * queried while the table is visible, a few times a second during a run.
  */
 
 import '../../ui/styles/lists.css';
@@ -23,7 +23,7 @@ import { showElements } from '../../viewport/reveal-elements.js';
 
 const ROWS = 20;
 const ASK_EVERY_MS = 300;
-/** The choice of the measure that the faces are coloured by, or would be. */
+/** The option for the measure that colours the faces, or would by default. */
 const COLOURS = 'colours';
 
 /**
@@ -32,7 +32,7 @@ const COLOURS = 'colours';
  */
 export function worstElements(panel, app) {
   const { store, actions } = app;
-  /** What the rows of the table show. @type {WorstElement[]} */
+  /** The elements in the rows of the table. @type {WorstElement[]} */
   let shown = [];
   let inSight = false;
   let asked = 0;
@@ -101,13 +101,14 @@ export function worstElements(panel, app) {
     const row = by.value === '' ? null : Number(by.value);
     const request = about ? { measure: about.id, row: null } : { measure: null, row };
     const found = by.value === '' ? [] : await actions.reportErrors(actions.worst(request, ROWS));
-    // A later answer may be there already.
+    // Ignore the answer if a later query was sent.
     if (found && turn === asked) fill(found, about);
   });
 
   /**
    * @param {WorstElement[]} found
-   * @param {import("../../solver/messages.js").FaceMeasure | undefined} about none for a constraint
+   * @param {import("../../solver/messages.js").FaceMeasure | undefined} about undefined for a
+   *   constraint
    */
   function fill(found, about) {
     const state = store.get();
