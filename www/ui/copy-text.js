@@ -1,11 +1,11 @@
-/** Text to the clipboard. */
+/** Copying of text to the clipboard. */
 
 const NOT_COPIED = 'This browser does not let the page copy: select it and copy it yourself.';
 
 /**
- * What is said of it.
+ * Copies a text and returns the message to show.
  * @param {string} text
- * @param {string} [refused] what is said where it cannot be copied
+ * @param {string} [refused] the message if copying is not allowed
  */
 export const copyText = (text, refused = NOT_COPIED) =>
   navigator.clipboard.writeText(text).then(

@@ -1,23 +1,26 @@
-/** Small helpers to build the page's elements. */
+/** Helpers to build and update elements. */
 
 /** @typedef {HTMLElementTagNameMap} Tags */
 /** @typedef {Record<string, string | number | boolean | ((event: any) => void)>} Attributes */
-/** What is false or empty is left out. @typedef {Node | string | false | null | undefined} Child */
+/**
+ * A child; false and empty ones are left out. @typedef {Node | string | false | null | undefined}
+ * Child
+ */
 
 /**
- * Makes an element: `element('p.quiet', { id: 'note' }, 'Saved')`. Attributes that start with "on" are
- * listeners, boolean values set or leave out the attribute. `style` is set as declarations, because the
- * policy of the page refuses the attribute.
+ * Makes an element: `element('p.quiet', { id: 'note' }, 'Saved')`. Attributes whose names start
+ * with "on" are listeners; boolean values set or omit the attribute. `style` is set through the
+ * DOM, because the content security policy forbids the attribute.
  * @template {keyof Tags | `${keyof Tags}.${string}`} Name
  * @param {Name} name its tag, and its classes, each after a dot
- * @param {...(Attributes | Child | Child[])} parts its attributes, where it has some, and its children
+ * @param {...(Attributes | Child | Child[])} parts its attributes, if any, and its children
  * @returns {Name extends keyof Tags ? Tags[Name] : Name extends `${infer Tag extends keyof Tags}.${string}` ? Tags[Tag] : never}
  */
 export function element(name, ...parts) {
   const [tag, ...classes] = name.split('.');
   const made = document.createElement(tag);
   if (classes.length > 0) made.className = classes.join(' ');
-  // A form is sent by those that say so.
+  // Buttons submit forms only if their type is set explicitly.
   if (made instanceof HTMLButtonElement) made.type = 'button';
   const [first] = parts;
   const isPlain = first && Object.getPrototypeOf(first) === Object.prototype;
@@ -33,7 +36,8 @@ export function element(name, ...parts) {
 }
 
 /**
- * An icon of the sprite in index.html; decoration only, the control has the name.
+ * Makes an icon from the sprite in index.html; hidden from screen readers, as the control has the
+ * name.
  * @param {string} name
  */
 export function icon(name) {
@@ -48,7 +52,7 @@ export function icon(name) {
 }
 
 /**
- * The element with that id, which index.html is bound to have.
+ * Returns the element with an id, which index.html must contain.
  * @template {HTMLElement} [Kind=HTMLElement]
  * @param {string} id
  * @returns {Kind}
@@ -60,7 +64,7 @@ export function byId(id) {
 }
 
 /**
- * Takes an element's content away, or the element. Focus that was in it goes to the view, not nowhere.
+ * Runs `take`, which removes an element or its content, and moves focus from inside to the view.
  * @param {HTMLElement} place
  * @param {() => void} take
  */
@@ -71,19 +75,19 @@ export function leave(place, take) {
 }
 
 /**
- * Sets the text only when it differs: no needless layout several times a second.
+ * Sets the text if it differs, to avoid needless layout several times a second.
  * @param {Node} node
  * @param {string} text
  */
 export function setText(node, text) {
   const { firstChild } = node;
-  // Another text node would have its style computed anew.
+  // Reuse the text node: a new one would need style computation.
   const place = firstChild instanceof Text && !firstChild.nextSibling ? firstChild : node;
   if (place.textContent !== text) place.textContent = text;
 }
 
 /**
- * Sets the attribute only when it differs: what is set to what it was invalidates styles too.
+ * Sets the attribute if it differs: setting an equal value invalidates styles too.
  * @param {Element} place
  * @param {string} name
  * @param {string} value
@@ -93,7 +97,7 @@ export function setAttribute(place, name, value) {
 }
 
 /**
- * The colour that a custom property stands for in the theme that is shown, where CSS does not resolve it.
+ * Resolves a custom property to a colour in the current theme, for use outside CSS.
  * @param {HTMLElement} place
  * @param {string} name
  */
@@ -106,20 +110,21 @@ export function colourOf(place, name) {
   return color;
 }
 
-/** What is read while it changes, in a run or a drag, is renewed this often, in milliseconds. */
+/** The update interval of values that change during a run or a drag, in milliseconds. */
 export const RENEW_MS = 125;
 
 /**
- * Calls `action` at most once per `interval` milliseconds, and once more for the last call. Intervals
- * begin at the same times everywhere: what changes together is laid out once.
+ * Calls `action` at most once per `interval` milliseconds, and once more for the last call.
+ * Intervals are aligned to a common clock, so that changes of several callers are laid out
+ * together.
  * @template {unknown[]} Arguments
  * @param {number} interval
  * @param {(...values: Arguments) => void} action
  * @returns {(...values: Arguments) => void}
  */
 export function throttled(interval, action) {
-  /** The interval of the last call, counted from the start of the page. */
-  let turn = -1;
+  /** The index of the interval of the last call, from the start of the page. */
+  let lastInterval = -1;
   let timer = 0;
   /** @type {Arguments} */
   let latest;
@@ -127,10 +132,10 @@ export function throttled(interval, action) {
     latest = values;
     if (timer) return;
     const now = performance.now();
-    const begins = (turn + 1) * interval;
+    const begins = (lastInterval + 1) * interval;
     const call = () => {
       timer = 0;
-      turn = Math.max(turn + 1, Math.floor(performance.now() / interval));
+      lastInterval = Math.max(lastInterval + 1, Math.floor(performance.now() / interval));
       action(...latest);
     };
     if (now >= begins) call();

@@ -1,2 +1,5 @@
-/** Whether the page is a quiet view in another page: `?embed` in its address, which index.html reads first. */
+/**
+ * Whether the page is embedded in another one: `?embed` in its address, which index.html reads
+ * first.
+ */
 export const isEmbedded = 'embed' in (globalThis.document?.documentElement.dataset ?? {});

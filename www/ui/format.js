@@ -1,4 +1,4 @@
-/** Numbers and units as the page writes them. */
+/** Formatting of numbers and units. */
 
 import { UNITS } from './units.js';
 
@@ -8,7 +8,8 @@ export const METRES = Object.fromEntries(UNITS.map(({ symbol, metres }) => [symb
 const DIGITS = 3;
 
 /**
- * A number with three significant digits; powers of ten beyond six places.
+ * Formats a number with three significant digits; in scientific notation below 1e-3 and from 1e6
+ * on.
  * @param {number} value
  * @returns {string}
  */
@@ -26,7 +27,7 @@ export function number(value) {
 }
 
 /**
- * The unit in which a length of this size reads well, and the factor to it. Metres become
+ * Returns a readable unit for a length of this size, and the factor to it. Metres become
  * millimetres below a decimetre; other units stay as they are.
  * @param {number} size
  * @param {string} units of the mesh; empty when not known
@@ -37,14 +38,14 @@ export function lengthUnit(size, units) {
   return { unit: units, factor: 1 };
 }
 
-/** Below this many millimetres a length says nothing about a building. */
+/** Lengths below this many millimetres are irrelevant for buildings. */
 const LEAST_MM = 0.001;
 
 /**
- * A length with its unit.
+ * Formats a length with its unit.
  * @param {number} value in units of the mesh
  * @param {string} units
- * @param {number} [like] the length that decides the unit: errors have that of their tolerance
+ * @param {number} [like] the length that determines the unit: errors use that of their tolerance
  * @returns {string}
  */
 export function length(value, units, like = value) {
@@ -58,7 +59,7 @@ export function length(value, units, like = value) {
 }
 
 /**
- * A length that somebody chose, such as a tolerance, without digits that say nothing.
+ * Formats a length entered by the user, such as a tolerance, without trailing zeros.
  * @param {number} value in units of the mesh
  * @param {string} units
  */
@@ -68,7 +69,7 @@ export function limit(value, units) {
 }
 
 /**
- * As short as it can be written with so many digits as anybody chooses.
+ * Formats a number as briefly as possible, with at most six significant digits.
  * @param {number} value
  */
 export function round(value) {
@@ -78,7 +79,7 @@ export function round(value) {
 }
 
 /**
- * A part of a whole, in per cent.
+ * Formats a fraction in per cent.
  * @param {number} share from 0 to 1
  */
 export function part(share) {
@@ -95,7 +96,7 @@ export function duration(milliseconds) {
 }
 
 /**
- * A ratio that is near to one where all is well.
+ * Formats a ratio that is ideally near one.
  * @param {number} value
  * @returns {string}
  */
@@ -105,7 +106,7 @@ export function ratio(value) {
 }
 
 /**
- * A count with its noun: "1 face", "12 faces".
+ * Formats a count with its noun: "1 face", "12 faces".
  * @param {number} value
  * @param {string} noun
  * @param {string} [plural]
@@ -116,7 +117,7 @@ export function count(value, noun, plural = `${noun}s`) {
 }
 
 /**
- * How a run ended.
+ * Describes how a run ended.
  * @param {boolean} converged
  * @param {number} iterations
  */
@@ -125,7 +126,7 @@ export function ended(converged, iterations) {
 }
 
 /**
- * A whole number with thin spaces between thousands, from five digits on.
+ * Formats a whole number with thin spaces between thousands, from five digits on.
  * @param {number} value
  * @returns {string}
  */

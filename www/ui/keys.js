@@ -1,12 +1,12 @@
-/** Keys: how a press is written in the table of commands, and how a key is called. */
+/** Keys: the chords of the table of commands, and their display names. */
 
-/** The keys that press a button or open a list themselves. */
+/** Keys that activate a focused button or list. */
 const ACTIVATING = new Set([' ', 'Enter']);
 const NOT_TYPED_INTO = '[type="checkbox"], [type="radio"], [type="file"], [type="range"]';
 
 /**
- * The keys of an event as the table writes them. Letters by what they print, not by where they
- * are: keyboards differ.
+ * Returns the chord of an event as in the table of commands. Letters are identified by character,
+ * not by position, as keyboard layouts differ.
  * @param {KeyboardEvent} event
  */
 export function chordOf(event) {
@@ -18,8 +18,8 @@ export function chordOf(event) {
 }
 
 /**
- * A digit by where its key is: some keyboards have other signs there. With its name before it on the
- * number pad, where other keys are the same ones without the lock. Empty for other keys.
+ * Returns a digit by the position of its key, as some layouts have other characters there; empty
+ * for other keys. Digits of the number pad, with Num Lock only, are prefixed by `Numpad`.
  * @param {KeyboardEvent} event
  */
 export function digitOf({ code, key, shiftKey, ctrlKey, metaKey }) {
@@ -29,7 +29,9 @@ export function digitOf({ code, key, shiftKey, ctrlKey, metaKey }) {
   return `${shiftKey ? 'Shift+' : ''}${digit}`;
 }
 
-/** Whether a key writes into a field, or presses what has the focus. @param {KeyboardEvent} event */
+/**
+ * Whether a key types into a field or activates the focused control. @param {KeyboardEvent} event
+ */
 export function isTyping({ target, key }) {
   if (!(target instanceof HTMLElement)) return false;
   if (target.matches('select, textarea') || target.matches(`input:not(${NOT_TYPED_INTO})`))
@@ -40,7 +42,7 @@ export function isTyping({ target, key }) {
 const IS_MAC = /Mac|iPhone|iPad/.test(globalThis.navigator?.platform ?? '');
 
 /**
- * A key as people read it.
+ * Returns the display name of a chord.
  * @param {string} chord
  */
 export function keyName(chord) {

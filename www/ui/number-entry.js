@@ -1,16 +1,16 @@
-/** Lengths as people type them: 1.5, 1/3, 20cm; and +0.5 or +-0.5 to move on from where something is. */
+/** Parsing of typed lengths: 1.5, 1/3, 20cm; and relative ones, +0.5 or +-0.5. */
 
 import { METRES } from './format.js';
 
 const DIGITS = '(?:\\d+[.,]?\\d*|[.,]\\d+)';
-/** What moves on, the number, what it is divided by, its unit. */
+/** Sign of a relative entry, number, divisor, unit. */
 const ENTRY = new RegExp(`^(\\+?)\\s*(-?${DIGITS})(?:\\s*/\\s*(${DIGITS}))?\\s*([a-z]*)$`, 'i');
 
 /**
  * @param {string} text
  * @param {string} units of the model; empty when not known
- * @returns {{ by: boolean, length: number }} how far to move on, or where to
- * @throws {Error} when it is no length; the message says what is expected
+ * @returns {{ by: boolean, length: number }} `by`: relative to the current value
+ * @throws {Error} if it is no length; the message says what is expected
  */
 export function readLength(text, units) {
   const [, sign, number = '', divisor = '1', unit = ''] = ENTRY.exec(text.trim()) ?? [];
@@ -25,12 +25,15 @@ export function readLength(text, units) {
 /** @param {string} digits */
 const valueOf = (digits) => Number(digits.replace(',', '.'));
 
-/** So many steps fit into the size of a model: millimetres on a building of some 100 m. */
+/**
+ * The resolution of coordinates, relative to the size of a model: millimetres for a building of
+ * some 100 m.
+ */
 const STEPS = 2e5;
 const MOST_DECIMALS = 12;
 
 /**
- * How many decimals a coordinate needs.
+ * Returns the number of decimals for coordinates.
  * @param {number} size of the model, in its unit
  */
 export function decimalsFor(size) {
@@ -39,7 +42,7 @@ export function decimalsFor(size) {
 }
 
 /**
- * A coordinate with so many decimals, and no minus before nothing.
+ * Formats a coordinate, without negative zero.
  * @param {number} value
  * @param {number} decimals
  */

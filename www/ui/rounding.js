@@ -1,14 +1,16 @@
 /**
- * What is nothing but rounding. Sixteen digits of a coordinate leave errors of about 1e-16 of the
- * size of the mesh, and sums over its vertices some more; what is far below the rest of the digits
- * is shown as the nothing that it means.
+ * Rounding errors shown as zero. Sixteen digits of a coordinate leave errors of about 1e-16 of the
+ * size of the mesh, and sums over its vertices somewhat more; values at this level are displayed as
+ * 0.
  */
 
-/** Lengths below this part of the size are rounding, and so are energies below its square. */
+/**
+ * Lengths below this fraction of the size are rounding errors, as are energies below its square.
+ */
 export const ROUNDING = 1e-12;
 
 /**
- * The diagonal of the bounding box.
+ * Returns the diagonal of the bounding box.
  * @param {Float64Array} positions `#V by 3`
  */
 export function sizeOf(positions) {

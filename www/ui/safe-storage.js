@@ -1,11 +1,11 @@
 /**
- * What is remembered in this browser, or in this tab. Where storage is blocked, as in some private
- * windows, or the page is embedded in another one, nothing is, and the page works without.
+ * Storage in this browser or tab. If it is blocked, as in some private windows, or the page is
+ * embedded in another one, nothing is stored, and the page works without.
  */
 
 import { isEmbedded } from './embedded.js';
 
-/** @param {"localStorage" | "sessionStorage"} name throws where nothing may be remembered */
+/** @param {"localStorage" | "sessionStorage"} name throws if nothing may be stored */
 function storage(name) {
   if (isEmbedded) throw new Error('an embedded view stores nothing');
   return window[name];
@@ -33,20 +33,20 @@ export function remember(key, value, where = 'localStorage') {
   try {
     storage(where).setItem(key, value);
   } catch {
-    // It holds for this visit.
+    // The setting is kept for this visit only.
   }
 }
 
-/** @param {string} key of what is remembered in this browser */
+/** @param {string} key in this browser */
 export function forget(key) {
   try {
     storage('localStorage').removeItem(key);
   } catch {
-    // Nothing was remembered.
+    // Nothing was stored.
   }
 }
 
-/** The keys in this browser that begin so. @param {string} beginning */
+/** Returns the keys in this browser with a prefix. @param {string} beginning */
 export function keysOf(beginning) {
   try {
     return Object.keys(storage('localStorage')).filter((key) => key.startsWith(beginning));

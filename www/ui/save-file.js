@@ -1,8 +1,8 @@
-/** Gives a file to the person: the browser's download. */
+/** Saving of files through the browser's download. */
 
 import { element } from './dom.js';
 
-/** How long the browser may take to fetch what it saves, in milliseconds. */
+/** How long the browser may take to fetch the content, in milliseconds. */
 const FETCHED_AFTER_MS = 60_000;
 
 /**

@@ -1,13 +1,13 @@
 /**
- * Keys without Ctrl that print something can be switched off, as WCAG 2.1.4 asks: whoever speaks to
- * a computer, or has unsteady hands, presses them without meaning to. The switch is in the help.
+ * Switch for shortcuts of single printable keys, required by WCAG 2.1.4: users of speech input, or
+ * with a tremor, trigger them by accident. The switch is in the help.
  */
 
 import { recall, remember } from './safe-storage.js';
 
 const KEY = 'shape-up.single-keys';
 
-/** Whether a key as the table of commands writes it has no meaning now. @param {string} chord */
+/** Whether a chord of the table of commands is switched off. @param {string} chord */
 export const isSwitchedOff = (chord) => !singleKeys.on && /^(Shift\+)?[^ ]$/u.test(chord);
 
 export const singleKeys = {

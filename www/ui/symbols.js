@@ -3,7 +3,7 @@
 import { element } from './dom.js';
 
 /**
- * The text with `e_c` and `e_p` as the paper writes them.
+ * Sets `e_c` and `e_p` in a text as in the paper.
  * @param {string} text
  * @returns {(Node | string)[]}
  */

@@ -1,21 +1,24 @@
-/** Messages that want to be read: errors and notices, in the page's one `role="alert"`. */
+/** Important messages: errors and notices, in the page's only `role="alert"`. */
 
 import { element, leave } from '../dom.js';
 import { button, closeButton } from './fields.js';
 
-/** What can be done about a message. @typedef {{ label: string, action: () => void }} Offer */
+/** A button of a message. @typedef {{ label: string, action: () => void }} Offer */
 
-/** The oldest ones beyond so many are forgotten. */
+/** The most entries of the journal; older ones are dropped. */
 const MOST_ENTRIES = 500;
 
 export class Alerts {
-  /** What was said since the page was opened, oldest first. @type {{ time: Date, kind: "error" | "notice" | "status", text: string }[]} */
+  /**
+   * The messages since the page was opened, oldest first.
+   * @type {{ time: Date, kind: "error" | "notice" | "status", text: string }[]}
+   */
   journal = [];
   /** @type {(() => void) | undefined} */
   #listener;
   #place;
-  /** What is shown is not to be covered. */
-  #stays = false;
+  /** Whether the current message must not be replaced. */
+  #isFatal = false;
 
   /** @param {HTMLElement} place the `role="alert"` */
   constructor(place) {
@@ -23,7 +26,7 @@ export class Alerts {
   }
 
   /**
-   * Something that was asked for did not happen.
+   * Reports that a requested action failed.
    * @param {string} message
    * @param {...Offer} offers what can be done about it
    */
@@ -32,7 +35,7 @@ export class Alerts {
   }
 
   /**
-   * Something happened that was not asked for.
+   * Reports an event that the user did not request.
    * @param {string} message
    * @param {...Offer} offers what can be done about it
    */
@@ -41,22 +44,22 @@ export class Alerts {
   }
 
   /**
-   * Something is missing without which nothing works. It is not covered by what fails because of it.
+   * Reports a fatal problem. Errors that it causes do not replace it.
    * @param {string} message
    * @param {Offer} offer
    */
   stop(message, offer) {
     this.#show(message, 'error', [offer]);
-    this.#stays = true;
+    this.#isFatal = true;
   }
 
-  /** Calls `listener` after everything that is said. @param {() => void} listener */
+  /** Calls `listener` after every message. @param {() => void} listener */
   listen(listener) {
     this.#listener = listener;
   }
 
   /**
-   * Keeps what was said.
+   * Adds a message to the journal.
    * @param {string} text
    * @param {"error" | "notice" | "status"} [kind]
    */
@@ -68,23 +71,24 @@ export class Alerts {
   }
 
   clear() {
-    if (!this.#stays) this.#clear();
+    if (!this.#isFatal) this.#clear();
   }
 
   #clear() {
-    this.#stays = false;
+    this.#isFatal = false;
     leave(this.#place, () => this.#place.replaceChildren());
   }
 
   /**
-   * The newest message only: an old one is about something that was tried again since.
+   * Shows a message in place of the previous one, which concerns an action that has since been
+   * retried.
    * @param {string} message
    * @param {"error" | "notice"} kind
    * @param {Offer[]} [offers]
    */
   #show(message, kind, offers = []) {
     this.note(message, kind);
-    if (this.#stays) return;
+    if (this.#isFatal) return;
     const close = closeButton('Dismiss', () => this.#clear());
     const text = element('p', message);
     const buttons = offers.map(({ label, action }) => {

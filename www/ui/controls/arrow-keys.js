@@ -1,4 +1,4 @@
-/** Walking through items with the arrow keys, as toolbars, menus, tabs and lists do. */
+/** Navigation among items with the arrow keys, for toolbars, menus, tabs and lists. */
 
 const KEYS = {
   x: { ArrowRight: 1, ArrowLeft: -1 },
@@ -6,13 +6,13 @@ const KEYS = {
 };
 
 /**
- * The item that a key leads to from the one with the focus; the page does nothing else with the key then.
+ * Returns the item that a key moves the focus to, and prevents the default action of the key.
  * @template {HTMLElement} Item
  * @param {KeyboardEvent} event
  * @param {Item[]} items
- * @param {{ along: "x" | "y", wraps?: boolean, ends?: boolean }} options `wraps`: from the last to the first;
- *   `ends`: Home and End lead there
- * @returns {Item | undefined} none where the key leads nowhere
+ * @param {{ along: "x" | "y", wraps?: boolean, ends?: boolean }} options `wraps`: from the last to
+ *   the first; `ends`: Home and End move to the ends
+ * @returns {Item | undefined} undefined for other keys
  */
 export function itemByKey(event, items, { along, wraps = true, ends = false }) {
   const last = items.length - 1;

@@ -1,13 +1,13 @@
-/** Dialogs: a title, the cross that closes them, and what they are about. */
+/** Dialogs with a title, a close button, and a body. */
 
 import '../styles/dialog.css';
 import { element } from '../dom.js';
 import { closeButton } from './fields.js';
 
 /**
- * The title of a dialog, and the cross that closes it.
+ * Makes the head of a dialog: its title and close button.
  * @param {HTMLDialogElement} dialog
- * @param {string} id of the title, which the dialog is labelled by
+ * @param {string} id of the title, which labels the dialog
  * @param {string} title
  */
 export function dialogHead(dialog, id, title) {
@@ -19,8 +19,8 @@ export function dialogHead(dialog, id, title) {
 }
 
 /**
- * Shows a dialog, which is gone when it is closed.
- * @param {{ id: string, title: string, light?: boolean }} about `light`: a press beside it closes it
+ * Shows a dialog, and removes it when it is closed.
+ * @param {{ id: string, title: string, light?: boolean }} about `light`: a click outside closes it
  * @param {...Node} body
  */
 export function openDialog({ id, title, light = false }, ...body) {

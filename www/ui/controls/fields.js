@@ -1,9 +1,9 @@
-/** Buttons and fields that several parts of the page have. */
+/** Common buttons and fields. */
 
 import { element, icon } from '../dom.js';
 
 /** @typedef {import("../dom.js").Attributes} Attributes */
-/** Value and label of an option, and its tooltip where it has one. @typedef {readonly string[]} Option */
+/** Value, label and optional tooltip of an option. @typedef {readonly string[]} Option */
 
 /**
  * @param {string} label
@@ -14,7 +14,7 @@ export const button = (label, onclick, attributes = {}) =>
   element('button', { class: 'bordered', onclick, ...attributes }, label);
 
 /**
- * The cross that closes or removes something.
+ * Makes a button with a cross that closes or removes something.
  * @param {string} label
  * @param {() => unknown} onclick
  * @param {Attributes} [attributes]
@@ -33,7 +33,7 @@ export function checkbox(label, onchange, attributes = {}) {
 }
 
 /**
- * A list of which one is chosen.
+ * Makes a list box for one choice.
  * @param {Attributes} attributes
  * @param {(value: string) => unknown} onchange
  * @param {Option[]} [options]
@@ -45,7 +45,7 @@ export function choice(attributes, onchange, options = []) {
 }
 
 /**
- * Gives a list its options where they are others than before. What was chosen stays chosen.
+ * Sets the options of a list if they differ, and keeps the chosen one.
  * @param {HTMLSelectElement} select
  * @param {Option[]} options
  */
@@ -61,7 +61,8 @@ export function setOptions(select, options) {
 }
 
 /**
- * A number that is not negative, sent when it is left. What is none is put back.
+ * Makes a field for a non-negative number, reported on change. Invalid input is replaced by the
+ * last shown value.
  * @param {string} name
  * @param {(value: number) => unknown} onchange
  * @param {Attributes} [attributes]

@@ -1,26 +1,28 @@
-/** Menus: popovers that open at their button, inside the window, and that the arrow keys walk through. */
+/**
+ * Menus: popovers that open at their button, stay inside the window, and support the arrow keys.
+ */
 
 import { itemByKey } from './arrow-keys.js';
 
 const MOUSE = matchMedia('(pointer: fine)');
 
 /**
- * Puts a popover at its button, inside the window, also where that gets another size.
+ * Places a popover at its button, inside the window, also when the window is resized.
  * @param {HTMLElement} menu
  * @param {() => HTMLElement} anchor
  */
 export function placeMenu(menu, anchor) {
   const place = () => {
     const at = anchor().getBoundingClientRect();
-    // A menu at a point may lie beside it, but under a finger it would be pressed.
+    // A menu at a point opens beside it, except for touch, where the finger would press it.
     const isPoint = at.width === 0 && MOUSE.matches;
-    // As wide as it wants to be, wherever it was last.
+    // Reset, so that the last position does not limit the width.
     menu.style.left = '0';
     const gap = 4;
     const left = Math.min(at.left + (isPoint ? gap : 0), innerWidth - menu.offsetWidth - 2 * gap);
     const [above, below] = [at.top - 2 * gap, innerHeight - at.bottom - 2 * gap];
     const room = isPoint ? innerHeight - 2 * gap : Math.max(above, below);
-    // What is too long for the roomier side scrolls there; at a point it moves up instead.
+    // A menu too tall for the side with more room scrolls; at a point it moves up instead.
     menu.style.maxHeight = `${room}px`;
     const height = Math.min(menu.offsetHeight, room);
     const higher = isPoint ? innerHeight - gap - height : at.top - gap - height;
@@ -34,13 +36,13 @@ export function placeMenu(menu, anchor) {
   });
   addEventListener('resize', () => menu.matches(':popover-open') && place());
   menu.addEventListener('keydown', (event) => {
-    // A field has them for itself.
+    // Fields handle arrow keys themselves.
     const isField = event.target instanceof Element && event.target.matches('input, select');
     if (!isField) itemByKey(event, itemsOf(menu), { along: 'y' })?.focus();
   });
 }
 
-/** What the arrow keys walk through. @param {HTMLElement} menu */
+/** Returns the items that the arrow keys move between. @param {HTMLElement} menu */
 function itemsOf(menu) {
   const items = /** @type {NodeListOf<HTMLElement>} */ (
     menu.querySelectorAll('a, button, [role="menuitem"]')

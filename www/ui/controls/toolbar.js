@@ -1,6 +1,6 @@
 /**
- * Bars of controls are one stop of the Tab key each: the arrow keys walk within them, Home and End
- * go to their ends, and the stop is where somebody was last.
+ * Toolbars as one tab stop each: the arrow keys move within them, Home and End to their ends, and
+ * the tab stop is the control that last had the focus.
  */
 
 import { itemByKey } from './arrow-keys.js';
@@ -25,11 +25,11 @@ export function oneTabStop(bar) {
   bar.addEventListener('focusin', update);
   bar.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey) return;
-    // Of a slider Home and End set it.
+    // On a slider, Home and End change its value.
     const ends = !(event.target instanceof Element && event.target.matches('[type="range"]'));
     itemByKey(event, reachable(), { along: 'x', ends })?.focus();
   });
-  // What has the stop may go, or come back.
+  // The control with the tab stop may disappear or reappear.
   const watch = { subtree: true, childList: true, attributeFilter: ['disabled', 'hidden'] };
   new MutationObserver(update).observe(bar, watch);
   new ResizeObserver(update).observe(bar);

@@ -1,8 +1,8 @@
-/** Tooltips without a mouse: a finger that rests on a control shows its own, and so does the keyboard's focus. */
+/** Tooltips for touch and keyboard: a long press or the focus on a control shows its title. */
 
 import { element } from '../dom.js';
 
-/** So long a finger or the focus rests, in milliseconds. */
+/** How long a finger or the focus must rest, in milliseconds. */
 const REST_MS = 500;
 const GAP = 6;
 const WITH_TOOLTIP = 'button[title], label[title]';
@@ -33,9 +33,9 @@ export function tooltips() {
     clearTimeout(timer);
     if (tip.matches(':popover-open')) tip.hidePopover();
   };
-  // Fields that were clicked are :focus-visible too.
+  // Not `:focus-visible`, which also matches clicked fields.
   let byKey = false;
-  // Before the key moves the focus.
+  // Captured, to run before the key moves the focus.
   const keyDown = () => {
     hide();
     byKey = true;
@@ -55,7 +55,7 @@ export function tooltips() {
   });
   for (const name of ['pointerup', 'pointercancel'])
     document.addEventListener(name, () => clearTimeout(timer));
-  // A finger that asked what it does has not pressed it. What was shown stays until the next touch.
+  // A long press must not also click. The tooltip stays until the next touch.
   const leaveAlone = (/** @type {Event} */ event) => {
     if (byKey || !tip.matches(':popover-open')) return;
     event.preventDefault();

@@ -1,6 +1,6 @@
-/** A handle on a track: dragged, moved by keys, and put back by a double click. */
+/** A handle on a track: moved by dragging or keys, reset by a double click. */
 
-/** A step of the page keys, and of an arrow with Shift. */
+/** The step of the page keys, and of an arrow with Shift. */
 const LARGE = 0.1;
 /** @type {Record<string, number>} */
 const ARROWS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
@@ -11,14 +11,17 @@ const RESET = ['Delete', 'Backspace'];
 /**
  * @param {HTMLElement} handle with `role="slider"`
  * @param {object} about
- * @param {() => Element | null} about.track along whose width it goes
- * @param {() => number | null} about.at where it is, from 0 to 1; null while it is nowhere
+ * @param {() => Element | null} about.track the track; its width is the range
+ * @param {() => number | null} about.at the position, from 0 to 1; null if there is none
  * @param {(at: number) => void} about.moveTo from 0 to 1
  * @param {() => void} about.reset
  * @param {number} about.step of an arrow key
  */
 export function followTrack(handle, { track, at, moveTo, reset, step }) {
-  /** From the pointer to its middle while it is dragged, in pixels. @type {number | null} */
+  /**
+   * Offset from the pointer to the centre of the handle during a drag, in pixels.
+   * @type {number | null}
+   */
   let grabbed = null;
   const move = (/** @type {number} */ to) => moveTo(Math.min(Math.max(to, 0), 1));
   handle.addEventListener('pointerdown', (event) => {
@@ -48,7 +51,7 @@ export function followTrack(handle, { track, at, moveTo, reset, step }) {
 }
 
 /**
- * Says where a handle is, in per cent and in words.
+ * Sets the position of a handle and its accessible value, in per cent and in words.
  * @param {HTMLElement} handle
  * @param {number} at from 0 to 1
  * @param {string} words

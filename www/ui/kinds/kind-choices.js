@@ -1,4 +1,4 @@
-/** The kinds as a palette of drawings: radio buttons, the paper's kinds first. */
+/** Palette of the kinds of constraints: radio buttons with drawings, the paper's kinds first. */
 
 import { element } from '../dom.js';
 import { sketch } from './sketch.js';
@@ -8,7 +8,7 @@ import { sketch } from './sketch.js';
 export class KindChoices {
   element = element('div.kinds');
   #chosen;
-  /** Those that are on the page. */
+  /** The ids of the displayed kinds. */
   #shown = '';
 
   /** @param {(kind: KindInfo) => void} chosen */
@@ -39,7 +39,7 @@ export class KindChoices {
     if (radio && !radio.checked) radio.checked = true;
   }
 
-  /** Brings the chosen one into sight, and gives it the focus. @param {string} id */
+  /** Focuses the tile of a kind, which scrolls it into view. @param {string} id */
   focus(id) {
     this.#radio(id)?.focus();
   }
@@ -71,7 +71,7 @@ export class KindChoices {
       radio,
       sketch(kind.sketch),
       element('span', kind.label),
-      // The one that is chosen is said below the palette; a screen reader hears each.
+      // The summary of the chosen kind is shown below the palette; screen readers get each.
       element('span.visually-hidden', { id: summary }, kind.summary),
     );
   }

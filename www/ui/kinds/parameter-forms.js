@@ -1,6 +1,6 @@
 /**
- * The forms that the value of a parameter may have: how each is told from the others, what it is
- * called, the value that a parameter gets with another form, and a value in words.
+ * The forms of parameter values: their keys and labels, conversion of a value to another form, and
+ * values in words.
  */
 
 import { number } from '../format.js';
@@ -10,16 +10,16 @@ import { number } from '../format.js';
 /** @typedef {import("../../solver/messages.js").Form} Form */
 
 /**
- * What the controls need to know of the model.
+ * The part of the model that the controls use.
  * @typedef {object} Model
  * @property {string} units of lengths; empty when not known
- * @property {number} meanEdge a length to begin with
+ * @property {number} meanEdge default length
  * @property {"y" | "z"} up
  */
 
 export const AXES = ['x', 'y', 'z'];
 
-/** The forms as choices. @type {Record<string, string>} */
+/** Labels of the forms. @type {Record<string, string>} */
 const FORM_LABELS = {
   number: 'exactly',
   range: 'between',
@@ -27,19 +27,19 @@ const FORM_LABELS = {
   nothing: 'Best fit',
 };
 
-/** What the fields of a form are called after the parameter's name. @type {Record<string, string[]>} */
+/** Suffixes of the accessible names of the fields of a form. @type {Record<string, string[]>} */
 export const FIELD_NAMES = {
   number: [''],
   range: [' from', ' to'],
   vector: AXES.map((axis) => ` ${axis}`),
 };
 
-/** The key of a form: its name, or that of a word. @param {Form} form */
+/** Returns the key of a form: its name, or one made from its word. @param {Form} form */
 export function keyOf(form) {
   return typeof form === 'string' ? form : `word ${form.word}`;
 }
 
-/** The key of the form that a value has. @param {ParamValue} value */
+/** Returns the key of the form of a value. @param {ParamValue} value */
 export function keyOfValue(value) {
   if (value === null) return 'nothing';
   if (typeof value === 'string') return `word ${value}`;
@@ -62,7 +62,7 @@ export function unitOf({ unit }, units) {
   return units + { length: '', area: '²', volume: '³' }[unit];
 }
 
-/** Two digits of it: enough for a number to begin with. @param {number} value */
+/** Rounds an initial number to two digits. @param {number} value */
 const rounded = (value) => Number(value.toPrecision(2));
 
 /** @param {ParamInfo} param @param {number} value */
@@ -71,7 +71,7 @@ function inRange({ range: [least, greatest] }, value) {
 }
 
 /**
- * A number to begin with, where nothing else says one.
+ * Returns an initial number for a parameter without a numeric default.
  * @param {ParamInfo} param
  * @param {Model} model
  */
@@ -84,7 +84,7 @@ function usual(param, { meanEdge }) {
 }
 
 /**
- * The value that a parameter gets with another form, from the value that it has.
+ * Converts a value to another form of the parameter.
  * @param {ParamInfo} param
  * @param {Form} form
  * @param {ParamValue} before
@@ -121,7 +121,7 @@ export function axis(name) {
 }
 
 /**
- * A value in words, with its unit.
+ * Formats a value with its unit.
  * @param {ParamInfo} param
  * @param {ParamValue} value
  * @param {string} units

@@ -1,6 +1,6 @@
 /**
- * Controls for the parameters of a kind, made from their declaration: which forms a value may have,
- * and for each form its fields.
+ * Controls for the parameters of a kind, made from their declaration: a choice of forms, and fields
+ * for each form.
  */
 
 import { element } from '../dom.js';
@@ -19,7 +19,7 @@ import {
 /** @typedef {import("../../solver/messages.js").ParamValue} ParamValue */
 /** @typedef {import("./parameter-forms.js").Model} Model */
 
-/** Where none is open. @type {Model} */
+/** Used if no model is open. @type {Model} */
 const NO_MODEL = { units: '', meanEdge: 0, up: 'z' };
 
 /** The parameters of one kind as rows of controls. */
@@ -31,10 +31,10 @@ export class Parameters {
 
   /**
    * @param {ParamInfo[]} params
-   * @param {Record<string, ParamValue>} values those that are missing are at their default
+   * @param {Record<string, ParamValue>} values missing ones have their default
    * @param {Model | null} model
-   * @param {{ name?: string, changed?: (id: string, value: ParamValue) => void }} [options] `name` goes
-   *   before the names of the controls, for those who do not see where they are
+   * @param {{ name?: string, changed?: (id: string, value: ParamValue) => void }} [options] `name`
+   *   prefixes the accessible names of the controls
    */
   constructor(params, values, model, { name = '', changed = () => {} } = {}) {
     this.#all = params.map((param) => {
@@ -49,7 +49,7 @@ export class Parameters {
     this.element.hidden = params.length === 0;
   }
 
-  /** The values, or null when a field says that its number is out of range. */
+  /** Returns the values, or null if a field is invalid. */
   values() {
     /** @type {Record<string, ParamValue>} */
     const values = {};
@@ -62,8 +62,8 @@ export class Parameters {
   }
 
   /**
-   * Shows a refusal, an error with a `path` in the scene, at the parameter that it is about, or below all when it is about several. False
-   * when it is about something else.
+   * Shows an error with a `path` in the scene at its parameter, or below all parameters if it
+   * concerns several. Returns false if it concerns something else.
    * @param {unknown} error
    */
   refuse(error) {
@@ -78,13 +78,13 @@ export class Parameters {
     return about !== undefined || path === '';
   }
 
-  /** @param {string} message about all parameters */
+  /** @param {string} message concerning all parameters */
   #showError(message) {
     this.#error.textContent = message;
     this.#error.hidden = message === '';
   }
 
-  /** Back to these values, where something was refused. @param {Record<string, ParamValue>} values */
+  /** Restores these values after a refused change. @param {Record<string, ParamValue>} values */
   restore(values) {
     for (const one of this.#all) one.show(values[one.id]);
   }
@@ -141,7 +141,7 @@ class Parameter {
     return this.#param.id;
   }
 
-  /** Shows a value, and no error. @param {ParamValue} value */
+  /** Shows a value and clears the error. @param {ParamValue} value */
   show(value) {
     this.#value = value;
     const key = keyOfValue(value);
@@ -176,8 +176,8 @@ class Parameter {
       value: value === null ? '' : String(value),
       'aria-label': this.#name + name,
       'aria-describedby': this.#error.id,
-      // Told while it is typed: were it told when the field is left, the page would move under the
-      // pointer that leaves it for a button.
+      // Validate on input: an error that appears on blur would move the page under the pointer that
+      // leaves the field for a button.
       oninput: () => this.read(),
       onchange: () => {
         const next = this.read();
@@ -189,7 +189,7 @@ class Parameter {
     return field;
   }
 
-  /** The quick choices of a direction. */
+  /** Makes the buttons for axis directions. */
   #axes() {
     const buttons = AXES.map((name) =>
       element(
@@ -212,7 +212,10 @@ class Parameter {
     return Array.isArray(this.#value) ? this.#value : [];
   }
 
-  /** The value of the fields; undefined, and told, when one of them is not valid. @returns {ParamValue | undefined} */
+  /**
+   * Returns the value of the fields. If one is invalid, shows the error and returns undefined.
+   * @returns {ParamValue | undefined}
+   */
   read() {
     const wrong = this.#fields.find((field) => !field.validity.valid);
     if (wrong) {
@@ -227,7 +230,7 @@ class Parameter {
 
   /**
    * @param {string} message
-   * @param {number} place of the field that is wrong
+   * @param {number} place index of the invalid field
    */
   refuse(message, place) {
     this.#showError(message, this.#fields[place] ?? this.#fields[0]);

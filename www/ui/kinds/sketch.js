@@ -1,4 +1,4 @@
-/** The small drawing of a kind: the points as they are given, faint, and what they become. */
+/** The small drawing of a kind: the sample points, faint, and their projection. */
 
 const SPACE = 'http://www.w3.org/2000/svg';
 /** Room around the unit square for dots and strokes. */
@@ -6,7 +6,8 @@ const MARGIN = 0.08;
 const DOT = 0.045;
 
 /**
- * Decoration only: the control has the name. Drawn in the colour of the style's `--chip`.
+ * Makes the drawing, in the colour of `--chip`. Hidden from screen readers: the control has the
+ * name.
  * @param {import("../../solver/messages.js").Sketch} drawing
  */
 export function sketch({ points, projected, lines, outlines }) {
@@ -25,7 +26,7 @@ export function sketch({ points, projected, lines, outlines }) {
 }
 
 /**
- * Lines between points, and the points.
+ * Draws lines between points, and the points.
  * @param {[number, number][]} points
  * @param {[number, number][]} lines
  * @param {string} name

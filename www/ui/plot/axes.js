@@ -1,13 +1,13 @@
-/** What the axes of all plots have in common. */
+/** Common settings of the axes of all plots. */
 
 import { colourOf } from '../dom.js';
 
 /**
- * The axes of a plot, as uPlot takes them.
+ * Returns the axes of a plot for uPlot.
  * @param {HTMLElement} place of the plot
- * @param {import("uplot").Axis} x what is particular about it
- * @param {(least: number, most: number) => number[]} marks where the other one has lines
- * @param {(value: number) => string} words what is written there
+ * @param {import("uplot").Axis} x settings of the x axis
+ * @param {(least: number, most: number) => number[]} marks positions of ticks on the y axis
+ * @param {(value: number) => string} words labels of the ticks
  * @returns {import("uplot").Axis[]}
  */
 export function axesOf(place, x, marks, words) {

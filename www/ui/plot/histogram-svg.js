@@ -1,9 +1,12 @@
-/** A histogram as one drawing: its bars, or the outline of another one over them. */
+/** Histograms as SVG: bars, or an outline drawn over them. */
 
 import { setAttribute } from '../dom.js';
 
 const SPACE = 'http://www.w3.org/2000/svg';
-/** A single face among thousands is the one that is looked for: it has to be seen. Of the height. */
+/**
+ * The least height of a non-empty bar, relative to the drawing: a single outlier among thousands of
+ * faces must be visible.
+ */
 const LEAST = 1 / 15;
 
 /** @param {"outline" | "bars"} look */
@@ -16,15 +19,15 @@ function drawing(look) {
   return svg;
 }
 
-/** Nothing yet; `drawOutline` gives it an outline. */
+/** Makes an empty drawing for `drawOutline`. */
 export const outline = () => drawing('outline');
-/** Nothing yet; `drawBars` gives it bars. */
+/** Makes an empty drawing for `drawBars`. */
 export const bars = () => drawing('bars');
 
 /**
  * @param {SVGSVGElement} svg
- * @param {number[] | null} counts per bar; without them there is no outline
- * @param {number} most the count that is as high as the drawing
+ * @param {number[] | null} counts per bar; null hides the outline
+ * @param {number} most the count at full height
  */
 export function drawOutline(svg, counts, most) {
   svg.toggleAttribute('hidden', !counts);
@@ -40,7 +43,7 @@ export function drawOutline(svg, counts, most) {
 
 /**
  * @param {SVGSVGElement} svg
- * @param {number[]} counts per bar; the greatest is as high as the drawing
+ * @param {number[]} counts per bar; the greatest has full height
  */
 export function drawBars(svg, counts) {
   const most = Math.max(...counts, 1);

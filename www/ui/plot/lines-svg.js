@@ -1,13 +1,13 @@
-/** Lines over a logarithmic scale as a figure: SVG on white. */
+/** Line plots with a logarithmic scale, as SVG on white. */
 
 const SIZE = { width: 640, height: 400, left: 76, right: 128, top: 24, bottom: 48 };
-/** Values this far below the greatest are off the scale. */
+/** Decades below the greatest value that are on the scale. */
 const DECADES = 14;
-/** Names at the ends of the lines are at least so far apart. */
+/** The least distance between the labels at the ends of lines. */
 const LEAST_GAP = 14;
 const MOST_TICKS = 6;
 
-/** Colours that print, for lines in turn. */
+/** Colours for print, for successive lines. */
 export const PRINTED = ['#1f5fc4', '#b8560b', '#1d7a4f', '#8a3fa6', '#1d2123', '#a81f50'];
 
 /**
@@ -15,17 +15,17 @@ export const PRINTED = ['#1f5fc4', '#b8560b', '#1d7a4f', '#8a3fa6', '#1d2123', '
  * @property {string} label
  * @property {string} colour
  * @property {number[]} x
- * @property {number[]} y what is not positive has no place on the scale
+ * @property {number[]} y values that are not positive are not drawn
  * @property {number} width of the line
  */
 
 /**
  * @param {Line[]} given
- * @param {{ title: string, x: string, y: string }} words the title, and what is along the axes
+ * @param {{ title: string, x: string, y: string }} words the title, and labels of the axes
  */
 export function linesSvg(given, words) {
   const values = given.flatMap(({ y }) => y);
-  // Where all values are nothing, any scale will do.
+  // If all values are zero, any scale will do.
   const greatest = values.reduce((a, b) => Math.max(a, b), 0) || 1;
   const drawn = values.filter((value) => value > greatest * 10 ** -DECADES);
   const low = Math.floor(Math.log10(drawn.reduce((a, b) => Math.min(a, b), greatest)));
@@ -80,7 +80,7 @@ export function linesSvg(given, words) {
 }
 
 /**
- * Names that would lie on each other are moved down.
+ * Moves overlapping labels down.
  * @template {{ end?: number }} Placed
  * @param {Placed[]} lines
  */
@@ -106,7 +106,7 @@ function decades(low, high) {
   return found;
 }
 
-/** Round numbers up to the last place. @param {number} last */
+/** Returns round numbers up to `last`. @param {number} last */
 function ticks(last) {
   const rough = last / MOST_TICKS;
   const power = 10 ** Math.floor(Math.log10(rough));

@@ -14,13 +14,16 @@ const SERIES = [
   { id: 'total', label: 'Total', width: 2 },
 ];
 const HEIGHT = 180;
-/** Round numbers, to count with. */
+/** Tick increments for counts. */
 export const COUNTS = [1, 10, 100, 1000, 1e4, 1e5].flatMap((power) => [
   power,
   2 * power,
   5 * power,
 ]);
-/** Energies this far below the greatest are drawn as this: a logarithm has no zero. */
+/**
+ * Decades below the greatest energy that are drawn; smaller energies are drawn at the lower end, as
+ * a logarithm has no zero.
+ */
 const DECADES = 12;
 
 export class EnergyPlot {
@@ -58,7 +61,10 @@ export class EnergyPlot {
     this.#writeKey(columns[0].length - 1);
   }
 
-  /** After the theme changed: uPlot paints on a canvas and does not see style sheets. */
+  /**
+   * Redraws after a change of theme, as uPlot paints on a canvas, where style sheets have no
+   * effect.
+   */
   restyle() {
     if (!this.#plot) return;
     this.#make();
@@ -70,13 +76,15 @@ export class EnergyPlot {
     this.#plot = null;
   }
 
-  /** The columns with what a logarithm cannot show at the lower end of the scale. */
+  /**
+   * Returns the columns with values too small for the logarithmic scale raised to its lower end.
+   */
   #drawable() {
     let [greatest, smallest] = [0, Infinity];
     for (const column of this.#columns.slice(1)) {
       for (let i = 0; i < column.length; i++) {
         greatest = Math.max(greatest, column[i]);
-        // A term that is nothing but rounding at the start would take most of the scale.
+        // A term that is only rounding error at the start would take up most of the scale.
         if (i > 0 && column[i] > 0) smallest = Math.min(smallest, column[i]);
       }
     }
@@ -85,7 +93,7 @@ export class EnergyPlot {
     const [iterations, ...energies] = this.#columns;
     return /** @type {uPlot.AlignedData} */ ([
       iterations,
-      // A term that is nothing throughout has no line.
+      // A term that is always zero has no line.
       ...energies.map((column) =>
         column.some((value) => value > 0)
           ? column.map((value) => Math.max(value, least))
@@ -131,7 +139,9 @@ export class EnergyPlot {
     this.#place.append(this.#key);
   }
 
-  /** What the lines are, and their values at the cursor. @param {number} index of an iteration */
+  /**
+   * Writes the key: the lines and their values at the cursor. @param {number} index of an iteration
+   */
   #writeKey(index) {
     if (this.#key.childElementCount === 0) {
       this.#key.append(
@@ -157,7 +167,7 @@ export class EnergyPlot {
 }
 
 /**
- * Whole powers of ten, at most half a dozen of them.
+ * Returns at most about six powers of ten.
  * @param {number} least
  * @param {number} most
  */

@@ -1,22 +1,25 @@
-/** Small pictures of shapes: faces from far to near, shaded, and coloured by how far their corners go. */
+/**
+ * Thumbnails of shapes: faces drawn from far to near, shaded, and coloured by the displacement of
+ * their corners.
+ */
 
 import { colourOf } from '../dom.js';
 
 /** @typedef {import("../../solver/messages.js").Connectivity} Connectivity */
 
-/** Pixels of the picture for one of CSS. */
+/** Canvas pixels per CSS pixel. */
 const DENSITY = 2;
-/** The part of the picture that the shape fills. */
+/** The fraction of the picture that the shape fills. */
 const FILLED = 0.92;
-/** Where it is seen from, if nobody says: turned about the vertical axis, then from above, in radians. */
+/** The default view direction: rotation about the vertical axis, then elevation, in radians. */
 const FROM = { turn: 0.6, above: 0.5 };
 
 /**
  * @param {HTMLCanvasElement} canvas
  * @param {Connectivity} connectivity
  * @param {ArrayLike<number>} positions `#V by 3`
- * @param {{ up: "y" | "z", ways?: ArrayLike<number>, from?: typeof FROM }} options `ways`: how far vertices have
- *   gone, `#V by 3`
+ * @param {{ up: "y" | "z", ways?: ArrayLike<number>, from?: typeof FROM }} options `ways`:
+ *   displacements of the vertices, `#V by 3`
  */
 export function drawShape(
   canvas,
@@ -29,8 +32,8 @@ export function drawShape(
   if (!context || width === 0) return;
   canvas.width = DENSITY * width;
   canvas.height = DENSITY * height;
-  const { points, scale, centre } = seen(positions, up, from, canvas);
-  const goes = ways ? farGone(ways) : null;
+  const { points, scale, centre } = viewed(positions, up, from, canvas);
+  const displacement = ways ? relativeLengths(ways) : null;
   const plain = channels(colourOf(canvas, '--material'));
   const accent = channels(colourOf(canvas, '--accent'));
   const faces = faceOffsets.length - 1;
@@ -46,7 +49,7 @@ export function drawShape(
     const corners = faceIndices.subarray(faceOffsets[face], faceOffsets[face + 1]);
     const light = 0.55 + 0.45 * facing(points, corners);
     let part = 0;
-    if (goes) for (const v of corners) part += goes[v] / corners.length;
+    if (displacement) for (const v of corners) part += displacement[v] / corners.length;
     const colour = plain.map((value, c) => light * (value + part * (accent[c] - value)));
     context.fillStyle = context.strokeStyle = `rgb(${colour.map(Math.round).join(' ')})`;
     context.beginPath();
@@ -58,19 +61,19 @@ export function drawShape(
     }
     context.closePath();
     context.fill();
-    // Over the seams between neighbours.
+    // Covers the seams between neighbours.
     context.stroke();
   }
 }
 
 /**
- * Positions as they are seen: to the right, up, and towards whoever looks.
+ * Returns positions in view coordinates: to the right, up, and towards the viewer.
  * @param {ArrayLike<number>} positions
  * @param {"y" | "z"} up
  * @param {typeof FROM} from
  * @param {{ width: number, height: number }} size
  */
-function seen(positions, up, { turn, above }, { width, height }) {
+function viewed(positions, up, { turn, above }, { width, height }) {
   const points = new Float32Array(positions.length);
   const [low, high] = [
     [Infinity, Infinity],
@@ -97,8 +100,10 @@ function seen(positions, up, { turn, above }, { width, height }) {
   return { points, scale, centre: low.map((value, c) => (value + high[c]) / 2) };
 }
 
-/** How far vertices go, of those that go farthest. @param {ArrayLike<number>} ways */
-function farGone(ways) {
+/**
+ * Returns the lengths of displacements, relative to the longest. @param {ArrayLike<number>} ways
+ */
+function relativeLengths(ways) {
   const lengths = new Float32Array(ways.length / 3);
   let most = 0;
   for (let v = 0; v < lengths.length; v++) {
@@ -108,7 +113,10 @@ function farGone(ways) {
   return lengths.map((value) => value / (most || 1));
 }
 
-/** How much a face faces whoever looks, from 0 to 1. @param {Float32Array} points @param {Uint32Array} corners */
+/**
+ * Returns how directly a face is seen, from 0 to 1. @param {Float32Array} points @param
+ * {Uint32Array} corners
+ */
 function facing(points, corners) {
   let [x, y, z] = [0, 0, 0];
   corners.forEach((v, k) => {

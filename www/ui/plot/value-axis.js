@@ -1,14 +1,14 @@
-/** The axis of a legend: where values are along it, evenly or by their logarithm. */
+/** The axis of a legend: the positions of values, linear or logarithmic. */
 
-/** So far below its end does a logarithmic axis begin at the latest. */
+/** The least start of a logarithmic axis, relative to its end. */
 const LEAST_PART = 1e-6;
-/** Round ends of an axis, from 1 to 10. */
+/** Round numbers for the ends of an axis, from 1 to 10. */
 const ROUND = [1, 1.5, 2, 3, 4, 5, 6, 8, 10];
 
 /**
  * @typedef {object} Axis
- * @property {number} low where it begins; above 0 on a logarithmic one
- * @property {number} high where it ends
+ * @property {number} low the start; above 0 on a logarithmic axis
+ * @property {number} high the end
  * @property {boolean} log
  */
 
@@ -23,7 +23,7 @@ export function axisOf(low, high, log) {
 }
 
 /**
- * Where a value is, from 0 to 1; beyond the ends it is at them, and not a number stays none.
+ * Returns the position of a value from 0 to 1, clamped to the ends; NaN for NaN.
  * @param {Axis} axis
  * @param {number} value
  */
@@ -36,7 +36,7 @@ export function placeOn({ low, high, log }, value) {
 }
 
 /**
- * The value at a place from 0 to 1.
+ * Returns the value at a position from 0 to 1.
  * @param {Axis} axis
  * @param {number} place
  */
@@ -45,12 +45,12 @@ export function valueAt({ low, high, log }, place) {
 }
 
 /**
- * The next round number that is not smaller, so that the end of an axis changes seldom.
+ * Returns the next round number, so that the end of an axis changes seldom.
  * @param {number} value
  */
 export function roundUp(value) {
   if (!(value > 0) || !Number.isFinite(value)) return 0;
   const power = 10 ** Math.floor(Math.log10(value));
-  // A little more than 10 where the power is a little less.
+  // The default covers a power that is rounded down.
   return (ROUND.find((round) => round * power >= value * (1 - 1e-9)) ?? 10) * power;
 }
