@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-/// An error between reading a file and solving. All are faults of the input: a broken internal
-/// contract panics instead.
+/// An error of reading, validating or solving: always the input's fault. A broken internal contract
+/// panics instead.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Error {
     /// A mesh file could not be read.

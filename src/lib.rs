@@ -9,7 +9,7 @@
 //!
 //! ```text
 //! OBJ  ->  mesh  ->  constraint  ->  solve  ->  scene  ->  session  ->  positions  ->  view
-//!                    math and sparse lie under all of them
+//!                    all of them use math and sparse
 //! ```
 //!
 //! Each stage depends only on those to its left; [`view`] receives positions and index buffers,
@@ -34,7 +34,7 @@
 //! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |
 //! | `web` | wasm-bindgen interfaces: one for the worker (solver), one for the page (view) | all above |
 //!
-//! `src/bin` is outside: the command line, which drives sessions too, and the build steps that draw
+//! `src/bin` is outside: the command line, which drives sessions, and build steps that draw
 //! examples.
 //!
 //! Beside the pipeline, [`experiment`] contains the methods that the paper compares with: gradient
@@ -46,14 +46,15 @@
 //! 1. The page's view finds the handle under the pointer (`view::picking`) and converts the motion
 //!    of the pointer to a target (`view::gizmo`). The page sends vertex and target to the worker.
 //! 2. `web::worker` calls `Session::drag` ([`session`], `undo/drag_transaction`), which checks the
-//!    target and passes it to the solver. Only the gradient of the handle's energy changes: no
-//!    matrix, no factor.
+//!    target and passes it to the solver. Only the gradient of the handle's energy changes, no
+//!    matrix.
 //! 3. The next iteration uses it: `Session::step` calls `Solver::step` ([`solve`], `solver/step`).
 //!    - Local step: each batch of constraints projects its points ([`constraint`], `batch` and `kinds`).
 //!    - `solve::energy` sums energies and gradients of shape, closeness, smoothness and handles.
 //!    - Global step: `solve::system` applies the inverse of the normal matrix, by triangular sweeps through
 //!      the factor of [`sparse`]; `solve::accelerate` improves the step, or falls back to it.
-//! 4. The worker copies the positions to the page, which gives them to `view::state`; `view::gpu` draws.
+//! 4. The worker copies the positions to the page, which passes them to `view::state`; `view::gpu`
+//!    draws.
 //! 5. The end of the drag records it as one step of undo (`session/state/history`).
 //!
 //! # One run
@@ -69,10 +70,9 @@
 //!
 //! # From a shape to parts
 //!
-//! [`fabricate`] takes a mesh and settings (the key `build` of a scene), and is independent of
-//! solvers. The command line calls it with the shape of a scene; the page loads it as a separate
-//! module in its own worker (`www/features/build`), so that the solver stays small. Both write the
-//! same bytes.
+//! [`fabricate`] takes a mesh and settings (the key `build` of a scene), independent of solvers.
+//! The command line calls it with the shape of a scene; the page loads it as a separate module in
+//! its own worker (`www/features/build`), to keep the solver small. Both write the same bytes.
 //!
 //! # Two numeric factors
 //!
@@ -100,7 +100,7 @@
 //! | `w_ij`, `l_i` (Eq. 12) | edge weight; the smoothed quantity, position or displacement |
 //! | `e_p`, `e_c` (Fig. 5) | planarity and circularity error: mean squared distance |
 //!
-//! # The paper, row by row
+//! # Coverage of the paper
 //!
 //! See [`capabilities`].
 //!

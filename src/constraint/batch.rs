@@ -26,8 +26,7 @@ pub struct LocalStep {
 /// The points of one constraint: the node, and the displacement from it to the fitted shape.
 pub type Projected = [(u32, Vec3<f64>)];
 
-/// Returns one batch for each number of points among the constraints of a kind, fewest points
-/// first.
+/// Groups the constraints of a kind into one batch per number of points, fewest first.
 ///
 /// `members` are the node indices of each constraint, `rest` the rest position of each node,
 /// `weight` is `w_i`, the same for all. Points that the kind centres by edge come in pairs. With
@@ -86,17 +85,14 @@ pub struct Batch {
     count: usize,
     /// Node indices, chunk by chunk, point by point, lane by lane.
     nodes: Vec<[u32; LANES]>,
-    /// Centred and prepared rest points in the layout of `nodes`; empty if the operator does not
-    /// read them.
+    /// Centred and prepared rest points in the layout of `nodes`, if the operator reads them.
     rest: Vec<Vec3<Lanes>>,
-    /// The previous projections in the layout of `nodes`; empty without the guard and before its
-    /// first step.
+    /// Previous projections in the layout of `nodes`, from the first guarded step on.
     previous: Vec<Vec3<Lanes>>,
     /// The projections before `previous`, for [`Batch::take_back`].
     earlier: Vec<Vec3<Lanes>>,
     guarded: bool,
-    /// The displacements to the projections in the layout of `nodes`, while [`Batch::projected`]
-    /// collects them.
+    /// Displacements to the projections in the layout of `nodes`, for [`Batch::projected`] only.
     displacements: Option<Vec<Vec3<Lanes>>>,
     /// Points of one chunk and their projections, for constraints too large for the stack.
     scratch: Vec<Vec3<Lanes>>,
@@ -230,8 +226,7 @@ impl Batch {
     /// the residual is centred with or without `N_i`. Only the normal matrix differs.
     pub fn local_step(&mut self, x: &[Row], gradient: &mut [Row], scale: f64) -> LocalStep {
         let scale = scale * self.weight;
-        // Sums stay in lanes until the end, so that no chunk waits for the horizontal sum of the
-        // previous one.
+        // One sum per lane, so that no chunk waits for a horizontal sum.
         let mut all = Residuals::default();
         let mut scratch = std::mem::take(&mut self.scratch);
         for chunk in 0..self.count.div_ceil(LANES) {
@@ -252,9 +247,9 @@ impl Batch {
         found
     }
 
-    /// Calls `each` with the projection of every constraint at positions `x`: its nodes, and the
-    /// displacement of each to the fitted shape. The energy uses the same projection, translated to
-    /// the mean of the points.
+    /// Calls `each` with the projection of every constraint at positions `x`: its nodes, and their
+    /// displacements to the fitted shape. The energy uses the same projection, translated to the
+    /// mean.
     pub fn projected(&mut self, x: &[Row], each: &mut dyn FnMut(&Projected)) {
         self.displacements = Some(vec![Vec3::zero(); self.nodes.len()]);
         self.local_step(x, &mut vec![[0.0; 4]; x.len()], 0.0);
@@ -285,8 +280,7 @@ impl Batch {
         }
     }
 
-    /// Runs the local step of chunk `chunk`. `centred` and `projected` are scratch for `n` points
-    /// each.
+    /// Runs the local step of a chunk. `centred` and `projected` are scratch for `n` points each.
     #[inline(always)]
     fn step_chunk(
         &mut self,
@@ -312,9 +306,8 @@ impl Batch {
         if self.displacements.is_some() {
             self.store_displacements(first, centred, projected);
         }
-        // The set is closed under translation of points that are centred together, so that the
-        // centred projection is also in the set, and is nearer. Projections to circles and spheres
-        // are not centred already.
+        // The set is closed under translation of points that are centred together, so the centred
+        // projection is also in it, and nearer. Projections to circles and spheres are not centred.
         centre_as(self.centring, projected);
         if self.guarded {
             self.keep_nearer(first, centred, projected);
@@ -345,8 +338,7 @@ impl Batch {
         self.step_chunk(chunk, (&mut centred, &mut projected), rows, scale, all);
     }
 
-    /// Stores the displacements from points to projections of the chunk whose points start at
-    /// `first`.
+    /// Stores the displacements to the projections of the chunk whose points start at `first`.
     #[cold]
     #[inline(never)]
     fn store_displacements(
@@ -362,8 +354,8 @@ impl Batch {
         }
     }
 
-    /// Undoes the last local step after its positions were rejected: the guard compares with the
-    /// projections before it.
+    /// Undoes the last local step: its positions were rejected, and the guard needs the projections
+    /// before.
     pub fn take_back(&mut self) {
         std::mem::swap(&mut self.previous, &mut self.earlier);
     }

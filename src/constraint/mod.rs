@@ -1,5 +1,5 @@
-//! Shape constraints `C_i`: projection operators (paper section 3), the list of kinds, and the
-//! selection of vertices.
+//! Shape constraints `C_i`: projection operators (paper section 3), the list of kinds, and
+//! selectors.
 //!
 //! # Adding an operator
 //!

@@ -38,8 +38,8 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     }
 
     /// Converts the centred rest points of one constraint to the form that [`Projection::project`]
-    /// reads: three numbers for each point, of any meaning. Called once per constraint, before all
-    /// projections.
+    /// reads: three numbers for each point, of any meaning. Called once per constraint, at the
+    /// start.
     fn prepare(&self, rest: &mut [Vec3<f64>]) {
         let _ = rest;
     }
@@ -67,15 +67,14 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
 
     /// Replaces the points `v` of one constraint by the closest points that have the shape. Slower,
     /// but finite and accurate for every finite input, including degenerate ones. Called if the
-    /// closed form is inaccurate; an operator whose closed form is always accurate has no such
-    /// method.
+    /// closed form is inaccurate; not implemented if that is always accurate.
     fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let _ = (rest, v);
         unreachable!("the closed form of this kind is accurate for every input");
     }
 
-    /// Runs step I for one chunk of constraints: the closed form if it is accurate in all lanes,
-    /// else lane by lane.
+    /// Runs step I for one chunk: by the closed form if it is accurate in all lanes, else lane by
+    /// lane.
     #[inline(always)]
     fn project<S: Lane>(&self, rest: &[Vec3<S>], v: &[Vec3<S>], projected: &mut [Vec3<S>]) {
         project_with(
@@ -85,8 +84,8 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
         );
     }
 
-    /// The shape fitted to the points `v` (not centred), for drawing. None if the projected points
-    /// themselves show it.
+    /// The shape fitted to the uncentred points `v`, for drawing. None if the projected points show
+    /// it.
     fn fitted(&self, v: &[Vec3<f64>]) -> Option<Fitted> {
         let _ = v;
         None

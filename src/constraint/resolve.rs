@@ -4,8 +4,7 @@ use super::select::MOST_MEMBERS;
 use super::{Element, SelectError, Selector, Sets};
 use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, repeated, stars, strips};
 
-/// Returns the vertices of each constraint of a selector: one row of distinct vertices per
-/// constraint.
+/// Returns one row of distinct vertices for each constraint of a selector.
 ///
 /// | selected | rows | vertices of a row |
 /// |---|---|---|
@@ -29,8 +28,7 @@ use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, repeated,
 /// curves. Then `radius` adds rings of neighbours to each remaining element, each ring ascending.
 ///
 /// # Errors
-/// If a name is unknown, a set or list has an index out of range, or the rows have more vertices
-/// than can be solved for.
+/// If a name is unknown, an index is out of range, or the rows have too many vertices to solve for.
 pub fn resolve(
     selector: &Selector,
     mesh: &Mesh,
@@ -202,9 +200,9 @@ impl Members {
 struct Kept {
     /// `#V`.
     vertices: Vec<bool>,
-    /// `#F`; none when no face is listed.
+    /// `#F`; none if no face is listed.
     faces: Option<Vec<bool>>,
-    /// `#curves`; none when no curve is listed.
+    /// `#curves`; none if no curve is listed.
     curves: Option<Vec<bool>>,
 }
 

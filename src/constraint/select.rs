@@ -34,7 +34,7 @@ pub enum Element {
     /// The corners of a tetrahedron.
     Tet,
     /// A polyline of the file, or a straight edge line of a quad-dominant mesh; if one runs along
-    /// the other, the longer.
+    /// another, only the longer.
     Curve,
     /// A polyline of the file.
     Polyline,
@@ -153,8 +153,8 @@ impl Element {
     }
 }
 
-/// Upper bound on the number of vertices of all elements of one selector, counted once per element.
-/// With a radius, this number could reach the square of the number of vertices of the mesh.
+/// Upper bound on the vertices of all elements of one selector, counted once per element. With a
+/// radius, their number could reach the square of that of the mesh.
 pub(super) const MOST_MEMBERS: usize = 20_000_000;
 
 /// Why a selector cannot be resolved.

@@ -1,8 +1,7 @@
 //! A small drawing of a kind, made by the operator itself: sample points off the shape and their
 //! projection, seen obliquely from above.
 //!
-//! The sample follows from the declaration (arity, elements, centring) and goes through the same
-//! batches as a mesh.
+//! The sample follows from the declaration, and goes through the same batches as a mesh.
 
 use super::{Arity, Centring, Element, Fitted, Info, Kind, KindVisitor, Projection};
 use super::{Reference, Row, batches};
@@ -26,8 +25,7 @@ pub struct Sketch {
 }
 
 impl Kind {
-    /// Returns the drawing of the kind with these parameters; the same on every call and every
-    /// machine.
+    /// Returns the drawing of the kind with these parameters; deterministic on every machine.
     pub fn sketch(&self) -> Sketch {
         let sample = Sample::new(self.info(), self.visit(ReadsRest));
         let x = to_rows(&sample.points);
@@ -226,7 +224,7 @@ fn to_rows(points: &[Vec3<f64>]) -> Vec<Row> {
     points.iter().map(|p| [p.x, p.y, p.z, 0.0]).collect()
 }
 
-/// Unit vectors to the right and upwards in the drawing: seen from slightly left of the front, from
+/// Unit vectors to the right and upwards in the drawing: seen from the front, slightly left, and
 /// above.
 const RIGHT: [f64; 3] = [0.96, -0.28, 0.0];
 const UP: [f64; 3] = [0.224, 0.768, 0.6];

@@ -3,8 +3,7 @@
 /** @typedef {HTMLElementTagNameMap} Tags */
 /** @typedef {Record<string, string | number | boolean | ((event: any) => void)>} Attributes */
 /**
- * A child; false and empty ones are left out. @typedef {Node | string | false | null | undefined}
- * Child
+ * Falsy children are skipped. @typedef {Node | string | false | null | undefined} Child
  */
 
 /**
@@ -36,8 +35,7 @@ export function element(name, ...parts) {
 }
 
 /**
- * Makes an icon from the sprite in index.html; hidden from screen readers, as the control has the
- * name.
+ * Makes an icon from the sprite in index.html; hidden from screen readers.
  * @param {string} name
  */
 export function icon(name) {
@@ -115,8 +113,7 @@ export const RENEW_MS = 125;
 
 /**
  * Calls `action` at most once per `interval` milliseconds, and once more for the last call.
- * Intervals are aligned to a common clock, so that changes of several callers are laid out
- * together.
+ * Intervals are aligned to a common clock, so that changes of several callers share one layout.
  * @template {unknown[]} Arguments
  * @param {number} interval
  * @param {(...values: Arguments) => void} action

@@ -1,5 +1,4 @@
 /**
- * Whether the page is embedded in another one: `?embed` in its address, which index.html reads
- * first.
+ * Whether the page is embedded: `?embed` in its address, which index.html reads first.
  */
 export const isEmbedded = 'embed' in (globalThis.document?.documentElement.dataset ?? {});

@@ -8,8 +8,7 @@ export const METRES = Object.fromEntries(UNITS.map(({ symbol, metres }) => [symb
 const DIGITS = 3;
 
 /**
- * Formats a number with three significant digits; in scientific notation below 1e-3 and from 1e6
- * on.
+ * Formats a number with three significant digits; powers of ten below 1e-3 and from 1e6 on.
  * @param {number} value
  * @returns {string}
  */

@@ -26,8 +26,7 @@ export function readLength(text, units) {
 const valueOf = (digits) => Number(digits.replace(',', '.'));
 
 /**
- * The resolution of coordinates, relative to the size of a model: millimetres for a building of
- * some 100 m.
+ * Resolution of coordinates relative to the model: millimetres for a building of some 100 m.
  */
 const STEPS = 2e5;
 const MOST_DECIMALS = 12;

@@ -1,7 +1,6 @@
 /**
  * Rounding errors shown as zero. Sixteen digits of a coordinate leave errors of about 1e-16 of the
- * size of the mesh, and sums over its vertices somewhat more; values at this level are displayed as
- * 0.
+ * size of the mesh, and sums over its vertices somewhat more; such values are displayed as 0.
  */
 
 /**

@@ -1,4 +1,4 @@
-//! The commands with their arguments.
+//! Parser of the commands and their arguments.
 
 use super::meshes::edit::{self, Remesh};
 use super::meshes::new_mesh::{self, New};
@@ -10,7 +10,7 @@ use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-/// The command with its arguments.
+/// A command with its arguments.
 #[derive(Debug, PartialEq)]
 pub(super) enum Command {
     Solve(Solve),

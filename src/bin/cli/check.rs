@@ -47,8 +47,7 @@ struct Check {
 /// The alignment of the edges with the lines of curvature.
 #[derive(Serialize)]
 struct Curvature {
-    /// The mean angle between them, weighted by length; left out if the surface has no principal
-    /// directions.
+    /// The mean angle, weighted by length; left out if the surface has no principal directions.
     #[serde(skip_serializing_if = "Option::is_none")]
     mean_degrees: Option<f64>,
     /// The fraction of the edges, by length, for which the angle is defined.

@@ -34,8 +34,7 @@ pub(super) fn run(asked: &Asked) -> Result<(), Failure> {
     output::print(&table(&run))
 }
 
-/// Returns an example with its own experiment, or with the generic one; or a scene file with the
-/// generic one.
+/// Returns an example with its own or the generic experiment, or a scene file with the generic one.
 fn problem(on: &Path) -> Result<(&'static Experiment, Scene, Mesh), Failure> {
     let id = on.to_string_lossy();
     if let Some(example) = EXAMPLES.iter().find(|example| example.id == id) {

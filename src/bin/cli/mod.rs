@@ -2,12 +2,12 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `arguments` | the commands with their arguments |
+//! | `arguments` | parser of the commands and their arguments |
 //! | `words` | lexer of the command line: files, options and their values |
 //! | `usage` | the usage text |
 //! | `input` | reading of mesh and scene files |
 //! | `output` | atomic writing of files, and standard output |
-//! | `folder` | folders for several files |
+//! | `folder` | output folders |
 //! | `meshes` | the commands `new`, `edit` and `refine`, and mesh files of sessions |
 //! | `solve`, `build`, `check`, `parametrize`, `examples`, `experiment` | the commands of these names |
 //! | `results` | `check` of students' results |
@@ -34,14 +34,13 @@ use std::process::ExitCode;
 
 /// The failure of a command.
 pub(crate) enum Failure {
-    /// The input is at fault; the message has the file, line or JSON path, the fault, and the
-    /// expected value.
+    /// Input error: file, line or JSON path, the fault, and the expected value.
     Input(String),
-    /// The command line is at fault.
+    /// Usage error.
     Usage(String),
 }
 
-/// Runs the command given by the arguments. A failure of the input is one line on standard error.
+/// Runs the command given by the arguments. An input error is one line on standard error.
 pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(ToString::to_string).unwrap_or_default();

@@ -68,8 +68,7 @@ pub(crate) fn greatest(values: &Option<Vec<f32>>) -> f32 {
     values.iter().flatten().copied().fold(0.0, f32::max)
 }
 
-/// Returns the colour of the row of constraints that acts on each face, and on each vertex outside
-/// of these.
+/// Returns the colours of the rows of constraints on each face, and on vertices outside of these.
 fn row_colours(session: &Session) -> Result<RowColours, ViewError> {
     let acting = session.acting_rows();
     let place = |row: u32| u8::try_from(row + 1).expect("an example has few rows");

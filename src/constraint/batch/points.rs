@@ -1,5 +1,5 @@
-//! Access to the single constraints of a batch: their points and projections, for solvers that
-//! shift points before projecting them, or project displaced copies.
+//! Access to single constraints of a batch, for solvers that shift points before projecting them,
+//! or project displaced copies.
 
 use super::{Batch, centre_as};
 use crate::constraint::{Centring, Row};
@@ -21,8 +21,7 @@ impl Batch {
         self.weight
     }
 
-    /// One in the lanes of chunk `chunk` that hold constraints, zero in the padding of the last
-    /// chunk.
+    /// One in the lanes of a chunk that hold constraints, zero in the padding of the last one.
     #[inline(always)]
     pub fn counts(&self, chunk: usize) -> Lanes {
         let lanes = self.count - chunk * LANES;

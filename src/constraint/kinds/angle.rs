@@ -105,8 +105,7 @@ impl Angle {
         let [e, f] = plane_frame(x, y);
         let flat = |v: Vec3<S>| [v.dot(e), v.dot(f)];
         let (a, b) = (flat(x), flat(y));
-        // The angle is below the least or above the greatest if the sine of the difference is
-        // positive.
+        // Positive sines of the difference: the angle is below the least, or above the greatest.
         let (dot, cross) = (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0]);
         let splat = |pair: [f64; 2]| pair.map(S::splat);
         let (least, greatest) = (splat(self.angle.least), splat(self.angle.greatest));
@@ -164,8 +163,7 @@ fn greatest_eigenvector<S: Lane>([xx, xy, yy]: [S; 3], otherwise: [S; 2]) -> [S;
     ]
 }
 
-/// Returns the unit vector that bisects the angle between `g` and `h`; the first axis if they are
-/// opposite.
+/// Returns the unit bisector of the angle of `g` and `h`; the first axis if they are opposite.
 #[inline(always)]
 fn between<S: Lane>(g: [S; 2], h: [S; 2]) -> [S; 2] {
     let inverse = |v: [S; 2]| S::one() / (v[0] * v[0] + v[1] * v[1]).sqrt();

@@ -89,8 +89,7 @@ impl Projection for Area {
             *to = Vec3::if_greater(moves, S::zero(), moved, *own);
         }
         let accurate = moves.if_greater(S::zero(), accurate, S::one());
-        // Fourth powers of lengths neither overflow nor underflow in this range; the comparisons
-        // also fail for NaN.
+        // Fourth powers of lengths stay in range here; the comparisons also fail for NaN.
         let accurate = s.if_greater(S::splat(1e-30), accurate, S::zero());
         let accurate = S::splat(1e30).if_greater(least, accurate, S::zero());
         S::splat(1e30).if_greater(s, accurate, S::zero()).all_greater(S::zero())

@@ -81,7 +81,7 @@ impl Projection for Bending {
     ) -> bool {
         self.bend_to_limits(rest, v, measure(rest, v), projected);
         let squared = v.iter().fold(S::zero(), |sum, p| sum + p.length_squared());
-        // Fourth powers of lengths neither overflow nor underflow in this range.
+        // Fourth powers of lengths stay in range here.
         let accurate = squared.if_greater(S::splat(1e-60), S::one(), S::zero());
         S::splat(1e60).if_greater(squared, accurate, S::zero()).all_greater(S::zero())
     }
@@ -99,8 +99,7 @@ impl Projection for Bending {
 }
 
 impl Bending {
-    /// Projects to points whose bending vector, with this length and direction, is within the
-    /// limits.
+    /// Brings the bending vector, with this length and direction, within the limits.
     #[inline(always)]
     fn bend_to_limits<S: Lane>(
         &self,
@@ -133,9 +132,8 @@ fn measure<S: Lane>(rest: &[Vec3<S>], v: &[Vec3<S>]) -> (S, Vec3<S>) {
     (length, Vec3::if_greater(squared, is_bent, s * (one / length), normal))
 }
 
-/// Returns the weights, whose squares sum to one, of a hinge of size about one; all zero if both
-/// triangles have no area. Cotangents are dot over cross product; here they are multiplied by both
-/// areas.
+/// Returns the weights, normalised, of a hinge of size about one; all zero if both triangles have
+/// no area. Cotangents are dot over cross product; here they are multiplied by both areas.
 fn weights([a, b, c, d]: [Vec3<f64>; 4]) -> [f64; 4] {
     let edge = b - a;
     let area = |corner: Vec3<f64>| edge.cross(corner - a).length();

@@ -1,5 +1,4 @@
-//! Circle (paper section 3.1): the least-squares plane, then the circle of Thomas and Chan in it.
-//! The radius may be given.
+//! Circle (paper section 3.1): least-squares plane, then the circle of Thomas and Chan in it.
 
 use crate::constraint::parameter::Limits;
 use crate::constraint::{
@@ -8,8 +7,7 @@ use crate::constraint::{
 use crate::math::{CircleFit, Lane, PrincipalRound, Vec3, centre};
 use serde::{Deserialize, Serialize};
 
-/// All vertices lie on one circle, in any order and at any spacing, of any radius, a given one, or
-/// one within limits.
+/// All vertices lie on one circle, in any order and spacing; its radius is free, given, or limited.
 ///
 /// Not exact: with vertices off a circle by 1 %, 10 % or 30 % of its radius, the squared distance is
 /// on average 3e-5, 3e-3 or 2.5 % greater than the least possible (8 vertices all around).

@@ -16,8 +16,7 @@ use serde::{Deserialize, Serialize};
 ///
 /// Not exact: for vertices off by 1 %, 10 % or 30 % of the length of an edge the squared distance
 /// is on average 2e-13, 3e-4 or 4e-7 greater than the least possible, and at most 3e-12, 8e-3 or
-/// 1e-5 (25 vertices each). If a neighbour coincides with the vertex, its direction is arbitrary
-/// and the condition holds.
+/// 1e-5 (25 vertices each). The condition holds if a neighbour coincides with the vertex.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Conical {}
@@ -69,8 +68,7 @@ impl Projection for Conical {
         accurate.all_greater(S::zero())
     }
 
-    /// Takes the nearest among the results of damped steps and those of merging the vertex with a
-    /// neighbour.
+    /// Takes the nearest result of damped steps, or of merging the vertex with a neighbour.
     fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let unit = v.iter().fold(0.0f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()));
         if unit == 0.0 {
@@ -92,12 +90,10 @@ impl Projection for Conical {
 const NEAR: usize = 10;
 const ONTO: usize = 4;
 
-/// Tolerance for the sine of `D / 2`: its rounding error if edges are much shorter than the
-/// coordinates.
+/// Tolerance for the sine of `D / 2`, for edges much shorter than the coordinates.
 const ROUNDING: f64 = 1e-12;
 
-/// Upper bound on the squared correction, relative to the square of the shortest edge, for the
-/// closed form; greater corrections are left to the robust projection.
+/// Greatest squared correction of the closed form, relative to the squared shortest edge.
 const MILD: f64 = 0.25;
 
 /// The angles around the vertex.
@@ -138,8 +134,7 @@ impl<S: Lane> Angles<S> {
         Angles { lengths, cosine, sine, gradient }
     }
 
-    /// Returns the points closest to `v` at which the linearisation of `D` at `x`, the points of
-    /// these angles, is zero.
+    /// Returns the points closest to `v` that satisfy `D = 0`, linearised at `x` with these angles.
     #[inline(always)]
     fn nearest(&self, v: &[Vec3<S>; 5], x: &[Vec3<S>; 5]) -> [Vec3<S>; 5] {
         let (mut square, mut slope) = (S::zero(), S::zero());

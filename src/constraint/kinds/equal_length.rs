@@ -55,7 +55,7 @@ impl Projection for EqualLength {
             let length = squared.sqrt();
             sum += length;
             half_and_length.copy_from_slice(&[half, Vec3::new(length, length, length)]);
-            // Squared lengths neither overflow nor underflow in this range.
+            // Squared lengths stay in range here.
             accurate = squared.if_greater(S::splat(1e-60), accurate, S::zero());
             accurate = S::splat(1e60).if_greater(squared, accurate, S::zero());
         }

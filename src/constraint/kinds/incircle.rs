@@ -9,8 +9,7 @@ use serde::{Deserialize, Serialize};
 /// touch a circle inside; those of a non-planar quad touch a sphere.
 ///
 /// Not always exact: for vertices off by up to 30 % of the size of such a quad nothing closer was
-/// found, but for 2 of 400 clouds of four points something was. Coincident vertices form a side of
-/// zero length.
+/// found, but for 2 of 400 clouds of four points something was. Coincident vertices are allowed.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Incircle {}

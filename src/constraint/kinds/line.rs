@@ -8,8 +8,7 @@ use serde::{Deserialize, Serialize};
 
 /// All vertices lie on one straight line, of any direction or of a given one.
 ///
-/// If several directions fit equally well (the corners of a square, coincident points), one is
-/// chosen.
+/// If several directions fit equally well (corners of a square, coincident points), one is chosen.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Line {

@@ -1,5 +1,4 @@
-//! Line segment (paper section 3.3): the ends of an edge have a given distance, or one within
-//! limits.
+//! Line segment (paper section 3.3): two vertices at a given distance, or at one within limits.
 
 use crate::constraint::parameter::{Limits, Target};
 use crate::constraint::{Arity, Centring, Info, Projection, TargetShape};
@@ -64,7 +63,7 @@ impl Projection for LineSegment {
         let length = squared.sqrt();
         let half = half * (self.clamped(length, rest[0].x) / length);
         projected.copy_from_slice(&[-half, half]);
-        // Squared lengths neither overflow nor underflow in this range.
+        // Squared lengths stay in range here.
         let accurate = squared.if_greater(S::splat(1e-60), S::one(), S::zero());
         S::splat(1e60).if_greater(squared, accurate, S::zero()).all_greater(S::zero())
     }

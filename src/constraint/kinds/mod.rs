@@ -1,8 +1,7 @@
 //! The projection operators, one file each, and the list of them.
 //!
-//! A kind needs only its line in the list, which declares the module and adds it to [`Kind`]. (As a
-//! macro declares the modules, `cargo fmt` does not find these files; `npm test` passes them to
-//! it.)
+//! Each line declares the module of a kind and adds it to [`Kind`]; nothing else needs to know the
+//! kind. (`cargo fmt` does not find modules declared by a macro; `npm test` passes them to it.)
 //!
 //! | file or folder | holds |
 //! |---|---|

@@ -7,22 +7,20 @@ use crate::math::{Cubic, Lane, Vec3, cosine};
 use serde::{Deserialize, Serialize};
 
 /// The vertices glide along the polyline of their rest positions, in the given order, each on its
-/// own piece: from one corner to the next. Corners and the ends of an open curve stay at their rest
-/// positions.
+/// own piece: from one corner to the next. Corners and ends of open curves stay where they are at
+/// rest.
 ///
-/// A corner is a vertex at which the curve turns by more than `corners`. A curve of three or more
-/// vertices is closed if the gap from its last vertex to its first is at most 1.5 times the longest
-/// of its other segments, unless `closed` says yes or no. There is no corner at a segment without
-/// length.
+/// A corner is a vertex at which the curve turns by more than `corners`; not at a segment without
+/// length. A curve of three or more vertices is closed if the gap from its last vertex to its first
+/// is at most 1.5 times the longest of its other segments, unless `closed` says yes or no.
 ///
-/// Each vertex is projected to the closest point of its piece, or to one of several equally close
-/// ones.
+/// Each vertex is projected to the closest point of its piece; one is chosen if several are.
 ///
 /// Between the rest positions the curve is straight or a `spline`: one cubic per segment, with
 /// continuous direction within a piece. The tangent at a vertex is that of the parabola through it
 /// and its two neighbours in the centripetal parametrisation, which rules out loops between them
-/// (Yuksel, Schaefer, Keyser 2011); at the end of a piece, that of the parabola through the last
-/// three vertices.
+/// (Yuksel, Schaefer, Keyser 2011); at an end of a piece, of the parabola through its last three
+/// vertices.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct OnCurve {
@@ -123,8 +121,7 @@ impl Projection for OnCurve {
         })
     }
 
-    /// The same in units of the largest coordinate, so that squared lengths neither overflow nor
-    /// underflow.
+    /// The same in units of the largest coordinate, so that squared lengths stay in range.
     fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let largest = |points: &[Vec3<f64>]| {
             points.iter().fold(0.0f64, |largest, p| largest.max(largest_coordinate(*p)))

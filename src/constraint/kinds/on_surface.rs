@@ -1,5 +1,4 @@
-//! On surface: the closest point `c(v)` of the rest surface (paper Eq. 11), as a shape constraint
-//! on some of the vertices.
+//! On surface: the closest point `c(v)` of the rest surface (paper Eq. 11) as a shape constraint.
 
 use crate::constraint::kinds::shared::separate_lanes;
 use crate::constraint::{Arity, Centring, Info, Projection, Reference};
@@ -12,8 +11,8 @@ use std::rc::Rc;
 /// The vertices glide on the rest surface of the whole mesh: its faces, triangulated as fans, or
 /// its curves if there are no faces.
 ///
-/// Each vertex is projected to the closest point, or to one of several equally close ones. Points
-/// with a coordinate beyond 1e100 are first scaled down to it.
+/// Each vertex is projected to the closest point; one is chosen if several are. Points with a
+/// coordinate beyond 1e100 are first scaled down to it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct OnSurface {

@@ -15,13 +15,11 @@ use crate::constraint::{Arity, Centring, Info, Projection};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// The vertices lie in one plane and have the rest shape (flattened to its own plane) up to its
-/// size.
+/// The vertices lie in one plane and have the rest shape, flattened to its own plane, in any size.
 ///
-/// Not exact, unless the vertices are planar, as three of them always are: the closest similar
-/// shape need not lie in the least-squares plane. With vertices off such a shape by 1 %, 10 % or
-/// 30 % of its size, the squared distance is on average 1e-5, 3e-3 or 1 % greater than the least
-/// possible (8 vertices).
+/// Not exact, unless the vertices are planar, as three always are: the closest similar shape need
+/// not lie in the least-squares plane. With vertices off such a shape by 1 %, 10 % or 30 % of its
+/// size, the squared distance is on average 1e-5, 3e-3 or 1 % greater than the least (8 vertices).
 ///
 /// If several planes fit the vertices equally well, one is chosen. Coincident vertices, and a rest
 /// shape without size, give one point.
@@ -83,8 +81,7 @@ impl Projection for PlanarSimilar {
     }
 }
 
-/// Writes the rest shape, placed as close to `v` as possible in the plane with unit normal `n` or
-/// `-n`.
+/// Writes the rest shape as close to `v` as possible, in the plane with unit normal `n` or `-n`.
 #[inline(always)]
 fn place<S: Lane>(rest: &[Vec3<S>], v: &[Vec3<S>], n: Vec3<S>, projected: &mut [Vec3<S>]) {
     let (mut x, mut y) = (Vec3::zero(), Vec3::zero());

@@ -132,8 +132,8 @@ fn frame_across(along: &Direction) -> [Vec3<f64>; 2] {
     [e, along.cross(e)]
 }
 
-/// Returns the normal of the closest plane among those whose normals are combinations of `e` and
-/// `f`, and one in the lanes in which it is accurate, else zero.
+/// Returns the normal, a combination of `e` and `f`, of the closest plane, and one per accurate
+/// lane, else zero.
 ///
 /// The coordinates along `e` and `f` have a 2x2 scatter matrix; the angle of its greatest
 /// eigenvector is half of that of `(xx - yy, 2 xy)`.

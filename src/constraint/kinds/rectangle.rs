@@ -90,7 +90,7 @@ impl Projection for Rectangle {
         let mean = (length_a + length_b) * half;
         let (a, b) = (a * (mean / length_a), b * (mean / length_b));
         projected.copy_from_slice(&[a, b, -a, -b]);
-        // Squared lengths neither overflow nor underflow in this range.
+        // Squared lengths stay in range here.
         let accurate = aa.min(bb).if_greater(S::splat(1e-60), good, S::zero());
         S::splat(1e60).if_greater(aa.max(bb), accurate, S::zero()).all_greater(S::zero())
     }
@@ -111,8 +111,7 @@ impl Projection for Rectangle {
     }
 }
 
-/// Returns the half-diagonals in the least-squares plane, and one in the lanes in which they are
-/// accurate, else zero.
+/// Returns the half-diagonals in the least-squares plane, and one per accurate lane, else zero.
 // Not inlined, to keep register pressure low for the closest rectangle.
 #[inline(never)]
 fn flat_half_diagonals<S: Lane>(v: &[Vec3<S>]) -> (Vec3<S>, Vec3<S>, S) {
@@ -127,8 +126,8 @@ fn flat_half_diagonals<S: Lane>(v: &[Vec3<S>]) -> (Vec3<S>, Vec3<S>, S) {
     (a, b, least.if_greater(bound, n.accurate * scatter.in_range, S::zero()))
 }
 
-/// Replaces four points by the closest rectangle. If one diagonal is zero, it gets the direction
-/// `across` the other one.
+/// Replaces four points by the closest rectangle. A zero diagonal gets direction `across` the
+/// other.
 fn closest(v: &mut [Vec3<f64>], across: impl Fn(Vec3<f64>) -> Vec3<f64>) {
     let (length_a, a) = (v[0] - v[2]).length_and_direction();
     let (length_b, b) = (v[1] - v[3]).length_and_direction();

@@ -32,8 +32,7 @@ macro_rules! kinds {
             /// Returns the kind named `id` with the parameters `params`.
             ///
             /// # Errors
-            /// If no kind has that id, or a parameter is unknown, of the wrong type or out of
-            /// range.
+            /// If the id is unknown, or a parameter is unknown, of the wrong type or out of range.
             pub fn new(id: &str, params: serde_json::Value) -> Result<Kind, KindError> {
                 $(if id == $module::$Kind::INFO.id {
                     let kind = Kind::$Kind(crate::json::read(&params)?);

@@ -3,8 +3,7 @@
 //! The paper fits the regular polygon as a template, by the similarity of Umeyama 1991. As its
 //! corners lie in a plane, only two columns of the 3x3 matrix of Umeyama matter,
 //! `p = sum cos(2 pi k / n) v_k` and `q = sum sin(2 pi k / n) v_k`. The best frame in space is the
-//! closest pair of equal, orthogonal vectors to them, and gives either orientation without a
-//! reflection.
+//! closest pair of equal, orthogonal vectors to them, of either orientation without a reflection.
 
 use crate::constraint::{Arity, Centring, Info, Projection, TargetShape};
 use crate::math::{Lane, OrthogonalPair, UnitPolygon, Vec3};
@@ -58,8 +57,7 @@ impl Projection for RegularPolygon {
     }
 }
 
-/// Returns `p` and `q`, divided by `n / 2`: the half-axes of the closest affine image of the
-/// polygon.
+/// Returns `p` and `q` divided by `n / 2`: the half-axes of the closest affine polygon.
 #[inline(always)]
 fn sums<S: Lane>(corners: &[[f64; 2]], v: &[Vec3<S>]) -> (Vec3<S>, Vec3<S>) {
     let (mut p, mut q) = (Vec3::zero(), Vec3::zero());

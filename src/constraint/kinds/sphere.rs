@@ -1,5 +1,4 @@
-//! Sphere (paper section 3.1): the fit of the circle (Thomas and Chan) applied to the points in
-//! space. The radius may be given.
+//! Sphere (paper section 3.1): the fit of the circle (Thomas and Chan) for points in space.
 
 use crate::constraint::parameter::Limits;
 use crate::constraint::{
@@ -8,7 +7,7 @@ use crate::constraint::{
 use crate::math::{Lane, PrincipalRound, Round, RoundWithin, Scatter, Vec3, centre};
 use serde::{Deserialize, Serialize};
 
-/// All vertices lie on one sphere, of any radius, a given one, or one within limits.
+/// All vertices lie on one sphere; its radius is free, given, or limited.
 ///
 /// Not exact: with vertices off a sphere by 1 %, 10 % or 30 % of its radius, the squared distance
 /// is on average 6e-5, 7e-3 or 6 % greater than the least possible (8 vertices all around).

@@ -9,8 +9,7 @@ use serde::{Deserialize, Serialize};
 /// equally long and orthogonal.
 ///
 /// If the diagonals are parallel or one of them is zero, as for collinear vertices, all planes
-/// through their line are equally close, and one is chosen. If both are zero, all vertices
-/// coincide.
+/// through their line are equally close, and one is chosen. If both are zero, all vertices meet.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Square {}

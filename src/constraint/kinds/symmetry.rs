@@ -22,7 +22,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 pub struct Symmetry {
     /// The normal of the mirror plane.
     mirror: Direction,
-    /// The axis of the rotation, used instead of the mirror plane if given.
+    /// The axis of the rotation; if given, it replaces the mirror plane.
     axis: Option<Direction>,
     /// The order of the rotational symmetry.
     #[serde(deserialize_with = "whole")]

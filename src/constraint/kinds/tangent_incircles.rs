@@ -6,13 +6,11 @@ use crate::constraint::{Arity, Centring, Element, Info, Projection};
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// An edge between two triangles, then the two corners opposite to it: the incircles of the
-/// triangles touch each other. Equivalently, opposite sides of the quad around both have the same
-/// sum.
+/// An edge between two triangles, then the two opposite corners: the incircles of the triangles
+/// touch each other. Equivalently, opposite sides of the quad around both have the same sum.
 ///
 /// Not always exact: for vertices off by up to 30 % of the size of such a quad nothing closer was
-/// found, but for 2 of 400 clouds of four points something was. Coincident vertices form a side of
-/// zero length.
+/// found, but for 2 of 400 clouds of four points something was. Coincident vertices are allowed.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct TangentIncircles {}

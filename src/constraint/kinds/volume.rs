@@ -85,7 +85,7 @@ impl Projection for Volume {
         }
         let close = moves.if_greater(S::zero(), close, S::one());
         let accurate = close.if_greater(S::zero(), accurate, S::zero());
-        // Cubes of lengths neither overflow nor underflow in this range.
+        // Cubes of lengths stay in range here.
         let accurate = a.if_greater(S::splat(1e-30), accurate, S::zero());
         let accurate = S::splat(1e30).if_greater(least, accurate, S::zero());
         S::splat(1e30).if_greater(a, accurate, S::zero()).all_greater(S::zero())
@@ -114,8 +114,7 @@ impl Projection for Volume {
     }
 }
 
-/// Returns four centred points in the orthonormal basis, ordered so that the determinant has the
-/// sign of the volume.
+/// Returns four centred points in the basis; the determinant has the sign of the volume.
 #[inline(always)]
 fn rows<S: Lane>(v: &[Vec3<S>]) -> [Vec3<S>; 3] {
     // Halved first, as the sum of four finite numbers need not be finite.

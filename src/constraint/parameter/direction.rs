@@ -1,4 +1,4 @@
-//! A direction in space that the scene file gives.
+//! A direction in space, from the scene file.
 //!
 //! In JSON an array of three numbers, not all zero, of any length.
 

@@ -1,5 +1,4 @@
-//! Parameters of kinds: their declaration, deserialisation, and value types shared by several
-//! kinds.
+//! Parameters of kinds: declaration, deserialisation, and value types of several kinds.
 //!
 //! | file | holds |
 //! |---|---|

@@ -20,8 +20,7 @@ impl Target {
     /// The word for [`Target::Rest`].
     pub(crate) const REST: &'static str = "rest";
 
-    /// Returns the parameters of a kind with a target: the amount, named like its unit, and
-    /// `strain`.
+    /// Returns the parameters of a kind with a target: the amount, named by `unit`, and `strain`.
     pub(crate) const fn params(
         unit: &'static str,
         label: &'static str,

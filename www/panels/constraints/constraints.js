@@ -249,8 +249,7 @@ function paramsInWords(row, params, units) {
 }
 
 /**
- * Returns the accessible name of the focused field, to restore the focus. @param {HTMLElement}
- * place
+ * The accessible name of the focused field, to restore the focus. @param {HTMLElement} place
  */
 function focusedField(place) {
   const { activeElement } = document;

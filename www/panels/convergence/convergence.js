@@ -9,7 +9,9 @@ import { energyOrNothing } from '../../ui/rounding.js';
 
 /** @typedef {import("../../ui/plot/plot.js").EnergyPlot} EnergyPlot */
 
-/** A plot of thousands of iterations takes some milliseconds. */
+/**
+ * The least interval between redraws: a plot of thousands of iterations takes some milliseconds.
+ */
 const PLOT_EVERY_MS = 250;
 
 export class Convergence {
@@ -62,8 +64,7 @@ export class Convergence {
   }
 
   /**
-   * Returns the columns iteration, shape, close, smooth, handles, total, with rounding shown as
-   * zero.
+   * Returns columns: iteration, shape, close, smooth, handles, total; rounding errors as zero.
    * @param {Float64Array} trace
    */
   #columnsOf(trace) {

@@ -1,6 +1,5 @@
 /**
- * Advanced settings of a scene: closeness, smoothness and solver. Built from their declarations
- * when first opened.
+ * Advanced settings of a scene: closeness, smoothness, solver. Built from their declarations.
  */
 
 import './settings.css';

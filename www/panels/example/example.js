@@ -1,6 +1,5 @@
 /**
- * Note on the open example: its figure, what to look for, and links to the previous and next
- * examples.
+ * Note on the open example: its figure, what to look for, and links to its neighbours.
  */
 
 import { element } from '../../ui/dom.js';

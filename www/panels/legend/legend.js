@@ -1,7 +1,6 @@
 /**
  * The legend of the face colours: a histogram of their values over the colour ramp, the ends of the
- * range, which can be dragged or entered, the number of faces within the tolerance, and the
- * displacement of the mesh.
+ * range, the number of faces within the tolerance, and the displacement of the mesh.
  */
 
 import { cover } from '../../viewport/covered.js';

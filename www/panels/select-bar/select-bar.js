@@ -1,7 +1,6 @@
 /**
- * The selection bar over the view: the shape of the drag, whether to select through the surface,
- * and the menu of all other operations. Shown while the Select tool is active, or something is
- * selected.
+ * The selection bar over the view: shape of the drag, selecting through the surface, and the menu
+ * of other operations. Shown while the Select tool is active, or something is selected.
  */
 
 import './select-bar.css';

@@ -1,6 +1,6 @@
 /**
- * Status of the environment in the status bar: offline, and software rendering. Loaded after the
- * page has started.
+ * The environment in the status bar: offline, software rendering. Loaded after the page has
+ * started.
  */
 
 import { element } from '../../ui/dom.js';

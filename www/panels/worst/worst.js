@@ -107,8 +107,7 @@ export function worstElements(panel, app) {
 
   /**
    * @param {WorstElement[]} found
-   * @param {import("../../solver/messages.js").FaceMeasure | undefined} about undefined for a
-   *   constraint
+   * @param {import("../../solver/messages.js").FaceMeasure | undefined} about not for constraints
    */
   function fill(found, about) {
     const state = store.get();

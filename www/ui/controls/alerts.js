@@ -80,8 +80,7 @@ export class Alerts {
   }
 
   /**
-   * Shows a message in place of the previous one, which concerns an action that has since been
-   * retried.
+   * Shows a message in place of the previous one, whose action has been retried since.
    * @param {string} message
    * @param {"error" | "notice"} kind
    * @param {Offer[]} [offers]

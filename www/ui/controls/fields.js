@@ -61,8 +61,7 @@ export function setOptions(select, options) {
 }
 
 /**
- * Makes a field for a non-negative number, reported on change. Invalid input is replaced by the
- * last shown value.
+ * Makes a field for a non-negative number, reported on change. Invalid input is reverted.
  * @param {string} name
  * @param {(value: number) => unknown} onchange
  * @param {Attributes} [attributes]

@@ -1,6 +1,5 @@
 /**
- * The forms of parameter values: their keys and labels, conversion of a value to another form, and
- * values in words.
+ * The forms of parameter values: keys, labels, conversion between forms, and values in words.
  */
 
 import { number } from '../format.js';

@@ -1,6 +1,5 @@
 /**
- * Controls for the parameters of a kind, made from their declaration: a choice of forms, and fields
- * for each form.
+ * Controls for the parameters of a kind, made from their declaration: forms and their fields.
  */
 
 import { element } from '../dom.js';

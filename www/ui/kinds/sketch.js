@@ -6,8 +6,7 @@ const MARGIN = 0.08;
 const DOT = 0.045;
 
 /**
- * Makes the drawing, in the colour of `--chip`. Hidden from screen readers: the control has the
- * name.
+ * Makes the drawing, in the colour of `--chip`; hidden from screen readers.
  * @param {import("../../solver/messages.js").Sketch} drawing
  */
 export function sketch({ points, projected, lines, outlines }) {

@@ -4,8 +4,7 @@ import { setAttribute } from '../dom.js';
 
 const SPACE = 'http://www.w3.org/2000/svg';
 /**
- * The least height of a non-empty bar, relative to the drawing: a single outlier among thousands of
- * faces must be visible.
+ * The least relative height of a non-empty bar: one outlier among thousands must be visible.
  */
 const LEAST = 1 / 15;
 

@@ -21,8 +21,7 @@ export const COUNTS = [1, 10, 100, 1000, 1e4, 1e5].flatMap((power) => [
   5 * power,
 ]);
 /**
- * Decades below the greatest energy that are drawn; smaller energies are drawn at the lower end, as
- * a logarithm has no zero.
+ * Decades below the greatest energy; smaller energies are drawn at the lower end.
  */
 const DECADES = 12;
 
@@ -62,8 +61,7 @@ export class EnergyPlot {
   }
 
   /**
-   * Redraws after a change of theme, as uPlot paints on a canvas, where style sheets have no
-   * effect.
+   * Redraws after a change of theme: uPlot paints on a canvas, without style sheets.
    */
   restyle() {
     if (!this.#plot) return;

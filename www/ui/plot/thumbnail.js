@@ -1,6 +1,5 @@
 /**
- * Thumbnails of shapes: faces drawn from far to near, shaded, and coloured by the displacement of
- * their corners.
+ * Thumbnails of shapes: faces from far to near, shaded, and coloured by displacement.
  */
 
 import { colourOf } from '../dom.js';
@@ -114,8 +113,8 @@ function relativeLengths(ways) {
 }
 
 /**
- * Returns how directly a face is seen, from 0 to 1. @param {Float32Array} points @param
- * {Uint32Array} corners
+ * How directly a face is seen, from 0 to 1. @param {Float32Array} points @param {Uint32Array}
+ * corners
  */
 function facing(points, corners) {
   let [x, y, z] = [0, 0, 0];

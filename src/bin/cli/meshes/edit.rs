@@ -22,8 +22,7 @@ pub(in crate::cli) struct Remesh {
     out: Option<PathBuf>,
 }
 
-/// Parses the arguments. Input and operation come first, as the operation determines the options
-/// for sizes.
+/// Parses the arguments: input, operation, then the options, which depend on the operation.
 pub(in crate::cli) fn parse(mut words: Words) -> Result<Remesh, String> {
     let known = || MESH_OPERATIONS.iter().map(|it| it.id).collect::<Vec<_>>().join(", ");
     let Some(Word::File(input)) = words.next()? else {

@@ -5,8 +5,7 @@ use shape_up::mesh::{Mesh, Weld, counted, write_medit};
 use shape_up::session::Session;
 use std::path::Path;
 
-/// Returns the text of the file `path`; with the original vertices and faces if the mesh was
-/// welded.
+/// Returns the text of the file `path`, with the original vertices and faces of a welded mesh.
 pub(in crate::cli) fn text(path: &Path, session: &Session, weld: Option<&Weld>) -> String {
     let now = session.positions();
     match (is_medit(path), weld) {

@@ -39,7 +39,7 @@ struct Span {
 /// The default size of a panel, relative to the length of the first curve.
 const PANEL: f64 = 0.05;
 
-/// Parses the arguments. The kind comes first, as it determines the options for sizes.
+/// Parses the arguments: the kind, then the options, which depend on the kind.
 pub(in crate::cli) fn parse(mut words: Words) -> Result<New, String> {
     let known = || {
         NEW_KINDS.iter().map(|kind| kind.id).collect::<Vec<_>>().join(", ")

@@ -1,5 +1,4 @@
-//! `shape-up refine`: subdivides the mesh of a scene or a mesh file, and solves at every level if
-//! panels are required.
+//! `shape-up refine`: subdivides a scene or a mesh, solving at every level if panels are required.
 
 use super::mesh_file;
 use crate::cli::arguments::Refine;

@@ -22,12 +22,11 @@ const HEAD: [&str; 9] = [
     "file",
 ];
 
-/// The entries in column `altered` for an unreadable file, and for one of another mesh or lesson.
+/// Entries of column `altered`: for an unreadable file, and for one of another mesh or lesson.
 const NOT_RESULTS: &str = "unreadable";
 const OTHER: &str = "another mesh or lesson";
 
-/// Checks every results file in `folder`, sorted by the name of the student. The default scene is
-/// the one in the folder.
+/// Checks all results files in `folder`, sorted by student. The default scene is the one in it.
 pub(crate) fn check(
     folder: &Path,
     scene: Option<&Path>,

@@ -3,7 +3,7 @@
 //! | file | holds |
 //! |---|---|
 //! | `pitot` | quads with an incircle, and pairs of triangles with tangent incircles |
-//! | `symmetry_group` | the symmetries of a regular polygon about an axis |
+//! | `symmetry_group` | a mirror plane or a rotation axis, and the pairing of images |
 //! | `separate_lanes` | projection lane by lane, for operators whose control flow depends on the points |
 
 pub(super) mod pitot;

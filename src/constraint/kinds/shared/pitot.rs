@@ -80,8 +80,7 @@ impl<S: Lane> Newton<S> {
             e + bend1(bend0(e))
         });
         let (r0, r1, r2) = (c1.cross(c2), c2.cross(c0), c0.cross(c1));
-        // The determinant is at least one: the matrix is the identity plus a product of two
-        // positive semidefinite matrices.
+        // At least one: the identity plus a product of two positive semidefinite matrices.
         let determinant = one / c0.dot(r0);
         let solve = |x: Vec3<S>| Vec3::new(r0.dot(x), r1.dot(x), r2.dot(x)) * determinant;
         let q0 = solve(-off[1] - bend1(off[0]));
@@ -178,8 +177,7 @@ fn difference(v: &[Vec3<f64>]) -> f64 {
     a + c - b - d
 }
 
-/// The number of stages in which the difference is reduced to zero, and of iterations from other
-/// starts.
+/// The number of stages in which the difference is reduced, and of iterations from other starts.
 const STAGES: usize = 32;
 
 /// Returns a start for the iteration for `p` and `q`: their values at a point with the shape not
@@ -219,8 +217,7 @@ fn candidates(v: &[Vec3<f64>]) -> Vec<[Vec3<f64>; 4]> {
         newton.run(STEPS);
     }
     found.extend(newton.found(v));
-    // Newton's method from nearby points that have the shape, approached from the points and from
-    // perturbed copies.
+    // From nearby points that have the shape, approached from the points and perturbed copies.
     for k in 0..4 {
         for beside in [0.0, 0.1, -0.1] {
             let mut x = [v[0], v[1], v[2], v[3]];
@@ -236,8 +233,7 @@ fn candidates(v: &[Vec3<f64>]) -> Vec<[Vec3<f64>; 4]> {
             }
         }
     }
-    // Degenerate shapes: two consecutive vertices coincide on the segment between the other two, or
-    // three coincide.
+    // Two consecutive vertices coincide on the segment between the other two, or three coincide.
     for k in 0..4 {
         let [a, b, c, d] = [k, k + 1, k + 2, k + 3].map(|k| k % 4);
         let both = (v[a] + v[b]) * 0.5;

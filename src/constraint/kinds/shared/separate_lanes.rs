@@ -2,9 +2,8 @@
 
 use crate::math::{Lane, Vec3};
 
-/// Calls `project` with the number of each lane to write its projections, until it returns false;
-/// true if it never does. A lane equal to the previous one, such as the padding of a batch, is
-/// copied.
+/// Calls `project` for each lane until it returns false; true if it never does. A lane equal to the
+/// previous one, such as the padding of a batch, is copied.
 #[inline(always)]
 pub(crate) fn separate_lanes<S: Lane>(
     rest: &[Vec3<S>],
