@@ -2,9 +2,7 @@
 
 /** @typedef {HTMLElementTagNameMap} Tags */
 /** @typedef {Record<string, string | number | boolean | ((event: any) => void)>} Attributes */
-/**
- * Falsy children are skipped. @typedef {Node | string | false | null | undefined} Child
- */
+/** Falsy children are skipped. @typedef {Node | string | false | null | undefined} Child */
 
 /**
  * Makes an element: `element('p.quiet', { id: 'note' }, 'Saved')`. Attributes whose names start

@@ -25,9 +25,7 @@ export function readLength(text, units) {
 /** @param {string} digits */
 const valueOf = (digits) => Number(digits.replace(',', '.'));
 
-/**
- * Resolution of coordinates relative to the model: millimetres for a building of some 100 m.
- */
+/** Resolution of coordinates relative to the model: millimetres for a building of some 100 m. */
 const STEPS = 2e5;
 const MOST_DECIMALS = 12;
 

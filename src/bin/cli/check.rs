@@ -11,7 +11,7 @@ use shape_up::scene::Forecast;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Lengths of strips in the text; the report has all strips.
+/// The number of lines on strips in the text; the report has all strips.
 const LINES: usize = 3;
 
 /// The report written by `--report`.

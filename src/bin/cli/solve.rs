@@ -12,7 +12,7 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
-/// Pinned vertices named in the summary; the report has them all.
+/// The most pinned vertices named in the summary; the report has them all.
 const NAMED_PINS: usize = 8;
 
 pub(super) fn solve(command: &Solve) -> Result<(), Failure> {

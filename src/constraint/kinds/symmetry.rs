@@ -10,8 +10,8 @@ use serde::{Deserialize, Deserializer, Serialize};
 /// The set of vertices is its own mirror image, or its own image under rotation by a full turn over
 /// `fold`. Only the direction of the plane or axis is given: its position is fitted.
 ///
-/// Images are paired at rest: the image of a vertex is the one whose rest position is nearest to
-/// the image, and no farther from it than 1e-3 of the size of the rest shape. Vertices without a
+/// Images are found at rest: the image of a vertex is the vertex nearest to its transformed
+/// position, and no farther from that than 1e-3 of the size of the rest shape. Vertices without a
 /// partner are free; of several at one rest position all but one may be. A vertex that is its own
 /// image stays on the plane or axis.
 ///

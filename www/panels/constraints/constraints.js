@@ -248,9 +248,7 @@ function paramsInWords(row, params, units) {
   return words.map((one) => ` · ${one}`).join('');
 }
 
-/**
- * The accessible name of the focused field, to restore the focus. @param {HTMLElement} place
- */
+/** The accessible name of the focused field, to restore the focus. @param {HTMLElement} place */
 function focusedField(place) {
   const { activeElement } = document;
   return place.contains(activeElement) ? activeElement?.getAttribute('aria-label') : null;

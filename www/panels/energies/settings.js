@@ -1,6 +1,4 @@
-/**
- * Advanced settings of a scene: closeness, smoothness, solver. Built from their declarations.
- */
+/** Advanced settings of a scene: closeness, smoothness, solver. Built from their declarations. */
 
 import './settings.css';
 import { button } from '../../ui/controls/fields.js';

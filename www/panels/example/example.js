@@ -1,6 +1,4 @@
-/**
- * Note on the open example: its figure, what to look for, and links to its neighbours.
- */
+/** Note on the open example: its figure, what to look for, and links to its neighbours. */
 
 import { element } from '../../ui/dom.js';
 import { linkTo } from '../../documents/example-links.js';

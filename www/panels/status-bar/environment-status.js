@@ -1,7 +1,4 @@
-/**
- * The environment in the status bar: offline, software rendering. Loaded after the page has
- * started.
- */
+/** The environment in the status bar: offline, software rendering. Loaded after the page starts. */
 
 import { element } from '../../ui/dom.js';
 import { isDrawn } from '../../store/state.js';

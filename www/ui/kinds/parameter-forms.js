@@ -1,6 +1,4 @@
-/**
- * The forms of parameter values: keys, labels, conversion between forms, and values in words.
- */
+/** The forms of parameter values: keys, labels, conversion between forms, and values in words. */
 
 import { number } from '../format.js';
 

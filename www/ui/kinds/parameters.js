@@ -1,6 +1,4 @@
-/**
- * Controls for the parameters of a kind, made from their declaration: forms and their fields.
- */
+/** Controls for the parameters of a kind, made from their declaration: forms and their fields. */
 
 import { element } from '../dom.js';
 import {

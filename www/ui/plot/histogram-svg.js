@@ -3,9 +3,7 @@
 import { setAttribute } from '../dom.js';
 
 const SPACE = 'http://www.w3.org/2000/svg';
-/**
- * The least relative height of a non-empty bar: one outlier among thousands must be visible.
- */
+/** The least relative height of a non-empty bar: one outlier among thousands must be visible. */
 const LEAST = 1 / 15;
 
 /** @param {"outline" | "bars"} look */

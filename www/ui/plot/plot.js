@@ -20,9 +20,7 @@ export const COUNTS = [1, 10, 100, 1000, 1e4, 1e5].flatMap((power) => [
   2 * power,
   5 * power,
 ]);
-/**
- * Decades below the greatest energy; smaller energies are drawn at the lower end.
- */
+/** Decades below the greatest energy; smaller energies are drawn at the lower end. */
 const DECADES = 12;
 
 export class EnergyPlot {
@@ -60,9 +58,7 @@ export class EnergyPlot {
     this.#writeKey(columns[0].length - 1);
   }
 
-  /**
-   * Redraws after a change of theme: uPlot paints on a canvas, without style sheets.
-   */
+  /** Redraws after a change of theme: uPlot paints on a canvas, without style sheets. */
   restyle() {
     if (!this.#plot) return;
     this.#make();

@@ -1,6 +1,4 @@
-/**
- * Thumbnails of shapes: faces from far to near, shaded, and coloured by displacement.
- */
+/** Thumbnails of shapes: faces from far to near, shaded, and coloured by displacement. */
 
 import { colourOf } from '../dom.js';
 
