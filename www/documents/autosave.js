@@ -1,9 +1,9 @@
 /**
- * Keeps what is worked on in this browser, one work per model that was opened in a tab: at once after
- * every edit, about every second of a run or a drag, and how it is looked at when the page is left. What
- * could be opened again anyway, an example as it comes, is not kept.
+ * Saves the user's work in this browser, one work per model opened in a tab: immediately after
+ * every edit, about once a second during a run or a drag, and the camera and display settings when
+ * the page is left. An unchanged example is not saved, since it can be opened again.
  *
- * A tab holds a lock on its work as long as it lives, so that no other tab takes it up.
+ * A tab holds a lock on its work while it lives, so that no other tab opens it.
  */
 
 import { viewOf } from '../viewport/saved-view.js';
@@ -15,12 +15,12 @@ import { contentsOf, pruneOldest, keep, recentDocuments } from './recent-documen
 /** @typedef {import("./recent-documents.js").Contents} Contents */
 
 const LOCK = 'shape-up.work.';
-/** Per tab: its work. */
+/** Key in session storage: the id of this tab's work. */
 const MINE = 'shape-up.work';
-/** In this browser: there is some. */
+/** Key in local storage: set when this browser has saved any work. */
 const ANY = 'shape-up.works';
 const OFF = 'Autosave is off: use Save scene';
-/** So long the lock of this tab's own work may still be with the page that was there before. */
+/** After a reload, the previous page may keep the lock of this tab's work for so long. */
 const RELOAD_MS = 2000;
 
 /** @type {{ text: string | null, progress: Uint8Array | null, view: string }} */
@@ -31,17 +31,17 @@ export class Autosave {
   #solver;
   #files;
   #seen;
-  /** Empty while another model is being opened. */
+  /** Id of the current work; empty while another model is being opened. */
   #id = '';
-  /** Lets go of the lock. @type {() => void} */
+  /** Releases the lock. @type {() => void} */
   #release = () => {};
-  /** What was saved last, or is on its way to the database. */
+  /** State saved last, or being written to the database. */
   #kept = NOTHING;
-  /** What the database said that it has. */
+  /** State whose write to the database has completed. */
   #confirmed = NOTHING;
   /** @type {Promise<void> | null} */
   #writing = null;
-  /** The address that the model was opened at. */
+  /** Fragment of the address at which the model was opened. */
   #hash = '';
 
   /**
@@ -56,7 +56,7 @@ export class Autosave {
     this.#files = files;
     this.#seen = seen;
     solver.on('model', () => {
-      // What comes until it has opened belongs to no work.
+      // Scenes that arrive before the new model has opened belong to no work.
       if (!solver.restoring) this.#id = '';
     });
     files.on('opened', () => this.#begin());
@@ -72,30 +72,30 @@ export class Autosave {
     if (store.get().model) this.#begin();
   }
 
-  /** The name of the work that is open. */
+  /** Id of the current work. */
   get id() {
     return this.#id;
   }
 
-  /** Another model is open: a work of its own, or one that goes on. */
+  /** Starts or resumes a work after a model has been opened. */
   async #begin() {
     const { work, saved, text = null } = this.#files.origin;
     const id = work ?? newId();
     this.#hash = location.hash;
-    // Somebody may have edited it since it was opened.
+    // The user may already have edited the model since it was opened.
     this.#kept = work && !saved?.progress ? { ...NOTHING, text } : NOTHING;
     this.#confirmed = this.#kept;
     this.#id = id;
     this.#seen.actions.describeFile({ saved: '' });
     remember(MINE, id, 'sessionStorage');
     this.#release();
-    // One that goes on was claimed before it was opened.
+    // A resumed work was claimed before it was opened.
     this.#release = claims.get(id) ?? (await claim(id)) ?? (() => {});
     await this.save();
     await pruneOldest((other) => claims.has(other)).catch(() => {});
   }
 
-  /** Saves what is not saved yet, and what comes meanwhile. */
+  /** Saves all unsaved changes, including those made while saving. */
   save() {
     this.#writing ??= this.#saveAll().finally(() => {
       this.#writing = null;
@@ -115,7 +115,7 @@ export class Autosave {
           saved: `Saved in this browser ${timeOf(next[0].savedAt)}`,
         });
       } catch {
-        // Blocked, as in some private windows, or full.
+        // Storage is blocked (as in some private windows) or full.
         this.#kept = NOTHING;
         this.#seen.actions.describeFile({ saved: OFF });
         return;
@@ -123,7 +123,7 @@ export class Autosave {
     }
   }
 
-  /** Saves before the page may be gone: also how the model is looked at. */
+  /** Saves before the page may be closed, including the view. */
   #saveAtOnce() {
     const confirmed = this.#confirmed;
     const next = this.#unsaved(true, confirmed);
@@ -141,8 +141,8 @@ export class Autosave {
   }
 
   /**
-   * What differs from what was saved last; it counts as saved from now on.
-   * @param {boolean} [withView] also when it is only looked at in another way
+   * Returns the difference from the state saved last, and marks it as saved.
+   * @param {boolean} [withView] also when only the view has changed
    * @param {typeof NOTHING} [kept]
    * @returns {[Work, Partial<Contents>] | null}
    */
@@ -174,14 +174,14 @@ export class Autosave {
   }
 }
 
-/** Works that this tab holds. @type {Map<string, () => void>} */
+/** Release functions of the works claimed by this tab, by id. @type {Map<string, () => void>} */
 const claims = new Map();
 
 /**
- * Takes a work for this tab.
+ * Claims a work for this tab.
  * @param {string} id
  * @param {LockOptions} [how]
- * @returns {Promise<(() => void) | null>} lets go of it; null when another tab has it
+ * @returns {Promise<(() => void) | null>} the release function; null if another tab has the work
  */
 function claim(id, how = { ifAvailable: true }) {
   return new Promise((done) => {
@@ -203,11 +203,11 @@ function claim(id, how = { ifAvailable: true }) {
   });
 }
 
-/** A work that is kept, but cannot be opened. */
+/** Error for a saved work that cannot be opened. */
 export class Unreadable extends Error {
   /**
    * @param {Work} work
-   * @param {unknown} raw what there is instead of the text of a scene
+   * @param {unknown} raw the stored value in place of the scene text
    * @param {string} reason
    */
   constructor(work, raw, reason) {
@@ -220,9 +220,9 @@ export class Unreadable extends Error {
 /** @typedef {{ work: Work, text: string, saved: import("../solver/messages.js").Saved }} Taken */
 
 /**
- * The work to go on with when the page opens: this tab's own, or the last one when no other tab is
- * open. It is claimed.
- * @returns {Promise<Taken | null>} rejects when it is {@link Unreadable}
+ * Returns the work to resume when the page opens, claimed: this tab's own work, or the most recent
+ * one if no other tab is open.
+ * @returns {Promise<Taken | null>} rejects with {@link Unreadable}
  */
 export async function lastWork() {
   if (!recall(ANY)) return null;
@@ -235,17 +235,17 @@ export async function lastWork() {
     if (!taken) throw new Error(`${own.title} is open in another tab of this browser.`);
     return taken;
   }
-  // Somebody who opens a link wants what it links to.
+  // A link in the address takes precedence over the last work.
   if (mine || location.hash || (await othersAreOpen())) return null;
   const last = list.find(({ unreadable }) => !unreadable);
   return last ? take(last) : null;
 }
 
 /**
- * A work with its contents, if it is free.
+ * Claims a work and reads its contents, unless another tab has it.
  * @param {Work} work
  * @param {LockOptions} [how]
- * @returns {Promise<Taken | null>} rejects when it is {@link Unreadable}
+ * @returns {Promise<Taken | null>} rejects with {@link Unreadable}
  */
 export async function take(work, how) {
   if (!(await claim(work.id, how))) return null;
@@ -260,7 +260,10 @@ export async function take(work, how) {
   return { work, text, saved };
 }
 
-/** Lets go of a work that could not be opened, so that it does not come back by itself. @param {Work} work */
+/**
+ * Releases a work that could not be opened and marks it, so that it is not resumed automatically.
+ * @param {Work} work
+ */
 export async function releaseWork(work) {
   claims.get(work.id)?.();
   await keep({ ...work, unreadable: true }, {}).catch(() => {});

@@ -1,6 +1,6 @@
 /**
- * A run that took the mesh apart: it was stopped, and what can be done is offered. An export of such
- * a shape asks first.
+ * Message for a run that was stopped because the mesh collapsed, with offers of what to do, and the
+ * question before such a shape is exported.
  */
 
 import { openDialog } from '../ui/controls/dialog.js';
@@ -9,7 +9,7 @@ import { element } from '../ui/dom.js';
 
 /**
  * @param {import("../app/context.js").AppContext} app
- * @param {string} collapse how, as the end of a sentence
+ * @param {string} collapse description, as the end of a sentence
  */
 export function reportCollapse({ alerts, actions }, collapse) {
   const text = `Stopped: ${collapse}.`;
@@ -29,8 +29,8 @@ export function reportCollapse({ alerts, actions }, collapse) {
 }
 
 /**
- * Asks whether a shape that has collapsed shall be exported as it is.
- * @param {string} collapse how, as the end of a sentence
+ * Asks whether to export a collapsed shape.
+ * @param {string} collapse description, as the end of a sentence
  * @returns {Promise<boolean>}
  */
 export function askToExport(collapse) {

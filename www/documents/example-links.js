@@ -1,5 +1,5 @@
 /**
- * The address that opens an example, which is permanent; `share-link.js` reads it.
+ * Returns the fragment that opens an example. Links are permanent; `share-link.js` reads them.
  * @param {string} id
  */
 export const linkTo = (id) => `#example=${id}`;

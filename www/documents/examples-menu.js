@@ -1,4 +1,4 @@
-/** The menu of the examples, with their pictures. It comes after the page itself. */
+/** Menu of the examples, with their pictures. Loaded after the page itself. */
 
 import { messageOf } from '../solver/messages.js';
 import { element } from '../ui/dom.js';
@@ -42,7 +42,7 @@ export async function examplesMenu(menu, { files, alerts, commands }) {
             files.openExample(example).catch((error) => alerts.error(messageOf(error)));
           },
         },
-        // It loads when the menu is opened; without a network it is not to be had.
+        // Loaded lazily when the menu opens; not available offline.
         element('img', {
           ...(navigator.onLine && {
             src: new URL(`pictures/${example.id}-end.svg`, document.baseURI).href,

@@ -1,7 +1,4 @@
-/**
- * Files in and out: open, the examples, save and export. Tells `opened` after each model that it has
- * opened.
- */
+/** File input and output: open, examples, save, export. Emits `opened` after each opened model. */
 
 import { count, ended, groupDigits, length } from '../ui/format.js';
 import { exampleFile, listOfExamples } from '../solver/examples.js';
@@ -16,16 +13,16 @@ import { rememberedFrame } from './units-prompt.js';
 /** @typedef {import("../solver/examples.js").Example} Example */
 
 /**
- * Where a model comes from.
+ * Source of a model.
  * @typedef {object} Origin
- * @property {boolean} [first] it is what the page opens with, solved
- * @property {Example} [example] whose mesh it has
- * @property {string} [work] the name under which it is kept in this browser, see `recent-documents.js`
- * @property {string} [title] of the work
- * @property {string} [text] of its scene as it is kept
- * @property {import("../solver/messages.js").Saved} [saved] beside its scene
- * @property {boolean} [asItCame] its vertices are not welded
- * @property {Before | null} [before] what was open before, which Undo opens again
+ * @property {boolean} [first] the model is the page's first one, already solved
+ * @property {Example} [example] whose mesh the model has
+ * @property {string} [work] id of the saved work, see `recent-documents.js`
+ * @property {string} [title] title of the work
+ * @property {string} [text] saved text of its scene
+ * @property {import("../solver/messages.js").Saved} [saved] its saved history and progress
+ * @property {boolean} [asItCame] do not weld the vertices
+ * @property {Before | null} [before] the previously open model, which Undo opens again
  */
 /** @typedef {{ given: NamedBytes[], origin: Origin }} Before */
 
@@ -33,11 +30,14 @@ const IS_RHINO = /\.3dm$/i;
 
 /** @extends {Emitter<{ opened: void }>} */
 export class Files extends Emitter {
-  /** Where the model that is open comes from. @type {Origin} */
+  /** Source of the current model. @type {Origin} */
   origin = {};
-  /** The text of its scene when it was opened; null when it is work that goes on. @type {string | null} */
+  /** Text of its scene when opened; null for resumed work. @type {string | null} */
   original = null;
-  /** Settles when what somebody chose last is open, or refused; null while nothing is on its way. @type {Promise<unknown> | null} */
+  /**
+   * Settles when the file chosen last is opened or refused; null when nothing is being opened.
+   * @type {Promise<unknown> | null}
+   */
   coming = null;
   /** @type {Promise<Example[]> | null} */
   #examples = null;
@@ -45,9 +45,9 @@ export class Files extends Emitter {
   #solver;
   #alerts;
   #actions;
-  /** What was opened last. @type {NamedBytes[]} */
+  /** The files opened last. @type {NamedBytes[]} */
   #given = [];
-  /** Base name for what is saved. */
+  /** Base name of saved files. */
   #name = 'model';
 
   /**
@@ -65,7 +65,7 @@ export class Files extends Emitter {
   }
 
   /**
-   * What somebody chose is on its way: whatever is pressed meanwhile is for that.
+   * Registers a pending opening: commands given meanwhile apply to the model being opened.
    * @template T
    * @param {Promise<T>} opening
    * @returns {Promise<T>}
@@ -78,18 +78,18 @@ export class Files extends Emitter {
     return coming;
   }
 
-  /** Base name for what is saved. */
+  /** Base name of saved files. */
   get name() {
     return this.#name;
   }
 
   /**
-   * Opens a mesh or a scene, with the mesh that the scene names beside it. When it is refused the
-   * old model stays and the alert says why.
+   * Opens a mesh, or a scene together with the mesh file that it names. If a file is refused, the
+   * current model stays and an alert gives the reason.
    * @param {NamedBytes[]} given
    * @param {Origin} [origin]
    * @param {AbortSignal} [cancelled]
-   * @returns {Promise<import("../solver/messages.js").Loaded>} rejects with what the alert says
+   * @returns {Promise<import("../solver/messages.js").Loaded>} rejects with the error of the alert
    */
   async open(given, origin = {}, cancelled) {
     try {
@@ -100,7 +100,7 @@ export class Files extends Emitter {
           `${unreadable.name}: this kind of file cannot be read. Open .obj, .off, .mesh or .3dm for a mesh, .json for a scene.`,
         );
       }
-      // A press that waits for the first model has said so.
+      // Keep the status of a button press that waits for the first model.
       const { document, status } = this.#store.get();
       if (document || !status)
         this.#actions.setStatus(`Reading ${files.map((file) => file.name).join(' and ')} …`);
@@ -135,14 +135,14 @@ export class Files extends Emitter {
 
   /**
    * @param {Example} example
-   * @param {boolean} [first] it is what the page opens with, solved
+   * @param {boolean} [first] the example is the page's first model, already solved
    */
   async openExample(example, first = false) {
     const names = [example.scene, example.mesh];
     const files = await Promise.all(
       names.map(async (name) => ({ name, bytes: await exampleFile(name) })),
     );
-    // The first thing that somebody sees of it is what it does.
+    // The first view shows the fitted shapes.
     if (first) this.#actions.display({ shapes: true });
     await this.open(files, { first, example });
     const { numbers } = this.#store.get();
@@ -150,12 +150,12 @@ export class Files extends Emitter {
     this.#actions.setStatus(status || `Opened the example ${example.title}`);
   }
 
-  /** A mesh or a scene of the examples. @param {string} name */
+  /** Fetches a mesh or a scene of the examples. @param {string} name */
   exampleFile(name) {
     return exampleFile(name);
   }
 
-  /** Opens what was open before a new mesh. */
+  /** Reopens the model that was open before a new mesh. */
   async goBack() {
     const { before } = this.origin;
     if (!before) return;
@@ -163,9 +163,9 @@ export class Files extends Emitter {
     this.#actions.setStatus('Undid: New mesh');
   }
 
-  /** The list of examples. @returns {Promise<Example[]>} */
+  /** Returns the list of examples. @returns {Promise<Example[]>} */
   examples() {
-    // It can be tried again, with a network.
+    // Allows another attempt when the network is back.
     this.#examples ??= listOfExamples().catch((error) => {
       this.#examples = null;
       throw error;
@@ -184,19 +184,19 @@ export class Files extends Emitter {
     this.#alerts.notice(words, { label: 'Undo', action: asItCame });
   }
 
-  /** The current shape in the vertices of the file, before they were welded. */
+  /** Exports the current shape with the file's original vertices, before welding. */
   async exportAsItCame() {
     if (!(await this.mayExport())) return;
     this.save('.obj', await this.#actions.obj({ asItCame: true }), 'model/obj');
   }
 
-  /** Whether the shape is wanted as it is: asks where a run took the mesh apart. */
+  /** Asks for confirmation if a run has collapsed the mesh; true if the export may go on. */
   async mayExport() {
     const collapse = this.#store.get().numbers?.collapse;
     return !collapse || (await import('./collapse.js')).askToExport(collapse);
   }
 
-  /** The current shape, with the flat map that is shown, as OBJ. */
+  /** Exports the current shape as OBJ, with the displayed flat map. */
   async exportMesh() {
     try {
       if (!(await this.mayExport())) return;
@@ -208,15 +208,15 @@ export class Files extends Emitter {
   }
 
   async saveScene() {
-    // Without a worker, what it sent last is what there is to save.
+    // Without a worker, save the text received last.
     const text = await this.#actions.sceneText().catch(() => this.#solver.sceneText);
     if (text === null) this.#alerts.error('There is no scene to save.');
     else this.save('.shapeup.json', text, 'application/json');
   }
 
   /**
-   * Saves something under the name of the model.
-   * @param {string} ending of the file's name
+   * Saves a file under the base name of the model.
+   * @param {string} ending suffix of the file name
    * @param {BlobPart} content
    * @param {string} type
    */
@@ -228,7 +228,7 @@ export class Files extends Emitter {
 }
 
 /**
- * A file of Rhino as the mesh that is in it; any other as it is. What reads it comes when it is needed.
+ * Converts a Rhino file to OBJ, with a converter loaded on demand; returns other files unchanged.
  * @param {NamedBytes} file
  * @param {AbortSignal} [cancelled]
  * @returns {Promise<NamedBytes>}

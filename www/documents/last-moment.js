@@ -1,7 +1,7 @@
 /**
- * What a page that goes cannot wait for: a browser may drop what is on its way to the database when the
- * page closes. It is put where writing takes effect at once, and goes to the database when a page opens
- * next.
+ * Fallback for saves when the page closes: a browser may drop a pending database write at that
+ * moment. The data is written synchronously to local storage and moved to the database when a page
+ * opens next.
  */
 
 import { forget, keysOf, recall, remember } from '../ui/safe-storage.js';
@@ -10,14 +10,14 @@ import { keep, recentDocuments } from './recent-documents.js';
 /** @typedef {import("./recent-documents.js").Work} Work */
 /** @typedef {import("./recent-documents.js").Contents} Contents */
 
-/** With the id of the work: tabs know nothing of each other. */
+/** Prefix of the key; the id of the work follows, so that tabs do not overwrite each other. */
 const KEY = 'shape-up.last-moment ';
-/** Longer steps of undo would take the room of the scene: browsers have some five million letters. */
+/** Longest undo history stored: browsers allow about five million characters, scene included. */
 const MOST_BYTES = 1_000_000;
 
 /**
  * @param {Work} work
- * @param {Partial<Contents>} contents what the database does not have yet
+ * @param {Partial<Contents>} contents the parts that the database does not have yet
  */
 export function storeUnsaved(work, contents) {
   const write = (/** @type {string} */ _, /** @type {unknown} */ value) =>
@@ -25,12 +25,12 @@ export function storeUnsaved(work, contents) {
   remember(KEY + work.id, JSON.stringify({ work, contents }, write));
 }
 
-/** The database has all of a work. @param {string} id */
+/** Deletes the fallback copy once the database has all of the work. @param {string} id */
 export function forgetUnsaved(id) {
   forget(KEY + id);
 }
 
-/** Brings what was put aside into the database, unless that has something newer. */
+/** Moves the fallback copies into the database, unless its record is newer. */
 export async function recoverUnsaved() {
   for (const key of keysOf(KEY)) {
     const { work, contents } = JSON.parse(recall(key) ?? '{}');

@@ -1,4 +1,4 @@
-/** The view while no model is open, because not even the first example could be fetched. */
+/** The view when no model is open because not even the first example could be fetched. */
 
 import '../ui/styles/waiting.css';
 import { byId, element } from '../ui/dom.js';
@@ -7,7 +7,7 @@ import { removeFirstPicture } from '../viewport/placeholder/placeholder-scene.js
 const FILES = 'a mesh (.obj, .off, .mesh, .3dm) or a scene (.json)';
 
 /**
- * Says what can be opened, until something is.
+ * Shows what can be opened, until a model is opened.
  * @param {import("./files.js").Files} files
  * @param {() => Promise<void>} again opens the first example
  */

@@ -1,6 +1,6 @@
 /**
- * What is kept in this browser: the scenes that were worked on. Each has a few records of its own, and a
- * list is made of what is there, so that no damage to one is a damage to others.
+ * Scenes saved in this browser's database. Each has its own records, and the list is derived from
+ * the existing records, so that a damaged record affects no other scene.
  */
 
 import { createStore, promisifyRequest } from 'idb-keyval';
@@ -13,31 +13,31 @@ import { createStore, promisifyRequest } from 'idb-keyval';
  * @property {number} savedAt milliseconds since 1970
  * @property {number} iteration
  * @property {string | null} example id of the example whose mesh it has
- * @property {string} hash of the address that it was opened at
- * @property {import("../viewport/saved-view.js").SavedView | null} view how it was looked at
- * @property {boolean} [unreadable] it could not be opened
+ * @property {string} hash fragment of the address at which it was opened
+ * @property {import("../viewport/saved-view.js").SavedView | null} view camera and display
+ * @property {boolean} [unreadable] opening it failed
  */
 
 /**
- * What a work consists of: the text of its scene, the steps of undo that belong to it, and how far a run
- * or a drag has come that began with it. Null where there is none.
+ * Contents of a work: the text of its scene, its undo history, and the progress of a run or a drag
+ * that started from that scene; null if there is none.
  * @typedef {object} Contents
  * @property {string} text
  * @property {Uint8Array | null} history
  * @property {Uint8Array | null} progress
  */
 
-/** Keys are a part and the id of a work. */
+/** A key consists of a part's prefix and the id of a work. */
 const ABOUT = 'work ';
 const TEXT = 'text ';
 const PARTS = [ABOUT, TEXT, 'history ', 'progress '];
-/** Versions before this one had a list instead. */
+/** Earlier versions stored a list instead. */
 const OLD_LIST = 'list';
-/** So many are kept. */
+/** Number of works kept. */
 const MOST = 8;
 const database = createStore('shape-up', 'works');
 
-/** The newest first. @returns {Promise<Work[]>} */
+/** Returns all works, newest first. @returns {Promise<Work[]>} */
 export async function recentDocuments() {
   const [keys, about, old] = await database('readonly', (store) =>
     Promise.all([
@@ -56,7 +56,11 @@ export async function recentDocuments() {
     .sort((a, b) => b.savedAt - a.savedAt);
 }
 
-/** @param {string} id @returns {Promise<{ [part in keyof Contents]: unknown }>} as it is there, be it damaged */
+/**
+ * Reads the stored contents of a work without checking them.
+ * @param {string} id
+ * @returns {Promise<{ [part in keyof Contents]: unknown }>}
+ */
 export async function contentsOf(id) {
   const parts = PARTS.slice(1).map((part) => part + id);
   const [text, history, progress] = await database('readonly', (store) =>
@@ -66,8 +70,8 @@ export async function contentsOf(id) {
 }
 
 /**
- * Keeps a work and those of its contents that are named, all at once or nothing. When there is no room,
- * all others go.
+ * Stores a work and the given parts of its contents in one transaction. If there is no room, all
+ * other works are deleted first.
  * @param {Work} work
  * @param {Partial<Contents>} contents
  */
@@ -82,8 +86,8 @@ export async function keep(work, contents) {
 }
 
 /**
- * Forgets the oldest of too many.
- * @param {(id: string) => boolean} isOpen in a tab
+ * Deletes the oldest works beyond the limit.
+ * @param {(id: string) => boolean} isOpen whether a tab has the work open
  */
 export async function pruneOldest(isOpen) {
   const newest = (await recentDocuments()).slice(0, MOST).map(({ id }) => id);
@@ -112,7 +116,7 @@ function write(work, contents) {
       if (value === null) store.delete(key);
       else store.put(value, key);
     }
-    // From here on the browser needs no more of this page, which may be about to go.
+    // Commit now: the page may be closed before the transaction would commit by itself.
     store.transaction.commit?.();
     return promisifyRequest(store.transaction);
   });
@@ -125,7 +129,11 @@ function isWork(value) {
   return words.every((word) => typeof word === 'string') && numbers.every(Number.isFinite);
 }
 
-/** A scene of which nothing else is known but when its work began. @param {string} id @returns {Work} */
+/**
+ * Returns the record of a scene without one; its id contains the time at which the work began.
+ * @param {string} id
+ * @returns {Work}
+ */
 function unknown(id) {
   const begun = Number.parseInt(id, 36);
   const savedAt = begun < Date.now() ? begun : 0;

@@ -1,11 +1,11 @@
-/** The menu of Open recent: what was worked on in this browser. */
+/** The menu Open recent: works saved in this browser. */
 
 import { element } from '../ui/dom.js';
 
 /** @typedef {import("./recent-documents.js").Work} Work */
 
 /**
- * Fills the menu each time, then shows it.
+ * Refills the menu, then shows it.
  * @param {HTMLElement} menu
  * @param {{ saveNow: () => Promise<void>, recent: () => Promise<Work[]>, openWork: (work: Work) => void }} startup
  */
@@ -31,7 +31,7 @@ export async function showRecent(menu, startup) {
   menu.showPopover();
 }
 
-/** A menu has to have an entry, or nobody hears what it says. */
+/** A menu needs an entry for screen readers to announce its text. */
 function noEntry() {
   return element(
     'p.quiet',

@@ -1,29 +1,30 @@
 /**
- * Links that carry a scene. All of it is in the fragment, which never leaves the browser:
+ * Links that carry a scene. The data is in the fragment, which never leaves the browser:
  *
- * | fragment | is |
+ * | fragment | content |
  * |---|---|
- * | `#example=ID`, `#example=ID&run` | an example as it comes; `&run` iterates after opening |
- * | `#link=CODE` | a scene with its mesh, or with that of an example, see `short-link/packed-scene.js` |
- * | `#scene=CODE`, `#example=ID&edits=CODE` | the same in links of earlier versions, see `short-link/deflated.js` |
+ * | `#example=ID`, `#example=ID&run` | an unchanged example; `&run` iterates after opening |
+ * | `#link=CODE` | a scene with its mesh, or with an example's; see `short-link/packed-scene.js` |
+ * | `#scene=CODE`, `#example=ID&edits=CODE` | the same in earlier versions, see `short-link/deflated.js` |
  *
- * The current positions are in none of them: what was solved is solved again, so that no rounded result stands
- * beside its errors. A design that was kept is in the scene: it is where the scene starts.
+ * No link contains the current positions: the receiver solves again, so that the errors shown are
+ * not those of rounded positions. A kept design is part of the scene, as its start positions.
  */
 
 /** @typedef {import("./files.js").Example} Example */
 
 /**
- * What a fragment says.
+ * Content of a fragment.
  * @typedef {object} Linked
  * @property {string | null} example id of the example whose mesh it has
- * @property {string | null} text of the scene, where it is not that of the example
- * @property {boolean} run iterates after opening
+ * @property {string | null} text of the scene, unless it is the example's
+ * @property {boolean} run whether to iterate after opening
  */
 
 /**
- * @param {string} hash of an address, with its #
- * @returns {Promise<Linked | null>} null when it is not a link of this page; rejects where it was cut or changed
+ * @param {string} hash fragment of an address, with its #
+ * @returns {Promise<Linked | null>} null if it is no link of this page; rejects if it was truncated
+ *   or altered
  */
 export async function readLink(hash) {
   const parts = new URLSearchParams(hash.slice(1));
@@ -40,7 +41,7 @@ export async function readLink(hash) {
 }
 
 /**
- * The address that opens the scene as it is now, and to what its positions are rounded in it.
+ * Returns the address that opens the current scene, and the rounding step of its positions.
  * @param {Pick<import("../app/context.js").AppContext, "store" | "actions" | "files">} app
  */
 export async function linkTo({ store, actions, files }) {
@@ -48,7 +49,7 @@ export async function linkTo({ store, actions, files }) {
   const { numbers, tolerance, model } = store.get();
   const { example } = files.origin;
   const { variants, current } = JSON.parse(text);
-  // A design that was kept is as exact as it was.
+  // A kept design needs no run: it is already solved.
   const isKept = variants?.design !== undefined && !current;
   const run = (numbers?.iteration ?? 0) > 0 && !isKept;
   const about = { example, original: files.original, run };
@@ -60,14 +61,15 @@ export async function linkTo({ store, actions, files }) {
 }
 
 /**
- * The fragment of a link to a scene.
- * @param {string} text of the scene with its mesh
+ * Returns the fragment of a link to a scene.
+ * @param {string} text scene with its mesh
  * @param {object} about
- * @param {Example} [about.example] whose mesh it has
- * @param {string | null} about.original text of the scene as the example came
+ * @param {Example} [about.example] whose mesh the scene has
+ * @param {string | null} about.original text of the unchanged example
  * @param {boolean} about.run
  * @param {number} about.tolerance in the unit of the mesh
- * @returns {Promise<{ fragment: string, rounded: number | null }>} with the step that positions are rounded to, if they are
+ * @returns {Promise<{ fragment: string, rounded: number | null }>} with the rounding step of
+ *   positions, if rounded
  */
 export async function writeLink(text, { example, original, run, tolerance }) {
   const scene = withoutPositions(text);
@@ -86,7 +88,7 @@ export async function writeLink(text, { example, original, run, tolerance }) {
   return { fragment: `#link=${code}`, rounded: null };
 }
 
-/** Most links that are opened are only the name of an example. */
+/** Loaded on demand: most links name only an example. */
 const packing = () => import('./short-link/packed-scene.js');
 
 /** @param {string} text of a scene */

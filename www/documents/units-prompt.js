@@ -1,6 +1,6 @@
 /**
- * The unit and the vertical axis of the model, chosen in its panel, which says when they are guessed,
- * and remembered by the name of the file. Coordinates never change by it.
+ * The unit and the vertical axis of the model: fields of its panel that show whether they were
+ * guessed and remember the choice by file name. The coordinates never change.
  */
 
 import { element, leave, setText } from '../ui/dom.js';
@@ -12,25 +12,25 @@ import { UNITS } from '../ui/units.js';
 /** @typedef {{ units: string, up: "y" | "z" }} Frame */
 /** @typedef {import("../solver/messages.js").Loaded} Loaded */
 
-/** With the empty one for a mesh without a unit. */
+/** Units, and the empty string for a mesh without a unit. */
 const SYMBOLS = [...UNITS.map(({ symbol }) => symbol), ''];
 const NO_UNIT = 'no unit';
 const KEY = 'shape-up.frames';
-/** So many files are remembered. */
+/** Number of files remembered. */
 const MOST_FILES = 40;
 
-/** @returns {[string, Frame][]} the newest last */
+/** @returns {[string, Frame][]} newest last */
 function remembered() {
   try {
     return JSON.parse(recall(KEY) ?? '[]');
   } catch {
-    // Somebody else wrote there.
+    // Other code has written to this key.
     return [];
   }
 }
 
 /**
- * What the file of that name was taken for the last time, in the words of a mesh file.
+ * Returns the remembered unit and axis of a file name, as comment lines of a mesh file.
  * @param {string} name
  */
 export function rememberedFrame(name) {
@@ -49,7 +49,7 @@ function rememberFrame(name, frame) {
 }
 
 /**
- * Changes them, as one step of undo each.
+ * Returns a function that changes unit and axis, each as one step of undo.
  * @param {Store} store
  * @param {Actions} actions
  * @returns {(part: Partial<Frame>) => Promise<void>}
@@ -66,10 +66,10 @@ function changes(store, actions) {
 }
 
 /**
- * Rows of the panel of the model: what is guessed, and the two choices.
+ * Returns the rows of the model panel: the guess and the two fields, kept up to date.
  * @param {Store} store
  * @param {Actions} actions
- * @returns {HTMLElement} always up to date
+ * @returns {HTMLElement}
  */
 export function frameFields(store, actions) {
   const apply = changes(store, actions);
@@ -94,7 +94,7 @@ export function frameFields(store, actions) {
     guess,
     element(
       'button.small.bordered',
-      // Nothing changes, but the file is known from now on.
+      // Confirms the guess: nothing changes, but the file is remembered.
       { onclick: () => leave(note, () => change({})) },
       'Looks right',
     ),
@@ -127,7 +127,7 @@ export function frameFields(store, actions) {
 }
 
 /**
- * What a file does not say and was guessed, empty where it says both.
+ * Names the unit or axis that was guessed because the file has none; empty if nothing was guessed.
  * @param {Loaded} model
  */
 function guessInWords({ name, guessed }) {

@@ -1,19 +1,19 @@
 /**
- * What a file input or a drop gives: one model of it, and words on what is left out. Comes when
- * somebody chooses files.
+ * Opens one model from a file input or a drop, and lists the files that were left out. Loaded on
+ * demand.
  */
 
 import { messageOf } from '../../solver/messages.js';
 import { isReadable, worthReading } from '../../solver/opened-files.js';
 
-/** Bytes from which on it takes a while to read a file. */
+/** Size in bytes from which a progress display is shown. */
 const LARGE = 2_000_000;
 
 /**
- * Opens what can be opened, or says what is wrong.
+ * Opens the readable files, or reports the error.
  * @param {import("../../app/context.js").AppContext} app
  * @param {File[]} chosen
- * @param {string[]} [folders] names of those that were dropped with them
+ * @param {string[]} [folders] names of the folders dropped with them
  */
 export async function openChosen(app, chosen, folders = []) {
   const { alerts } = app;
@@ -34,7 +34,7 @@ export async function openChosen(app, chosen, folders = []) {
 }
 
 /**
- * Opens them together.
+ * Reads the files and opens them together.
  * @param {import("../../app/context.js").AppContext} app
  * @param {File[]} chosen
  */
@@ -57,14 +57,14 @@ async function read({ actions, solver, files, alerts }, chosen) {
   }
 }
 
-/** The name of the mesh in a file of Rhino. @param {string} name */
+/** Returns the name of the mesh read from a Rhino file. @param {string} name */
 const meshName = (name) => name.replace(/\.3dm$/i, '.obj');
 
 /**
- * What was taken of the files and folders that were given together, and why not the others.
+ * Lists the opened files and the omitted files and folders, with the reasons.
  * @param {string[]} taken names
- * @param {string[]} files names of the others
- * @param {string[]} folders names
+ * @param {string[]} files names of the omitted files
+ * @param {string[]} folders names of the omitted folders
  */
 function leftOut(taken, files, folders) {
   const reasons = [

@@ -1,10 +1,10 @@
-/** Files that are dropped anywhere on the window: opened, or fitted to. */
+/** Files dropped on the window: opened, or used as the reference surface. */
 
-/** What is dropped below this part of the window is fitted to, where a model is open. */
+/** Below this fraction of the window's height, a drop sets the open model's reference surface. */
 const FIT_FROM = 0.8;
 
 /**
- * Takes drops; the overlay says what will happen.
+ * Accepts drops; the overlay shows what a drop will do.
  * @param {HTMLElement} overlay
  * @param {import("../../app/context.js").AppContext} app
  */
@@ -26,7 +26,7 @@ export function acceptDrops(overlay, app) {
     if (!carriesFiles(event)) return;
     event.preventDefault();
     const { files, items } = /** @type {DataTransfer} */ (event.dataTransfer);
-    // A folder looks like a file that cannot be read.
+    // A folder looks like an unreadable file.
     const [file] = files;
     if (store.get().document && event.clientY > FIT_FROM * window.innerHeight && file) {
       actions.reportErrors(import('./fit-to.js').then((it) => it.fitTo(file, actions)));

@@ -1,7 +1,7 @@
-/** A second file whose surface the open mesh is kept close to, instead of to its own. */
+/** A second file as the reference surface of the open mesh, in place of its own rest shape. */
 
 /**
- * One step of undo; the alert says why where the file is refused.
+ * Sets the reference surface, as one step of undo. An alert explains why a file is refused.
  * @param {File} file OBJ, OFF or Medit
  * @param {import("../../store/actions.js").Actions} actions
  */

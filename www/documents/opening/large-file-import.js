@@ -1,6 +1,6 @@
 /**
- * Files that take a while to open: how far it is, a way to stop it, and a question before a mesh that
- * is too large to be worked with. Comes when such a file is opened.
+ * Opening of large files: a progress display, a cancel button, and a question before a mesh that is
+ * too large for interactive work is loaded. Loaded on demand.
  */
 
 import '../../ui/styles/waiting.css';
@@ -12,24 +12,24 @@ import { messageOf } from '../../solver/messages.js';
 const MB = 1_000_000;
 const [LF, CR, SPACE, TAB, F] = [10, 13, 32, 9, 102];
 
-/** Somebody does not want the file any more. */
+/** Thrown when the user cancels the import. */
 class Cancelled extends Error {}
 
 /**
- * Opens files as `Files.open` does, and says how far it is.
+ * Opens files as `Files.open` does, with a progress display.
  * @param {File[]} chosen
  * @param {object} parts
  * @param {import("../../store/actions.js").Actions} parts.actions
  * @param {import("../../solver/solver-client.js").SolverClient} parts.solver
  * @param {import("../../ui/controls/alerts.js").Alerts} parts.alerts
- * @param {(files: import("../../solver/messages.js").NamedBytes[], cancelled: AbortSignal) => Promise<import("../../solver/messages.js").Loaded | undefined>} parts.open says itself what is wrong with them
+ * @param {(files: import("../../solver/messages.js").NamedBytes[], cancelled: AbortSignal) => Promise<import("../../solver/messages.js").Loaded | undefined>} parts.open reports errors itself
  */
 export async function openLarge(chosen, { actions, solver, alerts, open }) {
   const names = chosen.map(({ name }) => name).join(' and ');
   const all = chosen.reduce((sum, { size }) => sum + size, 0);
   const card = new Card(names);
   const count = new FaceCount();
-  // The solver measures it, where it has not yet, while the file is read.
+  // The solver measures the limit, unless known already, while the file is read.
   const limit = actions.mostFaces();
   limit.catch(() => {});
   actions.setStatus(`Reading ${names} …`);
@@ -69,7 +69,7 @@ export async function openLarge(chosen, { actions, solver, alerts, open }) {
 /**
  * @param {File} file
  * @param {AbortSignal} cancelled
- * @param {(chunk: Uint8Array) => void} onChunk of each piece
+ * @param {(chunk: Uint8Array) => void} onChunk called for each chunk
  */
 async function bytesOf(file, cancelled, onChunk) {
   const bytes = new Uint8Array(file.size);
@@ -88,7 +88,7 @@ async function bytesOf(file, cancelled, onChunk) {
 /** Counts the faces of an OBJ file while it is read: the lines that begin with "f ". */
 class FaceCount {
   faces = 0;
-  /** The last two bytes before. */
+  /** The last two bytes before the chunk. */
   #before = [LF, LF];
 
   /** @param {Uint8Array} chunk */
@@ -115,7 +115,7 @@ const progress = (read, all) => `${(read / MB).toFixed(1)} of ${(all / MB).toFix
 
 const SMALL = { class: 'small bordered' };
 
-/** What is shown over the view meanwhile. */
+/** The progress card over the view. */
 class Card {
   #abort = new AbortController();
   #text = element('p', { id: 'import-text' });
@@ -143,7 +143,7 @@ class Card {
 
   /**
    * @param {string} text
-   * @param {number | null} part from 0 to 1; null where nobody knows
+   * @param {number | null} part fraction from 0 to 1; null if unknown
    */
   show(text, part) {
     setText(this.#text, text);
@@ -152,16 +152,16 @@ class Card {
   }
 
   /**
-   * Asks, and goes on when the answer is yes.
+   * Asks a question and waits for the answer yes.
    * @param {string} question
    * @param {string} yes
-   * @returns {Promise<void>} rejects when it was cancelled
+   * @returns {Promise<void>} rejects when cancelled
    */
   async ask(question, yes) {
     setText(this.#text, question);
     this.#bar.hidden = true;
     const answer = new Promise((done) => {
-      // Whoever hears the button hears the question.
+      // Screen readers read the question with the focused button.
       const described = { ...SMALL, 'aria-describedby': this.#text.id };
       const go = button(yes, () => done(undefined), described);
       this.#buttons.prepend(go);
@@ -173,7 +173,7 @@ class Card {
   }
 
   /**
-   * What is waited for, unless it is cancelled first.
+   * Waits for a promise; rejects if the import is cancelled first.
    * @template T
    * @param {Promise<T>} promise
    * @returns {Promise<T>}

@@ -1,12 +1,14 @@
-/** A scene whose mesh, other surface or other pose is in a file that was not given: asks for it. */
+/**
+ * Requests files that a scene names but that were not given: mesh, reference surface, other pose.
+ */
 
 import { element } from '../../ui/dom.js';
 
 /** @typedef {import("../../solver/messages.js").NamedBytes} NamedBytes */
 
 /**
- * What can be done about files that could not be opened: choosing those that a scene names and that are not
- * among them. Nothing where none is missing.
+ * Returns an offer to choose the files that a scene names and that were not given; empty if none is
+ * missing.
  * @param {NamedBytes[]} given
  * @param {import("../../store/actions.js").Actions} actions
  * @param {import("../files.js").Files} files
@@ -18,7 +20,7 @@ export async function offersToChoose(given, actions, files, origin) {
   if (missing.length === 0) return [];
   const action = async () => {
     const chosen = await choose(missing.length > 1);
-    // Whatever the file is called here, it is meant to be the one that is missing.
+    // A single chosen file is taken for the missing one, whatever its name.
     const found = chosen.map((file, i) =>
       missing.length === 1 ? [missing[i], file] : [file.name, file],
     );
@@ -34,7 +36,7 @@ async function read([path, file]) {
   return { name, bytes: new Uint8Array(await /** @type {File} */ (file).arrayBuffer()) };
 }
 
-/** @param {boolean} multiple @returns {Promise<File[]>} empty where nothing is chosen */
+/** @param {boolean} multiple @returns {Promise<File[]>} empty if cancelled */
 const choose = (multiple) =>
   new Promise((done) => {
     const input = element('input', { type: 'file', accept: '.obj,.off,.mesh', multiple });

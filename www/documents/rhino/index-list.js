@@ -1,5 +1,5 @@
 /**
- * The numbers of a list of a scene file: an array, or ranges such as "0-3,7".
+ * Expands an index list of a scene file: an array, or ranges such as "0-3,7".
  * @param {number[] | string} list
  * @returns {number[]}
  */

@@ -1,4 +1,4 @@
-/** The page's end of the worker for files of Rhino: one worker for each file, and gone after it. */
+/** Page side of the Rhino worker: one worker per file, terminated after the answer. */
 
 /** @typedef {import("../../solver/messages.js").RhinoReplies} RhinoReplies */
 
@@ -6,7 +6,7 @@
  * @template {keyof RhinoReplies} Type
  * @param {Extract<import("../../solver/messages.js").RhinoRequest, { type: Type }>} request
  * @param {AbortSignal} [cancelled]
- * @returns {Promise<RhinoReplies[Type]>} rejects with what is wrong with the file, or when it is cancelled
+ * @returns {Promise<RhinoReplies[Type]>} rejects with the error in the file, or when cancelled
  */
 export async function askRhino(request, cancelled) {
   const worker = new Worker(new URL('./rhino-worker.js', import.meta.url), {

@@ -1,7 +1,8 @@
 /**
- * The mesh in a file of Rhino, as the text of an OBJ file. Meshes give faces, in a group for each
- * layer. Polylines are curves; those that were written here as panels are faces, and where there is no
- * mesh all closed ones are. Corners that coincide are one vertex: Rhino keeps objects apart.
+ * Converts a Rhino file to OBJ text. Meshes become faces, with one group per layer. Polylines
+ * become curves, except that those exported from here as panels become faces; in a file without a
+ * mesh, all closed polylines do. Coincident corners are welded, since Rhino stores objects
+ * separately.
  */
 
 import { NAMES, ROLE, rhino } from './rhino.js';
@@ -10,7 +11,7 @@ import { NAMES, ROLE, rhino } from './rhino.js';
 /** @typedef {[number, number, number]} Point */
 /** @typedef {{ layer: string, corners: Point[] }} Face */
 
-/** Corners this near, as a part of the size, coincide: many of Rhino's meshes have seven digits. */
+/** Welding distance, relative to the size: many Rhino meshes store seven digits. */
 const SAME = 1e-6;
 
 /**
@@ -39,7 +40,7 @@ export async function meshFromRhino({ name, bytes }) {
   }
 }
 
-/** What is in the file. @param {any} file */
+/** Collects the faces and curves of the file, and counts the other objects. @param {any} file */
 function objectsOf(file) {
   /** @type {Face[]} */
   const faces = [];
@@ -89,7 +90,7 @@ function facesOf(mesh, layer) {
   const [vertices, faces] = [mesh.vertices(), mesh.faces()];
   return Array.from({ length: faces.count }, (_, i) => {
     const [a, b, c, d] = faces.get(i);
-    // A triangle has its last corner twice.
+    // A triangle repeats its last corner.
     const corners = c === d ? [a, b, c] : [a, b, c, d];
     return { layer, corners: corners.map((vertex) => vertices.point3dAt(vertex)) };
   });
@@ -125,7 +126,7 @@ function objText(faces, curves, units) {
     if (face.layer !== layer) lines.push(`g ${face.layer.replace(/\s+/g, '_')}`);
     layer = face.layer;
     const numbers = face.corners.map(numberOf.of);
-    // Corners that coincide are one corner.
+    // A corner equal to the one before it (after welding) is dropped.
     const distinct = numbers.filter((number, i) => number !== numbers.at(i - 1));
     lines.push(`f ${distinct.join(' ')}`);
   }
@@ -137,7 +138,7 @@ function objText(faces, curves, units) {
 }
 
 /**
- * Numbers for points, from 1, the same for those that are nearer than `tolerance`.
+ * Numbers points from 1; points nearer than `tolerance` share a number.
  * @param {number} tolerance
  */
 function welded(tolerance) {

@@ -1,16 +1,17 @@
-/** The layers of a file of Rhino: one for each name of a group of faces. */
+/** Layers of a Rhino file: one for each group name. */
 
 import { indices } from './index-list.js';
 
 /** @typedef {{ faces?: number[] | string }} Group */
 
-/** Of faces that are in no group. */
+/** Layer of the faces that are in no group. */
 const REST = 'Panels';
 
 /**
- * The faces on each layer; one that is in several groups is on the layer of the first.
- * @param {number} count of faces
- * @param {Record<string, Group | Group[]>} groups of a scene: where several have one name, an array of them
+ * Returns the faces on each layer; a face in several groups is on the layer of the first.
+ * @param {number} count number of faces
+ * @param {Record<string, Group | Group[]>} groups of a scene; several of the same name form an
+ *   array
  */
 export function byLayer(count, groups) {
   /** @type {(string | null)[]} */

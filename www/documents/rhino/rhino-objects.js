@@ -1,4 +1,4 @@
-/** Layers, lines and meshes of a file of Rhino. */
+/** Adds layers, polylines and meshes to a Rhino file. */
 
 /** @typedef {[number, number, number]} Point */
 
@@ -7,7 +7,7 @@
  * @param {any} file
  * @param {string} name
  * @param {[number, number, number]} [colour] red, green, blue
- * @returns {number} its index
+ * @returns {number} index of the layer
  */
 export function addLayer(api, file, name, colour) {
   const layer = new api.Layer();
@@ -22,10 +22,10 @@ export function addLayer(api, file, name, colour) {
 }
 
 /**
- * What an object is called, and where it is; it is deleted with the object that it is given to.
+ * Creates attributes: layer, user text and name. They are deleted when added with an object.
  * @param {any} api
  * @param {number} layer
- * @param {Record<string, string>} text of the user
+ * @param {Record<string, string>} text user text
  * @param {string} [name]
  */
 export function attributesOf(api, layer, text, name) {
@@ -51,7 +51,7 @@ export function addPolyline(api, file, points, attributes) {
 }
 
 /**
- * Triangles and quads are faces; of convex polygons with more corners rhino3dm takes triangles only.
+ * Adds a mesh; rhino3dm has no n-gons, so convex polygons of more than four corners become fans.
  * @param {any} api
  * @param {any} file
  * @param {{ points: Point[], faces: number[][] }} of

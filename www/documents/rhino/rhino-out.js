@@ -1,8 +1,8 @@
 /**
- * A scene as a file of Rhino, with all digits. Each group of faces is a layer. Triangles and quads are
- * a mesh on it; panels with more corners, which rhino3dm cannot write into a mesh, are closed
- * polylines. How far a panel is from flat stands in its user text, of a mesh the worst. In Rhino z is
- * up: a scene in which y is up is turned.
+ * Writes a scene as a Rhino file, in full precision. Each group of faces becomes a layer. Triangles
+ * and quads form a mesh on it; panels with more corners, which rhino3dm cannot write into a mesh,
+ * become closed polylines. The user text gives the planarity distance of a panel, or the largest
+ * one of a mesh. Rhino's vertical axis is z: a scene with y up is rotated.
  */
 
 import { NAMES, ROLE, rhino } from './rhino.js';
@@ -15,8 +15,8 @@ const PLANARITY = 'shape-up:planarity';
 const CURVES = 'Curves';
 
 /**
- * @param {string} text of a scene with its mesh
- * @param {string} errors of its faces, the table of the solver
+ * @param {string} text scene with its mesh
+ * @param {string} errors table of face errors from the solver (CSV)
  * @returns {Promise<Uint8Array<ArrayBuffer>>}
  */
 export async function rhinoFile(text, errors) {
@@ -58,27 +58,27 @@ export async function rhinoFile(text, errors) {
 /** @param {Point} point */
 const same = (point) => point;
 
-/** From y up to z up. @param {Point} point @returns {Point} */
+/** Rotates from y up to z up. @param {Point} point @returns {Point} */
 const turned = ([x, y, z]) => [x, -z, y];
 
-/** The planarity distance of each face. @param {string} csv */
+/** Reads the planarity distance of each face. @param {string} csv */
 function planarities(csv) {
   const [head, ...rows] = csv.trim().split('\n');
   const heads = head.split(',');
-  // From the right: the name of a group may hold commas.
+  // Counted from the right, since a group name may contain commas.
   const fromRight = heads.length - heads.findIndex((name) => /^Planarity( \(|$)/.test(name));
   return rows.map((row) => Number(row.split(',').at(-fromRight)));
 }
 
 /**
- * The triangles and quads among some faces, as one mesh.
+ * Adds the triangles and quads among some faces as one mesh.
  * @param {any} api
  * @param {any} file
  * @param {number} layer
  * @param {number[]} members
  * @param {number[][]} faces
  * @param {Point[]} points
- * @param {(worst: number) => string} planarity in words
+ * @param {(worst: number) => string} planarity formats a distance
  * @param {number[]} distances
  */
 function addPanels(api, file, layer, members, faces, points, planarity, distances) {

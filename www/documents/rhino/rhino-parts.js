@@ -1,11 +1,11 @@
-/** What is built as a file of Rhino: objects with their names, on layers with their colours. */
+/** Writes the parts to be built as a Rhino file: named objects on coloured layers. */
 
 import { NAMES, rhino } from './rhino.js';
 import { addLayer, addMesh, addPolyline, attributesOf } from './rhino-objects.js';
 
 /**
  * @param {import("../../solver/messages.js").SpatialPart[]} parts
- * @param {string} symbol of the unit of their coordinates
+ * @param {string} symbol unit of their coordinates
  * @returns {Promise<Uint8Array<ArrayBuffer>>}
  */
 export async function rhinoParts(parts, symbol) {

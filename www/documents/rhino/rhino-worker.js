@@ -1,6 +1,7 @@
 /**
- * The worker that reads and writes files of Rhino. rhino3dm makes functions from text, which the policy
- * of the page refuses; and a file that it cannot cope with stops nothing else. It answers one request.
+ * Worker that reads and writes Rhino files; it answers one request. It is separate because rhino3dm
+ * creates functions from text, which the page's content security policy forbids, and so that a file
+ * that crashes it stops nothing else.
  */
 
 import { messageOf } from '../../solver/messages.js';

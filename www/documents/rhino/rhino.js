@@ -1,6 +1,6 @@
 /**
- * McNeel's reader and writer of Rhino files, rhino3dm. It is larger than all the rest of the page, and
- * comes in a worker of its own (`rhino-worker.js`) when a file of Rhino is read or written.
+ * Loads rhino3dm, McNeel's reader and writer of Rhino files. It is larger than the rest of the
+ * page, so its own worker (`rhino-worker.js`) loads it when a Rhino file is read or written.
  */
 
 import open from 'rhino3dm/rhino3dm.module.min.js';
@@ -16,8 +16,8 @@ export function rhino() {
   });
 }
 
-/** The user text that says what a polyline is. */
+/** Key of the user text that gives the role of a polyline. */
 export const ROLE = 'shape-up';
 
-/** The name of each unit here in Rhino. @type {Record<string, string>} */
+/** Rhino's name of each unit symbol. @type {Record<string, string>} */
 export const NAMES = Object.fromEntries(UNITS.map(({ symbol, rhino }) => [symbol, rhino]));

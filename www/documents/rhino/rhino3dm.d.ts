@@ -1,4 +1,4 @@
-// The smaller build of the package, which declares the types of the other one.
+// The smaller build of the package; types are declared for the default one only.
 declare module 'rhino3dm/rhino3dm.module.min.js' {
   export { default } from 'rhino3dm';
 }

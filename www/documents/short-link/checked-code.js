@@ -1,11 +1,11 @@
-/** Bytes as text that a link can hold, with a check sum: what was cut or changed is not read. */
+/** Bytes as base64url with a checksum, so that truncated or altered links are rejected. */
 
-/** Digits of base64url, each of which is in a link what it is. */
+/** Digits of base64url; none of them needs escaping in a link. */
 const DIGITS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_';
 const SUM_BYTES = 4;
 
 /**
- * CRC-32 of IEEE 802.3, which sees every change within 32 bits.
+ * CRC-32 of IEEE 802.3, which detects every burst error of up to 32 bits.
  * @param {Uint8Array} bytes
  */
 function checkSum(bytes) {
@@ -32,7 +32,7 @@ export function writeCode(bytes) {
 }
 
 /**
- * The bytes of a code; null where it is not as it was written.
+ * Decodes the bytes; null if the code was truncated or altered.
  * @param {string} code
  */
 export function readCode(code) {
@@ -49,7 +49,7 @@ export function readCode(code) {
     bits -= 8;
     all[at++] = held >> bits;
   }
-  // What is left over is 0, and less than a digit.
+  // The remaining bits must be 0 and fewer than a digit has.
   if (bits >= 6 || (held & ((1 << bits) - 1)) !== 0 || at < SUM_BYTES) return null;
   const bytes = all.subarray(0, at - SUM_BYTES);
   const sum = new DataView(all.buffer).getUint32(bytes.length);

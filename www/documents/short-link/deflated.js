@@ -1,14 +1,14 @@
-/** Text that is deflated, as bytes; and unpacked no further than a scene can be. */
+/** Compression of text by DEFLATE, with a limit on the unpacked size. */
 
-/** A scene that unpacks to more than this is not a scene that somebody made here, in bytes. */
+/** Largest size in bytes to which a scene may unpack. */
 export const MOST_BYTES = 32 << 20;
-/** So many bytes are unpacked at once: each of them can become a thousand. */
+/** Bytes passed to the decompressor at once: each can expand to about a thousand. */
 const PIECE = 768;
-/** After so many unpacked bytes the page has a turn. */
+/** Unpacked bytes after which the page's event loop gets a turn. */
 const TURN = 1 << 20;
 const FORMAT = 'deflate-raw';
 
-/** What is said of a link that was cut or changed. */
+/** Returns the error for a truncated or altered link. */
 export const damaged = () =>
   new Error(
     'The link is incomplete or damaged: it was probably cut when it was sent. Ask for it again, or for the scene as a file.',
@@ -21,7 +21,7 @@ export async function deflate(text) {
 }
 
 /**
- * The text that was deflated. It is unpacked piece by piece.
+ * Decompresses text, piece by piece.
  * @param {Uint8Array} bytes
  */
 export async function inflate(bytes) {
@@ -35,7 +35,7 @@ export async function inflate(bytes) {
       const { done, value } = await reader.read();
       if (done) return text + decoder.decode();
       size += value.length;
-      // Nothing more is unpacked than is read.
+      // The stream unpacks no more than is read, so that stopping here bounds the memory.
       if (size > MOST_BYTES) break;
       text += decoder.decode(value, { stream: true });
       if (size < turn) continue;
@@ -49,7 +49,7 @@ export async function inflate(bytes) {
   throw new Error(`The link unpacks to more than ${most} MB. Ask for the scene as a file.`);
 }
 
-/** The text of a link of an earlier version, deflated in base64url. @param {string} code */
+/** Decompresses the base64url text of a link of an earlier version. @param {string} code */
 export async function inflated(code) {
   const binary = plain(code.replaceAll('-', '+').replaceAll('_', '/'));
   return inflate(Uint8Array.from(binary, (character) => character.charCodeAt(0)));
@@ -65,7 +65,7 @@ function plain(code) {
 }
 
 /**
- * A stream of bytes, each piece when it is asked for.
+ * Returns a stream of bytes that supplies a piece on each request.
  * @param {Uint8Array} bytes
  * @returns {ReadableStream<Uint8Array<ArrayBuffer>>}
  */

@@ -1,34 +1,34 @@
 /**
- * Faces in a link, in their order and each from its first corner: every corner is told by its place among
- * the vertices that are likely there, which those before it say, or by its difference to the corner
- * of the face before.
+ * Coding of faces in a link; their order and first corners are kept. A corner is coded as its rank
+ * in a list of likely vertices, predicted from the corners and faces before it, or else as the
+ * difference to the same corner of the previous face.
  */
 
 /** @typedef {import("./range-coder.js").RangeCoder} RangeCoder */
 
-/** Places among the likely vertices, the first of which is for all others. */
+/** Bits of a rank in the list of likely vertices; rank 0 means "not in the list". */
 const PLACE_BITS = 4;
 const PLACES = 1 << PLACE_BITS;
-/** Corners beyond share their contexts. */
+/** Further corners share their contexts. */
 const CORNERS = 7;
 
-/** Keys of contexts, one range for each quantity. */
+/** Context keys, one range per quantity. */
 const KEY = { size: 0, apart: 1, place: 16 };
 
-/** What is known while faces go by. */
+/** State of the prediction, updated after each face. */
 class Seen {
   #vertices;
   #isSeen;
-  /** The lowest vertex that no face has had. */
+  /** The lowest vertex that is in no face yet. */
   #low = 0;
   #high = -1;
-  /** Vertices before each vertex in its faces. @type {Map<number, number[]>} */
+  /** Predecessors of each vertex in its faces. @type {Map<number, number[]>} */
   #before = new Map();
-  /** Sides of faces in their direction. @type {Set<number>} */
+  /** Directed edges of the faces. @type {Set<number>} */
   #sides = new Set();
   /** @type {number[]} */
   face = [];
-  /** From the face before the last one to it, by corner. @type {number[]} */
+  /** Differences of the last face's corners to those of the face before it. @type {number[]} */
   #steps = [];
 
   /** @param {number} vertices */
@@ -38,16 +38,16 @@ class Seen {
   }
 
   /**
-   * Vertices that are likely to be the next corner, the likeliest first.
-   * @param {number[]} corners of the face before it
+   * Returns the vertices likely to be the next corner, likeliest first.
+   * @param {number[]} corners of the current face, so far
    */
   likely(corners) {
     const found = new Set();
     const at = corners.length;
-    // As the last face did.
+    // The last face's step, repeated.
     if (this.#steps[at] !== undefined) found.add(this.face[at] + this.#steps[at]);
     if (at > 0) {
-      // Across a side of a face that has no face there yet.
+      // Across an edge that has a face on one side only.
       const from = corners[at - 1];
       const others = this.#before.get(from) ?? [];
       for (let i = others.length - 1; i >= 0; i--)
@@ -78,16 +78,16 @@ class Seen {
 }
 
 /**
- * Writes faces, or reads them.
+ * Writes or reads faces.
  * @param {RangeCoder} coder
  * @param {number} vertices
  * @param {number} count
- * @param {number[][]} faces what is written; nothing in a reader
+ * @param {number[][]} faces the faces to write; empty in a reader
  * @returns {number[][]}
  */
 export function codeFaces(coder, vertices, count, faces) {
   const seen = new Seen(vertices);
-  /** Where the corners of the last face were. @type {number[]} */
+  /** Ranks of the corners of the last face. @type {number[]} */
   const places = [];
   const coded = [];
   let size = 4;

@@ -1,18 +1,20 @@
 /**
- * Weights of a linear prediction that learn from what came: recursive least squares, which begins at zero
- * and forgets (Haykin, Adaptive Filter Theory).
+ * Adaptive linear prediction by recursive least squares with exponential forgetting, starting from
+ * zero weights (Haykin, Adaptive Filter Theory).
  */
 
-/** How far it is believed that the weights are 0. */
+/** Initial diagonal of the inverse covariance: large, as the zero weights are only a guess. */
 const DOUBT = 1000;
-/** Each sample counts so much of the next one. */
+/** Forgetting factor: each sample weighs so much relative to the next one. */
 const FORGETTING = 0.98;
-/** Nothing is forgotten while a feature says nothing: what is known of it would be lost. */
+/**
+ * Diagonal above which nothing is forgotten: it would grow without bound if a feature stayed zero.
+ */
 const MOST_DOUBT = 1e6;
 
 export class LeastSquares {
   #weights;
-  /** The inverse of the covariance of the features. @type {number[][]} */
+  /** Inverse of the covariance of the features. @type {number[][]} */
   #inverse = [];
 
   /** @param {number} size */
@@ -35,7 +37,7 @@ export class LeastSquares {
 
   /**
    * @param {number[]} features
-   * @param {number} value that they should have given
+   * @param {number} value correct value
    */
   learn(features, value) {
     const error = value - this.predict(features);

@@ -1,6 +1,6 @@
 /**
- * The mesh of a scene in few bytes: its faces as they are, its positions rounded to a step, both as
- * differences to what those before say. The order of vertices and faces stays, and where faces begin.
+ * Compact code of a mesh: faces exactly, positions rounded to a step, both predicted from those
+ * already coded. The order of vertices and faces and the first corner of each face are kept.
  */
 
 import { codeFaces } from './face-code.js';
@@ -9,22 +9,25 @@ import { RangeReader, RangeWriter } from './range-coder.js';
 
 /** @typedef {[number, number, number]} Vector */
 /** @typedef {{ positions: Vector[], faces: number[][] }} Mesh */
-/** 1, 2 or 5 times a power of ten, so that rounded numbers are short. @typedef {{ factor: number, exponent: number }} Step */
+/**
+ * Rounding step: 1, 2 or 5 times a power of ten, so that rounded numbers are short.
+ * @typedef {{ factor: number, exponent: number }} Step
+ */
 
-/** A mesh with more vertices or faces has no short link. */
+/** Largest number of vertices or faces of a mesh in a short link. */
 const MOST_COUNT = 200_000;
-/** Steps from the first vertex to another, and from the origin to the first. */
+/** Largest distance in steps from the first vertex to another, and from the origin to the first. */
 const [FARTHEST, FARTHEST_ORIGIN] = [2 ** 29, 2 ** 45];
-/** Keys of contexts that no other quantity has. */
+/** Context keys used by no other quantity. */
 const KEY = 1 << 20;
-/** Larger numbers are written in parts of so many bits. */
+/** Larger numbers are coded in parts of 24 bits. */
 const PART = 2 ** 24;
 const EXPONENTS = 22;
 
 /**
- * The step that is at most a length.
+ * Returns the largest step that is at most a length.
  * @param {number} length above 0
- * @returns {Step | null} null where no such power of ten is exact
+ * @returns {Step | null} null if the power of ten is not exact
  */
 export function stepBelow(length) {
   const exponent = Math.floor(Math.log10(length));
@@ -33,10 +36,10 @@ export function stepBelow(length) {
   return Math.abs(exponent) <= EXPONENTS ? { factor, exponent } : null;
 }
 
-/** So many steps as a length, the nearest number to it. @param {number} count @param {Step} step */
+/** Returns the length of `count` steps. @param {number} count @param {Step} step */
 export function scaled(count, { factor, exponent }) {
   const size = 10 ** Math.abs(exponent);
-  // A quotient of whole numbers is the number that its decimals say.
+  // A quotient of exact integers is rounded once, to the double nearest to the decimal number.
   return exponent < 0 ? (count * factor) / size : count * factor * size;
 }
 
@@ -44,7 +47,7 @@ export function scaled(count, { factor, exponent }) {
  * Writes a mesh with its positions rounded to a step.
  * @param {Mesh} mesh
  * @param {Step} step
- * @returns {Uint8Array | null} null where rounding would join vertices that are apart, or does not fit
+ * @returns {Uint8Array | null} null if rounding would merge distinct vertices or exceed the range
  */
 export function writeMesh({ positions, faces }, step) {
   if (positions.length > MOST_COUNT || faces.length > MOST_COUNT) return null;
@@ -69,7 +72,7 @@ export function writeMesh({ positions, faces }, step) {
 
 /**
  * @param {Uint8Array} bytes
- * @param {boolean} inPlanes whether it was written with the planes of its faces
+ * @param {boolean} inPlanes whether it was written with plane prediction
  * @returns {Mesh}
  */
 export function readMesh(bytes, inPlanes) {

@@ -1,12 +1,12 @@
-/** Which faces and vertices are beside a vertex, and in which order faces say most of the next. */
+/** Adjacency of faces and vertices, and an order of faces that favours prediction. */
 
-/** Faces that miss so many vertices or more are alike. */
+/** Faces that lack this many unknown vertices or more share a queue. */
 const MOST_MISSING = 6;
 
 export class Neighbourhood {
-  /** Faces at each vertex. @type {number[][]} */
+  /** Incident faces of each vertex. @type {number[][]} */
   facesAt;
-  /** Vertices that share a side with each. @type {number[][]} */
+  /** Vertices that share an edge with each vertex. @type {number[][]} */
   beside;
 
   /**
@@ -29,18 +29,18 @@ export class Neighbourhood {
     this.beside = beside.map((others) => [...others]);
   }
 
-  /** Whether a face has both. @param {number} a @param {number} b */
+  /** Whether two vertices have a common face. @param {number} a @param {number} b */
   share(a, b) {
     return this.facesAt[a].some((face) => this.facesAt[b].includes(face));
   }
 
-  /** The faces, one after the other, each time one of those that lack fewest vertices. */
+  /** Returns the order of faces in which each next face has the fewest unknown vertices. */
   order() {
     const { faces, facesAt } = this;
     const missing = faces.map((face) => new Set(face).size);
     const isDone = new Uint8Array(faces.length);
     const isKnown = new Uint8Array(facesAt.length);
-    /** Faces by how many vertices they lacked when they were put there. @type {number[][]} */
+    /** Queues of faces by their number of unknown vertices when enqueued. @type {number[][]} */
     const queues = Array.from({ length: MOST_MISSING + 1 }, () => []);
     const heads = queues.map(() => 0);
     /** @type {number[]} */

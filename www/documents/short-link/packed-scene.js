@@ -1,9 +1,10 @@
 /**
- * The code of a link: a scene, whether it is run, and the example whose mesh it has. In bytes: what it
- * holds, the length of the mesh where it has one, the mesh, and the rest as deflated JSON.
+ * Code of a link: a scene, whether to run it, and the id of the example whose mesh it has. Layout:
+ * flags (1 byte), the length of the mesh code if there is one, the mesh code, the rest as deflated
+ * JSON.
  *
- * Where the scene as it is makes a code that gets through everywhere, that is the code. Else the positions of
- * the mesh and of its handles are rounded to a hundredth of the tolerance at most.
+ * If the unrounded scene gives a code short enough to pass everywhere, that code is used. Otherwise
+ * the positions of the mesh and of its handles are rounded to at most a hundredth of the tolerance.
  */
 
 import { readCode, writeCode } from './checked-code.js';
@@ -12,14 +13,14 @@ import { readMesh, scaled, stepBelow, writeMesh } from './mesh-code.js';
 
 export { inflated } from './deflated.js';
 
-/** So many characters get through everywhere. */
+/** Number of characters that passes everywhere. */
 const SHORT = 1_900;
-/** Positions are rounded to this part of the tolerance, or less. */
+/** Largest rounding step, relative to the tolerance. */
 const PART = 0.01;
-/** What the first byte says. */
+/** Flags of the first byte. */
 const RUN = 1;
 const HAS_MESH = 2;
-/** Its positions were predicted by planes, too: those of the first links were not. */
+/** Positions were coded with plane prediction, unlike in the first links. */
 const IN_PLANES = 4;
 const LENGTH_BYTES = 4;
 
@@ -31,18 +32,19 @@ const LENGTH_BYTES = 4;
  * @param {string} [given.example]
  * @param {boolean} given.run
  * @param {number} given.tolerance in the unit of the mesh
- * @returns {Promise<{ code: string, rounded: number | null }>} with the step of positions, if they are rounded
+ * @returns {Promise<{ code: string, rounded: number | null }>} with the rounding step of positions,
+ *   if rounded
  */
 export async function packScene({ scene, example, run, tolerance }) {
   const exact = await packed({ scene, example }, run, null);
   const step = tolerance > 0 ? stepBelow(PART * tolerance) : null;
-  // What is handed in of a lesson is compared with its mesh, bit by bit.
+  // A lesson's submission is compared with its mesh bit by bit.
   if (exact.length <= SHORT || !scene.mesh?.faces || scene.lesson || !step)
     return { code: exact, rounded: null };
   const { positions, faces, ...others } = scene.mesh;
   const mesh = writeMesh({ positions, faces }, step);
   const handles = scene.handles?.map(roundedHandle(positions, step));
-  // What is undefined is not written.
+  // JSON omits undefined keys.
   const rest = { ...scene, mesh: others, handles };
   const code = mesh && (await packed({ scene: rest, example }, run, mesh));
   if (!code || code.length >= exact.length) return { code: exact, rounded: null };
@@ -65,7 +67,8 @@ async function packed(content, run, mesh) {
 
 /**
  * @param {string} code
- * @returns {Promise<{ text: string, example: string | null, run: boolean }>} rejects where it is not as it was written
+ * @returns {Promise<{ text: string, example: string | null, run: boolean }>} rejects if the code
+ *   was altered
  */
 export async function unpackScene(code) {
   const bytes = readCode(code);
@@ -83,13 +86,14 @@ export async function unpackScene(code) {
   const end = start + view.getUint32(1);
   const { scene } = JSON.parse(await inflate(bytes.subarray(end)));
   const { positions, faces } = readMesh(bytes.subarray(start, end), (holds & IN_PLANES) !== 0);
-  // Keys that the mesh has beside them are curves, tetrahedra and groups.
+  // The remaining keys of the mesh are curves, tetrahedra and groups.
   const mesh = { positions, faces, ...scene.mesh };
   return { text: JSON.stringify({ ...scene, mesh }), example: null, run };
 }
 
 /**
- * A handle with rounded targets; without, where they are the rest positions, which it has then.
+ * Returns a handle with rounded targets; targets equal to the rest positions (the default) are
+ * dropped.
  * @param {number[][]} positions
  * @param {import("./mesh-code.js").Step} step
  */

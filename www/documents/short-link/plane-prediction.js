@@ -1,6 +1,6 @@
 /**
- * The plane of a face, of which all corners but one are known: two coordinates of that one say the third, and what
- * the faces beside it do out of their planes says more.
+ * Prediction from the plane of a face with one unknown corner: two coordinates of that corner
+ * determine the third. The offsets of adjacent faces from their planes refine it.
  */
 
 import { cross, dot, minus } from './vectors.js';
@@ -8,10 +8,10 @@ import { cross, dot, minus } from './vectors.js';
 /** @typedef {import("./vectors.js").Vector} Vector */
 
 /**
- * @param {Vector} p from one corner to the next
- * @param {Vector} q to the one before
- * @returns {{ axis: number, slopes: Vector } | null} the axis that leaves the plane fastest, and how far along it a point
- *   is off the plane by its distance along each axis; null where the corners are in a line
+ * @param {Vector} p edge vector from a corner to the next
+ * @param {Vector} q edge vector to the previous corner
+ * @returns {{ axis: number, slopes: Vector } | null} the axis closest to the normal, and the normal
+ *   divided by its component on that axis; null if the corners are collinear
  */
 export function planeAlong(p, q) {
   const normal = cross(p, q);
@@ -24,10 +24,10 @@ export function planeAlong(p, q) {
 }
 
 /**
- * Where a point is along the axis of a plane, which its other coordinates say.
+ * Returns the coordinate of the plane along its axis, at a point's other two coordinates.
  * @param {NonNullable<ReturnType<typeof planeAlong>>} plane
  * @param {Vector} base a point in the plane
- * @param {Vector} at the point, whose coordinate along the axis is not looked at
+ * @param {Vector} at the point; its coordinate along the axis is ignored
  */
 export function alongPlane({ axis, slopes }, base, at) {
   const off = minus(at, base);

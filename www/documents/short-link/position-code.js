@@ -1,37 +1,41 @@
 /**
- * Positions in a link: a vertex is predicted by the faces around it, and its difference to that is coded. Where a
- * face says its plane, the coordinate that leaves the plane fastest comes last, and the others predict it.
+ * Coding of positions in a link: the difference of a vertex to its prediction from the faces around
+ * it. If a face determines a plane, the coordinate along the axis closest to its normal is coded
+ * last, predicted from the other two.
  */
 
 import { Predictor } from './predictor.js';
 
 /** @typedef {import("./range-coder.js").RangeCoder} RangeCoder */
 
-/** Contexts go by the length of the last differences, in steps of two bits. */
+/** Number of contexts by the bit length of the last differences, in steps of two bits. */
 const LENGTHS = 7;
 const KEY = 1 << 16;
-/** That of differences to planes: they are as short as none. */
+/** Context key of differences to planes, which are much shorter. */
 const PLANE_KEY = KEY + 3 * LENGTHS;
 const [LEVEL_BEGIN, PLANE_LEVEL_BEGIN] = [6, 1];
-/** Of the first difference, in bits. */
+/** Assumed length of the first difference, in bits. */
 const FIRST = 12;
 
-/** Nothing is predicted farther away, in steps. */
+/** Bound on predicted coordinates, in steps. */
 const FARTHEST = 2 ** 30;
 
 /**
- * Writes positions, or reads them.
+ * Writes or reads positions.
  * @param {RangeCoder} coder
  * @param {number[][]} faces
- * @param {Int32Array} places `#V by 3`, in steps; a reader fills it
- * @param {boolean} inPlanes whether faces say their planes: in the first links they did not
+ * @param {Int32Array} places positions, `#V by 3`, in steps; a reader fills it
+ * @param {boolean} inPlanes whether to predict by planes; the first links did not
  */
 export function codePositions(coder, faces, places, inPlanes) {
   const predictor = new Predictor(faces, places, inPlanes);
-  /** The lengths of the last differences, in bits: of those in a plane, and of those to it. */
+  /** Running lengths in bits of the differences: within planes, and to planes. */
   let [length, planeLength] = [FIRST, FIRST];
 
-  /** Codes a coordinate; returns the length of its difference. @type {(at: number, value: number, key: number) => number} */
+  /**
+   * Codes a coordinate; returns the bit length of its difference.
+   * @type {(at: number, value: number, key: number) => number}
+   */
   const coordinate = (at, value, key) => {
     const predicted = Math.abs(value) < FARTHEST ? Math.round(value) : 0;
     const difference = coder.integer(key, places[at] - predicted);
@@ -61,6 +65,6 @@ export function codePositions(coder, faces, places, inPlanes) {
     if (!predictor.isKnown[vertex]) code(vertex);
 }
 
-/** @param {number} length in bits @param {number} begin that of the lowest level */
+/** @param {number} length in bits @param {number} begin length of the lowest level */
 const levelOf = (length, begin) =>
   Math.min(Math.max(Math.round((length - begin) / 2), 0), LENGTHS - 1);

@@ -1,6 +1,6 @@
 /**
- * Where a vertex will be, by what is known of its neighbours: a parallelogram, or a straight line; what the twist
- * and the bend of the faces beside it say more is learned on the way.
+ * Predicts a vertex from known neighbours, by a parallelogram or a straight line, plus a learned
+ * linear correction from the twist and the bend of the adjacent faces.
  */
 
 import { alongPlane, planeAlong } from './plane-prediction.js';
@@ -10,20 +10,20 @@ import { dot, mean, minus } from './vectors.js';
 
 /** @typedef {import("./vectors.js").Vector} Vector */
 
-/** Features are about 1 where a step is a hundredth of a tolerance that is a thousandth of an edge. */
+/** Scales features to about 1 for a step of 1e-2 tolerances and a tolerance of 1e-3 edges. */
 const UNIT = 1e5;
 
 export class Predictor {
   #places;
   #inPlanes;
   #last = /** @type {Vector} */ ([0, 0, 0]);
-  /** One for each sort of what is known. @type {Map<string, LeastSquares>} */
+  /** Learned weights by configuration of known neighbours. @type {Map<string, LeastSquares>} */
   #learned = new Map();
 
   /**
    * @param {number[][]} faces
    * @param {Int32Array} places
-   * @param {boolean} inPlanes whether faces say their planes
+   * @param {boolean} inPlanes whether to predict by planes
    */
   constructor(faces, places, inPlanes) {
     this.#places = places;
@@ -38,7 +38,10 @@ export class Predictor {
     this.#last = this.#sum([1, vertex]);
   }
 
-  /** The vertex of a face that is to come, with most known beside it; -1 where all are known. @param {number[]} face */
+  /**
+   * Returns the unknown vertex of a face with the most known neighbours in it; -1 if all are known.
+   * @param {number[]} face
+   */
   next(face) {
     let best = -1;
     let most = -1;
@@ -51,7 +54,7 @@ export class Predictor {
     return best;
   }
 
-  /** Where a vertex will be, in steps. @param {number} vertex */
+  /** Predicts a vertex, in steps. @param {number} vertex */
   of(vertex) {
     const shapes = this.#parallelograms(vertex);
     const lines = this.#lines(vertex);
@@ -93,7 +96,7 @@ export class Predictor {
   }
 
   /**
-   * The axis that leaves the plane of a face fastest, and what the other two coordinates say along it.
+   * Predicts the coordinate along the axis closest to the normal of a face from the other two.
    * @param {number} vertex
    * @param {[number, number, number]} shape
    * @param {Vector} base
@@ -122,7 +125,7 @@ export class Predictor {
   }
 
   /**
-   * What was learned where as much was known.
+   * Applies the correction learned for the same configuration.
    * @param {number} vertex
    * @param {Vector} base
    * @param {Vector[]} features
@@ -142,7 +145,7 @@ export class Predictor {
   }
 
   /**
-   * A sum of positions with factors.
+   * Returns a linear combination of positions.
    * @param {...[number, number]} terms factor and vertex
    * @returns {Vector}
    */
@@ -153,8 +156,8 @@ export class Predictor {
   }
 
   /**
-   * Two known neighbours and the vertex across from it, in each face that has them; of two triangles
-   * across their common side.
+   * Returns for each face two known neighbours of the vertex and the known vertex opposite to it;
+   * for triangles, the vertex across the opposite edge.
    * @param {number} vertex
    * @returns {[number, number, number][]}
    */
@@ -175,10 +178,10 @@ export class Predictor {
   }
 
   /**
-   * A known vertex of the face on the other side of two vertices; -1 where there is none.
+   * Returns a known vertex of the face on the other side of an edge; -1 if there is none.
    * @param {number} a
    * @param {number} b
-   * @param {number} vertex on this side
+   * @param {number} vertex on this side of the edge
    */
   #acrossSide(a, b, vertex) {
     const { faces, facesAt } = this.around;
@@ -190,7 +193,8 @@ export class Predictor {
   }
 
   /**
-   * Known vertices in a line with a vertex: its neighbour, the one beyond it, and the one beyond that or -1.
+   * Returns known vertices in line with a vertex: its neighbour, the next one, and the one after
+   * that or -1.
    * @param {number} vertex
    * @returns {[number, number, number][]}
    */
@@ -205,7 +209,11 @@ export class Predictor {
     return found;
   }
 
-  /** The known neighbour of `near` that shares no face with `vertex`, or -1. @param {number} vertex @param {number} near */
+  /**
+   * Returns the known neighbour of `near` that shares no face with `vertex`, or -1.
+   * @param {number} vertex
+   * @param {number} near
+   */
   #beyond(vertex, near) {
     const isBeyond = (/** @type {number} */ other) =>
       this.isKnown[other] === 1 && other !== vertex && !this.around.share(other, vertex);
@@ -213,7 +221,7 @@ export class Predictor {
   }
 
   /**
-   * How far the known quads beside a parallelogram are from parallelograms.
+   * Returns the deviation of known adjacent quads from parallelograms.
    * @param {number} vertex
    * @param {[number, number, number]} shape
    */

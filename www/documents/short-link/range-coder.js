@@ -1,27 +1,29 @@
 /**
- * An adaptive binary range coder: each bit is written in about as many bits as its context makes it
- * surprising. Writer and reader have one interface, so that what is coded is described once: each method
- * takes the value to write and returns the value, and a reader ignores what it is given.
+ * Adaptive binary range coder: a bit costs about as many bits as it is surprising in its context.
+ * Writer and reader share an interface, so that each format is described once: a method takes the
+ * value to write and returns the value; a reader ignores its argument.
  *
- * Only integers, and sums, products and quotients of them that every engine rounds alike, so that every
+ * Uses integers, and sums, products and quotients that every engine rounds alike, so that every
  * browser reads what another one wrote. Carries as in LZMA (Martin 1979; Pavlov).
  */
 
 const TOP = 2 ** 24;
 const ONE = 2 ** 16;
 const HALF = ONE / 2;
-/** No bit is so certain that the opposite costs more than eight bits. */
+/** Bounds of a probability: no bit costs more than eight bits. */
 const [LEAST, MOST] = [300, ONE - 300];
-/** A context follows what it has seen; after so many bits, the newest of them. */
+/** Window of adaptation: a context averages over about this many recent bits. */
 const MEMORY = 60;
-/** Bits of a length: magnitudes are below 2^31. */
+/** Bits of a bit length: magnitudes are below 2^31. */
 const LENGTH_BITS = 5;
-/** So many of the bits after the first have contexts; the others are as good as random. */
+/** Number of bits after the leading one that have contexts; the others are practically random. */
 const MODELLED = 2;
-/** Contexts of one key: those of a tree of 16 symbols, of a length, and of the bits after it. */
+/** Contexts per key: a tree of 16 symbols, a bit length, and the bits after the leading one. */
 const SPAN = 256;
 
-/** @typedef {{ zero: number, seen: number }} Context of 65536, the probability of a 0 */
+/**
+ * @typedef {{ zero: number, seen: number }} Context `zero`: probability of a 0, in units of 1/65536
+ */
 
 class Coder {
   /** @type {Map<number, Context>} */
@@ -29,7 +31,7 @@ class Coder {
   #range = 2 ** 32 - 1;
 
   /**
-   * The bit: the range before the bound is that of a 0, the range from there on that of a 1.
+   * Chooses the bit: a 0 takes the range below the bound, a 1 the range from there on.
    * @param {number} _bound
    * @param {number} bit
    * @returns {number}
@@ -38,11 +40,11 @@ class Coder {
     return bit;
   }
 
-  /** The range was made larger by a byte. */
+  /** Called after the range was extended by a byte. */
   shift() {}
 
   /**
-   * @param {number} zero of 65536, the probability of a 0
+   * @param {number} zero probability of a 0, in units of 1/65536
    * @param {number} bit
    */
   code(zero, bit) {
@@ -72,7 +74,7 @@ class Coder {
   }
 
   /**
-   * The low bits of a number, the highest first.
+   * Codes the low bits of a number, highest first.
    * @param {number} key of their contexts
    * @param {number} bits at most 5
    * @param {number} value
@@ -85,7 +87,7 @@ class Coder {
   }
 
   /**
-   * An integer of any sign, below 2^31 in size.
+   * Codes a signed integer of magnitude below 2^31.
    * @param {number} key of its contexts
    * @param {number} value
    */
@@ -109,7 +111,9 @@ export class RangeWriter extends Coder {
   #bytes = [];
   #low = 0;
   #held = 0;
-  /** Bytes of 255 after the held one, which a carry would turn over. */
+  /**
+   * Number of 255s after the held byte, which a carry would turn to 0; -1 before the first byte.
+   */
   #pending = -1;
 
   /** @override @param {number} bound @param {number} bit */
@@ -122,7 +126,7 @@ export class RangeWriter extends Coder {
   shift() {
     if (this.#low < 255 * TOP || this.#low >= 2 ** 32) {
       const carry = this.#low >= 2 ** 32 ? 1 : 0;
-      // The first of all would be a 0 that says nothing.
+      // The very first byte is always 0 and is omitted.
       if (this.#pending >= 0) {
         this.#bytes.push(this.#held + carry);
         for (; this.#pending > 0; this.#pending--) this.#bytes.push((255 + carry) & 255);
@@ -133,7 +137,7 @@ export class RangeWriter extends Coder {
     this.#low = (this.#low % TOP) * 256;
   }
 
-  /** All that was written; zeros at the end are read from nothing. */
+  /** Returns the code without trailing zeros, which a reader supplies. */
   bytes() {
     for (let i = 0; i < 5; i++) this.shift();
     while (this.#bytes.at(-1) === 0) this.#bytes.pop();

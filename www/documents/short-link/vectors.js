@@ -1,4 +1,4 @@
-/** What is done with points of whole numbers, alike in every browser: sums, products and quotients only. */
+/** Vector operations with sums, products and quotients only, which every browser rounds alike. */
 
 /** @typedef {[number, number, number]} Vector */
 
