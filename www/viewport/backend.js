@@ -1,7 +1,7 @@
 /**
- * What draws. The view's module is compiled twice: for WebGPU, where the browser does most of the
- * work, and for WebGL2, which brings a whole graphics library along. A browser is asked before either
- * is loaded, and WebGPU that failed once is not tried again.
+ * Choice of the graphics backend. The view's module is compiled twice: for WebGPU, where the
+ * browser does most of the work, and for WebGL2, which includes a whole graphics library. WebGPU
+ * support is tested before either is loaded, and WebGPU is not retried after a failure.
  */
 
 import { recall, remember } from '../ui/safe-storage.js';
@@ -9,24 +9,24 @@ import { recall, remember } from '../ui/safe-storage.js';
 /** @typedef {"webgpu" | "webgl2"} Name */
 
 /**
- * A driver that has not answered after so many waits of so many milliseconds may never do. One long
- * wait could be over before its answer is looked at, while the page itself is busy.
+ * Timeout for a driver that may never answer: number of waits, and milliseconds each. A single long
+ * wait could expire before its answer is processed, while the page itself is busy.
  */
 const [WAITS, WAIT] = [30, 100];
 
-/** Where the last one that drew is noted. */
+/** Key of the backend that drew last. */
 const KEY = 'shape-up.backend';
 
 /** @param {string | null} word @returns {Name | null} */
 const nameOf = (word) => (word === 'webgpu' || word === 'webgl2' ? word : null);
 
-/** The one that the address asks for. */
+/** Returns the backend requested in the address (`?backend=`). */
 function demanded() {
   const named = new URLSearchParams(location.search).get('backend');
   return nameOf(named === 'webgl' ? 'webgl2' : named);
 }
 
-/** Without a network only the module is there that was used before. */
+/** Offline, only the module used before is available. */
 const kept = () => (navigator.onLine ? null : nameOf(recall(KEY)));
 
 async function waitForLong() {
@@ -34,9 +34,9 @@ async function waitForLong() {
   return null;
 }
 
-/** Whether a graphics card, or what stands in for it, answers for WebGPU. */
+/** Whether WebGPU has an adapter, in hardware or software. */
 async function hasWebgpu() {
-  // Neither every browser nor every version of TypeScript's declarations has it.
+  // `navigator.gpu` is missing in some browsers and in some versions of TypeScript's declarations.
   const { gpu } = /** @type {{ gpu?: { requestAdapter(): Promise<unknown> } }} */ (navigator);
   const adapter = gpu?.requestAdapter().catch(() => null);
   return Boolean(await Promise.race([adapter, waitForLong()]));
@@ -47,7 +47,7 @@ export class Backend {
   /** @type {Promise<Name> | null} */
   #chosen = null;
 
-  /** The one to draw with now. */
+  /** Returns the backend to draw with now. */
   choose() {
     if (this.#demanded) return this.#demanded;
     this.#chosen ??= hasWebgpu().then((has) => (has ? 'webgpu' : 'webgl2'));
@@ -55,9 +55,9 @@ export class Backend {
   }
 
   /**
-   * Takes note that one could not draw.
+   * Records that a backend could not draw.
    * @param {Name} name
-   * @returns {boolean} whether there is another one
+   * @returns {boolean} whether there is another one to try
    */
   failed(name) {
     if (this.#demanded || name === 'webgl2') return false;
@@ -83,8 +83,8 @@ export async function openView(canvas, name) {
 }
 
 /**
- * Whether nothing was drawn: some drivers take all commands and draw nothing. No background of a
- * picture is quite black. To be asked in the task that drew.
+ * Whether the canvas is blank: some drivers accept all commands and draw nothing. Every background
+ * is lighter than black. Must be called in the same task as the drawing.
  * @param {HTMLCanvasElement} canvas
  */
 export function isBlank(canvas) {
@@ -94,6 +94,6 @@ export function isBlank(canvas) {
   if (!context) return false;
   context.drawImage(canvas, 0, 0, width, height);
   const { data } = context.getImageData(0, 0, width, height);
-  // The fourth of each pixel is its opacity.
+  // Every fourth byte is the opacity.
   return data.every((byte, i) => i % 4 === 3 || byte === 0);
 }

@@ -1,17 +1,17 @@
-/** What lies along the lower edge of the view: whatever is framed is seen whole above all of it. */
+/** Elements along the lower edge of the view: the camera frames the model above them. */
 
-/** Between the model and what lies below it, in CSS pixels. */
+/** Gap between the model and these elements, in CSS pixels. */
 const GAP = 14;
 
-/** How much of the view each of them covers, in CSS pixels. @type {Map<HTMLElement, number>} */
+/** Height of the view covered by each element, in CSS pixels. @type {Map<HTMLElement, number>} */
 const heights = new Map();
 
 /**
- * Takes note of what an element over the view covers of it now.
+ * Records how much of the view an element covers.
  * @param {import("./viewport.js").Viewport} viewport
  * @param {HTMLElement} element
- * @param {boolean} [isAlong] whether it lies along the edge, if it is seen
- * @returns {number} how much it covers, in CSS pixels
+ * @param {boolean} [isAlong] whether it lies along the lower edge when visible
+ * @returns {number} covered height, in CSS pixels
  */
 export function cover(viewport, element, isAlong = true) {
   const { hidden, offsetTop, offsetParent } = element;

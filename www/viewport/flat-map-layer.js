@@ -1,9 +1,12 @@
-/** How the view shows the flat map beside the model. */
+/** Display of the flat map beside the model. */
 
 /** @typedef {import("../pkg/view-webgl2/shape_up.js").View} View */
 /** @typedef {import("../store/view-modes.js").FlatMap} FlatMap */
 
-/** The map that each view has. @type {WeakMap<View, import("../solver/messages.js").Parametrization>} */
+/**
+ * The map that each view shows.
+ * @type {WeakMap<View, import("../solver/messages.js").Parametrization>}
+ */
 const shown = new WeakMap();
 
 /**
@@ -24,7 +27,7 @@ export function showFlatMap(view, { flatMap }) {
 }
 
 /**
- * What the faces of the model are coloured by while its map is shown: values, from, to.
+ * Returns the values that colour the model's faces while its map is shown, and their range.
  * @param {FlatMap} flatMap
  * @returns {[Float32Array | undefined, number, number]}
  */

@@ -1,10 +1,10 @@
-/** Moves of the camera on short flights. */
+/** Short camera animations. */
 
 const FLIGHT_MS = 320;
 const still = matchMedia('(prefers-reduced-motion: reduce)');
 
 /**
- * Moves the camera as `change` does, gradually, or at once for those who want no motion.
+ * Moves the camera as `change` does: animated, or at once if the user prefers reduced motion.
  * @param {import("./viewport.js").Viewport} viewport
  * @param {(view: import("./layers.js").View) => void} change
  */

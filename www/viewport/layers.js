@@ -1,4 +1,6 @@
-/** What the view shows of the state: the mesh's colours, handles, selection and all that is drawn about it. */
+/**
+ * Functions that transfer parts of the state to the view: colours, handles, selection and so on.
+ */
 
 import { handlesNow } from '../store/state.js';
 import { declared, toleranceOf } from '../store/colours/measures.js';
@@ -18,7 +20,7 @@ const NO_COLOURS = {
 };
 
 /**
- * What the view shows of the state, each with the parts of the state that it depends on.
+ * Display functions, each with the parts of the state that it depends on.
  * @type {[(keyof State)[], (view: View, state: State, geometry: Geometry | null) => void][]}
  */
 export const LAYERS = [
@@ -56,7 +58,7 @@ export function showValues(view, state, geometry) {
   const isCurrent = geometry?.measure === state.measure && !state.flatMap && !heldOriginal;
   view.setCornerValues((isCurrent && geometry?.corners) || undefined);
   if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
-  // Right after another choice, the values are still those of the one before, or have no range.
+  // Just after the measure was changed, the values are still the old ones, or have no range yet.
   const isRanged = geometry?.measure === state.measure && state.spread;
   const values = isRanged ? (heldOriginal ?? geometry)?.values : null;
   const { full, log, map } = state.display;
@@ -74,8 +76,8 @@ export function showValues(view, state, geometry) {
  */
 export function showDisplay(view, { display, halfway, heldOriginal }) {
   const { edges, vertices } = display;
-  // All of them are of the current shape. What the local step has fitted is seen until the global
-  // step takes it over.
+  // All three show the current shape, not the original. Outlines also show during a half step, when
+  // the projections are computed but not yet applied.
   const [shapes, outlines, arrows] = heldOriginal
     ? [false, false, false]
     : [display.shapes, display.outlines || halfway, display.arrows];
@@ -86,13 +88,13 @@ export function showDisplay(view, { display, halfway, heldOriginal }) {
 }
 
 /**
- * Handles as the view takes them: 0 soft, 1 fixed, 2 under the pointer.
+ * Transfers the handles. States: 0 soft, 1 fixed, 2 under the pointer or dragged.
  * @param {View} view
  * @param {State} state
  */
 function showHandles(view, state) {
   const { dragged, pointedAt } = state;
-  // Where they pull is about the current shape.
+  // Targets refer to the current shape, not to the original.
   const handles = state.heldOriginal ? [] : handlesNow(state);
   const vertices = Uint32Array.from(handles, (handle) => handle.vertex);
   const states = Uint8Array.from(handles, (handle) =>

@@ -1,4 +1,4 @@
-/** The view where nothing can draw: what that means, and what still works. */
+/** Message in place of the view if nothing can draw: the cause, and what still works. */
 
 import { byId, element } from '../ui/dom.js';
 
@@ -9,7 +9,7 @@ const GONE =
 const NOT_HERE =
   'the part that draws could not be fetched. Check the network, then reload the page.';
 
-/** @param {string} reason in the words of the browser */
+/** @param {string} reason error message of the browser */
 export function explainNoPicture(reason) {
   const cause = /was lost/.test(reason) ? GONE : /fetched/.test(reason) ? NOT_HERE : NEVER;
   const notice = byId('no-picture');

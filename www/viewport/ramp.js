@@ -1,10 +1,10 @@
-/** The colours of the range as legends paint them. */
+/** Colour ramp of the displayed range, for legends. */
 
 /**
- * The colours of the range as a legend paints them, with their places in it from 0 to 1: gradual, or
- * in bands with hard limits.
+ * Returns the colours of the ramp with their positions from 0 to 1: continuous, or in bands with
+ * sharp limits.
  * @param {import("./viewport.js").Viewport} viewport
- * @param {number} [side] of two pictures, 0 left or 1 right
+ * @param {number} [side] of a split view: 0 left, 1 right
  * @returns {[number, string][]}
  */
 export function rampStops(viewport, side) {
@@ -22,11 +22,11 @@ export function rampStops(viewport, side) {
 }
 
 /**
- * The same as a CSS background.
+ * Returns the ramp as a CSS background.
  * @param {import("./viewport.js").Viewport} viewport
- * @param {[number, number]} ends of the range, in per cent of the width
- * @param {{ side?: number, neutral?: number }} [options] of two pictures the side; up to where the
- *   faces keep the material, in per cent of the width
+ * @param {[number, number]} ends positions of the range's ends, in per cent of the width
+ * @param {{ side?: number, neutral?: number }} [options] side of a split view; end of the part
+ *   where faces keep their material, in per cent of the width
  */
 export function rampOf(viewport, [from, to], { side, neutral = 0 } = {}) {
   const spaced = rampStops(viewport, side).map(

@@ -1,27 +1,27 @@
 /**
- * When the view shows that what is near keeps light off: with every picture where that is fast enough, and
- * otherwise once nothing moves. It takes three passes more, which a graphics card does by the way and
- * software does not.
+ * Decides when the view draws ambient occlusion: with every picture if that is fast enough,
+ * otherwise once nothing moves. It takes three more passes, which are cheap on a graphics card but
+ * not in software.
  */
 
-/** A picture in motion that takes longer than this has to do without, in milliseconds. */
+/** Above this time, in milliseconds, a picture in motion is too slow for occlusion. */
 const TOO_SLOW = 50;
-/** One that takes no longer without can afford it. */
+/** Up to this time, a picture without occlusion is fast enough to add it. */
 const FAST = 25;
-/** So many in a row decide for it, and against it. */
+/** Number of consecutive fast pictures that switch it on, and of slow ones that switch it off. */
 const [FAST_ONES, SLOW_ONES] = [12, 3];
-/** Nothing has moved for so long. */
+/** Milliseconds without motion after which it fades in. */
 const STILL = 220;
-/** How much of it is seen, from picture to picture, once nothing moves. */
+/** Strength of occlusion in the successive pictures of the fade-in. */
 const STEPS = [0.4, 0.75, 1];
 
-/** Decides from the times of pictures in motion, and does not change its mind at every one. */
+/** Decides from the times of pictures in motion, with hysteresis. */
 export class Budget {
-  /** Whether pictures in motion show it. */
+  /** Whether pictures in motion show occlusion. */
   isLive = false;
   #fast = 0;
   #slow = 0;
-  /** Longer after every time that it was too slow. */
+  /** Fast pictures needed; more after every time that it was too slow. */
   #needed = FAST_ONES;
 
   /** @param {number} milliseconds that a picture in motion took */
@@ -41,21 +41,21 @@ export class Refinement {
   #budget = new Budget();
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #waiting;
-  /** The step that the next picture shows; none while something moves. @type {number | null} */
+  /** Fade-in step of the next picture; null while something moves. @type {number | null} */
   #step = null;
-  /** It is the first one. */
+  /** Whether the fade-in has just been requested. */
   #begins = false;
-  /** The next picture shows something in another place. */
+  /** Whether the next picture shows motion. */
   #isMoved = false;
   #ask;
 
-  /** @param {() => void} ask for a picture */
+  /** @param {() => void} ask requests a picture */
   constructor(ask) {
     this.#ask = ask;
   }
 
   /**
-   * Before a picture: how much of it is to be seen.
+   * Sets the strength of occlusion before a picture.
    * @param {import("../pkg/view-webgl2/shape_up.js").View} view
    */
   prepare(view) {
@@ -64,14 +64,14 @@ export class Refinement {
     this.#isMoved = this.#step === null && !fits && view.needsDraw();
     if (this.#step !== null) {
       view.setOcclusion(STEPS[this.#step]);
-      // It is there already.
+      // This strength is already shown.
       if (!view.needsDraw()) this.#step = null;
     }
-    // What is still as it was keeps its look, whatever else is new.
+    // If only other things changed, the occlusion stays.
     else if (this.#isMoved) view.setOcclusion(this.#budget.isLive ? 1 : 0);
   }
 
-  /** After it. */
+  /** Updates the state after a picture. */
   drawn() {
     this.#begins = false;
     if (this.#step !== null) {
@@ -85,7 +85,7 @@ export class Refinement {
     }
   }
 
-  /** Shows all of it with the next picture. */
+  /** Shows full occlusion with the next picture. */
   finish() {
     clearTimeout(this.#waiting);
     this.#begin(STEPS.length - 1);

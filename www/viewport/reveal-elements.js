@@ -1,13 +1,13 @@
-/** Shows elements that a list is about: selects them, and moves the camera to where they are. */
+/** Reveals listed elements: selects them and moves the camera to them. */
 
 /** @typedef {{ vertices: ArrayLike<number>, edges?: ArrayLike<number>, faces: ArrayLike<number> }} Elements */
 
-/** Rings of faces around that are in the picture too: a face alone says nothing of where it is. */
+/** Rings of faces around the elements to include in the picture, for orientation. */
 const RINGS = 2;
 
 /**
  * @param {import("../app/context.js").AppContext} app
- * @param {Elements} elements faces where there are any, else edges, else vertices
+ * @param {Elements} elements their vertices, edges and faces
  */
 export function showElements({ actions, solver, viewport }, { vertices, edges = [], faces }) {
   const { geometry } = solver;
@@ -29,7 +29,7 @@ const corners = ({ faceOffsets, faceIndices }, face) =>
   faceIndices.subarray(faceOffsets[face], faceOffsets[face + 1]);
 
 /**
- * These vertices, and all of every face that has one of them.
+ * Returns the vertices together with those of all faces incident to them.
  * @param {import("../solver/messages.js").Connectivity} connectivity
  * @param {Set<number>} vertices
  */

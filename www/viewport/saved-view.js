@@ -1,7 +1,7 @@
-/** How a model is looked at, which is kept with it. */
+/** Camera and display settings that are saved with a model. */
 
 /**
- * Parts of the state by their names there, and `plot`, the tab of the analysis.
+ * The saved parts of the state under their names there, and `plot`, the tab of the analysis.
  * @typedef {{ [part in typeof PARTS[number]]: import("../store/state.js").State[part] } & { plot: string }} SavedView
  */
 
@@ -9,7 +9,8 @@
  * @typedef {object} ViewContext
  * @property {import("../store/state.js").Store} store
  * @property {import("../store/actions.js").Actions} actions
- * @property {{ show: (tab: string) => void, shown: () => string }} analysis the region of plots and tables
+ * @property {{ show: (tab: string) => void, shown: () => string }} analysis region of plots and
+ *   tables
  */
 
 /** @type {["camera", "parallel", "views", "tab", "measure", "measureChosen", "tolerance", "tolerances"]} */
@@ -32,8 +33,8 @@ export function viewOf({ store, analysis }) {
 }
 
 /**
- * Looks at the model that was just opened as it was looked at when it was kept.
- * @param {SavedView | null} view null where it was not kept
+ * Restores the saved view of a model that was just opened.
+ * @param {SavedView | null} view null if none was saved
  * @param {ViewContext} parts
  */
 export function restoreView(view, { store, actions, analysis }) {

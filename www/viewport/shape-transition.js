@@ -1,13 +1,13 @@
-/** The way from one shape to another, that a press is seen to do something: the shapes between them. */
+/** Animated transition from one shape to another, so that the effect of a command is visible. */
 
 export class ShapeTransition {
   #from;
   #milliseconds;
   #mixed;
-  /** The newest positions when it was made: it begins when they are others. */
+  /** The positions at creation: the transition starts when newer ones arrive. */
   #first;
   #began = 0;
-  /** From 0, where it began, to 1. */
+  /** Progress from 0 to 1. */
   part = 0;
 
   /**
@@ -22,8 +22,8 @@ export class ShapeTransition {
   }
 
   /**
-   * Where the vertices are now on their way, slowly at first and at the end.
-   * @param {Float64Array} to `#V by 3`, which may be on its way itself
+   * Returns the current positions, eased in and out.
+   * @param {Float64Array} to `#V by 3`, which may change during the transition
    */
   towards(to) {
     if (to === this.#first) return this.#from;

@@ -1,9 +1,9 @@
-/** How the view shows two pictures, left and right of a divider. */
+/** Display of two pictures, left and right of a divider. */
 
 /** @typedef {import("../pkg/view-webgl2/shape_up.js").View} View */
 /** @typedef {import("../store/view-modes.js").Split} Split */
 
-/** What each view shows. @type {WeakMap<View, Split>} */
+/** The split that each view shows. @type {WeakMap<View, Split>} */
 const shown = new WeakMap();
 
 /**

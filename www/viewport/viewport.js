@@ -1,7 +1,7 @@
 /**
- * The 3D view's life: its wasm module, its canvas, its size, its pictures, and what to do without
- * it. Everything that is drawn is a function of the store and of the solver's geometry; this module
- * hands over what changed and asks for one picture.
+ * Lifecycle of the 3D view: its wasm module, canvas, size and pictures, and the fallback without
+ * it. Every picture is a function of the store and of the solver's geometry; this module transfers
+ * what changed and requests a picture.
  */
 
 import { Backend, isBlank, openView } from './backend.js';
@@ -15,46 +15,49 @@ import { LAYERS, showDisplay, showValues } from './layers.js';
 /** @typedef {import("../pkg/view-webgl2/shape_up.js").View} View */
 /** @typedef {import("../store/state.js").State} State */
 /**
- * Words over the picture, in CSS pixels, with a bar below them that is so long.
+ * Label over the picture, in CSS pixels, with a bar of length `bar` below it.
  * @typedef {{ text: string, x: number, y: number, align: "center" | "right", bar: number }} Label
  */
 
-/** A view that is lost this often in a row is given up. */
+/** Number of consecutive losses after which the view is given up. */
 const ATTEMPTS = 3;
-/** A larger picture is drawn in tiles of so many pixels, which every graphics card can. */
+/** Side in pixels of the tiles of larger pictures; every graphics card can draw this size. */
 const TILE = 2048;
 /**
- * Something can draw; nothing can, and why; a picture was drawn.
+ * Drawing has become possible; it is impossible, with the reason; a picture was drawn.
  * @typedef {{ ready: void, none: string, drawn: void }} ViewportEvents
  */
 
 /** @extends {Emitter<ViewportEvents>} */
 export class Viewport extends Emitter {
-  /** The element that gestures and sizes refer to; canvases come and go in it. @type {HTMLElement} */
+  /**
+   * The element that gestures and sizes refer to; it contains the current canvas.
+   * @type {HTMLElement}
+   */
   element;
-  /** None while it starts, and where nothing can draw. @type {View | null} */
+  /** Null during start-up and if nothing can draw. @type {View | null} */
   view = null;
-  /** What the page writes over the picture, for those that are saved. @type {() => Label[]} */
+  /** Returns the labels over the picture, for saved pictures. @type {() => Label[]} */
   labels = () => [];
 
   #store;
   #solver;
   #actions;
   #backend = new Backend();
-  /** WebGPU is asked once whether its picture is there. */
+  /** Whether the first WebGPU picture was checked not to be blank. */
   #isProven = false;
   /** @type {HTMLCanvasElement | null} */
   #canvas = null;
   #attempts = 0;
-  /** Width and height that the view has, in CSS pixels. */
+  /** Size of the view in CSS pixels. */
   #size = [0, 0];
-  /** A picture is asked for. */
+  /** Whether a picture is requested. */
   #asked = false;
-  /** Where the camera is, as the store was told. @type {import("../store/state.js").State["camera"]} */
+  /** Camera last written to the store. @type {import("../store/state.js").State["camera"]} */
   #camera = null;
-  /** The mesh itself is another one. */
+  /** Whether the mesh has been replaced since the last transfer. */
   #newMesh = false;
-  /** The positions, values or fitted shapes are newer than the picture. */
+  /** Whether positions, values or fitted shapes are newer than the picture. */
   #newFrame = false;
   /** @type {{ shapes: ShapeTransition, arrived: () => void } | null} */
   #transition = null;
@@ -78,7 +81,7 @@ export class Viewport extends Emitter {
     this.#create();
   }
 
-  /** Asks for a picture before the next one of the page. */
+  /** Requests a picture for the next animation frame. */
   ask() {
     if (this.#asked) return;
     this.#asked = true;
@@ -89,8 +92,8 @@ export class Viewport extends Emitter {
   }
 
   /**
-   * Does something with the view, if there is one, and draws what changed. The view has the newest
-   * size, mesh and positions then, also when no picture shows them yet.
+   * Calls a function with the view, if there is one, and requests a picture. The view has the
+   * latest size, mesh and positions then, even if no picture shows them yet.
    * @template T
    * @param {(view: View) => T} action
    * @returns {T | undefined}
@@ -101,8 +104,8 @@ export class Viewport extends Emitter {
   }
 
   /**
-   * The same for what does not depend on the size of the view. To measure lays the page out anew
-   * when something has changed on it, as in every frame of a drag.
+   * Does the same for actions that do not depend on the size of the view. Measuring forces a layout
+   * when the page has changed, as in every frame of a drag.
    * @template T
    * @param {(view: View) => T} action
    * @returns {T | undefined}
@@ -115,9 +118,9 @@ export class Viewport extends Emitter {
   }
 
   /**
-   * Goes from the shape as it is to the next ones of the solver gradually.
+   * Animates from the current shape to the next shapes of the solver.
    * @param {number} milliseconds
-   * @returns {Promise<void>} when it is there
+   * @returns {Promise<void>} resolves at the end
    */
   transition(milliseconds) {
     this.endTransition();
@@ -127,28 +130,33 @@ export class Viewport extends Emitter {
     return new Promise((arrived) => (this.#transition = { shapes, arrived }));
   }
 
-  /** Shows the newest shape from now on. */
+  /** Ends the animation and shows the latest shape. */
   endTransition() {
     this.#transition?.arrived();
     this.#transition = null;
   }
 
-  /** How far what the view holds goes with the pointer. @type {import("../store/handle-drag.js").Hold} */
+  /**
+   * Displacement of the held handle for a pointer displacement.
+   * @type {import("../store/handle-drag.js").Hold}
+   */
   constrainMove = (way, dx, dy) => this.view?.constrainMove(way, dx, dy);
-  /** Where what the view holds is seen once it has gone so far. @param {number[]} by */
+  /** Position on the screen of the held handle after a displacement. @param {number[]} by */
   heldPlace = (by) => this.view?.heldPlace(by[0], by[1], by[2]);
 
-  /** In CSS pixels, as the view has it: without measuring the page again. */
+  /** Width in CSS pixels as last measured, without a new layout. */
   get width() {
     return this.#size[0];
   }
 
   /**
-   * Draws one picture of another size, in the proportions and the framing of the one that is shown, tile by
-   * tile: each is on the canvas while `take` is called with it and its place in the picture, and must be read
-   * at once. The shown one is drawn again then.
-   * @param {{ width: number, height: number, scale: number }} size in pixels; `scale` of them are a CSS pixel
-   * @param {number | undefined} ground a grey from 0 to 1, with the light colours, or as it is shown
+   * Draws one picture of another size, with the proportions and the framing of the displayed one,
+   * tile by tile: each tile is on the canvas only during the call of `take`, with its position in
+   * the picture. Afterwards the displayed picture is drawn again.
+   * @param {{ width: number, height: number, scale: number }} size in pixels, with `scale` pixels
+   *   per CSS pixel
+   * @param {number | undefined} ground grey level from 0 to 1, with the light theme; undefined for
+   *   the displayed one
    * @param {(tile: HTMLCanvasElement, left: number, top: number) => void} take
    * @returns {boolean} whether it could be drawn
    */
@@ -188,17 +196,20 @@ export class Viewport extends Emitter {
     }
   }
 
-  /** What is drawn as a stream of pictures; none where the browser has no such thing. @returns {MediaStream | undefined} */
+  /**
+   * Returns the canvas as a video stream, if the browser supports that.
+   * @returns {MediaStream | undefined}
+   */
   stream() {
     return this.#canvas?.captureStream?.();
   }
 
-  /** Shows all that the view shows once nothing moves, with the next picture. */
+  /** Draws the next picture with the refinements that otherwise wait until nothing moves. */
   refine() {
     this.#refinement.finish();
   }
 
-  /** The lines that are seen, as an SVG file for print; nothing without a view. */
+  /** Returns the visible lines as an SVG file for print; undefined without a view. */
   lineDrawing() {
     this.#handOver();
     return this.view?.lineDrawing();
@@ -213,7 +224,7 @@ export class Viewport extends Emitter {
     this.#canvas = canvas;
     this.element.replaceChildren(canvas);
     const backend = await this.#backend.choose();
-    // It may have been lost by now, and another one have taken its place.
+    // The canvas may have been lost and replaced meanwhile.
     if (canvas !== this.#canvas) return;
     try {
       const view = await openView(canvas, backend);
@@ -239,7 +250,7 @@ export class Viewport extends Emitter {
     const { view } = this;
     this.view = null;
     this.#canvas = null;
-    // It may call for help once more.
+    // Freeing it may report a loss once more.
     view?.free();
     if (renderer !== 'webgpu' || !this.#backend.failed(renderer)) this.#attempts += 1;
     const isOver = this.#attempts > ATTEMPTS;
@@ -270,18 +281,18 @@ export class Viewport extends Emitter {
     }
   }
 
-  /** @param {[number, number]} [pixels] the exact size, where the browser tells */
+  /** @param {[number, number]} [pixels] exact size in device pixels, if the browser reports it */
   #resize(pixels) {
     const { width, height } = this.element.getBoundingClientRect();
     if (!this.view || width === 0 || height === 0) return;
-    // The observer tells of a panel that was closed only before the next picture.
+    // The observer reports a closed panel only just before the next picture.
     const isNew = width !== this.#size[0] || height !== this.#size[1];
     if (!isNew && !pixels) return;
     this.#size = [width, height];
     const rounded = [width, height].map((side) => Math.round(side * devicePixelRatio));
-    // An emulated phone tells CSS pixels here.
+    // An emulated phone reports CSS pixels here.
     const exact = pixels?.every((side, i) => Math.abs(side - rounded[i]) <= 1) ? pixels : rounded;
-    // The ratio that makes the view's CSS pixels those of the page.
+    // The ratio for which the view's CSS pixels equal the page's.
     this.view.resize(exact[0], exact[1], exact[0] / width);
     this.ask();
   }
@@ -306,7 +317,7 @@ export class Viewport extends Emitter {
     });
     for (const [keys, show] of LAYERS) {
       subscribe(keys, (state) => {
-        // A mesh that has not been handed over yet brings all of this with it.
+        // A mesh that has not been transferred yet will bring all layers with it.
         if (!this.#newMesh) this.unmeasured((view) => show(view, state, this.#solver.geometry));
       });
     }
@@ -317,7 +328,7 @@ export class Viewport extends Emitter {
   }
 
   /**
-   * Those that are shown for the newest ones, `#V by 3`.
+   * Returns the positions to show for the latest ones, `#V by 3`.
    * @param {Float64Array} newest
    * @param {State} state
    */
@@ -325,14 +336,14 @@ export class Viewport extends Emitter {
     const positions = this.#transition?.shapes.towards(newest) ?? newest;
     if (this.#transition?.shapes.part === 1) this.endTransition();
     if (this.#transition) {
-      // The next picture is another one without a frame, too.
+      // During a transition the next picture differs even without a new frame.
       this.#newFrame = true;
       this.ask();
     }
     return heldOriginal?.positions ?? positions;
   }
 
-  /** Gives the view what is newer than what it has. */
+  /** Transfers what has changed to the view. */
   #handOver() {
     const { geometry } = this.#solver;
     const { view } = this;
@@ -346,7 +357,7 @@ export class Viewport extends Emitter {
       this.#newMesh = false;
       LAYERS.forEach(([, show]) => show(view, state, geometry));
       view.fit();
-      // The view may be a new one of the same mesh, and the mesh may be restored.
+      // The view may be new for the same mesh, or the mesh may be restored.
       if (state.camera) view.placeCamera(Float64Array.from(state.camera));
     }
     this.#newFrame = false;
@@ -370,7 +381,6 @@ export class Viewport extends Emitter {
   #draw() {
     this.#handOver();
     this.#solver.recycle();
-    // Without a mesh there is nothing to draw.
     if (!this.#solver.geometry || !this.view) return;
     this.#refinement.prepare(this.view);
     if (!this.view.needsDraw()) return;
@@ -382,7 +392,7 @@ export class Viewport extends Emitter {
       }
       this.#attempts = 0;
       this.#refinement.drawn();
-      // Which has its colours at once.
+      // Wait for the colours: the view replaces the placeholder with its colours at once.
       if (this.#store.get().spread) removeFirstPicture();
       this.#storeCamera(this.view.camera());
       this.emit('drawn', undefined);

@@ -1,4 +1,4 @@
-/** Beside what is dragged: how far it has moved, in the unit of the mesh. */
+/** Label beside a dragged handle: its displacement, in the unit of the mesh. */
 
 import { RENEW_MS, element, setText, throttled } from '../../ui/dom.js';
 import { lengthUnit, number } from '../../ui/format.js';
@@ -23,7 +23,7 @@ export function showMoved(viewport, store) {
     if (!place) return;
     if (wasHidden) write();
     else writeSoon();
-    // On the side where there is room, told without measuring: that would lay the page out anew.
+    // On the side with more room, without measuring the label: that would force a layout.
     const [x, y] = place;
     label.style.translate =
       x > viewport.width / 2 ? `calc(${x - 22}px - 100%) ${y + 18}px` : `${x + 22}px ${y + 18}px`;
@@ -31,7 +31,7 @@ export function showMoved(viewport, store) {
 }
 
 /**
- * The parts of a displacement that are not nothing.
+ * Formats the components of a displacement that are not negligible.
  * @param {number[]} by
  * @param {Readonly<import("../../store/state.js").State>} state
  */

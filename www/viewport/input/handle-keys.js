@@ -1,12 +1,12 @@
 /**
- * Moving handles by keys, while the view has the focus: Enter takes the selected handles up, arrows
- * move them on the screen (with Shift at their height), X, Y and Z keep them on an axis, Enter
- * leaves them, Escape puts them back.
+ * Moves handles by keys while the view has the focus: Enter grabs the selected handles, arrow keys
+ * move them on the screen (with Shift at constant height), X, Y and Z restrict them to an axis,
+ * Enter drops them, Escape puts them back.
  */
 
 import { HandleDrag } from '../../store/handle-drag.js';
 
-/** Pixels that an arrow key moves a handle by. */
+/** Step of an arrow key, in CSS pixels. */
 const STEP = 8;
 /** @type {Record<string, [number, number]>} */
 const WAYS = {
@@ -18,7 +18,7 @@ const WAYS = {
 const AXES = ['x', 'y', 'z'];
 
 /**
- * Comes before the keys of the view, which have the arrows otherwise.
+ * Must be bound before the view's keys, which use the arrows otherwise.
  * @param {import("../viewport.js").Viewport} viewport
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../solver/solver-client.js").SolverClient} solver
@@ -49,7 +49,7 @@ export function bindHandleKeys(viewport, store, solver, actions) {
     return true;
   }
 
-  /** Whether the key was for a handle. @param {KeyboardEvent} event */
+  /** Handles a key; returns whether it applied to a handle. @param {KeyboardEvent} event */
   function press({ key, shiftKey }) {
     if (!drag) return key === 'Enter' && grab();
     if (key === 'Enter' || key === 'Escape') return letGo(key === 'Enter');

@@ -1,8 +1,8 @@
-/** How exact a mouse, a pen and a finger are, in CSS pixels. */
+/** Accuracy of mouse, pen and finger, in CSS pixels. */
 
-/** Nearer than this, a pointer is on a dot. */
+/** Distance within which a pointer hits a dot. */
 const NEAR = { mouse: 12, pen: 14, touch: 24 };
-/** A press that moves less is a click. */
+/** A press that moves less than this is a click. */
 const CLICK_SLOP = { mouse: 4, pen: 6, touch: 10 };
 
 /** @param {MouseEvent} event */

@@ -11,7 +11,7 @@
  * | double-click | vertex: handle; edge: loop; face: flat patch; nothing: fit all | same |
  * | right, middle or Shift+right | orbits, pans | same |
  * | wheel, pinch | zooms to the cursor | same |
- * | right click, long press | the menu of what is there | same |
+ * | right click, long press | opens the context menu of the element hit | same |
  * | touch | one finger as left, two pan and zoom | same |
  */
 
@@ -21,16 +21,16 @@ import { near, clickTolerance } from './hit-tolerance.js';
 import { combineOf, select } from '../../store/selection.js';
 import { pair, wheelFactor } from './zooming.js';
 
-/** So near, a handle goes before the part of the gizmo that lies over it. */
+/** Radius in CSS pixels within which a handle takes precedence over a gizmo part on top of it. */
 const ON_HANDLE = 9;
-/** So near, a double-click is on a vertex, else on an edge, and not on the face. */
+/** Radii in CSS pixels of a double-click: it hits a vertex, else an edge, else the face. */
 const ON_VERTEX = 8;
 const ON_EDGE = 5;
-/** A finger that rests so long asks for the menu, in milliseconds. */
+/** Duration of a long press with a finger, in milliseconds. */
 const LONG_PRESS_MS = 500;
 
 /**
- * What a press has become: nothing yet, or one of these until it is released.
+ * State of a press until it is released.
  * @typedef {{ kind: "press" | "orbit" | "pan" | "region" | "pinch" | "making" | "spent" } | { kind: "handle", drag: HandleDrag }} Gesture
  */
 
@@ -42,17 +42,17 @@ export class PointerInput {
   #region;
   #actions;
   #commands;
-  /** Where each pointer that is down was last. @type {Map<number, [number, number]>} */
+  /** Last position of each pressed pointer. @type {Map<number, [number, number]>} */
   #down = new Map();
-  /** Where the element begins on the page. */
+  /** Position of the element on the page. */
   #corner = [0, 0];
   /** @type {[number, number]} */
   #start = [0, 0];
-  /** The handle that was pressed. @type {number | undefined} */
+  /** The pressed handle. @type {number | undefined} */
   #handle;
-  /** The part of the gizmo that was pressed. @type {string | undefined} */
+  /** The pressed part of the gizmo. @type {string | undefined} */
   #part;
-  /** The timer of a long press. */
+  /** Timer of a long press. */
   #resting = 0;
   /** @type {Gesture | null} */
   #gesture = null;
@@ -94,7 +94,7 @@ export class PointerInput {
     );
   }
 
-  /** Ends the gesture and takes back what it did. Whether there was one. */
+  /** Cancels the gesture and undoes its effect. Returns whether there was one. */
   cancel() {
     const gesture = this.#gesture;
     if (!gesture) return false;
@@ -110,7 +110,7 @@ export class PointerInput {
    * @returns {[number, number]}
    */
   #at(event) {
-    // While something is down it stays: to measure it would lay out what a drag changes, twice a frame.
+    // Measure only if nothing is pressed: during a drag it would force two layouts per frame.
     if (this.#down.size === 0) {
       const { left, top } = this.#element.getBoundingClientRect();
       this.#corner = [left, top];
@@ -146,7 +146,7 @@ export class PointerInput {
   }
 
   /**
-   * A finger has not moved, unless that is about to be told.
+   * Opens the menu after a long press, unless a pending event ends the press in this frame.
    * @param {PointerEvent} event
    * @param {[number, number]} at
    */
@@ -158,7 +158,7 @@ export class PointerInput {
   }
 
   /**
-   * Shows the menu of what is there; that belongs to the selection then.
+   * Shows the context menu of the element hit, after selecting it.
    * @param {PointerEvent} event
    * @param {[number, number]} at
    */
@@ -181,7 +181,7 @@ export class PointerInput {
   }
 
   /**
-   * The handle, or the part of the gizmo and a handle that it moves, under the pointer.
+   * Finds the handle under the pointer, or the gizmo part and a handle that it moves.
    * @param {PointerEvent} event
    * @param {[number, number]} at
    */
@@ -193,7 +193,7 @@ export class PointerInput {
   }
 
   /**
-   * Makes the vertex under the pointer a handle and drags it: one step of undo.
+   * Makes the vertex under the pointer a handle and drags it, as one step of undo.
    * @param {PointerEvent} event
    * @param {[number, number]} at
    */
@@ -205,7 +205,7 @@ export class PointerInput {
     if (vertex === undefined) return;
     makeHandle(this.#store, this.#solver, vertex);
     const made = () => {
-      // Released or taken back meanwhile.
+      // The gesture was ended or cancelled meanwhile.
       if (this.#gesture !== making) return;
       this.#handle = vertex;
       this.#begin(true);
@@ -226,8 +226,8 @@ export class PointerInput {
   }
 
   /**
-   * X, Y and Z keep a dragged handle on a line along that axis, and let it go again. Escape takes the
-   * gesture back, whatever else is held down.
+   * Toggles a restriction of the dragged handle to an axis by X, Y or Z. Escape cancels the
+   * gesture, with any modifier.
    * @param {KeyboardEvent} event
    */
   #keyWhileDown(event) {
@@ -238,7 +238,7 @@ export class PointerInput {
     event.stopPropagation();
   }
 
-  /** A second finger turns what the first one began into pan and zoom; a dragged handle goes on. */
+  /** A second finger switches to pan and zoom, except while a handle is dragged. */
   #secondFinger() {
     if (this.#gesture?.kind !== 'handle') this.#become({ kind: 'pinch' });
   }
@@ -272,8 +272,8 @@ export class PointerInput {
   }
 
   /**
-   * The press has become a drag: of a handle, of the camera, or of a region.
-   * @param {boolean} [begun] the solver knows of the drag
+   * Turns a press into a drag: of a handle, of the camera, or of a region.
+   * @param {boolean} [begun] whether the solver has already begun the drag
    */
   #begin(begun = false) {
     const { constrainMove, view } = this.#viewport;
@@ -290,7 +290,7 @@ export class PointerInput {
     }
   }
 
-  /** The camera turns about what was pressed. */
+  /** Starts turning the camera about the point that was pressed. */
   #beginTurn() {
     this.#viewport.with((view) => view.beginTurn(...this.#start));
     this.#become({ kind: 'orbit' });
@@ -344,7 +344,7 @@ export class PointerInput {
   }
 
   /**
-   * What is under the pointer.
+   * Picks the element under the pointer.
    * @param {import("../../store/state.js").Mode} mode
    * @param {MouseEvent} event
    * @param {[number, number]} at
@@ -356,7 +356,7 @@ export class PointerInput {
     );
   }
 
-  /** Acts on what is hit, whatever a click selects. @param {MouseEvent} event */
+  /** Acts on the element hit, whatever the selection mode. @param {MouseEvent} event */
   #doubleClick(event) {
     const at = this.#at(event);
     if (this.#store.get().tape || this.#part) return;
@@ -372,7 +372,7 @@ export class PointerInput {
   }
 
   /**
-   * Two fingers: their middle pans, their distance zooms.
+   * Two fingers: the motion of their midpoint pans, the change of their distance zooms.
    * @param {number} id
    * @param {[number, number]} at
    */
@@ -435,7 +435,7 @@ export class PointerInput {
 }
 
 /**
- * Shift keeps a dragged handle at its height, Ctrl or Cmd above its place.
+ * Shift keeps a dragged handle at its height; Ctrl or Cmd moves it vertically.
  * @param {MouseEvent} event
  */
 function planeOf(event) {

@@ -1,11 +1,11 @@
 /**
- * Selecting with a region of the screen.
+ * Selection by a region of the screen.
  *
  * | shape | from left to right | from right to left |
  * |---|---|---|
- * | box | what is inside (solid line) | also what it touches (dashed line), as in Rhino |
- * | lasso | what is inside | what is inside |
- * | paint | what the brush touches | the same |
+ * | box | elements inside (solid line) | also elements that it crosses (dashed line), as in Rhino |
+ * | lasso | elements inside | elements inside |
+ * | paint | elements that the brush touches | the same |
  */
 
 import { NOTHING, select } from '../../store/selection.js';
@@ -13,9 +13,9 @@ import { NOTHING, select } from '../../store/selection.js';
 /** @typedef {[number, number]} Point CSS pixels within the viewport */
 /** @typedef {import("../../store/selection.js").Combine} Combine */
 
-/** Corners of the circle that the brush is. */
+/** Number of corners of the brush outline. */
 const BRUSH_CORNERS = 20;
-/** A lasso gets a corner only where the pointer moved this far, in CSS pixels. */
+/** Minimal distance of lasso corners, in CSS pixels. */
 const LASSO_STEP = 3;
 const SPACE = 'http://www.w3.org/2000/svg';
 
@@ -26,11 +26,11 @@ export class RegionSelection {
   #overlay = document.createElementNS(SPACE, 'svg');
   #outline = document.createElementNS(SPACE, 'polygon');
   #brush = document.createElementNS(SPACE, 'circle');
-  /** Where the pointer was, from the press on. @type {Point[]} */
+  /** Pointer positions since the press. @type {Point[]} */
   #path = [];
   /** @type {Combine} */
   #combine = 'replace';
-  /** What Escape puts back. */
+  /** Selection that Escape restores. */
   #before = NOTHING;
 
   /**
@@ -50,7 +50,7 @@ export class RegionSelection {
     store.subscribe(['tool', 'shape'], () => this.hide());
   }
 
-  /** Whether the press itself selects already. */
+  /** Whether the press itself already selects. */
   get paints() {
     const { tool, shape } = this.#store.get();
     return tool === 'select' && shape === 'paint';
@@ -105,13 +105,13 @@ export class RegionSelection {
     this.hide();
   }
 
-  /** Puts back what was selected. */
+  /** Restores the previous selection. */
   cancel() {
     this.#actions.setSelection(this.#before);
     this.hide();
   }
 
-  /** Shows how large the brush is. @param {Point} at */
+  /** Shows the size of the brush. @param {Point} at */
   hover([x, y]) {
     if (!this.paints) return;
     this.#overlay.classList.add('painting');
@@ -135,9 +135,9 @@ export class RegionSelection {
   }
 
   /**
-   * Selects what is in a polygon, in the way that the gesture began.
+   * Selects the elements in a polygon, combined as the gesture requires.
    * @param {Point[]} points
-   * @param {boolean} touching also what is partly in it
+   * @param {boolean} touching also elements partly inside
    */
   #take(points, touching) {
     const { mode, selection, through } = this.#store.get();
@@ -170,7 +170,7 @@ function isCrossing(from, to) {
 }
 
 /**
- * What a round brush covers on its way: two half circles and what is between them.
+ * Returns the area swept by a round brush: two half circles and the strip between them.
  * @param {Point} from
  * @param {Point} to
  * @param {number} radius
@@ -179,7 +179,7 @@ function isCrossing(from, to) {
 function stroke(from, to, radius) {
   const along = Math.atan2(to[1] - from[1], to[0] - from[0]);
   return Array.from({ length: BRUSH_CORNERS }, (_, i) => {
-    // The first half of the circle is before `to`, the second behind `from`.
+    // The first half of the circle is ahead of `to`, the second behind `from`.
     const [x, y] = 2 * i < BRUSH_CORNERS ? to : from;
     const angle = along - Math.PI / 2 + ((i + 0.5) * 2 * Math.PI) / BRUSH_CORNERS;
     return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];

@@ -1,6 +1,6 @@
-/** The keys of the view itself, while it has the focus: arrows orbit, page keys zoom. */
+/** Keys of the view while it has the focus: arrows orbit, page keys zoom. */
 
-/** An arrow key orbits by this many CSS pixels of a drag, and a page key zooms by this factor. */
+/** An arrow key orbits like a drag of so many CSS pixels; a page key zooms by this factor. */
 const ORBIT_STEP = 24;
 const ZOOM_STEP = 1.25;
 

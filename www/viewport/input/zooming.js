@@ -1,16 +1,19 @@
-/** How much a turn of the wheel enlarges, and a pinch of two fingers. */
+/** Zoom factors of the wheel and of a pinch. */
 
-/** Wheel delta, in pixels, that zooms by e; and of a pinch, which comes as a wheel with Ctrl. */
+/**
+ * Wheel delta in pixels that zooms by a factor e; the same for a pinch, reported as wheel with
+ * Ctrl.
+ */
 const WHEEL_PIXELS = 700;
 const PINCH_PIXELS = 100;
 const LINE_PIXELS = 16;
-/** One event is at most so much of that. */
+/** Largest exponent of a single event. */
 const MOST = 0.5;
 
 /**
- * The factor of a wheel event.
+ * Returns the zoom factor of a wheel event.
  * @param {WheelEvent} event
- * @param {number} page height of what is scrolled, in pixels
+ * @param {number} page height of the scrolled element, in pixels
  */
 export function wheelFactor({ deltaMode, deltaY, ctrlKey }, page) {
   const unit = [1, LINE_PIXELS, page][deltaMode] ?? 1;
@@ -19,7 +22,7 @@ export function wheelFactor({ deltaMode, deltaY, ctrlKey }, page) {
 }
 
 /**
- * The middle of two fingers, and how far they are apart.
+ * Returns the midpoint and the distance of two fingers.
  * @param {[number, number]} a
  * @param {[number, number]} b
  */

@@ -1,11 +1,11 @@
 /**
- * Handles of the first picture follow the pointer from the first paint on. The build puts this text
- * into the page's HTML, because no module is there so early; placeholder-scene.js takes the drags over
- * when the solver is.
+ * Makes the handles of the placeholder picture draggable from the first paint on. The build inlines
+ * this script into the page's HTML, because no module is loaded that early; placeholder-scene.js
+ * takes the drags over once the solver is ready.
  */
 
 (() => {
-  /** Nearer than this, in CSS pixels, a pointer is on a dot. */
+  /** Distance in CSS pixels within which a pointer hits a dot. */
   const NEAR = 16;
   /** @type {import("./placeholder-scene.js").EarlyDrags} */
   const early = { drags: [], changed() {} };
@@ -42,7 +42,7 @@
     const drag = { vertex, from, to: from, right, down, ended: false };
     early.drags.push(drag);
 
-    // What is dragged is the target; a fixed handle is its own.
+    // A soft handle's target moves; a fixed handle has no separate target.
     const moved = /** @type {SVGGElement} */ (group.querySelector('.target') ?? dot);
     const pull = group.querySelector('path');
     const { x, y, width, height } = moved.getBBox();

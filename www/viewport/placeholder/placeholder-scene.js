@@ -1,13 +1,13 @@
 /**
- * The picture of the first example that the build put into the page: it is there before anything
- * can draw, and goes when the view has drawn, or when something else is opened. Until then its mesh
- * follows the solver, and the drags of its handles (placeholder-drag.js) go to the solver.
+ * Placeholder picture of the first example, which the build inserts into the page. It is shown
+ * until the view has drawn or another model is opened. Until then its mesh follows the solver, and
+ * drags of its handles (placeholder-drag.js) are sent to the solver.
  */
 
 import { HandleDrag } from '../../store/handle-drag.js';
 
 /**
- * A drag of a handle of the first picture: from where to where in pixels of the picture, and the
+ * A drag of a handle in the placeholder: start and end in pixels of the picture, and the
  * displacements per pixel to the right and per pixel down.
  * @typedef {object} EarlyDrag
  * @property {number} vertex
@@ -19,16 +19,17 @@ import { HandleDrag } from '../../store/handle-drag.js';
  */
 
 /**
- * What placeholder-drag.js leaves in `window.earlyDrags`; it calls `changed` after each of its changes.
+ * State that placeholder-drag.js shares in `window.earlyDrags`; it calls `changed` after each
+ * change.
  * @typedef {{ drags: EarlyDrag[], changed: () => void }} EarlyDrags
  */
 
-/** So many corners has a circle that is drawn as a polygon. */
+/** Number of corners of a polygon that approximates a circle. */
 const CORNERS = 20;
 
 const find = () => document.getElementById('first-picture');
 
-/** While it is there, presses on its handles are not the view's. */
+/** While the placeholder is shown, the view ignores presses. */
 export const isFirstPictureThere = () => find() !== null;
 
 export function removeFirstPicture() {
@@ -87,8 +88,9 @@ function draw(picture, { connectivity: { faceOffsets, faceIndices }, positions, 
 }
 
 /**
- * The places of points in the picture.
- * @param {number[]} eye three rows of four: to the right and downwards, both over the depth
+ * Returns the projection of points into the picture.
+ * @param {number[]} eye three rows of four: to the right, downwards, and the depth that divides
+ *   both
  */
 function placing(eye) {
   return (/** @type {ArrayLike<number>} */ point) => {
@@ -100,7 +102,7 @@ function placing(eye) {
 }
 
 /**
- * Fitted circles as polygons.
+ * Draws fitted circles as polygons.
  * @param {SVGPathElement} path
  * @param {Float32Array} shapes eight numbers each: 0 for a circle, centre, normal, radius
  * @param {(point: number[]) => number[]} placeOf
@@ -110,7 +112,7 @@ function drawCircles(path, shapes, placeOf) {
   for (let at = 0; at < shapes.length; at += 8) {
     const [kind, x, y, z, a, b, c, radius] = shapes.subarray(at, at + 8);
     if (kind !== 0) continue;
-    // Two radii at a right angle: the first is horizontal, or along x where the circle is.
+    // Two perpendicular radii: the first is horizontal, or along x if the circle is horizontal.
     const level = Math.hypot(a, b);
     const u = level > 0 ? [-b / level, a / level, 0] : [1, 0, 0];
     const v = [-c * u[1], c * u[0], a * u[1] - b * u[0]];
@@ -125,7 +127,7 @@ function drawCircles(path, shapes, placeOf) {
 }
 
 /**
- * A handle is on its vertex, and its line goes from there to the target.
+ * Moves a handle to its vertex, and the start of its line; the line ends at the target.
  * @param {SVGGElement} group
  * @param {(vertex: number) => number[]} place
  */
@@ -152,7 +154,7 @@ function takeOverDrags(store, solver) {
   /** @type {HandleDrag | null} */
   let current = null;
   const takeOver = () => {
-    // Later, something else may have been opened.
+    // By now another model may have been opened.
     if (!isHere || !store.get().firstExample) return;
     while (earlyDrags.drags.length > 0) {
       const [{ vertex, from, to, right, down, ended }] = earlyDrags.drags;
@@ -173,7 +175,7 @@ function takeOverDrags(store, solver) {
 }
 
 /**
- * How far a handle goes on the screen, as the view tells it.
+ * Returns the displacement of a handle for a pointer displacement, like the view's `constrainMove`.
  * @param {number[]} right displacement per pixel
  * @param {number[]} down
  * @returns {import("../../store/handle-drag.js").Hold}
