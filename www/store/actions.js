@@ -1,6 +1,6 @@
 /**
- * What the page can do with the solver, each with its words for the status line and its errors.
- * Buttons, keys, panels and scripts all come through here.
+ * Actions of the page on the solver, each with its status text and error handling. Buttons, keys,
+ * panels and scripts all go through here.
  */
 
 import { count, ended } from '../ui/format.js';
@@ -19,7 +19,7 @@ export function createActions(store, solver, alerts) {
   const { setStatus } = view;
 
   /**
-   * Tells what went wrong and goes on.
+   * Reports an error in an alert; the result is undefined then.
    * @template T
    * @param {Promise<T>} promise
    * @returns {Promise<T | undefined>}
@@ -35,7 +35,7 @@ export function createActions(store, solver, alerts) {
 
   /**
    * @param {import("../solver/messages.js").Edit} edit
-   * @param {(error: unknown) => boolean} [showError] showError an error where it belongs; false if it has no place for it
+   * @param {(error: unknown) => boolean} [showError] shows an error at its field; false if there is none
    * @returns {Promise<null | undefined>}
    */
   function edit(edit, showError = () => false) {
@@ -43,10 +43,10 @@ export function createActions(store, solver, alerts) {
   }
 
   /**
-   * Asks one shape of all panels, and runs until they are within the tolerance.
+   * Adds one constraint kind to all panels, and runs until they are within the tolerance.
    * @param {string} kind
-   * @param {number} [within] another tolerance than what is shown goes by, in the unit of the mesh
-   * @param {boolean} [afresh] from the original, instead of the shape as it is
+   * @param {number} [within] tolerance in the unit of the mesh, if other than the displayed one
+   * @param {boolean} [afresh] from the original instead of the current shape
    * @returns {Promise<null | undefined>}
    */
   function makePanels(kind, within, afresh = false) {
@@ -58,7 +58,7 @@ export function createActions(store, solver, alerts) {
   /**
    * @param {import("../solver/messages.js").Request & { type: "edit" | "makePanels" }} request
    * @param {(error: unknown) => boolean} [showError]
-   * @returns {Promise<null | undefined>} undefined where it was refused
+   * @returns {Promise<null | undefined>} undefined if refused
    */
   async function attempt(request, showError = () => false) {
     try {
@@ -69,16 +69,16 @@ export function createActions(store, solver, alerts) {
     }
   }
 
-  /** Vertices of the selection, corners of selected faces included. */
+  /** Returns the selected vertices, including the corners of selected faces. */
   function chosenVertices() {
     const { geometry } = solver;
     return geometry ? selectedVertices(store.get().selection, geometry.connectivity) : [];
   }
 
-  /** The connectivity of the mesh, if one is open. */
+  /** Returns the connectivity of the mesh, if one is open. */
   const connectivity = () => solver.geometry?.connectivity;
 
-  /** Selected vertices that are handles. */
+  /** Returns the selected vertices that are handles. */
   function chosenHandles() {
     const { selection, document } = store.get();
     return (document?.handles ?? [])
@@ -117,7 +117,10 @@ export function createActions(store, solver, alerts) {
     addHandles,
     removeHandles,
 
-    /** Opens files; rejects with what is wrong. @param {Omit<Extract<import("../solver/messages.js").Request, { type: "open" }>, "type">} given */
+    /**
+     * Opens files; rejects with the error.
+     * @param {Omit<Extract<import("../solver/messages.js").Request, { type: "open" }>, "type">} given
+     */
     open: (given) => solver.request({ type: 'open', ...given }),
 
     runOrPause() {
@@ -135,7 +138,7 @@ export function createActions(store, solver, alerts) {
       setStatus(isHard && !numbers?.exact?.met ? `${done}; Run makes it exact` : done);
     },
 
-    /** The local step, or the global step after it. */
+    /** Performs the local step, or the global step after it. */
     async halfStep() {
       const words = import('./half-step/half-step-words.js');
       const done = await reportErrors(solver.request({ type: 'halfStep' }));
@@ -166,11 +169,11 @@ export function createActions(store, solver, alerts) {
       view.select({ vertices: [next], faces: [] });
     },
 
-    /** @param {boolean} [goOn] although the mesh has collapsed */
+    /** @param {boolean} [goOn] continue although the mesh has collapsed */
     run: (goOn) => solver.send({ type: 'run', goOn }),
 
     /**
-     * Sends where handles are moved to.
+     * Sends the new targets of handles.
      * @param {Pick<import("../solver/messages.js").Handle, "vertex" | "target">[]} handles
      * @param {"start" | "move" | "end"} phase
      */

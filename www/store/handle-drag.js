@@ -1,6 +1,6 @@
 /**
- * Dragging handles: on the screen, at their height, along an axis, in a plane. Of handles that are
- * selected together, all move alike. The view says where the pointer leads what it holds.
+ * Dragging handles: on the screen, at constant height, along an axis, in a plane. Handles that are
+ * selected together move alike. The view computes the displacement from the pointer.
  */
 
 import { handlesNow } from './state.js';
@@ -8,8 +8,7 @@ import { handlesNow } from './state.js';
 const AXES = ['x', 'y', 'z'];
 
 /**
- * How far what is held goes for a pointer that has gone by so many pixels; nothing where that cannot
- * be said.
+ * Returns the displacement of the held handle for one of the pointer in pixels; undefined if none.
  * @typedef {(way: string, dx: number, dy: number) => Float64Array | undefined} Hold
  */
 
@@ -18,16 +17,16 @@ export class HandleDrag {
   #solver;
   #hold;
   #vertices;
-  /** Where the handles were, `#vertices by 3`. */
+  /** Targets of the handles at the start, `#vertices by 3`. */
   #from;
-  /** Where they are dragged to. @type {Float64Array} */
+  /** Current targets. @type {Float64Array} */
   #targets;
-  /** How far the pointer has gone. @type {[number, number]} */
+  /** Displacement of the pointer since the start. @type {[number, number]} */
   #by = [0, 0];
-  /** The axis or plane of the gizmo that was taken. */
+  /** The axis or plane of the gizmo being dragged. */
   #part;
   #plane = 'screen';
-  /** The axis that the handle stays on by key, if any: 0, 1, 2. @type {number | null} */
+  /** The axis to which a key restricts the handle: 0, 1, 2 or none. @type {number | null} */
   #axis = null;
 
   /**
@@ -36,7 +35,7 @@ export class HandleDrag {
    * @param {Hold} hold
    * @param {number} vertex the handle under the pointer, or one of those at the gizmo
    * @param {string} [part] of the gizmo
-   * @param {boolean} [begun] the solver knows that something is dragged
+   * @param {boolean} [begun] whether the solver has already begun a drag
    */
   constructor(store, solver, hold, vertex, part, begun = false) {
     this.#store = store;
@@ -52,7 +51,7 @@ export class HandleDrag {
     this.#vertices = Uint32Array.from(together, (handle) => handle.vertex);
     this.#from = Float64Array.from(together.flatMap((handle) => handle.target));
     this.#targets = this.#from;
-    // What was said of a run is no longer so.
+    // A message about a finished run is outdated.
     store.set({ dragged: [...this.#vertices], gizmoPart: part, status: '' });
     if (!begun) this.#send('start');
   }
@@ -60,26 +59,32 @@ export class HandleDrag {
   /**
    * @param {number} dx pixels to the right since the beginning
    * @param {number} dy pixels down
-   * @param {number} [time] of the event, as `performance.now()` has it
+   * @param {number} [time] of the event, on the clock of `performance.now()`
    */
   move(dx, dy, time = performance.now()) {
     this.#by = [dx, dy];
     const way = this.#axis !== null ? AXES[this.#axis] : (this.#part ?? this.#plane);
     const moved = this.#hold(way, dx, dy);
-    // Towards the horizon a pixel is any distance: the handle waits where it is.
+    // Near the horizon of the plane a pixel is arbitrarily far: the handle stays.
     if (!moved) return;
     this.#targets = this.#from.map((value, i) => value + moved[i % 3]);
-    // The dots follow the pointer at once; the mesh when the solver answers.
+    // The dots follow the pointer at once, the mesh when the solver answers.
     this.#store.set({ moved: { by: [...moved], targets: this.#targets }, gizmoPart: way });
     this.#send('move', time);
   }
 
-  /** What a drag with these keys moves in. @param {"screen" | "horizontal" | "vertical"} plane */
+  /**
+   * Sets the plane of a drag with these modifier keys.
+   * @param {"screen" | "horizontal" | "vertical"} plane
+   */
   hold(plane) {
     this.#plane = plane;
   }
 
-  /** Keeps the handles on lines along an axis, or lets them go from it. @param {number} axis 0, 1, 2 */
+  /**
+   * Restricts the handles to lines along an axis, or lifts the restriction.
+   * @param {number} axis 0, 1, 2
+   */
   toggleAxis(axis) {
     this.#axis = this.#axis === axis ? null : axis;
     this.move(...this.#by);
@@ -88,13 +93,13 @@ export class HandleDrag {
   end() {
     this.#send('end');
     const { document } = this.#store.get();
-    // Until the solver sends the document as it is now.
+    // Valid until the solver sends the new document.
     if (document)
       this.#store.set({ document: { ...document, handles: handlesNow(this.#store.get()) } });
     this.#leave();
   }
 
-  /** Puts everything back to where it was. */
+  /** Cancels the drag and restores the targets. */
   cancel() {
     this.#targets = this.#from;
     this.#send('cancel');
@@ -117,7 +122,7 @@ export class HandleDrag {
 }
 
 /**
- * Makes a vertex a handle, which may be dragged then: one step of undo.
+ * Makes a vertex a handle, which may then be dragged, as one step of undo.
  * @param {import("./state.js").Store} store
  * @param {import("../solver/solver-client.js").SolverClient} solver
  * @param {number} vertex
@@ -128,7 +133,7 @@ export function makeHandle(store, solver, vertex) {
 }
 
 /**
- * What becomes of a handle that was made and has not been dragged.
+ * Ends or cancels a handle that was made but not dragged.
  * @param {import("./state.js").Store} store
  * @param {import("../solver/solver-client.js").SolverClient} solver
  * @param {"end" | "cancel"} phase

@@ -1,6 +1,6 @@
 /**
- * Selecting by what the mesh is like: the solver declares the ways to do it and answers them; here
- * is what the page does with an answer. How many are selected is said after every change.
+ * Selection by properties of the mesh: the solver declares and performs the operations; this module
+ * applies their results. The status line shows the size of every new selection.
  */
 
 import { combineOf, describe, select, sizeOfSelection } from './selection.js';
@@ -30,21 +30,21 @@ export class Selecting {
     this.#announce();
   }
 
-  /** Whether a way to select has a meaning now. @param {Operation} operation */
+  /** Whether an operation is applicable now. @param {Operation} operation */
   canApply({ modes, needsSelection }) {
     const { mode, selection } = this.#store.get();
     return modes.includes(mode) && (!needsSelection || sizeOfSelection(selection) > 0);
   }
 
   /**
-   * Selects with an operation. What starts from the selection replaces it; the others may also add
-   * to it or take away from it.
+   * Selects with an operation. One that starts from the selection replaces it; the others may also
+   * add to it or remove from it.
    * @param {Operation} operation
    * @param {object} [options]
    * @param {Record<string, ParamValue>} [options.params]
    * @param {Combine} [options.combine]
-   * @param {Partial<Record<Mode, Iterable<number>>>} [options.from] instead of what is selected
-   * @returns {Promise<boolean>} rejects with what is wrong with the parameters
+   * @param {Partial<Record<Mode, Iterable<number>>>} [options.from] in place of the selection
+   * @returns {Promise<boolean>} rejects with an error in the parameters
    */
   async apply(operation, { params = {}, combine = 'replace', from } = {}) {
     const { mode, selection, model } = this.#store.get();
@@ -53,7 +53,7 @@ export class Selecting {
       type: 'select',
       request: { operation: operation.id, mode, from: Object.fromEntries(lists), params },
     });
-    // Somebody opened another model meanwhile.
+    // Another model was opened meanwhile.
     if (this.#store.get().model !== model) return false;
     const gives = MODES.find((one) => found[one].length > 0);
     if (!gives) {
@@ -65,13 +65,13 @@ export class Selecting {
     return true;
   }
 
-  /** As {@link apply}, for what has no fields to show an error at. @type {Selecting["apply"]} */
+  /** As {@link apply}, but reports errors in an alert. @type {Selecting["apply"]} */
   async applyOrTell(operation, options) {
     return (await this.#actions.reportErrors(this.apply(operation, options))) ?? false;
   }
 
   /**
-   * What a double-click on an element does, if anything.
+   * Performs the operation of a double-click on an element, if any.
    * @param {Mode} mode
    * @param {number} item
    * @param {MouseEvent} event
@@ -85,7 +85,7 @@ export class Selecting {
   }
 
   /**
-   * The keys that operations declare, once they are here, as commands.
+   * Adds the operations with keys to the commands, once the solver has declared them.
    * @param {import("../app/context.js").Command[]} commands
    */
   bindKeys(commands) {

@@ -1,17 +1,17 @@
-/** Commands that buttons, keys and menus do: whether one can be done now, and doing it. */
+/** Execution of commands from buttons, keys and menus, and whether they are enabled. */
 
 /** @typedef {import("../app/context.js").Command} Command */
 /** @typedef {import("./state.js").State} State */
 /** @typedef {import("./state.js").Store} Store */
 
-/** Pressed before there was a model. @type {Set<Command>} */
+/** Commands given before there was a model. @type {Set<Command>} */
 const waiting = new Set();
 
 /** @type {(command: Command, state: State) => boolean} */
 export const isEnabled = ({ enabled }, state) => !enabled || enabled(state);
 
 /**
- * Does a command if it can be done, now or as soon as there is a model.
+ * Executes a command if it is enabled, now or as soon as there is a model.
  * @param {Command} command
  * @param {Store} store
  */
@@ -26,7 +26,7 @@ export function press(command, store) {
 }
 
 /**
- * Does what was pressed before this script was there, and what waits for the model once it is.
+ * Executes commands given before this script was loaded, and later those that wait for the model.
  * @param {Command[]} commands
  * @param {Store} store
  * @param {string[]} early names of commands

@@ -1,4 +1,7 @@
-/** Questions to the solver, which change nothing. Each rejects with what the solver says, or reports it. */
+/**
+ * Queries to the solver, which change nothing. Each rejects with the solver's error, unless it is
+ * marked "reports errors".
+ */
 
 /** @typedef {import("../solver/messages.js").Measure} Measure */
 /** @typedef {"errors" | "convergence" | "angles"} Table */
@@ -8,46 +11,55 @@
  * @param {<T>(promise: Promise<T>) => Promise<T | undefined>} reportErrors
  */
 export function createQueries(solver, reportErrors) {
-  /** The shape that was opened. @type {Promise<Float64Array> | null} */
+  /** Positions of the original. @type {Promise<Float64Array> | null} */
   let original = null;
   solver.on('model', () => (original = null));
 
   return {
-    /** What a constraint acts on; reports. @param {import("../solver/messages.js").ConstraintRow} row */
+    /**
+     * Returns the elements on which a constraint acts; reports errors.
+     * @param {import("../solver/messages.js").ConstraintRow} row
+     */
     members: ({ index }) => reportErrors(solver.request({ type: 'members', constraint: index })),
 
-    /** The elements that a problem of the mesh is about. @param {string} flaw */
+    /** Returns the elements affected by a problem of the mesh. @param {string} flaw */
     flawed: (flaw) => solver.request({ type: 'flawed', flaw }),
 
     /**
-     * The worst elements by a measure, or of a constraint.
+     * Returns the worst elements by a measure, or of a constraint row.
      * @param {{ measure: Measure | null, row: number | null }} about
      * @param {number} count
      */
     worst: (about, count) => solver.request({ type: 'worst', ...about, count }),
 
-    /** Elements by what the mesh is like. @param {import("../solver/messages.js").SelectRequest} request */
+    /**
+     * Finds elements by properties of the mesh.
+     * @param {import("../solver/messages.js").SelectRequest} request
+     */
     find: (request) => solver.request({ type: 'select', request }),
 
-    /** What each kind would make at these places. @param {import("../solver/messages.js").Selector[]} places */
+    /**
+     * Previews each kind of constraint at each selector; reports errors.
+     * @param {import("../solver/messages.js").Selector[]} places
+     */
     previews: (places) => reportErrors(solver.request({ type: 'previews', places })),
 
-    /** Corners of faces by their angles, originally and now; reports. */
+    /** Returns the angles of face corners, originally and now; reports errors. */
     angles: () => reportErrors(solver.request({ type: 'angles' })),
 
-    /** The energies of each iteration. */
+    /** Returns the energies of each iteration. */
     trace: () => solver.request({ type: 'trace' }),
 
-    /** How far the mesh will move for panels of one shape, in words. */
+    /** Estimates how far the mesh will move to make all panels of one kind, as a sentence. */
     forecast: () => solver.request({ type: 'forecast' }),
 
-    /** How many panels are within the tolerance. @param {number} tolerance */
+    /** Returns how many panels are within the tolerance. @param {number} tolerance */
     verdict: (tolerance) => solver.request({ type: 'verdict', tolerance }),
 
-    /** Changes that would bring the worst constraint nearer. */
+    /** Returns changes that would reduce the worst constraint distance. */
     remedies: () => solver.request({ type: 'remedies' }),
 
-    /** Where the vertices were when the model was opened, `#V by 3`: asked once. */
+    /** Returns the positions at opening, `#V by 3`; requested once. */
     originalPositions: () =>
       (original ??= solver.request({ type: 'originalPositions' }).catch((error) => {
         original = null;
@@ -55,50 +67,56 @@ export function createQueries(solver, reportErrors) {
       })),
 
     /**
-     * Values of the faces.
+     * Returns values of the faces.
      * @param {Measure} measure
-     * @param {boolean} original those that it had when opened
-     * @param {number} [variant] those of a shape that was kept
+     * @param {boolean} original whether to return those at opening
+     * @param {number} [variant] index of a kept shape
      */
     faceValues: (measure, original, variant) =>
       solver.request({ type: 'faceValues', measure, original, variant }),
 
-    /** Values of the vertices, where the measure has any. @param {Measure} measure */
+    /** Returns values of the vertices, if the measure has any. @param {Measure} measure */
     cornerValues: (measure) => solver.request({ type: 'cornerValues', measure }),
 
     /**
-     * A flat map of the shape as it is.
+     * Returns a flat map of the current shape.
      * @param {import("../solver/messages.js").MapWeights} weights
      * @param {import("../solver/messages.js").MapNorm} norm
      */
     parametrize: (weights, norm) => solver.request({ type: 'parametrize', weights, norm }),
 
     /**
-     * The settings of the flat map that turns fewest triangles over; null where none turns fewer than `flipped`.
+     * Returns the map settings with the fewest flips; null if none has fewer than `flipped`.
      * @param {number} flipped
      */
     fewerFlips: (flipped) => solver.request({ type: 'fewerFlips', flipped }),
 
-    /** A table as CSV. @param {Table} table */
+    /** Returns a table as CSV. @param {Table} table */
     table: (table) => solver.request({ type: 'table', table }),
 
-    /** The shape as OBJ: with a flat map, or in the vertices of the file. @param {{ uv?: Float64Array, asItCame?: boolean }} how */
+    /**
+     * Returns the shape as OBJ: with a flat map, or with the file's original vertices.
+     * @param {{ uv?: Float64Array, asItCame?: boolean }} how
+     */
     obj: (how) => solver.request({ type: 'obj', ...how }),
 
-    /** How many faces it can work with while somebody watches. */
+    /** Returns the number of faces up to which this computer stays interactive. */
     mostFaces: () => solver.request({ type: 'mostFaces' }),
 
-    /** The files that a scene among these names and that are not there. @param {import("../solver/messages.js").NamedBytes[]} files */
+    /**
+     * Returns the files that a scene among these names and that are missing.
+     * @param {import("../solver/messages.js").NamedBytes[]} files
+     */
     missingFiles: (files) => solver.request({ type: 'missingFiles', files }),
 
-    /** The text of the scene. */
+    /** Returns the text of the scene. */
     sceneText: () => solver.request({ type: 'scene' }),
 
-    /** What the comparison of methods on whatever is open declares. */
+    /** Returns the declaration of the comparison of methods on the current model. */
     comparison: () => solver.request({ type: 'comparison' }),
 
     /**
-     * Runs the methods of an experiment one after another; their samples come as events.
+     * Runs the methods of an experiment one after another; their samples arrive as events.
      * @param {Extract<import("../solver/messages.js").Request, { type: "runExperiment" }>["of"]} of
      * @param {number} iterations at most
      */
@@ -106,14 +124,14 @@ export function createQueries(solver, reportErrors) {
 
     cancelExperiment: () => solver.send({ type: 'cancelExperiment' }),
 
-    /** The samples of the experiment that ran last, as CSV. */
+    /** Returns the samples of the last experiment as CSV. */
     experimentCsv: () => solver.request({ type: 'experimentCsv' }),
 
-    /** The numbers of what is built that a lesson may bound. */
+    /** Returns the fabrication numbers that a lesson may bound. */
     buildNumbers: () => solver.request({ type: 'buildNumbers' }),
 
     /**
-     * Tells the session numbers of what is built of the shape, which goals of a lesson may be on.
+     * Passes fabrication numbers of the shape to the session; goals of a lesson may refer to them.
      * @param {[string, number][]} numbers by id
      */
     tellBuild: (numbers) =>
@@ -123,7 +141,7 @@ export function createQueries(solver, reportErrors) {
         values: Float64Array.from(numbers, ([, value]) => value),
       }),
 
-    /** What is handed in of a lesson. @param {string} student @param {string} time */
+    /** Returns the submission of a lesson. @param {string} student @param {string} time */
     results: (student, time) => solver.request({ type: 'results', student, time }),
   };
 }

@@ -1,4 +1,4 @@
-/** The selection: sets of vertices, edges and faces, and what clicks and regions do to them. */
+/** The selection: sets of vertices, edges and faces, and how clicks and regions change them. */
 
 import { count } from '../ui/format.js';
 
@@ -21,7 +21,7 @@ export function combineOf(event) {
 
 /**
  * @param {Selection} selection
- * @param {Mode} mode which of the three `items` are
+ * @param {Mode} mode kind of the `items`
  * @param {Iterable<number>} items
  * @param {Combine} combine
  * @returns {Selection}
@@ -36,14 +36,13 @@ export function select(selection, mode, items, combine) {
   return { ...selection, [mode]: next };
 }
 
-/** How many things are selected. @param {Selection} selection */
+/** Number of selected elements. @param {Selection} selection */
 export function sizeOfSelection({ vertices, edges, faces }) {
   return vertices.size + edges.size + faces.size;
 }
 
 /**
- * The selected vertices, the ends of the selected edges and the corners of the selected faces,
- * ascending.
+ * Returns the selected vertices, ends of selected edges and corners of selected faces, ascending.
  * @param {Selection} selection
  * @param {import("../solver/messages.js").Connectivity} connectivity
  * @returns {number[]}
@@ -58,7 +57,7 @@ export function selectedVertices(selection, { faceOffsets, faceIndices, edges })
 }
 
 /**
- * The selection in words, empty when nothing is selected.
+ * Describes the selection; empty if nothing is selected.
  * @param {Selection} selection
  */
 export function describe(selection) {

@@ -1,6 +1,6 @@
 /**
- * What the page knows, in one place: panels subscribe to the parts they show. Geometry is not in
- * here (it would be copied and compared for nothing); see `solver-client.js`.
+ * State of the page, in one place; panels subscribe to the parts they show. Geometry is not part of
+ * it (it would be copied and compared needlessly); see `solver-client.js`.
  */
 
 /** @typedef {import("../solver/messages.js").Loaded} Loaded */
@@ -13,22 +13,22 @@
  * @property {import("../solver/messages.js").KindInfo[]} kinds
  * @property {import("../solver/messages.js").ElementInfo[]} elements
  * @property {import("../solver/messages.js").FaceMeasure[]} measures
- * @property {import("../solver/messages.js").Operation[]} operations ways to select
- * @property {import("../solver/messages.js").SettingInfo[]} settings of a scene
+ * @property {import("../solver/messages.js").Operation[]} operations selection operations
+ * @property {import("../solver/messages.js").SettingInfo[]} settings settings of a scene
  * @property {Loaded | null} model
  * @property {number} size diagonal of the bounding box of the mesh as it was opened, in its unit
- * @property {string} fileName what was opened, also when it is work of last time that goes on
- * @property {boolean} firstExample the model is the one that the page opens with
- * @property {import("../solver/examples.js").Example | null} example whose mesh is open, if it is that of one
+ * @property {string} fileName name of the file, also of resumed work
+ * @property {boolean} firstExample whether the model is the page's first one
+ * @property {import("../solver/examples.js").Example | null} example whose mesh is open, if any
  * @property {SceneDocument | null} document
  * @property {Numbers | null} numbers
  * @property {boolean} running Run was pressed and the iteration has not converged
- * @property {boolean} refining Refine and solve is at work, level by level
+ * @property {boolean} refining "Refine and solve" is running, level by level
  * @property {boolean} converged
  * @property {boolean} halfway the local step is done, the global step is next
  * @property {"drag" | "select"} tool
  * @property {"box" | "lasso" | "paint"} shape of a drag with the Select tool
- * @property {boolean} through a drag also selects what the surface hides
+ * @property {boolean} through whether a drag also selects hidden elements
  * @property {number} brush radius, CSS pixels
  * @property {Mode} mode what a click selects
  * @property {Selection} selection
@@ -37,60 +37,62 @@
  *   of the mesh, and where to, `#dragged by 3`
  * @property {string | undefined} gizmoPart axis or plane of the gizmo under the pointer
  * @property {number | undefined} pointedAt handle under the pointer
- * @property {number} dragMs from the pointer to new positions, of the last move
- * @property {Tint | null} tint members of the constraint that is pointed at
- * @property {import("../solver/messages.js").RowColours | null} rowColours of what constraints act on
- * @property {"model" | "inspector"} tab the panel that is shown where there is room for one
- * @property {Measure | null} measure what the faces are coloured by
- * @property {boolean} measureChosen somebody chose it since the model was opened
- * @property {[number, number]} range of the colours, in the unit of the measure
- * @property {OwnRange} ownRange what somebody chose of it
- * @property {import("../ui/plot/histogram.js").Spread | null} spread of the values of the faces
- * @property {number | null} tolerance of lengths, in the unit of the mesh
- * @property {Record<Measure, number | null>} tolerances of measures that it does not apply to, in their units
+ * @property {number} dragMs time from the last pointer move to new positions
+ * @property {Tint | null} tint members of the constraint under the pointer
+ * @property {import("../solver/messages.js").RowColours | null} rowColours colours of constraint rows
+ * @property {"model" | "inspector"} tab the visible panel if there is room for only one
+ * @property {Measure | null} measure by which the faces are coloured
+ * @property {boolean} measureChosen whether the user chose it since the model was opened
+ * @property {[number, number]} range range of the colours, in the unit of the measure
+ * @property {OwnRange} ownRange the parts of the range that the user chose
+ * @property {import("../ui/plot/histogram.js").Spread | null} spread distribution of face values
+ * @property {number | null} tolerance tolerance of lengths, in the unit of the mesh
+ * @property {Record<Measure, number | null>} tolerances of the other measures, in their units
  * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean,
  *   ghost: boolean, ground: boolean, bands: boolean, full: boolean, log: boolean, gizmo: boolean,
- *   timings: boolean, map: "viridis" | "diverging" | "grey" }} display `map` is that of all values
- * @property {number[] | null} camera where the view is seen from, as `View.camera` gives it; what somebody else
- *   than the viewport sets here is where the camera goes
+ *   timings: boolean, map: "viridis" | "diverging" | "grey" }} display `map` applies if all values are coloured
+ * @property {number[] | null} camera in the format of `View.camera`; if anything other than the
+ *   viewport sets it, the camera moves there
  * @property {boolean} parallel projection, instead of perspective
- * @property {Section | null} section where the model is cut open
- * @property {{ name: string, camera: number[], parallel: boolean }[]} views that somebody has kept
- * @property {number[] | null} tape the ends of the measuring tape that are chosen, while there is one
- * @property {import("./view-modes.js").FlatMap | null} flatMap what is shown beside the model
+ * @property {Section | null} section section plane through the model
+ * @property {{ name: string, camera: number[], parallel: boolean }[]} views saved views
+ * @property {number[] | null} tape chosen ends of the measuring tape, while that tool is active
+ * @property {import("./view-modes.js").FlatMap | null} flatMap shown beside the model
  * @property {import("./view-modes.js").Split | null} split two pictures in place of one
- * @property {import("../solver/messages.js").BuildReport | null} build what the panel of parts shows; null while it is closed
- * @property {HeldOriginal | null} heldOriginal shown in place of the current shape while somebody holds
- * @property {boolean} advanced every control is shown, not the essentials alone
+ * @property {import("../solver/messages.js").BuildReport | null} build null without fabrication panel
+ * @property {HeldOriginal | null} heldOriginal shown instead of the current shape, on request
+ * @property {boolean} advanced whether all controls are shown, not only the essential ones
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
- * @property {boolean} isNew the model is a new mesh, and something was open before it
- * @property {string} saved what became of the autosave, in words
- * @property {string} status what happened last, in words
+ * @property {boolean} isNew the model is a new mesh that replaced another model
+ * @property {string} saved state of the autosave, as text
+ * @property {string} status last event, as text
  */
 
 /**
- * The ends of the range of the colours and of the axis of the legend, where somebody chose them; null
- * where they follow from the values.
+ * User-chosen ends of the colour range and of the legend's axis; null if automatic.
  * @typedef {{ low: number | null, high: number | null, top: number | null }} OwnRange
  */
 /**
- * A plane across an axis of the file (0 to 2), a part of the way through the model from 0 to 1. What comes
- * before it along the axis is kept, or what comes after it when it is turned.
+ * A section plane across an axis of the file (0 to 2), at a fraction from 0 to 1 of the model's
+ * extent. The part before it along the axis is kept, or the part after it if `turned`.
  * @typedef {{ axis: number, at: number, turned: boolean }} Section
  */
 /** @typedef {"vertices" | "edges" | "faces"} Mode */
-/** Edges by their places in `Connectivity.edges`. @typedef {Record<Mode, ReadonlySet<number>>} Selection */
+/**
+ * Edges by their index in `Connectivity.edges`.
+ * @typedef {Record<Mode, ReadonlySet<number>>} Selection
+ */
 /** @typedef {{ vertices: Uint32Array, faces: Uint32Array, colour: [number, number, number] }} Tint */
 /**
- * The shape that was opened, `#V by 3`, and its values of the measure, `#F`, where there is one.
+ * The original shape, `#V by 3`, and its values of the measure, `#F`, if there is one.
  * @typedef {{ positions: Float64Array, values: Float32Array | null }} HeldOriginal
  */
 
 /**
  * @typedef {object} Store
  * @property {() => Readonly<State>} get
- * @property {(keyof State)[]} steady what commands may depend on
+ * @property {(keyof State)[]} steady keys on which commands may depend
  * @property {(patch: Partial<State>) => void} set
  * @property {(keys: (keyof State)[], listener: (state: Readonly<State>) => void) => void} subscribe
  *   calls the listener now, and after every task in which one of the keys changed
@@ -167,14 +169,14 @@ const INITIAL = {
   status: '',
 };
 
-/** What changes with every frame of a run or a drag. No command depends on it. @type {(keyof State)[]} */
+/** Keys that change with every frame; no command depends on them. @type {(keyof State)[]} */
 const LIVE = ['numbers', 'moved', 'pointedAt', 'dragMs', 'spread', 'camera'];
 
-/** Whether there is a picture. @param {Pick<State, "renderer">} state */
+/** Whether the view can draw. @param {Pick<State, "renderer">} state */
 export const isDrawn = ({ renderer }) => renderer === 'webgpu' || renderer === 'webgl2';
 
 /**
- * The handles, those that are dragged where they are dragged to.
+ * Returns the handles, with the current targets of dragged ones.
  * @param {Readonly<State>} state
  * @returns {import("../solver/messages.js").Handle[]}
  */
@@ -206,7 +208,10 @@ export function createStore() {
     }
   }
 
-  /** One that throws is no harm to the others. @param {(state: Readonly<State>) => void} listener */
+  /**
+   * An exception in one listener must not affect the others.
+   * @param {(state: Readonly<State>) => void} listener
+   */
   function notifyListener(listener) {
     try {
       listener(state);

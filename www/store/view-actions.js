@@ -1,4 +1,4 @@
-/** What the page shows and what is selected: changes that the solver knows nothing of. */
+/** Actions on the display and the selection, which do not concern the solver. */
 
 import { NOTHING } from './selection.js';
 
@@ -7,24 +7,24 @@ import { NOTHING } from './selection.js';
 /** @param {import("./state.js").Store} store */
 export function createViewActions(store) {
   return {
-    /** @param {string} status what happened, in words */
+    /** @param {string} status last event, as text */
     setStatus: (status) => store.set({ status }),
 
     /** @param {Partial<State["display"]>} change */
     display: (change) => store.set({ display: { ...store.get().display, ...change } }),
 
-    /** What the faces are coloured by. @param {State["measure"]} measure */
+    /** Sets the measure that colours the faces. @param {State["measure"]} measure */
     colourBy: (measure) => store.set({ measure, measureChosen: true }),
 
     /** @param {Partial<State["ownRange"]>} change of the range of the colours */
     setRange: (change) =>
       store.set({ ownRange: { ...store.get().ownRange, top: null, ...change } }),
 
-    /** What lengths may be off, in the unit of the mesh. @param {number | null} tolerance */
+    /** Sets the tolerance of lengths, in the unit of the mesh. @param {number | null} tolerance */
     setTolerance: (tolerance) => store.set({ tolerance }),
 
     /**
-     * What a measure that this does not apply to may be off, in its unit.
+     * Sets the tolerance of another measure, in its unit.
      * @param {string} id
      * @param {number | null} value
      */
@@ -38,20 +38,26 @@ export function createViewActions(store) {
     useTool: (tool) => store.set(tool),
 
     /**
-     * What is shown in another way, or beside the model, and what shows it.
+     * Sets parts of the display.
      * @param {Partial<Pick<State, "parallel" | "split" | "flatMap" | "heldOriginal" | "build" | "status" |
      *   "renderer" | "camera" | "section" | "views" | "tab" | "measure" | "measureChosen" | "tolerance" | "tolerances">>} look
      */
     look: (look) => store.set(look),
 
-    /** What the pointer is over. @param {Pick<State, "gizmoPart" | "pointedAt">} over */
+    /**
+     * Sets the handle and gizmo part under the pointer.
+     * @param {Pick<State, "gizmoPart" | "pointedAt">} over
+     */
     pointAt: (over) => store.set(over),
 
-    /** Whence the model comes, and whether it is kept. @param {Partial<Pick<State, "firstExample" | "fileName" | "example" | "isNew" | "saved" | "status">>} file */
+    /**
+     * Sets the source and the save status of the model.
+     * @param {Partial<Pick<State, "firstExample" | "fileName" | "example" | "isNew" | "saved" | "status">>} file
+     */
     describeFile: (file) => store.set(file),
 
     /**
-     * Selects faces where there are any, else edges, else vertices, and nothing else.
+     * Selects only the faces if there are any, else the edges, else the vertices.
      * @param {{ vertices: Iterable<number>, edges?: Iterable<number>, faces: Iterable<number> }} elements
      */
     select({ vertices, edges = [], faces }) {

@@ -1,46 +1,47 @@
-/** What can be seen in place of the plain picture: the flat map beside the model, and two pictures. */
+/** Display modes besides the plain picture: the flat map beside the model, and a split view. */
 
 /**
- * What a surface shows: the squares of the map, or the colours of the quasi-conformal error.
+ * Content of a surface: the checkerboard of the map, or the colours of the quasi-conformal error.
  * @typedef {"checks" | "errors"} Look
  */
 
 /**
  * @typedef {object} FlatMap
  * @property {import("../solver/messages.js").Parametrization} found
- * @property {import("../solver/messages.js").MapWeights} weights that it was made with
- * @property {import("../solver/messages.js").MapNorm} norm that it was made with
+ * @property {import("../solver/messages.js").MapWeights} weights of the computation
+ * @property {import("../solver/messages.js").MapNorm} norm of the computation
  * @property {number} iteration of the shape that was flattened
- * @property {import("../solver/messages.js").FewerFlips | "searching" | "none" | null} fewer settings that turn fewer triangles over; null where nobody has looked
+ * @property {import("../solver/messages.js").FewerFlips | "searching" | "none" | null} fewer
+ *   settings with fewer flipped triangles; null if not searched
  * @property {Look} onModel
  * @property {Look} onMap
- * @property {number} squares along the longer side of the map
+ * @property {number} squares number of squares along the longer side of the map
  */
 
 /**
- * What a side shows: the original, the current shape, or one that was kept, coloured by a measure.
+ * Content of a side: the original, the current shape or a kept one, coloured by a measure.
  * @typedef {{ measure: import("../solver/messages.js").Measure, original: boolean, variant?: KeptShape }} Choice
  */
 
 /**
- * A shape that was kept.
+ * A kept shape.
  * @typedef {{ index: number, name: string, positions: Float64Array }} KeptShape
  */
 
 /**
- * @typedef {object} Shown what the view needs of a side
- * @property {Float64Array | undefined} positions of the original, where it is shown
+ * @typedef {object} Shown data of a side for the view
+ * @property {Float64Array | undefined} positions of the original, if that is shown
  * @property {Float32Array | undefined} values of the faces
- * @property {Float32Array | undefined} corners values of the vertices whose greatest those are, for bands
- * @property {number} low of the range of the colours: its beginning
- * @property {number} top of the range of the colours
- * @property {number | null} tolerance where the range begins: up to it the faces keep the material
+ * @property {Float32Array | undefined} corners values of the vertices, for bands (maximum per face)
+ * @property {number} low beginning of the range of the colours
+ * @property {number} top end of the range of the colours
+ * @property {number | null} tolerance beginning of the range, up to which faces keep their material
  */
 
 /**
  * @typedef {object} Split
- * @property {number} at where the divider is, from 0 to 1
- * @property {[(Choice & Shown), (Choice & Shown)]} sides left and right; a side that changes is another object
+ * @property {number} at position of the divider, from 0 to 1
+ * @property {[(Choice & Shown), (Choice & Shown)]} sides left and right; new objects when they change
  */
 
 export {};

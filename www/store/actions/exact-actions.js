@@ -1,4 +1,4 @@
-/** What the page can do with what is required of constraints: it comes when somebody first asks. */
+/** Actions on the hardness of constraints. Loaded on first use. */
 
 /** @typedef {import("../../solver/messages.js").Require} Require */
 
@@ -7,21 +7,28 @@
  * @param {import("../actions.js").Actions} actions
  */
 export const exactActions = (solver, { reportErrors }) => ({
-  /** Requires something of a row and runs, one step of undo together. @param {number} index @param {Require} require */
+  /**
+   * Sets the hardness of a row and runs, as one step of undo.
+   * @param {number} index
+   * @param {Require} require
+   */
   require: (index, require) =>
     reportErrors(
       solver.request({ type: 'editAndRun', edit: { type: 'setConstraint', index, require } }),
     ),
 
-  /** What it would cost to be exact instead of within a distance. */
+  /** Returns the cost of meeting constraints exactly instead of within a distance. */
   offer: () => solver.request({ type: 'exactOffer' }),
 
-  /** Looks for a shape that is as exact and costs less; how far it came. */
+  /** Searches for an equally exact shape of lower energy; returns how far it came. */
   improve: () => solver.request({ type: 'improvement' }),
 
-  /** Ends that where it is. */
+  /** Ends the search and keeps its result. */
   endTrial: () => solver.request({ type: 'endTrial' }),
 
-  /** Takes the shape of the last offer. @param {boolean} joins as a part of the last step of undo */
+  /**
+   * Applies the shape of the last offer.
+   * @param {boolean} joins merges it into the last step of undo
+   */
   accept: (joins) => reportErrors(solver.request({ type: 'makeExact', joins })),
 });

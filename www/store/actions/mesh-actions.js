@@ -1,4 +1,4 @@
-/** What the page can do to the mesh itself: it comes when somebody first asks. */
+/** Actions on the mesh itself. Loaded on first use. */
 
 import { count, length } from '../../ui/format.js';
 
@@ -11,7 +11,10 @@ import { count, length } from '../../ui/format.js';
  * @param {import("../actions.js").Actions} actions
  */
 export function meshActions(store, solver, actions) {
-  /** Begins a run, and settles when it has ended: whether nobody has stopped it. @param {() => unknown} begin */
+  /**
+   * Begins a run and waits for its end; returns whether it converged rather than was stopped.
+   * @param {() => unknown} begin
+   */
   async function untilEnd(begin) {
     /** @type {() => void} */
     let stop = () => {};
@@ -30,7 +33,7 @@ export function meshActions(store, solver, actions) {
     }
   }
 
-  /** How near the panels are to what they are asked to be, for the status line. */
+  /** Summarises the panels' distances from their constraints, for the status line. */
   async function verdict() {
     const { tolerance, model, document } = store.get();
     const within = tolerance ?? model?.tolerance ?? 0;
@@ -43,13 +46,18 @@ export function meshActions(store, solver, actions) {
   }
 
   return {
-    /** The operations that there are, with sizes that fit the mesh. */
+    /** Returns the available operations, with sizes that fit the mesh. */
     operations: () => solver.request({ type: 'meshOperations' }),
 
-    /** What an operation would make of the mesh. @param {Remeshing} asked */
+    /** Previews the result of an operation. @param {Remeshing} asked */
     remeshing: (asked) => solver.request({ type: 'remeshing', asked }),
 
-    /** Does an operation. @param {Remeshing} asked @param {string} label @returns {Promise<string[]>} what is lost */
+    /**
+     * Performs an operation.
+     * @param {Remeshing} asked
+     * @param {string} label
+     * @returns {Promise<string[]>} what was lost
+     */
     async remesh(asked, label) {
       const { faces: before = 0 } = store.get().model ?? {};
       await solver.request({ type: 'edit', edit: { type: 'remesh', ...asked } });
@@ -60,14 +68,18 @@ export function meshActions(store, solver, actions) {
       return model?.notes ?? [];
     },
 
-    /** What refining would make of the mesh, once, twice and so on. @param {Refinement["scheme"]} scheme @param {number} keep */
+    /**
+     * Previews the result of refining once, twice and so on.
+     * @param {Refinement["scheme"]} scheme
+     * @param {number} keep
+     */
     refinements: (scheme, keep) => solver.request({ type: 'refinements', scheme, keep }),
 
     /**
-     * Refines; or solves, refines once and solves again until it is refined so often or somebody pauses.
+     * Refines; or alternately solves and refines once, until all levels are done or the user stops.
      * @param {Refinement} how
      * @param {boolean} solves
-     * @returns {Promise<string[]>} what could not be carried over
+     * @returns {Promise<string[]>} what could not be transferred
      */
     async refine(how, solves) {
       /** @type {string[]} */
@@ -90,7 +102,7 @@ export function meshActions(store, solver, actions) {
         for (let level = 1; level <= how.levels && goesOn; level++) {
           const ended = await untilEnd(() => solver.request({ type: 'editAndRun', edit: once }));
           const words = `${refined()}${await verdict()}`;
-          // Between two levels nothing runs: there too somebody can pause.
+          // The user may also have paused between two levels, when nothing runs.
           goesOn = ended && (level === how.levels || store.get().refining);
           actions.setStatus(goesOn ? words : `${words}; stopped`);
         }

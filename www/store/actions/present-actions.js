@@ -1,4 +1,4 @@
-/** What the page can do with the steps of a presentation: it comes when somebody first asks. */
+/** Actions on the steps of a presentation. Loaded on first use. */
 
 /** @typedef {import("../../solver/messages.js").Slide} Slide */
 
@@ -8,7 +8,7 @@
  */
 export function presentActions(store, actions) {
   return {
-    /** A step that shows what is seen now. @param {string} title @returns {Slide} */
+    /** Returns a step that shows the current view. @param {string} title @returns {Slide} */
     stepNow(title) {
       const { camera, parallel, measure, document: scene } = store.get();
       /** @type {Slide} */
@@ -25,7 +25,7 @@ export function presentActions(store, actions) {
     setSteps: (steps) => actions.edit({ type: 'setSteps', steps }),
 
     /**
-     * Shows a step: its shape and weights are a step of undo where they are others.
+     * Shows a step. A change of its shape or weights is one step of undo.
      * @param {number} index
      */
     async showStep(index) {
@@ -36,7 +36,7 @@ export function presentActions(store, actions) {
       if (running && !run) actions.runOrPause();
       if (original || weights || variant !== undefined)
         await actions.edit({ type: 'showStep', index });
-      // The other parts of the step hold, whatever became of its shape.
+      // The remaining parts apply even if the shape could not be set.
       actions.look({ parallel, measure: measure ?? null, measureChosen: true });
       if (camera) actions.look({ camera: [...camera] });
       if (run) actions.run();

@@ -1,4 +1,4 @@
-/** What the page can do with other shapes that are as exact: it comes when somebody first asks. */
+/** Actions on variations: other shapes that are equally exact. Loaded on first use. */
 
 /** @typedef {import("../../solver/messages.js").VariationAsk} VariationAsk */
 /** @typedef {import("../../solver/messages.js").VariationAnswers} VariationAnswers */
@@ -18,31 +18,31 @@ export function variationActions(solver, { reportErrors }) {
     return /** @type {VariationAnswers[Ask["what"]]} */ (answer);
   };
   return {
-    /** Begins to look for the ways to change the shape; whether there can be any. */
+    /** Begins the search for variations; returns whether there can be any. */
     find: () => asked({ what: 'find' }),
 
-    /** Goes on with that for a moment. */
+    /** Continues the search for a moment. */
     advance: () => asked({ what: 'advance' }),
 
     /** @param {number} index */
     way: (index) => asked({ what: 'way', index }),
 
-    /** Shows the way at once. @param {Float64Array} coefficients */
+    /** Shows the linear combination of variations at once. @param {Float64Array} coefficients */
     show: (coefficients) => asked({ what: 'show', coefficients }),
 
-    /** Goes there and becomes exact again. @param {Float64Array} coefficients */
+    /** Moves there and projects back onto the constraints. @param {Float64Array} coefficients */
     reach: (coefficients) => asked({ what: 'reach', coefficients }),
 
-    /** Makes what was reached the design. */
+    /** Makes the reached shape the design. */
     keep: () => reportErrors(asked({ what: 'keep' })),
 
-    /** Goes back to the shape that was varied. */
+    /** Returns to the shape before the variation. */
     leave: () => reportErrors(asked({ what: 'leave' })),
 
-    /** The numbers of the shapes that were kept. @param {number} tolerance */
+    /** Returns the measures of the kept shapes. @param {number} tolerance */
     table: (tolerance) => asked({ what: 'table', tolerance }),
 
-    /** The positions of one of them. @param {number} index */
+    /** Returns the positions of a kept shape. @param {number} index */
     positions: (index) => asked({ what: 'positions', index }),
   };
 }

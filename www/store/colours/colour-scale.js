@@ -1,11 +1,11 @@
 /**
- * What the faces are coloured by, between which values, and how the values are spread. The measure
- * is that of what the scene asks for, until somebody chooses another.
+ * The measure that colours the faces, the range of the colours, and the distribution of the values.
+ * The measure is that of the scene's constraints, until the user chooses another.
  *
- * The range of the colours follows from what there is and not from what there was: it begins at the
- * tolerance, or at 0 where all values have colours, and ends at a round number that the worst face of
- * the original does not exceed, nor the worst one now. So it stays while a run makes things better, and
- * colours mean the same from picture to picture. Either end can be chosen instead.
+ * The range does not depend on the history: it begins at the tolerance (or at 0 if all values are
+ * coloured) and ends at a round number that neither the worst face of the original nor the current
+ * worst face exceeds. It is therefore constant during a run that improves the shape, and colours
+ * are comparable between pictures. The user can set either end instead.
  */
 
 import { RENEW_MS, throttled } from '../../ui/dom.js';
@@ -14,26 +14,34 @@ import { declared, measureOfScene, roundingOf, toleranceOf } from './measures.js
 import { greatestOf, spreadOf } from '../../ui/plot/histogram.js';
 import { axisOf, roundUp } from '../../ui/plot/value-axis.js';
 
-/** A range finer than so many times the rounding would colour what nobody could build or see. */
+/**
+ * Smallest range in multiples of the rounding error: anything finer can be neither seen nor built.
+ */
 const LEAST_RANGE = 1000;
-/** A logarithmic range over all values begins so far below its end. */
+/** Beginning of a logarithmic range over all values, relative to its end. */
 const LOG_RANGE = 1e-4;
-/** On a logarithmic axis, what is within the tolerance has the room of this factor. */
+/** On a logarithmic axis, values within the tolerance get the width of this factor. */
 const LOG_WITHIN = 0.1;
 
-/** Both ends and the end of the axis follow from the values. @type {import("../state.js").OwnRange} */
+/** Both ends and the end of the axis are automatic. @type {import("../state.js").OwnRange} */
 const AUTOMATIC = { low: null, high: null, top: null };
 
-/** Until there are values. @type {Pick<import("../state.js").State, "spread" | "range" | "ownRange">} */
+/**
+ * State before there are values.
+ * @type {Pick<import("../state.js").State, "spread" | "range" | "ownRange">}
+ */
 const NONE = { spread: null, range: [0, 0], ownRange: AUTOMATIC };
 
 /**
  * @param {import("../state.js").Store} store
  * @param {import("../../solver/solver-client.js").SolverClient} solver
- * @returns {{ fit: () => void }} ends the range of the colours at the worst face of the shape as it is
+ * @returns {{ fit: () => void }} sets the end of the range to the worst face of the current shape
  */
 export function colourFaces(store, solver) {
-  /** Rows of constraints; none before the document of a model is there. @type {number | undefined} */
+  /**
+   * Number of constraint rows; undefined before a model's document is available.
+   * @type {number | undefined}
+   */
   let rows;
 
   store.subscribe(['document'], (state) => {
@@ -45,7 +53,7 @@ export function colourFaces(store, solver) {
   });
   solver.on('model', () => store.set(NONE));
   const takeInSoon = throttled(RENEW_MS, takeIn);
-  // What is coloured for the first time has its range at once.
+  // The first values of a measure get their range at once.
   solver.on('frame', () => (store.get().spread ? takeInSoon() : takeIn()));
   store.subscribe(['measure', 'display', 'halfway'], ({ measure, display, halfway }) => {
     const projections = display.outlines || display.arrows || halfway;
@@ -55,19 +63,19 @@ export function colourFaces(store, solver) {
   store.subscribe(['measure'], () => store.set(NONE));
   store.subscribe(['tolerance', 'tolerances', 'ownRange', 'display'], takeIn);
 
-  /** Values of the original; null while they are not known. @type {Float32Array | null} */
+  /** Values of the original; null if unknown. @type {Float32Array | null} */
   let original = null;
   let isAsked = false;
-  /** They are not to be had: the range is that of the values that there are. */
+  /** Whether the request failed: the range depends on the current values only. */
   let hasFailed = false;
   const forget = () => {
     original = null;
     isAsked = hasFailed = false;
   };
-  // An edit may ask for something else of the faces.
+  // An edit may change what the measure requires of the faces.
   store.subscribe(['measure', 'document'], forget);
 
-  /** Asks for the values of the original, once something has moved. */
+  /** Requests the values of the original, once the shape has changed. */
   async function askForOriginal() {
     const { measure } = store.get();
     if (isAsked || !measure) return;
@@ -77,14 +85,14 @@ export function colourFaces(store, solver) {
       if (store.get().measure !== measure) return;
       original = values;
     } catch (error) {
-      // The bars say what matters; the outline only compares.
+      // Not worth an alert: the bars show the current values, the outline is only a comparison.
       console.warn(messageOf(error));
       hasFailed = true;
     }
     takeIn();
   }
 
-  /** Takes in the values of the newest frame. */
+  /** Evaluates the values of the latest frame. */
   function takeIn() {
     const state = store.get();
     const { measure, size, spread, numbers, ownRange, range } = state;
@@ -106,7 +114,7 @@ export function colourFaces(store, solver) {
     const high = ownRange.high ?? top;
     const isPart = tolerance !== null && !full;
     const first = isPart && tolerance > 0 ? tolerance : log ? LOG_RANGE * high : 0;
-    // Nothing is in the middle of values of both signs.
+    // For signed values, 0 is the middle of the range.
     const low = signed ? -high : Math.min(ownRange.low ?? first, high);
     const end = Math.max(ownRange.top ?? top, high, greatest);
     const least = signed ? -end : 0;

@@ -1,6 +1,6 @@
 /**
- * The colours of the rows of constraints on what they act on, while the faces are coloured by
- * nothing else. The solver knows what acts where; the answer holds until the next edit.
+ * Colours each constraint row on the elements it acts on, while no measure colours the faces. The
+ * solver supplies the colours; they are valid until the next edit.
  */
 
 /**
@@ -9,9 +9,9 @@
  * @param {import("../actions.js").Actions} actions
  */
 export function colourRows(store, solver, actions) {
-  /** Only the answer to the newest question counts. */
+  /** Number of the latest request; older answers are discarded. */
   let newest = 0;
-  /** What the colours on the page are those of. */
+  /** Key of the rows whose colours are shown. */
   let shown = '';
 
   solver.on('model', () => {

@@ -1,4 +1,4 @@
-/** Which measure of faces a scene is about, how its values read, and what is nothing but rounding. */
+/** The measure that fits a scene, the format of its values, and their rounding error. */
 
 import { METRES, length, lengthUnit, number } from '../../ui/format.js';
 import { ROUNDING } from '../../ui/rounding.js';
@@ -8,11 +8,11 @@ import { ROUNDING } from '../../ui/rounding.js';
 /** @typedef {Readonly<import("../state.js").State>} State */
 
 const SIGNS = { percent: '%', degrees: '°', number: '' };
-/** The power of the unit of the mesh that a unit is. @type {Partial<Record<FaceMeasure["unit"], number>>} */
+/** Exponent of the mesh unit in each unit. @type {Partial<Record<FaceMeasure["unit"], number>>} */
 const POWERS = { length: 1, 'per-length': -1, 'per-area': -2 };
 
 /**
- * The declaration of a measure.
+ * Returns the declaration of a measure.
  * @param {State} state
  * @param {Measure | null} measure
  * @returns {FaceMeasure | undefined}
@@ -20,7 +20,7 @@ const POWERS = { length: 1, 'per-length': -1, 'per-area': -2 };
 export const declared = ({ measures }, measure) => measures.find(({ id }) => id === measure);
 
 /**
- * Values below this are rounding.
+ * Returns the bound below which values are rounding errors.
  * @param {FaceMeasure} measure
  * @param {number} size of the mesh
  */
@@ -32,8 +32,8 @@ export function roundingOf({ unit }, size) {
 }
 
 /**
- * What may be off: the tolerance of the model where that applies, else the one that somebody set for
- * this measure. In its unit; null where there is none.
+ * Returns the tolerance of a measure, in its unit: the model's if it applies, else the one set for
+ * this measure; null if there is none.
  * @param {State} state
  * @param {FaceMeasure} measure
  */
@@ -43,26 +43,26 @@ export function toleranceOf({ tolerance, tolerances }, { id, toleranced, signed 
 }
 
 /**
- * The unit in which values of this size are written and entered, and the factor to it.
+ * Returns the unit in which values of a size are written and entered, and the factor to it.
  * @param {FaceMeasure} measure
- * @param {number} size of the value; of errors, their tolerance
+ * @param {number} size of the value; for errors, their tolerance
  * @param {string} units of the mesh
  */
 export function unitOf({ unit }, size, units) {
   if (unit === 'length') return lengthUnit(size, units);
   const power = POWERS[unit];
   if (!power) return { unit: SIGNS[/** @type {keyof typeof SIGNS} */ (unit)], factor: 1 };
-  // Curvatures are read by their radius, in metres.
+  // Curvatures are shown in 1/m, so that the radius in metres can be read off.
   const metres = METRES[units];
   return { unit: metres ? `1/m${power < -1 ? '²' : ''}` : '', factor: (metres ?? 1) ** power };
 }
 
 /**
- * A value with its unit.
+ * Formats a value with its unit.
  * @param {FaceMeasure} measure
  * @param {number} value
  * @param {string} units of the mesh
- * @param {number | null} [like] the value that decides the unit: errors have that of their tolerance
+ * @param {number | null} [like] value that determines the unit: for errors, their tolerance
  */
 export function valueInWords(measure, value, units, like = null) {
   if (measure.unit === 'length') return length(value, units, like ?? value);
@@ -71,8 +71,8 @@ export function valueInWords(measure, value, units, like = null) {
 }
 
 /**
- * The largest value of a measure over all faces, in its unit: of the newest frame where the faces
- * are coloured by it, else from the numbers that every frame brings.
+ * Returns the largest value of a measure over all faces, in its unit: from the latest frame if it
+ * colours the faces, else from the numbers that accompany every frame.
  * @param {State} state
  * @param {Measure} measure
  */
@@ -83,7 +83,7 @@ export function worstOf({ numbers, spread }, measure) {
 }
 
 /**
- * How far the vertices are from where they were: "0.21 m, mean 0.05 m"; empty until something moves.
+ * Formats the vertices' distances from rest, "0.21 m, mean 0.05 m"; empty until something moves.
  * @param {State} state
  */
 export function movedInWords({ numbers, document, size }) {
@@ -94,9 +94,8 @@ export function movedInWords({ numbers, document, size }) {
 }
 
 /**
- * The measure of what is asked of the faces: of the first row that is on and has one. The distance
- * to the constraints where rows ask for something that no other tells, none where nothing is asked
- * or there are no faces.
+ * Returns the measure of the first enabled row that has one; `residual`, the distance to the
+ * constraints, if none has one; null without constraints or faces.
  * @param {State} state
  * @returns {Measure | null}
  */

@@ -1,9 +1,9 @@
-/** The two halves of an iteration (Fig. 4 of the paper) in words, when they are first done. */
+/** Status texts of the two halves of an iteration (Fig. 4 of the paper). Loaded on first use. */
 
 import { groupDigits } from '../../ui/format.js';
 
 /**
- * What a half has done, and what comes next.
+ * Describes the half step that was done, and the next one.
  * @param {import("../../solver/messages.js").Half} done
  */
 export function halfStepWords(done) {

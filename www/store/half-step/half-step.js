@@ -1,4 +1,4 @@
-/** The switch between the two halves of an iteration (Fig. 4 of the paper). */
+/** Toggle between the two halves of an iteration (Fig. 4 of the paper). */
 
 /** @param {{ halfway: boolean }} state */
 export function halfStepTitle({ halfway }) {
@@ -8,7 +8,7 @@ export function halfStepTitle({ halfway }) {
 }
 
 /**
- * Its switches, in the toolbar and in the menu of a phone, are on between the two halves.
+ * The switches in the toolbar and in the phone's menu are on between the two halves.
  * @param {import("../state.js").Store} store
  */
 export function bindHalfStepSwitches(store) {
