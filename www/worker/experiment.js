@@ -1,32 +1,31 @@
 /**
- * The worker's part of experiments: runs the one that was asked for in slices, beside whatever the
- * solver does, and tells what it measures.
+ * Worker side of experiments: runs the requested one in slices, alongside the solver.
  */
 
 import { messageOf } from '../solver/messages.js';
 import { ExperimentRun } from '../pkg/solver/shape_up.js';
 import { isTrap } from './wasm-errors.js';
 
-/** How long it iterates before other messages have their turn, in milliseconds. */
+/** Duration of a slice between other messages, in milliseconds. */
 const SLICE_MS = 30;
 
 /** @typedef {(message: import("../solver/messages.js").FromWorker) => void} Post */
 
-/** The last one; it stays for its table. @type {ExperimentRun | null} */
+/** The last run; kept for its table. @type {ExperimentRun | null} */
 let run = null;
 let underWay = false;
 /** @type {Post} */
 let post = () => {};
-/** Called when the wasm machine has trapped. @type {(thrown: unknown) => void} */
+/** Called when the wasm instance has trapped. @type {(thrown: unknown) => void} */
 let died = () => {};
 
 const yielding = new MessageChannel();
 yielding.port1.onmessage = slice;
 
 /**
- * Starts one; another that is under way ends without a word.
+ * Starts an experiment; a running one is dropped without a message.
  * @param {Extract<import("../solver/messages.js").Request, { type: "runExperiment" }>} asked
- * @param {import("../pkg/solver/shape_up.js").Solver} solver with what is open
+ * @param {import("../pkg/solver/shape_up.js").Solver} solver with the current model
  * @param {Post} tell
  * @param {(thrown: unknown) => void} onDeath
  */
@@ -50,14 +49,14 @@ function runOn({ example, files: [scene, mesh] }, iterations) {
   return new ExperimentRun(example, text, mesh.name, mesh.bytes, iterations);
 }
 
-/** What the comparison on whatever is open declares. */
+/** Returns the declaration of the comparison on the current model. */
 export const comparison = () => ExperimentRun.declared();
 
 export function cancelExperiment() {
   if (underWay) end('cancelled');
 }
 
-/** Comma-separated values of everything that the last one has measured. */
+/** Returns all samples of the last experiment as CSV. */
 export function experimentCsv() {
   if (!run) throw new Error('no experiment has been run');
   return run.csv();

@@ -1,12 +1,12 @@
-/** The fetch of the solver's module, which tells how far it is where it takes a while. */
+/** Fetches the solver's module, and reports progress if that takes long. */
 
-/** So long nobody waits for words, and so often they are renewed, in milliseconds. */
+/** Delay of the first progress report and interval of the next ones, in milliseconds. */
 const LATE_MS = 500;
 const EVERY_MS = 200;
 
 /**
  * @param {(message: import("../solver/messages.js").FromWorker) => void} post
- * @returns {Promise<Response>} the module; rejects with the reason where it does not come
+ * @returns {Promise<Response>} the module; rejects with the reason if it cannot be fetched
  */
 export async function fetchModule(post) {
   const address = new URL('../pkg/solver/shape_up_bg.wasm', import.meta.url);
@@ -14,7 +14,7 @@ export async function fetchModule(post) {
     throw new Error('its module could not be fetched');
   });
   if (!response.ok) throw new Error(`its module could not be fetched: ${response.status}`);
-  // A copy is counted: browsers keep what they have compiled for an answer as it came only.
+  // Count on a copy: browsers cache compiled code only for an unmodified response.
   count(response.clone(), post).catch(() => {});
   return response;
 }
@@ -25,7 +25,7 @@ export async function fetchModule(post) {
  */
 async function count({ body }, post) {
   const reader = body?.getReader();
-  // Compressed as it travels, its length is not told: the build knows it.
+  // A compressed response has no usable length; the build supplies it.
   const all = import.meta.env.SOLVER_BYTES;
   let due = performance.now() + LATE_MS;
   for (let bytes = 0; reader;) {

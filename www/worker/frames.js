@@ -1,20 +1,20 @@
 /**
- * What the page sees of the iteration: positions in two buffers that travel back and forth, and whatever
- * else it asked to be shown. No free buffer, no frame.
+ * Frames for the page: positions in two buffers that travel back and forth, and the other requested
+ * data. Without a free buffer no frame is sent.
  */
 
 /** @typedef {import("../solver/messages.js").FromWorker} FromWorker */
 /** @typedef {Extract<import("../solver/messages.js").Command, { type: "show" }>} Show */
 
 export class Frames {
-  /** There is something that the page has not seen. */
+  /** Whether the state has changed since the last frame. */
   due = false;
   /** @type {Omit<Show, "type">} */
   shown = { measure: null, shapes: false, projections: false, corners: false };
 
   #solver;
   #post;
-  /** Buffers that are here. @type {Float64Array[]} */
+  /** Buffers available for writing. @type {Float64Array[]} */
   #free = [];
   #length = 0;
 
@@ -28,9 +28,9 @@ export class Frames {
   }
 
   /**
-   * Begins with another mesh.
+   * Starts with another mesh.
    * @param {number} vertices
-   * @returns {Float64Array} the first of the two buffers, with its positions
+   * @returns {Float64Array} the first of the two buffers, filled with its positions
    */
   renew(vertices) {
     this.#length = 3 * vertices;
@@ -40,15 +40,18 @@ export class Frames {
     return positions;
   }
 
-  /** Takes a buffer back, unless it is one of the mesh before. @param {Float64Array} positions */
+  /**
+   * Takes a buffer back, unless it belongs to the previous mesh.
+   * @param {Float64Array} positions
+   */
   takeBack(positions) {
     if (positions.length === this.#length && this.#free.length < 2) this.#free.push(positions);
   }
 
   /**
-   * Sends the state of the iteration, if the page has not seen it and a buffer is free.
-   * @param {() => [number, number] | null} answers the move of a drag that it shows
-   * @param {boolean} iterating it is not the last one
+   * Sends the state of the iteration, if it has changed and a buffer is free.
+   * @param {() => [number, number] | null} answers the move of a drag that the frame shows
+   * @param {boolean} iterating whether more frames follow
    * @returns {boolean} whether it was sent
    */
   send(answers, iterating) {

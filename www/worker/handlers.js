@@ -1,4 +1,4 @@
-/** What the worker does at each message of the page: one entry for each command and each request. */
+/** Handlers of the page's messages: one entry per command and per request. */
 
 import { cancelExperiment, comparison, experimentCsv, runExperiment } from './experiment.js';
 import { missingFiles, open } from './open.js';
@@ -31,11 +31,11 @@ export const commandHandlers = (scheduler) => ({
  * @param {import("../pkg/solver/shape_up.js").Solver} solver
  * @param {import("./scheduler.js").Scheduler} scheduler
  * @param {(message: import("../solver/messages.js").FromWorker, transfer?: Transferable[]) => void} post
- * @param {(thrown: unknown) => void} died the wasm machine has trapped
+ * @param {(thrown: unknown) => void} died called when the wasm instance has trapped
  * @returns {import("../solver/messages.js").RequestHandlers}
  */
 export function requestHandlers(solver, scheduler, post, died) {
-  /** @template T @param {() => T} action once the run has ended */
+  /** @template T @param {() => T} action performed after the run has ended */
   const paused = (action) => {
     scheduler.pause();
     return action();

@@ -33,10 +33,10 @@ export function open(solver, scheduler, { files, saved, frame = '', solved, weld
 }
 
 /**
- * Goes on where the scene that was just opened stood when it was saved.
+ * Restores the saved state of the scene that was just opened.
  * @param {Solver} solver
  * @param {import("../solver/messages.js").Saved} saved
- * @returns {string} why its steps of undo are gone; empty when they are not
+ * @returns {string} reason why its undo history is lost; empty if it is not
  */
 function restore(solver, { iteration, history, progress }) {
   solver.restoreIteration(iteration);
@@ -50,7 +50,7 @@ function restore(solver, { iteration, history, progress }) {
 }
 
 /**
- * The paths of files that the main one names and that are not among them.
+ * Returns the paths of files that the main file names and that are missing.
  * @param {Solver} solver
  * @param {import("../solver/messages.js").NamedBytes[]} files
  */

@@ -1,19 +1,19 @@
 /**
- * The worker's part of remedies: tries, beside whatever the solver does, which changes would lower the
- * worst distance, until all are tried, the time is over, or something else is asked.
+ * Worker side of remedies: tries, alongside the solver, which changes would lower the worst
+ * distance, until all are tried, time is up, or the trials are stopped.
  */
 
 import { RemedyTrials } from '../pkg/solver/shape_up.js';
 import { inTurns } from './trials.js';
 
-/** How long it tries at most: whoever waits longer does not wait. */
+/** Time limit of the trials, in milliseconds. */
 const MOST_MS = 4000;
 
 /** @typedef {import("../solver/messages.js").Remedy} Remedy */
 
 /**
  * @param {import("../pkg/solver/shape_up.js").Solver} solver
- * @returns {Promise<Remedy[]>} those found until then, the greatest help first
+ * @returns {Promise<Remedy[]>} those found so far, most effective first
  */
 export async function findRemedies(solver) {
   const trials = new RemedyTrials(solver);

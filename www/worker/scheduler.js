@@ -1,6 +1,6 @@
 /**
- * Iterates the solver in short slices and keeps what must be consistent between messages: whether it
- * runs, what is dragged, and what the page has to be told of it.
+ * Iterates the solver in short slices and keeps the state between messages: whether it runs, what
+ * is dragged, and which updates are due for the page.
  */
 
 import { SLICE_MS, messageOf } from '../solver/messages.js';
@@ -11,11 +11,11 @@ import { isTrap } from './wasm-errors.js';
 /** @typedef {import("../solver/messages.js").Drag} Drag */
 /** @typedef {import("../solver/messages.js").Loaded} Loaded */
 
-/** While it iterates, frames take at most this part of the time, but where a drag waits for its answer. */
+/** Largest share of the time for frames while iterating, unless a drag waits for its answer. */
 const FRAME_PART = 0.25;
 /**
- * A run or a drag says at least so often how far it has come, so that little is lost when the page or the
- * worker dies; telling takes at most so large a part of the time.
+ * Interval at which a run or a drag sends its progress, so that little is lost if the page or the
+ * worker dies, and the largest share of the time that this may take.
  */
 const PROGRESS_EVERY_MS = 800;
 const PROGRESS_PART = 0.05;
@@ -28,31 +28,34 @@ export class Scheduler {
   #isLoaded = false;
   /** Run was pressed, and the iteration has not converged since. */
   #isRunning = false;
-  /** The run goes on whatever becomes of the shape. */
+  /** Whether the run continues even if the shape collapses. */
   #goesOn = false;
   #isDragging = false;
-  /** Before that time no frame is sent while it iterates. */
+  /** While iterating, no frame is sent before this time. */
   #nextFrame = 0;
-  /** Nothing would change by iterating on; a moved handle or an edit ends it. */
+  /** Whether the iteration has converged; a moved handle or an edit resets it. */
   #isSettled = false;
-  /** The newest move of a drag that is not applied yet. @type {Drag | null} */
+  /** The latest move of a drag that is not applied yet. @type {Drag | null} */
   #move = null;
-  /** The move that the next frame answers, and when it came. @type {{ time: number, came: number } | null} */
+  /**
+   * The move that the next frame answers, and its arrival time.
+   * @type {{ time: number, came: number } | null}
+   */
   #answering = null;
-  /** Until the next word of a run or a drag; 0 while none is due. */
+  /** Timer of the next progress message; 0 if none is due. */
   #progressTimer = 0;
   #progressEvery = PROGRESS_EVERY_MS;
-  /** Whether it runs has changed; told after the frame that belongs to it. */
+  /** Whether `activity` must be sent, after the frame that belongs to it. */
   #activityDue = false;
   #sliceQueued = false;
-  /** The next slice has new work to do: it may have to factor the system first. */
+  /** Whether the next slice may have to factor the system first. */
   #sliceIsNew = false;
   #yielding = new MessageChannel();
 
   /**
    * @param {import("../pkg/solver/shape_up.js").Solver} solver
    * @param {(message: FromWorker, transfer?: Transferable[]) => void} post
-   * @param {(thrown: unknown) => void} died the wasm machine has trapped
+   * @param {(thrown: unknown) => void} died called when the wasm instance has trapped
    */
   constructor(solver, post, died) {
     this.#solver = solver;
@@ -70,12 +73,12 @@ export class Scheduler {
     return this.#isLoaded && (this.#isRunning || this.#isDragging) && !this.#isSettled;
   }
 
-  /** Another mesh takes the place of the one that is open. */
+  /** Ends the run, before another mesh replaces the current one. */
   close() {
     if (this.#isRunning) this.#endRun();
   }
 
-  /** Another mesh is open. @param {boolean} solved iterates until nothing changes */
+  /** Starts with another mesh. @param {boolean} solved iterate until convergence first */
   begin(solved) {
     this.#isLoaded = true;
     this.#isSettled = this.#isDragging = false;
@@ -83,7 +86,7 @@ export class Scheduler {
     if (solved) this.#iterate();
   }
 
-  /** @param {boolean} [goOn] whatever becomes of the shape */
+  /** @param {boolean} [goOn] continue even if the shape collapses */
   run(goOn = false) {
     if (!this.#isLoaded || this.#isRunning) return;
     this.#post({ type: 'working' });
@@ -127,7 +130,7 @@ export class Scheduler {
   }
 
   /**
-   * Does an edit, outside of the run's own step of undo, and tells the page.
+   * Performs an edit as a separate step of undo from the run's, and updates the page.
    * @template T
    * @param {() => T} edit
    * @returns {T}
@@ -148,7 +151,7 @@ export class Scheduler {
     return result;
   }
 
-  /** Asks something of the panels, and runs. @param {() => void} ask */
+  /** Requests something of the panels, and runs. @param {() => void} ask */
   runFor(ask) {
     ask();
     this.#isRunning = true;
@@ -169,7 +172,7 @@ export class Scheduler {
       this.#solver.drag(vertices, targets, phase);
       this.#isDragging = true;
       this.#activityDue = true;
-      // What is saved is the scene before the drag, until that has ended.
+      // Not the scene: the saved one stays that before the drag until the drag ends.
       if (isNew) this.#sendDocument();
     } else if (!this.#isDragging) {
       return;
@@ -182,7 +185,7 @@ export class Scheduler {
       this.#isDragging = false;
       this.#solver.drag(vertices, targets, phase);
       if (this.#isRunning) this.#solver.beginRun();
-      // What has to be met is met again where it ends.
+      // Hard constraints are met again after the drag.
       this.#isRunning = this.#solver.isRunning();
       this.#activityDue = true;
       this.changed();
@@ -192,19 +195,19 @@ export class Scheduler {
     this.#queueSlice();
   }
 
-  /** After an edit, a load, the end of a run or a drag: everything the page keeps is renewed. */
+  /** Sends mesh, scene, document and frame after an edit, a load, or the end of a run or a drag. */
   changed() {
-    // Refining, and its undo, put another mesh in the place of the one that is open.
+    // Refining, and undoing it, replace the mesh.
     const loaded = this.#solver.remeshed();
     if (loaded) this.sendModel(/** @type {Loaded} */ (loaded));
-    // Whoever sees the document, and with it the mesh, can have the scene.
+    // The scene comes first, so that it is up to date whenever the page has the document.
     this.#sendScene();
     this.#sendDocument();
     this.frames.due = true;
     this.sendFrame();
   }
 
-  /** The page is given the mesh that is open, and with the next frame whether it runs. @param {Loaded} loaded */
+  /** Sends the current mesh; the next frame is followed by `activity`. @param {Loaded} loaded */
   sendModel(loaded) {
     const solver = this.#solver;
     this.#activityDue = true;
@@ -224,8 +227,8 @@ export class Scheduler {
   }
 
   /**
-   * Sends the state of the iteration, if the page has not seen it. That a run has ended is told after its
-   * last frame, so that whoever waits for the end sees the end.
+   * Sends the state of the iteration, if it has changed. The end of a run is reported after its
+   * last frame, so that the page shows the final state by then.
    */
   sendFrame() {
     const answers = () => {
@@ -243,8 +246,8 @@ export class Scheduler {
   }
 
   /**
-   * Runs what no request is waiting for. An ordinary error stops the run and is told; a trap of the
-   * wasm machine leaves the solver unusable.
+   * Performs an action that no request waits for. An ordinary error stops the run and is reported;
+   * a trap leaves the solver unusable.
    * @param {() => void} action
    */
   guard(action) {
@@ -259,12 +262,12 @@ export class Scheduler {
     }
   }
 
-  /** The solver cannot be used any more. */
+  /** Stops everything; the solver is unusable. */
   stop() {
     this.#isRunning = this.#isDragging = this.#isLoaded = false;
   }
 
-  /** Iterates until nothing would change, as a run of its own. */
+  /** Iterates until convergence, as a run of its own. */
   #iterate() {
     this.#solver.beginRun();
     try {
@@ -275,7 +278,7 @@ export class Scheduler {
     }
   }
 
-  /** Closes the run's step of undo. */
+  /** Ends the run and its step of undo. */
   #endRun() {
     this.#isRunning = false;
     this.#solver.endRun();
@@ -288,7 +291,7 @@ export class Scheduler {
     this.#yielding.port2.postMessage(null);
   }
 
-  /** Iterates for a slice, sends what there is to see, and comes back for more. */
+  /** Iterates for a slice, sends a frame, and queues the next slice. */
   #slice() {
     this.#sliceQueued = false;
     const isNew = this.#sliceIsNew;
@@ -307,7 +310,7 @@ export class Scheduler {
       this.#move = null;
       this.#isSettled = false;
     }
-    // Who drags waits for the answer.
+    // Shorter while the user waits for the answer of a drag.
     const until = performance.now() + (this.#answering ? SLICE_MS / 2 : SLICE_MS);
     while (this.isIterating && performance.now() < until) {
       this.#isSettled = this.#solver.step();
@@ -336,7 +339,7 @@ export class Scheduler {
     this.#post({ type: 'scene', text, history, iteration }, [history.buffer]);
   }
 
-  /** How far a run or a drag has come since the scene that was sent last. */
+  /** Sends the progress of a run or a drag since the last scene sent. */
   #sendProgress() {
     this.#progressTimer = 0;
     if (!this.#isLoaded || !(this.#isRunning || this.#isDragging)) return;

@@ -1,6 +1,5 @@
 /**
- * The worker: owns the one Solver and speaks the messages of `messages.js`. It decides nothing that the
- * page should decide.
+ * The worker: owns the Solver and handles the messages of `messages.js`. The page decides.
  */
 
 import init, { Solver } from '../pkg/solver/shape_up.js';
@@ -16,7 +15,10 @@ import { isTrap } from './wasm-errors.js';
 /** @typedef {import("../solver/messages.js").Request} Request */
 /** @typedef {Exclude<import("../solver/messages.js").Command, { type: "ping" }>} Command */
 
-/** What makes it useless to try what would help the shape as it is. @type {Set<ToWorker["type"]>} */
+/**
+ * Messages that change the shape and thus make pending trials useless.
+ * @type {Set<ToWorker["type"]>}
+ */
 const CHANGES = new Set([
   .../** @type {ToWorker["type"][]} */ ([
     'run',
@@ -29,7 +31,7 @@ const CHANGES = new Set([
   .../** @type {ToWorker["type"][]} */ (['undo', 'redo', 'step', 'halfStep']),
 ]);
 
-/** Messages that came before the solver was there. @type {ToWorker[]} */
+/** Messages received before the solver was ready. @type {ToWorker[]} */
 const early = [];
 onmessage = (event) => early.push(event.data);
 
@@ -86,7 +88,7 @@ function listen(solver) {
       const value = handler(message);
       if (!(value instanceof Promise)) return post({ type: 'reply', id, value });
       value.then((value) => post({ type: 'reply', id, value }), refuse);
-      // It goes on in slices.
+      // The request continues in slices.
       post({ type: 'pong' });
     } catch (thrown) {
       refuse(thrown);
@@ -96,7 +98,7 @@ function listen(solver) {
   /** @param {ToWorker} message */
   function receive(message) {
     if (isDead) return;
-    // Between slices: whoever asks learns that the worker lives.
+    // Answered between slices, to show that the worker is alive.
     if (message.type === 'ping') return post({ type: 'pong' });
     disturb();
     if (CHANGES.has(message.type)) stopTrials();

@@ -1,19 +1,19 @@
-/** Trials beside whatever the solver does, one at a time, until something else is asked. */
+/** Trials alongside the solver, one at a time, until another one begins or the shape changes. */
 
-/** How long it tries before other messages have their turn, in milliseconds. */
+/** Duration of a slice between other messages, in milliseconds. */
 const SLICE_MS = 12;
 
 let turn = 0;
 
-/** Something else is asked. */
+/** Stops the current trial. */
 export function stopTrials() {
   turn += 1;
 }
 
 /**
  * @param {{ advance: (milliseconds: number) => boolean }} trial
- * @param {number} [most] how long it tries at most, in milliseconds
- * @returns {Promise<boolean>} whether it came to its end
+ * @param {number} [most] time limit, in milliseconds
+ * @returns {Promise<boolean>} whether it was completed
  */
 export function inTurns(trial, most = Infinity) {
   const mine = ++turn;

@@ -1,4 +1,4 @@
-/** Other shapes that are as exact, as the page asks for them: they come when somebody first does. */
+/** Requests about variations (other shapes that are equally exact). Loaded on first use. */
 
 import { SLICE_MS } from '../solver/messages.js';
 
@@ -8,7 +8,7 @@ import { SLICE_MS } from '../solver/messages.js';
  * @param {import("../solver/messages.js").VariationAsk} ask
  */
 export function answer(solver, scheduler, ask) {
-  /** @template T @param {() => T} action after which another shape is shown */
+  /** @template T @param {() => T} action changes the displayed shape */
   const shows = (action) => {
     const result = action();
     scheduler.frames.due = true;

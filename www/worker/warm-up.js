@@ -1,11 +1,11 @@
 /**
- * Lets the solver's functions run for a while before somebody waits for them, and tells from it what
- * the machine can do: see `src/web/warm_up.rs`. In slices, when the worker has nothing else to do.
+ * Warms up the solver's functions before the user needs them, and measures the speed of the
+ * computer: see `src/web/warm_up.rs`. Runs in slices, when the worker is idle.
  */
 
 import { WarmUp } from '../pkg/solver/shape_up.js';
 
-/** Begins when nothing has been asked for so long. */
+/** Idle time before it begins, in milliseconds. */
 const QUIET_MS = 400;
 
 let begun = false;
@@ -13,13 +13,13 @@ let begun = false;
 let most;
 let quietSince = 0;
 
-/** Something was asked. */
+/** Resets the idle time. */
 export function disturb() {
   quietSince = performance.now();
 }
 
 /**
- * Begins once, after the first picture is on the screen. What runs by itself warms up by itself.
+ * Begins once, after the first picture is shown. Iterating warms up, too, so that stops it.
  * @param {() => boolean} isBusy whether the solver iterates
  */
 export function warmUpWhenQuiet(isBusy) {
@@ -36,7 +36,9 @@ export function warmUpWhenQuiet(isBusy) {
   goOn();
 }
 
-/** The most faces of a mesh that this machine works with at once; measured now where it is not known. */
+/**
+ * Returns the number of faces up to which this computer stays interactive; measures it if unknown.
+ */
 export function mostFaces() {
   if (most === undefined) {
     const work = new WarmUp();
@@ -47,7 +49,7 @@ export function mostFaces() {
   return most;
 }
 
-/** @param {WarmUp} work all of it done */
+/** @param {WarmUp} work completed */
 function finish(work) {
   most = work.mostFaces();
   work.free();

@@ -1,7 +1,7 @@
 /**
- * Whether the wasm machine has trapped: what it holds cannot be used any more. Other errors leave it as
- * it was, also a RangeError of the page's own. One that passes through the machine is its stack overflow,
- * or cut it off in the middle of its work.
+ * Whether the wasm instance has trapped, which makes its state unusable. Other errors leave it
+ * intact, including a RangeError of the page's own code; but one with wasm frames on its stack is
+ * an overflow of the stack in wasm, or interrupted wasm in the middle of its work.
  * @param {unknown} thrown
  */
 export function isTrap(thrown) {
