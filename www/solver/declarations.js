@@ -1,6 +1,6 @@
 /**
- * What the solver declares, once, in `ready`: everything that the page needs to make its controls for
- * kinds, elements, measures, ways to select and settings. Rust says what is in each.
+ * Types of the solver's declarations, which it sends once in `ready`: all data from which the page
+ * makes its controls for kinds, elements, measures, selections, settings. Rust defines the fields.
  */
 
 /** @typedef {import("../pkg/solver/shape_up.js").ElementWords} ElementInfo */

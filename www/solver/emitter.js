@@ -1,6 +1,6 @@
-/** Events whose names and values are typed: a name that is misspelt is an error of types. */
+/** Events with typed names and values: a misspelt name is a type error. */
 
-/** @template {object} Events the value that each event comes with, by its name */
+/** @template {object} Events maps the name of each event to the type of its value */
 export class Emitter {
   /** @type {{ [T in keyof Events]?: Set<(value: Events[T]) => void> }} */
   #listeners = {};
@@ -9,7 +9,7 @@ export class Emitter {
    * @template {keyof Events} T
    * @param {T} type
    * @param {(value: Events[T]) => void} listener
-   * @returns {() => void} ends it
+   * @returns {() => void} removes the listener
    */
   on(type, listener) {
     const listeners = (this.#listeners[type] ??= new Set());
@@ -18,7 +18,7 @@ export class Emitter {
   }
 
   /**
-   * The next time only.
+   * Adds a listener for the next event only.
    * @template {keyof Events} T
    * @param {T} type
    * @param {(value: Events[T]) => void} listener
@@ -31,7 +31,7 @@ export class Emitter {
   }
 
   /**
-   * Calls those that listen now. One that throws is no harm to the others.
+   * Calls the current listeners. An exception in one does not affect the others.
    * @template {keyof Events} T
    * @param {T} type
    * @param {Events[T]} value

@@ -1,28 +1,28 @@
-/** The list of the examples. */
+/** List of the examples. */
 
 /**
  * An entry of `examples/index.json`, as the command line writes it.
  * @typedef {object} Example
  * @property {string} id
- * @property {number | null} figure of the paper
+ * @property {number | null} figure number in the paper
  * @property {string} title
  * @property {string} summary what to look for
- * @property {string} statement what is measured when it is solved
- * @property {string} scene name of its file
- * @property {string} mesh name of its file
+ * @property {string} statement result measured when it is solved
+ * @property {string} scene file name
+ * @property {string} mesh file name
  * @property {number} vertices
  * @property {number} faces
  * @property {number} tets
  * @property {{ id: string, label: string }[]} kinds
  * @property {[number, number, number]} weights shape, close, smooth
- * @property {Experiment | null} experiment that compares ways to solve it
- * @property {Suggestion[]} suggestions what there is to look at
- * @property {import("./messages.js").LessonWords["goals"]} [goals] what a student is to reach, where it is a lesson
+ * @property {Experiment | null} experiment comparison of methods on it
+ * @property {Suggestion[]} suggestions displays worth looking at
+ * @property {import("./messages.js").LessonWords["goals"]} [goals] goals of a lesson
  * @property {string} units of the mesh
  */
 
 /**
- * A comparison of methods, as the list of examples declares it.
+ * A comparison of methods, as declared in the list of examples.
  * @typedef {object} Experiment
  * @property {string} id
  * @property {string} label
@@ -33,10 +33,13 @@
  * @property {{ iterations: number, seconds: number }} limits of each method
  */
 
-/** What one of two pictures shows. @typedef {{ measure: import("./messages.js").Measure, original: boolean }} SideChoice */
+/**
+ * Content of a side of the split view.
+ * @typedef {{ measure: import("./messages.js").Measure, original: boolean }} SideChoice
+ */
 
 /**
- * Something to look at: two pictures side by side, or a plot, by its name.
+ * A suggested display: two pictures side by side, or the name of a plot.
  * @typedef {{ label: string, shows: { split?: [SideChoice, SideChoice], plot?: string } }} Suggestion
  */
 
@@ -48,7 +51,7 @@ export async function listOfExamples() {
 }
 
 /**
- * @param {string} name of a file among the examples
+ * @param {string} name of a file of the examples
  * @returns {Promise<Uint8Array>}
  */
 export async function exampleFile(name) {

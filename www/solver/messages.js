@@ -1,24 +1,22 @@
 /**
- * The messages between the page and the solver's worker. Both sides import this file; nothing else
- * crosses.
+ * Messages between the page and the solver's worker, which exchange nothing else.
  *
- * Page to worker: a {@link Command} is told and forgotten; a {@link Request} carries an `id` and is
+ * Page to worker: a {@link Command} has no answer; a {@link Request} carries an `id` and is
  * answered by exactly one `reply` or `refused` with the same `id`. Worker to page: those answers,
- * and the events of {@link FromWorker}. Events that a request causes are sent before its answer, so
+ * and the events of {@link FromWorker}. Events caused by a request are sent before its answer, so
  * that the page is up to date when its promise settles.
  *
- * The worker says `ready` first, once; the page holds back what it has to say until then.
+ * The worker first sends `ready`, once; the page queues its messages until then.
  *
- * Positions travel in two buffers of `#V by 3` numbers that are transferred, never copied: the
- * worker writes one and sends it in a `frame`; the page gives back the one before it by `recycle`
- * when it has drawn. No free buffer, no frame: so there is at most one frame per picture, and the
- * solver never waits.
+ * Positions travel in two buffers of `#V by 3` numbers, which are transferred, never copied: the
+ * worker writes one and sends it in a `frame`; the page returns the previous one with `recycle`
+ * after drawing. Without a free buffer no frame is sent, so that there is at most one frame per
+ * picture, and the solver never waits.
  *
- * Lengths are in the unit of the mesh, energies in its square, times in milliseconds. Indices
- * count from 0.
+ * Lengths are in the unit of the mesh, energies in its square, times in ms; indices count from 0.
  */
 
-// What Rust says of its own types: a field that changes there is an error of types here.
+// Types declared by Rust: a changed field becomes a type error here.
 /** @typedef {import("../pkg/solver/shape_up.js").ConstraintRow} ConstraintRow */
 /** @typedef {import("../pkg/solver/shape_up.js").Energy} Energy */
 /** @typedef {import("../pkg/solver/shape_up.js").ExactOffer} ExactOffer */
@@ -41,8 +39,8 @@
 /** @typedef {import("../pkg/solver/shape_up.js").WorstElement} WorstElement */
 
 /**
- * What was opened: from `files`; `undoLost` says why the steps of undo that were saved with it are gone, and
- * is empty when they are not.
+ * An opened model: `files` are those it was opened from; `undoLost` is the reason why its saved
+ * undo history is lost, or empty.
  * @typedef {import("../pkg/solver/shape_up.js").Loaded & { files: string[], undoLost: string }} Loaded
  */
 /** @typedef {Omit<import("../pkg/solver/shape_up.js").Remedy, "edit"> & { edit: Edit }} Remedy */
@@ -65,7 +63,7 @@
 /** @typedef {import("../pkg/solver/shape_up.js").SelectRequest} SelectRequest */
 
 /**
- * One edit of the document; each is one step of undo.
+ * An edit of the document, which is one step of undo.
  * @typedef {import("../pkg/solver/shape_up.js").Sent<import("../pkg/solver/shape_up.js").Edit>} Edit
  */
 
@@ -80,77 +78,78 @@
  */
 
 /**
- * The colour of the row of constraints that acts on each face and each vertex.
+ * The colour of the constraint row that acts on each face and each vertex.
  * @typedef {object} RowColours
- * @property {Uint8Array} faces `#F`: 0 where there is none, else one more than a place in `palette`
+ * @property {Uint8Array} faces `#F`: 0 for none, else an index in `palette` plus one
  * @property {Uint8Array} vertices `#V`: the same for constraints that cover no whole face
- * @property {Float32Array} palette three parts from 0 to 1 per colour
+ * @property {Float32Array} palette three components from 0 to 1 per colour
  */
 
 /**
- * The projected points of all constraints that are on.
+ * The projected points of all enabled constraints.
  * @typedef {object} Projections
- * @property {Uint32Array} vertices `#points`: the vertex that each is the projection of
- * @property {Float32Array} ways `#points by 3`: from the vertex to the point
- * @property {Uint8Array} colours `#points`: one more than a place in `palette`
+ * @property {Uint32Array} vertices `#points`: the vertex of each point
+ * @property {Float32Array} ways `#points by 3`: displacement from the vertex to the point
+ * @property {Uint8Array} colours `#points`: an index in `palette` plus one
  * @property {Uint32Array} outlines pairs of points
- * @property {Float32Array} palette three parts from 0 to 1 per colour
+ * @property {Float32Array} palette three components from 0 to 1 per colour
  */
 
 /**
- * A flat map that keeps angles (Eq. 14), of the shape as it was when it was asked for. The
- * quasi-conformal error of a triangle is its greater over its smaller stretch: 1 where angles are kept.
+ * A conformal flat map (Eq. 14) of the shape at the time of the request. The quasi-conformal error
+ * of a triangle is the ratio of its larger to its smaller stretch: 1 if angles are preserved.
  * @typedef {object} Parametrization
- * @property {Float64Array} uv `#V by 2`, units of the mesh
- * @property {Float32Array} faceErrors `#F`: of each face the greatest error of its triangles; not a number without area
- * @property {Uint32Array} histogram faces by error, in bars of equal width from 1 to `high`; the last one holds those beyond too
- * @property {number} high what 99 of a hundred faces do not exceed
+ * @property {Float64Array} uv `#V by 2`, in the unit of the mesh
+ * @property {Float32Array} faceErrors `#F`: largest error of the face's triangles; NaN without area
+ * @property {Uint32Array} histogram faces by error, in bins of equal width from 1 to `high`; the
+ *   last one includes all above
+ * @property {number} high 99th percentile of the errors
  * @property {number} mean error, weighted by area
  * @property {number} max error
- * @property {number} flipped triangles that the map turns over
- * @property {Uint32Array} flippedFaces those that have some of these
- * @property {number} parts connected parts of the surface
- * @property {number} closedParts those without a boundary, which cannot be flattened without folds
- * @property {number} leftOut faces without area, or on the same vertices as another: they are not on the map
+ * @property {number} flipped number of flipped triangles
+ * @property {Uint32Array} flippedFaces faces with flipped triangles
+ * @property {number} parts number of connected components of the surface
+ * @property {number} closedParts components without a boundary, which cannot be mapped without folds
+ * @property {number} leftOut faces not on the map: without area, or with the vertices of another face
  * @property {number} eigenvalue
  * @property {number} seconds
  * @property {Record<"assemble" | "order" | "factor" | "iterate", number>} secondsOf
  */
 
 /**
- * Settings whose flat map turns fewer triangles over.
+ * Settings whose flat map has fewer flipped triangles.
  * @typedef {object} FewerFlips
  * @property {MapWeights} weights
  * @property {MapNorm} norm
- * @property {number} flipped triangles that the map turns over
+ * @property {number} flipped number of flipped triangles
  * @property {number} mean error, weighted by area
  */
 
-/** What a polygon counts, and what is kept from shrinking to a point: the words of the command line. */
+/** Weights of polygons, and normalisation of the map: names as on the command line. */
 /** @typedef {"inverse-area" | "one" | "lscm"} MapWeights */
 /** @typedef {"boundary" | "vertices"} MapNorm */
 
 /** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
 
 /**
- * What is saved beside a scene, so that it goes on where it stood; bytes that only the solver reads.
+ * Data saved with a scene to resume it; the byte arrays are read by the solver only.
  * @typedef {object} Saved
  * @property {number} iteration of the scene
- * @property {Uint8Array | null} history its steps of undo and redo
- * @property {Uint8Array | null} progress of a run or a drag that began with it
+ * @property {Uint8Array | null} history its undo and redo steps
+ * @property {Uint8Array | null} progress of a run or a drag that started from the scene
  */
 
 /**
- * Told and forgotten.
+ * Commands; they have no answer.
  *
- * - `run`, `pause`: iterate until converged, or stop. A run ends too when the shape collapses while nobody
- *   drags, unless it shall `goOn`.
- * - `drag`: targets (`#vertices by 3`) for handles under the pointer; `make` makes them handles first,
- *   instead of `start`. Of several `move`s only the last one counts; `time` is that of its event.
- *   While something is dragged the solver iterates even when paused.
+ * - `run`, `pause`: iterate until converged, or stop. A run also ends when the shape collapses
+ *   outside a drag, unless `goOn`.
+ * - `drag`: targets (`#vertices by 3`) of the dragged handles. The first phase is `start`, or
+ *   `make`, which makes the vertices handles first. Of several `move`s only the last one counts;
+ *   `time` is that of its event. During a drag the solver iterates even when paused.
  * - `show`: what to send with each frame besides positions.
- * - `recycle`: gives a buffer of positions back.
- * - `cancelExperiment`: ends it; what was measured stays.
+ * - `recycle`: returns a buffer of positions.
+ * - `cancelExperiment`: ends it; its measurements are kept.
  * - `ping`: answered by `pong`.
  * @typedef {{ type: "run", goOn?: boolean }
  *   | { type: "pause" }
@@ -166,47 +165,49 @@
  *   phase: "make" | "start" | "move" | "end" | "cancel" }} Drag */
 
 /**
- * Answered by `reply` with the value named in {@link Replies}, or `refused`.
+ * Requests, answered by `reply` with the value named in {@link Replies}, or by `refused`.
  *
- * - `open`: the first file that is a scene, else the first file; the others may be the mesh that it
- *   names. When it is refused the old model stays. `saved` is what was saved beside a scene;
- *   `frame` what a mesh file is taken for that does not say its unit and axis: `# units: m`, `# up: y`;
- *   `weld: false` leaves a mesh file whose faces have their own vertices as it came; `solved` runs before anything is shown: only for what is known to converge soon.
+ * - `open`: opens the first scene, or else the first file; the others may be files that it names.
+ *   If refused, the current model stays. `saved` is the data saved with a scene; `frame` gives the
+ *   unit and axis of a mesh file that has none: `# units: m`, `# up: y`; `weld: false` keeps the
+ *   separate vertices of faces in a mesh file; `solved` runs before anything is shown, only for
+ *   models known to converge quickly.
  * - `edit`, `undo`, `redo`, `step`; `halfStep`: the local step, or the global step after it.
- * - `makePanels`: asks one shape of all panels, within the tolerance, from the shape as it is or `afresh` from the
- *   original, and runs. `editAndRun`: makes an edit and runs. Either is one step of undo.
- * - `exactOffer`: what it would cost to be exact instead of within a distance, tried beside all else; ends early,
- *   with null, when something changes. `makeExact`: takes the exact shape that was tried, if it is still of the
- *   current one, as a step of undo or a part of the last one.
- * - `improvement`: looks for less energy among the shapes that are as exact, until `endTrial` or something changes;
- *   how far it came, which `makeExact` takes.
- * - `variations`: other shapes that are as exact, and those that were kept; see {@link VariationAsk}. `faceValues` can
- *   be of one that was kept, a `variant`.
- * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
- *   adding one of each kind at each of some places would make. `select`: what is selected then.
- * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
- *   with a flaw of a {@link Problem}, or `zero-size-faces`. `results`: what a student hands in.
- * - `verdict`: how many panels are as asked, within a tolerance. `forecast`: how far the mesh will move for that.
- * - `remedies`: changes that lower the worst distance, tried on a copy; ends early when something changes.
- * - `mostFaces`: of a mesh that this machine works with at once.
- * - `faceValues`: of a measure, of the current shape or the original. `cornerValues`: those of the
- *   vertices, where they have any. `originalPositions`: where the vertices of the original are. `angles`:
- *   of the corners of the faces.
- * - `parametrize`: ends a run. Refused where there is no face, or no area.
- * - `missingFiles`: the paths of files that the scene among them names and that are not there.
- * - `fewerFlips`: ends a run; the settings whose map turns fewest over, of those that turn fewer than `flipped`.
- * - `scene`, `obj`, `table`: the texts of the files; an `obj` `asItCame` has the vertices and faces of a file
- *   that was welded, one with `uv` (`#V by 2`) has them as texture
- *   coordinates; a `table` has the errors of the faces, the energies of the iterations, or the angles of the
+ * - `makePanels`: adds one kind of constraint to all panels, within the tolerance, from the current
+ *   shape or `afresh` from the original, and runs. `editAndRun`: edits and runs. Each is one step
+ *   of undo.
+ * - `exactOffer`: the cost of meeting constraints exactly instead of within a distance, tried
+ *   alongside everything else; ends early with null when something changes. `makeExact`: applies
+ *   the exact shape tried, if it belongs to the current one, as or in a step of undo.
+ * - `improvement`: searches for lower energy among equally exact shapes, until `endTrial` or a
+ *   change; returns how far it came, which `makeExact` applies.
+ * - `variations`: other shapes that are equally exact, and kept shapes; see {@link VariationAsk}.
+ *   `faceValues` can refer to a kept shape, a `variant`.
+ * - `members`: elements on which a constraint acts. `rowColours`: the colours of all rows.
+ *   `previews`: the result of adding each kind at some selectors. `select`: the new selection.
+ * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the
+ *   elements with a flaw of a {@link Problem}, or `zero-size-faces`. `results`: a student's submission.
+ * - `verdict`: how many panels meet their constraints within a tolerance. `forecast`: how far the
+ *   mesh will move for that.
+ * - `remedies`: changes that lower the worst distance, tried on a copy; ends early on a change.
+ * - `mostFaces`: number of faces up to which this computer stays interactive.
+ * - `faceValues`: values of a measure, of the current shape or the original. `cornerValues`: those
+ *   of the vertices, if it has any. `originalPositions`: positions of the original. `angles`:
+ *   angles of the face corners.
+ * - `parametrize`: ends a run. Refused without faces or without area.
+ * - `missingFiles`: paths of files that the scene names and that are missing.
+ * - `fewerFlips`: ends a run; the map settings with the fewest flips, if fewer than `flipped`.
+ * - `scene`, `obj`, `table`: the texts of the files. An `obj` with `asItCame` has the vertices and
+ *   faces of a file that was welded, one with `uv` (`#V by 2`) has those as texture coordinates. A
+ *   `table` has the errors of the faces, the energies of the iterations, or the angles of the
  *   corners, as CSV.
- * - `trace`: the energies of the iterations that led to the current shape; of very many as many as a plot
- *   can show, evenly spaced.
- * - `meshOperations`: what can be done to the mesh. `remeshing`: what one of them would make of it, `refinements`: what
- *   refining would, once, twice and so on.
- * - `comparison`: what the experiment on whatever is open declares.
- * - `runExperiment`: starts the experiment of an example, on its files, the scene first, or the comparison on
- *   what is open, from its original shape; the model that is open is not touched. `experimentCsv`: what was
- *   measured.
+ * - `trace`: the energies of the iterations up to the current shape, subsampled evenly for a plot.
+ * - `meshOperations`: the operations on the mesh. `remeshing`: previews one of them. `refinements`:
+ *   previews refining once, twice and so on.
+ * - `comparison`: the declaration of the experiment on the current model.
+ * - `runExperiment`: starts the experiment of an example, on its files, the scene first, or the
+ *   comparison on the current model, from its original shape; the current model is not changed.
+ *   `experimentCsv`: its measurements.
  * @typedef {{ type: "open", files: NamedBytes[], saved?: Saved, frame?: string,
  *       solved?: boolean, weld?: boolean }
  *   | { type: "edit", edit: Edit }
@@ -254,10 +255,10 @@
  */
 
 /**
- * `find` begins to look for ways to change a shape that is exact, `advance` goes on for a slice, `way` is that of every
- * vertex for a coefficient of one. `show`: the shape plus the ways times their coefficients; `reach` brings that back
- * onto the constraints, `keep` makes it the design, one step of undo, `leave` goes back from it. `table` and
- * `positions` are of the shapes that were kept.
+ * `find` begins the search for variations of an exact shape, `advance` continues it for a slice,
+ * `way` is the displacement of all vertices for a coefficient of one. `show`: the shape plus the
+ * variations times their coefficients; `reach` projects that back onto the constraints, `keep`
+ * makes it the design as one step of undo, `leave` discards it. `table`, `positions`: kept shapes.
  * @typedef {{ what: "find" } | { what: "advance" } | { what: "way", index: number }
  *   | { what: "show", coefficients: Float64Array } | { what: "reach", coefficients: Float64Array }
  *   | { what: "keep" } | { what: "leave" }
@@ -265,13 +266,13 @@
  */
 
 /**
- * What each of these is answered with.
+ * Answers to these.
  * @typedef {object} VariationAnswers
  * @property {boolean} find whether there can be any
  * @property {VariationProgress} advance
  * @property {Float32Array} way `#V by 3`
- * @property {boolean} show whether they are of the shape that is open
- * @property {number | null} reach the part of the way; null where they are of another shape
+ * @property {boolean} show whether the variations belong to the current shape
+ * @property {number | null} reach fraction reached; null if they belong to another shape
  * @property {boolean} keep whether there was anything to keep
  * @property {undefined} leave
  * @property {VariantRow[]} table
@@ -279,7 +280,7 @@
  */
 
 /**
- * What each request is answered with.
+ * Answers to the requests.
  * @typedef {object} Replies
  * @property {Loaded} open
  * @property {null} edit
@@ -289,24 +290,24 @@
  * @property {ExactOffer | null} improvement
  * @property {null} endTrial
  * @property {boolean} makeExact whether it was done
- * @property {unknown} variations as `VariationAnswers` says
+ * @property {unknown} variations see `VariationAnswers`
  * @property {string | null} undo the name of what was undone
  * @property {string | null} redo the name of what was redone
  * @property {boolean} step whether it has converged
  * @property {Half} halfStep
- * @property {Float32Array} faceValues `#F`; not a number where a face has none
+ * @property {Float32Array} faceValues `#F`; NaN if a face has none
  * @property {Float32Array | undefined} cornerValues `#V`
  * @property {Float64Array} originalPositions `#V by 3`
  * @property {import("../pkg/solver/shape_up.js").Angles} angles
  * @property {{ faces: Uint32Array, vertices: Uint32Array }} members
  * @property {RowColours} rowColours
- * @property {(Preview | null)[][]} previews `#kinds by #places`, null where nothing fits
+ * @property {(Preview | null)[][]} previews `#kinds by #places`, null if nothing fits
  * @property {Record<PickMode, Uint32Array>} select
  * @property {WorstElement[]} worst
  * @property {Record<PickMode, Uint32Array>} flawed
- * @property {Verdict | null} verdict null where nothing is asked of the panels
- * @property {string | null} forecast null where no shape is offered for all panels
- * @property {Remedy[]} remedies the greatest help first
+ * @property {Verdict | null} verdict null if nothing is required of the panels
+ * @property {string | null} forecast null if no kind is offered for all panels
+ * @property {Remedy[]} remedies most effective first
  * @property {number} mostFaces
  * @property {BuildNumber[]} buildNumbers
  * @property {null} tellBuild
@@ -327,37 +328,36 @@
  */
 
 /**
- * What a method of an experiment has done: its index, why it ended, and per iteration its number, the
- * seconds, and the quantities of the experiment.
+ * Progress of a method of an experiment: its index, why it ended, and for each iteration its
+ * number, the seconds, and the quantities of the experiment.
  * @typedef {{ method: number, endedBy: string | null, samples: Float64Array }} ExperimentNews
  */
 
 /** @typedef {Command | (Request & { id: number })} ToWorker */
 
 /**
- * - `ready`: the solver can be spoken to. First, once.
- * - `loading`: before that, how much of its module is here, where it takes a while.
- * - `model`: another mesh is open, or, without a name and files, that of the model was refined or refining was
- *   undone. `positions` is one of the two buffers.
+ * - `ready`: the solver accepts messages. Sent first, once.
+ * - `loading`: before that, the progress of fetching its module, if it takes long.
+ * - `model`: another mesh is open; without a name and files, the current mesh was refined or
+ *   refining was undone. `positions` is one of the two buffers.
  * - `document`: after every edit and every load.
- * - `scene`: the scene file's text with its steps of undo, whenever it changed and the solver rests: what
- *   is saved, and what a dead worker is replaced with. `progress`: now and then, how far a run or a drag
- *   has come since then.
- * - `frame`: a state of the iteration. `values` are those of `measure`, `#F`;
- *   `corners` those of the vertices, `#V`, whose largest the faces have, where they are of vertices;
- *   `shapes` the fitted shapes, eight numbers each;
- *   `projections` where the constraints would have their vertices; `answers` the time of the newest
- *   move of a drag that it shows, and the milliseconds since that came.
+ * - `scene`: the scene file's text with its undo history, whenever it changed and the solver is
+ *   idle: for autosave, and to restore a worker that died. `progress`: at intervals, the progress
+ *   of a run or a drag since then.
+ * - `frame`: a state of the iteration. `values` are those of `measure`, `#F`; `corners`, for
+ *   measures of vertices, those of the vertices, `#V`, whose maximum a face has; `shapes` the
+ *   fitted shapes, eight numbers each; `projections` the projected points of the constraints;
+ *   `answers` the time of the latest drag move that it shows, and the milliseconds since it came.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
  *   frame that belongs to it.
- * - `collapsed`: the run has ended with a shape that has collapsed, and how. `converged` is not said of it.
- * - `experiment`: what an experiment has measured since the last one. `ended` is null while it goes on;
- *   `message` says why it failed.
+ * - `collapsed`: the run has ended with a collapsed shape (`collapse` tells how), not converged.
+ * - `experiment`: the measurements since the last such event. `ended` is null while it continues;
+ *   `message` is the reason of a failure.
  * - `trouble`: an iteration failed; the last good state stays.
  * - `died`: the state is unusable, the worker must be replaced.
- * - `working`: it begins with what may take a while, and says nothing until then. `pong`: it lives.
- * - `refused`: `path` is the place in the scene that is wrong, such as `constraints[0].length`; empty
- *   when it is not about a scene.
+ * - `working`: work begins that may take long, with no message until then. `pong`: sign of life.
+ * - `refused`: `path` is the position of the error in the scene, such as `constraints[0].length`;
+ *   empty if it is not about a scene.
  * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[], measures: FaceMeasure[],
  *       operations: Operation[], settings: SettingInfo[] }
  *   | { type: "loading", bytes: number, all: number }
@@ -380,31 +380,39 @@
  *   | { type: "refused", id: number, message: string, path: string }} FromWorker
  */
 
-/** The messages of the worker by their type. @typedef {{ [T in FromWorker["type"]]: Extract<FromWorker, { type: T }> }} WorkerEvents */
+/**
+ * The messages of the worker by their type.
+ * @typedef {{ [T in FromWorker["type"]]: Extract<FromWorker, { type: T }> }} WorkerEvents
+ */
 
 /**
- * What answers each request: one that is missing, that is none, or whose value is not what the request is
- * answered with is an error of types.
+ * Handlers of the requests: a missing or surplus one, or a wrong type of answer, is a type error.
  * @typedef {{ [T in Request["type"]]: (message: Extract<Request, { type: T }>) => Replies[T] | Promise<Replies[T]> }} RequestHandlers
  */
-/** What does each command. @typedef {{ [T in Command["type"]]: (message: Extract<Command, { type: T }>) => void }} CommandHandlers */
+/**
+ * Handlers of the commands.
+ * @typedef {{ [T in Command["type"]]: (message: Extract<Command, { type: T }>) => void }} CommandHandlers
+ */
 
-/** How long the worker iterates before it looks for messages, in milliseconds. */
+/** Duration of a slice of iterations between messages, in milliseconds. */
 export const SLICE_MS = 8;
 
 /** Numbers per iteration in the answer to `trace`. */
 export const TRACE_WIDTH = 6;
 
 /**
- * What the worker for files of Rhino is asked, once: to read one, as the mesh in it, or to write a scene
- * with the table of the errors of its faces, or what is built.
+ * Messages of the Rhino worker, which handles one request: read a file as the mesh in it, write a
+ * scene with the table of its face errors, or write the parts to be built.
  * @typedef {{ type: "read", file: NamedBytes } | { type: "write", scene: string, errors: string }
  *   | { type: "writeParts", parts: SpatialPart[], symbol: string }} RhinoRequest
  * @typedef {{ read: NamedBytes, write: Uint8Array<ArrayBuffer>, writeParts: Uint8Array<ArrayBuffer> }} RhinoReplies
  * @typedef {{ value: RhinoReplies[keyof RhinoReplies] } | { refused: string }} RhinoAnswer
  */
 
-/** All of them: a scene has those that are not the default. @typedef {Required<import("../pkg/build/shape_up.js").BuildSettings>} BuildSettings */
+/**
+ * All build settings; a scene contains only those that differ from the default.
+ * @typedef {Required<import("../pkg/build/shape_up.js").BuildSettings>} BuildSettings
+ */
 /** @typedef {import("../pkg/build/shape_up.js").BuildPreset} BuildPreset */
 /** @typedef {import("../pkg/build/shape_up.js").BuildReport} BuildReport */
 /** @typedef {import("../pkg/build/shape_up.js").BuildCard} BuildCard */
@@ -416,16 +424,16 @@ export const TRACE_WIDTH = 6;
 /** @typedef {import("../pkg/build/shape_up.js").ReportPage} ReportPage */
 
 /**
- * The offset as the view shows it: its points `#V by 3`, edges (two vertices each), vertices and panels that are
- * not within a limit.
+ * The offset as the view shows it: points `#V by 3`, edges (two vertices each), and the vertices
+ * and panels that exceed a limit.
  * @typedef {{ points: Float64Array, edges: Uint32Array, vertices: Uint32Array, panels: Uint32Array }} OffsetLayer
  */
 
 /**
- * What the worker that makes parts is asked. `build` makes them of a shape (positions `#V by 3`) in a unit of so
- * many metres, and draws so many `sheets` at most; the others are about what was built last. `moveLayer` gives its
- * offset another distance, and `reshape` makes that of other positions, while somebody moves something; `reportPage` has a picture as a camera sees it that is turned and tilted by two angles in radians, or as
- * one sees a mesh first.
+ * Messages of the fabrication worker. `build` makes the parts of a shape (positions `#V by 3`) in a
+ * unit of `metres` metres, and draws at most `sheets` sheets; the others refer to the last build.
+ * `moveLayer` changes the distance of its offset, and `reshape` its positions, during a drag.
+ * `reportPage` has a picture from `camera`, two angles in radians, or from the default view.
  * @typedef {{ type: "offers" } | { type: "choices" } | { type: "numbers" } | { type: "zip", zUp: boolean } | { type: "spatialParts", zUp: boolean } | { type: "moveLayer", distance: number }
  *   | { type: "reshape", positions: Float64Array }
  *   | { type: "reportPage", title: string, zUp: boolean, camera: Float64Array | null, link: string }
@@ -444,14 +452,14 @@ export const TRACE_WIDTH = 6;
  */
 
 /**
- * One line for whatever was thrown.
+ * Returns a one-line message for any thrown value.
  * @param {unknown} thrown
  * @returns {string}
  */
 export function messageOf(thrown) {
   const hasMessage = thrown && typeof thrown === 'object' && 'message' in thrown;
   const message = String(hasMessage ? thrown.message : thrown);
-  // In the words of browsers and of what bundles the page.
+  // Network errors in the wording of browsers and of the bundler.
   return /preload CSS|imported module|importing a module|HTTP status code|Failed to fetch|NetworkError when|^Load failed/i.test(
     message,
   )

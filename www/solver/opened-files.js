@@ -1,4 +1,4 @@
-/** Of files that are opened together: which one is opened, which are those that it names, and which are not read. */
+/** Files opened together: the main one, those that it names, and those that are ignored. */
 
 /** @typedef {import("./messages.js").NamedBytes} NamedBytes */
 
@@ -6,19 +6,19 @@
 
 const isScene = (/** @type {Named} */ { name }) => /\.json$/i.test(name);
 
-/** Whether it can be a mesh or a scene, by its name. @param {Named} file */
+/** Whether the file can be a mesh or a scene, by its name. @param {Named} file */
 export const isReadable = ({ name }) => /\.(obj|off|mesh|json|3dm)$/i.test(name);
 
 /**
- * The first scene, else the first file.
+ * Returns the first scene, or else the first file.
  * @template {Named} File
  * @param {File[]} files
  */
 export const mainOf = (files) => files.find(isScene) ?? files[0];
 
 /**
- * The files that are worth reading: a scene and what it may name, or one mesh. Where none is, the
- * first one, which is refused with the reason.
+ * Returns the files to read: a scene and the files it may name, or one mesh. If there is none, the
+ * first file, which is then refused with a reason.
  * @template {Named} File
  * @param {File[]} files
  */
@@ -30,9 +30,9 @@ export function worthReading(files) {
 }
 
 /**
- * The files that the main one names, each with the one of `files` that has its name, if there is one.
+ * Returns the paths that the main file names, each with the file of that name, if given.
  * @param {NamedBytes[]} files
- * @param {(scene: Uint8Array) => string[]} namesOf the paths that a scene names
+ * @param {(scene: Uint8Array) => string[]} namesOf returns the paths that a scene names
  */
 export function filesNamed(files, namesOf) {
   const main = mainOf(files);

@@ -1,8 +1,8 @@
 /**
- * The page's end of the solver's worker: its life, its answers, and the geometry it sends.
+ * Page side of the solver's worker: its lifecycle, answers, and geometry.
  *
- * What is said before the worker is ready is kept and said then. A worker that dies, or falls silent, is
- * replaced and given the last scene that it sent, with the steps of undo.
+ * Messages are queued until the worker is ready. A worker that dies or stops answering is replaced
+ * by a new one, which gets the last scene with its undo history.
  */
 
 import { Emitter } from './emitter.js';
@@ -13,28 +13,28 @@ import { messageOf } from './messages.js';
 /** @typedef {import("./messages.js").Command} Command */
 
 /**
- * The mesh that is open.
+ * The current mesh.
  * @typedef {object} Geometry
  * @property {import("./messages.js").Connectivity} connectivity
- * @property {Float64Array} positions `#V by 3`, the newest; replaced with every frame, so do not keep it
+ * @property {Float64Array} positions latest positions, `#V by 3`; replaced with every frame
  * @property {Float32Array | null} values of `measure`, `#F`
- * @property {Float32Array | null} corners values of `measure` of the vertices, `#V`, where it has any
+ * @property {Float32Array | null} corners values of `measure` at the vertices, `#V`, if it has any
  * @property {import("./messages.js").Measure | null} measure
  * @property {Float32Array | null} shapes fitted shapes, eight numbers each
  * @property {import("./messages.js").Projections | null} projections
  */
 
 /**
- * A worker that says nothing is asked to; it lives unless it leaves so many looks without an answer. An
- * iteration may take a while, and so many times as long as the last one did.
+ * A silent worker gets a ping at each check, and is replaced after `MOST_MISSED` checks without an
+ * answer; later if the last iteration took long, as it may take `STEPS_MISSED` times as long.
  */
 const LOOK_EVERY_MS = 1000;
 const MOST_MISSED = 3;
 const STEPS_MISSED = 10;
-/** Looks after which somebody may want to stop what the worker works on. */
+/** Number of checks after which the user may want to stop the current work. */
 const LONG_WORK = 3;
 
-/** What a request was refused for; `path` is the place in the scene that is wrong, if there is one. */
+/** Error of a refused request; `path` is the position of the error in the scene, if any. */
 class Refusal extends Error {
   /**
    * @param {string} message
@@ -47,8 +47,8 @@ class Refusal extends Error {
 }
 
 /**
- * What the worker tells, and what is known of the worker itself: it works on something for long (`busy`),
- * it could not be started (`absent`), another one has taken its place (`restarted`).
+ * The worker's messages, and events about the worker itself: it has been working for long (`busy`),
+ * it could not be started (`absent`), it was replaced (`restarted`).
  * @typedef {Omit<import("./messages.js").WorkerEvents, "reply" | "refused" | "died" | "working" | "pong">
  *   & { busy: { busy: boolean }, absent: { message: string }, restarted: { message: string } }} SolverEvents
  */
@@ -57,24 +57,24 @@ class Refusal extends Error {
 export class SolverClient extends Emitter {
   /** @type {Geometry | null} */
   geometry = null;
-  /** The text of the scene as the worker last sent it. @type {string | null} */
+  /** Text of the scene as last sent by the worker. @type {string | null} */
   sceneText = null;
-  /** What belongs to that text. @type {import("./messages.js").Saved} */
+  /** Data saved with that text. @type {import("./messages.js").Saved} */
   saved = { iteration: 0, history: null, progress: null };
 
   /** @type {Worker | null} */
   #worker = null;
   #ready = false;
-  /** The worker was started to replace one that died, and has not opened its scene yet. */
+  /** The worker replaces one that died, and has not opened its scene yet. */
   #restoring = false;
-  /** The model that came last is the one before it, in another worker or with another mesh. */
+  /** The latest `model` is the previous model, in a new worker or with another mesh. */
   #isSame = false;
   #modelName = '';
-  /** It has begun with what may take a while. */
+  /** Whether the worker has begun work that may take long. */
   #working = false;
-  /** How often it was looked at since then. */
+  /** Number of checks since then. */
   #busyLooks = 0;
-  /** How often it was looked at since it last said something. */
+  /** Number of checks since its last message. */
   #missed = 0;
   #stepMs = 0;
   /** @type {[import("./messages.js").ToWorker, Transferable[]][]} */
@@ -84,7 +84,7 @@ export class SolverClient extends Emitter {
   #nextId = 1;
   /** A buffer that the view may still be reading. @type {Float64Array | null} */
   #previous = null;
-  /** The last `show`, said again to a new worker. @type {Command | null} */
+  /** The last `show`, sent again to a new worker. @type {Command | null} */
   #show = null;
 
   constructor() {
@@ -93,13 +93,13 @@ export class SolverClient extends Emitter {
     this.#watch();
   }
 
-  /** The model that is open is opened again, in another worker. */
+  /** Whether the current model is being opened again, in a new worker or with another mesh. */
   get restoring() {
     return this.#isSame;
   }
 
   /**
-   * Asks; the promise settles when the answer is here, with everything that it changed.
+   * Sends a request; the promise settles after all events that the request causes.
    * @template {keyof Replies} Type
    * @param {Extract<import("./messages.js").Request, { type: Type }>} request
    * @returns {Promise<Replies[Type]>}
@@ -113,7 +113,7 @@ export class SolverClient extends Emitter {
   }
 
   /**
-   * Tells, and expects no answer.
+   * Sends a command, which has no answer.
    * @param {Command} command
    * @param {Transferable[]} [transfer]
    */
@@ -122,7 +122,7 @@ export class SolverClient extends Emitter {
     this.#post(command, transfer);
   }
 
-  /** The newest positions were taken over: the buffer before them can be written again. */
+  /** Returns the previous buffer once the latest positions have been transferred to the view. */
   recycle() {
     if (!this.#previous) return;
     const positions = this.#previous;
@@ -130,12 +130,12 @@ export class SolverClient extends Emitter {
     this.send({ type: 'recycle', positions }, [positions.buffer]);
   }
 
-  /** Whether there is no worker, and there will be none. */
+  /** Whether there is no worker, and will be none. */
   get isAbsent() {
     return !this.#worker;
   }
 
-  /** Gives up what the worker is at; what was open is open again. */
+  /** Abandons the current work; the previous model is opened again. */
   abandon() {
     this.#died('it was cancelled', true);
   }
@@ -155,12 +155,12 @@ export class SolverClient extends Emitter {
     };
   }
 
-  /** Replaces a worker that neither works on something nor answers. */
+  /** Replaces a worker that neither works nor answers. */
   #watch() {
     let last = performance.now();
     setInterval(() => {
       const now = performance.now();
-      // A page that slept, in the background or with its computer, may not have heard an answer.
+      // After the page slept (in the background, or with the computer), answers may be pending.
       const slept = now - last > 2 * LOOK_EVERY_MS;
       last = now;
       if (slept || !this.#ready) return;
@@ -172,7 +172,7 @@ export class SolverClient extends Emitter {
     }, LOOK_EVERY_MS);
   }
 
-  /** Tells `busy` when work gets long, and when it has ended. @param {number} looks */
+  /** Emits `busy` when work becomes long, and when it has ended. @param {number} looks */
   #setBusy(looks) {
     const before = this.#busyLooks;
     this.#busyLooks = looks;
@@ -213,7 +213,7 @@ export class SolverClient extends Emitter {
         break;
       }
       case 'model':
-        // What is restored is still the model of its file.
+        // A restored model keeps its file name.
         this.#isSame = this.#restoring || !message.loaded.name;
         if (!this.#isSame) this.#modelName = message.loaded.name;
         message.loaded.name = this.#modelName;
@@ -272,7 +272,7 @@ export class SolverClient extends Emitter {
 
   /**
    * @param {string} reason
-   * @param {boolean} [wanted] it needs no words
+   * @param {boolean} [wanted] at the user's request: show no message
    */
   async #died(reason, wanted = false) {
     const lastScene = this.sceneText;
