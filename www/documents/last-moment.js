@@ -1,7 +1,6 @@
 /**
  * Fallback for saves when the page closes: a browser may drop a pending database write at that
- * moment. The data is written synchronously to local storage and moved to the database when a page
- * opens next.
+ * moment. The data is written to local storage at once, and to the database on the next visit.
  */
 
 import { forget, keysOf, recall, remember } from '../ui/safe-storage.js';

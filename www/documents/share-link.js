@@ -23,8 +23,7 @@
 
 /**
  * @param {string} hash fragment of an address, with its #
- * @returns {Promise<Linked | null>} null if it is no link of this page; rejects if it was truncated
- *   or altered
+ * @returns {Promise<Linked | null>} null if it is no link of this page; rejects if it was altered
  */
 export async function readLink(hash) {
   const parts = new URLSearchParams(hash.slice(1));
@@ -68,8 +67,7 @@ export async function linkTo({ store, actions, files }) {
  * @param {string | null} about.original text of the unchanged example
  * @param {boolean} about.run
  * @param {number} about.tolerance in the unit of the mesh
- * @returns {Promise<{ fragment: string, rounded: number | null }>} with the rounding step of
- *   positions, if rounded
+ * @returns {Promise<{ fragment: string, rounded: number | null }>} with the rounding step, if rounded
  */
 export async function writeLink(text, { example, original, run, tolerance }) {
   const scene = withoutPositions(text);

@@ -1,8 +1,7 @@
 /** Colour ramp of the displayed range, for legends. */
 
 /**
- * Returns the colours of the ramp with their positions from 0 to 1: continuous, or in bands with
- * sharp limits.
+ * Returns the colours of the ramp with their positions from 0 to 1: continuous, or in sharp bands.
  * @param {import("./viewport.js").Viewport} viewport
  * @param {number} [side] of a split view: 0 left, 1 right
  * @returns {[number, string][]}

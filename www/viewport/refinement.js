@@ -1,7 +1,6 @@
 /**
  * Decides when the view draws ambient occlusion: with every picture if that is fast enough,
- * otherwise once nothing moves. It takes three more passes, which are cheap on a graphics card but
- * not in software.
+ * otherwise once nothing moves. It takes three more passes, which are slow only in software.
  */
 
 /** Above this time, in milliseconds, a picture in motion is too slow for occlusion. */

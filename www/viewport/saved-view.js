@@ -9,8 +9,7 @@
  * @typedef {object} ViewContext
  * @property {import("../store/state.js").Store} store
  * @property {import("../store/actions.js").Actions} actions
- * @property {{ show: (tab: string) => void, shown: () => string }} analysis region of plots and
- *   tables
+ * @property {{ show: (tab: string) => void, shown: () => string }} analysis plots and tables
  */
 
 /** @type {["camera", "parallel", "views", "tab", "measure", "measureChosen", "tolerance", "tolerances"]} */

@@ -153,10 +153,8 @@ export class Viewport extends Emitter {
    * Draws one picture of another size, with the proportions and the framing of the displayed one,
    * tile by tile: each tile is on the canvas only during the call of `take`, with its position in
    * the picture. Afterwards the displayed picture is drawn again.
-   * @param {{ width: number, height: number, scale: number }} size in pixels, with `scale` pixels
-   *   per CSS pixel
-   * @param {number | undefined} ground grey level from 0 to 1, with the light theme; undefined for
-   *   the displayed one
+   * @param {{ width: number, height: number, scale: number }} size pixels, and pixels per CSS pixel
+   * @param {number | undefined} ground grey level from 0 to 1, with the light theme; else as displayed
    * @param {(tile: HTMLCanvasElement, left: number, top: number) => void} take
    * @returns {boolean} whether it could be drawn
    */

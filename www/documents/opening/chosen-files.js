@@ -1,6 +1,5 @@
 /**
- * Opens one model from a file input or a drop, and lists the files that were left out. Loaded on
- * demand.
+ * Opens one model from a file input or a drop, and lists the files left out. Loaded on demand.
  */
 
 import { messageOf } from '../../solver/messages.js';

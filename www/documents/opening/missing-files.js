@@ -7,8 +7,7 @@ import { element } from '../../ui/dom.js';
 /** @typedef {import("../../solver/messages.js").NamedBytes} NamedBytes */
 
 /**
- * Returns an offer to choose the files that a scene names and that were not given; empty if none is
- * missing.
+ * Returns an offer to choose the files that a scene names and that are missing; empty if none is.
  * @param {NamedBytes[]} given
  * @param {import("../../store/actions.js").Actions} actions
  * @param {import("../files.js").Files} files

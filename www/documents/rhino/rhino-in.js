@@ -1,8 +1,7 @@
 /**
  * Converts a Rhino file to OBJ text. Meshes become faces, with one group per layer. Polylines
  * become curves, except that those exported from here as panels become faces; in a file without a
- * mesh, all closed polylines do. Coincident corners are welded, since Rhino stores objects
- * separately.
+ * mesh, all closed polylines do. Coincident corners are welded: Rhino stores objects separately.
  */
 
 import { NAMES, ROLE, rhino } from './rhino.js';

@@ -10,8 +10,7 @@ const REST = 'Panels';
 /**
  * Returns the faces on each layer; a face in several groups is on the layer of the first.
  * @param {number} count number of faces
- * @param {Record<string, Group | Group[]>} groups of a scene; several of the same name form an
- *   array
+ * @param {Record<string, Group | Group[]>} groups of a scene; an array if several share a name
  */
 export function byLayer(count, groups) {
   /** @type {(string | null)[]} */

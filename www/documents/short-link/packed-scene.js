@@ -1,7 +1,6 @@
 /**
  * Code of a link: a scene, whether to run it, and the id of the example whose mesh it has. Layout:
- * flags (1 byte), the length of the mesh code if there is one, the mesh code, the rest as deflated
- * JSON.
+ * flags (1 byte), the length of the mesh code and that code, if any, and the rest as deflated JSON.
  *
  * If the unrounded scene gives a code short enough to pass everywhere, that code is used. Otherwise
  * the positions of the mesh and of its handles are rounded to at most a hundredth of the tolerance.
@@ -32,8 +31,7 @@ const LENGTH_BYTES = 4;
  * @param {string} [given.example]
  * @param {boolean} given.run
  * @param {number} given.tolerance in the unit of the mesh
- * @returns {Promise<{ code: string, rounded: number | null }>} with the rounding step of positions,
- *   if rounded
+ * @returns {Promise<{ code: string, rounded: number | null }>} with the rounding step, if rounded
  */
 export async function packScene({ scene, example, run, tolerance }) {
   const exact = await packed({ scene, example }, run, null);
@@ -67,8 +65,7 @@ async function packed(content, run, mesh) {
 
 /**
  * @param {string} code
- * @returns {Promise<{ text: string, example: string | null, run: boolean }>} rejects if the code
- *   was altered
+ * @returns {Promise<{ text: string, example: string | null, run: boolean }>} rejects altered codes
  */
 export async function unpackScene(code) {
   const bytes = readCode(code);
@@ -92,8 +89,7 @@ export async function unpackScene(code) {
 }
 
 /**
- * Returns a handle with rounded targets; targets equal to the rest positions (the default) are
- * dropped.
+ * Returns a handle with rounded targets, or without if they are the rest positions (the default).
  * @param {number[][]} positions
  * @param {import("./mesh-code.js").Step} step
  */

@@ -193,8 +193,7 @@ export class Predictor {
   }
 
   /**
-   * Returns known vertices in line with a vertex: its neighbour, the next one, and the one after
-   * that or -1.
+   * Returns known vertices in line with a vertex: the next one, the second, and the third or -1.
    * @param {number} vertex
    * @returns {[number, number, number][]}
    */

@@ -1,8 +1,7 @@
 /** Zoom factors of the wheel and of a pinch. */
 
 /**
- * Wheel delta in pixels that zooms by a factor e; the same for a pinch, reported as wheel with
- * Ctrl.
+ * Wheel delta in pixels that zooms by e; the same for a pinch, which arrives as a wheel with Ctrl.
  */
 const WHEEL_PIXELS = 700;
 const PINCH_PIXELS = 100;

@@ -19,8 +19,7 @@ import { HandleDrag } from '../../store/handle-drag.js';
  */
 
 /**
- * State that placeholder-drag.js shares in `window.earlyDrags`; it calls `changed` after each
- * change.
+ * State of placeholder-drag.js in `window.earlyDrags`; it calls `changed` after each change.
  * @typedef {{ drags: EarlyDrag[], changed: () => void }} EarlyDrags
  */
 
@@ -89,8 +88,7 @@ function draw(picture, { connectivity: { faceOffsets, faceIndices }, positions, 
 
 /**
  * Returns the projection of points into the picture.
- * @param {number[]} eye three rows of four: to the right, downwards, and the depth that divides
- *   both
+ * @param {number[]} eye three rows of four: right, down, and the depth by which both are divided
  */
 function placing(eye) {
   return (/** @type {ArrayLike<number>} */ point) => {
