@@ -1,12 +1,12 @@
-// Debian and Ubuntu packages, installed only where we may.
+// Debian and Ubuntu packages, installed only with sufficient rights.
 
 import { outputOf, run } from './run.mjs';
 
-/** True where packages can be installed without asking anybody. */
+/** Whether packages can be installed without asking the user: root, with apt. */
 export const canInstall = () =>
   process.getuid?.() === 0 && outputOf('apt-get', ['--version']) !== null;
 
-/** Installs packages. Rejects with a `Problem` when apt does. */
+/** Installs packages. Rejects with a `Problem` if apt fails. */
 export async function install(...packages) {
   const env = { DEBIAN_FRONTEND: 'noninteractive' };
   await run('apt-get', ['update', '-qq'], { env });

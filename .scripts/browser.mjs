@@ -1,16 +1,16 @@
-// The Chromium that runs the tests: which one, and how it is started.
+// The Chromium that runs the tests: its path and its flags.
 
 import { existsSync } from 'node:fs';
 import { outputOf, Problem } from './run.mjs';
 
 const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable'];
 
-// Ubuntu's chromium-browser is there without a Chromium behind it: a browser has to answer.
+// Ubuntu's chromium-browser may be a stub without a Chromium: a browser has to answer.
 const starts = (path) => outputOf(path, ['--version']) !== null;
 
 /**
- * The path of a Chromium that starts: the one named by the environment variable CHROME, else the
- * system's, else Playwright's own. Null where there is none.
+ * Returns the path of a Chromium that starts: the one named by the environment variable CHROME,
+ * else the system's, else Playwright's own; null if there is none.
  */
 export async function findBrowser() {
   const named = process.env.CHROME;
@@ -26,9 +26,9 @@ export async function findBrowser() {
 }
 
 /**
- * A window of a system's Chromium starts a process for the list under its bar of addresses, which takes
- * as long as a third of a page; and it asks its maker about the fields of forms. The others are
- * Playwright's own, whose list this one takes the place of.
+ * Features to disable. A system's Chromium starts a process for the list under its address bar,
+ * which takes a third of the time of a page, and it contacts a server about form fields. The other
+ * features are those that Playwright disables, whose list is replaced by this one.
  */
 const unwanted = [
   'AutofillServerCommunication',
@@ -50,8 +50,8 @@ const quiet = [
 ];
 
 /**
- * Draws WebGPU and WebGL2 by SwiftShader, so that no graphics card is needed. The compositor must
- * run on the same Vulkan as WebGPU: without the last three flags its canvas stays blank.
+ * Draws WebGPU and WebGL2 by SwiftShader, without a graphics card. The compositor must run on the
+ * same Vulkan as WebGPU: without the last three flags its canvas stays blank.
  */
 export const browserFlags = [
   ...quiet,
@@ -62,8 +62,8 @@ export const browserFlags = [
 ];
 
 /**
- * Draws WebGL2 alone by SwiftShader. The page around the picture is not SwiftShader's, so that a
- * page is used in two thirds of the time.
+ * Draws only WebGL2 by SwiftShader. The rest of the page is not composited by SwiftShader, which
+ * makes using a page a third faster.
  */
 export const webgl2Flags = [
   ...quiet,

@@ -1,4 +1,4 @@
-// npm run build: the static site in dist/.
+// npm run build: builds the static site in dist/.
 
 import { fileURLToPath } from 'node:url';
 import { writeExamples, writeFirstPicture, writePictures } from './examples.mjs';
@@ -8,7 +8,7 @@ import { setUp } from './setup.mjs';
 import { bundleSite } from './site.mjs';
 import { buildModules } from './wasm.mjs';
 
-/** Everything that the page loads, in `www/`. */
+/** Builds everything that the page loads, in `www/`. */
 export async function buildParts() {
   await buildModules();
   await buildPrograms();
@@ -17,7 +17,7 @@ export async function buildParts() {
   await writeFirstPicture();
 }
 
-/** The site, in `dist/`. */
+/** Builds the site, in `dist/`. */
 export async function build() {
   await buildParts();
   await bundleSite();

@@ -1,21 +1,21 @@
-// How many tests passed and failed, were skipped, and passed only when they were run again, read from what
-// the test programs print; and which of these are excused.
+// Counts passed, failed, skipped and flaky tests (passed in a second run) in the output of the test
+// programs, and finds those that are not excused.
 
-/** What counts as what in the output of each kind of test program, with how often, or with a name. */
+/** Patterns for the output of each kind of test program; they capture a count or a name. */
 const PRINTED = {
-  // Cargo and wasm-bindgen's runner, one line a test program.
+  // Cargo and wasm-bindgen's runner, one line per test program.
   cargo: {
     passed: /test result: \w+\. (\d+) passed/g,
     failed: /test result: \w+\. \d+ passed; (\d+) failed/g,
     skippedTests: /^test (.*) \.\.\. ignored/gm,
   },
-  // Node's test runner, in its TAP form.
+  // Node's test runner, in its TAP format.
   node: {
     passed: /^# pass (\d+)$/gm,
     failed: /^# fail (\d+)$/gm,
     skippedTests: /^\s*ok \d+ - (.*?) # (?:SKIP|TODO)/gm,
   },
-  // Playwright's list; a test that did not run has not passed, and one that is flaky has in the end.
+  // Playwright's list; a test that did not run counts as failed, a flaky one as passed.
   playwright: {
     passed: /^ +(\d+) (?:passed|flaky)/gm,
     failed: /^ +(\d+) (?:failed|interrupted|did not run)/gm,
@@ -25,15 +25,12 @@ const PRINTED = {
 };
 
 /**
- * Tests that may be skipped, or may need a second run, each with a part of its name and the reason.
+ * Tests that may be skipped or flaky, each with a part of its name and the reason.
  * @type {{ name: string, reason: string }[]}
  */
 export const EXCUSED = [];
 
-/**
- * Adds up the counts in `output`, as `kind` of test program prints them; with the names of the tests that
- * were skipped or flaky.
- */
+/** Adds up the counts in the `output` of a `kind` of test program; names skipped, flaky tests. */
 export function countTests(kind, output) {
   const printed = PRINTED[kind];
   const found = (pattern) => (pattern ? [...output.matchAll(pattern)].map(([, one]) => one) : []);
@@ -47,6 +44,6 @@ export function countTests(kind, output) {
   };
 }
 
-/** Those of these tests that nothing excuses. */
+/** Returns the tests that are not excused. */
 export const inexcusable = (tests, excused = EXCUSED) =>
   tests.filter((test) => !excused.some(({ name }) => test.includes(name)));

@@ -1,4 +1,4 @@
-// npm run dev: the page as it is written, reloaded when a file of www/ changes.
+// npm run dev: serves the page from www/ and reloads it on changes.
 
 import { buildParts } from './build.mjs';
 import { main } from './run.mjs';

@@ -1,4 +1,4 @@
-// The JavaScript lints: mistakes, not taste; Prettier has the layout.
+// The JavaScript lints: mistakes only; Prettier does the layout.
 
 import js from '@eslint/js';
 import globals from 'globals';
@@ -22,7 +22,7 @@ export default [
   },
   ...roomRules,
   {
-    // These run in Node, the functions that they evaluate in a page.
+    // They run in Node, except the functions that they evaluate in a page.
     files: ['tests/**/*.mjs', '.scripts/**/*.mjs'],
     languageOptions: { globals: { ...globals.node, ...globals.browser } },
   },

@@ -1,5 +1,5 @@
-// The example scenes and models, written by the command line, their pictures in the gallery, and the
-// picture of the first one that the page shows before it can draw.
+// Writes the example scenes and models, their pictures in the gallery, and the placeholder picture
+// of the first one, which the page shows before it can draw.
 
 import { mkdirSync, rmSync } from 'node:fs';
 import { dirname } from 'node:path';
@@ -8,7 +8,7 @@ import { at } from './project.mjs';
 import { run, say } from './run.mjs';
 import { unlessUnchanged } from './stamp.mjs';
 
-/** A piece of HTML, which `vite.config.mjs` puts into the page. */
+/** A fragment of HTML that `vite.config.mjs` inserts into the page. */
 export const firstPicture = at('www', 'pkg', 'first-picture.html');
 
 /** Writes the examples into `www/examples/`. */
@@ -32,7 +32,7 @@ export async function writePictures() {
   });
 }
 
-/** Writes the first picture. */
+/** Writes the placeholder picture. */
 export async function writeFirstPicture() {
   const writer = program('first-picture');
   const work = { name: 'first-picture', inputs: [writer], output: firstPicture };

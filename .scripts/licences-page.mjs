@@ -1,4 +1,4 @@
-// The page of licences: what is shipped, and the text under which it is.
+// The page of licences: the shipped components with their licence texts.
 
 import { readFileSync } from 'node:fs';
 import { at } from './project.mjs';
@@ -8,7 +8,7 @@ import { sourceOf } from './sources.mjs';
 const escaped = (text) =>
   text.replace(/[&<>]/g, (sign) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;' })[sign]);
 
-/** Components with the same text, under each. */
+/** Groups components with the same licence text. */
 function byText(components) {
   const groups = new Map();
   for (const component of components) {
@@ -31,7 +31,7 @@ function section({ text, members }) {
   return `<section><h3>${licence}</h3><ul>${list.join('')}</ul><details><summary>Text</summary><pre>${escaped(text)}</pre></details></section>`;
 }
 
-/** The page with all of it, from the one with the places for it. @param {string} html */
+/** Inserts the components and texts into the template of the page. @param {string} html */
 export function licenceTexts(html) {
   const components = shipped();
   const groups = byText(components);

@@ -1,6 +1,5 @@
-// What is shipped with the page and under which licence: the crates that its WebAssembly modules are
-// made of, and the npm packages in its scripts. A licence that is not allowed here is an error, and so
-// is one without its text.
+// The shipped components and their licences: the crates of the WebAssembly modules, and the npm
+// packages in the page's scripts. A licence not allowed here is an error, and so is a missing text.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -8,7 +7,7 @@ import { at, wasmTarget } from './project.mjs';
 import { outputOf, Problem } from './run.mjs';
 import { modules } from './wasm.mjs';
 
-/** Allowed for everything, the one that is taken first where there is a choice; and how its text is known. */
+/** Allowed for every component, most preferred first, with a pattern that recognises the text. */
 const ALLOWED = {
   MIT: /Permission is hereby granted, free of charge/,
   Zlib: /provided .as-is.[\s\S]*altered source versions/i,
@@ -19,9 +18,9 @@ const ALLOWED = {
   'Unicode-3.0': /UNICODE LICENSE V3/,
   'Apache-2.0': /Apache License,?\s+Version 2\.0/,
 };
-/** Allowed for one package each, because the page of licences says what follows from it. */
+/** Allowed for single packages: the page of licences meets their conditions. */
 export const EXCEPTIONS = { 'sprs-ldl': { 'LGPL-2.1': /GNU LESSER GENERAL PUBLIC LICENSE/ } };
-/** For packages that name this licence and bring no text. */
+/** The text for packages that name this licence but contain no text. */
 const MIT = (authors) => `MIT License
 
 Copyright (c) ${authors}
@@ -32,25 +31,25 @@ The above copyright notice and this permission notice shall be included in all c
 
 THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.`;
 
-/** The bundler's, which leaves a few lines of its own in the scripts. */
+/** The bundler, which adds a few lines of its own to the scripts. */
 const BUNDLER = 'vite';
 
 /**
  * @typedef {object} Component
  * @property {string} name
  * @property {string} version
- * @property {string} expression of its licences, as SPDX has it
+ * @property {string} expression SPDX expression of its licences
  * @property {string} authors
- * @property {string | null} folder with its texts
- * @property {string} address where its source is
+ * @property {string | null} folder folder with its texts
+ * @property {string} address address of its source
  */
 
-/** The crates that are compiled into the modules. @returns {Component[]} */
+/** Returns the crates compiled into the modules. @returns {Component[]} */
 export function shippedCrates() {
   const features = ['--no-default-features', '--features', modules.join(',')];
   const options = ['--format-version', '1', '--filter-platform', wasmTarget, ...features];
   const { packages } = JSON.parse(cargo('metadata', ...options));
-  // Only the tree tells what tests alone make of the features.
+  // `cargo metadata` also lists crates that only tests need; the tree does not.
   const edges = ['--edges', 'normal,no-proc-macro', '--target', wasmTarget, ...features];
   const tree = cargo('tree', ...edges, '--prefix', 'none', '--format', '{p}').split('\n');
   const names = new Set(tree.map((line) => line.split(' ').slice(0, 2).join(' ')));
@@ -63,14 +62,14 @@ export function shippedCrates() {
     }));
 }
 
-/** What Cargo says of the locked dependencies. */
+/** Returns the output of a Cargo command on the locked dependencies. */
 function cargo(command, ...options) {
   const output = outputOf('cargo', [command, '--locked', ...options]);
   if (output === null) throw new Problem(`cargo ${command} fails: what is shipped is not known`);
   return output;
 }
 
-/** The npm packages that the scripts of the page may take along. @returns {Component[]} */
+/** Returns the npm packages that the page's scripts may contain. @returns {Component[]} */
 export function shippedPackages() {
   const { packages } = JSON.parse(readFileSync(at('package-lock.json'), 'utf8'));
   return Object.entries(packages)
@@ -87,7 +86,7 @@ export function shippedPackages() {
     });
 }
 
-/** What every module has in it beside its crates. @returns {Component} */
+/** The standard library, which every module contains. @returns {Component} */
 export function standardLibrary() {
   const version = outputOf('rustc', ['--version'])?.split(' ')[1] ?? '';
   return {
@@ -97,7 +96,7 @@ export function standardLibrary() {
   };
 }
 
-/** The alternatives of an expression, each the licences that hold together. @returns {string[][]} */
+/** Returns the alternatives of an SPDX expression, as lists of licences. @returns {string[][]} */
 export function alternatives(expression) {
   const tokens = expression.replaceAll('/', ' OR ').match(/[()]|[^\s()]+/g) ?? [];
   const either = () => {
@@ -121,11 +120,15 @@ export function alternatives(expression) {
     return inner;
   };
   const all = either();
-  // An exception to a licence is another licence.
+  // An exception to a licence (WITH) counts as another licence.
   return tokens.length > 0 ? [[expression]] : all;
 }
 
-/** The licences under which a component is taken. @param {Component} component @returns {string[]} */
+/**
+ * Returns the licences under which a component is used.
+ * @param {Component} component
+ * @returns {string[]}
+ */
 export function licencesOf({ name, version, expression }) {
   const allowed = [...Object.keys(ALLOWED), ...Object.keys(EXCEPTIONS[name] ?? {})];
   const cost = (some) => Math.max(...some.map((id) => allowed.indexOf(id)));
@@ -140,7 +143,7 @@ export function licencesOf({ name, version, expression }) {
   return possible.sort((a, b) => cost(a) - cost(b))[0];
 }
 
-/** The texts that go with a component. @param {Component} component @returns {string[]} */
+/** Returns the licence texts of a component. @param {Component} component @returns {string[]} */
 export function textsOf(component) {
   const { name, folder, authors } = component;
   const known = { ...ALLOWED, ...EXCEPTIONS[name] };
@@ -158,10 +161,10 @@ export function textsOf(component) {
   return [...found, ...notices.map(({ text }) => text)];
 }
 
-/** Everything that is shipped. */
+/** Returns all shipped components. */
 export const shipped = () => [standardLibrary(), ...shippedCrates(), ...shippedPackages()];
 
-/** Refuses a module of the bundle whose package is none of those that are shipped. */
+/** Rejects a bundled module whose package is not among the shipped ones. */
 export function assertTold(id) {
   const [, name] = /.*\/node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(id) ?? [];
   if (!name || shippedPackages().some((one) => one.name === name)) return;

@@ -1,4 +1,4 @@
-// The parts of the site that keep their names, and its service worker with the list of all files.
+// The files of the site with fixed names, and its service worker with the list of all files.
 
 import { createHash } from 'node:crypto';
 import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
@@ -9,27 +9,27 @@ import { filesUnder } from './stamp.mjs';
 
 const NAMED = ['icon.svg', 'manifest.webmanifest'];
 const WORKER = 'service-worker.js';
-/** Kept only by those who use it: what reads files of Rhino, the licences and the sources. */
+/** Cached only on use: the Rhino converter, the licences and the sources. */
 const SELDOM = /(^|\/)(rhino|licences|sources\/)/;
-/** Those of the gallery, a third of all else: kept, all of them, by those who open it. */
+/** Pictures of the gallery, a third of all other files: cached together when it is opened. */
 const PICTURE = /^pictures\/.*\.svg$/;
 /** The view's module, of which a browser uses one variant. */
 const VIEW = /^assets\/view-(webgpu|webgl2)-/;
 
-/** Completes the site in `folder`, which has everything else already. */
+/** Completes the site in `folder`, which contains everything else already. */
 export function writeOfflineParts(folder) {
   for (const name of NAMED) copyFileSync(at('www', name), `${folder}/${name}`);
   const source = readFileSync(at('www', 'app', 'offline', WORKER), 'utf8');
   const hash = createHash('sha256').update(source);
   const files = [];
   const pictures = [];
-  /** Those of each variant. */
+  /** Files of each variant of the view. */
   const views = {};
   for (const path of filesUnder(folder)) {
     const name = relative(folder, path).split(sep).join('/');
     if (name === WORKER) continue;
     hash.update(name).update('\0').update(readFileSync(path));
-    // The page is asked for by the name of its folder.
+    // The page is requested by the name of its folder.
     const [, backend] = VIEW.exec(name) ?? [];
     if (backend) (views[backend] ??= []).push(`./${name}`);
     else if (PICTURE.test(name)) pictures.push(`./${name}`);

@@ -1,6 +1,6 @@
-// The content security policy of the built pages, which holds them to what they say: nothing is loaded
-// from elsewhere, nothing is sent anywhere, and no text becomes a script. A static host sends no
-// headers, so it stands in each page; what is written into a page is allowed by its hash.
+// The content security policy of the built pages, which enforces what they promise: nothing is
+// loaded from or sent to other hosts, and no text becomes a script. A static host sends no headers,
+// so each page contains its policy; inline scripts and styles are allowed by their hashes.
 
 import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -12,13 +12,13 @@ const INLINE = {
 };
 const HEAD = /<meta charset="utf-8" ?\/?>/;
 
-/** As sources of a policy: what a page has of its own. */
+/** Returns the hashes of a page's inline elements, as sources of a policy. */
 function hashes(html, element) {
   const texts = [...html.matchAll(INLINE[element])].map(([, text]) => text);
   return texts.map((text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`);
 }
 
-/** The policy of a page. Workers have policies of their own, which no page can set. */
+/** Returns the policy of a page. Workers have policies of their own, which no page can set. */
 export function policyOf(html) {
   const directives = {
     'default-src': ["'none'"],
@@ -37,7 +37,7 @@ export function policyOf(html) {
     .join('; ');
 }
 
-/** A page with its policy, before anything that it is about. */
+/** Returns a page with its policy, placed before everything that the policy governs. */
 export function locked(html) {
   if (!HEAD.test(html))
     throw new Error('A page has no <meta charset="utf-8"> to put its policy after');
@@ -45,7 +45,7 @@ export function locked(html) {
   return html.replace(HEAD, (charset) => `${charset}\n    ${meta}`);
 }
 
-/** Locks all pages of the site in `folder`, when they are as they will be served. */
+/** Adds the policies to all pages of the site in `folder`; must be the last change to them. */
 export function lockPages(folder) {
   const pages = readdirSync(folder).filter((name) => name.endsWith('.html'));
   for (const page of pages) {

@@ -1,4 +1,4 @@
-// Where things are in this project, and what its lock file says.
+// Paths of the project, and versions in its lock file.
 
 import { readFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
@@ -7,16 +7,16 @@ import { fileURLToPath } from 'node:url';
 /** The folder of Cargo.toml and package.json. */
 export const root = dirname(dirname(fileURLToPath(import.meta.url)));
 
-/** A path in the project, from its top. */
+/** Returns a path relative to the top of the project. */
 export const at = (...parts) => join(root, ...parts);
 
-/** Cargo's folder for everything it builds. */
+/** Cargo's folder for build output. */
 export const targetFolder = resolve(root, process.env.CARGO_TARGET_DIR ?? 'target');
 
 /** The compile target of the page's modules. */
 export const wasmTarget = 'wasm32-unknown-unknown';
 
-/** The version of `crate` in Cargo.lock. */
+/** Returns the version of `crate` in Cargo.lock. */
 export function lockedVersion(crate) {
   const lock = readFileSync(at('Cargo.lock'), 'utf8');
   const entry = lock.match(new RegExp(`name = "${crate}"\\nversion = "([^"]+)"`));

@@ -1,5 +1,5 @@
-// The rooms of the page, `www/`: which may import what. The linter and tests/scripts/rooms.test.mjs hold
-// the code to it.
+// The rooms of the page, `www/`: which may import which. The linter and
+// tests/scripts/rooms.test.mjs enforce it.
 
 /** The rooms that each may import, from the lowest to the highest. */
 export const ROOMS = {
@@ -16,16 +16,16 @@ export const ROOMS = {
   pages: ['ui', 'solver', 'store', 'documents', 'features'],
 };
 
-/** What is in one of their folders knows nothing of what is in another, and a file in them of none. */
+/** Rooms whose subfolders are independent of each other, and their own files of any subfolder. */
 export const APART = ['features', 'panels'];
 
-/** A folder with more files is two. */
+/** Largest number of files of a folder. */
 export const MOST_FILES = 14;
 
 /** Rooms whose types a room may name beyond what it may import. */
 export const TYPES = { ui: ['solver'] };
 
-/** Only types are in here, those of what the highest room gives to the others: any may name them. */
+/** This file has only types, which the highest room provides: any room may name them. */
 export const CONTEXT = 'app/context.js';
 
 const own = ({ message, regex }, files, room) => {
@@ -44,16 +44,16 @@ const own = ({ message, regex }, files, room) => {
   };
 };
 
-/** The attribute `style`, which the policy of the page refuses. */
+/** The attribute `style`, which the page's content security policy forbids. */
 const STYLES = ['name', 'property.name'].map((name) => ({
   selector: `CallExpression[callee.${name}=/^setAttribute$/] > Literal[value='style']`,
   message: 'The policy of the page refuses the attribute: set element.style.',
 }));
 
-/** The rooms that only show and ask: what changes the state or reaches the solver is an action. */
+/** Rooms that change the state or call the solver through actions only. */
 export const BY_ACTIONS = ['viewport', 'documents', 'panels', 'features'];
 
-/** Writing the state, and calling the solver. */
+/** Calls that write the state or reach the solver. */
 const ACTS = [
   ['store', 'set'],
   ['solver', 'request|send'],
@@ -64,7 +64,7 @@ const ACTS = [
   })),
 );
 
-/** What the linter has to know of the rooms. */
+/** The linter's rules for the rooms. */
 export const roomRules = Object.entries(ROOMS).flatMap(([room, lower]) => {
   const others = Object.keys(ROOMS).filter((other) => other !== room && !lower.includes(other));
   const may =

@@ -1,15 +1,15 @@
-// Running other programs, and ending with a message when something is wrong.
+// Runs other programs, and ends with a message on errors.
 
 import { spawn, spawnSync } from 'node:child_process';
 import { root } from './project.mjs';
 
-/** Something the user can act on: printed as it is, without a stack. */
+/** An error the user can act on: printed without a stack. */
 export class Problem extends Error {}
 
-/** Says what is being done, on a line of its own. */
+/** Prints the current activity, on a line of its own. */
 export const say = (text) => console.log(`- ${text}`);
 
-/** Runs a program with its output on the terminal. Rejects with a `Problem` when it fails. */
+/** Runs a program with its output on the terminal. Rejects with a `Problem` if it fails. */
 export function run(command, args, { env = {} } = {}) {
   return new Promise((done, reject) => {
     const child = spawn(command, args, {
@@ -25,17 +25,17 @@ export function run(command, args, { env = {} } = {}) {
   });
 }
 
-/** What a program prints, or null where it is missing or fails. */
+/** Returns the output of a program; null if it is missing or fails. */
 export function outputOf(command, args) {
   const { status, stdout } = spawnSync(command, args, {
     ...{ cwd: root, encoding: 'utf8' },
-    // Cargo tells a lot.
+    // The output of Cargo can be large.
     maxBuffer: 2 ** 27,
   });
   return status === 0 ? stdout.trim() : null;
 }
 
-/** Runs the body of a script: a `Problem` ends it with its message, anything else with a stack. */
+/** Runs the body of a script: prints the message of a `Problem`, the stack of any other error. */
 export async function main(body) {
   try {
     await body();

@@ -1,5 +1,5 @@
-// A server of static files on this machine: dist/ for `npm start` and for the page tests.
-// As a program: node .scripts/serve.mjs [PORT] [BASE], the base being the path in front of the site.
+// A local server of static files: dist/ for `npm start` and for the page tests.
+// As a program: node .scripts/serve.mjs [PORT] [BASE], where BASE is the path prefix of the site.
 
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -10,7 +10,7 @@ import { main, Problem } from './run.mjs';
 
 const host = '127.0.0.1';
 
-// A browser refuses to compile .wasm, or to run a module, of another type.
+// Browsers reject .wasm files and modules of any other type.
 export const types = {
   '.css': 'text/css; charset=utf-8',
   '.html': 'text/html; charset=utf-8',
@@ -24,7 +24,7 @@ export const types = {
   '.webmanifest': 'application/manifest+json',
 };
 
-/** The file that a request means, or null. */
+/** Returns the file of a request, or null. */
 function fileOf(folder, base, url) {
   try {
     const path = decodeURIComponent(new URL(url, 'http://localhost').pathname);
@@ -36,7 +36,7 @@ function fileOf(folder, base, url) {
   }
 }
 
-/** Serves `folder` and resolves with { address, close }. Takes the next free port if one is taken. */
+/** Serves `folder`, resolves with { address, close }. If the port is taken, tries the next ones. */
 export function serve(folder, { port, base = '/' }) {
   const server = createServer((request, response) => {
     const file = fileOf(folder, base, request.url);

@@ -1,5 +1,5 @@
 // The wasm-bindgen command line and its test runner, in .tools/, at exactly the version of the
-// crate in Cargo.lock: any other version refuses the compiled module.
+// crate in Cargo.lock: any other version rejects the compiled module.
 
 import { at, lockedVersion } from './project.mjs';
 import { outputOf, Problem, run, say } from './run.mjs';
@@ -10,7 +10,7 @@ export const wasmBindgen = at('.tools', 'bin', 'wasm-bindgen');
 /** The program that serves the tests of a compiled module. */
 export const testRunner = at('.tools', 'bin', 'wasm-bindgen-test-runner');
 
-/** Installs both where they are missing or of another version. */
+/** Installs both if they are missing or of another version. */
 export async function setUpBindgen() {
   const version = lockedVersion('wasm-bindgen');
   const current = [wasmBindgen, testRunner].map((program) => outputOf(program, ['--version']));

@@ -1,11 +1,10 @@
-// A browser for the tests: the system's where there is one, else Playwright's own download, else
-// the system's package.
+// A browser for the tests: the system's, else Playwright's download, else the system's package.
 
 import * as apt from './apt.mjs';
 import { findBrowser } from './browser.mjs';
 import { Problem, run, say } from './run.mjs';
 
-/** Makes sure that `findBrowser` finds one. */
+/** Ensures that `findBrowser` finds a browser. */
 export async function setUpBrowser() {
   if (await findBrowser()) return;
   const ways = [downloadChromium, ...(apt.canInstall() ? [installChromium] : [])];

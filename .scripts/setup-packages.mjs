@@ -6,7 +6,7 @@ import { run, say } from './run.mjs';
 
 const changed = (path) => statSync(path, { throwIfNoEntry: false })?.mtimeMs ?? 0;
 
-/** Installs them where node_modules is missing or older than the lock file. */
+/** Installs them if node_modules is missing or older than the lock file. */
 export async function setUpPackages() {
   // npm writes this file last.
   const installed = changed(at('node_modules', '.package-lock.json'));

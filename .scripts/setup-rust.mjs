@@ -6,7 +6,7 @@ import * as apt from './apt.mjs';
 import { wasmTarget } from './project.mjs';
 import { outputOf, Problem, run, say } from './run.mjs';
 
-/** Makes sure of the toolchain. `checks`: also of what only `npm test` uses. */
+/** Ensures that the toolchain is complete; with `checks` also what only `npm test` uses. */
 export async function setUpRust({ checks }) {
   const sysroot = outputOf('rustc', ['--print', 'sysroot']);
   if (sysroot === null || outputOf('cargo', ['--version']) === null) {
@@ -33,7 +33,7 @@ async function rustup(args) {
   await run('rustup', args);
 }
 
-// Cargo links native programs, build scripts among them, with the system's C compiler.
+// Cargo links native programs, including build scripts, with the system's C compiler.
 async function setUpLinker() {
   if (outputOf('cc', ['--version']) !== null) return;
   if (!apt.canInstall()) {

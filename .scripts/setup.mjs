@@ -1,5 +1,5 @@
-// Everything that a fresh machine with Rust and Node lacks. Looks first, so that the second time
-// takes well under a second.
+// Installs what a new machine with Rust and Node lacks. Checks first: a second run takes well under
+// a second.
 
 import { setUpBindgen } from './setup-bindgen.mjs';
 import { setUpBrowser } from './setup-browser.mjs';
@@ -9,7 +9,7 @@ import { Problem } from './run.mjs';
 
 const oldestNode = [20, 19];
 
-/** Sets up what building needs; with `checks` also what `npm test` needs. */
+/** Installs what building needs; with `checks` also what `npm test` needs. */
 export async function setUp({ checks }) {
   const [major, minor] = process.versions.node.split('.').map(Number);
   if (major < oldestNode[0] || (major === oldestNode[0] && minor < oldestNode[1])) {

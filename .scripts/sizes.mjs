@@ -1,4 +1,4 @@
-// How much of the site a visitor loads, compressed as static hosts do, against its budgets.
+// Compressed sizes of the site's downloads, against their budgets.
 
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
@@ -11,25 +11,25 @@ import { filesUnder } from './stamp.mjs';
 const kB = 1000;
 const compressed = (bytes) => gzipSync(bytes, { level: 9 }).length;
 
-/** A file without the first picture, which has a line of its own. */
+/** Returns a file without the placeholder picture, which has its own row. */
 function contents(path) {
   if (!path.endsWith('.html') || path === firstPicture) return readFileSync(path);
   return Buffer.from(readFileSync(path, 'utf8').replace(readFileSync(firstPicture, 'utf8'), ''));
 }
 
-/** A line of the table: the sizes of some files together, and what they may be. */
+/** Returns a row of the table: the total size of some files, and their budget. */
 function row(name, paths, budget) {
   const files = paths.map(contents);
   const sum = (size) => files.reduce((total, bytes) => total + size(bytes), 0);
   return { name, raw: sum((bytes) => bytes.length), gzip: sum(compressed), budget };
 }
 
-/** The files of dist/ that a page needs before it works: those that it and they name as such. */
+/** Returns the files of dist/ that a page needs before it works, directly or indirectly. */
 function firstNeeded(page) {
   const found = new Set([page]);
   for (const path of found) {
     const text = readFileSync(path, 'utf8');
-    // Styles, modules and what is loaded ahead; imports; workers. An import() is for later.
+    // Stylesheets, modules and preloads; imports; workers. An import() is loaded later.
     const names = path.endsWith('.html')
       ? text.matchAll(/(?:src|href)="\.\/([^"]+\.(?:js|css))"/g)
       : text.matchAll(/(?:\bfrom|\bimport|new URL\()\s*["'`](?:\.\/)?([\w./-]+\.js)["'`]/g);
@@ -41,7 +41,7 @@ function firstNeeded(page) {
   return [...found];
 }
 
-/** What is loaded when it is first asked for: a name, the files that begin so, and kB. */
+/** Files loaded on first use: a name, a pattern of their names, and a budget in kB. */
 const LATER = [
   ['plots', /plot/i, 30],
   ['parts and sheets', /^(build-worker|build-panel|build-goals|live-build)/, 19.5],
@@ -60,11 +60,10 @@ const OTHER_PAGES = ['gallery.html', 'projections.html', 'embed.html', 'embeddin
 await main(() => {
   const site = filesUnder(at('dist'));
   const code = site.filter((path) => /\.(html|css|js)$/.test(path));
-  // The view's side in JavaScript is loaded with its module, at the first visit too, for WebGPU or for
-  // WebGL2: the larger one counts.
+  // The first visit also loads the JavaScript of one view module: the larger one counts.
   const glue = code.filter((path) => /^view-web/.test(basename(path)));
   const [largest] = glue.sort((a, b) => statSync(b).size - statSync(a).size);
-  // So is the service worker, after the first picture.
+  // The service worker is loaded too, after the first picture.
   const worker = at('dist', 'service-worker.js');
   const first = new Set([...firstNeeded(at('dist', 'index.html')), largest, worker]);
   const ofPages = new Set(OTHER_PAGES.flatMap((name) => firstNeeded(at('dist', name))));

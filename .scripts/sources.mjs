@@ -1,5 +1,5 @@
-// The sources that the site offers beside itself: of the library under the LGPL, as it was compiled, and
-// of Shape-Up, so that whoever changes that library can build the site with it.
+// The sources that the site offers: of the library under the LGPL, as compiled, and of Shape-Up, so
+// that the site can be built with a modified library.
 
 import { mkdirSync, readdirSync, readFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
@@ -7,17 +7,17 @@ import { EXCEPTIONS, shippedCrates } from './licences.mjs';
 import { at, root } from './project.mjs';
 import { outputOf, Problem } from './run.mjs';
 
-/** The name of the archive with the source of a crate. */
+/** Returns the name of the archive with the source of a crate. */
 export const sourceOf = ({ name, version }) => `${name}-${version}.tar.gz`;
 
-/** What of a folder goes into an archive, without what is built. */
+/** Packs entries of a folder into an archive, without build output. */
 function pack(archive, folder, entries, without = []) {
   const options = without.map((path) => `--exclude=${path}`);
   if (outputOf('tar', [...options, '-czf', archive, '-C', folder, ...entries]) === null)
     throw new Problem(`tar cannot write ${archive}`);
 }
 
-/** Writes them into `folder`. */
+/** Writes the archives into `folder`. */
 export function writeSources(folder) {
   mkdirSync(folder, { recursive: true });
   const built = readFileSync(at('.gitignore'), 'utf8')

@@ -1,11 +1,11 @@
-// Skips a step whose inputs have not changed: a hash of them is kept beside Cargo's own files.
+// Skips a build step whose inputs have not changed: their hash is stored in the target folder.
 
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { root, targetFolder } from './project.mjs';
 
-/** The files under `folder`, in a fixed order. */
+/** Returns the files under `folder`, in a fixed order. */
 export function filesUnder(folder) {
   return readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
@@ -14,8 +14,8 @@ export function filesUnder(folder) {
 }
 
 /**
- * Runs `step` unless it ran with the same inputs before and `output` is still there.
- * `inputs`: paths of files, whose names and contents count; `settings`: anything else that does.
+ * Runs `step` unless it has run with the same inputs and `output` still exists. `inputs`: paths of
+ * files, compared by name and content; `settings`: anything else that matters.
  */
 export async function unlessUnchanged({ name, inputs, settings = [], output }, step) {
   const hash = createHash('sha256').update(JSON.stringify(settings));

@@ -1,14 +1,11 @@
-// One step of `npm test`: a program run out of sight, shown when it fails.
+// One step of `npm test`: runs a program and shows its output only if it fails.
 
 import { spawn } from 'node:child_process';
 import { root } from './project.mjs';
 
 const secondsSince = (start) => ((performance.now() - start) / 1000).toFixed(1);
 
-/**
- * Runs a program under a title and resolves with { ok, output }. A step that takes long says what
- * it is at, every half a minute.
- */
+/** Runs a program and resolves with { ok, output }. Prints its progress every half a minute. */
 export function step(title, command, args, env = {}) {
   const start = performance.now();
   console.log(`- ${title}`);

@@ -1,4 +1,4 @@
-// npm test: every check, the fast ones first, and at the end how many tests passed.
+// npm test: all checks, the fast ones first; at the end it prints how many tests passed.
 
 import { readdirSync } from 'node:fs';
 import { relative } from 'node:path';
@@ -22,28 +22,28 @@ const nodeTests = ['scripts', 'page'].flatMap((folder) =>
     .map((path) => relative(root, path)),
 );
 
-/** The arguments that name the browser tests of a module; none where it has none. */
+/** Returns the arguments that name the browser tests of a module; empty if it has none. */
 const browserTests = (feature) => {
   const [first] = feature.split('-');
   const isOne = (name) => name.startsWith(`wasm_${first}`) && name.endsWith('.rs');
   return readdirSync(at('tests')).some(isOne) ? ['--test', `wasm_${first}*`] : [];
 };
 
-/** Programs for the browser beside the modules: the arguments that name them. */
+/** Arguments that name the browser programs beside the modules. */
 const examples = { solver: ['--example', 'bench_browser'] };
 
-/** The operators: their modules are declared by a macro, where cargo does not look for files to format. */
+/** The operators: a macro declares their modules, so cargo fmt does not find their files. */
 const operators = readdirSync(at('src', 'constraint', 'kinds'))
   .filter((name) => name.endsWith('.rs'))
   .map((name) => `src/constraint/kinds/${name}`);
 
-/** The arguments of Playwright for some of its projects. */
+/** Returns the arguments of Playwright for some of its projects. */
 const pageTests = (...projects) => [
   ...['test', '--config', 'tests/page/playwright.config.mjs', '--no-deps'],
   ...projects.map((project) => `--project=${project}`),
 ];
 
-/** Title, program, arguments, and which kind of test counts it prints, if any. */
+/** The steps: title, program with arguments, and the kind of test counts it prints, if any. */
 const steps = [
   { title: 'format of Rust', run: ['cargo', ['fmt', '--check', '--', ...operators]] },
   { title: 'format of the page', run: [tool('prettier'), ['--check', styled]] },
@@ -56,7 +56,7 @@ const steps = [
     run: ['node', ['--test', '--test-reporter=tap', ...nodeTests]],
     count: 'node',
   },
-  // The view without a GPU is part of the native checks.
+  // The native checks include the view, without a GPU.
   { title: 'lints of Rust, native', run: clippy('--all-targets', '--features', 'view') },
   ...modules.map((feature) => ({
     title: `lints of Rust, ${feature} module`,
@@ -68,7 +68,7 @@ const steps = [
     ),
   })),
   {
-    // Compiled with all features, or the links between the rooms would not all resolve.
+    // With all features, so that links between all rooms resolve.
     title: 'documentation',
     run: ['cargo', ['doc', '--locked', '--no-deps', ...forModule(modules.join(','))]],
     env: { RUSTDOCFLAGS: '-D warnings' },
@@ -102,7 +102,7 @@ const steps = [
     run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],
   },
   {
-    // Before the others: it measures time, and has the machine to itself.
+    // Before the others: it measures time, and needs the machine for itself.
     title: 'how fast a drag is answered',
     run: [tool('playwright'), pageTests('alone')],
     count: 'playwright',
@@ -115,7 +115,7 @@ const steps = [
   { title: 'sizes', run: ['node', ['.scripts/sizes.mjs']], show: true },
 ];
 
-/** So many tests may need a second run without a reason: hosts of other people's work stall at times. */
+/** Number of tests that may be flaky without an excuse: shared hosts stall at times. */
 const MOST_FLAKY = 2;
 
 const inWords = ({ passed, failed, skipped, flaky }) =>
@@ -142,7 +142,7 @@ await main(async () => {
     }
     if (show && ok) console.log(output);
     if (!ok) {
-      // A step without tests of its own fails as one.
+      // A step without tests of its own counts as one failure.
       sum.failed = Math.max(sum.failed, 1);
       process.exitCode = 1;
       break;

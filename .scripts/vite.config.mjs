@@ -1,5 +1,5 @@
-// How Vite bundles the page: www/ into dist/, with relative addresses, so that the site works
-// from any sub-path of any static host.
+// Configuration of Vite: www/ into dist/, with relative addresses, so that the site works from any
+// sub-path of any static host.
 
 import { cpSync, readFileSync, statSync } from 'node:fs';
 import { minify } from 'vite';
@@ -34,14 +34,14 @@ const picture = {
   },
 };
 
-/** Pages are not indented, and the scripts that stand in them are as small as the others. */
+/** Removes the indentation of pages and minifies their inline scripts. */
 const smallPages = {
   name: 'small-pages',
   apply: 'build',
   transformIndexHtml: {
     order: 'post',
     async handler(html) {
-      // The texts of licences are laid out by their spaces.
+      // Licence texts keep their whitespace.
       const outdented = html.includes('<pre>') ? html : html.replace(/\n\s+/g, '\n');
       const pieces = outdented.split(/(?<=<script>)([\s\S]*?)(?=<\/script>)/);
       const small = pieces.map(async (piece, i) =>
@@ -52,7 +52,7 @@ const smallPages = {
   },
 };
 
-/** What the pages to read have in common: their head, and the links above them, of which one is the page. */
+/** Inserts the common head of the reading pages, and their links with the current page marked. */
 const readingPages = {
   name: 'reading-pages',
   transformIndexHtml: {
@@ -69,7 +69,7 @@ const readingPages = {
   },
 };
 
-/** Whatever is bundled has its licence on the page of licences. */
+/** Fills the page of licences with those of everything bundled. */
 const licences = {
   name: 'licences',
   transformIndexHtml: (html, { path }) => (path === '/licences.html' ? licenceTexts(html) : html),
@@ -80,12 +80,12 @@ const told = () => ({
 });
 
 /**
- * A style sheet is in the layer of its room, so that none overrules those above it whatever its
- * selectors are, and whenever it is loaded. What libraries bring is below all; the frame of the page
- * is below what fills it.
+ * Cascade layers by room: a style sheet is in the layer of its room, so that it never overrules
+ * higher rooms, whatever its selectors and its time of loading. Libraries are lowest; the frame of
+ * the page is below its contents.
  */
 const LAYERS = ['library', 'ui', 'app', 'panels', 'docked', 'features', 'pages'];
-/** Tokens that are the same everywhere are written out: they cost nobody a byte. */
+/** Design tokens with a constant pixel value are inlined, which makes the styles smaller. */
 const constants = Object.fromEntries(
   [
     ...readFileSync(at('www', 'ui', 'styles', 'base.css'), 'utf8').matchAll(
@@ -100,7 +100,7 @@ const layers = {
     if (!/\.css($|\?)/.test(id)) return null;
     const room = /\/www\/(\w+)\//.exec(id)?.[1] ?? 'library';
     if (!LAYERS.includes(room)) throw new Error(`${id}: no layer is that of ${room}/`);
-    // Whichever comes first says the order.
+    // Whichever style sheet comes first declares the order of the layers.
     const plain = code.replace(/var\((--[\w-]+)\)/g, (use, name) => constants[name] ?? use);
     return `@layer ${LAYERS.join(', ')};\n@layer ${room} {\n${plain}\n}`;
   },
@@ -111,9 +111,9 @@ const pages = ['index', 'gallery', 'projections', 'licences', 'embed', 'embeddin
 
 const documents = pages.map((page) => at('www', `${page}.html`));
 /**
- * Of which file of the first visit a module is, if of any: what the workbench begins with is one file, and
- * what the other pages begin with as well is another. Modules that are shared with what comes later would
- * otherwise be a file each, which pack worse than together.
+ * Returns the name of the first-visit chunk of a module, if any: `workbench` for modules that only
+ * the workbench starts with, `common` for those that another page starts with as well. Modules
+ * shared with later chunks would otherwise be separate files, which compress worse.
  * @param {string} id
  * @param {{ getModuleInfo(id: string): { importedIds: readonly string[] } | null }} graph
  */
@@ -125,7 +125,7 @@ function firstFile(id, graph) {
 
 /** @type {Map<string, Set<string>>} */
 const begun = new Map();
-/** The modules that a page loads at once. */
+/** Returns the modules that a page imports statically. */
 function begunWith(document, graph) {
   const known = begun.get(document);
   if (known) return known;
@@ -136,12 +136,12 @@ function begunWith(document, graph) {
   return found;
 }
 
-/** What is told of the solver's module while it loads. */
+/** Size of the solver's module, for its progress display. */
 const solverBytes = statSync(at('www', 'pkg', 'solver', 'shape_up_bg.wasm')).size;
 
-// Files of a wasm module are named for it: every module calls them the same.
+// wasm-bindgen gives the files of all modules the same names: use the module's folder name.
 const moduleOf = (path) => /\/?pkg\/([\w-]+)\//.exec(path ?? '')?.[1] ?? '[name]';
-// A hundred files are named in the first visit, where hashes do not pack.
+// Short hashes: the first visit names a hundred files, and hashes do not compress.
 const output = {
   entryFileNames: 'assets/[name]-[hash:7].js',
   chunkFileNames: ({ facadeModuleId }) => `assets/${moduleOf(facadeModuleId)}-[hash:7].js`,
@@ -158,7 +158,7 @@ export default {
     outDir: at('dist'),
     emptyOutDir: true,
     target: 'es2022',
-    // A module that is inlined as text cannot be compiled while it arrives.
+    // A module inlined as text could not be compiled while it is downloaded.
     assetsInlineLimit: 0,
     rolldownOptions: {
       input: documents,
@@ -168,7 +168,7 @@ export default {
       },
     },
   },
-  // The same names: what the page and a worker both load is one file.
+  // The same names, so that a file loaded by both page and worker exists once.
   worker: { format: 'es', plugins: () => [told()], rolldownOptions: { output } },
   server: { host: '127.0.0.1' },
 };

@@ -1,7 +1,6 @@
-// Runs a test program that was compiled to wasm, in the browser of the page tests. Cargo calls it
-// with the program. wasm-bindgen's own runner serves the tests; left to itself it would also drive
-// the browser, but only through a WebDriver of the very same version, which is one more program
-// that a machine may lack.
+// Runs a test program compiled to wasm in the browser of the page tests. Cargo calls it with the
+// program. wasm-bindgen's own runner serves the tests; it could also drive the browser, but only
+// through a WebDriver of exactly the same version, one more program that a machine may lack.
 
 import { spawn } from 'node:child_process';
 import { chromium } from '@playwright/test';
@@ -11,10 +10,10 @@ import { main, Problem } from './run.mjs';
 import { testRunner } from './setup-bindgen.mjs';
 
 const limit = 3 * 60_000;
-/** A browser may crash under software rendering, which says nothing of the tests: they begin once more then. */
+/** Software rendering can crash a browser independently of the tests, which are then repeated. */
 const attempts = 2;
 
-/** Starts the server and resolves with its address, or with null when there is no test to serve. */
+/** Starts the server and resolves with its address; null if there is no test to serve. */
 function addressOf(server) {
   return new Promise((done, reject) => {
     let output = '';
@@ -34,8 +33,8 @@ function addressOf(server) {
 }
 
 /**
- * Loads the tests, waits for their end, and prints what they printed. Resolves with whether they passed, or with
- * null where the browser crashed or stood still before their end.
+ * Loads the tests, waits for their end, and prints their output. Resolves with whether they passed;
+ * null if the browser crashed or hung.
  */
 async function runTests(address) {
   const browser = await chromium.launch({

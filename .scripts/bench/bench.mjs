@@ -1,5 +1,5 @@
-// npm run bench: how fast the solver is, natively and in headless Chromium, beside the limit of the
-// machine and beside other libraries. `npm run bench -- --help` says what can be chosen.
+// npm run bench: the speed of the solver, natively and in headless Chromium, compared with the
+// limit of the machine and with other libraries. `npm run bench -- --help` lists the options.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
@@ -28,15 +28,15 @@ import { writeReadme } from './readme.mjs';
 import { measureStart } from './start.mjs';
 import { markdown } from './tables.mjs';
 
-/** Parts are made of so many panels. */
+/** Numbers of panels for the fabrication benchmark. */
 const PANELS = [1000, 3000, 10_000];
-/** Ten models in turn are of this size, or of the largest one that is measured. */
+/** Size of the ten models opened in turn, unless the largest measured size is smaller. */
 const MODELS_SIZE = 10_000;
 
-/** What these parts measure is the page or its view. */
+/** Parts of the benchmark that measure the page or its view, not the solver. */
 const WITHOUT_SOLVER = new Set(['start', 'look']);
 
-/** What is measured in the browser is built as it is shipped. */
+/** Builds what is measured in the browser, as it is shipped. */
 async function build({ where, parts, trial }) {
   if (!where.includes('browser')) return;
   await setUp({ checks: true });
@@ -54,7 +54,7 @@ function machine(words) {
     cores: cpus().length,
     rustc: outputOf('rustc', ['--version']),
     commit: outputOf('git', ['rev-parse', '--short', 'HEAD']),
-    /** Programs that wanted a core before the benchmark began. */
+    /** Running programs that wanted a core before the benchmark began. */
     load: loadavg()[0],
   };
 }
@@ -76,7 +76,7 @@ async function measurePeers(options, places) {
   return rows;
 }
 
-/** Our own milliseconds for what a peer was asked, as { where, accelerator, ms }. */
+/** Returns our own milliseconds for a peer's task, as { where, accelerator, ms }. */
 async function measureOurs(asked) {
   const steps = await measureIterations(asked);
   const maps = await measureMaps(asked);
@@ -88,7 +88,7 @@ async function measureOurs(asked) {
   return [...ms, ...maps.map(({ where, total }) => ({ where, accelerator: null, ms: total }))];
 }
 
-/** Where problems can be measured: { native, browser }, as far as they are asked for. */
+/** Returns where problems can be measured, as far as requested: { places, native, browser }. */
 async function placesOf({ where, trial, parts }) {
   if ([...parts].every((part) => WITHOUT_SOLVER.has(part)))
     return { places: {}, native: null, browser: null };
@@ -121,7 +121,7 @@ async function measure(options, words) {
   if (browser) results.machine.browser = browser.version;
   const inBrowser = options.where.includes('browser');
   const asked = { sizes, letters, places, native, limitMs, trial };
-  /** What each part of the benchmark adds to the results. */
+  /** Each part of the benchmark adds its results. */
   const measures = {
     async iterations() {
       results.iterations = await measureIterations(asked);
@@ -162,7 +162,7 @@ async function measure(options, words) {
     try {
       await measures[part]();
     } catch (error) {
-      // What was measured before took long: it is not lost for this.
+      // Keep the earlier measurements, which took long.
       console.error(error);
       results.failed[part] = String(error.message ?? error);
     }

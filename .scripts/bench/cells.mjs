@@ -1,9 +1,9 @@
-// Cells of tables in Markdown, and tables of them.
+// Cells and tables in Markdown.
 
-/** Where there is no number. */
+/** Placeholder for a missing number. */
 export const missing = '–';
 
-/** A number with three digits that count, or a dash. */
+/** Formats a number with three significant digits, or a dash. */
 export function number(value) {
   if (value === null || value === undefined || !Number.isFinite(value)) return missing;
   if (Number.isInteger(value)) return value.toLocaleString('en');
@@ -11,10 +11,10 @@ export function number(value) {
   return value.toFixed(Math.min(3, digits));
 }
 
-/** Bytes as megabytes. */
+/** Formats bytes as megabytes. */
 export const megabytes = (bytes) => number(bytes === undefined ? null : bytes / 1e6);
 
-/** A table from its head and its rows of cells. */
+/** Returns a table with a head and rows of cells. */
 export function table(head, rows) {
   const line = (cells) => `| ${cells.join(' | ')} |`;
   return [line(head), `|${'---|'.repeat(head.length)}`, ...rows.map(line)].join('\n');

@@ -1,5 +1,5 @@
-// A static host as the site meets it: compressed, with validators, so that a second visit is warm.
-// It counts what it sends.
+// A static host like that of the site: compressed, with validators, so that a second visit is warm.
+// It counts the bytes sent.
 
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, statSync } from 'node:fs';
@@ -8,13 +8,13 @@ import { extname, join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { types } from '../serve.mjs';
 
-/** With these a page is isolated, and its clock steps by 5 microseconds rather than by 100. */
+/** Headers that isolate a page, whose clock then steps by 5 microseconds instead of 100. */
 export const isolation = {
   'cross-origin-opener-policy': 'same-origin',
   'cross-origin-embedder-policy': 'require-corp',
 };
 
-/** What is sent for a file. */
+/** Returns the response for a file. */
 function answerOf(path, headers, compress) {
   const contents = readFileSync(path);
   const body = compress ? gzipSync(contents, { level: 9 }) : contents;
@@ -26,8 +26,8 @@ function answerOf(path, headers, compress) {
 }
 
 /**
- * Serves folders, each under a path that ends in "/", and pages (texts) under theirs. Resolves with
- * { address, close, takeBytes }.
+ * Serves folders, each under a path that ends in "/", and pages (texts) under their paths. Resolves
+ * with { address, close, takeBytes }.
  */
 export function host({ folders, pages = {}, headers = {}, compress = false }) {
   const known = new Map();
@@ -61,7 +61,7 @@ export function host({ folders, pages = {}, headers = {}, compress = false }) {
       done({
         address: `http://127.0.0.1:${server.address().port}/`,
         close: () => server.close(),
-        /** Bytes of all answers since the last call, without their heads. */
+        /** Returns the bytes of all response bodies since the last call. */
         takeBytes() {
           const sum = bytes;
           bytes = 0;

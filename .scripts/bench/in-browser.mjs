@@ -1,5 +1,5 @@
-// The half in headless Chromium: the solver module as the site ships it, in a worker of its own for
-// every task, and the site's own worker as the page runs it.
+// The part in headless Chromium: the solver module as shipped, in a new worker for every task, and
+// the site's own worker as the page runs it.
 
 import { existsSync, readdirSync } from 'node:fs';
 import { basename, join } from 'node:path';
@@ -14,21 +14,21 @@ import { benchFolder } from './problems.mjs';
 const moduleFolder = join(benchFolder, 'module');
 const name = 'bench_browser';
 
-/** Builds the module of tests/bench/browser.rs: every operator alone, and reading memory. */
+/** Builds the module of tests/bench/browser.rs: single operators, and reading of memory. */
 export async function buildBenchModule() {
   say('compiling what is measured in the browser beside the solver');
   await setUpBindgen();
   await run('cargo', [
     ...['rustc', '--locked', '--release', '--quiet', '--example', name],
     ...['--target', wasmTarget, '--no-default-features', '--features', 'solver'],
-    // As the site's own module, which it is measured for.
+    // The flags of the site's own module, with which it is compared.
     ...['--', ...sizeFlags],
   ]);
   const compiled = join(targetFolder, wasmTarget, 'release', 'examples', `${name}.wasm`);
   await run(wasmBindgen, ['--target', 'web', '--out-dir', moduleFolder, compiled]);
 }
 
-/** In the page: gives a task to a new worker, and takes its result. */
+/** In the page: passes a task to a new worker and returns its result. */
 function performInWorker(task) {
   return new Promise((done, reject) => {
     const worker = new Worker('/worker/worker.mjs', { type: 'module' });
@@ -43,15 +43,15 @@ function performInWorker(task) {
 }
 
 /**
- * In the page: opens a problem in the site's own worker, presses Run, and gives milliseconds per
- * iteration, everything included that the worker does beside iterating.
+ * In the page: opens a problem in the site's own worker, presses Run, and returns milliseconds per
+ * iteration, including everything else the worker does.
  */
 function runSiteWorker({ address, files, move, settle, during }) {
   return new Promise((done, reject) => {
     const worker = new Worker(address, { type: 'module' });
     const say = (message) => worker.postMessage(message);
     const failed = (message) => (worker.terminate(), reject(new Error(message)));
-    /** The last frame before it has settled, and when that shall be. */
+    /** The last frame before settling, and the time at which settling ends. */
     let start = { ms: 0, iteration: 0 };
     let settledAt = Infinity;
     worker.onerror = (event) => failed(event.message);
@@ -77,7 +77,7 @@ function runSiteWorker({ address, files, move, settle, during }) {
           worker.terminate();
           return done((ms - start.ms) / (iteration - start.iteration));
         }
-        // The page gives a buffer back when it has drawn.
+        // The page returns a buffer after drawing.
         requestAnimationFrame(() => say({ type: 'recycle', positions: data.positions }));
       } else if (['refused', 'died', 'trouble'].includes(data.type)) {
         failed(data.message);
@@ -86,7 +86,7 @@ function runSiteWorker({ address, files, move, settle, during }) {
   });
 }
 
-/** Starts the browser and gives { version, perform(task), run(problem, times), close }. */
+/** Starts the browser; returns { version, canStream, perform, run, operators, close }. */
 export async function browserSolver() {
   const { chromium } = await import('@playwright/test');
   const worker = readdirSync(at('dist', 'assets')).find((file) =>
@@ -114,7 +114,7 @@ export async function browserSolver() {
   const forPage = (problem) => problem && { ...problem, mesh: meshUrl(problem) };
   return {
     version: browser.version(),
-    /** Whether memory can be read at full speed in the browser. */
+    /** Whether the module that reads memory at full speed was built. */
     canStream: () => existsSync(join(moduleFolder, `${name}.js`)),
     perform: ({ problem, problems, ...task }) =>
       page.evaluate(performInWorker, {
@@ -122,7 +122,7 @@ export async function browserSolver() {
         problem: forPage(problem),
         problems: problems?.map(forPage),
       }),
-    /** Milliseconds per iteration of the site's own worker. */
+    /** Returns milliseconds per iteration of the site's own worker. */
     run: (problem, { settle, during }) =>
       page.evaluate(runSiteWorker, {
         address: `/site/assets/${worker}`,
@@ -134,7 +134,7 @@ export async function browserSolver() {
         settle,
         during,
       }),
-    /** The table of all operators, in Markdown. */
+    /** Returns the table of all operators, in Markdown. */
     operators: () =>
       page.evaluate(async (url) => {
         const module = await import(url);

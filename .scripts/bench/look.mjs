@@ -1,4 +1,4 @@
-// What the look of the picture costs: frames of a turning model with and without it in turn, drawn by
+// The cost of shading: frames of a turning model with and without it, alternately, drawn by
 // software in headless Chromium.
 
 import { findBrowser, webgl2Flags } from '../browser.mjs';
@@ -12,14 +12,14 @@ import { median, spread } from './statistics.mjs';
 const WINDOW = { width: 1440, height: 900 };
 const TRIANGLES = 20_000;
 
-/** How much of the look there is, by name: light from all around, and the gradient with the shadow below. */
+/** Amounts of shading, by name: ambient occlusion, and the background gradient with the shadow. */
 export const LOOKS = {
   'nothing of it': { occlusion: 0, ground: 0.9 },
   'in motion, where pictures are slow': { occlusion: 0 },
   'all of it': { occlusion: 1 },
 };
 
-/** A square of triangles, each two of which are a quad. */
+/** A square grid of quads, each split into two triangles. */
 function trianglesOf(count) {
   const { positions, indices } = quadsOf((Math.round(Math.sqrt(count / 2)) + 1) ** 2);
   const corners = [];
@@ -30,7 +30,7 @@ function trianglesOf(count) {
   return { positions: [...positions], corners };
 }
 
-/** In the page: milliseconds of frames with each look in turn, the model turned a little before each. */
+/** In the page: milliseconds of frames for each setting in turn; the model turns before each. */
 async function drawInTurn({ looks, rounds, positions, corners, width, height }) {
   const { default: init, View } = await import('/view/shape_up.js');
   await init();
@@ -48,12 +48,12 @@ async function drawInTurn({ looks, rounds, positions, corners, width, height }) 
     view.setGround(ground);
     const began = performance.now();
     view.draw();
-    // The picture is there when a pixel of it is read.
+    // Reading a pixel waits until the picture is complete.
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
     return performance.now() - began;
   };
   const times = looks.map(() => []);
-  // The first frames compile what they draw with.
+  // The first frames compile shaders and are not counted.
   for (let round = -2; round < rounds; round++) {
     looks.forEach((look, i) => {
       const took = frame(look);
@@ -64,7 +64,7 @@ async function drawInTurn({ looks, rounds, positions, corners, width, height }) 
   return times;
 }
 
-/** One row for each look: its milliseconds per frame, and how many times those of the first it takes. */
+/** Returns a row per setting: milliseconds per frame, and their ratio to the first setting. */
 export async function measureLook({ trial }) {
   const { chromium } = await import('@playwright/test');
   await buildModule('view-webgl2');
@@ -83,7 +83,7 @@ export async function measureLook({ trial }) {
     const asked = { looks: Object.values(LOOKS), rounds: trial ? 2 : 15, ...mesh, ...WINDOW };
     const times = await page.evaluate(drawInTurn, asked);
     return Object.keys(LOOKS).map((look, i) => {
-      // Beside the frame of the same round, when the machine was as busy.
+      // Relative to the frame of the same round, when the machine was equally busy.
       const ratio = median(times[i].map((ms, round) => ms / times[0][round]));
       return { look, triangles: mesh.corners.length / 3, ...spread(times[i]), ratio };
     });

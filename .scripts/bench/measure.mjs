@@ -1,32 +1,32 @@
-// What is measured of the problems, in the order of the options: numbers only, no tables.
+// Measurements of the problems, in the order of the options; without tables.
 
 import { outputOf, say } from '../run.mjs';
 import { accelerators, problemOf, problems } from './problems.mjs';
 import { median, medians, reached, spread } from './statistics.mjs';
 
-/** How near to the converged energy, relative to it. */
+/** Relative distances to the converged energy. */
 export const nearness = [1e-2, 1e-4, 1e-6];
 
-/** Iterations of a run, and how many at its start are not counted. */
+/** Iterations of a run, and how many of the first ones are not counted. */
 const STEPS = [25, 5];
-/** Runs take about so long together. */
+/** Approximate total duration of the runs. */
 const RUNS_MS = 1500;
-/** Milliseconds of an iteration per vertex, roughly. */
+/** Approximate milliseconds per iteration and vertex. */
 const MS_PER_VERTEX = 2.5e-4;
-/** The site's own worker: milliseconds before it is measured, and of the measurement. */
+/** The site's own worker: milliseconds before the measurement, and of the measurement. */
 const RUN_MS = { usual: { settle: 1000, during: 2500 }, trial: { settle: 50, during: 100 } };
-/** The plain iteration has a factor in double precision up to so many nonzeros. */
+/** Largest number of nonzeros for which the plain iteration has a factor in double precision. */
 const MOST_DOUBLE = 2 ** 19;
-/** How far below zero no energy is. */
+/** A goal that no energy reaches. */
 const NO_GOAL = -1;
-/** A run has converged after so many iterations that change nothing. */
+/** Number of iterations without change after which a run has converged. */
 const PATIENCE = 5;
 
 const keys = ['total', 'shape', 'close', 'smooth', 'global'];
 const byPart = (steps) =>
   Object.fromEntries(keys.map((key) => [key, spread(steps.map((step) => step[key]))]));
 
-/** Setting up, iterating, and editing one problem in one place. */
+/** Measures opening, iterating and editing of one problem in one place. */
 async function measureOne(place, problem, { vertices, accelerator }) {
   const isDefault = accelerator === 'quasi-newton';
   const estimate = STEPS[0] * vertices * MS_PER_VERTEX;
@@ -56,12 +56,12 @@ async function measureOne(place, problem, { vertices, accelerator }) {
     drag: byPart(drag),
     bytes: bytes ?? null,
     bytesOfNumber,
-    /** Milliseconds to read the factor twice; its nonzeros only. */
+    /** Milliseconds to read the factor's nonzeros twice. */
     limit: limit === null ? null : 2 * limit,
   };
 }
 
-/** One entry per problem, size, place, and accelerator. */
+/** Returns one row per problem, size, place and accelerator. */
 export async function measureIterations({ sizes, letters, places, trial }) {
   const rows = [];
   for (const size of sizes) {
@@ -82,11 +82,11 @@ export async function measureIterations({ sizes, letters, places, trial }) {
   return rows;
 }
 
-/** Sizes about which it changes which of the two numeric factors is faster. */
+/** Sizes around which the faster numeric factor changes. */
 const FACTOR_SIZES = [500, 1000, 2500, 5000, 10_000];
 const factorizations = ['sprs-ldl', 'supernodal'];
 
-/** Changing constraints with both numeric factors, in the browser; a row for each problem and size. */
+/** Measures changing constraints with both numeric factors, in the browser, by problem and size. */
 export async function measureFactors(browser, trial) {
   const rows = [];
   for (const size of trial ? [400] : FACTOR_SIZES) {
@@ -109,7 +109,7 @@ export async function measureFactors(browser, trial) {
   return rows;
 }
 
-/** Until the converged energy, with every accelerator. `native` finds what the converged one is. */
+/** Measures the time to the converged energy, by accelerator. `native` computes that energy. */
 export async function measureConvergence({ sizes, letters, places, native, limitMs }) {
   const rows = [];
   for (const size of sizes) {
@@ -146,7 +146,7 @@ export async function measureConvergence({ sizes, letters, places, native, limit
         rows.push({
           ...key,
           converged,
-          /** Whether more iterations would not have found a lower one. */
+          /** Whether more iterations would not have lowered the energy. */
           certain: ended,
           start: run.energies[0],
           least: Math.min(...run.energies),
@@ -160,10 +160,10 @@ export async function measureConvergence({ sizes, letters, places, native, limit
   return rows;
 }
 
-/** Maps are made of as many vertices as the paper's, 35,000, where others have 30,000. */
+/** Maps have as many vertices as the paper's, 35,000, in place of 30,000. */
 export const mapSizes = (sizes) => sizes.map((size) => (size === 30_000 ? 35_000 : size));
 
-/** Conformal maps, and in the browser also the first one that a module makes. */
+/** Measures conformal maps; in the browser also the first one of a module. */
 export async function measureMaps({ sizes, letters, places }) {
   const rows = [];
   for (const size of sizes) {
@@ -182,7 +182,7 @@ export async function measureMaps({ sizes, letters, places }) {
   return rows;
 }
 
-/** Bytes of wasm memory after each of ten models of problem A, one after the other. */
+/** Returns the wasm memory in bytes after each of ten models of problem A, opened in turn. */
 export async function measureModels(browser, size) {
   const seeds = Array.from({ length: 10 }, (_, k) => k + 1);
   const ten = seeds.map((seed) => problemOf('A', size, { seed }));
@@ -191,7 +191,7 @@ export async function measureModels(browser, size) {
   return { vertices: ten[0].vertices, ...bytes };
 }
 
-/** The table of every operator alone. */
+/** Returns the tables of every single operator. */
 export async function measureOperators({ browser, native }) {
   const tables = {};
   if (native) {

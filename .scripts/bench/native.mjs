@@ -1,4 +1,4 @@
-// The native half: builds the program of tests/bench/problems.rs and gives it tasks.
+// The native part: builds the program of tests/bench/problems.rs and passes it tasks.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,10 +8,10 @@ import { benchFolder } from './problems.mjs';
 
 const name = 'bench_problems';
 
-/** Builds the program and gives a function that performs a task. `profile`: dev or release. */
+/** Builds the program and returns a function that performs a task. `profile`: dev or release. */
 export async function nativeSolver(profile) {
   say(`compiling the native benchmark (${profile})`);
-  // The tests have compiled it so.
+  // The features with which the tests have compiled it.
   const features = profile === 'dev' ? ['--features', 'view'] : [];
   const build = ['build', '--locked', '--quiet', '--example', name, '--profile', profile];
   await run('cargo', [...build, ...features]);

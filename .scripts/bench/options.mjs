@@ -1,10 +1,10 @@
-// The words of the command line.
+// The options of the command line.
 
 import { parseArgs } from 'node:util';
 import { Problem } from '../run.mjs';
 import { problems } from './problems.mjs';
 
-/** The parts of the benchmark, in the order in which they are measured. */
+/** The parts of the benchmark, in the order of measurement. */
 export const parts = [
   ...[
     'iterations',
@@ -20,7 +20,7 @@ export const parts = [
   ],
 ];
 
-/** Those that are measured only where they are named, or all are. */
+/** Parts that are measured only if named, or with --full. */
 const ASKED_FOR = ['factors', 'build', 'exact', 'operators', 'look', 'peers'];
 
 export const usage = `npm run bench -- [options]
@@ -67,7 +67,7 @@ function numberOf(name, text, least) {
   return value;
 }
 
-/** The options that the words stand for. */
+/** Returns the options given by the arguments. */
 export function optionsOf(words) {
   let values;
   try {

@@ -1,4 +1,4 @@
-// Parts and sheets, natively and in the module that the page loads for them.
+// Fabrication parts and sheets, natively and in the page's module for them.
 
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
@@ -12,7 +12,7 @@ const ROUNDS = 5;
 const medianOfEach = (times) =>
   Object.fromEntries(Object.entries(times).map(([key, all]) => [key, median(all)]));
 
-/** Numbers of panels, and in which place. */
+/** Returns a row per number of panels and place. */
 export async function measureParts({ panels, where, native, trial }) {
   const rounds = trial ? 1 : ROUNDS;
   const module = where.includes('browser') ? await moduleOfParts() : null;
@@ -32,7 +32,7 @@ export async function measureParts({ panels, where, native, trial }) {
   return rows;
 }
 
-/** As it is shipped; the engine of Node.js is that of Chromium. */
+/** The module as shipped; Node.js has the engine of Chromium. */
 async function moduleOfParts() {
   await buildModule('build');
   const folder = at('www', 'pkg', 'build');

@@ -1,5 +1,5 @@
-// Other libraries on the same meshes, natively. pip puts them into a folder of their own under
-// target/; what it cannot install is skipped, and the tables say so.
+// Other libraries on the same meshes, natively. pip installs them into a folder under target/;
+// those that it cannot install are skipped, as the tables report.
 
 import { spawnSync } from 'node:child_process';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
@@ -13,8 +13,8 @@ const venv = join(benchFolder, 'peers');
 const python = join(venv, 'bin', 'python');
 
 /**
- * What each is asked, on the mesh of which of our problems. `largest`: vertices beyond which it takes
- * too long to wait for; `equal` and `differs` say what can be compared.
+ * Task of each peer, and the problem whose mesh it gets. `largest`: number of vertices above which
+ * it takes too long; `equal` and `differs` describe what is comparable.
  */
 export const comparisons = [
   {
@@ -59,7 +59,7 @@ export const comparisons = [
   },
 ];
 
-/** Installs the peers and gives the version of each, or why it is not there. */
+/** Installs the peers and returns the version of each, or the reason why it is missing. */
 export function setUpPeers() {
   const names = [...new Set(comparisons.map(({ peer }) => peer))];
   if (!existsSync(python)) {
@@ -85,7 +85,7 @@ export function setUpPeers() {
 
 const versionOf = (name) => `import importlib.metadata as m; print(m.version("${name}"))`;
 
-/** Measures one comparison at one size: milliseconds, or why not. */
+/** Measures one comparison at one size: milliseconds, or the reason why not. */
 export function measurePeer({ call, problem, steps, largest }, size) {
   const { mesh, handles, move, vertices } = problemOf(problem, size);
   if (vertices > largest * 1.01) return { reason: 'takes too long' };
@@ -93,7 +93,7 @@ export function measurePeer({ call, problem, steps, largest }, size) {
   return result.reason ? result : { setUp: result.setUp, ms: median(result.steps) };
 }
 
-/** What `tests/bench/peers.py` answers to a task, or the reason why it does not. */
+/** Returns the answer of `tests/bench/peers.py` to a task, or the reason of its failure. */
 export function askPeer(task) {
   const files = ['peer-task.json', 'peer-result.json'].map((name) => join(benchFolder, name));
   writeFileSync(files[0], JSON.stringify(task));

@@ -1,14 +1,13 @@
-// The problems that are measured, on meshes of any size: scenes, and mesh files that all who take
-// part read.
+// The measured problems, on meshes of any size: scenes, and mesh files that all participants read.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { targetFolder } from '../project.mjs';
 
-/** Where the benchmark writes everything. */
+/** Folder for all output of the benchmark. */
 export const benchFolder = join(targetFolder, 'bench');
 
-/** How steps can be accelerated, in the words of scene files. */
+/** Accelerators, as named in scene files. */
 export const accelerators = ['none', 'quasi-newton', 'anderson'];
 const rigid = {
   weights: { shape: 1 },
@@ -24,11 +23,10 @@ const circular = {
 };
 
 /**
- * By letter: what it is in words, its mesh, and what its scene holds. `maps` is not a scene but a
- * conformal map; `for` marks those that are only measured beside a peer, `named` those that are only
- * measured where they are asked for. `converges`: its energy has
- * a least value to which others can be compared. That of A is zero: nothing holds the boundary, so
- * smoothness draws the mesh together on its surface without end.
+ * By letter: title, mesh and scene of each problem. `maps` marks a conformal map instead of a
+ * scene, `for` a problem measured only beside a peer, `named` one measured only on request.
+ * `converges`: its energy has a minimum to compare with. That of A is zero: nothing holds the
+ * boundary, so that smoothness contracts the mesh on its surface without end.
  */
 export const problems = {
   A: {
@@ -75,10 +73,10 @@ export const problems = {
   lscm: { title: 'a conformal map of triangles', mesh: 'triangles', maps: 'lscm', for: 'libigl' },
 };
 
-/** A number from -1/2 to 1/2 that a grid point and a channel have to themselves. */
+/** A number from -1/2 to 1/2, determined by a grid point and a channel. */
 const jitter = (i, j, channel) => ((i * 7919 + j * 104729 + channel * 1299709) % 1009) / 1009 - 0.5;
 
-/** The points of a jittered, bumpy height field with edges of about 1, `#V` rows of 3. */
+/** Returns the points of a jittered, bumpy height field with edges of about 1, `#V` rows of 3. */
 function points(side, seed) {
   const rows = [];
   for (let j = 0; j < side; j++) {
@@ -91,7 +89,7 @@ function points(side, seed) {
   return rows;
 }
 
-/** The corners of every quad. */
+/** Returns the corners of every quad. */
 function quads(side) {
   const rows = [];
   for (let j = 0; j + 1 < side; j++) {
@@ -103,7 +101,7 @@ function quads(side) {
   return rows;
 }
 
-/** The text of an OBJ file of a square of quads, each cut in two for triangles. */
+/** Returns the text of an OBJ file of a square grid of quads, optionally split into triangles. */
 export function objText(rows, side, triangles) {
   const lines = rows.map((row) => `v ${row.join(' ')}`);
   for (const corners of quads(side)) {
@@ -114,7 +112,7 @@ export function objText(rows, side, triangles) {
   return `${lines.join('\n')}\n`;
 }
 
-/** The mesh of quads of so many vertices: the path of its file, and its numbers as modules take them. */
+/** Writes a quad mesh of about `size` vertices; returns the path of its file, and its arrays. */
 export function quadsOf(size) {
   const side = Math.round(Math.sqrt(size));
   const rows = points(side, 0);
@@ -130,7 +128,7 @@ export function quadsOf(size) {
   };
 }
 
-/** Four corners, the middle, and one between. */
+/** The four corners, the middle, and a vertex between. */
 function sixHandles(side) {
   const at = (i, j) => j * side + i;
   const [last, half, third, quarter] = [side - 1, side >> 1, Math.floor(side / 3), side >> 2];
@@ -139,9 +137,9 @@ function sixHandles(side) {
 }
 
 /**
- * Writes the mesh of a problem and gives the problem: `mesh` is the path of its file, `move` the
- * handles that are moved at the start with their targets, `from` where these are at rest, `spare`
- * vertices that are no handles. `seed` makes another mesh of the same kind.
+ * Writes the mesh of a problem and returns the problem: `mesh` is the path of its file, `move` the
+ * handles that are moved at the start with their targets, `from` their rest positions, `spare`
+ * vertices that are no handles. `seed` selects another mesh of the same kind.
  */
 export function problemOf(letter, size, { accelerator = 'quasi-newton', seed = 0 } = {}) {
   const { mesh: kind, handles: held, constraints, weights, closeness, traced } = problems[letter];

@@ -1,4 +1,4 @@
-// The README's numbers, between two marks.
+// The numbers of the README, between two marks.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { at } from '../project.mjs';
@@ -7,7 +7,7 @@ import { number, table } from './cells.mjs';
 import { accelerators } from './problems.mjs';
 import { accelerated, machineText, startTable } from './tables.mjs';
 
-/** Between these lines of the README. */
+/** The lines of the README that enclose them. */
 export const marks = [
   '<!-- speed: written by `npm run bench -- --full --readme` -->\n',
   '<!-- end of speed -->\n',
@@ -15,7 +15,7 @@ export const marks = [
 
 const inBrowser = (rows = []) => rows.filter(({ where }) => where === 'browser');
 
-/** The README shows the default accelerator, and peers at one size; `target/bench/` has the rest. */
+/** The README shows the default accelerator, and peers at one size; `target/bench/` has all. */
 const shownAccelerator = 'quasi-newton';
 const shownSize = 10_000;
 
@@ -40,7 +40,7 @@ function mapsText(rows) {
   return [`Conformal maps (problem D), milliseconds: ${times.join(', ')}.`];
 }
 
-/** A row for each problem and size of which the converged energy is certain. */
+/** A row for each problem and size whose converged energy is certain. */
 function convergenceText(rows) {
   const certain = rows.filter((row) => row.certain);
   if (!certain.length) return [];
@@ -93,7 +93,7 @@ function peersText(peers = []) {
   ];
 }
 
-/** The tables of the README. */
+/** Returns the tables of the README. */
 export function section({ machine, iterations, maps, convergence, start, peers }) {
   return [
     `${machineText(machine)} In the browser, milliseconds, medians:`,

@@ -1,5 +1,4 @@
-// How long the page takes to open: a profile that has never seen it (cold), and the same profile
-// again (warm).
+// Time to open the page: in a new browser profile (cold), and in the same profile again (warm).
 
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -10,10 +9,10 @@ import { say } from '../run.mjs';
 import { host } from './host.mjs';
 import { medians } from './statistics.mjs';
 
-/** A page that does not come as far in this time does not work. */
+/** Timeout of opening the page. */
 const LONGEST_MS = 120_000;
 
-/** In the page, before its own scripts: notes the times. */
+/** In the page, before its own scripts: records the times. */
 function watch() {
   const marks = {};
   Object.assign(window, { benchMarks: marks });
@@ -29,11 +28,11 @@ function watch() {
   requestAnimationFrame(look);
 }
 
-/** Opens the page once in a profile: milliseconds since the navigation began, and bytes. */
+/** Opens the page once in a profile; returns milliseconds since the navigation began, and bytes. */
 async function visit(chromium, profile, server) {
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: (await findBrowser()) ?? undefined,
-    // SwiftShader takes seconds to draw the page around the picture, which no user's machine has it do.
+    // SwiftShader would take seconds to composite the page, which no user's machine has to do.
     args: webgl2Flags,
     viewport: { width: 1440, height: 900 },
   });
@@ -48,7 +47,7 @@ async function visit(chromium, profile, server) {
       const [painted] = performance.getEntriesByName('first-contentful-paint');
       return { painted: painted?.startTime ?? null, ...window.benchMarks };
     });
-    // What the browser compiled is written to the profile a moment later.
+    // Compiled code is written to the profile a moment later.
     await page.waitForTimeout(1500);
     const { painted, solved, drawn } = times;
     return { painted, solved, drawn, bytes: server.takeBytes() };
@@ -57,7 +56,7 @@ async function visit(chromium, profile, server) {
   }
 }
 
-/** The medians over some fresh profiles of the first visit, the second and the third. */
+/** Returns the medians over some new profiles of the first, second and third visit. */
 export async function measureStart(rounds) {
   const { chromium } = await import('@playwright/test');
   const server = await host({ folders: { '/': at('dist') }, compress: true });

@@ -1,6 +1,6 @@
-// What is told of many measurements of one thing.
+// Statistics of repeated measurements.
 
-/** The value that a part `q` of the values is below. Null of none. */
+/** Returns the `q`-quantile of the values; null if there are none. */
 export function quantile(values, q) {
   if (values.length === 0) return null;
   const sorted = values.toSorted((a, b) => a - b);
@@ -9,7 +9,7 @@ export function quantile(values, q) {
 
 export const median = (values) => quantile(values, 0.5);
 
-/** The least, median, 10th and 90th percentile. */
+/** Returns the minimum, the median, and the 10th and 90th percentile. */
 export const spread = (values) => ({
   least: quantile(values, 0),
   median: median(values),
@@ -17,15 +17,15 @@ export const spread = (values) => ({
   p90: quantile(values, 0.9),
 });
 
-/** The medians of each property of some objects of numbers. */
+/** Returns the medians of each property over objects of numbers. */
 export function medians(objects) {
   const keys = Object.keys(objects[0] ?? {});
   return Object.fromEntries(keys.map((key) => [key, median(objects.map((one) => one[key]))]));
 }
 
 /**
- * How a cost grows between two sizes: the exponent `p` of `n^p`, and the cost at the larger size
- * over what `n log n` would make of that at the smaller.
+ * Growth of a cost between two sizes: the exponent `p` of `n^p`, and the cost at the larger size
+ * divided by the extrapolation of the smaller by `n log n`.
  */
 export function growth([n, cost], [larger, costThere]) {
   const linearithmic = (larger * Math.log(larger)) / (n * Math.log(n));
@@ -36,8 +36,8 @@ export function growth([n, cost], [larger, costThere]) {
 }
 
 /**
- * The iterations and milliseconds until an energy is within parts of the converged one, null where
- * it was not reached. `energies` has one more than `steps`, the one before the first.
+ * Returns the iterations and milliseconds until an energy is within relative distances `parts` of
+ * the converged one; null if not reached. `energies` has one entry more than `steps`: the first.
  */
 export function reached({ energies, steps }, converged, parts) {
   return parts.map((part) => {

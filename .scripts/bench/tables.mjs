@@ -11,7 +11,7 @@ const plural = (n, noun) => `${n} ${noun}${n === 1 ? '' : 's'}`;
 
 const ranged = ({ median, p10, p90 }) => `${number(median)} (${number(p10)}–${number(p90)})`;
 
-/** How the scene file's word for an accelerator reads in a table. */
+/** Name of an accelerator in a table, from its name in scene files. */
 export const accelerated = (word) => (word === 'none' ? 'plain' : (word ?? missing));
 
 /** One row per problem, size, place and accelerator: milliseconds. */
@@ -37,7 +37,7 @@ export function iterationTable(rows) {
   );
 }
 
-/** The browser beside the native program: medians and least times of an iteration, and their ratios. */
+/** Browser and native program: medians and minima of an iteration, and their ratios. */
 export function ratioTable(rows) {
   const pairs = rows.flatMap((native) => {
     const same = (row) =>
@@ -60,7 +60,7 @@ export function ratioTable(rows) {
   );
 }
 
-/** Setting up and editing, of the default accelerator: milliseconds. */
+/** Opening and editing with the default accelerator: milliseconds. */
 export function setUpTable(rows) {
   const head = [
     'problem',
@@ -88,7 +88,7 @@ export function setUpTable(rows) {
   );
 }
 
-/** The step of the solver alone: a first iteration, which remembers nothing, against the limit. */
+/** The linear solve alone, in a first iteration without history, against the limit. */
 export function solveTable(rows) {
   const head = [
     'problem',
@@ -131,7 +131,7 @@ export function convergenceTable(rows) {
   );
 }
 
-/** Which accelerator is within 1e-4 first, for every problem, size and place. */
+/** The accelerator that first comes within 1e-4, for every problem, size and place. */
 export function firstToConverge(rows) {
   const keyOf = (row) => `${row.problem}, ${number(row.vertices)} vertices, ${row.where}`;
   const second = (row) => row.reached[1]?.ms ?? Infinity;
@@ -169,7 +169,7 @@ export function factorTable(rows) {
   );
 }
 
-/** From a shape to drawings. */
+/** Fabrication, from a shape to files. */
 export function partsTable(rows) {
   const head = ['panels', 'where', 'build', 'fins', 'paper', 'axes of three kinds'];
   head.push('another distance', 'pictures of all sheets', 'all files');
@@ -182,7 +182,7 @@ export function partsTable(rows) {
   );
 }
 
-/** A frame with and without the look. */
+/** A frame with and without shading. */
 export function lookTable(rows) {
   const head = ['of the look', 'triangles', 'ms per frame (10–90 %)', 'over nothing of it'];
   return table(
@@ -247,14 +247,14 @@ function growthTable(rows) {
   return table(head, cells);
 }
 
-/** How the numbers were made, in a sentence or two. */
+/** Describes the machine and the run in a sentence or two. */
 export function machineText({ command, date, processor, cores, browser, rustc, commit, load }) {
   const where = [browser && `Chromium ${browser}`, rustc].filter(Boolean).join(', ');
   const busy = load > 0.5 ? ` It was not quiet: ${number(load)} programs were running before.` : '';
   return `\`${command}\` at ${commit} on ${date}, on one of the ${plural(cores, 'core')} of an ${processor}, ${where}.${busy}`;
 }
 
-/** Everything that was measured. */
+/** Returns all results. */
 export function markdown(results) {
   const { iterations, factors, maps, convergence, models, start, operators, peers } = results;
   const { parts, exact, exactPeers, look } = results;

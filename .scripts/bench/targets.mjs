@@ -1,9 +1,9 @@
-// What the numbers shall be, in the browser on a quiet machine with two cores, of which one is used.
+// Targets in the browser on a quiet machine with two cores, one of which is used.
 
 import { exactTargets } from './exact/tables.mjs';
 import { growth } from './statistics.mjs';
 
-/** Sizes are those of square grids: 173 by 173 counts as 30,000. */
+/** Meshes are square grids: 173 by 173 counts as 30,000. */
 const near = (vertices, size) => Math.abs(vertices / size - 1) < 0.05;
 
 const inBrowser = (rows, problem, size, accelerator = 'quasi-newton') =>
@@ -33,7 +33,7 @@ const natively = (problem, most) => ({
   find: ({ iterations }) => plainAt30000(iterations, problem, 'native')?.step.total.median,
 });
 
-/** The first map of a visit: who looks at one does not make it four times. */
+/** The first map of a visit, since a user rarely computes more than one. */
 const firstMap = (vertices, most) => ({
   name: `D at ${vertices.toLocaleString('en')}: seconds of the first conformal map`,
   most,
@@ -110,7 +110,7 @@ const targets = [
     name: 'ten models in turn: growth of memory, in models',
     most: 1,
     find: ({ models }) =>
-      // A small one hides in the pages that memory comes in.
+      // Memory grows in pages, which hide the growth of a small model.
       models?.vertices >= 2500
         ? (models.opened.at(-1) - models.opened[0]) / (models.opened[0] - models.empty)
         : undefined,
@@ -141,7 +141,7 @@ const targets = [
   },
 ];
 
-/** Those that the results have a number for: { name, target, found, met }. */
+/** Returns the targets with a measured value: { name, target, found, met }. */
 export function targetRows(results) {
   return targets.flatMap(({ name, most, least, find }) => {
     const found = find(results);

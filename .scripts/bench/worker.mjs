@@ -1,13 +1,12 @@
-// Times of one problem in the browser: what tests/bench/problems.rs measures natively, in the same
-// words. Runs in a worker of its own with the solver module as the site ships it; times in the
-// answer are milliseconds.
+// Times of one problem in the browser, under the same names as in tests/bench/problems.rs, which
+// measures natively. Runs in its own worker with the solver module as shipped. Times are in ms.
 
 import init, { Solver } from '/solver/shape_up.js';
 
 const { memory } = await init();
 const encoder = new TextEncoder();
 
-/** What a call gives, and its milliseconds. */
+/** Returns the result of a call, and its milliseconds. */
 function timed(call) {
   const start = performance.now();
   const value = call();
@@ -19,7 +18,7 @@ function open(solver, { sceneBytes, meshBytes }) {
   solver.load('problem.shapeup.json', sceneBytes);
 }
 
-/** Moves the handles by a part of the way. */
+/** Moves the handles by a fraction of their displacement. */
 function drag(solver, { vertices, from, to }, part) {
   if (vertices.length === 0) return;
   const targets = from.map((x, i) => x + part * (to[i] - x));
@@ -27,7 +26,7 @@ function drag(solver, { vertices, from, to }, part) {
   solver.drag(vertices, targets, 'end');
 }
 
-/** One iteration: the whole, and the parts that the solver reports. */
+/** Times one iteration: the total, and the parts reported by the solver. */
 function step(solver) {
   const before = solver.iterateSeconds();
   const [, total] = timed(() => solver.step());
@@ -87,8 +86,8 @@ function iterations({ problem, loads, rounds, steps: [all, unmeasured], edits })
 }
 
 /**
- * Milliseconds from changed constraints to the end of the first iteration, and from a file to it, with each
- * numeric factor in turn: a scene differs in what factors it, and in nothing else.
+ * Milliseconds from changed constraints, and from a file, to the end of the first iteration, with
+ * each numeric factor in turn. The scenes differ in the factor only.
  */
 function factors({ problem, factorizations, rounds }) {
   const scene = JSON.parse(new TextDecoder().decode(problem.sceneBytes));
@@ -115,15 +114,15 @@ function factors({ problem, factorizations, rounds }) {
   return { unknowns, nonzeros, runs };
 }
 
-/** Energy and milliseconds of every iteration, until the energy is at the goal or time is up. */
+/** Returns energy and milliseconds of every iteration, until the goal or the time limit. */
 function convergence({ problem, goal, limit }) {
   const solver = new Solver();
   open(solver, problem);
   drag(solver, problem.move, 1);
   const energies = [solver.report().energy.final.total];
   const steps = [];
-  // Six numbers per iteration, the first of them its number, the last the total; of very many iterations
-  // every second, fourth, ... is there. Asking for it costs more than an iteration.
+  // Six numbers per iteration: first its number, last the total. Long traces are subsampled to
+  // every second, fourth, ... iteration. Requesting one costs more than an iteration.
   const takeTrace = () => {
     const trace = solver.trace();
     for (let k = 0; k < trace.length; k += 6)
@@ -142,8 +141,8 @@ function convergence({ problem, goal, limit }) {
 }
 
 /**
- * Hard constraints met from the soft solution: milliseconds of both together, what the report says of it, and what
- * variations take where they are asked for.
+ * Hard constraints met from the soft solution: milliseconds of both together, the solver's report
+ * on them, and the times of variations if requested.
  */
 function exact({ problem, step }) {
   const solver = new Solver();
@@ -157,7 +156,7 @@ function exact({ problem, step }) {
   return { total, exact: solver.report().exact, bytes, varied: step && variations(solver, step) };
 }
 
-/** Milliseconds until the modes are there, and for a step along each of them. */
+/** Milliseconds to compute the modes, and for a step along each of them. */
 function variations(solver, step) {
   const [found, modes] = timed(() => {
     if (!solver.findVariations()) return 0;
@@ -175,7 +174,7 @@ function variations(solver, step) {
   return { modes, steps: Array.from({ length: found }, (_, k) => reach(k)) };
 }
 
-/** Bytes of memory before, and after each of some models was opened in turn. */
+/** Bytes of memory initially, and after opening each of some models in turn. */
 function models({ problems }) {
   const solver = new Solver();
   const empty = memory.buffer.byteLength;
@@ -187,7 +186,7 @@ function models({ problems }) {
   return { empty, opened };
 }
 
-/** Flat maps of one mesh: the first, in a module that has run nothing yet, and some more. */
+/** Flat maps of one mesh: the first one, in a module that has run nothing yet, and some more. */
 function map({ problem, weights, rounds }) {
   const solver = new Solver();
   solver.load('problem.obj', problem.meshBytes);
@@ -209,7 +208,7 @@ async function stream({ bytes }) {
 
 const measures = { iterations, factors, convergence, exact, models, map, stream };
 
-/** Fetches what a task names by address, so that nothing but addresses is sent. */
+/** Fetches the files of a task, which is sent with their addresses only. */
 async function fetched({ scene, mesh, move, from, spare }) {
   const text = await (await fetch(mesh)).text();
   return {

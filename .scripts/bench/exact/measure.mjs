@@ -1,4 +1,4 @@
-// Hard constraints met from the soft solution, and the ways that other libraries have for it.
+// Hard constraints met from the soft solution, and the counterparts of other libraries.
 
 import { say } from '../../run.mjs';
 import { askPeer, setUpPeers } from '../peers.mjs';
@@ -6,14 +6,14 @@ import { exactProblem } from './problems.mjs';
 
 const KINDS = ['circle', 'plane'];
 const SIZES = [2500, 10_000, 30_000];
-/** A tolerance, as a part of the size. */
+/** A tolerance, relative to the size. */
 const WITHIN = 1e-3;
 const WITHIN_AT = 10_000;
-/** Variations are measured up to so many vertices, by steps along each mode of so much of the size. */
+/** Largest number of vertices with variations, and their step along a mode relative to the size. */
 const VARIED = 2500;
 const STEP = 0.02;
 
-/** On the mesh of every problem with so many vertices at most. */
+/** Peers, each on every problem up to its largest number of vertices. */
 const peers = [
   {
     peer: 'compas_shapeop',
@@ -48,7 +48,7 @@ function problemsOf(sizes) {
 
 const inSizes = (step, size) => ({ ...step, distance: step.distance / size });
 
-/** A row for each problem and place. */
+/** Returns a row for each problem and place. */
 export async function measureExact({ places, trial }) {
   const rows = [];
   for (const asked of problemsOf(trial ? [144] : SIZES)) {
@@ -83,7 +83,7 @@ export async function measureExact({ places, trial }) {
   return rows;
 }
 
-/** What peers reach on the same meshes, and how long they take; distances by the same measure for all. */
+/** Measures peers on the same meshes: seconds, and distances by the same measure for all. */
 export function measureExactPeers({ trial }) {
   const found = setUpPeers();
   const rows = [];

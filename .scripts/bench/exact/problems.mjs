@@ -1,14 +1,14 @@
-// Meshes of quads whose panels are to be circular or flat: near a net of principal curvature lines, where
-// little has to change, and rough, where nothing is near.
+// Quad meshes to be made circular or planar: one near a principal curvature net, where little has
+// to change, and a rough one, where no solution is near.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { benchFolder, objText } from '../problems.mjs';
 
-/** Vertices are moved by up to this part of an edge to each side; half of that in height on the rough one. */
+/** Largest displacement of vertices relative to an edge; half of it in height. */
 const JITTER = { net: 0.01, rough: 0.15 };
 
-/** Numbers from -1/2 to 1/2, the same in every run. */
+/** Returns a generator of numbers from -1/2 to 1/2, the same in every run. */
 function random() {
   let state = 1n;
   return () => {
@@ -17,7 +17,7 @@ function random() {
   };
 }
 
-/** A quarter of a torus, whose lines of edges are its circles. */
+/** A quarter of a torus, whose edge lines are its principal circles. */
 function onTorus(x, y) {
   const [along, around] = [0.9 * (x - 0.5), 1.1 * (y - 0.5)];
   const radius = 0.6 + 0.5 * Math.cos(around);
@@ -50,7 +50,7 @@ function points(surface, side) {
   return rows;
 }
 
-/** The diameter of a sphere around all points. */
+/** The diagonal of the bounding box. */
 function sizeOf(rows) {
   const [low, high] = [Math.min, Math.max].map((best) =>
     [0, 1, 2].map((c) => rows.map((row) => row[c]).reduce((a, b) => best(a, b))),
@@ -59,9 +59,9 @@ function sizeOf(rows) {
 }
 
 /**
- * Writes the mesh and gives the problem, as `problemOf` does, and its `size`, about the diameter of the
- * bounding sphere. `within` is a part of the size, or null for exact. The weights are those of the study
- * that the solver is measured by: closeness to rest 10, smoothness of the displacement 2.
+ * Writes the mesh and returns the problem as `problemOf` does, with its `size`, about the diameter
+ * of the bounding sphere. `within` is relative to the size, or null for exact. The weights are
+ * those of the reference study: closeness to rest 10, smoothness of the displacement 2.
  */
 export function exactProblem({ surface, kind, within, vertices }) {
   const side = Math.max(6, Math.round(Math.sqrt(vertices)));

@@ -1,4 +1,4 @@
-// Hard constraints: the tables, and what the numbers shall be.
+// Tables and target numbers of hard constraints.
 
 import { megabytes, missing, number, table } from '../cells.mjs';
 import { median } from '../statistics.mjs';
@@ -7,7 +7,7 @@ import { titleOf } from './problems.mjs';
 const tiny = (value) => (value === null || value === undefined ? missing : value.toExponential(0));
 const asked = ({ kind, within }) => `${kind}, ${within === null ? 'exact' : `within ${within}`}`;
 
-/** One row per problem and place: seconds, and distances as parts of the size. */
+/** One row per problem and place: seconds, and distances relative to the size. */
 export function exactTable(rows) {
   const head = ['mesh', 'vertices', 'panels', 'where', 'soft s', 's', 'iterations'];
   head.push('block factors', 'distance', 'moved', 'shortest edge', 'unmet', 'MB of wasm');
@@ -23,7 +23,7 @@ export function exactTable(rows) {
   );
 }
 
-/** Variations of what is exact: milliseconds, and the worst distance after a step, as a part of the size. */
+/** Variations of exact shapes: milliseconds, and the worst distance of a step over the size. */
 export function variationTable(rows) {
   const head = ['mesh', 'vertices', 'panels', 'where', 'modes', 'until they are found'];
   head.push('a step', 'the slowest step', 'whole steps', 'worst distance');
@@ -42,7 +42,7 @@ export function variationTable(rows) {
   );
 }
 
-/** What other libraries reach, beside ours in the browser, or natively where that was not measured. */
+/** Results of other libraries beside ours: in the browser, or natively if that was not measured. */
 export function exactPeerTable(peers, ours) {
   const head = ['mesh', 'vertices', 'panels', 'library', 'its way', 'its distance', 'its s'];
   head.push('our distance', 'our s');
@@ -62,7 +62,7 @@ export function exactPeerTable(peers, ours) {
   );
 }
 
-/** Seconds from the soft solution, by the number of vertices. */
+/** Target seconds from the soft solution, by the number of vertices. */
 const SECONDS = {
   net: { 2500: 0.3, 10_000: 1, 30_000: 4 },
   rough: { 2500: 1.2, 10_000: 5, 30_000: 20 },
