@@ -208,10 +208,7 @@ export function createStore() {
     }
   }
 
-  /**
-   * An exception in one listener must not affect the others.
-   * @param {(state: Readonly<State>) => void} listener
-   */
+  /** Calls a listener and reports its error. @param {(state: Readonly<State>) => void} listener */
   function notifyListener(listener) {
     try {
       listener(state);

@@ -1,6 +1,4 @@
-/**
- * Functions that transfer parts of the state to the view: colours, handles, selection and so on.
- */
+/** Functions that transfer parts of the state to the view: colours, handles, selection etc. */
 
 import { handlesNow } from '../store/state.js';
 import { declared, toleranceOf } from '../store/colours/measures.js';

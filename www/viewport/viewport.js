@@ -30,10 +30,7 @@ const TILE = 2048;
 
 /** @extends {Emitter<ViewportEvents>} */
 export class Viewport extends Emitter {
-  /**
-   * The element that gestures and sizes refer to; it contains the current canvas.
-   * @type {HTMLElement}
-   */
+  /** Reference of gestures and sizes, with the current canvas in it. @type {HTMLElement} */
   element;
   /** Null during start-up and if nothing can draw. @type {View | null} */
   view = null;
@@ -194,10 +191,7 @@ export class Viewport extends Emitter {
     }
   }
 
-  /**
-   * Returns the canvas as a video stream, if the browser supports that.
-   * @returns {MediaStream | undefined}
-   */
+  /** Returns the canvas as a video stream, if supported. @returns {MediaStream | undefined} */
   stream() {
     return this.#canvas?.captureStream?.();
   }

@@ -1,6 +1,4 @@
-/**
- * Worker side of experiments: runs the requested one in slices, alongside the solver.
- */
+/** Worker side of experiments: runs the requested one in slices, alongside the solver. */
 
 import { messageOf } from '../solver/messages.js';
 import { ExperimentRun } from '../pkg/solver/shape_up.js';

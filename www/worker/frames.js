@@ -40,10 +40,7 @@ export class Frames {
     return positions;
   }
 
-  /**
-   * Takes a buffer back, unless it belongs to the previous mesh.
-   * @param {Float64Array} positions
-   */
+  /** Takes a buffer back, unless it is of the previous mesh. @param {Float64Array} positions */
   takeBack(positions) {
     if (positions.length === this.#length && this.#free.length < 2) this.#free.push(positions);
   }

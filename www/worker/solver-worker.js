@@ -1,6 +1,4 @@
-/**
- * The worker: owns the Solver and handles the messages of `messages.js`. The page decides.
- */
+/** The worker: owns the Solver and handles the messages of `messages.js`. The page decides. */
 
 import init, { Solver } from '../pkg/solver/shape_up.js';
 import { messageOf } from '../solver/messages.js';

@@ -36,9 +36,7 @@ export function warmUpWhenQuiet(isBusy) {
   goOn();
 }
 
-/**
- * Returns the number of faces up to which this computer stays interactive; measures it if unknown.
- */
+/** Returns the number of faces up to which this computer stays interactive, measured if unknown. */
 export function mostFaces() {
   if (most === undefined) {
     const work = new WarmUp();

@@ -1,6 +1,4 @@
-/**
- * Opens one model from a file input or a drop, and lists the files left out. Loaded on demand.
- */
+/** Opens a model from a file input or a drop, and lists the files left out. Loaded on demand. */
 
 import { messageOf } from '../../solver/messages.js';
 import { isReadable, worthReading } from '../../solver/opened-files.js';

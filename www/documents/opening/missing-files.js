@@ -1,6 +1,4 @@
-/**
- * Requests files that a scene names but that were not given: mesh, reference surface, other pose.
- */
+/** Requests the files that a scene names but that were not given: mesh, surface or other pose. */
 
 import { element } from '../../ui/dom.js';
 

@@ -7,9 +7,7 @@
 const DOUBT = 1000;
 /** Forgetting factor: each sample weighs so much relative to the next one. */
 const FORGETTING = 0.98;
-/**
- * Diagonal above which nothing is forgotten: it would grow without bound if a feature stayed zero.
- */
+/** Diagonal above which nothing is forgotten: for a zero feature it would grow without bound. */
 const MOST_DOUBT = 1e6;
 
 export class LeastSquares {

@@ -111,9 +111,7 @@ export class RangeWriter extends Coder {
   #bytes = [];
   #low = 0;
   #held = 0;
-  /**
-   * Number of 255s after the held byte, which a carry would turn to 0; -1 before the first byte.
-   */
+  /** Number of 255s after the held byte, which a carry would turn to 0; -1 before the first. */
   #pending = -1;
 
   /** @override @param {number} bound @param {number} bit */

@@ -14,9 +14,7 @@ import { declared, measureOfScene, roundingOf, toleranceOf } from './measures.js
 import { greatestOf, spreadOf } from '../../ui/plot/histogram.js';
 import { axisOf, roundUp } from '../../ui/plot/value-axis.js';
 
-/**
- * Smallest range in multiples of the rounding error: anything finer can be neither seen nor built.
- */
+/** Smallest range in multiples of the rounding error; nothing finer can be seen or built. */
 const LEAST_RANGE = 1000;
 /** Beginning of a logarithmic range over all values, relative to its end. */
 const LOG_RANGE = 1e-4;

@@ -1,8 +1,6 @@
 /** Zoom factors of the wheel and of a pinch. */
 
-/**
- * Wheel delta in pixels that zooms by e; the same for a pinch, which arrives as a wheel with Ctrl.
- */
+/** Wheel delta in pixels that zooms by e; the same for a pinch, reported as a wheel with Ctrl. */
 const WHEEL_PIXELS = 700;
 const PINCH_PIXELS = 100;
 const LINE_PIXELS = 16;
