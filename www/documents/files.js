@@ -78,7 +78,6 @@ export class Files extends Emitter {
     return coming;
   }
 
-  /** Base name of saved files. */
   get name() {
     return this.#name;
   }
@@ -163,7 +162,7 @@ export class Files extends Emitter {
     this.#actions.setStatus('Undid: New mesh');
   }
 
-  /** Returns the list of examples. @returns {Promise<Example[]>} */
+  /** @returns {Promise<Example[]>} */
   examples() {
     // Allows another attempt when the network is back.
     this.#examples ??= listOfExamples().catch((error) => {

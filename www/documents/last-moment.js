@@ -14,10 +14,7 @@ const KEY = 'shape-up.last-moment ';
 /** Longest undo history stored: browsers allow about five million characters, scene included. */
 const MOST_BYTES = 1_000_000;
 
-/**
- * @param {Work} work
- * @param {Partial<Contents>} contents the parts that the database does not have yet
- */
+/** @param {Work} work @param {Partial<Contents>} contents what the database lacks */
 export function storeUnsaved(work, contents) {
   const write = (/** @type {string} */ _, /** @type {unknown} */ value) =>
     value instanceof Uint8Array ? lettersOf(value) : value;

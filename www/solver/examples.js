@@ -50,10 +50,7 @@ export async function listOfExamples() {
   return JSON.parse(new TextDecoder().decode(await exampleFile('index.json')));
 }
 
-/**
- * @param {string} name of a file of the examples
- * @returns {Promise<Uint8Array>}
- */
+/** @param {string} name of a file of the examples @returns {Promise<Uint8Array>} */
 export async function exampleFile(name) {
   const response = await fetch(new URL(name, FOLDER)).catch(() => {
     throw new Error('The examples could not be fetched. Check the network.');

@@ -130,7 +130,7 @@ export class SolverClient extends Emitter {
     this.send({ type: 'recycle', positions }, [positions.buffer]);
   }
 
-  /** Whether there is no worker, and will be none. */
+  /** Whether there is no worker, for good. */
   get isAbsent() {
     return !this.#worker;
   }
@@ -270,10 +270,7 @@ export class SolverClient extends Emitter {
     else waiting?.resolve(value);
   }
 
-  /**
-   * @param {string} reason
-   * @param {boolean} [wanted] at the user's request: show no message
-   */
+  /** @param {string} reason @param {boolean} [wanted] at the user's request: show no message */
   async #died(reason, wanted = false) {
     const lastScene = this.sceneText;
     const again = this.#restoring;

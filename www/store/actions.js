@@ -75,7 +75,6 @@ export function createActions(store, solver, alerts) {
     return geometry ? selectedVertices(store.get().selection, geometry.connectivity) : [];
   }
 
-  /** Returns the connectivity of the mesh, if one is open. */
   const connectivity = () => solver.geometry?.connectivity;
 
   /** Returns the selected vertices that are handles. */

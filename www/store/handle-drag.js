@@ -73,18 +73,12 @@ export class HandleDrag {
     this.#send('move', time);
   }
 
-  /**
-   * Sets the plane of a drag with these modifier keys.
-   * @param {"screen" | "horizontal" | "vertical"} plane
-   */
+  /** Sets the plane of the drag. @param {"screen" | "horizontal" | "vertical"} plane */
   hold(plane) {
     this.#plane = plane;
   }
 
-  /**
-   * Restricts the handles to lines along an axis, or lifts the restriction.
-   * @param {number} axis 0, 1, 2
-   */
+  /** Toggles a restriction of the handles to an axis. @param {number} axis 0, 1, 2 */
   toggleAxis(axis) {
     this.#axis = this.#axis === axis ? null : axis;
     this.move(...this.#by);

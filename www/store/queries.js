@@ -1,7 +1,4 @@
-/**
- * Queries to the solver, which change nothing. Each rejects with the solver's error, unless it is
- * marked "reports errors".
- */
+/** Queries to the solver, which change nothing. They reject on errors, or report them. */
 
 /** @typedef {import("../solver/messages.js").Measure} Measure */
 /** @typedef {"errors" | "convergence" | "angles"} Table */
@@ -47,7 +44,7 @@ export function createQueries(solver, reportErrors) {
     /** Returns the angles of face corners, originally and now; reports errors. */
     angles: () => reportErrors(solver.request({ type: 'angles' })),
 
-    /** Returns the energies of each iteration. */
+    /** The energies of each iteration. */
     trace: () => solver.request({ type: 'trace' }),
 
     /** Estimates how far the mesh will move to make all panels of one kind, as a sentence. */
@@ -109,7 +106,6 @@ export function createQueries(solver, reportErrors) {
      */
     missingFiles: (files) => solver.request({ type: 'missingFiles', files }),
 
-    /** Returns the text of the scene. */
     sceneText: () => solver.request({ type: 'scene' }),
 
     /** Returns the declaration of the comparison of methods on the current model. */

@@ -56,10 +56,7 @@ export function selectedVertices(selection, { faceOffsets, faceIndices, edges })
   return [...vertices].sort((a, b) => a - b);
 }
 
-/**
- * Describes the selection; empty if nothing is selected.
- * @param {Selection} selection
- */
+/** Describes the selection; empty if nothing is selected. @param {Selection} selection */
 export function describe(selection) {
   const parts = [];
   if (selection.vertices.size > 0) parts.push(count(selection.vertices.size, 'vertex', 'vertices'));

@@ -44,10 +44,7 @@ export function createViewActions(store) {
      */
     look: (look) => store.set(look),
 
-    /**
-     * Sets the handle and gizmo part under the pointer.
-     * @param {Pick<State, "gizmoPart" | "pointedAt">} over
-     */
+    /** Sets what the pointer is over. @param {Pick<State, "gizmoPart" | "pointedAt">} over */
     pointAt: (over) => store.set(over),
 
     /**

@@ -133,10 +133,7 @@ export class Viewport extends Emitter {
     this.#transition = null;
   }
 
-  /**
-   * Displacement of the held handle for a pointer displacement.
-   * @type {import("../store/handle-drag.js").Hold}
-   */
+  /** Displacement of the held handle. @type {import("../store/handle-drag.js").Hold} */
   constrainMove = (way, dx, dy) => this.view?.constrainMove(way, dx, dy);
   /** Position on the screen of the held handle after a displacement. @param {number[]} by */
   heldPlace = (by) => this.view?.heldPlace(by[0], by[1], by[2]);

@@ -37,10 +37,7 @@ export class Scheduler {
   #isSettled = false;
   /** The latest move of a drag that is not applied yet. @type {Drag | null} */
   #move = null;
-  /**
-   * The move that the next frame answers, and its arrival time.
-   * @type {{ time: number, came: number } | null}
-   */
+  /** The move that the next frame answers. @type {{ time: number, came: number } | null} */
   #answering = null;
   /** Timer of the next progress message; 0 if none is due. */
   #progressTimer = 0;

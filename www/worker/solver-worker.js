@@ -13,10 +13,7 @@ import { isTrap } from './wasm-errors.js';
 /** @typedef {import("../solver/messages.js").Request} Request */
 /** @typedef {Exclude<import("../solver/messages.js").Command, { type: "ping" }>} Command */
 
-/**
- * Messages that change the shape and thus make pending trials useless.
- * @type {Set<ToWorker["type"]>}
- */
+/** Messages that make pending trials useless. @type {Set<ToWorker["type"]>} */
 const CHANGES = new Set([
   .../** @type {ToWorker["type"][]} */ ([
     'run',

@@ -141,10 +141,7 @@ class Card {
     return this.#abort.signal;
   }
 
-  /**
-   * @param {string} text
-   * @param {number | null} part fraction from 0 to 1; null if unknown
-   */
+  /** @param {string} text @param {number | null} part fraction from 0 to 1; null if unknown */
   show(text, part) {
     setText(this.#text, text);
     if (part === null) this.#bar.removeAttribute('value');

@@ -136,10 +136,7 @@ function objText(faces, curves, units) {
   return `${[...head, ...vertices, ...lines].join('\n')}\n`;
 }
 
-/**
- * Numbers points from 1; points nearer than `tolerance` share a number.
- * @param {number} tolerance
- */
+/** Numbers points from 1; points within `tolerance` share a number. @param {number} tolerance */
 function welded(tolerance) {
   /** @type {Point[]} */
   const points = [];

@@ -4,10 +4,7 @@
 const DIGITS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_';
 const SUM_BYTES = 4;
 
-/**
- * CRC-32 of IEEE 802.3, which detects every burst error of up to 32 bits.
- * @param {Uint8Array} bytes
- */
+/** CRC-32 of IEEE 802.3, which detects burst errors up to 32 bits. @param {Uint8Array} bytes */
 function checkSum(bytes) {
   let sum = ~0;
   for (const byte of bytes) {
@@ -31,10 +28,7 @@ export function writeCode(bytes) {
   return code;
 }
 
-/**
- * Decodes the bytes; null if the code was truncated or altered.
- * @param {string} code
- */
+/** Decodes the bytes; null if the code was truncated or altered. @param {string} code */
 export function readCode(code) {
   const all = new Uint8Array(Math.floor((code.length * 3) / 4));
   let bits = 0;

@@ -20,10 +20,7 @@ export async function deflate(text) {
   return new Uint8Array(await new Response(packed).arrayBuffer());
 }
 
-/**
- * Decompresses text, piece by piece.
- * @param {Uint8Array} bytes
- */
+/** Decompresses text, piece by piece. @param {Uint8Array} bytes */
 export async function inflate(bytes) {
   const decoder = new TextDecoder();
   let text = '';

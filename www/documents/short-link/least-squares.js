@@ -33,10 +33,7 @@ export class LeastSquares {
     return features.reduce((sum, value, i) => sum + value * this.#weights[i], 0);
   }
 
-  /**
-   * @param {number[]} features
-   * @param {number} value correct value
-   */
+  /** @param {number[]} features @param {number} value correct value */
   learn(features, value) {
     const error = value - this.predict(features);
     const inverse = this.#inverse;

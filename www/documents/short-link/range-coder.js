@@ -43,10 +43,7 @@ class Coder {
   /** Called after the range was extended by a byte. */
   shift() {}
 
-  /**
-   * @param {number} zero probability of a 0, in units of 1/65536
-   * @param {number} bit
-   */
+  /** @param {number} zero probability of a 0, in units of 1/65536 @param {number} bit */
   code(zero, bit) {
     const bound = (this.#range >>> 16) * zero;
     const coded = this.choose(bound, bit);

@@ -26,9 +26,6 @@ export const exactActions = (solver, { reportErrors }) => ({
   /** Ends the search and keeps its result. */
   endTrial: () => solver.request({ type: 'endTrial' }),
 
-  /**
-   * Applies the shape of the last offer.
-   * @param {boolean} joins merges it into the last step of undo
-   */
+  /** Applies the last offer. @param {boolean} joins merges it into the last step of undo */
   accept: (joins) => reportErrors(solver.request({ type: 'makeExact', joins })),
 });

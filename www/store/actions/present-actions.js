@@ -24,10 +24,7 @@ export function presentActions(store, actions) {
     /** @param {Slide[]} steps */
     setSteps: (steps) => actions.edit({ type: 'setSteps', steps }),
 
-    /**
-     * Shows a step. A change of its shape or weights is one step of undo.
-     * @param {number} index
-     */
+    /** Shows a step; a change of shape or weights is one step of undo. @param {number} index */
     async showStep(index) {
       const { document: scene, running } = store.get();
       const step = scene?.steps[index];

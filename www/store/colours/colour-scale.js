@@ -36,10 +36,7 @@ const NONE = { spread: null, range: [0, 0], ownRange: AUTOMATIC };
  * @returns {{ fit: () => void }} sets the end of the range to the worst face of the current shape
  */
 export function colourFaces(store, solver) {
-  /**
-   * Number of constraint rows; undefined before a model's document is available.
-   * @type {number | undefined}
-   */
+  /** Number of constraint rows; undefined before a document. @type {number | undefined} */
   let rows;
 
   store.subscribe(['document'], (state) => {

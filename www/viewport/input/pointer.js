@@ -434,10 +434,7 @@ export class PointerInput {
   }
 }
 
-/**
- * Shift keeps a dragged handle at its height; Ctrl or Cmd moves it vertically.
- * @param {MouseEvent} event
- */
+/** Shift: at constant height; Ctrl or Cmd: vertically. @param {MouseEvent} event */
 function planeOf(event) {
   if (event.ctrlKey || event.metaKey) return 'vertical';
   return event.shiftKey ? 'horizontal' : 'screen';
