@@ -23,14 +23,14 @@ const examples = {
   },
 };
 
-const PLACE = '<!-- first picture -->';
+const PLACEHOLDER = '<!-- first picture -->';
 const picture = {
   name: 'first-picture',
   transformIndexHtml(html, { path }) {
     if (path !== '/index.html') return html;
-    if (!html.includes(PLACE)) throw new Error(`index.html has no place for ${firstPicture}`);
+    if (!html.includes(PLACEHOLDER)) throw new Error(`index.html has no place for ${firstPicture}`);
     const script = `<script>${readFileSync(at('www', 'viewport', 'placeholder', 'placeholder-drag.js'), 'utf8')}</script>`;
-    return html.replace(PLACE, () => readFileSync(firstPicture, 'utf8') + script);
+    return html.replace(PLACEHOLDER, () => readFileSync(firstPicture, 'utf8') + script);
   },
 };
 

@@ -14,11 +14,11 @@ import { contentsOf, pruneOldest, keep, recentDocuments } from './recent-documen
 /** @typedef {import("./recent-documents.js").Work} Work */
 /** @typedef {import("./recent-documents.js").Contents} Contents */
 
-const LOCK = 'shape-up.work.';
+const LOCK_PREFIX = 'shape-up.work.';
 /** Key in session storage: the id of this tab's work. */
-const MINE = 'shape-up.work';
+const OWN_KEY = 'shape-up.work';
 /** Key in local storage: set when this browser has saved any work. */
-const ANY = 'shape-up.works';
+const ANY_KEY = 'shape-up.works';
 const OFF = 'Autosave is off: use Save scene';
 /** After a reload, the previous page may keep the lock of this tab's work for so long. */
 const RELOAD_MS = 2000;
@@ -87,7 +87,7 @@ export class Autosave {
     this.#confirmed = this.#kept;
     this.#id = id;
     this.#seen.actions.describeFile({ saved: '' });
-    remember(MINE, id, 'sessionStorage');
+    remember(OWN_KEY, id, 'sessionStorage');
     this.#release();
     // A resumed work was claimed before it was opened.
     this.#release = claims.get(id) ?? (await claim(id)) ?? (() => {});
@@ -110,7 +110,7 @@ export class Autosave {
         await keep(...next);
         this.#confirmed = kept;
         if (kept === this.#kept) forgetUnsaved(next[0].id);
-        remember(ANY, 'yes');
+        remember(ANY_KEY, 'yes');
         this.#seen.actions.describeFile({
           saved: `Saved in this browser ${timeOf(next[0].savedAt)}`,
         });
@@ -129,7 +129,7 @@ export class Autosave {
     const next = this.#unsaved(true, confirmed);
     if (!next) return;
     const kept = this.#kept;
-    remember(ANY, 'yes');
+    remember(ANY_KEY, 'yes');
     if (kept.text !== confirmed.text || kept.progress !== confirmed.progress) storeUnsaved(...next);
     const done = () => {
       this.#confirmed = kept;
@@ -197,7 +197,7 @@ function claim(id, how = { ifAvailable: true }) {
         done(release);
       });
     };
-    navigator.locks.request(LOCK + id, how, hold).catch((error) => {
+    navigator.locks.request(LOCK_PREFIX + id, how, hold).catch((error) => {
       done(error.name === 'TimeoutError' ? null : () => {});
     });
   });
@@ -225,9 +225,9 @@ export class Unreadable extends Error {
  * @returns {Promise<Taken | null>} rejects with {@link Unreadable}
  */
 export async function lastWork() {
-  if (!recall(ANY)) return null;
+  if (!recall(ANY_KEY)) return null;
   await recoverUnsaved().catch(() => {});
-  const mine = recall(MINE, 'sessionStorage');
+  const mine = recall(OWN_KEY, 'sessionStorage');
   const list = await recentDocuments();
   const own = list.find(({ id, hash }) => id === mine && hash === location.hash);
   if (own) {
@@ -271,7 +271,7 @@ export async function releaseWork(work) {
 
 async function othersAreOpen() {
   const { held = [] } = (await navigator.locks?.query()) ?? {};
-  return held.some(({ name }) => name?.startsWith(LOCK));
+  return held.some(({ name }) => name?.startsWith(LOCK_PREFIX));
 }
 
 function newId() {

@@ -28,7 +28,7 @@ import { messageOf } from './messages.js';
  * A silent worker gets a ping at each check, and is replaced after `MOST_MISSED` checks without an
  * answer; later if the last iteration took long, as it may take `STEPS_MISSED` times as long.
  */
-const LOOK_EVERY_MS = 1000;
+const CHECK_EVERY_MS = 1000;
 const MOST_MISSED = 3;
 const STEPS_MISSED = 10;
 /** Number of checks after which the user may want to stop the current work. */
@@ -68,12 +68,12 @@ export class SolverClient extends Emitter {
   /** The worker replaces one that died, and has not opened its scene yet. */
   #restoring = false;
   /** The latest `model` is the previous model, in a new worker or with another mesh. */
-  #isSame = false;
+  #isSameModel = false;
   #modelName = '';
   /** Whether the worker has begun work that may take long. */
   #working = false;
   /** Number of checks since then. */
-  #busyLooks = 0;
+  #busyChecks = 0;
   /** Number of checks since its last message. */
   #missed = 0;
   #stepMs = 0;
@@ -95,7 +95,7 @@ export class SolverClient extends Emitter {
 
   /** Whether the current model is being opened again, in a new worker or with another mesh. */
   get restoring() {
-    return this.#isSame;
+    return this.#isSameModel;
   }
 
   /**
@@ -161,22 +161,22 @@ export class SolverClient extends Emitter {
     setInterval(() => {
       const now = performance.now();
       // After the page slept (in the background, or with the computer), answers may be pending.
-      const slept = now - last > 2 * LOOK_EVERY_MS;
+      const slept = now - last > 2 * CHECK_EVERY_MS;
       last = now;
       if (slept || !this.#ready) return;
-      if (this.#working) return this.#setBusy(this.#busyLooks + 1);
+      if (this.#working) return this.#setBusy(this.#busyChecks + 1);
       this.#missed += 1;
-      const most = Math.max(MOST_MISSED, (STEPS_MISSED * this.#stepMs) / LOOK_EVERY_MS);
+      const most = Math.max(MOST_MISSED, (STEPS_MISSED * this.#stepMs) / CHECK_EVERY_MS);
       if (this.#missed > most) this.#died('it did not answer');
       else this.#post({ type: 'ping' });
-    }, LOOK_EVERY_MS);
+    }, CHECK_EVERY_MS);
   }
 
-  /** Emits `busy` when work becomes long, and when it has ended. @param {number} looks */
-  #setBusy(looks) {
-    const before = this.#busyLooks;
-    this.#busyLooks = looks;
-    const busy = looks >= LONG_WORK;
+  /** Emits `busy` when work becomes long, and when it has ended. @param {number} checks */
+  #setBusy(checks) {
+    const before = this.#busyChecks;
+    this.#busyChecks = checks;
+    const busy = checks >= LONG_WORK;
     if (busy === before >= LONG_WORK) return;
     this.emit('busy', { busy });
   }
@@ -214,8 +214,8 @@ export class SolverClient extends Emitter {
       }
       case 'model':
         // A restored model keeps its file name.
-        this.#isSame = this.#restoring || !message.loaded.name;
-        if (!this.#isSame) this.#modelName = message.loaded.name;
+        this.#isSameModel = this.#restoring || !message.loaded.name;
+        if (!this.#isSameModel) this.#modelName = message.loaded.name;
         message.loaded.name = this.#modelName;
         this.#previous = null;
         this.geometry = {

@@ -183,9 +183,9 @@ export const isDrawn = ({ renderer }) => renderer === 'webgpu' || renderer === '
 export function handlesNow({ document, dragged, moved }) {
   const handles = document?.handles ?? [];
   if (!moved) return handles;
-  const places = new Map(dragged.map((vertex, i) => [vertex, 3 * i]));
+  const offsets = new Map(dragged.map((vertex, i) => [vertex, 3 * i]));
   return handles.map((handle) => {
-    const at = places.get(handle.vertex);
+    const at = offsets.get(handle.vertex);
     if (at === undefined) return handle;
     const [x, y, z] = moved.targets.subarray(at, at + 3);
     return { ...handle, target: [x, y, z] };

@@ -27,9 +27,9 @@ function demanded() {
 }
 
 /** Offline, only the module used before is available. */
-const kept = () => (navigator.onLine ? null : nameOf(recall(KEY)));
+const remembered = () => (navigator.onLine ? null : nameOf(recall(KEY)));
 
-async function waitForLong() {
+async function timeout() {
   for (let i = 0; i < WAITS; i++) await new Promise((done) => setTimeout(done, WAIT));
   return null;
 }
@@ -39,11 +39,11 @@ async function hasWebgpu() {
   // `navigator.gpu` is missing in some browsers and in some versions of TypeScript's declarations.
   const { gpu } = /** @type {{ gpu?: { requestAdapter(): Promise<unknown> } }} */ (navigator);
   const adapter = gpu?.requestAdapter().catch(() => null);
-  return Boolean(await Promise.race([adapter, waitForLong()]));
+  return Boolean(await Promise.race([adapter, timeout()]));
 }
 
 export class Backend {
-  #demanded = demanded() ?? kept();
+  #demanded = demanded() ?? remembered();
   /** @type {Promise<Name> | null} */
   #chosen = null;
 

@@ -12,13 +12,13 @@ import { isTrap } from './wasm-errors.js';
 /** @typedef {import("../solver/messages.js").Loaded} Loaded */
 
 /** Largest share of the time for frames while iterating, unless a drag waits for its answer. */
-const FRAME_PART = 0.25;
+const FRAME_SHARE = 0.25;
 /**
  * Interval at which a run or a drag sends its progress, so that little is lost if the page or the
  * worker dies, and the largest share of the time that this may take.
  */
 const PROGRESS_EVERY_MS = 800;
-const PROGRESS_PART = 0.05;
+const PROGRESS_SHARE = 0.05;
 
 export class Scheduler {
   frames;
@@ -238,7 +238,7 @@ export class Scheduler {
     if (this.isIterating && !this.#answering && begun < this.#nextFrame) return;
     if (!this.frames.send(answers, this.isIterating)) return;
     const ended = performance.now();
-    this.#nextFrame = ended + (ended - begun) * (1 / FRAME_PART - 1);
+    this.#nextFrame = ended + (ended - begun) * (1 / FRAME_SHARE - 1);
     if (this.#activityDue) this.#sendActivity();
   }
 
@@ -344,7 +344,7 @@ export class Scheduler {
       const begun = performance.now();
       const bytes = this.#solver.savedProgress();
       const took = performance.now() - begun;
-      this.#progressEvery = Math.max(PROGRESS_EVERY_MS, took / PROGRESS_PART);
+      this.#progressEvery = Math.max(PROGRESS_EVERY_MS, took / PROGRESS_SHARE);
       this.#post({ type: 'progress', bytes, iteration: this.#solver.iteration() }, [bytes.buffer]);
     });
   }

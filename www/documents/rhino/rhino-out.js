@@ -23,7 +23,7 @@ export async function rhinoFile(text, errors) {
   const api = await rhino();
   const scene = JSON.parse(text);
   const { positions, faces = [], curves = [], groups = {} } = scene.mesh;
-  const points = (scene.current ?? positions).map(scene.up === 'y' ? turned : same);
+  const points = (scene.current ?? positions).map(scene.up === 'y' ? rotated : same);
   const distances = planarities(errors);
   const inWords = (/** @type {number} */ value) => `${value} ${scene.units ?? ''}`.trim();
 
@@ -59,7 +59,7 @@ export async function rhinoFile(text, errors) {
 const same = (point) => point;
 
 /** Rotates from y up to z up. @param {Point} point @returns {Point} */
-const turned = ([x, y, z]) => [x, -z, y];
+const rotated = ([x, y, z]) => [x, -z, y];
 
 /** Reads the planarity distance of each face. @param {string} csv */
 function planarities(csv) {
@@ -85,11 +85,11 @@ function addPanels(api, file, layer, members, faces, points, planarity, distance
   const flat = members.filter((face) => faces[face].length <= 4);
   if (flat.length === 0) return;
   /** @type {Map<number, number>} */
-  const places = new Map();
+  const localIndex = new Map();
   for (const vertex of flat.flatMap((face) => faces[face]))
-    if (!places.has(vertex)) places.set(vertex, places.size);
-  const own = [...places.keys()].map((vertex) => points[vertex]);
-  const corners = flat.map((face) => faces[face].map((vertex) => places.get(vertex) ?? 0));
+    if (!localIndex.has(vertex)) localIndex.set(vertex, localIndex.size);
+  const own = [...localIndex.keys()].map((vertex) => points[vertex]);
+  const corners = flat.map((face) => faces[face].map((vertex) => localIndex.get(vertex) ?? 0));
   const worst = flat.reduce((most, face) => Math.max(most, distances[face]), 0);
   const text = { [PLANARITY]: planarity(worst) };
   addMesh(api, file, { points: own, faces: corners }, attributesOf(api, layer, text));

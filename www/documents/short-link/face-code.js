@@ -7,16 +7,16 @@
 /** @typedef {import("./range-coder.js").RangeCoder} RangeCoder */
 
 /** Bits of a rank in the list of likely vertices; rank 0 means "not in the list". */
-const PLACE_BITS = 4;
-const PLACES = 1 << PLACE_BITS;
+const RANK_BITS = 4;
+const RANKS = 1 << RANK_BITS;
 /** Further corners share their contexts. */
 const CORNERS = 7;
 
 /** Context keys, one range per quantity. */
-const KEY = { size: 0, apart: 1, place: 16 };
+const KEY = { size: 0, apart: 1, rank: 16 };
 
 /** State of the prediction, updated after each face. */
-class Seen {
+class FaceHistory {
   #vertices;
   #isSeen;
   /** The lowest vertex that is in no face yet. */
@@ -58,7 +58,7 @@ class Seen {
     for (const corner of corners) found.delete(corner);
     return [...found]
       .filter((vertex) => vertex >= 0 && vertex < this.#vertices)
-      .slice(0, PLACES - 1);
+      .slice(0, RANKS - 1);
   }
 
   /** @param {number[]} face */
@@ -86,9 +86,9 @@ class Seen {
  * @returns {number[][]}
  */
 export function codeFaces(coder, vertices, count, faces) {
-  const seen = new Seen(vertices);
+  const history = new FaceHistory(vertices);
   /** Ranks of the corners of the last face. @type {number[]} */
-  const places = [];
+  const ranks = [];
   const coded = [];
   let size = 4;
   for (let i = 0; i < count; i++) {
@@ -98,20 +98,20 @@ export function codeFaces(coder, vertices, count, faces) {
     /** @type {number[]} */
     const face = [];
     for (let at = 0; at < size; at++) {
-      const likely = seen.likely(face);
-      const [before, above] = [places[at] ?? 0, places[at - 1] ?? 0];
-      const key = (before * PLACES + above) * (CORNERS + 1) + Math.min(at, CORNERS);
-      const place = coder.symbol(KEY.place + key, PLACE_BITS, likely.indexOf(given[at]) + 1);
-      const base = seen.face[at] ?? 0;
+      const likely = history.likely(face);
+      const [before, above] = [ranks[at] ?? 0, ranks[at - 1] ?? 0];
+      const key = (before * RANKS + above) * (CORNERS + 1) + Math.min(at, CORNERS);
+      const rank = coder.symbol(KEY.rank + key, RANK_BITS, likely.indexOf(given[at]) + 1);
+      const base = history.face[at] ?? 0;
       const vertex =
-        place > 0
-          ? likely[place - 1]
+        rank > 0
+          ? likely[rank - 1]
           : base + coder.integer(KEY.apart + Math.min(at, CORNERS), given[at] - base);
       if (!(vertex >= 0 && vertex < vertices)) throw new RangeError('no such vertex');
-      places[at] = place;
+      ranks[at] = rank;
       face.push(vertex);
     }
-    seen.add(face);
+    history.add(face);
     coded.push(face);
   }
   return coded;

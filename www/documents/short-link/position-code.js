@@ -24,11 +24,11 @@ const FARTHEST = 2 ** 30;
  * Writes or reads positions.
  * @param {RangeCoder} coder
  * @param {number[][]} faces
- * @param {Int32Array} places positions, `#V by 3`, in steps; a reader fills it
+ * @param {Int32Array} positions `#V by 3`, in steps; a reader fills it
  * @param {boolean} inPlanes whether to predict by planes; the first links did not
  */
-export function codePositions(coder, faces, places, inPlanes) {
-  const predictor = new Predictor(faces, places, inPlanes);
+export function codePositions(coder, faces, positions, inPlanes) {
+  const predictor = new Predictor(faces, positions, inPlanes);
   /** Running lengths in bits of the differences: within planes, and to planes. */
   let [length, planeLength] = [FIRST, FIRST];
 
@@ -38,8 +38,8 @@ export function codePositions(coder, faces, places, inPlanes) {
    */
   const coordinate = (at, value, key) => {
     const predicted = Math.abs(value) < FARTHEST ? Math.round(value) : 0;
-    const difference = coder.integer(key, places[at] - predicted);
-    places[at] = predicted + difference;
+    const difference = coder.integer(key, positions[at] - predicted);
+    positions[at] = predicted + difference;
     return 32 - Math.clz32(Math.abs(difference));
   };
 
@@ -61,7 +61,7 @@ export function codePositions(coder, faces, places, inPlanes) {
   for (const face of predictor.around.order())
     for (let next = predictor.next(faces[face]); next >= 0; next = predictor.next(faces[face]))
       code(next);
-  for (let vertex = 0; vertex < places.length / 3; vertex++)
+  for (let vertex = 0; vertex < positions.length / 3; vertex++)
     if (!predictor.isKnown[vertex]) code(vertex);
 }
 

@@ -14,7 +14,7 @@ import { dot, mean, minus } from './vectors.js';
 const UNIT = 1e5;
 
 export class Predictor {
-  #places;
+  #positions;
   #inPlanes;
   #last = /** @type {Vector} */ ([0, 0, 0]);
   /** Learned weights by configuration of known neighbours. @type {Map<string, LeastSquares>} */
@@ -22,14 +22,14 @@ export class Predictor {
 
   /**
    * @param {number[][]} faces
-   * @param {Int32Array} places
+   * @param {Int32Array} positions
    * @param {boolean} inPlanes whether to predict by planes
    */
-  constructor(faces, places, inPlanes) {
-    this.#places = places;
+  constructor(faces, positions, inPlanes) {
+    this.#positions = positions;
     this.#inPlanes = inPlanes;
-    this.around = new Neighbourhood(faces, places.length / 3);
-    this.isKnown = new Uint8Array(places.length / 3);
+    this.around = new Neighbourhood(faces, positions.length / 3);
+    this.isKnown = new Uint8Array(positions.length / 3);
   }
 
   /** @param {number} vertex */
@@ -113,7 +113,7 @@ export class Predictor {
     return {
       axis,
       predicted: () => flat() + UNIT * learned.predict(off),
-      learn: () => learned.learn(off, (this.#places[3 * vertex + axis] - flat()) / UNIT),
+      learn: () => learned.learn(off, (this.#positions[3 * vertex + axis] - flat()) / UNIT),
     };
   }
 
@@ -139,7 +139,7 @@ export class Predictor {
       at: base.map((value, axis) => value + UNIT * learned.predict(along[axis])),
       learn: () =>
         along.forEach((one, axis) =>
-          learned.learn(one, (this.#places[3 * vertex + axis] - base[axis]) / UNIT),
+          learned.learn(one, (this.#positions[3 * vertex + axis] - base[axis]) / UNIT),
         ),
     };
   }
@@ -151,7 +151,7 @@ export class Predictor {
    */
   #sum(...terms) {
     const along = (/** @type {number} */ axis) =>
-      terms.reduce((sum, [factor, vertex]) => sum + factor * this.#places[3 * vertex + axis], 0);
+      terms.reduce((sum, [factor, vertex]) => sum + factor * this.#positions[3 * vertex + axis], 0);
     return [along(0), along(1), along(2)];
   }
 

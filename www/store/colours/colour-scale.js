@@ -47,16 +47,16 @@ export function colourFaces(store, solver) {
     if ((opened || firstRow) && !state.measureChosen) store.set({ measure: measureOfScene(state) });
   });
   solver.on('model', () => store.set(NONE));
-  const takeInSoon = throttled(RENEW_MS, takeIn);
+  const updateSoon = throttled(RENEW_MS, update);
   // The first values of a measure get their range at once.
-  solver.on('frame', () => (store.get().spread ? takeInSoon() : takeIn()));
+  solver.on('frame', () => (store.get().spread ? updateSoon() : update()));
   store.subscribe(['measure', 'display', 'halfway'], ({ measure, display, halfway }) => {
     const projections = display.outlines || display.arrows || halfway;
     const { shapes, bands } = display;
     solver.send({ type: 'show', measure, shapes, projections, corners: bands });
   });
   store.subscribe(['measure'], () => store.set(NONE));
-  store.subscribe(['tolerance', 'tolerances', 'ownRange', 'display'], takeIn);
+  store.subscribe(['tolerance', 'tolerances', 'ownRange', 'display'], update);
 
   /** Values of the original; null if unknown. @type {Float32Array | null} */
   let original = null;
@@ -84,11 +84,11 @@ export function colourFaces(store, solver) {
       console.warn(messageOf(error));
       hasFailed = true;
     }
-    takeIn();
+    update();
   }
 
   /** Evaluates the values of the latest frame. */
-  function takeIn() {
+  function update() {
     const state = store.get();
     const { measure, size, spread, numbers, ownRange, range } = state;
     const about = declared(state, measure);

@@ -9,7 +9,7 @@ import { HandleDrag } from '../../store/handle-drag.js';
 /** Step of an arrow key, in CSS pixels. */
 const STEP = 8;
 /** @type {Record<string, [number, number]>} */
-const WAYS = {
+const MOVES = {
   ArrowLeft: [-STEP, 0],
   ArrowRight: [STEP, 0],
   ArrowUp: [0, -STEP],
@@ -41,7 +41,7 @@ export function bindHandleKeys(viewport, store, solver, actions) {
   }
 
   /** @param {boolean} keep */
-  function letGo(keep) {
+  function release(keep) {
     if (keep) drag?.end();
     else drag?.cancel();
     drag = null;
@@ -52,10 +52,10 @@ export function bindHandleKeys(viewport, store, solver, actions) {
   /** Handles a key; returns whether it applied to a handle. @param {KeyboardEvent} event */
   function press({ key, shiftKey }) {
     if (!drag) return key === 'Enter' && grab();
-    if (key === 'Enter' || key === 'Escape') return letGo(key === 'Enter');
+    if (key === 'Enter' || key === 'Escape') return release(key === 'Enter');
     const axis = AXES.indexOf(key.toLowerCase());
     if (axis >= 0) drag.toggleAxis(axis);
-    const way = WAYS[key];
+    const way = MOVES[key];
     if (way) {
       at = [at[0] + way[0], at[1] + way[1]];
       drag.hold(shiftKey ? 'horizontal' : 'screen');
@@ -70,6 +70,6 @@ export function bindHandleKeys(viewport, store, solver, actions) {
     event.stopImmediatePropagation();
   });
   element.addEventListener('blur', () => {
-    if (drag) letGo(true);
+    if (drag) release(true);
   });
 }

@@ -51,9 +51,9 @@ export class PointerInput {
   /** The pressed handle. @type {number | undefined} */
   #handle;
   /** The pressed part of the gizmo. @type {string | undefined} */
-  #part;
+  #gizmoPart;
   /** Timer of a long press. */
-  #resting = 0;
+  #longPressTimer = 0;
   /** @type {Gesture | null} */
   #gesture = null;
 
@@ -141,7 +141,7 @@ export class PointerInput {
       this.#become({ kind: paints ? 'region' : 'press' });
       if (paints) this.#region.begin(at, combineOf(event));
       else if (event.pointerType === 'touch')
-        this.#resting = window.setTimeout(() => this.#rest(event, at), LONG_PRESS_MS);
+        this.#longPressTimer = window.setTimeout(() => this.#longPress(event, at), LONG_PRESS_MS);
     }
   }
 
@@ -150,10 +150,10 @@ export class PointerInput {
    * @param {PointerEvent} event
    * @param {[number, number]} at
    */
-  #rest(event, at) {
+  #longPress(event, at) {
     const gesture = this.#gesture;
     requestAnimationFrame(() => {
-      if (gesture?.kind === 'press' && gesture === this.#gesture) this.#askForMenu(event, at);
+      if (gesture?.kind === 'press' && gesture === this.#gesture) this.#openMenu(event, at);
     });
   }
 
@@ -162,7 +162,7 @@ export class PointerInput {
    * @param {PointerEvent} event
    * @param {[number, number]} at
    */
-  #askForMenu(event, at) {
+  #openMenu(event, at) {
     const { mode, selection } = this.#store.get();
     const what = this.#handle === undefined ? mode : 'vertices';
     const item = this.#handle ?? this.#pick(mode, event, at);
@@ -186,10 +186,10 @@ export class PointerInput {
    * @param {[number, number]} at
    */
   #aim(event, at) {
-    this.#part = this.#viewport.with((view) => view.pickGizmo(...at));
-    this.#handle = this.#handleAt(at, this.#part ? ON_HANDLE : near(event));
-    if (this.#handle !== undefined) this.#part = undefined;
-    else if (this.#part) [this.#handle] = this.#commands.chosenHandles();
+    this.#gizmoPart = this.#viewport.with((view) => view.pickGizmo(...at));
+    this.#handle = this.#handleAt(at, this.#gizmoPart ? ON_HANDLE : near(event));
+    if (this.#handle !== undefined) this.#gizmoPart = undefined;
+    else if (this.#gizmoPart) [this.#handle] = this.#commands.chosenHandles();
   }
 
   /**
@@ -277,7 +277,7 @@ export class PointerInput {
    */
   #begin(begun = false) {
     const { constrainMove, view } = this.#viewport;
-    const [handle, part] = [this.#handle, this.#part];
+    const [handle, part] = [this.#handle, this.#gizmoPart];
     if (handle !== undefined && view) {
       if (part) view.holdGizmo(...this.#start);
       else view.holdVertex(handle, ...this.#start);
@@ -310,7 +310,7 @@ export class PointerInput {
         leaveHandle(this.#store, this.#solver, 'end');
         break;
       case 'press':
-        if (event.button === 2) this.#askForMenu(event, at);
+        if (event.button === 2) this.#openMenu(event, at);
         else this.#click(event, at);
         break;
       case 'region':
@@ -325,7 +325,7 @@ export class PointerInput {
    * @param {[number, number]} at
    */
   #click(event, at) {
-    if (this.#part) return;
+    if (this.#gizmoPart) return;
     const { mode, selection, tape } = this.#store.get();
     if (tape) {
       const end = this.#handle ?? this.#vertexAt(event, at);
@@ -359,7 +359,7 @@ export class PointerInput {
   /** Acts on the element hit, whatever the selection mode. @param {MouseEvent} event */
   #doubleClick(event) {
     const at = this.#at(event);
-    if (this.#store.get().tape || this.#part) return;
+    if (this.#store.get().tape || this.#gizmoPart) return;
     this.#viewport.with((view) => {
       const vertex = view.pickVertex(...at, ON_VERTEX);
       if (vertex !== undefined) return void this.#commands.addHandles([vertex]);
@@ -404,8 +404,8 @@ export class PointerInput {
     if (event.pointerType === 'touch') return;
     this.#aim(event, at);
     this.#element.dataset.over = this.#handle === undefined ? '' : 'handle';
-    const pointedAt = this.#part ? undefined : this.#handle;
-    this.#actions.pointAt({ gizmoPart: this.#part, pointedAt });
+    const pointedAt = this.#gizmoPart ? undefined : this.#handle;
+    this.#actions.pointAt({ gizmoPart: this.#gizmoPart, pointedAt });
     this.#region.hover(at);
   }
 
@@ -427,7 +427,7 @@ export class PointerInput {
 
   /** @param {Gesture | null} gesture */
   #become(gesture) {
-    if (gesture?.kind !== 'press') clearTimeout(this.#resting);
+    if (gesture?.kind !== 'press') clearTimeout(this.#longPressTimer);
     this.#gesture = gesture;
     this.#element.dataset.gesture = gesture?.kind ?? '';
     if (gesture && gesture.kind !== 'region') this.#region.hide();

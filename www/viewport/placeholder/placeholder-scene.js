@@ -60,9 +60,9 @@ function draw(picture, { connectivity: { faceOffsets, faceIndices }, positions, 
   if (isOther) return;
   for (const svg of picture.querySelectorAll('svg')) {
     if (svg.getClientRects().length === 0) continue;
-    const placeOf = placing(numbersOf(svg.dataset.eye));
+    const project = projection(numbersOf(svg.dataset.eye));
     const place = (/** @type {number} */ vertex) =>
-      placeOf(positions.subarray(3 * vertex, 3 * vertex + 3));
+      project(positions.subarray(3 * vertex, 3 * vertex + 3));
     /** @type {string[]} */
     let corners = [];
     let drawn = 0;
@@ -81,7 +81,7 @@ function draw(picture, { connectivity: { faceOffsets, faceIndices }, positions, 
       }
     }
     const circles = svg.querySelector('.circles');
-    if (circles instanceof SVGPathElement && shapes) drawCircles(circles, shapes, placeOf);
+    if (circles instanceof SVGPathElement && shapes) drawCircles(circles, shapes, project);
     for (const group of svg.querySelectorAll('g')) moveHandle(group, place);
   }
 }
@@ -90,7 +90,7 @@ function draw(picture, { connectivity: { faceOffsets, faceIndices }, positions, 
  * Returns the projection of points into the picture.
  * @param {number[]} eye three rows of four: right, down, and the depth by which both are divided
  */
-function placing(eye) {
+function projection(eye) {
   return (/** @type {ArrayLike<number>} */ point) => {
     const row = (/** @type {number} */ at) =>
       eye[at] * point[0] + eye[at + 1] * point[1] + eye[at + 2] * point[2] + eye[at + 3];
@@ -103,9 +103,9 @@ function placing(eye) {
  * Draws fitted circles as polygons.
  * @param {SVGPathElement} path
  * @param {Float32Array} shapes eight numbers each: 0 for a circle, centre, normal, radius
- * @param {(point: number[]) => number[]} placeOf
+ * @param {(point: number[]) => number[]} project
  */
-function drawCircles(path, shapes, placeOf) {
+function drawCircles(path, shapes, project) {
   let data = '';
   for (let at = 0; at < shapes.length; at += 8) {
     const [kind, x, y, z, a, b, c, radius] = shapes.subarray(at, at + 8);
@@ -117,7 +117,7 @@ function drawCircles(path, shapes, placeOf) {
     const corners = Array.from({ length: CORNERS }, (_, i) => {
       const turn = (2 * Math.PI * i) / CORNERS;
       const [p, q] = [radius * Math.cos(turn), radius * Math.sin(turn)];
-      return placeOf([x, y, z].map((centre, axis) => centre + p * u[axis] + q * v[axis])).join(' ');
+      return project([x, y, z].map((centre, axis) => centre + p * u[axis] + q * v[axis])).join(' ');
     });
     data += `M${corners.join('L')}z`;
   }
@@ -148,12 +148,12 @@ function takeOverDrags(store, solver) {
   /** @type {Window & { earlyDrags?: EarlyDrags }} */
   const { earlyDrags } = window;
   if (!earlyDrags) return;
-  let isHere = false;
+  let isReady = false;
   /** @type {HandleDrag | null} */
   let current = null;
   const takeOver = () => {
     // By now another model may have been opened.
-    if (!isHere || !store.get().firstExample) return;
+    if (!isReady || !store.get().firstExample) return;
     while (earlyDrags.drags.length > 0) {
       const [{ vertex, from, to, right, down, ended }] = earlyDrags.drags;
       current ??= new HandleDrag(store, solver, planeOf(right, down), vertex);
@@ -166,8 +166,8 @@ function takeOverDrags(store, solver) {
   };
   earlyDrags.changed = takeOver;
   store.subscribe(['document', 'firstExample'], ({ document, firstExample }) => {
-    if (!document || !firstExample || isHere) return;
-    isHere = true;
+    if (!document || !firstExample || isReady) return;
+    isReady = true;
     takeOver();
   });
 }
