@@ -32,7 +32,7 @@ function watch() {
 async function visit(chromium, profile, server) {
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: (await findBrowser()) ?? undefined,
-    // SwiftShader would take seconds to composite the page, which no user's machine has to do.
+    // Without GPU compositing: SwiftShader would take seconds for it, unlike any user's machine.
     args: webgl2Flags,
     viewport: { width: 1440, height: 900 },
   });
