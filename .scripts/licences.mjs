@@ -124,11 +124,7 @@ export function alternatives(expression) {
   return tokens.length > 0 ? [[expression]] : all;
 }
 
-/**
- * Returns the licences under which a component is used.
- * @param {Component} component
- * @returns {string[]}
- */
+/** Returns the licences used for a component. @param {Component} component @returns {string[]} */
 export function licencesOf({ name, version, expression }) {
   const allowed = [...Object.keys(ALLOWED), ...Object.keys(EXCEPTIONS[name] ?? {})];
   const cost = (some) => Math.max(...some.map((id) => allowed.indexOf(id)));

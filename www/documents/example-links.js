@@ -1,5 +1,2 @@
-/**
- * Returns the fragment that opens an example. Links are permanent; `share-link.js` reads them.
- * @param {string} id
- */
+/** Returns the permanent fragment of an example, see `share-link.js`. @param {string} id */
 export const linkTo = (id) => `#example=${id}`;

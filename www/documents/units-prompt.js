@@ -29,10 +29,7 @@ function remembered() {
   }
 }
 
-/**
- * Returns the remembered unit and axis of a file name, as comment lines of a mesh file.
- * @param {string} name
- */
+/** Returns the remembered frame as comment lines of a mesh file. @param {string} name */
 export function rememberedFrame(name) {
   const frame = remembered().find(([known]) => known === name)?.[1];
   return frame ? `# units: ${frame.units}\n# up: ${frame.up}\n` : '';

@@ -29,10 +29,7 @@ export function createQueries(solver, reportErrors) {
      */
     worst: (about, count) => solver.request({ type: 'worst', ...about, count }),
 
-    /**
-     * Finds elements by properties of the mesh.
-     * @param {import("../solver/messages.js").SelectRequest} request
-     */
+    /** Finds elements. @param {import("../solver/messages.js").SelectRequest} request */
     find: (request) => solver.request({ type: 'select', request }),
 
     /**

@@ -3,10 +3,7 @@
 /** @typedef {import("../pkg/view-webgl2/shape_up.js").View} View */
 /** @typedef {import("../store/view-modes.js").FlatMap} FlatMap */
 
-/**
- * The map that each view shows.
- * @type {WeakMap<View, import("../solver/messages.js").Parametrization>}
- */
+/** Map of each view. @type {WeakMap<View, import("../solver/messages.js").Parametrization>} */
 const shown = new WeakMap();
 
 /**

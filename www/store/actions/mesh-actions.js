@@ -11,10 +11,7 @@ import { count, length } from '../../ui/format.js';
  * @param {import("../actions.js").Actions} actions
  */
 export function meshActions(store, solver, actions) {
-  /**
-   * Begins a run and waits for its end; returns whether it converged rather than was stopped.
-   * @param {() => unknown} begin
-   */
+  /** Runs to the end; false if stopped before convergence. @param {() => unknown} begin */
   async function untilEnd(begin) {
     /** @type {() => void} */
     let stop = () => {};

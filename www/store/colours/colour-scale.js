@@ -24,10 +24,7 @@ const LOG_WITHIN = 0.1;
 /** Both ends and the end of the axis are automatic. @type {import("../state.js").OwnRange} */
 const AUTOMATIC = { low: null, high: null, top: null };
 
-/**
- * State before there are values.
- * @type {Pick<import("../state.js").State, "spread" | "range" | "ownRange">}
- */
+/** No values yet. @type {Pick<import("../state.js").State, "spread" | "range" | "ownRange">} */
 const NONE = { spread: null, range: [0, 0], ownRange: AUTOMATIC };
 
 /**

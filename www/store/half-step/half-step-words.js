@@ -2,10 +2,7 @@
 
 import { groupDigits } from '../../ui/format.js';
 
-/**
- * Describes the half step that was done, and the next one.
- * @param {import("../../solver/messages.js").Half} done
- */
+/** Describes a half step and the next. @param {import("../../solver/messages.js").Half} done */
 export function halfStepWords(done) {
   if (done.half === 'local') {
     const all = done.fitted.reduce((sum, { count }) => sum + count, 0);
