@@ -1,8 +1,9 @@
-//! The angle between two directions, by `libm`: every machine makes the same bits, which the functions of
-//! the platform do not.
+//! The angle between two directions, computed with `libm` so that all platforms give the same bits,
+//! which their own functions do not.
 
-/// The angle in radians, from 0 to pi, of which these are the cosine and the sine, each times the same
-/// positive number; the sine is not negative. Relative error below 3e-16. NaN where both are zero.
+/// Returns the angle in radians, from 0 to pi, whose cosine and sine are these times the same
+/// positive number. The sine must not be negative. Relative error below 3e-16. NaN if both are
+/// zero.
 pub fn angle(cosine: f64, sine: f64) -> f64 {
     if cosine == 0.0 && sine == 0.0 { f64::NAN } else { libm::atan2(sine, cosine) }
 }

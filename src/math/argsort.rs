@@ -1,12 +1,12 @@
-//! Sorting by keys that are whole numbers. The standard library's sort is five to ten kilobytes of
-//! machine code for every type that is sorted; what has such a key shares one copy.
+//! Sorting by integer keys. The standard library's sort costs five to ten kilobytes of machine code
+//! for every type that is sorted; all callers with integer keys share one copy.
 
-/// The indices of `keys` in ascending order of the keys; those of equal keys ascend.
+/// Returns the indices of `keys` in ascending order of the keys; equal keys keep their order.
 pub fn argsort(keys: impl Iterator<Item = u64>) -> Vec<u32> {
     order(keys.zip(0..).collect())
 }
 
-/// Sorts `items` by such keys; those of equal keys stay in order.
+/// Sorts `items` by integer keys; items with equal keys keep their order.
 pub fn sort_by_number<T: Clone>(items: &mut Vec<T>, key: impl Fn(&T) -> u64) {
     let order = argsort(items.iter().map(key));
     *items = order.into_iter().map(|i| items[i as usize].clone()).collect();
@@ -18,15 +18,15 @@ fn order(mut keyed: Vec<(u64, u32)>) -> Vec<u32> {
     keyed.into_iter().map(|(_, index)| index).collect()
 }
 
-/// One key for two numbers, the first of which counts more.
+/// Packs two numbers into one key, ordered by the first number, then by the second.
 pub fn key_of_pair([major, minor]: [u32; 2]) -> u64 {
     u64::from(major) << 32 | u64::from(minor)
 }
 
-/// A key in the order of [`f64::total_cmp`].
+/// Returns a key in the order of [`f64::total_cmp`].
 pub fn key_of_number(x: f64) -> u64 {
     let bits = x.to_bits();
-    // Negative numbers come before the others, the greater ones first.
+    // Negative numbers sort before the others, by descending magnitude.
     if x.is_sign_negative() { !bits } else { bits | 1 << 63 }
 }
 

@@ -1,11 +1,11 @@
-//! The cube root with exactly rounded operations only.
+//! The cube root, from correctly rounded operations only.
 
-/// The cube root of a number that is not negative, to the last bits.
+/// The cube root of a non-negative number, accurate to the last bits.
 pub fn cube_root(x: f64) -> f64 {
     if x == 0.0 || x == f64::INFINITY {
         return x;
     }
-    // The fixed point of r = (r x)^(1/4): each step divides the error of the logarithm by four.
+    // Fixed-point iteration r <- (r x)^(1/4): each step divides the error of the logarithm by four.
     let start = (0..28).fold(1.0f64, |root, _| (root.sqrt() * x.sqrt()).sqrt());
     start - (start - x / start / start) / 3.0
 }

@@ -7,7 +7,7 @@ use super::Vec3;
 pub struct Cubic([Vec3<f64>; 4]);
 
 impl Cubic {
-    /// From `ends[0]` to `ends[1]`, with these derivatives there (Hermite's form).
+    /// Returns the curve from `ends[0]` to `ends[1]` with these end derivatives (Hermite form).
     pub fn hermite(ends: [Vec3<f64>; 2], derivatives: [Vec3<f64>; 2]) -> Cubic {
         let ([a, b], [u, v]) = (ends, derivatives);
         let chord = b - a;
@@ -20,7 +20,7 @@ impl Cubic {
         c0 + (c1 + (c2 + c3 * t) * t) * t
     }
 
-    /// The length of its control polygon, which it is not longer than.
+    /// The length of the control polygon, an upper bound of the length of the curve.
     pub fn length_bound(&self) -> f64 {
         let [_, c1, c2, c3] = self.0;
         let third = 1.0 / 3.0;
@@ -28,9 +28,10 @@ impl Cubic {
         sides.iter().map(|side| side.length()).sum()
     }
 
-    /// The closest of its points to `v`, and one of them where several are equally close. Where the distance has
-    /// its minima is bracketed by where its derivatives are zero, each between two zeros of the next one, so
-    /// that none is missed; each zero is then found by Newton's method, which bisects where it leaves the bracket.
+    /// Returns the point of the curve closest to `v`, or one of them if several are equally close.
+    /// The minima of the distance are bracketed by zeros of its derivatives, each zero between two
+    /// zeros of the next derivative, so that none is missed. Each zero is then found by Newton's
+    /// method, with bisection if a step leaves the bracket.
     pub fn closest(&self, v: Vec3<f64>) -> Vec3<f64> {
         let [c0, c1, c2, c3] = self.0;
         let a = c0 - v;
@@ -56,15 +57,16 @@ impl Cubic {
     }
 }
 
-/// Of a polynomial, given by ascending powers.
+/// Degree of the polynomials whose zeros are found.
 const DEGREE: usize = 5;
-/// Halving the interval so often leaves nothing between its ends.
+/// Enough bisections to exhaust the interval.
 const MOST_STEPS: usize = 100;
 
-/// Where a polynomial changes its sign between 0 and 1, ascending, and how many such places there are.
+/// Returns the sign changes of a polynomial between 0 and 1, ascending, and their number.
+/// Coefficients are by ascending powers.
 fn zeros(polynomial: &[f64; DEGREE + 1]) -> ([f64; DEGREE], usize) {
     let (mut found, mut n) = ([0.0; DEGREE], 0);
-    // From the derivative that is a straight line down to the polynomial itself.
+    // From the linear derivative down to the polynomial itself.
     for order in (0..DEGREE).rev() {
         let mut derivative = *polynomial;
         for _ in 0..order {
@@ -93,8 +95,8 @@ fn zeros(polynomial: &[f64; DEGREE + 1]) -> ([f64; DEGREE], usize) {
     (found, n)
 }
 
-/// Where a function is zero between two places with values of different sign, where it is monotone. `at` gives its
-/// value and its derivative.
+/// Returns the zero of a function that is monotone between `low` and `high` and has different signs
+/// there. `at` returns its value and its derivative.
 fn zero_between(mut low: f64, mut high: f64, at: impl Fn(f64) -> (f64, f64)) -> f64 {
     let rises = at(low).0 < 0.0;
     let mut t = 0.5 * (low + high);
@@ -110,7 +112,7 @@ fn zero_between(mut low: f64, mut high: f64, at: impl Fn(f64) -> (f64, f64)) -> 
         }
         let newton = t - value / slope;
         let next = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
-        // Nothing is between, or the step is rounding.
+        // The bracket is exhausted, or the step is rounding error.
         if next <= low || next >= high || (next - t).abs() <= f64::EPSILON {
             break;
         }
@@ -123,7 +125,7 @@ fn zero_between(mut low: f64, mut high: f64, at: impl Fn(f64) -> (f64, f64)) -> 
 mod tests {
     use super::*;
 
-    /// Numbers from -1 to 1 without a pattern.
+    /// Pseudo-random numbers from -1 to 1.
     fn noise(seed: usize) -> f64 {
         ((seed * 7919 + 104_729) % 2003) as f64 / 1001.5 - 1.0
     }

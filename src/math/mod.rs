@@ -1,5 +1,5 @@
-//! Small dense mathematics under everything else. Only `+ - * / sqrt`, so that every machine gives the
-//! same bits.
+//! Small dense mathematics, used by all other modules. Only `+ - * / sqrt`, and `libm` for angles,
+//! so that all platforms give the same bits.
 //!
 //! | file or folder | holds |
 //! |---|---|
@@ -10,7 +10,7 @@
 //! | `angle`, `turns` | angles between directions; sine and cosine |
 //! | `cube_root` | the cube root |
 //! | `cubic` | a segment of a cubic curve, and its closest point |
-//! | `argsort` | sorting by keys that are whole numbers |
+//! | `argsort` | sorting by integer keys |
 
 mod angle;
 mod argsort;

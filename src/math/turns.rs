@@ -1,10 +1,10 @@
-//! Sine and cosine of an angle in turns, from `+ - * /` alone, so that every machine makes the same
-//! bits. Those of `libm` would too, with 2 kB of tables (compressed) for angles of any size, which a fraction
-//! of a turn has no need of.
+//! Sine and cosine of an angle in turns, from `+ - * /` alone, so that all platforms give the same
+//! bits. `libm` would do so too, but takes 2 kB (compressed) for tables that reduce angles of any
+//! size, which are not needed here.
 
-/// The sine of an angle in turns: the Taylor polynomial over a quarter turn, good to 1e-15.
+/// The sine of an angle in turns: a Taylor polynomial over a quarter turn, accurate to 1e-15.
 pub fn sine(turns: f64) -> f64 {
-    // Into -1/2..1/2 turns, then mirrored into -1/4..1/4.
+    // Reduced to -1/2..1/2 turns, then mirrored into -1/4..1/4.
     let turns = turns - (turns + 0.5).floor();
     let turns = match turns {
         t if t > 0.25 => 0.5 - t,
@@ -25,7 +25,7 @@ pub fn cosine(turns: f64) -> f64 {
     sine(turns + 0.25)
 }
 
-/// Cosine and sine of an angle in degrees, good to 1e-15, and zero exactly where they should be.
+/// Cosine and sine of an angle in degrees, accurate to 1e-15, and exact at their zeros.
 pub fn cosine_and_sine_of_degrees(degrees: f64) -> [f64; 2] {
     [sine((90.0 - degrees) / 360.0), sine(degrees / 360.0)]
 }
@@ -41,7 +41,7 @@ mod tests {
             let degrees = f64::from(k) / 10.0;
             let [c, s] = cosine_and_sine_of_degrees(degrees);
             let radians = degrees.to_radians();
-            // Beyond half a turn, radians themselves are rounded by more.
+            // Radians beyond half a turn are themselves rounded by more.
             let tolerance = if degrees <= 180.0 { 1e-15 } else { 2e-15 };
             assert!((c - radians.cos()).abs() <= tolerance, "cosine of {degrees}");
             assert!((s - radians.sin()).abs() <= tolerance, "sine of {degrees}");

@@ -1,35 +1,35 @@
 //! Closed-form eigenvectors of a symmetric 3x3 matrix, for the smallest and the greatest
 //! eigenvalue.
 //!
-//! Newton's method on the characteristic cubic `p(l) = l^3 - l^2 + c l - d` (unit trace) runs
-//! monotonically to the smallest root from 0 and to the greatest from 1, as all roots are real and
-//! lie between. The adjugate of `A - l I` is then `p'(l) e e^T`; its largest column is the
+//! Newton's method on the characteristic cubic `p(l) = l^3 - l^2 + c l - d` (unit trace) converges
+//! monotonically to the smallest root from 0 and to the greatest from 1, since all roots are real
+//! and lie between. The adjugate of `A - l I` is then `p'(l) e e^T`; its largest column gives the
 //! eigenvector `e`.
 //!
-//! Where two eigenvalues are close, Newton's method is slow and the adjugate is small: the result
-//! cannot be trusted. It is checked, not hoped for: with the residual `r = |A e - (e.A e) e|`, the
-//! angle between `e` and the true eigenvector is at most `r / gap` (Davis and Kahan 1970), and the
-//! gap to the next eigenvalue is at least `|p'(l)|`, as that is the product of both gaps and no gap
-//! exceeds the trace. A residual counts as one ulp at least, so that a gap which is itself rounding
-//! error never passes. `p'` is negative at the middle eigenvalue only, so its sign tells that one.
+//! If two eigenvalues are close, Newton's method is slow and the adjugate is small, so every result
+//! is checked. With the residual `r = |A e - (e.A e) e|`, the angle between `e` and the true
+//! eigenvector is at most `r / gap` (Davis and Kahan 1970). The gap to the next eigenvalue is at
+//! least `|p'(l)|`, which is the product of both gaps, since no gap exceeds the trace. The residual
+//! is taken to be at least one ulp, so that a gap that is itself rounding error never passes. `p'`
+//! is negative only at the middle eigenvalue, so its sign rejects that one.
 
 use crate::math::{Lane, Symmetric3, Vec3};
 
 /// Enough for eigenvalues that differ by a factor of four; closer ones fail the check.
 const NEWTON_STEPS: usize = 5;
 
-/// The greatest angle, in radians, by which a vector that passes the check can be off.
+/// Upper bound of the error, in radians, of a vector that passes the check.
 const ANGLE: f64 = 1e-12;
 
-/// An eigenvector and how far it can be trusted.
+/// An eigenvector, and whether it is accurate.
 #[derive(Clone, Copy, Debug)]
 pub struct Eigenvector<S> {
     /// The eigenvector, of unit length, of either sign.
     pub vector: Vec3<S>,
     /// Its eigenvalue.
     pub value: S,
-    /// One in the lanes where `vector` is off by at most 1e-12 radians, else zero. There the
-    /// vector is not to be used, and may be anything: see [`crate::math::PrincipalAxes`].
+    /// One in the lanes where `vector` is off by at most 1e-12 radians, else zero. In lanes with
+    /// zero the vector must not be used: see [`crate::math::PrincipalAxes`].
     pub accurate: S,
 }
 
@@ -48,14 +48,15 @@ impl<S: Lane> Symmetric3<S> {
         self.extreme_eigenvector(c, d, S::one() - (c - d) / (S::one() + c))
     }
 
-    /// The coefficients `c` and `d`.
+    /// The coefficients `c` and `d` of the characteristic cubic.
     #[inline(always)]
     fn characteristic(self) -> (S, S) {
         let adjugate = self.adjugate();
         (adjugate.trace(), self.determinant(adjugate))
     }
 
-    /// The eigenvector of the root to which Newton's method runs, of which `l` is the first step.
+    /// Returns the eigenvector of the root to which Newton's method converges from its first
+    /// iterate `l`.
     ///
     /// Not inlined: it needs all registers for itself.
     #[inline(never)]

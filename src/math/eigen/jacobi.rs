@@ -1,10 +1,10 @@
 //! Eigenvalues and eigenvectors of a small symmetric matrix by Jacobi's rotations (Golub and Van Loan,
 //! Matrix Computations, 8.5).
 
-/// Sweeps over all pairs at most; eight are usual.
+/// Greatest number of sweeps over all pairs; eight are usual.
 const SWEEPS: usize = 30;
 
-/// The eigenvalues of a symmetric matrix, in no order, and the eigenvector of each, of length one.
+/// Returns the eigenvalues of a symmetric matrix, unordered, and their unit eigenvectors.
 pub fn symmetric_eigen<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [[f64; N]; N]) {
     let mut vectors: [[f64; N]; N] =
         std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
@@ -12,7 +12,7 @@ pub fn symmetric_eigen<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [[f64
         let mut rotated = false;
         for p in 0..N {
             for q in p + 1..N {
-                // An entry that is lost beside the diagonal is nothing.
+                // Negligible beside the diagonal.
                 let diagonal = (a[p][p] * a[q][q]).abs().sqrt();
                 let least = f64::EPSILON * f64::EPSILON * (a[p][p].abs() + a[q][q].abs());
                 if a[p][q].abs() <= (0.1 * f64::EPSILON * diagonal).max(least) {

@@ -1,19 +1,19 @@
-//! Principal axes of one set of points, accurate for every input: the scalar path for the lanes
+//! Principal axes of one set of points, accurate for every input: the scalar fallback for lanes
 //! whose closed form fails its check.
 //!
 //! One-sided Jacobi (Hestenes 1958): pairs of the three columns of the n-by-3 matrix of points are
-//! rotated until they are orthogonal. The matrix of products, whose small eigenvalues lose half of
-//! the digits, is never formed, so that the height of an arc is right to the rounding error of its
-//! length.
+//! rotated until they are orthogonal. The matrix of products is never formed, because its small
+//! eigenvalues would lose half of their digits. The height of an arc is thus accurate to the
+//! rounding error of its length.
 
 use crate::math::Vec3;
 
-/// Convergence is quadratic: of a million random and degenerate inputs 99 % needed at most six
-/// sweeps. What the others still turn after twelve is rounding error.
+/// Convergence is quadratic: 99 % of a million random and degenerate inputs needed at most six
+/// sweeps. Any rotation that remains after twelve is rounding error.
 const SWEEPS: usize = 12;
 
 /// Columns whose cosine is below this are orthogonal, and a column shorter than this fraction of
-/// another is rounding error beside it.
+/// another is rounding error.
 const NEGLIGIBLE: f64 = 4.0 * f64::EPSILON;
 
 /// The principal axes of points around the origin, and their scale.
@@ -21,8 +21,8 @@ const NEGLIGIBLE: f64 = 4.0 * f64::EPSILON;
 pub struct PrincipalAxes {
     /// Orthonormal, ordered by extent, longest first; of either sign and handedness.
     pub axes: [Vec3<f64>; 3],
-    /// The length that stands for one in principal coordinates: the greatest coordinate of the
-    /// input. Zero when all points are at the origin.
+    /// The unit of principal coordinates: the greatest absolute coordinate of the input. Zero if
+    /// all points are at the origin.
     pub scale: f64,
 }
 
@@ -74,7 +74,7 @@ struct Frame<'a> {
 }
 
 impl Frame<'_> {
-    /// Rotates columns `p` and `q` until they are orthogonal; false when they were already.
+    /// Rotates columns `p` and `q` until they are orthogonal; returns false if they already were.
     fn orthogonalise(&mut self, p: usize, q: usize) -> bool {
         let (mut pp, mut qq, mut pq) = (0.0, 0.0, 0.0);
         for v in self.points.iter() {
@@ -104,7 +104,7 @@ impl Frame<'_> {
         true
     }
 
-    /// Exchanges columns `p` and `q` when `q` is the longer.
+    /// Swaps columns `p` and `q` if `q` is the longer.
     fn order(&mut self, p: usize, q: usize) {
         let squares = |k| self.points.iter().map(|v| component(*v, k)).map(|x| x * x).sum::<f64>();
         if squares(q) > squares(p) {

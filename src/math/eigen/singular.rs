@@ -2,11 +2,11 @@
 //! frames are rotations.
 //!
 //! One-sided Jacobi (Hestenes 1958), as in [`PrincipalAxes`], with a fixed number of sweeps: small
-//! singular values keep their digits, and equal ones do no harm.
+//! singular values keep their digits, and equal ones are harmless.
 
 use crate::math::{Lane, PrincipalAxes, Vec3};
 
-/// Sweeps in lanes; convergence is quadratic, and six are enough for 99 in 100.
+/// Sweeps in lanes; convergence is quadratic, and six are enough in 99 % of cases.
 const SWEEPS: usize = 6;
 
 /// The greatest cosine between axes that counts as a right angle.
@@ -19,13 +19,13 @@ pub struct SingularValues<S> {
     pub values: [S; 3],
     /// Orthonormal and right-handed, in the space of the points.
     axes: [Vec3<S>; 3],
-    /// Orthonormal and right-handed; their components are one for each point.
+    /// Orthonormal and right-handed; one component for each point.
     weights: [Vec3<S>; 3],
 }
 
 impl<S: Lane> SingularValues<S> {
-    /// Of the matrix with these rows, and one in the lanes where they are accurate, else zero: the
-    /// second or the third one is almost zero there.
+    /// Decomposes the matrix with these rows. The second value is one in the lanes where the result
+    /// is accurate, else zero: there the second or third singular value is almost zero.
     #[inline(always)]
     pub fn of(rows: [Vec3<S>; 3]) -> (Self, S) {
         let (zero, one) = (S::zero(), S::one());
@@ -72,7 +72,7 @@ impl<S: Lane> SingularValues<S> {
         SingularValues { values, axes: [axes[0], axes[1], normal], weights }
     }
 
-    /// The rows of the matrix with these singular values in place of its own.
+    /// Returns the rows of the matrix with its singular values replaced by `values`.
     #[inline(always)]
     pub fn with(&self, values: [S; 3]) -> [Vec3<S>; 3] {
         let [first, second, third] = self.weights;
@@ -88,9 +88,9 @@ impl<S: Lane> SingularValues<S> {
 }
 
 impl SingularValues<f64> {
-    /// The same for every finite matrix, divided by its greatest entry, which comes second. Where a
-    /// singular value is zero or several are equal, the axes are one choice of many; for the zero
-    /// matrix, they are those of space.
+    /// The same for every finite matrix, divided by its greatest entry, which is returned second.
+    /// If a singular value is zero or several are equal, the axes are one choice of many; those of
+    /// the zero matrix are the coordinate axes.
     pub fn robust(mut rows: [Vec3<f64>; 3]) -> (Self, f64) {
         let PrincipalAxes { axes, scale } = PrincipalAxes::rotate(&mut rows);
         let [p, q, r] = rows;
@@ -107,9 +107,9 @@ impl SingularValues<f64> {
         let second = second - first * first.dot(second);
         let second = second * (1.0 / second.length());
         let mut found = Self::new(columns, axes, [first, second, first.cross(second)]);
-        // Where the second axis is a choice, the last two values are rounding error.
+        // If the second axis is a choice, the last two values are rounding error.
         let [a, b, c] = &mut found.values;
-        // Zero has one sign.
+        // Turns -0 into +0.
         *a += 0.0;
         *b = b.max(0.0) + 0.0;
         *c = c.clamp(-*b, *b);
@@ -135,7 +135,7 @@ fn orthogonalise<S: Lane>(columns: &mut [Vec3<S>; 3], axes: &mut [Vec3<S>; 3], i
     }
 }
 
-/// Exchanges columns `i` and `j`, and their axes, where `j` is the longer.
+/// Swaps columns `i` and `j`, and their axes, if `j` is the longer.
 #[inline(always)]
 fn order<S: Lane>(columns: &mut [Vec3<S>; 3], axes: &mut [Vec3<S>; 3], i: usize, j: usize) {
     let (own, other) = (columns[i].length_squared(), columns[j].length_squared());
@@ -152,7 +152,7 @@ mod tests {
     use crate::math::Vec3;
     use nalgebra::DMatrix;
 
-    /// Rows of a matrix whose singular values spread by `spread` from each to the next.
+    /// Rows of a matrix whose singular values fall by about `spread` from each to the next.
     fn rows(k: i32, spread: f64) -> [Vec3<f64>; 3] {
         let entry = |i: i32, j: i32| f64::from((k * 31 + i * 17 + j * 29 + i * j * k) % 23 - 11);
         [0, 1, 2].map(|i| {
@@ -167,7 +167,8 @@ mod tests {
         for spread in [1.0, 0.1, 1e-4, 1e-8] {
             for k in 0..300 {
                 let rows = rows(k, spread);
-                // Not its fixed 3-by-3 matrix, whose small singular values lose half of the digits.
+                // Not nalgebra's fixed 3-by-3 matrix, whose small singular values lose half of
+                // their digits.
                 let matrix = DMatrix::from_fn(3, 3, |i, j| [rows[i].x, rows[i].y, rows[i].z][j]);
                 let determinant = matrix.determinant();
                 let expected = matrix.svd(false, false).singular_values;

@@ -3,7 +3,7 @@
 
 use crate::math::{Lane, Vec3};
 
-/// A symmetric 3x3 matrix; with [`crate::math::Lanes`] one for each of several constraints.
+/// A symmetric 3x3 matrix; with [`crate::math::Lanes`], one for each of several constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Symmetric3<S> {
     /// Row 1, column 1.
@@ -58,8 +58,8 @@ impl<S: Lane> Symmetric3<S> {
     pub fn shifted(self, s: S) -> Self {
         Symmetric3 { xx: self.xx - s, yy: self.yy - s, zz: self.zz - s, ..self }
     }
-    /// The adjugate: determinant times inverse, defined for singular matrices too. Its trace is the
-    /// sum of the products of two eigenvalues.
+    /// The adjugate: determinant times inverse, also defined for singular matrices. Its trace is
+    /// the sum of the pairwise products of the eigenvalues.
     #[inline(always)]
     pub fn adjugate(self) -> Self {
         let Symmetric3 { xx, xy, xz, yy, yz, zz } = self;
@@ -88,17 +88,17 @@ impl<S: Lane> Symmetric3<S> {
     }
 }
 
-/// The scatter matrix of centred points without its scale, which closed forms need: their
-/// intermediate results then have the size of one, whatever the units of the mesh.
+/// The scatter matrix of centred points, scaled to unit trace so that the intermediate results of
+/// closed forms are of order one in any unit of length.
 #[derive(Clone, Copy, Debug)]
 pub struct Scatter<S> {
     /// The sum of `v v^T`, scaled to unit trace.
     pub unit: Symmetric3<S>,
     /// The mean of `|v|^2`: the trace before scaling, divided by the number of points.
     pub mean_square: S,
-    /// One in the lanes where no product of up to eight lengths comes near the ends of the range
-    /// of `f64`; zero in the others, those of coincident points and those that are not finite
-    /// among them. There nothing above is to be used.
+    /// One in the lanes where no product of up to eight lengths comes near the limits of the range
+    /// of `f64`; zero in the others, among them coincident and non-finite points. In lanes with
+    /// zero the fields above must not be used.
     pub in_range: S,
 }
 

@@ -1,42 +1,41 @@
-//! The rotation and uniform scale that take rest points closest to points (paper section 3.2;
-//! Kabsch 1976, Umeyama 1991, reflections excluded).
+//! The rotation and uniform scale that align rest points best with points (paper section 3.2;
+//! Kabsch 1976, Umeyama 1991, without reflections).
 //!
-//! With `H = sum v v'^T` over the points and their rest points, the rotation is the one that makes
-//! `tr(R^T H)` greatest, and the scale is `tr(R^T H) / sum |v'|^2`.
+//! With `H = sum v v'^T` over the points and their rest points, the rotation maximises `tr(R^T H)`,
+//! and the scale is `tr(R^T H) / sum |v'|^2`.
 //!
-//! The greatest `tr(R^T H)`, here `l`, is the greatest eigenvalue of Horn's 4-by-4 matrix of
-//! quaternions (1987), whose characteristic polynomial needs three invariants of `H` only: with
-//! `s = |H|^2`, `t = |cof H|^2` and `d = det H` it is
+//! The maximum of `tr(R^T H)`, here `l`, is the greatest eigenvalue of Horn's 4-by-4 quaternion
+//! matrix (1987). Its characteristic polynomial depends on only three invariants of `H`: with `s =
+//! |H|^2`, `t = |cof H|^2` and `d = det H` it is
 //!
 //! ```text
 //! f(l) = (l^2 - s)^2 - 8 d l - 4 t
 //! ```
 //!
-//! All its roots are real, so that an iteration from above runs monotonically to the greatest one;
-//! `l <= |V| |V'|` by Cauchy and Schwarz, nearly with equality when the points almost have their rest
-//! shape (Theobald 2005). The rotation is the derivative of `l` with respect to `H`, since a best `R`
-//! does not change it to first order; by the rule of implicit functions
+//! All its roots are real, so that an iteration from above converges monotonically to the greatest
+//! one. By Cauchy and Schwarz `l <= |V| |V'|`, nearly with equality if the points almost have their
+//! rest shape (Theobald 2005). The rotation is the derivative of `l` with respect to `H`, since the
+//! best `R` is stationary; by implicit differentiation
 //!
 //! ```text
 //! R = ((l^2 - s) H + 2 l cof H + T) / (l^3 - s l - 2 d),    T = dt/dH
 //! ```
 //!
-//! With the singular values `a >= b >= |c|` of `H`, `c` with the sign of `d`, the denominator is
-//! `2 (a + b) (a + c) (b + c)`: it vanishes exactly where several rotations are best. An error of
-//! `l` multiplies the true rotation by a symmetric matrix, so that it shows as the only thing it
-//! can be: columns that are not orthonormal, which is checked, and mended by a step towards the polar
-//! factor.
+//! With the singular values `a >= b >= |c|` of `H`, `c` with the sign of `d`, the denominator is `2
+//! (a + b) (a + c) (b + c)`: it vanishes exactly if several rotations are best. An error of `l`
+//! multiplies the true rotation by a symmetric matrix, so it always shows as columns that are not
+//! orthonormal. This is checked, and corrected by a step towards the polar factor.
 
 use crate::math::{Lane, PrincipalAxes, Vec3};
 
-/// How far from orthonormal the columns of a rotation can be: the size of `R^T R - I`.
+/// Upper bound of `|R^T R - I|` for the columns of an accurate rotation.
 const ORTHONORMAL: f64 = 1e-12;
 
-/// The least denominator, as a fraction of `l^3`: below, rounding errors are magnified too much.
+/// The least denominator, as a fraction of `l^3`; below it, rounding errors are magnified too much.
 const DISTINCT: f64 = 1e-4;
 
-/// Steps towards the greatest root that serve points which nearly have their rest shape, and further
-/// ones where they do not. The error is cubed by each.
+/// Steps towards the greatest root for points that nearly have their rest shape, and further steps
+/// for others. Each step cubes the error.
 const STEPS: usize = 2;
 const FURTHER_STEPS: usize = 6;
 
@@ -48,15 +47,15 @@ const NEGLIGIBLE: f64 = 8.0 * f64::EPSILON;
 pub struct Alignment<S> {
     /// The columns of the rotation `R`, orthonormal and right-handed.
     pub columns: [Vec3<S>; 3],
-    /// The factor that takes the turned rest points closest to the points. Not negative.
+    /// The factor that brings the rotated rest points closest to the points. Not negative.
     pub scale: S,
-    /// One in the lanes where the rotation is off by at most 1e-12 radians, else zero. There
-    /// nothing above is to be used: see [`Alignment::robust`].
+    /// One in the lanes where the rotation is off by at most 1e-12 radians, else zero. In lanes
+    /// with zero the fields above must not be used: see [`Alignment::robust`].
     pub accurate: S,
 }
 
 impl<S: Lane> Alignment<S> {
-    /// The alignment of mean-centred rest points with as many mean-centred points.
+    /// Aligns mean-centred rest points with as many mean-centred points.
     #[inline(always)]
     pub fn of(rest: &[Vec3<S>], v: &[Vec3<S>]) -> Self {
         let mut h = [Vec3::zero(); 3];
@@ -71,14 +70,14 @@ impl<S: Lane> Alignment<S> {
         Self::of_product(h, square, rest_square)
     }
 
-    /// The rest point `r` turned.
+    /// Rotates the rest point `r`.
     #[inline(always)]
     pub fn turn(&self, r: Vec3<S>) -> Vec3<S> {
         self.columns[0] * r.x + self.columns[1] * r.y + self.columns[2] * r.z
     }
 
     /// From the columns of `H`, `sum |v|^2` and `sum |v'|^2`.
-    // Not inlined, as the eigenvector: the lanes stay packed.
+    // Not inlined, like the eigenvector, so that the lanes stay packed.
     #[inline(never)]
     fn of_product(h: [Vec3<S>; 3], square: S, rest_square: S) -> Self {
         let invariants = Invariants::of(h);
@@ -97,8 +96,8 @@ impl<S: Lane> Alignment<S> {
         found
     }
 
-    /// Goes on where that was not enough. A lane that was accurate stays as it is, whatever its
-    /// neighbours need.
+    /// Takes further steps in the lanes that are not accurate. The other lanes stay unchanged,
+    /// whatever their neighbours need.
     #[cold]
     #[inline(never)]
     fn refine(
@@ -125,15 +124,15 @@ impl<S: Lane> Alignment<S> {
     }
 }
 
-/// One where a product of two squared lengths is not near the ends of the range of `f64`, so that
-/// its square and its cube are neither.
+/// One if a product of two squared lengths, its square and its cube are well within the range of
+/// `f64`, else zero.
 #[inline(always)]
 fn within_range<S: Lane>(product: S) -> S {
     let not_tiny = product.if_greater(S::splat(1e-80), S::one(), S::zero());
     S::splat(1e80).if_greater(product, not_tiny, S::zero())
 }
 
-/// The invariants of `H` that the greatest `tr(R^T H)` depends on.
+/// The invariants of `H` that determine the maximum of `tr(R^T H)`.
 #[derive(Clone, Copy)]
 struct Invariants<S> {
     /// The columns of the cofactor matrix.
@@ -157,20 +156,20 @@ impl<S: Lane> Invariants<S> {
         Invariants { cofactors, s: square(h), t4: t * S::splat(4.0), d2: d + d }
     }
 
-    /// Halley's step towards the greatest root from above.
+    /// Takes one Halley step towards the greatest root from above.
     #[inline(always)]
     fn nearer(&self, l: S) -> S {
         let square = l * l;
         let beyond = square - self.s;
-        // The value, a quarter of the slope, and a quarter of the second derivative.
+        // The value, and a quarter of the first and of the second derivative.
         let value = beyond * beyond - l * self.d2 * S::splat(4.0) - self.t4;
         let slope = l * beyond - self.d2;
         let bend = square + square + beyond;
         l - value * (slope + slope) / (S::splat(8.0) * slope * slope - value * bend)
     }
 
-    /// The columns of the rotation for the greatest root `l`, and one where its denominator says
-    /// that it is the only one.
+    /// Returns the columns of the rotation for the greatest root `l`, and one if the denominator
+    /// shows that the rotation is unique, else zero.
     #[inline(always)]
     fn rotation(&self, h: [Vec3<S>; 3], l: S) -> ([Vec3<S>; 3], S) {
         let [c0, c1, c2] = self.cofactors;
@@ -197,7 +196,7 @@ impl<S: Lane> Invariants<S> {
     }
 }
 
-/// How far three columns `M` are from orthonormal: the entries of `M^T M - I`.
+/// The deviation of three columns `M` from orthonormality: the entries of `M^T M - I`.
 struct Deviation<S> {
     squares: [S; 3],
     products: [S; 3],
@@ -213,7 +212,7 @@ impl<S: Lane> Deviation<S> {
         }
     }
 
-    /// Keeps `flag` where the deviation is at most [`ORTHONORMAL`].
+    /// Returns `flag` where the deviation is at most [`ORTHONORMAL`], else zero.
     #[inline(always)]
     fn small(&self, flag: S) -> S {
         let sum = |x: [S; 3]| x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
@@ -222,8 +221,8 @@ impl<S: Lane> Deviation<S> {
         bound.if_greater(off_diagonal + off_diagonal + diagonal, flag, S::zero())
     }
 
-    /// The columns after one step towards the polar factor, `M - M (M^T M - I) / 2`: what they
-    /// deviate by then is of second order.
+    /// Returns the columns after one step towards the polar factor, `M - M (M^T M - I) / 2`. The
+    /// remaining deviation is of second order.
     #[inline(always)]
     fn mended(&self, m: [Vec3<S>; 3]) -> [Vec3<S>; 3] {
         let half = S::splat(0.5);
@@ -242,8 +241,8 @@ impl<S: Lane> Deviation<S> {
 impl Alignment<f64> {
     /// The alignment for every finite input, from the singular value decomposition of `H`.
     ///
-    /// Where several rotations are equally close, one is chosen: of those about the common line of
-    /// collinear points any, and the identity where all points or all rest points coincide.
+    /// If several rotations are equally close, one is chosen: any one about the common line of
+    /// collinear points, the identity if all points or all rest points coincide.
     pub fn robust(rest: &[Vec3<f64>], v: &[Vec3<f64>]) -> Self {
         let (rest_size, size) = (greatest(rest), greatest(v));
         let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from);
@@ -262,8 +261,8 @@ impl Alignment<f64> {
             square += r.length_squared();
         }
         let product = rows;
-        // Rows of H in coordinates along its right singular vectors: the columns are now its left
-        // ones, times the singular values.
+        // Rows of H in coordinates along its right singular vectors: its columns are now the left
+        // singular vectors times the singular values.
         let right = PrincipalAxes::rotate(&mut rows).axes;
         let first = Vec3::new(rows[0].x, rows[1].x, rows[2].x);
         let second = Vec3::new(rows[0].y, rows[1].y, rows[2].y);
@@ -291,13 +290,13 @@ impl Alignment<f64> {
         let trace = product[0].dot(Vec3::new(x.x, y.x, z.x))
             + product[1].dot(Vec3::new(x.y, y.y, z.y))
             + product[2].dot(Vec3::new(x.z, y.z, z.z));
-        // A scale beyond the range of f64 counts as its greatest.
+        // A scale beyond the range of f64 becomes the greatest f64.
         found.scale = (trace.max(0.0) / square * (size / rest_size)).min(f64::MAX);
         found
     }
 }
 
-/// The greatest coordinate.
+/// The greatest absolute coordinate.
 fn greatest(points: &[Vec3<f64>]) -> f64 {
     points.iter().fold(0.0f64, |m, v| m.max(v.x.abs()).max(v.y.abs()).max(v.z.abs()))
 }

@@ -1,24 +1,24 @@
-//! The circle that fits centred points in space (paper section 3.1): the plane whose normal is the
-//! eigenvector of the smallest eigenvalue of their scatter matrix, and in it the circle of Thomas
-//! and Chan, see [`Round`].
+//! The circle that fits centred points in space (paper section 3.1). The normal of its plane is the
+//! eigenvector of the smallest eigenvalue of their scatter matrix; within the plane it is the
+//! circle of Thomas and Chan, see [`Round`].
 //!
-//! [`CircleFit`] is the closed form, in lanes. Where it is not accurate, [`PrincipalCircle`] and
-//! [`crate::math::PrincipalRound`] are.
+//! [`CircleFit`] is the closed form, in lanes. [`PrincipalCircle`] and
+//! [`crate::math::PrincipalRound`] are accurate where it is not.
 
 use crate::math::{Lane, PrincipalAxes, Round, RoundWithin, Scatter, Vec3};
 
-/// The circle in closed form.
+/// A circle fitted in closed form.
 #[derive(Clone, Copy, Debug)]
 pub struct CircleFit<S> {
     /// Unit normal of the plane, of either sign.
     pub normal: Vec3<S>,
-    /// The circle, for points in the plane.
+    /// The circle in that plane.
     pub round: Round<S>,
 }
 
 impl<S: Lane> CircleFit<S> {
-    /// Fits mean-centred points; none when the closed form is not accurate in every lane: nearly
-    /// collinear or coincident points, more than one plane that fits, a point at the centre.
+    /// Fits mean-centred points. Returns `None` if the closed form is not accurate in every lane:
+    /// nearly collinear or coincident points, more than one best plane, a point at the centre.
     #[inline(always)]
     pub fn of(points: &[Vec3<S>]) -> Option<Self> {
         let (circle, mut good) = CircleFit::through(points, |_, _| {});
@@ -28,8 +28,8 @@ impl<S: Lane> CircleFit<S> {
         good.all_greater(S::zero()).then_some(circle)
     }
 
-    /// Writes the closest points of the fitted circle to `projected`; false as for
-    /// [`CircleFit::of`].
+    /// Writes the closest points of the fitted circle to `projected`. Returns false if
+    /// [`CircleFit::of`] would return `None`.
     #[inline(always)]
     pub fn project(points: &[Vec3<S>], projected: &mut [Vec3<S>]) -> bool {
         let (circle, mut good) = CircleFit::through(points, |k, w| projected[k] = w);
@@ -39,10 +39,10 @@ impl<S: Lane> CircleFit<S> {
         good.all_greater(S::zero())
     }
 
-    /// As [`CircleFit::project`], with a radius within limits: `clamp` gives the nearest one. Gives the
-    /// unit normal of the plane and the circle in it, and one in the lanes where all is accurate, else
-    /// zero.
-    // Apart, so that circles of any radius keep their registers.
+    /// As [`CircleFit::project`], with a radius within limits: `clamp` returns the nearest one.
+    /// Returns the unit normal of the plane, the circle in it, and one in the lanes where all is
+    /// accurate, else zero.
+    // Not inlined, so that circles without limits keep their registers.
     #[inline(never)]
     pub fn project_within(
         points: &[Vec3<S>],
@@ -58,8 +58,8 @@ impl<S: Lane> CircleFit<S> {
         (normal, circle, good)
     }
 
-    /// The fit, with one in the lanes where it is accurate, else zero; `in_plane` gets every point
-    /// projected into the plane.
+    /// Returns the fit, and one in the lanes where it is accurate, else zero. `in_plane` receives
+    /// the projection of every point into the plane.
     #[inline(always)]
     fn through(points: &[Vec3<S>], mut in_plane: impl FnMut(usize, Vec3<S>)) -> (Self, S) {
         let scatter = Scatter::of(points);
@@ -72,8 +72,8 @@ impl<S: Lane> CircleFit<S> {
         }
         let h = h * S::splat(0.5 / points.len() as f64);
 
-        // In the plane the scatter has trace t = 1 - l and adjugate t I - M; M h is the 3x3
-        // product, as h is orthogonal to n.
+        // In the plane the scatter has trace t = 1 - l and adjugate t I - M. M h is the 3x3
+        // product, since h is orthogonal to n.
         let t = S::one() - n.value;
         let a = h * t - scatter.unit.times(h);
         let determinant = scatter.unit.adjugate().trace() - n.value * t;
@@ -87,8 +87,8 @@ impl<S: Lane> CircleFit<S> {
         v - self.normal * self.normal.dot(v)
     }
 
-    /// The height of `v` over the plane, and the way from its foot on the plane to the closest
-    /// point of the circle.
+    /// Returns the height of `v` above the plane, and the displacement from its foot point to the
+    /// closest point of the circle.
     #[inline(always)]
     pub fn height_and_step(&self, v: Vec3<S>) -> (S, Vec3<S>) {
         let height = self.normal.dot(v);
@@ -96,7 +96,7 @@ impl<S: Lane> CircleFit<S> {
     }
 }
 
-/// The circle found in principal axes: slower, and accurate for every input.
+/// A circle fitted in principal axes: slower, but accurate for every input.
 #[derive(Clone, Copy, Debug)]
 pub struct PrincipalCircle {
     axes: PrincipalAxes,
@@ -110,9 +110,9 @@ impl PrincipalCircle {
         PrincipalCircle { axes, round: Round::fit_principal(points, 2) }
     }
 
-    /// As [`CircleFit::height_and_step`], for the point with principal coordinates `v`: lengths are
-    /// those in space, the step is along the principal axes. What [`Round::step_or_chosen`] says of
-    /// lines and of the centre holds here.
+    /// As [`CircleFit::height_and_step`], for the point with principal coordinates `v`. Lengths are
+    /// those in space; the step is along the principal axes. Lines and the centre are treated as in
+    /// [`Round::step_or_chosen`].
     pub fn height_and_step(&self, v: Vec3<f64>) -> (f64, Vec3<f64>) {
         let step = self.round.step_or_chosen(Vec3::new(v.x, v.y, 0.0));
         (v.z * self.axes.scale, step * self.axes.scale)
@@ -124,8 +124,8 @@ mod tests {
     use super::{CircleFit, PrincipalCircle};
     use crate::math::{Vec3, centre};
 
-    /// Every way to move the four corners of a square of side two by a step or none in one
-    /// coordinate each.
+    /// All quads made from a square of side two by moving each corner by `step`, or not at all,
+    /// along one coordinate.
     fn quads(step: f64) -> impl Iterator<Item = [Vec3<f64>; 4]> {
         (0..4_usize.pow(4)).map(move |k| {
             let mut quad = [[1.0, 1.0, 0.0], [-1.0, 1.0, 0.0], [-1.0, -1.0, 0.0], [1.0, -1.0, 0.0]];

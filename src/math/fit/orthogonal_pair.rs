@@ -1,10 +1,9 @@
-//! Two vectors of equal length at right angles: what a square or a regular polygon is made of.
+//! Two vectors of equal length at right angles, which define a square or a regular polygon.
 //!
-//! The pair closest to `p` and `q` is the polar factor of the 3x2 matrix `[p q]`, scaled by the mean
-//! of its singular values (Umeyama 1991). In space it needs no eigenvectors: with the unit normal
-//! `n` of the plane of `p` and `q`, it is the mean of the pair and of the pair that results when
-//! each is turned into the place of the other by a right angle,
-//!
+//! The pair closest to `p` and `q` is the polar factor of the 3x2 matrix `[p q]`, scaled by the
+//! mean of its singular values (Umeyama 1991). In space it needs no eigenvectors: with the unit
+//! normal `n` of the plane of `p` and `q`, it is the mean of the pair and of the pair obtained by
+//! turning each vector by a right angle towards the other,
 //! ```text
 //! u = (p + q x n) / 2,   w = (q + n x p) / 2,   n = p x q / |p x q|
 //! ```
@@ -25,8 +24,8 @@ pub struct OrthogonalPair<S> {
 }
 
 impl<S: Lane> OrthogonalPair<S> {
-    /// The closest pair to `p` and `q`, with one in the lanes where it is accurate, else zero:
-    /// `p` and `q` are nearly parallel there, or near the ends of the range of `f64`.
+    /// Returns the closest pair to `p` and `q`, and one in the lanes where it is accurate, else
+    /// zero: there `p` and `q` are nearly parallel, or near the limits of the range of `f64`.
     #[inline(always)]
     pub fn closest(p: Vec3<S>, q: Vec3<S>) -> (Self, S) {
         let area = p.cross(q);
@@ -44,14 +43,14 @@ impl<S: Lane> OrthogonalPair<S> {
 }
 
 impl OrthogonalPair<f64> {
-    /// The closest pair, accurate for every finite input. Where `p` and `q` are parallel, every plane
-    /// through their line is equally good, and one of them is taken; where both are zero, so is the
-    /// pair.
+    /// Returns the closest pair, accurate for every finite input. If `p` and `q` are parallel, one
+    /// of the planes through their line is chosen, which are equally good; if both are zero, so is
+    /// the pair.
     pub fn closest_carefully(p: Vec3<f64>, q: Vec3<f64>) -> Self {
         let mut rows = [p, q];
         let axes = PrincipalAxes::rotate(&mut rows);
-        // Along the principal axes the coordinates of p and those of q form the columns of a matrix
-        // whose rows are orthogonal, with the singular values as lengths; the third row is zero.
+        // In principal coordinates p and q are the columns of a matrix whose rows are orthogonal,
+        // with the singular values as lengths; the third row is zero.
         let [p, q] = rows;
         let greatest = (p.x * p.x + q.x * q.x).sqrt();
         if greatest == 0.0 {

@@ -1,22 +1,23 @@
 //! The closest numbers with a given product: the singular values of a triangle of given area, or of
-//! a tetrahedron of given volume, that move least.
+//! a tetrahedron of given volume, that change least.
 //!
-//! Where `s_i` are the closest to `a_i`, Lagrange's condition is `s_i (s_i - a_i) = m` with the same
-//! `m` for all. All but the last `s_i` are the greater root of that, by the second-order condition
-//! (`2 s_i - a_i` is negative for one of them at most), and the last, `t`, tells `m`. What remains is
-//! one equation in one unknown, convex where Newton's method comes from above, so that it never
-//! overshoots.
+//! If the `s_i` are the closest to the `a_i`, Lagrange's condition is `s_i (s_i - a_i) = m` with
+//! the same `m` for all. By the second-order condition (`2 s_i - a_i` is negative for at most one
+//! of them), all but the last `s_i` are the greater root of that equation, and the last one, `t`,
+//! determines `m`. One equation in one unknown remains. It is convex where Newton's method comes
+//! from above, so that it never overshoots.
 
 use crate::math::Lane;
 
-/// Steps in lanes. Newton's method doubles the digits with each.
+/// Steps in lanes. Each Newton step doubles the number of correct digits.
 const STEPS: usize = 8;
 
-/// Steps of the careful way. Towards a triple root the error falls by a third with each.
+/// Steps of the robust functions. Towards a triple root each step reduces the error by a third.
 const MANY_STEPS: usize = 100;
 
-/// The `s >= t >= 0` with `s t = root^2` that are closest to `a >= b >= 0`, and one in the lanes where
-/// they are accurate to about 1e-14, else zero. Squares of squares have to be in the range of `f64`.
+/// Returns the `s >= t >= 0` with `s t = root^2` that are closest to `a >= b >= 0`, and one in the
+/// lanes where they are accurate to about 1e-14, else zero. Fourth powers must be in the range of
+/// `f64`.
 #[inline(always)]
 pub fn pair_with_product<S: Lane>(a: S, b: S, root: S) -> ([S; 2], S) {
     let pair = Pair::new(a, b, root);
@@ -31,7 +32,7 @@ pub fn pair_with_product<S: Lane>(a: S, b: S, root: S) -> ([S; 2], S) {
     ([s, pair.product / s], accurate)
 }
 
-/// The same for every input whose squares of squares are in the range of `f64`.
+/// The same for every input whose fourth powers are in the range of `f64`.
 pub fn pair_with_product_robust(a: f64, b: f64, root: f64) -> [f64; 2] {
     let pair = Pair::new(a, b, root);
     let mut s = pair.start();
@@ -40,7 +41,7 @@ pub fn pair_with_product_robust(a: f64, b: f64, root: f64) -> [f64; 2] {
     }
     for _ in 0..MANY_STEPS {
         let next = s - pair.step(s).0;
-        // Monotone until rounding is all there is.
+        // Decreases until only rounding error is left.
         if next < s {
             s = next;
         } else {
@@ -50,8 +51,8 @@ pub fn pair_with_product_robust(a: f64, b: f64, root: f64) -> [f64; 2] {
     [s, pair.product / s]
 }
 
-/// The greatest root of `s^4 - a s^3 + p b s - p^2`, which is `s (s - a) = t (t - b)` times `s^2`,
-/// where `p = s t`.
+/// The greatest root of `s^4 - a s^3 + p b s - p^2`, which is `s (s - a) = t (t - b)` times `s^2`
+/// with `p = s t`.
 struct Pair<S> {
     a: S,
     b: S,
@@ -65,10 +66,10 @@ impl<S: Lane> Pair<S> {
         Pair { a, b, root, product: root * root }
     }
 
-    /// Not below the root: neither `a + root` nor the greater of `a` and `p / b` is.
+    /// An upper bound of the root: both `a + root` and the greater of `a` and `p / b` are.
     #[inline(always)]
     fn start(&self) -> S {
-        // The maximum of no number, 0 / 0, and `a` is `a`.
+        // If the quotient is 0 / 0, the maximum is `a`.
         (self.product / self.b).max(self.a).min(self.a + self.root)
     }
 
@@ -82,9 +83,9 @@ impl<S: Lane> Pair<S> {
     }
 }
 
-/// The `s` not below zero with the product `root^3` that are closest to `a[0] >= a[1] >= |a[2]|`, and
-/// one in the lanes where they are accurate to about 1e-14, else zero: where the product falls to less
-/// than half, or to zero. Cubes have to be in the range of `f64`.
+/// Returns the non-negative `s` with the product `root^3` that are closest to `a[0] >= a[1] >=
+/// |a[2]|`, and one in the lanes where they are accurate to about 1e-14, else zero: there the
+/// product falls to less than half, or to zero. Cubes must be in the range of `f64`.
 #[inline(always)]
 pub fn triple_with_product<S: Lane>(a: [S; 3], root: S) -> ([S; 3], S) {
     let target = root * root * root;
@@ -111,8 +112,9 @@ pub fn triple_with_product_robust(a: [f64; 3], root: f64) -> [f64; 3] {
         let start = if target == 0.0 { 0.0 } else { (target / (a[0] * a[1])).min(root) };
         return from_above(a, start, target);
     }
-    // Where the product falls a lot, the last of the three may be either root of its equation: there is
-    // the greater one if half of the last does not keep the product up, else the smaller one for sure.
+    // If the product falls a lot, the last number may be either root of its equation. If the
+    // product at half of it exceeds the target, the smaller root exists for sure; else the greater
+    // one does.
     let half = 0.5 * a[2];
     if Triple::at(a, half).product() > target {
         return from_below(a, target, true).expect("the root is between zero and half of the last");
@@ -125,7 +127,7 @@ pub fn triple_with_product_robust(a: [f64; 3], root: f64) -> [f64; 3] {
     }
 }
 
-/// Newton's method from a last one that is not too small, down to the greater root.
+/// Newton's method from a `start` not below the greater root, down to it.
 fn from_above(a: [f64; 3], start: f64, target: f64) -> [f64; 3] {
     let mut t = start;
     for _ in 0..MANY_STEPS {
@@ -141,9 +143,9 @@ fn from_above(a: [f64; 3], start: f64, target: f64) -> [f64; 3] {
     [first, second, t]
 }
 
-/// Newton's method from a last one that is not too great, up to the smaller root, which is below half of
-/// `a[2]`. None where the product does not reach the target on the way; when it is known to, steps that
-/// leave the bracket halve it.
+/// Newton's method from below, up to the smaller root, which is below half of `a[2]`. Returns
+/// `None` if the product does not reach the target on the way; if it is `known` to, steps that
+/// leave the bracket are replaced by bisection.
 fn from_below(a: [f64; 3], target: f64, known: bool) -> Option<[f64; 3]> {
     let (mut low, mut high) = (0.0, 0.5 * a[2]);
     let mut t = (target / (a[0] * a[1])).min(high);
@@ -171,7 +173,7 @@ fn from_below(a: [f64; 3], target: f64, known: bool) -> Option<[f64; 3]> {
     Some([first, second, t])
 }
 
-/// The three numbers as functions of the last one.
+/// The three numbers as functions of the last one, `t`.
 struct Triple<S> {
     /// The first two.
     s: [S; 2],
@@ -187,7 +189,7 @@ impl<S: Lane> Triple<S> {
         // s (s - a) = t (t - a[2]), in a form without differences of squares.
         let root = |a_i: S| ((a_i - a[2]) * (a_i + a[2]) + along * along).max(S::zero()).sqrt();
         let roots = [root(a[0]), root(a[1])];
-        // The derivative is one at the corner where the root vanishes.
+        // The derivative is one at the corner, where the root vanishes.
         let rate = |root: S| root.if_greater(S::zero(), along / root, S::one());
         Triple {
             s: [(a[0] + roots[0]) * S::splat(0.5), (a[1] + roots[1]) * S::splat(0.5)],
@@ -214,7 +216,7 @@ mod tests {
 
     const SIZES: [f64; 9] = [0.0, 1e-9, 1e-3, 0.2, 0.7, 0.999, 1.0, 1.3, 40.0];
 
-    /// The least of `f` over numbers from `from` to `to` evenly spaced in their logarithm, refined.
+    /// The minimum of `f` over numbers evenly spaced in their logarithm, refined.
     fn least(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
         let (mut from, mut to) = (from, to);
         for _ in 0..12 {

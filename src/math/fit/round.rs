@@ -2,33 +2,33 @@
 //! approach for the estimation of circular arc center and its radius", 1989 (paper section 3.1), in
 //! homogeneous form.
 //!
-//! They minimise `sum (|v - c|^2 - r^2)^2`. With centred points, `M = mean v v^T`,
-//! `h = mean |v|^2 v / 2` and `s = mean |v|^2`, the centre is `c = M^-1 h` and
-//! `r^2 = s + |c|^2`. Near a line (or a plane) the centre runs to infinity. We keep
-//! `a = adj(M) h` and `d = det M`, or any common multiple of them, instead of `c = a / d`. The
-//! point of the circle closest to `v` is
+//! They minimise `sum (|v - c|^2 - r^2)^2`. With centred points, `M = mean v v^T`, `h = mean |v|^2
+//! v / 2` and `s = mean |v|^2`, the centre is `c = M^-1 h` and `r^2 = s + |c|^2`. Near a line (or a
+//! plane) the centre goes to infinity. We therefore store `a = adj(M) h` and `d = det M`, or any
+//! common multiple of them, instead of `c = a / d`. The point of the circle closest to `v` is
 //!
 //! ```text
 //! v' = v + (d v - a) q / (D (R + D)),   D = |d v - a|,  R = (d^2 s + |a|^2)^1/2 = d r,
 //!                                       q = d (s - |v|^2) + 2 v.a = (R^2 - D^2) / d
 //! ```
 //!
-//! which divides by nothing that vanishes with `d`: at `d = 0` it is the projection onto the line
-//! (or plane) through the mean that is orthogonal to `a`, the limit circle.
+//! No divisor vanishes with `d`. At `d = 0` it is the projection onto the line (or plane) through
+//! the mean that is orthogonal to `a`, the limit circle.
 
 use crate::math::{Lane, Vec3};
 
-/// Below this fraction of the longest, an extent is rounding error: the points are collinear (or
+/// An extent below this fraction of the longest is rounding error: the points are collinear (or
 /// coplanar).
 const FLAT: f64 = 32.0 * f64::EPSILON;
 
-/// A point nearer to the centre than this fraction of the radius is at the centre: the direction in
-/// which it lies is rounding error.
+/// A point nearer to the centre than this fraction of the radius counts as at the centre, since its
+/// direction is rounding error.
 pub(crate) const AT_CENTRE: f64 = 1e-14;
 
 /// The least `R`, relative to the points (unit trace, lengths over `s^1/2`), at which the closed
-/// form is used. Its rounding error is a few ulp of one, divided by this: about 1e-12 of the size of
-/// the points, and more only for points near the centre, by the radius over their distance.
+/// form is used. Its rounding error is a few ulp divided by this: about 1e-12 of the size of the
+/// points, and more only for points near the centre, by the ratio of the radius to their distance
+/// from it.
 const LEAST_REACH: f64 = 1e-4;
 
 /// A fitted circle or sphere around the mean of its points, or the line or plane that is its limit.
@@ -36,7 +36,7 @@ const LEAST_REACH: f64 = 1e-4;
 pub struct Round<S> {
     /// The centre times `d`.
     pub a: Vec3<S>,
-    /// Not negative; zero where the circle is a line (or the sphere a plane).
+    /// Not negative; zero if the circle is a line (or the sphere a plane).
     pub d: S,
     /// The radius times `d`.
     pub reach: S,
@@ -52,8 +52,8 @@ impl<S: Lane> Round<S> {
         Round { a, d, reach, mean_square }
     }
 
-    /// Keeps `flag` in the lanes where `a` and `d`, formed from a scatter matrix of unit trace, are
-    /// accurate; zero in the others, those of nearly collinear (or coplanar) points.
+    /// Returns `flag` in the lanes where `a` and `d`, computed from a scatter matrix of unit trace,
+    /// are accurate; zero in the others (nearly collinear or coplanar points).
     #[inline(always)]
     pub fn accurate(&self, flag: S) -> S {
         let s = self.mean_square;
@@ -68,8 +68,8 @@ impl<S: Lane> Round<S> {
         self.d * (self.mean_square - v.length_squared()) + (va + va)
     }
 
-    /// The way from `v` (for a circle, in its plane) to its closest point, which keeps more digits
-    /// than the difference of the two. Not finite where `v` is at the centre.
+    /// The displacement from `v` (for a circle, in its plane) to its closest point, which keeps
+    /// more digits than the difference of the two. Not finite if `v` is at the centre.
     #[inline(always)]
     pub fn step(&self, v: Vec3<S>) -> Vec3<S> {
         let from_centre = v * self.d - self.a;
@@ -77,8 +77,7 @@ impl<S: Lane> Round<S> {
         from_centre * (self.q(v) / (distance * (self.reach + distance)))
     }
 
-    /// As [`Round::step`], and keeps `good` in the lanes where `v` is not at the centre; zero in the
-    /// others.
+    /// As [`Round::step`]; also sets `good` to zero in the lanes where `v` is at the centre.
     #[inline(always)]
     pub fn step_off_centre(&self, v: Vec3<S>, good: &mut S) -> Vec3<S> {
         let from_centre = v * self.d - self.a;
@@ -91,13 +90,12 @@ impl<S: Lane> Round<S> {
 }
 
 impl Round<f64> {
-    /// Fits points given in principal coordinates, of which the first `dimensions` count: two for
-    /// a circle, three for a sphere.
+    /// Fits points given in principal coordinates, using the first `dimensions` of them: two for a
+    /// circle, three for a sphere.
     ///
-    /// `M` is diagonal there, with the squared extents `e_k^2`. Dividing `a` and `d` by the product
-    /// of the extents, the smallest of them once more left in, gives `d = e_min` and
-    /// `a_k = (e_min / e_k) mean(|v|^2 v_k / e_k) / 2`, which has lost no digits when `e_min` is
-    /// 1e-12 of the longest.
+    /// `M` is then diagonal, with the squared extents `e_k^2`. Dividing `a` and `d` by the product
+    /// of these, but for one factor `e_min`, gives `d = e_min` and `a_k = (e_min / e_k) mean(|v|^2
+    /// v_k / e_k) / 2`, which loses no digits even if `e_min` is 1e-12 of the longest extent.
     pub fn fit_principal(points: &[Vec3<f64>], dimensions: usize) -> Self {
         let inverse_n = 1.0 / points.len() as f64;
         let coordinates = |v: &Vec3<f64>| [v.x, v.y, if dimensions == 3 { v.z } else { 0.0 }];
@@ -129,14 +127,13 @@ impl Round<f64> {
         Round::new(Vec3::from(a), least, squares.iter().sum())
     }
 
-    /// The closest point, defined everywhere. On a line or in a plane (for a sphere) nothing
-    /// moves when all points are there; a point at the centre goes to where the first axis meets
-    /// the circle.
+    /// The closest point, defined everywhere. Points that are all on a line (for a sphere, in a
+    /// plane) stay; a point at the centre goes to where the first axis meets the circle.
     pub fn closest_or_chosen(&self, v: Vec3<f64>) -> Vec3<f64> {
         v + self.step_or_chosen(v)
     }
 
-    /// The way from `v` to the point of [`Round::closest_or_chosen`].
+    /// The displacement from `v` to [`Round::closest_or_chosen`].
     pub fn step_or_chosen(&self, v: Vec3<f64>) -> Vec3<f64> {
         if self.reach == 0.0 {
             return Vec3::zero();
@@ -146,8 +143,8 @@ impl Round<f64> {
         if off_centre > 0.0 { step } else { Vec3::new(self.reach / self.d, 0.0, 0.0) }
     }
 
-    /// Centre and radius, unless the radius exceeds 1e6 times the size of the points (the root
-    /// mean square of their distances to the mean), or they have no size.
+    /// Returns centre and radius, unless the radius exceeds 1e6 times the size of the points (the
+    /// root mean square of their distances to the mean) or that size is zero.
     pub fn centre_and_radius(&self) -> Option<(Vec3<f64>, f64)> {
         let drawable = self.reach > 0.0 && self.reach <= 1e6 * self.d * self.mean_square.sqrt();
         drawable.then(|| {

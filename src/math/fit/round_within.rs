@@ -1,32 +1,32 @@
-//! The circle or sphere whose radius is within limits.
+//! The circle or sphere with a radius within limits.
 //!
-//! Where the radius of Thomas and Chan is, nothing changes. Else the radius is the limit `r` that is
-//! nearest to it, and the centre `c` minimises `sum (|v - c| - r)^2`: it begins at the mean of
-//! `v - r u`, where the unit vectors `u` point away from the fitted centre, and takes a fixed number
-//! of Newton steps with
-//!
+//! If the radius of Thomas and Chan is within the limits, it is kept. Else the radius is the
+//! nearest limit `r`, and the centre `c` minimises `sum (|v - c| - r)^2`. The centre starts at the
+//! mean of `v - r u`, where the unit vectors `u` point away from the fitted centre, and takes a
+//! fixed number of Newton steps with
 //! ```text
 //! gradient  mean ((r - |v - c|) u),    Hessian  mean (u u^T + k (I - u u^T)),   k = 1 - r / |v - c|
 //! ```
 //!
-//! Points inside the circle have a negative `k`; it counts as zero, so that no step goes uphill.
+//! Points inside the circle have a negative `k`, which is replaced by zero so that no step goes
+//! uphill.
 
 use super::round::AT_CENTRE;
 use crate::math::{Lane, PrincipalAxes, Round, Symmetric3, Vec3};
 
-/// With noise of a tenth of the radius five come within 1e-4 of the least distance, and three within
-/// 1 %.
+/// With noise of a tenth of the radius, five steps come within 1e-4 of the least distance, and
+/// three within 1 %.
 const STEPS: usize = 5;
 
-/// Added to the Hessian, whose entries have the size of one, so that it has an inverse where all
-/// points are in one direction.
+/// Added to the Hessian, whose entries are of order one, so that it is invertible if all points are
+/// in one direction.
 const LEVEL: f64 = 1e-12;
 
 /// The least determinant of the Hessian at which the closed form is used.
 const LEAST_DETERMINANT: f64 = 1e-9;
 
-/// A radius that exceeds this times the size of the points (the root mean square of their distances to
-/// the mean) is that of a line, or a plane.
+/// A radius that exceeds this times the size of the points (the root mean square of their distances
+/// to the mean) counts as that of a line or plane.
 const STRAIGHT: f64 = 1e6;
 
 /// A circle or sphere around the mean of its points whose radius is within limits.
@@ -34,19 +34,19 @@ const STRAIGHT: f64 = 1e6;
 pub struct RoundWithin<S> {
     /// The fit without limits.
     round: Round<S>,
-    /// One where the limits have changed the radius, else zero.
+    /// One where the limits changed the radius, else zero.
     limited: S,
-    /// The centre where they have.
+    /// The centre, where they did.
     centre: Vec3<S>,
-    /// The radius where they have.
+    /// The radius, where they did.
     radius: S,
 }
 
 impl<S: Lane> RoundWithin<S> {
-    /// Refines the fit `round` of mean-centred `points`, in the plane of the circle with the unit
-    /// normal `normal`, which is zero for a sphere. `clamp` gives the nearest radius within the
-    /// limits. Keeps `good` in the lanes where the centre is accurate, zero in the others; there a
-    /// point at the centre counts as if it were in the direction `chosen`.
+    /// Refines the fit `round` of mean-centred `points`. `normal` is the unit normal of the plane
+    /// of the circle, or zero for a sphere; `clamp` returns the nearest radius within the limits.
+    /// Sets `good` to zero in the lanes where the centre is not accurate; there a point at the
+    /// centre counts as if it lay in the direction `chosen`.
     #[inline(always)]
     pub fn of(
         points: &[Vec3<S>],
@@ -78,7 +78,7 @@ impl<S: Lane> RoundWithin<S> {
             let (mut sum, mut hessian) = (Vec3::zero(), [zero; 7]);
             for p in points {
                 let (distance, u) = direction(*p - centre, radius, chosen, &mut accurate);
-                // Not greater than one at the centre too, where the quotient is infinite.
+                // At most one also at the centre, where the quotient is infinite.
                 let rest = (radius / distance).min(one);
                 sum += u;
                 let w = u * rest;
@@ -87,7 +87,7 @@ impl<S: Lane> RoundWithin<S> {
             }
             let gradient = centre + sum * (radius * inverse_n);
             let [xx, xy, xz, yy, yz, zz, rest] = hessian.map(|h| h * inverse_n);
-            // Out of the plane of a circle nothing is to be found: one along the normal.
+            // The points of a circle determine nothing along its normal: one in that direction.
             let out = normal * rest;
             let level = one - rest + S::splat(LEVEL);
             let hessian = Symmetric3 {
@@ -120,10 +120,10 @@ impl<S: Lane> RoundWithin<S> {
         Vec3::if_greater(self.limited, S::zero(), limited, free)
     }
 
-    /// The step where the limits have changed the radius.
+    /// The step in the lanes where the limits changed the radius.
     ///
-    /// `r - |v - c| = (r^2 - |c|^2 + 2 v.c - |v|^2) / (r + |v - c|)`: what rounding adds to the difference
-    /// of the great numbers is the same for all points.
+    /// `r - |v - c| = (r^2 - |c|^2 + 2 v.c - |v|^2) / (r + |v - c|)`: the rounding error of the
+    /// difference of the large numbers is the same for all points.
     #[inline(always)]
     fn limited_step(&self, v: Vec3<S>, chosen: Vec3<S>, good: &mut S) -> Vec3<S> {
         let RoundWithin { centre, radius, .. } = *self;
@@ -134,8 +134,8 @@ impl<S: Lane> RoundWithin<S> {
     }
 }
 
-/// The length of `v` and its unit vector, which is `chosen` where `v` is nearer to zero than the
-/// rounding error of points at this `radius`; there `good` becomes zero.
+/// Returns the length of `v` and its unit vector. If `v` is nearer to zero than the rounding error
+/// of points at this `radius`, the vector is `chosen`, and `good` becomes zero.
 #[inline(always)]
 fn direction<S: Lane>(v: Vec3<S>, radius: S, chosen: Vec3<S>, good: &mut S) -> (S, Vec3<S>) {
     let squared = v.length_squared();
@@ -161,11 +161,12 @@ impl RoundWithin<f64> {
     }
 }
 
-/// The circle or sphere found in principal axes: slower, and accurate for every input.
+/// A circle or sphere fitted in principal axes: slower, but accurate for every input.
 ///
-/// Collinear (for a sphere, coplanar) points that may not stay on their line have their centre along
-/// the shortest axis. A limit of more than a million times the size of the points is the radius of a line
-/// along the longest axis (of a plane along the two longest). Coincident points stay. Where the radius
+/// Collinear (for a sphere, coplanar) points that may not stay on their line have their centre
+/// along the shortest axis. A limit of more than a million times the size of the points gives a
+/// line along the longest axis (for a sphere, a plane along the two longest). Coincident points
+/// stay. If the radius must be zero, all points go to their mean.
 /// must be zero all points go to their mean.
 #[derive(Clone, Copy, Debug)]
 pub struct PrincipalRound {
@@ -173,13 +174,14 @@ pub struct PrincipalRound {
     pub axes: PrincipalAxes,
     within: RoundWithin<f64>,
     dimensions: usize,
-    /// No radius is allowed but zero: all that is left of the circle is its centre, the mean.
+    /// Zero is the only allowed radius: all points go to the centre, their mean.
     is_point: bool,
 }
 
 impl PrincipalRound {
-    /// Fits mean-centred points, a circle for two `dimensions` and a sphere for three, and replaces the
-    /// points by their principal coordinates. `clamp` gives the nearest radius within the limits.
+    /// Fits mean-centred points, a circle for two `dimensions` and a sphere for three, and replaces
+    /// the points by their principal coordinates. `clamp` returns the nearest radius within the
+    /// limits.
     pub fn rotate(
         points: &mut [Vec3<f64>],
         dimensions: usize,
@@ -200,8 +202,8 @@ impl PrincipalRound {
         PrincipalRound { axes, within, dimensions, is_point }
     }
 
-    /// The closest point, in space, to the point with principal coordinates `v`. One at the centre
-    /// goes to where the first axis meets the circle or sphere.
+    /// Returns the closest point, in space, to the point with principal coordinates `v`. A point at
+    /// the centre goes to where the first axis meets the circle or sphere.
     pub fn closest(&self, v: Vec3<f64>) -> Vec3<f64> {
         if self.is_point {
             return Vec3::zero();
@@ -230,7 +232,7 @@ fn axis(k: usize) -> Vec3<f64> {
     Vec3::new(unit(0), unit(1), unit(2))
 }
 
-/// The first coordinates, zero for the others.
+/// Keeps the first `dimensions` coordinates and sets the others to zero.
 fn with_dimensions(v: Vec3<f64>, dimensions: usize) -> Vec3<f64> {
     Vec3::new(v.x, if dimensions > 1 { v.y } else { 0.0 }, if dimensions > 2 { v.z } else { 0.0 })
 }

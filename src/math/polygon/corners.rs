@@ -1,21 +1,21 @@
-//! The corners of a polygon in turn: what loops over the faces of a mesh have in common.
+//! The sides and corners of a polygon in order, for loops over the faces of a mesh.
 
 use crate::math::Vec3;
 
-/// The sides of a polygon: each corner with the one after it, the last one with the first.
+/// The sides of a polygon: each corner with the next one, the last with the first.
 pub fn polygon_sides<T: Copy>(corners: &[T]) -> impl Iterator<Item = [T; 2]> + Clone + '_ {
     let next = corners.iter().cycle().skip(1);
     corners.iter().zip(next).map(|(&here, &next)| [here, next])
 }
 
-/// The corners of a polygon, each between the one before and the one after it.
+/// The corners of a polygon, each between its predecessor and its successor.
 pub fn polygon_corners<T: Copy>(corners: &[T]) -> impl Iterator<Item = [T; 3]> + Clone + '_ {
     let n = corners.len();
     (0..n).map(move |k| [corners[(k + n - 1) % n], corners[k], corners[(k + 1) % n]])
 }
 
-/// Twice the vector area of a polygon, flat or not: the sum over the triangles `(p0, pk, pk+1)`. It is
-/// normal to a flat one, and as long as its area is large, twice.
+/// Twice the vector area of a polygon, flat or not: the sum over the triangles `(p0, pk, pk+1)`.
+/// For a flat polygon it is normal to the plane, and its length is twice the area.
 pub fn twice_vector_area(corners: impl IntoIterator<Item = Vec3<f64>>) -> Vec3<f64> {
     let mut corners = corners.into_iter();
     let Some(first) = corners.next() else { return Vec3::zero() };
@@ -43,7 +43,7 @@ mod tests {
 
     #[test]
     fn the_vector_area_does_not_depend_on_the_first_corner() {
-        // A unit square with a corner that points inwards, on a plane far away.
+        // A unit square with a reflex corner, on a plane far away.
         let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, 0.5], [0.0, 1.0]];
         for k in 0..corners.len() {
             let turned = (0..5).map(|i| corners[(i + k) % 5]);

@@ -2,7 +2,7 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `corners` | sides and corners in turn, vector area |
+//! | `corners` | sides and corners in order, vector area |
 //! | `unit_polygon` | regular polygons on the unit circle |
 //! | `plane_frame` | axes of the plane that two vectors span |
 

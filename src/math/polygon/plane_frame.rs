@@ -2,15 +2,15 @@
 
 use crate::math::{Lane, Vec3};
 
-/// A vector shorter than this fraction of another is rounding error beside it.
+/// A vector shorter than this fraction of another is rounding error.
 const NEGLIGIBLE: f64 = 4.0 * f64::EPSILON;
 
-/// Orthonormal axes `e`, `f` of the plane of `x` and `y`, such that the turn from `x` to `y` by less
-/// than 180 degrees is from `e` to `f`.
+/// Returns orthonormal axes `e`, `f` of the plane of `x` and `y`, such that the turn from `x` to
+/// `y` by less than 180 degrees goes from `e` to `f`.
 ///
-/// For parallel vectors `f` is at right angles to them, in the plane of one of the coordinate axes
-/// farthest from them. For finite vectors whose squares are in the range of `f64`, of which one is
-/// not zero.
+/// For parallel vectors `f` is orthogonal to them, in their plane with one of the coordinate axes
+/// farthest from them. The vectors must be finite with squares in the range of `f64`, and one of
+/// them must not be zero.
 #[inline(always)]
 pub fn plane_frame<S: Lane>(x: Vec3<S>, y: Vec3<S>) -> [Vec3<S>; 2] {
     let (xx, yy) = (x.length_squared(), y.length_squared());
@@ -18,7 +18,7 @@ pub fn plane_frame<S: Lane>(x: Vec3<S>, y: Vec3<S>) -> [Vec3<S>; 2] {
     let short = Vec3::if_greater(yy, xx, x, y);
     let e = long * (S::one() / xx.max(yy).sqrt());
     let across = short - e * e.dot(short);
-    // Once more: beside a small remainder the rounding error of the first time is large.
+    // Repeated: if the remainder is small, the rounding error of the first time is large beside it.
     let across = across - e * e.dot(across);
     let bound = S::splat(NEGLIGIBLE * NEGLIGIBLE) * xx.min(yy);
     let f = Vec3::if_greater(across.length_squared(), bound, across, e.across());

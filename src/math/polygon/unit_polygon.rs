@@ -1,17 +1,17 @@
-//! The corners of the regular polygons with `n` corners on the unit circle, `cos` and `sin` of
-//! `2 pi k / n`: within one ulp for up to 500 corners, and within an ulp of one for any number.
+//! The corners of regular polygons with `n` corners on the unit circle, `cos` and `sin` of `2 pi k
+//! / n`: within one ulp for up to 500 corners, and within an ulp of one for any number.
 //!
 //! The platform's `cos` and `sin` may differ between native and wasm. Here the angle is folded into
-//! the first octant, which is exact in integers, and the Taylor series is summed in fixed-point
-//! numbers, so that nothing is left to choose but the last rounding.
+//! the first octant by exact integer arithmetic, and the Taylor series is summed in fixed-point
+//! numbers, so that only the last conversion rounds.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::ops::Deref;
 use std::rc::Rc;
 
-/// Polygons up to this many corners are in a table that the compiler fills; the others are made
-/// when they are first asked for, and kept.
+/// Polygons with up to this many corners are in a compile-time table; the others are computed on
+/// first use and cached.
 const IN_TABLE: usize = 8;
 
 static TABLE: [[[f64; 2]; IN_TABLE]; IN_TABLE + 1] = {
@@ -32,12 +32,12 @@ thread_local! {
     static KEPT: RefCell<BTreeMap<usize, Rc<[[f64; 2]]>>> = const { RefCell::new(BTreeMap::new()) };
 }
 
-/// The `n` corners in turn, the first at (1, 0).
+/// The `n` corners in order, the first at (1, 0).
 #[derive(Clone, Debug)]
 pub enum UnitPolygon {
-    /// One of the table.
+    /// From the table.
     Few(&'static [[f64; 2]]),
-    /// One made in this thread.
+    /// Computed in this thread.
     Many(Rc<[[f64; 2]]>),
 }
 
@@ -89,7 +89,7 @@ const fn corner(k: usize, n: usize) -> [f64; 2] {
 /// `pi / 4` in units of 2^-64.
 const QUARTER_PI: u128 = 0xC90F_DAA2_2168_C235;
 
-/// The first term left out is below 2^-64 for angles up to `pi / 4`.
+/// Number of terms: the first one omitted is below 2^-64 for angles up to `pi / 4`.
 const TERMS: u128 = 10;
 
 /// `[cos, sin]` of `pi / 4` times `part / of`, where `part` is at most `of`: the series
@@ -120,8 +120,8 @@ mod tests {
             let polygon = UnitPolygon::new(n);
             assert_eq!(polygon.len(), n);
             for (k, [c, s]) in polygon.iter().enumerate() {
-                // The angle is rounded for the platform, which takes up to an ulp of the result even
-                // when it is folded into the first octant.
+                // The platform's angle is rounded, which costs up to an ulp of the result even
+                // after folding into the first octant.
                 let (k8, turn) = (8 * k, std::f64::consts::TAU);
                 let angle = |past: usize| turn * (past as f64 / (8 * n) as f64);
                 let (cosine, sine) = match k8 / n {

@@ -7,11 +7,11 @@
 use super::register::Register;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// How many constraints a batch treats at a time. One register holds two; two registers side by
-/// side hide the latency of division and square root.
+/// Number of constraints that a batch projects at a time. One register stores two; two registers
+/// side by side hide the latency of division and square root.
 pub const LANES: usize = 4;
 
-/// Two things side by side in one 128-bit register.
+/// Two scalars in one 128-bit register.
 pub type Pair = Lanes<1>;
 
 /// A scalar (`f64`) or one scalar for each of several constraints ([`Lanes`]).
@@ -26,7 +26,7 @@ pub trait Lane:
     + AddAssign
     + SubAssign
 {
-    /// How many constraints it holds.
+    /// Number of lanes.
     const WIDTH: usize;
     /// The same value in every lane.
     fn splat(x: f64) -> Self;
@@ -34,13 +34,13 @@ pub trait Lane:
     fn sqrt(self) -> Self;
     /// Absolute value.
     fn abs(self) -> Self;
-    /// The greater of the two; `other` where `self` is NaN.
+    /// The greater of the two; `other` if `self` is NaN.
     fn max(self, other: Self) -> Self;
-    /// The smaller of the two; `other` where `self` is NaN.
+    /// The smaller of the two; `other` if `self` is NaN.
     fn min(self, other: Self) -> Self;
     /// Lane by lane: `yes` where `self > bound`, else `no`.
     fn if_greater(self, bound: Self, yes: Self, no: Self) -> Self;
-    /// Whether every lane is greater than that of `bound`; false where one is NaN.
+    /// Whether every lane is greater than that of `bound`; false if any is NaN.
     fn all_greater(self, bound: Self) -> bool;
     /// The value of lane `i`.
     fn lane(self, i: usize) -> f64;
@@ -102,13 +102,13 @@ impl Lane for f64 {
 pub struct Lanes<const P: usize = { LANES / 2 }>(pub(super) [Register; P]);
 
 impl<const P: usize> Lanes<P> {
-    /// A value for each lane.
+    /// Returns lanes with the values `value(lane)`.
     #[inline(always)]
     pub fn from_fn(value: impl Fn(usize) -> f64) -> Self {
         Lanes(std::array::from_fn(|k| Register::new(value(2 * k), value(2 * k + 1))))
     }
 
-    // Loops: functions that take an array apart may stay functions.
+    // Loops, because `array::map` and the like may not be inlined.
     #[inline(always)]
     fn map(mut self, f: impl Fn(Register) -> Register) -> Self {
         for register in &mut self.0 {
@@ -229,7 +229,8 @@ mod tests {
     const NUMBERS: [f64; 10] =
         [0.0, -0.0, 1.0, -2.5, 1e-310, 3e200, -7e-200, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
 
-    /// That `lanes` does in each lane what `one` does with a number, whatever stands in the other lanes.
+    /// Checks that `lanes` gives in each lane what `one` gives for a number alone, whatever the
+    /// other lanes contain.
     fn same<L: Lane>(lanes: impl Fn(L, L) -> L, one: impl Fn(f64, f64) -> f64) {
         for i in 0..NUMBERS.len() {
             for shift in 0..NUMBERS.len() {

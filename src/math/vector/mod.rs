@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `lane` | one scalar, or the same scalar of several constraints side by side |
 //! | `register` | two numbers in one 128-bit register |
-//! | `rows` | points in lanes from rows of coordinates, and sums back |
+//! | `rows` | points in lanes from rows of coordinates, and sums back to the rows |
 //! | `vec3` | a 3-vector whose components are lanes |
 
 mod lane;

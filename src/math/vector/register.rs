@@ -1,9 +1,9 @@
 //! Two numbers in one 128-bit register.
 //!
-//! The compiler packs plain arrays only where it sees that this pays, and takes them apart where a value comes
-//! from memory or goes there. Written in the instructions of the processor, which are safe functions of the
-//! standard library, every operation is one. All of them are rounded as IEEE 754 says, so that each of the
-//! three ways below gives the same bits.
+//! The compiler packs plain arrays only where it finds that profitable, and unpacks them on loads
+//! and stores. Written with the processor's instructions, through safe functions, every operation
+//! is a single instruction. All of them round as IEEE 754 requires, so that the three
+//! implementations below give the same bits.
 
 #[cfg(not(any(
     all(target_arch = "x86_64", target_feature = "sse2"),
@@ -15,7 +15,7 @@ pub(super) use sse2::Register;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub(super) use wasm::Register;
 
-/// SSE2, which every processor of this kind has.
+/// SSE2, which every x86-64 processor has.
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 mod sse2 {
     use safe_arch::*;
@@ -159,7 +159,7 @@ mod wasm {
         pub(crate) fn sqrt(self) -> Self {
             Register(f64x2_sqrt(self.0))
         }
-        // The pseudo-maximum `(a, b)` is `b` where `a < b`, else `a`: one instruction on x86.
+        // The pseudo-maximum of `(a, b)` is `b` if `a < b`, else `a`: one instruction on x86.
         #[inline(always)]
         pub(crate) fn max(self, other: Self) -> Self {
             Register(f64x2_pmax(other.0, self.0))
@@ -179,7 +179,7 @@ mod wasm {
     }
 }
 
-/// Arrays, for other processors.
+/// Plain arrays, for other processors.
 #[cfg(not(any(
     all(target_arch = "x86_64", target_feature = "sse2"),
     all(target_arch = "wasm32", target_feature = "simd128")

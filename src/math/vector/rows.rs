@@ -1,11 +1,11 @@
-//! Points in lanes, and the rows of their coordinates, which are apart in memory. The fourth number of a row is
-//! padding.
+//! Gathers points into lanes from rows of coordinates that are apart in memory, and adds lanes to
+//! rows. The fourth number of a row is padding.
 
 use super::register::Register;
 use crate::math::{LANES, Lanes, Vec3};
 
 impl Vec3<Lanes> {
-    /// The points of these rows, one in each lane.
+    /// Gathers the points of these rows, one in each lane.
     #[inline(always)]
     pub fn of_rows(rows: &[[f64; 4]], at: &[u32; LANES]) -> Self {
         let mut points = Self::zero();
@@ -19,7 +19,8 @@ impl Vec3<Lanes> {
         points
     }
 
-    /// Adds the vector of each lane to its row, one after another: lanes may share a row.
+    /// Adds the vector of each lane to its row, one lane after another, since lanes may share a
+    /// row.
     #[inline(always)]
     pub fn add_to_rows(self, rows: &mut [[f64; 4]], at: &[u32; LANES]) {
         for k in 0..LANES / 2 {

@@ -49,7 +49,7 @@ impl<S: Lane> Vec3<S> {
     pub fn length(self) -> S {
         self.dot(self).sqrt()
     }
-    /// A unit vector at right angles to this unit vector, in the plane of one of the coordinate axes
+    /// A unit vector orthogonal to this unit vector, in its plane with one of the coordinate axes
     /// farthest from it.
     #[inline(always)]
     pub fn across(self) -> Self {
@@ -89,7 +89,8 @@ impl<S: Lane> Vec3<S> {
 }
 
 impl Vec3<f64> {
-    /// The length, and the direction unless the vector is zero, without overflow or underflow.
+    /// Returns the length, and the direction unless the vector is zero, without overflow or
+    /// underflow.
     pub fn length_and_direction(self) -> (f64, Option<Self>) {
         let scale = self.x.abs().max(self.y.abs()).max(self.z.abs());
         if scale == 0.0 {
@@ -101,7 +102,7 @@ impl Vec3<f64> {
     }
 }
 
-/// Subtracts the mean from the points, `N_i` of paper Eq. 5, and gives the mean.
+/// Subtracts the mean from the points, `N_i` of paper Eq. 5, and returns the mean.
 #[inline(always)]
 pub fn centre<S: Lane>(points: &mut [Vec3<S>]) -> Vec3<S> {
     let mut sum = Vec3::zero();
