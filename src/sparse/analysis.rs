@@ -1,5 +1,5 @@
-//! Symbolic analysis: permutation, pattern and supernodes follow from the pattern of a symmetric matrix, and
-//! serve every matrix of that pattern.
+//! Symbolic analysis: the permutation, pattern and supernodes, which depend only on the pattern of
+//! a symmetric matrix and serve all matrices of that pattern.
 
 use super::matrix::UpperTriangle;
 use super::order::elimination_order;
@@ -9,13 +9,13 @@ use std::rc::Rc;
 
 /// The symbolic analysis of a pattern.
 pub(crate) struct SymbolicAnalysis {
-    /// The whole pattern with its diagonal, as it was given.
+    /// The full pattern with its diagonal, in the original order.
     structure: CsStructureI<u32>,
     /// `at(k)` is the unknown that is eliminated `k`-th.
     permutation: PermOwnedI<u32>,
-    /// The inverse of the permutation: the place of each unknown in the order of elimination.
+    /// The inverse of the permutation: the position of each unknown in the elimination order.
     place_of: Vec<u32>,
-    /// The upper triangle in the order of elimination.
+    /// The upper triangle in the elimination order.
     upper: CsStructureI<u32>,
     supernodes: Rc<Supernodes>,
 }
@@ -30,7 +30,7 @@ impl SymbolicAnalysis {
         SymbolicAnalysis { structure, permutation, place_of, upper, supernodes }
     }
 
-    /// Orders and analyses the pattern of `n` unknowns that `edges` couple, each edge once.
+    /// Orders and analyses the pattern of `n` unknowns coupled by `edges`, each edge given once.
     pub(crate) fn of_edges(n: usize, edges: impl Iterator<Item = [u32; 2]>) -> SymbolicAnalysis {
         let mut near: Vec<Vec<u32>> = (0..n as u32).map(|v| vec![v]).collect();
         for [i, j] in edges {
@@ -47,7 +47,7 @@ impl SymbolicAnalysis {
         SymbolicAnalysis::new(CsStructureI::new_csc((n, n), columns, rows, values))
     }
 
-    /// Whether this is the analysis of that pattern.
+    /// Whether this is the analysis of `structure`.
     pub(crate) fn fits(&self, structure: &CsStructureI<u32>) -> bool {
         self.structure == *structure
     }
@@ -62,12 +62,13 @@ impl SymbolicAnalysis {
         self.permutation.at(k) as u32
     }
 
-    /// The place of each unknown in the order of elimination.
+    /// The position of each unknown in the elimination order.
     pub(crate) fn place_of(&self) -> &[u32] {
         &self.place_of
     }
 
-    /// A number for each unknown in the order of elimination, which those that the pattern connects share.
+    /// A number for each unknown, in the elimination order, that is shared within a connected
+    /// component.
     pub(crate) fn components(&self) -> &[u32] {
         self.supernodes.components()
     }
@@ -77,7 +78,7 @@ impl SymbolicAnalysis {
         &self.supernodes
     }
 
-    /// A matrix of this pattern in the order of elimination, zero so far.
+    /// Returns a zero matrix of this pattern in the elimination order.
     pub(crate) fn zeros(&self) -> UpperTriangle {
         let columns = self.upper.indptr().raw_storage().to_vec();
         let rows = self.upper.indices().to_vec();

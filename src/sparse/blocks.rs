@@ -1,6 +1,6 @@
-//! Symmetric matrices whose entries are blocks of 3 by 3, in the pattern of a scalar matrix, and their factor:
-//! where x, y and z of a node are coupled. The order, the tree and the supernodes are those of the scalar matrix
-//! with every node three times, so that nothing is analysed again.
+//! Symmetric matrices of 3-by-3 blocks in the pattern of a scalar matrix, and their factor, for
+//! problems that couple x, y and z of a node. The order, tree and supernodes are those of the
+//! scalar matrix with every node repeated three times, so that no new analysis is needed.
 
 use super::analysis::SymbolicAnalysis;
 use super::matrix::{Row, Singular, UpperTriangle};
@@ -10,31 +10,31 @@ use super::supernodes::Supernodes;
 use sprs::{CsMatI, CsStructureI};
 use std::rc::Rc;
 
-/// Unknowns of a node.
-const TIMES: u32 = 3;
+/// Unknowns per node.
+const BLOCK: u32 = 3;
 
-/// A pivot is accepted that is greater than this part of its diagonal entry: stiff directions and soft ones of a
-/// node differ by up to ten digits.
+/// A pivot is accepted if it exceeds this fraction of its diagonal entry. Stiff and soft directions
+/// of a node differ by up to ten digits.
 const SMALLEST_PIVOT: f64 = 1e-15;
 
 /// A matrix of blocks, and its factor.
 pub(crate) struct BlockMatrix {
-    /// Where the values of each column of blocks start, `#nodes + 1`.
+    /// Start of the values of each column of blocks, `#nodes + 1`.
     starts: Vec<u32>,
     /// The rows of the upper triangle of the scalar matrix, by columns.
     rows: Vec<u32>,
-    /// Where the rows of each column start, `#nodes + 1`.
+    /// Start of each column in `rows`, `#nodes + 1`.
     columns: Vec<u32>,
     matrix: UpperTriangle,
     supernodes: Rc<Supernodes>,
     pivots: Vec<f64>,
     panels: Panels<f64>,
-    /// One right-hand side, a value for each unknown.
+    /// One right-hand side, one value for each unknown.
     unknowns: Vec<[f64; 1]>,
 }
 
 impl BlockMatrix {
-    /// In the pattern and the order of `analysis`; zero so far.
+    /// Returns a zero matrix in the pattern and the order of `analysis`.
     pub(crate) fn new(analysis: &SymbolicAnalysis) -> BlockMatrix {
         let scalar = analysis.zeros();
         let columns = scalar.indptr().raw_storage().to_vec();
@@ -43,16 +43,16 @@ impl BlockMatrix {
         let (mut starts, mut ends, mut indices) = (vec![0], vec![0], Vec::new());
         for ends_of in columns.windows(2) {
             let own = &rows[ends_of[0] as usize..ends_of[1] as usize];
-            for c in 0..TIMES {
-                let above = own.iter().flat_map(|&row| (0..TIMES).map(move |k| TIMES * row + k));
-                indices.extend(above.take(TIMES as usize * (own.len() - 1) + c as usize + 1));
+            for c in 0..BLOCK {
+                let above = own.iter().flat_map(|&row| (0..BLOCK).map(move |k| BLOCK * row + k));
+                indices.extend(above.take(BLOCK as usize * (own.len() - 1) + c as usize + 1));
                 ends.push(indices.len() as u32);
             }
             starts.push(indices.len() as u32);
         }
-        let size = TIMES as usize * n;
+        let size = BLOCK as usize * n;
         let pattern = CsStructureI::new_csc((size, size), ends, indices, vec![(); last(&starts)]);
-        let supernodes = Rc::new(analysis.supernodes().of_blocks(TIMES, &pattern));
+        let supernodes = Rc::new(analysis.supernodes().of_blocks(BLOCK, &pattern));
         let (ends, indices) = (pattern.indptr().raw_storage().to_vec(), pattern.indices().to_vec());
         BlockMatrix {
             rows: rows.to_vec(),
@@ -66,13 +66,15 @@ impl BlockMatrix {
         }
     }
 
-    /// How many bytes the factor of such a matrix takes, about: that of the scalar one has `nonzeros`.
+    /// Approximate size in bytes of such a matrix with its factor, if the scalar factor has
+    /// `nonzeros`.
     pub(crate) fn bytes(nonzeros: usize) -> usize {
-        // Factor, fronts that wait, matrix.
-        nonzeros * (TIMES * TIMES) as usize * size_of::<f64>() * 5 / 3
+        // 5/3 for the factor, the waiting fronts and the matrix.
+        nonzeros * (BLOCK * BLOCK) as usize * size_of::<f64>() * 5 / 3
     }
 
-    /// Becomes the scalar matrix `entries`, in the pattern of the analysis, for each of x, y and z.
+    /// Sets this to the scalar matrix `entries`, in the pattern of the analysis, for each of x, y
+    /// and z.
     pub(crate) fn set_scalar(&mut self, entries: &UpperTriangle) {
         self.matrix.data_mut().fill(0.0);
         for column in 0..entries.cols() as u32 {
@@ -84,29 +86,29 @@ impl BlockMatrix {
         }
     }
 
-    /// Its values, which [`BlockMatrix::set_values`] takes back.
+    /// The values, as accepted by [`BlockMatrix::set_values`].
     pub(crate) fn values(&self) -> &[f64] {
         self.matrix.data()
     }
 
-    /// Becomes a matrix with the values of another one of this pattern.
+    /// Sets the values to those of another matrix of this pattern.
     pub(crate) fn set_values(&mut self, values: &[f64]) {
         self.matrix.data_mut().copy_from_slice(values);
     }
 
-    /// Becomes zero.
+    /// Sets all values to zero.
     pub(crate) fn clear(&mut self) {
         self.matrix.data_mut().fill(0.0);
     }
 
-    /// Adds `block(row, column)` to the block of a node, of which the upper triangle counts.
+    /// Adds `block(row, column)` to the diagonal block of a node. Only the upper triangle is used.
     pub(crate) fn add_diagonal(&mut self, node: u32, block: impl Fn(usize, usize) -> f64) {
         let above = self.columns[node as usize + 1] - self.columns[node as usize] - 1;
         self.add_at(node, above, block);
     }
 
-    /// Adds `block(row, column)` to the block of two nodes, which the pattern couples, and of which `row` is not
-    /// eliminated after `column`. Of a block on the diagonal the upper triangle counts.
+    /// Adds `block(row, column)` to the block of two nodes that the pattern couples; `row` must not
+    /// be eliminated after `column`. Of a diagonal block only the upper triangle is used.
     pub(crate) fn add(&mut self, row: u32, column: u32, block: impl Fn(usize, usize) -> f64) {
         let range =
             self.columns[column as usize] as usize..self.columns[column as usize + 1] as usize;
@@ -114,23 +116,23 @@ impl BlockMatrix {
         self.add_at(column, k as u32, block);
     }
 
-    /// The same where `row` is entry `k` of the column.
+    /// The same, with `row` given as entry `k` of the column.
     #[inline(always)]
     fn add_at(&mut self, column: u32, k: u32, block: impl Fn(usize, usize) -> f64) {
         let v = column as usize;
         let above = self.columns[v + 1] - self.columns[v] - 1;
         let on_diagonal = k == above;
         let values = self.matrix.data_mut();
-        for c in 0..TIMES {
-            let start = self.starts[v] + c * TIMES * above + c * (c + 1) / 2 + TIMES * k;
-            let rows = if on_diagonal { c + 1 } else { TIMES };
+        for c in 0..BLOCK {
+            let start = self.starts[v] + c * BLOCK * above + c * (c + 1) / 2 + BLOCK * k;
+            let rows = if on_diagonal { c + 1 } else { BLOCK };
             for r in 0..rows {
                 values[(start + r) as usize] += block(r as usize, c as usize);
             }
         }
     }
 
-    /// Makes `product` this matrix times `vectors`, a row for each node.
+    /// Sets `product` to this matrix times `vectors`, one row for each node.
     pub(crate) fn times(&self, vectors: &[Row], product: &mut [Row]) {
         product.fill([0.0; 4]);
         let values = self.matrix.data();
@@ -138,12 +140,12 @@ impl BlockMatrix {
             let rows = &self.rows[self.columns[v] as usize..self.columns[v + 1] as usize];
             let (above, own) = (rows.len() - 1, vectors[v]);
             let mut start = self.starts[v] as usize;
-            for c in 0..TIMES as usize {
-                let column = &values[start..][..TIMES as usize * above + c + 1];
+            for c in 0..BLOCK as usize {
+                let column = &values[start..][..BLOCK as usize * above + c + 1];
                 start += column.len();
-                let (blocks, diagonal) = column.split_at(TIMES as usize * above);
+                let (blocks, diagonal) = column.split_at(BLOCK as usize * above);
                 let mut sum = diagonal[c] * own[c];
-                for (block, &row) in blocks.chunks_exact(TIMES as usize).zip(rows) {
+                for (block, &row) in blocks.chunks_exact(BLOCK as usize).zip(rows) {
                     for (r, value) in block.iter().enumerate() {
                         product[row as usize][r] += value * own[c];
                         sum += value * vectors[row as usize][r];
@@ -158,12 +160,12 @@ impl BlockMatrix {
         }
     }
 
-    /// Factors it. The rows and columns of `fixed` nodes are those of the identity.
+    /// Factors the matrix. The rows and columns of `fixed` nodes must be those of the identity.
     ///
     /// # Errors
-    /// When it is not positive definite to working precision.
+    /// If the matrix is not positive definite to working precision.
     pub(crate) fn factor(&mut self, fixed: &[bool]) -> Result<(), Singular> {
-        let fixed: Vec<bool> = fixed.iter().flat_map(|&fixed| [fixed; TIMES as usize]).collect();
+        let fixed: Vec<bool> = fixed.iter().flat_map(|&fixed| [fixed; BLOCK as usize]).collect();
         let BlockMatrix { supernodes, matrix, pivots, panels, .. } = self;
         supernodal::factor(supernodes, matrix, &fixed, SMALLEST_PIVOT, pivots, &mut |s, front| {
             panels.store(s, front);
@@ -172,18 +174,19 @@ impl BlockMatrix {
         Ok(())
     }
 
-    /// Applies the inverse of the factored matrix to four right-hand sides in place, a row for each unknown.
+    /// Applies the inverse of the factored matrix to four right-hand sides in place, one row for
+    /// each unknown.
     pub(crate) fn solve_columns(&self, right: &mut [Row]) {
         self.panels.solve(right);
     }
 
-    /// Applies the inverse of the factored matrix to `right` in place, a row for each node.
+    /// Applies the inverse of the factored matrix to `right` in place, one row for each node.
     pub(crate) fn solve(&mut self, right: &mut [Row]) {
-        for (unknowns, row) in self.unknowns.chunks_exact_mut(TIMES as usize).zip(&*right) {
+        for (unknowns, row) in self.unknowns.chunks_exact_mut(BLOCK as usize).zip(&*right) {
             unknowns.iter_mut().zip(row).for_each(|(unknown, value)| *unknown = [*value]);
         }
         self.panels.solve(&mut self.unknowns);
-        for (unknowns, row) in self.unknowns.chunks_exact(TIMES as usize).zip(right) {
+        for (unknowns, row) in self.unknowns.chunks_exact(BLOCK as usize).zip(right) {
             row.iter_mut().zip(unknowns).for_each(|(value, unknown)| *value = unknown[0]);
         }
     }
@@ -232,7 +235,7 @@ mod tests {
         for column in 0..n {
             for place in scalar.indptr().outer_inds_sz(column) {
                 let row = scalar.indices()[place] as usize;
-                // Symmetric on the diagonal, and not elsewhere.
+                // Symmetric only on the diagonal.
                 let block = |r: usize, c: usize| {
                     let skew = if row == column { 0.0 } else { 0.25 * r as f64 };
                     ((r + c + row + column) % 4) as f64 * 0.5 + skew

@@ -1,25 +1,25 @@
 //! Dense kernels of the supernodal factor, on lower triangles in panels of four columns.
 //!
-//! A panel stores its rows one after another, four values each, from the first row of its own
-//! columns on; what is above the diagonal means nothing, and where fewer than four columns are left,
-//! nor do the rest. Rows are one or two registers, so that nothing is packed or shuffled.
+//! A panel stores its rows one after another, four values each, starting at the row of its first
+//! column. Values above the diagonal and beyond the last column are undefined. A row is one or two
+//! registers, so that nothing is packed or shuffled.
 
 /// One row of a panel.
 pub(crate) type Quad = [f64; 4];
 
-/// How many rows the panels of the first `width` columns of a lower triangle with `height` rows take
-/// together.
+/// Number of rows of all panels of the first `width` columns of a lower triangle with `height`
+/// rows.
 pub(crate) fn size(width: usize, height: usize) -> usize {
     start(width.div_ceil(4), height)
 }
 
-/// Where panel `p` of a lower triangle with `height` rows starts.
+/// Start of panel `p` of a lower triangle with `height` rows.
 pub(crate) fn start(p: usize, height: usize) -> usize {
     p * (height + 2) - 2 * p * p
 }
 
-/// Factors the first `width` columns of a lower triangle with `height` rows in place, `L D L^T`,
-/// and gives each pivot to `accept` before it divides.
+/// Factors the first `width` columns of a lower triangle with `height` rows in place, `L D L^T`.
+/// Calls `accept` with each column and pivot before dividing by the pivot.
 ///
 /// # Errors
 /// The first column whose pivot is not accepted.
@@ -48,8 +48,8 @@ pub(crate) fn factor(
     Ok(())
 }
 
-/// The diagonal tile of a panel: its strict lower triangle column by column, and the inverse
-/// pivots; zeros and ones where there are fewer columns.
+/// Factors the diagonal tile of a panel. Returns its strict lower triangle column by column, and
+/// the inverse pivots, padded with zeros and ones if there are fewer than four columns.
 fn factor_tile(
     panel: &mut [Quad],
     pivots: &mut [f64],
@@ -78,7 +78,7 @@ fn factor_tile(
     Ok((below, inverse))
 }
 
-/// Rows below the diagonal tile, from those of the matrix to those of `L`.
+/// Turns the rows below the diagonal tile from those of the matrix into those of `L`.
 #[inline(never)]
 fn divide(rows: &mut [Quad], below: &[Quad; 3], inverse: &Quad) {
     for row in rows {
@@ -91,7 +91,7 @@ fn divide(rows: &mut [Quad], below: &[Quad; 3], inverse: &Quad) {
     }
 }
 
-/// Whether one of the rows below the first `width` columns of `panels` is not zero there.
+/// Whether any row below the first `width` columns of `panels` has a nonzero in these columns.
 pub(crate) fn has_below(panels: &[Quad], width: usize, height: usize) -> bool {
     (0..width.div_ceil(4)).any(|p| {
         let rows = &panels[start(p, height)..][..height - 4 * p];
@@ -99,8 +99,8 @@ pub(crate) fn has_below(panels: &[Quad], width: usize, height: usize) -> bool {
     })
 }
 
-/// Subtracts `L D L^T` of the rows below the first `width` columns of `panels`, which are factored, from
-/// the lower triangle `update`.
+/// Subtracts `L D L^T` of the rows below the first `width` columns of `panels`, which are factored,
+/// from the lower triangle `update`.
 pub(crate) fn subtract_outer(
     update: &mut [Quad],
     panels: &[Quad],
@@ -125,7 +125,7 @@ pub(crate) fn subtract_outer(
     }
 }
 
-/// `D L^T` of the first four rows, or as many as there are.
+/// `D L^T` of the first four rows, or of all rows if there are fewer.
 fn times_pivots(rows: &[Quad], pivots: &[f64]) -> [Quad; 4] {
     let mut product = [[0.0; 4]; 4];
     for (c, row) in rows.iter().take(4).enumerate() {
@@ -136,11 +136,12 @@ fn times_pivots(rows: &[Quad], pivots: &[f64]) -> [Quad; 4] {
     product
 }
 
-/// `target -= left * right`, over the first `W` columns of `left`: where most of the time goes.
-// A function of its own: V8 replaces wasm functions by optimised code only between calls.
+/// `target -= left * right`, over the first `W` columns of `left`. Most of the time is spent here.
+// Not inlined: V8 replaces wasm functions by optimised code only between calls.
 #[inline(never)]
 fn subtract_product<const W: usize>(target: &mut [Quad], left: &[Quad], right: &[Quad; 4]) {
-    // Tiles of four rows: of single rows the compiler would make two lanes of two rows, and shuffle.
+    // Tiles of four rows: from single rows the compiler would make two lanes of two rows, and
+    // shuffle.
     let (target_tiles, target_rest) = target.as_chunks_mut::<4>();
     let (left_tiles, left_rest) = left.as_chunks::<4>();
     for (target, left) in target_tiles.iter_mut().zip(left_tiles) {

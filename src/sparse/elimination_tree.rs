@@ -1,15 +1,15 @@
 //! The elimination tree of a symmetric matrix, its postorder, and the column counts of its factor (Davis,
 //! *Direct Methods for Sparse Linear Systems*, sections 4.1 to 4.5).
 //!
-//! The parent of a column is the first row below its diagonal in which its column of `L` has an
-//! entry. Columns depend on their descendants and on nothing else.
+//! The parent of a column is the row of the first entry below the diagonal in its column of `L`. A
+//! column depends only on its descendants.
 
-/// The parent of a root.
+/// Parent of a root.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// The parent of each of `n` columns in the order of elimination, or [`NONE`] (Liu 1986, with path
-/// compression). `row(k)` has the columns in which row `k` of the matrix has entries; those from `k` on are
-/// passed over.
+/// Returns the parent of each of `n` columns in the elimination order, or [`NONE`] (Liu 1986, with
+/// path compression). `row(k)` iterates over the columns with an entry in row `k` of the matrix;
+/// those from `k` on are ignored.
 pub(crate) fn elimination_tree<R: Iterator<Item = u32>>(
     n: usize,
     row: impl Fn(usize) -> R,
@@ -31,7 +31,7 @@ pub(crate) fn elimination_tree<R: Iterator<Item = u32>>(
     parents
 }
 
-/// Children before parents, each subtree in one run.
+/// Returns a postorder: children before parents, each subtree contiguous.
 pub(crate) fn postorder(parents: &[u32]) -> Vec<u32> {
     let n = parents.len();
     let (mut first_child, mut next_sibling) = (vec![NONE; n], vec![NONE; n]);
@@ -60,12 +60,12 @@ pub(crate) fn postorder(parents: &[u32]) -> Vec<u32> {
     order
 }
 
-/// How many entries each column of `L` has below its diagonal, without forming it (Gilbert, Ng and
-/// Peyton 1994). The columns are in a postorder of the tree; `column(c)` has the rows of the matrix
-/// below its diagonal in column `c`.
+/// Returns the number of entries of each column of `L` below its diagonal, without forming `L`
+/// (Gilbert, Ng and Peyton 1994). The columns must be in a postorder of the tree; `column(c)`
+/// returns the rows of the matrix below the diagonal in column `c`.
 pub(crate) fn column_heights<'a>(parents: &[u32], column: impl Fn(usize) -> &'a [u32]) -> Vec<u32> {
     let n = parents.len();
-    // The first descendant of each column in the postorder, and whether it is a leaf.
+    // The first descendant of each column in the postorder. Leaves start with a count of one.
     let mut first = vec![NONE; n];
     let mut counts = vec![0i64; n];
     for c in 0..n {
@@ -77,7 +77,7 @@ pub(crate) fn column_heights<'a>(parents: &[u32], column: impl Fn(usize) -> &'a 
         }
     }
     let mut ancestors: Vec<u32> = (0..n as u32).collect();
-    // The largest first descendant and the last leaf that were seen in each row.
+    // The greatest first descendant and the last leaf so far of each row.
     let (mut greatest, mut last_leaf) = (vec![NONE; n], vec![NONE; n]);
     for c in 0..n {
         let parent = parents[c];
@@ -89,8 +89,8 @@ pub(crate) fn column_heights<'a>(parents: &[u32], column: impl Fn(usize) -> &'a 
             if greatest[row] != NONE && first[c] <= greatest[row] {
                 continue;
             }
-            // A leaf of the subtree of this row: its path begins here and joins the one before where
-            // their least common ancestor is.
+            // A leaf of the subtree of this row: its path begins here and joins that of the
+            // previous leaf at their least common ancestor.
             greatest[row] = first[c];
             counts[c] += 1;
             let before = std::mem::replace(&mut last_leaf[row], c as u32);
@@ -115,6 +115,6 @@ pub(crate) fn column_heights<'a>(parents: &[u32], column: impl Fn(usize) -> &'a 
             counts[parents[c] as usize] += counts[c];
         }
     }
-    // With the diagonal so far.
+    // The counts include the diagonal.
     counts.into_iter().map(|count| count as u32 - 1).collect()
 }

@@ -1,8 +1,9 @@
-//! The factor in single precision, for steps that are checked in double precision afterwards: its sweeps
-//! are twice as fast, and their relative error is about 1e-6.
+//! The factor in single precision, for steps that are checked in double precision afterwards: its
+//! sweeps are twice as fast, with a relative error of about 1e-6.
 //!
-//! The exponents of `f32` end at 1e-38 and 1e38, and weights and units may be anything: matrix and
-//! gradients are scaled by powers of two before they are rounded, which changes no digit of a step.
+//! `f32` ranges from 1e-38 to 1e38 only, but weights and units are arbitrary. The matrix and the
+//! gradients are therefore scaled by powers of two before they are rounded, which changes no digit
+//! of a step.
 
 use super::matrix::Row;
 use super::panels::Panels;
@@ -14,31 +15,30 @@ use std::rc::Rc;
 /// Coordinates x, y, z of one unknown and a zero: one 128-bit register.
 pub(crate) type F32Row = [f32; 4];
 
-/// Scaled gradients start below this. The influence of one vertex on far ones falls off
-/// exponentially, and where it falls out of the normal numbers of `f32` processors become slow:
-/// starting this high, that is at 1e-45 of the largest one. Products of two rows stay far below
-/// the largest `f32`.
+/// Upper bound of scaled gradients. The influence of a vertex falls off exponentially with
+/// distance, and processors become slow where it leaves the normal numbers of `f32`: with this
+/// bound, at 1e-45 of the largest value. Products of two rows stay far below the largest `f32`.
 const LARGEST: f64 = (1_u64 << 24) as f64;
 
 /// A factor whose panels are `f32`.
 pub(crate) struct F32Factor {
     panels: Panels<f32>,
-    /// The matrix was divided by this power of two, so that the largest pivot is near one.
+    /// The power of two by which the matrix was divided, so that the largest pivot is near one.
     unit: f64,
 }
 
 impl F32Factor {
-    /// Lays out panels, which are to be stored or filled; see [`Panels::new`].
+    /// Lays out panels, whose values are yet to be stored or filled; see [`Panels::new`].
     pub(crate) fn new(supernodes: Rc<Supernodes>) -> F32Factor {
         F32Factor { panels: Panels::new(supernodes), unit: 1.0 }
     }
 
-    /// The panels, to be stored or filled.
+    /// The panels, for storing or filling.
     pub(crate) fn panels(&mut self) -> &mut Panels<f32> {
         &mut self.panels
     }
 
-    /// Replaces `D`. Columns that are `fixed` are no unknowns.
+    /// Replaces `D`. Columns marked `fixed` are not unknowns.
     pub(crate) fn set_pivots(&mut self, pivots: &[f64], fixed: &[bool]) {
         let (unit, scaled) = scaled(pivots, fixed);
         self.unit = unit;
@@ -54,22 +54,23 @@ impl F32Factor {
         self.panels.update(column, scaled);
     }
 
-    /// The power of two by which a gradient is multiplied before it is rounded, so that it fits `f32`.
+    /// Returns the power of two by which a gradient is multiplied before rounding, so that it fits
+    /// `f32`.
     pub(crate) fn scale(gradient: &[Row]) -> f64 {
         LARGEST / power_of_two(2.0 * largest(gradient))
     }
 
-    /// Beside the scale of the gradient, what steps are multiplied by.
+    /// The factor by which steps are multiplied, in addition to the scale of the gradient.
     pub(crate) fn unit(&self) -> f64 {
         self.unit
     }
 
-    /// Turns a scaled gradient into the scaled step.
+    /// Replaces a scaled gradient by the scaled step.
     pub(crate) fn solve(&self, rows: &mut [F32Row]) {
         self.panels.solve(rows);
     }
 
-    /// `to = x - step`, where the step was made of gradients times `scale`.
+    /// `to = x - step`, with `step` computed from gradients times `scale`.
     #[inline(never)]
     pub(crate) fn subtract_step(&self, to: &mut [Row], x: &[Row], step: &[F32Row], scale: f64) {
         let back = 1.0 / scale / self.unit;
@@ -80,8 +81,8 @@ impl F32Factor {
     }
 }
 
-/// A power of two near the largest pivot, and the pivots divided by it. Those of fixed columns have no
-/// unit, and become one.
+/// Returns a power of two near the largest pivot, and the pivots divided by it. The pivots of fixed
+/// columns do not count, and become one.
 fn scaled(pivots: &[f64], fixed: &[bool]) -> (f64, Vec<f64>) {
     let mut scaled = pivots.to_vec();
     let largest = pivots.iter().zip(fixed).filter(|(_, fixed)| !**fixed);
@@ -104,8 +105,8 @@ fn largest(x: &[Row]) -> f64 {
     largest.into_iter().fold(0.0, Lane::max)
 }
 
-/// The greatest power of two that is not above `x`, which is positive and not at the ends of the
-/// range of `f64`: what is there is nothing, or not finite.
+/// The greatest power of two not above `x`, a positive number. It is clamped to 1e-200..1e200:
+/// values beyond are negligible or not finite.
 fn power_of_two(x: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     f64::from_bits(x.clamp(1e-200, 1e200).to_bits() & EXPONENT)

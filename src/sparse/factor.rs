@@ -1,5 +1,5 @@
-//! `L D L^T` of a symmetric positive definite matrix, by one of two numeric factors, in panels of the
-//! precisions that are asked for.
+//! `L D L^T` of a symmetric positive definite matrix, by one of two numeric factorisations, in
+//! panels of the requested precisions.
 
 use super::f32_factor::F32Factor;
 use super::matrix::{SMALLEST_PIVOT, Singular, UpperTriangle};
@@ -11,24 +11,24 @@ use super::supernodes::Supernodes;
 use sprs_ldl::LdlNumeric;
 use std::rc::Rc;
 
-/// Which numeric factor is computed. All fill the same panels and agree to rounding.
+/// The choice of numeric factorisation. All fill the same panels and agree to rounding error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Factorization {
-    /// That of `sprs-ldl` for systems of up to [`Factorization::MOST_SIMPLICIAL`] unknowns, the supernodal
-    /// one for larger ones.
+    /// `sprs-ldl` for systems of up to [`Factorization::MOST_SIMPLICIAL`] unknowns, supernodal for
+    /// larger ones.
     #[default]
     Auto,
-    /// Dense blocks of columns with the same rows, multifrontal.
+    /// Multifrontal, with dense blocks of columns that have the same rows.
     Supernodal,
     /// One column after another, by the crate `sprs-ldl`.
     SprsLdl,
 }
 
 impl Factorization {
-    /// Up to so many unknowns the factor of `sprs-ldl` is the default.
+    /// Greatest number of unknowns for which `sprs-ldl` is the default.
     pub const MOST_SIMPLICIAL: usize = 1000;
 
-    /// The one place that chooses: whether a system of `unknowns` is factored by `sprs-ldl`.
+    /// Whether a system of `unknowns` is factored by `sprs-ldl`. The choice is made only here.
     fn is_simplicial(self, unknowns: usize) -> bool {
         match self {
             Factorization::Auto => unknowns <= Factorization::MOST_SIMPLICIAL,
@@ -38,7 +38,7 @@ impl Factorization {
     }
 }
 
-/// With what precision a system is solved.
+/// The precision in which a system is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Precision {
     /// See [`F32Factor`].
@@ -47,11 +47,11 @@ pub(crate) enum Precision {
     Double,
 }
 
-/// A symmetric positive definite matrix, factored. Most scenes need one of two precisions: what was
-/// never asked for is not there.
+/// A factored symmetric positive definite matrix. Most scenes need only one of the two precisions;
+/// a precision that was never requested is not stored.
 pub(crate) struct Factor {
     supernodes: Rc<Supernodes>,
-    /// None where the factor is supernodal.
+    /// None if the factor is supernodal.
     simplicial: Option<Simplicial>,
     pivots: Vec<f64>,
     single: Option<F32Factor>,
@@ -59,19 +59,19 @@ pub(crate) struct Factor {
 }
 
 impl Factor {
-    /// For matrices whose factor has these supernodes.
+    /// Creates an empty factor for matrices with these supernodes.
     pub(crate) fn new(supernodes: Rc<Supernodes>, factorization: Factorization) -> Factor {
         let is_simplicial = factorization.is_simplicial(supernodes.components().len());
         let simplicial = is_simplicial.then(Simplicial::default);
         Factor { supernodes, simplicial, pivots: Vec::new(), single: None, double: None }
     }
 
-    /// Factors `matrix`, whose columns are in the order of elimination, to be solved with `precision` at
-    /// once. The rows and columns that are `fixed` are those of the identity.
+    /// Factors `matrix`, whose columns are in the elimination order, for solving with `precision`.
+    /// The rows and columns marked `fixed` must be those of the identity.
     ///
     /// # Errors
-    /// When it is not positive definite to working precision. Another matrix must be factored then before
-    /// anything is solved.
+    /// If the matrix is not positive definite to working precision. Another matrix must then be
+    /// factored before solving.
     pub(crate) fn factor(
         &mut self,
         matrix: &UpperTriangle,
@@ -92,7 +92,7 @@ impl Factor {
         Ok(())
     }
 
-    /// The factor of `matrix`, which is the one that was factored last, in double precision.
+    /// Returns the double-precision factor of `matrix`, which must be the matrix factored last.
     pub(crate) fn double(&mut self, matrix: &UpperTriangle, fixed: &[bool]) -> &Panels<f64> {
         let Factor { supernodes, simplicial, pivots, double, .. } = self;
         double.get_or_insert_with(|| {
@@ -103,7 +103,7 @@ impl Factor {
         })
     }
 
-    /// The factor of `matrix`, which is the one that was factored last, in single precision.
+    /// Returns the single-precision factor of `matrix`, which must be the matrix factored last.
     pub(crate) fn single(&mut self, matrix: &UpperTriangle, fixed: &[bool]) -> &F32Factor {
         let Factor { supernodes, simplicial, pivots, single, .. } = self;
         single.get_or_insert_with(|| {
@@ -114,7 +114,7 @@ impl Factor {
         })
     }
 
-    /// Whether it can be solved with this precision at once.
+    /// Whether the factor is stored in this precision.
     pub(crate) fn has(&self, precision: Precision) -> bool {
         match precision {
             Precision::Single => self.single.is_some(),
@@ -122,7 +122,7 @@ impl Factor {
         }
     }
 
-    /// Gives the memory of the other precision back.
+    /// Frees the memory of the other precision.
     pub(crate) fn keep_only(&mut self, precision: Precision) {
         match precision {
             Precision::Single => self.double = None,
@@ -140,20 +140,20 @@ impl Factor {
         }
     }
 
-    /// Nonzeros of `L` with its diagonal.
+    /// Number of nonzeros of `L` with its diagonal.
     pub(crate) fn nonzeros(&self) -> usize {
         self.supernodes.nonzeros()
     }
 }
 
-/// The panels that are to be filled.
+/// The panels to be filled.
 struct Precisions<'a> {
     single: Option<&'a mut F32Factor>,
     double: Option<&'a mut Panels<f64>>,
 }
 
 impl Precisions<'_> {
-    /// With the factor of a matrix that has one.
+    /// Fills them from a matrix that was factored before.
     fn again(
         mut self,
         supernodes: &Supernodes,
@@ -170,7 +170,7 @@ impl Precisions<'_> {
         }
     }
 
-    /// With the supernodal factor.
+    /// Fills them with the supernodal factor.
     fn factor(
         &mut self,
         supernodes: &Supernodes,
@@ -192,7 +192,7 @@ impl Precisions<'_> {
         Ok(())
     }
 
-    /// With the factor of `sprs-ldl`.
+    /// Fills them with the factor of `sprs-ldl`.
     fn fill(&mut self, numeric: &LdlNumeric<f64, u32>, fixed: &[bool]) {
         if let Some(single) = &mut self.single {
             single.panels().fill(numeric.l());

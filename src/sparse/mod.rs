@@ -1,31 +1,31 @@
-//! Sparse `L D L^T` of symmetric positive definite matrices, on the types of [`sprs`]. Knows nothing of
-//! meshes.
+//! Sparse `L D L^T` of symmetric positive definite matrices, on the types of [`sprs`]. Independent
+//! of meshes.
 //!
-//! A matrix is a [`sprs::CsMatI`] in compressed columns with `u32` indices, of which only the upper
-//! triangle is stored, in the order of elimination: rows ascend, so that the diagonal entry is the last
-//! of its column. The steps are those of Davis, *Direct Methods for Sparse Linear Systems* (2006): an
-//! order that keeps the fill low, the analysis of the pattern, the numeric factor, triangular sweeps.
+//! A matrix is a [`sprs::CsMatI`] in compressed columns with `u32` indices. Only the upper triangle
+//! is stored, in the elimination order: rows ascend, so that the diagonal entry is the last of its
+//! column. The steps are those of Davis, *Direct Methods for Sparse Linear Systems* (2006):
+//! fill-reducing order, symbolic analysis, numeric factorisation, triangular sweeps.
 //!
-//! There are two numeric factors, and [`Factorization`] chooses. That of `sprs-ldl` computes one column
-//! after another and serves small systems, where it costs no more than a frame can spare; the other
-//! computes dense blocks of columns (supernodes), which is several times faster where there are many.
-//! Both fill the same panels, which are swept in single or double precision, and to which vertices can be
-//! added by rank-1 updates.
+//! [`Factorization`] chooses between two numeric factorisations. `sprs-ldl` computes one column
+//! after another and serves small systems, which it factors within a frame; the other computes
+//! dense blocks of columns (supernodes), which is several times faster for many unknowns. Both fill
+//! the same panels, which are swept in single or double precision and support rank-1 updates that
+//! add vertices.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `matrix` | the types of matrices and of right-hand sides, and which pivots are positive |
+//! | `matrix` | the types of matrices and right-hand sides, the criterion for positive pivots |
 //! | `order` | the fill-reducing permutation: approximate minimum degree, then a postorder |
 //! | `elimination_tree` | the elimination tree, its postorder, and the column counts of `L` |
-//! | `supernodes` | which columns of `L` have the same rows, and these rows |
-//! | `analysis` | all that follows from the pattern of a matrix: permutation, supernodes, components |
+//! | `supernodes` | runs of columns of `L` with the same rows, and these rows |
+//! | `analysis` | symbolic analysis of a pattern: permutation, supernodes, components |
 //! | `simplicial` | the numeric factor of `sprs-ldl` |
 //! | `dense`, `supernodal` | the supernodal numeric factor, and its dense kernels |
 //! | `scalar`, `panels` | the factor in dense panels of either precision, and the triangular sweeps |
 //! | `blocks` | matrices of 3 by 3 blocks in the pattern of a scalar one, and their factor |
-//! | `rank_one` | the factor after one diagonal entry has grown |
-//! | `f32_factor` | panels in single precision, with the scaling that this needs |
-//! | `factor` | the choice between the numeric factors, and the panels that they fill |
+//! | `rank_one` | updates of the factor after one diagonal entry has grown |
+//! | `f32_factor` | panels in single precision, with the scaling that they need |
+//! | `factor` | the choice between the numeric factorisations, and the panels that they fill |
 
 mod analysis;
 mod blocks;

@@ -5,8 +5,8 @@
 use super::elimination_tree::{elimination_tree, postorder};
 use sprs::{CsStructureI, PermOwnedI};
 
-/// The permutation of a symmetric matrix, given by its whole pattern with the diagonal: `at(k)` is the row
-/// that is eliminated `k`-th, `at_inv` its inverse.
+/// Returns the permutation of a symmetric matrix, given by its full pattern with the diagonal:
+/// `at(k)` is the row that is eliminated `k`-th, `at_inv` the inverse.
 pub(crate) fn elimination_order(structure: &CsStructureI<u32>) -> PermOwnedI<u32> {
     let n = structure.cols();
     if n == 0 {

@@ -1,9 +1,9 @@
 //! The factor `L D L^T` in dense panels, and the two triangular sweeps over them.
 //!
 //! Each supernode is cut into panels of a few columns. A panel stores its values row by row without
-//! indices between them, so that one load of `x` serves all its columns, and x, y and z are solved
-//! together. Rows of `x` are padded to four values: one 128-bit register in single precision, two in
-//! double.
+//! indices, so that one load of a row of `x` serves all its columns, and x, y and z are solved
+//! together. Rows of `x` are padded to four values: one 128-bit register in single precision, two
+//! in double.
 
 use super::scalar::Scalar;
 use super::supernodal::Front;
@@ -11,25 +11,25 @@ use super::supernodes::Supernodes;
 use sprs::CsMatViewI;
 use std::rc::Rc;
 
-/// No panel of either precision has more columns.
+/// Greatest number of columns of a panel in either precision.
 pub(crate) const MOST_COLUMNS: usize = 6;
 
 pub(crate) struct Panel {
     /// Its first column.
     pub first: u32,
-    /// Its columns.
+    /// Number of its columns.
     pub width: u32,
-    /// Where its rows start in [`Supernodes::all_rows`].
+    /// Start of its rows in [`Supernodes::all_rows`].
     pub rows: u32,
-    /// Its rows below its own columns.
+    /// Number of its rows below its own columns.
     pub height: u32,
-    /// Where its values start: the strict lower triangle of its own columns, row by row, then
-    /// `height` by `width`, row by row.
+    /// Start of its values: the strict lower triangle of its own columns, row by row, then `height`
+    /// by `width`, row by row.
     pub values: u32,
 }
 
 impl Panel {
-    /// How many values it has.
+    /// Number of its values.
     fn size(&self) -> usize {
         let width = self.width as usize;
         width * (width - 1) / 2 + width * self.height as usize
@@ -40,7 +40,7 @@ impl Panel {
 pub(crate) struct Panels<S> {
     pub(crate) supernodes: Rc<Supernodes>,
     pub(crate) panels: Vec<Panel>,
-    /// Where the panels of each supernode start, and where the last ones end.
+    /// Start of the panels of each supernode, and the end of the last ones.
     pub(crate) starts: Vec<u32>,
     pub(crate) values: Vec<S>,
     /// `1 / D`, one for each column.
@@ -48,7 +48,7 @@ pub(crate) struct Panels<S> {
 }
 
 impl<S: Scalar> Panels<S> {
-    /// Lays out panels for the supernodes of a factor; their values are to be stored or filled.
+    /// Lays out panels for the supernodes of a factor; their values are yet to be stored or filled.
     pub(crate) fn new(supernodes: Rc<Supernodes>) -> Self {
         let (mut panels, mut starts) = (Vec::new(), vec![0]);
         let (mut n_values, mut n_columns) = (0, 0);
@@ -57,7 +57,7 @@ impl<S: Scalar> Panels<S> {
             n_columns = columns.end;
             let mut first = columns.start;
             while first < columns.end {
-                // Even widths rather than a full panel and a narrow rest.
+                // Even widths rather than full panels and a narrow rest.
                 let left = columns.end - first;
                 let width = left.div_ceil(left.div_ceil(S::PANEL_WIDTH));
                 let above = first - columns.start + width;
@@ -83,7 +83,8 @@ impl<S: Scalar> Panels<S> {
         }
     }
 
-    /// Stores supernode `s`, whose columns are factored; without a front they are those of the identity.
+    /// Stores supernode `s`, whose columns are factored. Without a front they are those of the
+    /// identity.
     pub(crate) fn store(&mut self, s: usize, front: Option<&Front<'_>>) {
         let Some(front) = front else {
             let panels = &self.panels[self.starts[s] as usize..self.starts[s + 1] as usize];
@@ -115,7 +116,7 @@ impl<S: Scalar> Panels<S> {
         }
     }
 
-    /// Stores `L` whole, its strict lower triangle in compressed columns, rows ascending.
+    /// Stores all of `L`, given as its strict lower triangle in compressed columns, rows ascending.
     pub(crate) fn fill(&mut self, l: CsMatViewI<'_, f64, u32>) {
         self.values.fill(S::ZERO);
         let rows = self.supernodes.all_rows();
@@ -169,7 +170,7 @@ impl<S: Scalar> Panels<S> {
         }
     }
 
-    /// The rows below a panel, its triangle and its block of values.
+    /// Returns the rows below a panel, its triangle and its block of values.
     #[inline(always)]
     fn parts<const W: usize>(&self, panel: &Panel) -> (&[u32], &[S], &[[S; W]]) {
         let rows = &self.supernodes.all_rows()[panel.rows as usize..][..panel.height as usize];
@@ -179,8 +180,8 @@ impl<S: Scalar> Panels<S> {
         (rows, triangle, block.as_chunks().0)
     }
 
-    /// `L x = b` for the columns of one panel.
-    // Functions of their own: V8 replaces wasm functions by optimised code only between calls.
+    /// Solves `L x = b` for the columns of one panel.
+    // Not inlined: V8 replaces wasm functions by optimised code only between calls.
     #[inline(never)]
     fn forward<const W: usize, const R: usize>(&self, panel: &Panel, x: &mut [[S; R]]) {
         let (rows, triangle, block) = self.parts::<W>(panel);
@@ -204,7 +205,7 @@ impl<S: Scalar> Panels<S> {
         }
     }
 
-    /// `D L^T x = b` for the columns of one panel.
+    /// Solves `D L^T x = b` for the columns of one panel.
     #[inline(never)]
     fn backward<const W: usize, const R: usize>(&self, panel: &Panel, x: &mut [[S; R]]) {
         let (rows, triangle, block) = self.parts::<W>(panel);

@@ -1,36 +1,36 @@
-//! Rank-1 updates: the factor after one diagonal entry of the matrix has grown, without factoring anew.
+//! Rank-1 updates of the factor after one diagonal entry of the matrix has grown.
 //!
-//! Adding `weight e e^T` changes the columns of `L` on the path from that column to the root of the
-//! elimination tree and no others (Gill, Golub, Murray and Saunders 1974, method C1; Davis and Hager
-//! 1999). A weight that is added only makes pivots larger, so this is stable. Taking one away (a downdate)
-//! is not, and the matrix is then factored again.
+//! Adding `weight e e^T` changes only the columns of `L` on the path from that column to the root
+//! of the elimination tree (Gill, Golub, Murray and Saunders 1974, method C1; Davis and Hager
+//! 1999). Adding a weight only makes pivots larger, so the update is stable. Removing one (a
+//! downdate) is not; the matrix is then factored again.
 
 use super::elimination_tree::NONE;
 use super::panels::{MOST_COLUMNS, Panels};
 use super::scalar::Scalar;
 
-/// How the row and column of an unknown change.
+/// A change of the row and column of an unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Update {
-    /// This is added to its diagonal entry; positive.
+    /// Adds this positive weight to the diagonal entry.
     Weight(f64),
-    /// It is no unknown any more: its row and column become those of the identity. That is what
-    /// more and more weight comes to, and is reached here in one step.
+    /// Removes the unknown: its row and column become those of the identity, which is the limit of
+    /// an infinite weight.
     Fix,
 }
 
 impl<S: Scalar> Panels<S> {
-    /// Changes the factor to that of the updated matrix; the matrix itself is the caller's.
+    /// Changes the factor to that of the updated matrix; the caller updates the matrix itself.
     ///
     /// The inverse pivot of a fixed column becomes zero, so that a solve leaves zero there.
     pub(crate) fn update(&mut self, column: u32, update: Update) {
-        // `alpha w w^T` is still to be added to the columns not yet visited.
+        // `alpha w w^T` remains to be added to the columns not yet visited.
         let mut w = vec![0.0; self.inverse_pivots.len()];
         w[column as usize] = 1.0;
         let mut alpha = match update {
             Update::Weight(weight) => weight,
             Update::Fix => match self.inverse_pivots[column as usize].wide() {
-                // Fixed already.
+                // Already fixed.
                 0.0 => return,
                 _ => f64::INFINITY,
             },
@@ -50,7 +50,7 @@ impl<S: Scalar> Panels<S> {
         }
     }
 
-    /// Adds `alpha w w^T` to the columns of a panel, and gives what is left of `alpha`.
+    /// Adds `alpha w w^T` to the columns of a panel, and returns the remaining `alpha`.
     fn update_panel(&mut self, p: usize, mut alpha: f64, w: &mut [f64]) -> f64 {
         let panel = &self.panels[p];
         let (first, width) = (panel.first as usize, panel.width as usize);
@@ -58,7 +58,7 @@ impl<S: Scalar> Panels<S> {
         let size = width * (width - 1) / 2 + width * rows.len();
         let values = &mut self.values[panel.values as usize..][..size];
         let (triangle, block) = values.split_at_mut(width * (width - 1) / 2);
-        // Per column: its entry of `w`, and how much of `w` it takes in.
+        // Per column: its entry of `w`, and the multiple of `w` that is added to it.
         let mut factors = [[0.0; 2]; MOST_COLUMNS];
         for c in 0..width {
             let own = w[first + c];
@@ -68,7 +68,7 @@ impl<S: Scalar> Panels<S> {
             let inverse = self.inverse_pivots[first + c].wide();
             let taken;
             if alpha == f64::INFINITY {
-                // The limit of what stands below.
+                // The limit of the branch below.
                 taken = 1.0 / own;
                 alpha = 1.0 / (own * own * inverse);
                 self.inverse_pivots[first + c] = S::ZERO;

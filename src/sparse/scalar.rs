@@ -6,12 +6,12 @@ use std::ops::{Mul, Sub};
 pub(crate) trait Scalar: Copy + Mul<Output = Self> + Sub<Output = Self> {
     /// Zero.
     const ZERO: Self;
-    /// Columns of a panel at most: so many that the rows of `x` which a sweep keeps, one or two
-    /// registers each, stay in the sixteen vector registers that V8 uses.
+    /// Greatest number of columns of a panel, such that the rows of `x` kept by a sweep, one or two
+    /// registers each, fit the sixteen vector registers that V8 uses.
     const PANEL_WIDTH: usize;
-    /// Whether backward sweeps go through a panel from its last row. They take the panels from last to first, so
-    /// that the values are then read in one direction throughout, which processors foresee. Factors in single
-    /// precision are the large ones, which caches do not hold.
+    /// Whether backward sweeps read a panel from its last row. Since they visit the panels from
+    /// last to first, the values are then read in one direction throughout, which processors
+    /// prefetch. Factors in single precision are the large ones, which do not fit into caches.
     const FROM_LAST_ROW: bool;
     /// The nearest value of this precision.
     fn rounded(x: f64) -> Self;
@@ -23,8 +23,8 @@ impl Scalar for f32 {
     const ZERO: f32 = 0.0;
     const PANEL_WIDTH: usize = 6;
     const FROM_LAST_ROW: bool = true;
-    /// Values that are nothing beside one become zero: their products would be denormal numbers,
-    /// with which processors take a hundred times longer.
+    /// Values negligible beside one become zero: their products would be denormal numbers, with
+    /// which processors are a hundred times slower.
     #[inline(always)]
     fn rounded(x: f64) -> f32 {
         const NOTHING: f64 = 1e-18;

@@ -5,18 +5,18 @@ use super::matrix::{Singular, UpperTriangle, is_positive};
 use sprs::{PermOwnedI, SymmetryCheck};
 use sprs_ldl::{LdlNumeric, LdlSymbolic};
 
-/// The last factor; the next matrix of the same pattern is factored in its place.
+/// The last factor, which is overwritten by that of the next matrix of the same pattern.
 #[derive(Default)]
 pub(crate) struct Simplicial {
     numeric: Option<Box<LdlNumeric<f64, u32>>>,
 }
 
 impl Simplicial {
-    /// Factors a matrix. Its pattern is that of the matrix before, if there was one. A pivot has to be more
-    /// than `smallest` times its diagonal entry.
+    /// Factors a matrix, which must have the pattern of the previous one, if any. A pivot must
+    /// exceed `smallest` times its diagonal entry.
     ///
     /// # Errors
-    /// When it is not positive definite to working precision.
+    /// If the matrix is not positive definite to working precision.
     pub(crate) fn factor(
         &mut self,
         matrix: &UpperTriangle,
@@ -29,8 +29,8 @@ impl Simplicial {
                 numeric
             }
             None => {
-                // The columns are in order already. The upper triangle is all that is read, and its
-                // symmetry check would compare it with a lower one that is not there.
+                // The columns are already in order. Only the upper triangle is read; a symmetry
+                // check would compare it with a lower one that is not stored.
                 let symbolic = LdlSymbolic::new_perm(
                     matrix.view(),
                     PermOwnedI::identity(matrix.cols()),

@@ -1,15 +1,15 @@
 //! Numeric factorisation `L D L^T`, multifrontal over supernodes (Duff and Reid 1983; Liu 1992).
 //!
-//! Each supernode has a front: a dense lower triangle over its rows, which takes in its columns of
-//! the matrix and what its children left. Its own columns are eliminated by the kernels of
-//! [`dense`]; what that leaves of the other rows waits on a stack for the parent. Supernodes are in
-//! a postorder, so that children lie on top of the stack.
+//! Each supernode has a front: a dense lower triangle over its rows, in which its columns of the
+//! matrix and the update matrices of its children are summed. Its own columns are eliminated by the
+//! kernels of [`dense`]; the Schur complement of the other rows waits on a stack for the parent.
+//! Supernodes are in a postorder, so that children are on top of the stack.
 
 use super::dense::{self, Quad};
 use super::matrix::{Singular, UpperTriangle, is_positive};
 use super::supernodes::Supernodes;
 
-/// A supernode whose columns are factored: panels of four columns each (see [`dense`]).
+/// A supernode whose columns are factored, in panels of four columns (see [`dense`]).
 pub(crate) struct Front<'a> {
     pub panels: &'a [Quad],
     /// Its rows, own columns included.
@@ -17,7 +17,7 @@ pub(crate) struct Front<'a> {
 }
 
 impl Front<'_> {
-    /// Gives `each` the values of column `c`, by ascending rows from row `from` on.
+    /// Returns the values of column `c`, by ascending rows from row `from` on.
     pub(crate) fn column(&self, c: usize, from: usize) -> impl Iterator<Item = f64> {
         let panel = c / 4;
         let first = dense::start(panel, self.height) + from - 4 * panel;
@@ -25,14 +25,15 @@ impl Front<'_> {
     }
 }
 
-/// Factors `matrix`: fills `pivots` and gives each factored supernode to `store`, in order. A pivot has
-/// to be more than `smallest` times its diagonal entry.
+/// Factors `matrix`: fills `pivots` and passes each factored supernode to `store`, in order. A
+/// pivot must exceed `smallest` times its diagonal entry.
 ///
-/// The rows and columns of `fixed` nodes are those of the identity, and so are their columns of `L`: a
-/// supernode of nothing else, whose descendants are like it, has no front, and `store` is given none.
+/// The rows and columns of `fixed` nodes must be those of the identity; their columns of `L` then
+/// are too. If a supernode and its descendants have only fixed nodes, it has no front, and `store`
+/// receives `None`.
 ///
 /// # Errors
-/// The first column whose pivot is not.
+/// The first column whose pivot is too small.
 pub(crate) fn factor(
     supernodes: &Supernodes,
     matrix: &UpperTriangle,
@@ -60,7 +61,8 @@ pub(crate) fn factor(
             is_positive(pivot, diagonal, smallest)
         })
         .map_err(|c| Singular { column: first + c })?;
-        // Where all of its columns are fixed they are those of the identity.
+        // If all its columns are fixed, they are those of the identity and leave nothing to
+        // subtract.
         if dense::has_below(&workspace.own, width, height) {
             dense::subtract_outer(&mut workspace.rest, &workspace.own, width, height, own);
         }
@@ -73,25 +75,26 @@ pub(crate) fn factor(
     Ok(())
 }
 
-/// The front at hand, and what waits for the fronts to come.
+/// The current front, and the update matrices that wait for later ones.
 struct Workspace {
     /// Its own columns.
     own: Vec<Quad>,
     /// Its other columns.
     rest: Vec<Quad>,
-    /// The place of each row in the front.
+    /// The position of each row in the front.
     place: Vec<u32>,
-    /// The update matrices (Schur complements) of supernodes whose parents are to come, one after another.
+    /// The update matrices (Schur complements) of supernodes whose parents are yet to come, in
+    /// order.
     stack: Vec<Quad>,
-    /// These supernodes, and where the update matrix of each starts.
+    /// These supernodes, and the start of the update matrix of each.
     waiting: Vec<(usize, usize)>,
-    /// The places of the rows of one of them.
+    /// The positions in the front of the rows of one of them.
     places: Vec<u32>,
 }
 
 impl Workspace {
-    /// With room for the largest front, and for the most that ever waits: what grows while it is
-    /// filled takes up to three times as much.
+    /// Allocates room for the largest front and the deepest stack: vectors that grow while they are
+    /// filled take up to three times as much.
     fn new(supernodes: &Supernodes, n_columns: usize) -> Workspace {
         let (mut own, mut rest, mut stack, mut deepest) = (0, 0, 0, 0);
         let mut waiting: Vec<(usize, usize)> = Vec::new();
@@ -120,7 +123,7 @@ impl Workspace {
         }
     }
 
-    /// The front of supernode `s` with its columns of the matrix.
+    /// Starts the front of supernode `s` with its columns of the matrix.
     fn assemble(&mut self, supernodes: &Supernodes, matrix: &UpperTriangle, s: usize) {
         let (columns, rows) = (supernodes.columns(s), supernodes.rows(s));
         let (width, height, values) = (columns.len(), rows.len(), matrix.data());
@@ -138,12 +141,12 @@ impl Workspace {
         }
     }
 
-    /// Whether a child of supernode `s` has left something.
+    /// Whether a child of supernode `s` has left an update matrix.
     fn has_child(&self, supernodes: &Supernodes, s: usize) -> bool {
         self.waiting.last().is_some_and(|&(child, _)| supernodes.parent(child) == s as u32)
     }
 
-    /// Adds what the children of supernode `s` left, and takes it from the stack.
+    /// Adds the update matrices of the children of supernode `s`, and removes them from the stack.
     fn add_children(&mut self, supernodes: &Supernodes, s: usize) {
         let width = supernodes.columns(s).len();
         let height = supernodes.rows(s).len();
@@ -176,8 +179,8 @@ impl Workspace {
     }
 }
 
-/// Adds lane `from` of the rows of `left` to lane `to` of those rows of `target` that `places` names,
-/// counted from `skipped` on.
+/// Adds lane `from` of the rows of `left` to lane `to` of the rows `places` of `target`, counted
+/// from `skipped` on.
 #[inline(never)]
 fn add_column(
     target: &mut [Quad],

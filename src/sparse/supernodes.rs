@@ -6,23 +6,23 @@ use sprs::CsStructureI;
 use std::iter::repeat_n;
 use std::ops::Range;
 
-/// The share of zeros that columns of one supernode may store, of up to 4, 16, 48 and more columns, as
-/// measured: fewer, wider supernodes are faster than the zeros cost.
+/// Greatest share of zeros that a supernode of up to 4, 16, 48 and more columns may store, as
+/// measured: fewer, wider supernodes save more than the zeros cost.
 const MOST_ZEROS: [f64; 4] = [0.3, 0.15, 0.03, 0.01];
 
 /// The supernodes of a factor.
 pub(crate) struct Supernodes {
-    /// First column of each supernode, and the number of columns at the end.
+    /// First column of each supernode, then the number of columns.
     columns: Vec<u32>,
-    /// Where the rows of each supernode start in `rows`, and where the last ones end.
+    /// Start of the rows of each supernode in `rows`, and the end of the last ones.
     row_starts: Vec<u32>,
     /// The rows of each supernode, its own columns first, ascending.
     rows: Vec<u32>,
-    /// The parent of each supernode: that of its first row below its columns.
+    /// The parent of each supernode: the one with its first row below its columns.
     parents: Vec<u32>,
     /// The lower triangle of the matrix by columns, each with its diagonal first.
     lower: Lower,
-    /// The root of the elimination tree that each column is in.
+    /// The root of the elimination tree of each column.
     components: Vec<u32>,
     nonzeros: usize,
 }
@@ -33,7 +33,7 @@ struct Lower {
     offsets: Vec<u32>,
     /// The row of each entry.
     rows: Vec<u32>,
-    /// Where each entry is among the values of the upper triangle.
+    /// Index of each entry among the values of the upper triangle.
     places: Vec<u32>,
 }
 
@@ -68,8 +68,8 @@ impl Lower {
 }
 
 impl Supernodes {
-    /// Of the factor of a matrix, given by the pattern of its upper triangle. Its columns are in a
-    /// postorder of its elimination tree.
+    /// Analyses the factor of a matrix, given by the pattern of its upper triangle. The columns
+    /// must be in a postorder of its elimination tree.
     pub(crate) fn new(upper: &CsStructureI<u32>) -> Supernodes {
         let n = upper.cols();
         let column = |c| &upper.indices()[upper.indptr().outer_inds_sz(c)];
@@ -95,7 +95,8 @@ impl Supernodes {
         analysed
     }
 
-    /// Each supernode has the rows of the matrix in its columns, and what its children leave.
+    /// Finds the rows of each supernode: those of the matrix in its columns, and those below its
+    /// children.
     fn find_rows(&mut self, n: usize) {
         let count = self.count();
         let mut supernode_of = vec![0u32; n];
@@ -138,9 +139,9 @@ impl Supernodes {
         }
     }
 
-    /// Of the factor of the matrix in which every entry of this one is a block of `times` by `times`, given by
-    /// the pattern of its upper triangle: each column becomes `times` columns, one after another. Tree and
-    /// supernodes are the same.
+    /// Returns the supernodes of the matrix in which every entry of this one is a block of `times`
+    /// by `times`, given by the pattern of its upper triangle. Each column becomes `times`
+    /// consecutive columns; tree and supernodes are the same.
     pub(crate) fn of_blocks(&self, times: u32, upper: &CsStructureI<u32>) -> Supernodes {
         let repeated = |indices: &[u32]| -> Vec<u32> {
             indices.iter().flat_map(|&i| (0..times).map(move |k| times * i + k)).collect()
@@ -165,7 +166,7 @@ impl Supernodes {
         }
     }
 
-    /// How many supernodes there are.
+    /// Number of supernodes.
     pub(crate) fn count(&self) -> usize {
         self.columns.len() - 1
     }
@@ -185,7 +186,7 @@ impl Supernodes {
         &self.rows(s)[self.columns(s).len()..]
     }
 
-    /// Where the rows of supernode `s` start among those of all.
+    /// Start of the rows of supernode `s` in [`Supernodes::all_rows`].
     pub(crate) fn row_start(&self, s: usize) -> u32 {
         self.row_starts[s]
     }
@@ -200,32 +201,32 @@ impl Supernodes {
         self.parents[s]
     }
 
-    /// The supernode that column `c` is in.
+    /// The supernode that contains column `c`.
     pub(crate) fn supernode_of(&self, c: u32) -> usize {
         self.columns.partition_point(|&first| first <= c) - 1
     }
 
-    /// The entries of column `c` of the lower triangle, its diagonal first: the row of each, and its
-    /// place among the values of the upper triangle.
+    /// The entries of column `c` of the lower triangle, its diagonal first: the row of each, and
+    /// its index among the values of the upper triangle.
     pub(crate) fn lower(&self, c: usize) -> impl Iterator<Item = (u32, u32)> {
         let entries = self.lower.range(c);
         let rows = self.lower.rows[entries.clone()].iter().copied();
         rows.zip(self.lower.places[entries].iter().copied())
     }
 
-    /// A number for each column, which all columns of its connected component share.
+    /// A number for each column that is shared within a connected component.
     pub(crate) fn components(&self) -> &[u32] {
         &self.components
     }
 
-    /// Nonzeros of `L` with its diagonal.
+    /// Number of nonzeros of `L` with its diagonal.
     pub(crate) fn nonzeros(&self) -> usize {
         self.nonzeros
     }
 }
 
-/// Merges consecutive columns, each the parent of the one before, as long as that stores few zeros.
-/// Gives the first column of each supernode, and the number of columns at the end.
+/// Merges consecutive columns, each the parent of the one before, as long as few zeros are stored.
+/// Returns the first column of each supernode, then the number of columns.
 fn supernodes(parents: &[u32], heights: &[u32]) -> Vec<u32> {
     let n = parents.len();
     let mut starts = Vec::new();
