@@ -1,7 +1,7 @@
-//! Assembly of the normal matrix `Q^T Q` (Eq. 6, 13) straight into the compressed columns of a
+//! Assembly of the normal matrix `Q^T Q` (Eq. 6, 13) directly into the compressed columns of a
 //! [`sprs::CsMatI`].
 //!
-//! `Q` is never formed. Every energy is a sum of terms that couple a few nodes, and each term adds
+//! `Q` is never formed. Every energy is a sum of terms that couple a few nodes. Each term adds
 //! `diagonal * I + outer * a a^T` to the rows and columns of its nodes: `N_i = I - 1 1^T / n` of a
 //! shape constraint, one row of the Laplacian for smoothness, the star of a big constraint.
 
@@ -14,14 +14,14 @@ use sprs::CsStructureI;
 pub struct Terms {
     /// The nodes of each term, distinct.
     nodes: Ragged,
-    /// `a`, an entry for each entry of `nodes`.
+    /// `a`, one entry for each entry of `nodes`.
     a: Vec<f64>,
-    /// Two numbers for each term: `diagonal` and `outer`.
+    /// `diagonal` and `outer` of each term.
     coefficients: Vec<[f64; 2]>,
 }
 
 impl Terms {
-    /// Adds a term on distinct `nodes`, with an entry of `a` for each of them.
+    /// Adds a term on distinct `nodes`, with one entry of `a` for each of them.
     pub fn push(
         &mut self,
         nodes: &[u32],
@@ -40,7 +40,7 @@ impl Terms {
         &self.nodes
     }
 
-    /// The same terms with every node `v` called `name[v]`.
+    /// Renumbers the nodes: `v` becomes `name[v]`.
     pub fn renumbered(mut self, name: &[u32]) -> Terms {
         self.nodes.rename(name);
         self.nodes.shrink_to_fit();
@@ -50,7 +50,7 @@ impl Terms {
     }
 }
 
-/// For each node, where it occurs among the terms of an energy.
+/// The occurrences of each node in the terms of an energy.
 struct Occurrences {
     /// `#nodes + 1`.
     offsets: Vec<u32>,
@@ -84,7 +84,8 @@ impl Occurrences {
     }
 }
 
-/// The pattern of the normal matrix of some energies over `n` nodes, whole and with its diagonal.
+/// Returns the full pattern, with its diagonal, of the normal matrix of some energies over `n`
+/// nodes.
 pub(super) fn structure(n: usize, energies: &[&Terms]) -> CsStructureI<u32> {
     let occurrences: Vec<_> = energies.iter().map(|terms| Occurrences::new(n, terms)).collect();
     let mut seen = vec![u32::MAX; n];
@@ -112,41 +113,41 @@ pub(super) fn structure(n: usize, energies: &[&Terms]) -> CsStructureI<u32> {
     CsStructureI::new_csc((n, n), columns, rows, values)
 }
 
-/// Assembles and re-assembles the normal matrix in one pattern.
+/// Assembles the normal matrix repeatedly in one pattern.
 pub(super) struct Assembler {
     energies: Vec<Terms>,
     occurrences: Vec<Occurrences>,
     n: usize,
-    /// `#nodes`: whether it is apart, without entries in common with those that are not.
+    /// `#nodes`: whether the node is decoupled from the nodes that are not.
     apart: Vec<bool>,
 }
 
 impl Assembler {
-    /// For the terms of several energies over `n` nodes.
+    /// Creates an assembler for the terms of several energies over `n` nodes.
     pub(super) fn new(n: usize, energies: Vec<Terms>) -> Self {
         let occurrences = energies.iter().map(|terms| Occurrences::new(n, terms)).collect();
         Assembler { energies, occurrences, n, apart: vec![false; n] }
     }
 
-    /// Sets these nodes apart: entries between them and others become zero.
+    /// Decouples these nodes: entries between them and other nodes become zero.
     pub(super) fn set_apart(&mut self, nodes: impl Iterator<Item = u32>) {
         nodes.for_each(|node| self.apart[node as usize] = true);
     }
 
-    /// `#nodes`: which nodes are apart.
+    /// `#nodes`: which nodes are decoupled.
     pub(super) fn apart(&self) -> &[bool] {
         &self.apart
     }
 
-    /// Replaces `a` of every term of an energy, an entry for each entry of its nodes.
+    /// Replaces `a` of every term of an energy, one entry for each entry of its nodes.
     pub(super) fn set_coefficients(&mut self, energy: usize, a: &[f64]) {
         self.energies[energy].a.copy_from_slice(a);
     }
 
     /// Fills `normal` with `sum_k scales[k] * energies[k] + diag(diagonal)`.
     ///
-    /// A node that is `fixed` is no unknown: its row and column become those of the identity, which
-    /// keeps the pattern, so that fixing and releasing needs no new ordering.
+    /// A node marked `fixed` is not an unknown: its row and column become those of the identity.
+    /// The pattern stays, so that fixing and releasing need no new ordering.
     pub(super) fn assemble(
         &self,
         scales: &[f64],

@@ -1,4 +1,4 @@
-//! The time, for reports: seconds from an arbitrary start, never going back.
+//! The clock for reports: seconds from an arbitrary start, never going back.
 
 /// Seconds since an arbitrary start.
 #[cfg(not(target_arch = "wasm32"))]
@@ -22,7 +22,7 @@ mod performance {
 
     #[wasm_bindgen]
     extern "C" {
-        /// Milliseconds, in a window as in a worker.
+        /// Milliseconds; available in windows and in workers.
         #[wasm_bindgen(js_namespace = performance)]
         pub(super) fn now() -> f64;
     }

@@ -1,8 +1,8 @@
-//! Why a problem cannot be solved.
+//! The errors of the solver.
 
 use std::fmt;
 
-/// Why a valid problem cannot be solved as it stands.
+/// The reason why a valid problem cannot be solved.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SolveError {
     /// The normal matrix is not positive definite although every component is held.
@@ -10,14 +10,14 @@ pub enum SolveError {
         /// The vertex whose pivot failed.
         vertex: u32,
     },
-    /// A part of a surface that is to be flattened has no area, or so little that its matrix is singular.
+    /// A part of a surface to be flattened has no area, or so little that its matrix is singular.
     NoArea {
-        /// A vertex of it.
+        /// A vertex of that part.
         vertex: u32,
     },
-    /// The flat map of a surface puts it onto a line or into a point.
+    /// The flat map of a surface collapses to a line or a point.
     Collapsed,
-    /// A position became NaN or infinite; the last good state stays.
+    /// A position became NaN or infinite; the last good state is kept.
     NotFinite {
         /// The first such vertex.
         vertex: u32,

@@ -1,8 +1,9 @@
-//! Boundary vertices that are on their curve exactly: their unknown is the length along it. In terms of unknowns
-//! their rows hold that length and the slope of the energy along the curve; everything that steps works on these.
+//! Boundary vertices that stay exactly on their boundary curve. Their unknown is the length along
+//! it: in terms of unknowns, their rows contain that length and the slope of the energy along the
+//! curve. All step computations work on these.
 //!
-//! In the metric they are apart from the other nodes: the coordinates of these and lengths along a curve have no
-//! couplings that are the same for all three coordinates.
+//! In the metric these nodes are decoupled from the others, since the couplings between lengths
+//! along a curve and coordinates differ between the three coordinates.
 
 use super::energy::{Handle, Hold};
 use super::settings::BoundaryCloseness;
@@ -10,11 +11,11 @@ use crate::constraint::Row;
 use crate::math::{Vec3, cosine};
 use crate::mesh::{BoundaryCurves, Point, Polyline, Topology};
 
-/// The boundary vertices of a solver, but corners, with their curves.
+/// The boundary vertices of a solver, except corners, with their curves.
 pub(super) struct Gliding {
     curves: Vec<Polyline>,
     vertices: Vec<Glider>,
-    /// Differences of coordinates below this are rounding.
+    /// Differences of coordinates below this are rounding error.
     rounding: f64,
 }
 
@@ -22,17 +23,19 @@ struct Glider {
     vertex: u32,
     node: u32,
     curve: u32,
-    /// How far along.
+    /// Length along the curve.
     s: f64,
-    /// The slope of half the energy along the curve where it falls, else 0.
+    /// Slope of half the energy along the curve, in the direction in which it falls; 0 if there is
+    /// none.
     slope: f64,
-    /// Whether a fixed handle has it instead.
+    /// Whether a fixed handle holds the vertex instead.
     taken: bool,
 }
 
 impl Gliding {
-    /// On the boundary of the shape at `positions` (`#V by 3`), and its corners. Vertices that are `released` are as
-    /// those inside. `node_of` is the node of each vertex. Coordinates are relative to `centre`.
+    /// Finds the boundary of the shape at `positions` (`#V by 3`), and its corners. Vertices that
+    /// are `released` are treated as interior ones. `node_of` is the node of each vertex.
+    /// Coordinates are relative to `centre`.
     pub(super) fn new(
         (positions, centre): (&[Point], Point),
         topology: &Topology,
@@ -68,12 +71,12 @@ impl Gliding {
         (gliding, found.corners.into_iter().filter(|&v| !released(v)).collect())
     }
 
-    /// The vertices and their nodes.
+    /// The vertices, each with its node.
     pub(super) fn vertices(&self) -> impl Iterator<Item = (u32, u32)> {
         self.vertices.iter().map(|glider| (glider.vertex, glider.node))
     }
 
-    /// Puts the vertices onto their curves, each at the closest point, but those that have a fixed handle.
+    /// Moves each vertex to the closest point on its curve, except those with a fixed handle.
     pub(super) fn place(&mut self, x: &mut [Row], handles: &[Handle]) {
         let fixed = |v: u32| handles.iter().any(|it| it.vertex == v && it.hold == Hold::Fixed);
         for glider in &mut self.vertices {
@@ -85,21 +88,22 @@ impl Gliding {
             }
             glider.s = curve.closest([row[0], row[1], row[2]], glider.s);
             let on_curve = at(curve, glider.s);
-            // Positions that come back keep their last bit.
+            // Positions on the curve up to rounding stay unchanged to the last bit.
             if row.iter().zip(&on_curve).any(|(a, b)| (a - b).abs() > self.rounding) {
                 *row = on_curve;
             }
         }
     }
 
-    /// Leaves of the gradient what is along the curves, where the energy falls along them.
+    /// Reduces the gradient to its component along the curves, in the direction in which the energy
+    /// falls.
     pub(super) fn constrain(&mut self, gradient: &mut [Row]) {
         for glider in self.vertices.iter_mut().filter(|glider| !glider.taken) {
             let row = &mut gradient[glider.node as usize];
             let g = Vec3::new(row[0], row[1], row[2]);
             let [back, on] = self.curves[glider.curve as usize].directions(glider.s);
             let slope = |way: Option<Vec3<f64>>| way.map_or(0.0, |way| g.dot(way));
-            // At a vertex of the curve it can fall on both sides, or on none.
+            // At a vertex of the curve the energy can fall on both sides, or on neither.
             let (rising, falling) = (slope(back).max(0.0), slope(on).min(0.0));
             let (slope, way) = if rising > -falling { (rising, back) } else { (falling, on) };
             glider.slope = slope;
@@ -108,7 +112,7 @@ impl Gliding {
         }
     }
 
-    /// Positions and their gradient in terms of unknowns.
+    /// Converts positions and their gradient to unknowns.
     pub(super) fn to_unknowns(&self, x: &mut [Row], gradient: &mut [Row]) {
         for glider in self.vertices.iter().filter(|glider| !glider.taken) {
             x[glider.node as usize] = [glider.s, 0.0, 0.0, 0.0];
@@ -116,11 +120,12 @@ impl Gliding {
         }
     }
 
-    /// The way back for the positions: lengths that leave their curve end at its end.
+    /// Converts the unknowns back to positions. Lengths beyond the end of a curve are clamped to
+    /// it.
     pub(super) fn put_on_curves(&mut self, x: &mut [Row]) {
         for glider in self.vertices.iter_mut().filter(|glider| !glider.taken) {
             let (curve, row) = (&self.curves[glider.curve as usize], &mut x[glider.node as usize]);
-            // A length that is no number stays one, to be found at the end of the step.
+            // A length that is not finite stays, and is detected at the end of the step.
             if row[0].is_finite() {
                 glider.s = curve.bounded(row[0]);
                 *row = at(curve, glider.s);
@@ -128,8 +133,10 @@ impl Gliding {
         }
     }
 
-    /// In terms of unknowns: `to` is `part` of the way from `before` to where the vertices are now, `x` but for these.
-    /// Those that would climb along their curve stay; so the way descends where it does for all other nodes.
+    /// In terms of unknowns, sets `x` to `part` of the step from `before` (positions and gradient)
+    /// to the current state. That state is `x`, except for these vertices, whose lengths are stored
+    /// here. Vertices that would go uphill along their curve stay, so that the step is a descent
+    /// step if it is one for all other nodes.
     pub(super) fn shorten(&self, before: (&[Row], &[Row]), x: &mut [Row], part: f64) {
         for glider in self.vertices.iter().filter(|glider| !glider.taken) {
             x[glider.node as usize][..3].copy_from_slice(&[glider.s, 0.0, 0.0]);

@@ -1,10 +1,10 @@
-//! The frame in which a problem is solved: coordinates relative to the centre of the bounding box at rest,
-//! so that site coordinates, far from the origin, do not cost digits.
+//! The frame in which a problem is solved: coordinates relative to the centre of the bounding box
+//! at rest, so that site coordinates, far from the origin, do not cost digits.
 
 use crate::constraint::Row;
 use crate::mesh::{Mesh, Point, Surface};
 
-/// A point relative to `centre`.
+/// Returns a point relative to `centre`.
 pub(super) fn relative(point: Point, centre: Point) -> Row {
     [point[0] - centre[0], point[1] - centre[1], point[2] - centre[2], 0.0]
 }

@@ -1,25 +1,26 @@
-//! The solver: energies, their normal matrix, the two-step iteration and its acceleration (paper section
-//! 2), conformal maps (section 4.3). Knows no file format: it takes a [`Problem`].
+//! The solver: energies, their normal matrix, the two-step iteration and its acceleration (paper
+//! section 2), conformal maps (section 4.3). Its input is a [`Problem`], independent of file
+//! formats.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `problem`, `settings` | what is solved, and how |
-//! | `error` | why it cannot be solved |
+//! | `problem`, `settings` | the input of the solver |
+//! | `error` | the reasons why a problem cannot be solved |
 //! | `energy` | the energies of Eq. 13, each with its gradient and its part of the matrix |
 //! | `local_frame` | coordinates relative to the centre of the model |
-//! | `rows` | rows of numbers as vectors |
+//! | `rows` | vector operations on rows of numbers |
 //! | `assemble` | the normal matrix `Q^T Q` in compressed columns |
 //! | `system` | the linear system of the global step: matrix, factor, and when each is made |
-//! | `gliding` | boundary vertices that are on their curve exactly |
-//! | `parts` | what solvers are made of, made from a problem |
+//! | `gliding` | boundary vertices that stay exactly on their curve |
+//! | `parts` | the components of a solver, built from a problem |
 //! | `solver` | the iteration |
-//! | `exact` | constraints that are met, not weighed |
-//! | `variation` | ways to change a shape while they stay met |
-//! | `accelerate` | steps that learn from the steps before |
-//! | `setup_cache` | what one solver leaves to the next |
-//! | `rest_projections` | projections at the rest shape, apart from any iteration |
+//! | `exact` | hard constraints: met exactly or within a tolerance |
+//! | `variation` | changes of a shape that keep its hard constraints met |
+//! | `accelerate` | steps that use the steps before |
+//! | `setup_cache` | the data that one solver passes to the next |
+//! | `rest_projections` | projections at the rest shape, without a solver |
 //! | `conformal` | conformal parametrisation (Eq. 14) |
-//! | `clock` | the time, for reports |
+//! | `clock` | the clock for reports |
 
 mod accelerate;
 mod assemble;

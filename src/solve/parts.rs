@@ -1,5 +1,5 @@
-//! The parts of a solver: the energies of a problem, the system of their global step, and which of its nodes
-//! are no unknowns.
+//! The components of a solver: the energies of a problem, the system of their global step, and the
+//! nodes that are not unknowns.
 
 use super::assemble::Terms;
 use super::clock;
@@ -19,53 +19,54 @@ use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::rc::Rc;
 
-/// A problem that is assembled and ordered, and not yet factored.
+/// A problem that is assembled and ordered, but not yet factored.
 pub(super) struct Parts {
-    /// Coordinates are relative to this.
+    /// The origin of the coordinates.
     pub centre: Point,
     /// The diagonal of the bounding box of the rest shape.
     pub extent: f64,
     pub n_vertices: usize,
-    /// Vertices and extra unknowns; nodes beyond are padding.
+    /// Number of vertices and extra unknowns; further nodes are padding.
     pub n_unknowns: usize,
-    /// Over the energies of the shape, of smoothness, and those that were added.
+    /// The system of the shape energy, the smoothness energy, and those that were added.
     pub system: System,
     /// The rest surface, shared with the next solver; see [`SetupCache`].
     pub surface: OnceCell<Rc<Surface>>,
-    /// Another surface to be close to, for the same.
+    /// The target surface of closeness, shared likewise.
     pub target: Option<(Rc<Mesh>, Rc<Surface>)>,
     pub energies: Energies,
-    /// `#nodes`: the rest position of each.
+    /// `#nodes`: the rest positions.
     pub rest: Vec<Row>,
-    /// Likewise in another pose, if shapes are taken from one.
+    /// `#nodes`: the positions of the pose, if kinds take their rest shape from one.
     pub pose: Option<Vec<Row>>,
-    /// Nodes that the shape energy holds in their place.
+    /// `#nodes`: whether the shape energy holds the node in place.
     pub held: Vec<bool>,
-    /// Corners of the boundary, if these are fixed, and where.
+    /// The corners of the boundary, if they are fixed, and their positions.
     pub corners: Vec<(u32, Point)>,
-    /// The other boundary vertices, if they are on their curves exactly.
+    /// The other boundary vertices, if they stay exactly on their curves.
     pub gliding: Option<Gliding>,
 }
 
-/// An energy beside those of a problem.
+/// An energy in addition to those of a problem.
 #[derive(Default)]
 pub(super) struct Added {
-    /// Its terms; extra unknowns are numbered behind those of the problem.
+    /// Its terms; its extra unknowns are numbered after those of the problem.
     pub terms: Option<Terms>,
-    /// How many extra unknowns it has.
+    /// Number of its extra unknowns.
     pub unknowns: usize,
-    /// Vertices that it holds in their place.
+    /// Vertices that it holds in place.
     pub holds: Vec<u32>,
 }
 
 impl Parts {
-    /// Assembles and orders. What another solver on the same mesh left in the `cache` is not made again.
+    /// Assembles and orders a problem. Reuses what another solver on the same mesh left in the
+    /// `cache`.
     pub(super) fn new(problem: &Problem<'_>, added: Added, mut cache: SetupCache) -> Parts {
         let started = clock::now();
         let Problem { mesh, constraints, weights, settings, .. } = *problem;
         let n_vertices = mesh.positions.len();
         let n_unknowns = problem.n_unknowns() + added.unknowns;
-        // `sprs-ldl` panics below two unknowns: the rest is padding, and fixed.
+        // `sprs-ldl` panics below two unknowns: further nodes are padding, and fixed.
         let n = n_unknowns.max(2);
         let laplacian = problem.laplacian();
         let shape_terms = problem.shape_terms();
@@ -162,7 +163,7 @@ impl Parts {
         }
     }
 
-    /// Positions, `#V by 3`, in terms of nodes.
+    /// Converts positions, `#V by 3`, to rows, one for each node.
     pub(super) fn to_rows(&self, positions: &[Point]) -> Vec<Row> {
         let node_of = &self.system.node_of()[..self.n_vertices];
         to_rows(positions, node_of, self.held.len(), self.centre)
@@ -196,22 +197,22 @@ pub(super) struct Nodes<'a> {
     pub n_unknowns: usize,
     pub held: &'a [bool],
     pub corners: &'a [(u32, Point)],
-    /// Whether the boundary is on its curves exactly: corners are then not for soft handles.
+    /// Whether the boundary stays exactly on its curves: corners then ignore soft handles.
     pub exact: bool,
 }
 
-/// How the nodes of a system are held: what handles, closeness and pins add to the normal matrix.
+/// The fixed nodes of a system, and what handles, closeness and pins add to its normal matrix.
 pub(super) struct Holding {
-    /// `#nodes`: whether it is no unknown.
+    /// `#nodes`: whether the node is fixed.
     pub fixed: Vec<bool>,
-    /// `#nodes`: what is added to the diagonal.
+    /// `#nodes`: addition to the diagonal.
     pub diagonal: Vec<f64>,
-    /// Vertices that are fixed because nothing holds their part.
+    /// Vertices that are fixed because nothing else holds their component.
     pub pinned: Vec<u32>,
 }
 
 impl Holding {
-    /// With these handles.
+    /// Computes this for the given handles.
     pub(super) fn new(
         nodes: &Nodes<'_>,
         system: &System,
@@ -253,7 +254,8 @@ impl Holding {
     }
 }
 
-/// A component that is partly on the boundary is regular: neither part of the matrix has all of its nodes.
+/// Marks components with nodes on both sides, decoupled and not, as held: neither block of the
+/// matrix contains all of their nodes, so both are regular.
 fn hold_both_sides(system: &System, held: &mut [bool]) {
     let (components, apart) = (system.components(), system.apart());
     let mut sides = vec![[false; 2]; components.len()];

@@ -1,4 +1,4 @@
-//! The problem that a solver is given, and the terms of its normal matrix.
+//! The input of a solver, and the terms of its normal matrix.
 
 use super::assemble::Terms;
 use super::energy::{Constraints, extra_unknowns, shape_terms};
@@ -10,15 +10,16 @@ use std::rc::Rc;
 
 /// A shape, the constraints on its vertices, and the weights of Eq. 13.
 pub struct Problem<'a> {
-    /// The rest shape `V'`; lengths of everything else are in its unit.
+    /// The rest shape `V'`; all other lengths are in its unit.
     pub mesh: &'a Mesh,
-    /// The positions to which closeness and smoothness hold the shape, `#V by 3`, where these are not the rest shape.
+    /// Positions, `#V by 3`, used by closeness and smoothness instead of the rest shape.
     pub design: Option<&'a [Point]>,
-    /// Positions, `#V by 3`, from which the kinds that keep a rest shape take it, in place of those of `mesh`.
+    /// Positions, `#V by 3`, from which kinds that keep a rest shape take it, instead of from
+    /// `mesh`.
     pub pose: Option<&'a [Point]>,
     /// The topology of `mesh`.
     pub topology: &'a Topology,
-    /// Every row of constraints, resolved.
+    /// All rows of constraints, resolved.
     pub constraints: &'a [Constraints],
     /// The weights of Eq. 13.
     pub weights: Weights,
@@ -26,18 +27,18 @@ pub struct Problem<'a> {
     pub closeness_to: ClosenessTo,
     /// The surface of [`ClosenessTo::Target`].
     pub closeness_target: Option<&'a Rc<Mesh>>,
-    /// Where it is there, boundary vertices have the boundary curves for `c(v)`.
+    /// If given, the `c(v)` of boundary vertices are on the boundary curves.
     pub boundary_closeness: Option<BoundaryCloseness>,
-    /// `k_v` of each vertex, `#V`: factors of the weight of closeness.
+    /// `k_v` of each vertex, `#V`: factors of the closeness weight.
     pub closeness_factors: &'a [f64],
     /// `l_i` and `w_ij` of Eq. 12.
     pub smoothness: Smoothness,
-    /// Accelerator, precision of convergence, numeric factor.
+    /// Accelerator, convergence tolerance, numeric factorisation.
     pub settings: SolverSettings,
 }
 
 impl Problem<'_> {
-    /// Vertices and extra unknowns, which are numbered behind them.
+    /// Number of vertices and of extra unknowns, which are numbered after them.
     pub(super) fn n_unknowns(&self) -> usize {
         self.mesh.positions.len() + extra_unknowns(self.constraints, self.settings.mean_centring)
     }
@@ -52,11 +53,11 @@ impl Problem<'_> {
         }
     }
 
-    /// Which of `n` nodes the shape energy holds in their place.
+    /// For `n` nodes, whether the shape energy holds them in place.
     pub(super) fn nodes_held_by(&self, shape_terms: &Terms, n: usize) -> Vec<bool> {
         let mut held = vec![false; n];
         if !self.settings.mean_centring {
-            // Without N_i a constraint holds its points against translation too.
+            // Without N_i a constraint also resists translations of its points.
             shape_terms.nodes().indices().iter().for_each(|&v| held[v as usize] = true);
         } else if self.weights.shape > 0.0 {
             let placed = self.constraints.iter().flat_map(Constraints::placed);
@@ -65,7 +66,7 @@ impl Problem<'_> {
         held
     }
 
-    /// The Laplacian of the smoothness energy, if that counts.
+    /// The Laplacian of the smoothness energy, if its weight is positive.
     pub(super) fn laplacian(&self) -> Option<Laplacian> {
         let weighting = match self.smoothness.weighting {
             Weighting::Auto if self.topology.is_triangle_mesh() => Weighting::Cotangent,

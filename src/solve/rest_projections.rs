@@ -1,4 +1,4 @@
-//! The projections of constraints at the rest shape, for hosts that draw them; no solver takes part.
+//! Projections of constraints at the rest shape, for hosts that draw them, without a solver.
 
 use super::energy::{Constraints, ShapeEnergy};
 use super::local_frame::{centre_and_extent, relative, rest_surface};
@@ -6,8 +6,9 @@ use crate::constraint::{Projected, Reference, Row};
 use crate::mesh::{Mesh, Point};
 use std::rc::Rc;
 
-/// Gives `each` the vertices of every constraint, and the way from each of these to its projected
-/// point at the rest shape of `mesh`, in its unit. Shapes are taken from the `pose`, `#V by 3`, if there is one.
+/// Calls `each` with the vertices of every constraint and the displacements to their projected
+/// points, at the rest shape of `mesh` and in its unit. Kinds take their rest shape from the
+/// `pose`, `#V by 3`, if given.
 pub fn rest_projections(
     mesh: &Mesh,
     pose: Option<&[Point]>,

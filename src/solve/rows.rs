@@ -1,8 +1,8 @@
-//! Rows of numbers, one for each node, as vectors.
+//! Vector operations on rows of numbers, one row for each node.
 
 use crate::constraint::Row;
 
-/// Sum of products, in an order that is the same on every machine.
+/// Inner product, summed in the same order on every platform.
 #[inline(never)]
 pub(super) fn dot(a: &[Row], b: &[Row]) -> f64 {
     let mut sum = [0.0; 4];

@@ -1,4 +1,4 @@
-//! How the energies of a problem are weighed and how it is solved: the choices of scene files.
+//! The weights of the energies and the settings of the solver, as in scene files.
 
 use crate::sparse::Factorization;
 use serde::{Deserialize, Serialize};
@@ -7,11 +7,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Weights {
-    /// Of `E_shape`, Eq. 4.
+    /// Weight of `E_shape`, Eq. 4.
     pub shape: f64,
-    /// Of `E_close`, Eq. 11.
+    /// Weight of `E_close`, Eq. 11.
     pub close: f64,
-    /// Of `E_smooth`, Eq. 12.
+    /// Weight of `E_smooth`, Eq. 12.
     pub smooth: f64,
 }
 
@@ -55,31 +55,32 @@ pub enum Weighting {
     Polygon,
 }
 
-/// The least part of their length that edges keep by default: without a bound, coincident vertices would
-/// meet most constraints.
+/// The least length of edges, relative to rest, by default. Without a bound, coincident vertices
+/// would meet most constraints.
 pub const SHORTEST_EDGE: f64 = 0.3;
 
-/// How a scene is solved.
+/// The settings of the solver.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct SolverSettings {
-    /// Iterations at most.
+    /// Greatest number of iterations.
     pub iterations: u32,
-    /// Relative change of the total energy per iteration below which it stops; 0 never stops early.
+    /// Relative change of the total energy per iteration below which the run stops; 0 never stops
+    /// early.
     pub tolerance: f64,
-    /// How steps are accelerated.
+    /// The acceleration of steps.
     pub accelerator: Accelerator,
-    /// How many previous steps the accelerator remembers; 0 is the plain iteration.
+    /// Number of previous steps that the accelerator uses; 0 is the plain iteration.
     pub window: u32,
-    /// Whether `N_i` of Eq. 5 is used; without, it is the identity (Fig. 10).
+    /// Whether `N_i` of Eq. 5 is used; otherwise it is the identity (Fig. 10).
     pub mean_centring: bool,
-    /// Keep the nearer of the new and the previous projection, so that the total never rises with
-    /// operators that are not exact either.
+    /// Keeps the nearer of the new and the previous projection, so that the total energy never
+    /// rises, even with approximate operators.
     pub monotone: bool,
-    /// Which numeric phase factors the normal matrix.
+    /// The numeric factorisation of the normal matrix.
     pub factorization: Factorization,
-    /// While hard constraints are met, edges of their faces keep this part of their length at rest, at most one;
-    /// none is no guard.
+    /// Least length of the edges of faces with hard constraints, relative to rest, at most one.
+    /// `None` is no guard.
     pub shortest_edge: Option<f64>,
 }
 
@@ -98,10 +99,10 @@ impl Default for SolverSettings {
     }
 }
 
-/// How steps are accelerated.
+/// The acceleration of steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Accelerator {
-    /// Not at all: the paper's plain iteration.
+    /// None: the paper's plain iteration.
     None,
     /// L-BFGS whose initial metric is the factored normal matrix.
     QuasiNewton,
@@ -109,10 +110,11 @@ pub enum Accelerator {
     Anderson,
 }
 
-/// `c(v)`: what a vertex is kept close to.
+/// `c(v)`: the point that a vertex is kept close to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ClosenessTo {
-    /// The closest point on the rest surface; without faces on its curves, and without these among its points.
+    /// The closest point on the rest surface; without faces on the curves, without curves among the
+    /// points.
     #[default]
     Surface,
     /// The vertex's own rest position.
@@ -123,16 +125,18 @@ pub enum ClosenessTo {
     Target,
 }
 
-/// Boundary vertices stay on the rest shape of their own boundary loop, or close to its closest point, and corners at
-/// their rest positions. A corner that is a handle is held by that instead, and is kept close to its rest position.
+/// Boundary vertices stay on the rest curve of their own boundary loop, or close to its closest
+/// point, and corners at their rest positions. A corner with a handle is held by the handle
+/// instead, and kept close to its rest position.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct BoundaryCloseness {
-    /// A vertex is a corner where the boundary turns by more than this, in degrees from 0 to 180.
+    /// A vertex is a corner if the boundary turns there by more than this, in degrees from 0 to
+    /// 180.
     pub corners: f64,
-    /// Whether vertices are on the curve or close to it.
+    /// Whether vertices stay on the curve or close to it.
     pub require: BoundaryRequire,
-    /// Where that is soft: a factor of `k_v` for boundary vertices, not negative.
+    /// With a soft requirement, a factor of `k_v` for boundary vertices, not negative.
     pub weight: f64,
 }
 
@@ -145,10 +149,10 @@ impl Default for BoundaryCloseness {
 /// The requirement on boundary vertices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BoundaryRequire {
-    /// They are kept close to their curve, weighed against all else.
+    /// They are kept close to their curve, weighed against all other energies.
     #[default]
     Soft,
-    /// They glide on their curve and nowhere else; corners are fixed. A soft handle pulls them along it, and corners
-    /// not at all; a fixed handle has its vertex where it says.
+    /// They glide on their curve only; corners are fixed. A soft handle pulls a vertex along its
+    /// curve, and has no effect on a corner. A fixed handle puts its vertex at the target.
     Exact,
 }

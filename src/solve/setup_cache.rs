@@ -1,5 +1,5 @@
-//! The part of a solver that depends on the mesh and the pattern of its matrix alone, for the next solver
-//! on the same mesh.
+//! The part of a solver that depends only on the mesh and the pattern of its matrix, for the next
+//! solver on the same mesh.
 
 use super::local_frame::rest_surface;
 use crate::mesh::{Mesh, Point, Surface};
@@ -10,15 +10,15 @@ use std::rc::Rc;
 /// The rest surface, and the symbolic analysis of the last normal matrix.
 #[derive(Clone, Default)]
 pub struct SetupCache {
-    /// Relative to the centre of the model; made when it is first asked for.
+    /// Relative to the centre of the model; computed on first use.
     pub(super) surface: OnceCell<Rc<Surface>>,
     pub(super) analysis: Option<Rc<SymbolicAnalysis>>,
-    /// Another surface to be close to, relative to the same centre.
+    /// The target surface of closeness with its mesh, relative to the same centre.
     pub(super) target: Option<(Rc<Mesh>, Rc<Surface>)>,
 }
 
 impl SetupCache {
-    /// The surface of `target`, made where it is not that of the solver before.
+    /// Returns the surface of `target`, computed unless the previous solver had the same target.
     pub(super) fn surface_of(&mut self, target: &Rc<Mesh>, centre: Point) -> Rc<Surface> {
         let known = self.target.take().filter(|(mesh, _)| Rc::ptr_eq(mesh, target));
         let (mesh, surface) =

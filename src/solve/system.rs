@@ -1,4 +1,4 @@
-//! The linear system of the global step: `Q^T Q` in the order of elimination, and its factor.
+//! The linear system of the global step: `Q^T Q` in the elimination order, and its factor.
 
 use super::assemble::{Assembler, Terms, structure};
 use super::clock;
@@ -9,19 +9,20 @@ use crate::sparse::{
 };
 use std::rc::Rc;
 
-/// Seconds that setting up took.
+/// Times of the set-up in seconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SetUpSeconds {
     /// Terms, batches and the normal matrix.
     pub assemble: f64,
-    /// The order of elimination, and the symbolic analysis; nearly nothing where those at hand fit.
+    /// The elimination order and the symbolic analysis; almost nothing if an existing one fits.
     pub order: f64,
     /// The last factorisation.
     pub factor: f64,
 }
 
-/// The numbers that a normal matrix of this pattern depends on: it is `sum_k scales[k] * energies[k] + diag(diagonal)`, with
-/// the rows and columns of the `fixed` nodes replaced by those of the identity.
+/// The parameters of a normal matrix of this pattern: it is `sum_k scales[k] * energies[k] +
+/// diag(diagonal)`, with the rows and columns of the `fixed` nodes replaced by those of the
+/// identity.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Matrix {
     /// One for each energy.
@@ -33,9 +34,10 @@ struct Matrix {
 }
 
 impl Matrix {
-    /// Whether `other` is this matrix with more on its diagonal and more nodes fixed, or the same. If this
-    /// one is positive definite then so is the other: its pivots are no smaller (Schur complements of
-    /// positive definite matrices grow with the diagonal; those of a submatrix are no smaller).
+    /// Whether `other` is this matrix, possibly with more on its diagonal and more nodes fixed. If
+    /// this one is positive definite, so is the other, whose pivots are no smaller (Schur
+    /// complements of positive definite matrices grow with the diagonal; those of a submatrix are
+    /// no smaller).
     fn is_below(&self, other: &Matrix) -> bool {
         let own = self.diagonal.iter().zip(&self.fixed);
         let others = other.diagonal.iter().zip(&other.fixed);
@@ -46,47 +48,47 @@ impl Matrix {
     }
 }
 
-/// The normal matrix over vertices and extra unknowns, called nodes once they are in the order of
-/// elimination: everything that iterates is numbered by node, so that no step permutes.
+/// The normal matrix over vertices and extra unknowns, called nodes once they are in the
+/// elimination order. Everything that iterates is numbered by node, so that no step permutes.
 pub struct System {
     analysis: Rc<SymbolicAnalysis>,
     assembler: Assembler,
     factorization: Factorization,
     precision: Precision,
     matrix: Matrix,
-    /// The values of `matrix`; of another one as long as there is no factor.
+    /// The values of `matrix` in the state [`State::Whole`], otherwise of another one.
     normal: UpperTriangle,
     factor: Factor,
     state: State,
-    /// A matrix that is below the one at hand (see [`Matrix::is_below`]), and its factor: releasing the
-    /// handles that were added since comes back to it.
+    /// A matrix that is below the current one (see [`Matrix::is_below`]), and its factor, which is
+    /// used again when the handles added since are released.
     below: Option<(Matrix, Factor)>,
-    /// The nodes that are no unknowns.
+    /// The nodes that are fixed.
     fixed: Vec<u32>,
-    /// Seconds of setting up, by part.
+    /// Times of the set-up in seconds.
     pub seconds: SetUpSeconds,
 }
 
-/// How far the system is set up for its matrix.
+/// The progress of the set-up for the current matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
-    /// There are neither values nor a factor; the matrix may be singular.
+    /// Neither values nor a factor; the matrix may be singular.
     Unknown,
-    /// There are neither values nor a factor, but the matrix is certain to be positive definite.
+    /// Neither values nor a factor, but the matrix is certain to be positive definite.
     Regular,
-    /// There is a factor, and the values are those of another matrix.
+    /// A factor; the values are those of another matrix.
     Factored,
-    /// There are values and a factor.
+    /// Values and a factor.
     Whole,
 }
 
 impl System {
-    /// Orders the nodes of the given terms, of which there are `n`.
+    /// Orders the `n` nodes of the given terms.
     pub fn new(n: usize, energies: Vec<Terms>) -> System {
         System::with_order(n, energies, Factorization::default(), None)
     }
 
-    /// The same, with the order at hand where that is one of the same pattern.
+    /// The same, using the analysis `at_hand` if it has the same pattern.
     pub(super) fn with_order(
         n: usize,
         energies: Vec<Terms>,
@@ -128,7 +130,7 @@ impl System {
         }
     }
 
-    /// The analysis of its pattern, for other systems of the same pattern.
+    /// The analysis of the pattern, for other systems of the same pattern.
     pub(super) fn analysis(&self) -> &Rc<SymbolicAnalysis> {
         &self.analysis
     }
@@ -138,43 +140,43 @@ impl System {
         self.analysis.place_of()
     }
 
-    /// Sets these nodes apart, before anything is factored: in the matrix they have no couplings with the others.
+    /// Decouples these nodes from the others in the matrix. Must be called before factoring.
     pub(super) fn set_apart(&mut self, nodes: impl Iterator<Item = u32>) {
         self.assembler.set_apart(nodes);
     }
 
-    /// `#nodes`: which nodes are apart.
+    /// `#nodes`: which nodes are decoupled.
     pub(super) fn apart(&self) -> &[bool] {
         self.assembler.apart()
     }
 
-    /// A number for each node, which all nodes of its connected component share.
+    /// A number for each node that is shared within a connected component.
     pub fn components(&self) -> &[u32] {
         self.analysis.components()
     }
 
-    /// Nodes that are unknowns.
+    /// Number of nodes that are unknowns.
     pub fn unknowns(&self) -> usize {
         self.analysis.size() - self.fixed.len()
     }
 
-    /// Nonzeros of the factor.
+    /// Number of nonzeros of the factor.
     pub fn factor_nonzeros(&self) -> usize {
         self.factor.nonzeros()
     }
 
-    /// Replaces `a` of every term of an energy, an entry for each entry of its nodes, as they were pushed:
-    /// where terms are linear pieces of something that is not. Takes effect with the next factor.
+    /// Replaces `a` of every term of an energy, one entry for each entry of its nodes as they were
+    /// pushed, for terms that are linearised. Takes effect with the next factor.
     pub(crate) fn set_coefficients(&mut self, energy: usize, a: &[f64]) {
         self.assembler.set_coefficients(energy, a);
         (self.below, self.state) = (None, State::Unknown);
     }
 
-    /// Assembles `sum_k scales[k] * energies[k] + diag(diagonal)` and factors it. Nodes that are
-    /// `fixed` are no unknowns. The pattern and the order stay.
+    /// Assembles `sum_k scales[k] * energies[k] + diag(diagonal)` and factors it. Nodes marked
+    /// `fixed` are not unknowns. The pattern and the order stay.
     ///
     /// # Errors
-    /// When it is not positive definite. The system is then not usable before it was factored again.
+    /// If the matrix is not positive definite. The system must then be factored again before use.
     pub fn factor(
         &mut self,
         scales: &[f64],
@@ -185,8 +187,8 @@ impl System {
         self.prepare()
     }
 
-    /// The same, to be solved with this precision. A matrix that is certain to be positive definite is
-    /// factored by [`System::prepare`], and not at all where its factor is at hand.
+    /// The same, for solving in this precision. A matrix that is certain to be positive definite is
+    /// factored only by [`System::prepare`], and not at all if its factor is available.
     ///
     /// # Errors
     /// As [`System::factor`].
@@ -227,7 +229,7 @@ impl System {
         if self.state == State::Unknown { self.prepare() } else { Ok(()) }
     }
 
-    /// Makes the factor, if it is not there.
+    /// Computes the factor if there is none.
     ///
     /// # Errors
     /// As [`System::factor`].
@@ -256,14 +258,14 @@ impl System {
         self.seconds.assemble += clock::now() - started;
     }
 
-    /// The values of another matrix of this pattern, `sum_k scales[k] * energies[k] + diag(diagonal)`.
+    /// Returns another matrix of this pattern, `sum_k scales[k] * energies[k] + diag(diagonal)`.
     pub(super) fn values(&self, scales: &[f64], diagonal: &[f64], fixed: &[bool]) -> UpperTriangle {
         let mut values = self.analysis.zeros();
         self.assembler.assemble(scales, diagonal, fixed, &mut values);
         values
     }
 
-    /// Computes the values of a matrix whose factor is there.
+    /// Computes the values of a matrix that has only a factor.
     fn complete(&mut self) {
         if self.state == State::Factored {
             self.assemble();
@@ -271,8 +273,8 @@ impl System {
         }
     }
 
-    /// Updates the rows and columns of some nodes without factoring anew. False where there is no factor:
-    /// nothing has changed then.
+    /// Updates the rows and columns of some nodes without a new factorisation. Returns false, and
+    /// changes nothing, if there is no factor.
     pub(super) fn update(&mut self, updates: &[(u32, Update)]) -> bool {
         if !matches!(self.state, State::Factored | State::Whole) {
             return false;
@@ -322,7 +324,7 @@ impl System {
         self.factor.double(&self.normal, &self.matrix.fixed)
     }
 
-    /// Clears the rows of nodes that are no unknowns.
+    /// Sets the rows of fixed nodes to zero.
     pub fn clear_fixed(&self, gradient: &mut [Row]) {
         self.fixed.iter().for_each(|&node| gradient[node as usize] = [0.0; 4]);
     }

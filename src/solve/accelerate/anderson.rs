@@ -13,7 +13,7 @@ use std::collections::VecDeque;
 pub(crate) struct Anderson {
     window: usize,
     changes: VecDeque<Change>,
-    /// `G` and `F`, now and of the step before.
+    /// `G` and `F`, now and one step before.
     now: Change,
     before: Change,
     /// The scaled gradient, then the scaled step.
@@ -27,7 +27,7 @@ struct Change {
 }
 
 impl Anderson {
-    /// With room for `window` steps.
+    /// Creates an empty window of `window` steps.
     pub(super) fn new(window: usize) -> Self {
         Anderson {
             window,
@@ -38,7 +38,7 @@ impl Anderson {
         }
     }
 
-    /// Clears the window: the problem has changed.
+    /// Clears the window, because the problem has changed.
     pub(super) fn forget(&mut self) {
         self.changes.clear();
     }
@@ -89,14 +89,14 @@ impl Anderson {
         self.changes.push_back(change);
     }
 
-    /// `theta` that minimises `|F - sum_j theta_j dF_j|`, by scaled normal equations; none when the
-    /// changes are dependent to working precision.
+    /// Returns the `theta` that minimises `|F - sum_j theta_j dF_j|`, by scaled normal equations;
+    /// `None` if the changes are dependent to working precision.
     fn coefficients(&self) -> Option<DVector<f64>> {
         let m = self.changes.len();
         let of = |j: usize| &self.changes[j].residual;
         let scale = DVector::from_fn(m, |j, _| 1.0 / dot(of(j), of(j)).sqrt());
         let gram = DMatrix::from_fn(m, m, |i, j| {
-            // The ridge bounds the coefficients where changes are nearly parallel.
+            // The ridge bounds the coefficients if changes are nearly parallel.
             dot(of(i), of(j)) * scale[i] * scale[j] + if i == j { 1e-9 } else { 0.0 }
         });
         let right = DVector::from_fn(m, |j, _| dot(of(j), &self.now.residual) * scale[j]);

@@ -1,4 +1,4 @@
-//! An iterate: what a step starts from.
+//! An iterate: the state from which a step starts.
 
 use crate::constraint::Row;
 use crate::solve::system::System;
@@ -19,8 +19,8 @@ impl Iterate<'_> {
         Iterate { x: &self.x[rows.clone()], gradient: &self.gradient[rows.clone()] }
     }
 
-    /// The plain step (step II of section 2.2) from here to the positions `to`, in double precision: `system`
-    /// is factored.
+    /// Takes the plain step (step II of section 2.2) from here to the positions `to`, in double
+    /// precision. `system` must be factored.
     pub(crate) fn plain_step(&self, system: &mut System, to: &mut [Row]) {
         to.copy_from_slice(self.gradient);
         system.solve(to);

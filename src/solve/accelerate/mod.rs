@@ -1,10 +1,10 @@
-//! Steps that learn from the steps before them, so that stiff problems need tens of iterations
-//! where the plain two-step iteration needs thousands.
+//! Steps that use the steps before them, so that stiff problems need tens of iterations where the
+//! plain two-step iteration needs thousands.
 //!
-//! An accelerator sees positions, half gradients and the inverse of the normal matrix, and nothing of the
-//! geometry. It proposes a step; the solver takes it only if the energy falls, and
-//! falls back to the plain step otherwise. So it may work in single precision, where the plain
-//! step, on which everything rests, is in double.
+//! An accelerator works on positions, half gradients and the inverse of the normal matrix,
+//! independent of the geometry. It proposes a step; the solver accepts it only if the energy falls,
+//! and falls back to the plain step otherwise. Proposals may therefore be in single precision, but
+//! the plain step of the fallback is in double.
 //!
 //! | file | holds |
 //! |---|---|
@@ -39,7 +39,7 @@ pub(in crate::solve) enum Acceleration {
 }
 
 impl Acceleration {
-    /// The one that the settings ask for; a window of 0 is the plain iteration.
+    /// Returns the accelerator of the settings; a window of 0 is the plain iteration.
     pub(super) fn new(settings: &SolverSettings) -> Self {
         let window = settings.window as usize;
         match settings.accelerator {
@@ -50,12 +50,12 @@ impl Acceleration {
         }
     }
 
-    /// Whether its steps depend on the steps before.
+    /// Whether its steps depend on previous steps.
     pub(super) fn learns(&self) -> bool {
         !matches!(self, Acceleration::None(_))
     }
 
-    /// How `system` is to be solved for it.
+    /// The precision in which `system` is solved for it.
     pub(super) fn precision(&self, system: &System) -> Precision {
         match self {
             Acceleration::None(_) => Plain::precision(system),
@@ -63,8 +63,8 @@ impl Acceleration {
         }
     }
 
-    /// Steps from `now` to the positions `to`. `before` is the iterate before, if there is one since
-    /// the problem changed. False when it is the plain step to full precision.
+    /// Steps from `now` to the positions `to`. `before` is the previous iterate, if there is one
+    /// since the problem changed. Returns false if the step is the plain step in double precision.
     pub(super) fn propose(
         &mut self,
         now: Iterate<'_>,
@@ -80,7 +80,7 @@ impl Acceleration {
         true
     }
 
-    /// Forgets all steps: the problem has changed.
+    /// Forgets all steps, because the problem has changed.
     pub(super) fn forget(&mut self) {
         match self {
             Acceleration::None(_) => {}

@@ -1,15 +1,17 @@
 //! The plain two-step iteration (section 2.2), with a factor in the precision that suits its size.
 //!
-//! A global step reads the factor twice and does little else. What the caches of a processor do not hold comes
-//! from memory, and half as many bytes take half the time. The iteration is in delta form, so that a factor in
-//! single precision is only a metric: steps agree to about 1e-6 of their length, and the end is the same.
+//! A global step does little more than read the factor twice. A factor that exceeds the processor's
+//! caches comes from memory, and half as many bytes take half the time. The iteration is in delta
+//! form, so that a factor in single precision is only a metric: steps agree to about 1e-6 of their
+//! length, and the limit is the same.
 
 use super::Iterate;
 use crate::constraint::Row;
 use crate::solve::system::System;
 use crate::sparse::{F32Factor, F32Row, Precision, round};
 
-/// Up to so many nonzeros the factor is in double precision, 4 MB: about 8,000 vertices of a quad mesh.
+/// Greatest number of nonzeros of a factor in double precision, 4 MB: about 8,000 vertices of a
+/// quad mesh.
 const MOST_DOUBLE: usize = 1 << 19;
 
 /// Plain steps.
@@ -20,7 +22,7 @@ pub(in crate::solve) struct Plain {
 }
 
 impl Plain {
-    /// How `system` is to be solved for it.
+    /// The precision in which `system` is solved for it.
     pub(super) fn precision(system: &System) -> Precision {
         if system.factor_nonzeros() > MOST_DOUBLE { Precision::Single } else { Precision::Double }
     }

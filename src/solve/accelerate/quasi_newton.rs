@@ -2,10 +2,10 @@
 //! Methods for Real-Time Simulation of Hyperelastic Materials, 2017, section 4). With an empty
 //! window it is exactly the plain two-step iteration.
 //!
-//! The memory is in single precision, as the metric is: what steps have taught is no better than
-//! that, and reading it is most of what an accelerated iteration costs beside a plain one. For the
-//! same reason the two-loop recursion (Nocedal and Wright, Algorithm 7.4) is written in inner
-//! products, which are taken of all vectors at once, a block of rows at a time.
+//! The memory is in single precision, like the metric: what is learnt from steps is no more
+//! accurate than that, and reading it is most of the extra cost of an accelerated iteration. For
+//! the same reason the two-loop recursion (Nocedal and Wright, Algorithm 7.4) is written in inner
+//! products, computed for all vectors at once, one block of rows at a time.
 
 use super::iterate::Iterate;
 use crate::constraint::Row;
@@ -13,8 +13,8 @@ use crate::sparse::{F32Factor, F32Row, round};
 use std::collections::VecDeque;
 use std::ops::Range;
 
-/// Rows in a block: what is read twice is still in the nearest cache, and sums in single precision
-/// are short.
+/// Rows in a block, so that data read twice is still in the nearest cache, and sums in single
+/// precision are short.
 const BLOCK: usize = 64;
 
 /// A step and the change of half the gradient along it, scaled.
@@ -22,11 +22,11 @@ const BLOCK: usize = 64;
 struct Pair {
     s: Vec<F32Row>,
     y: Vec<F32Row>,
-    /// `s . y_j`, of this step with its own `y` and with those of all later steps.
+    /// `s . y_j` of this step with its own `y` and with those of all later steps.
     with_y: Vec<f64>,
-    /// `alpha` of the recursion; `s . g` until it is known.
+    /// `alpha` of the recursion; `s . g` until it is computed.
     alpha: f64,
-    /// `beta` of the recursion; `y . step` until it is known.
+    /// `beta` of the recursion; `y . step` until it is computed.
     beta: f64,
 }
 
@@ -42,12 +42,12 @@ pub(crate) struct QuasiNewton {
 }
 
 impl QuasiNewton {
-    /// With room for `window` steps.
+    /// Creates an empty window of `window` steps.
     pub(super) fn new(window: usize) -> Self {
         QuasiNewton { window, pairs: VecDeque::new(), scale: 1.0, rows: Vec::new() }
     }
 
-    /// Clears the window: the problem has changed.
+    /// Clears the window, because the problem has changed.
     pub(super) fn forget(&mut self) {
         self.pairs.clear();
     }
@@ -74,8 +74,8 @@ impl QuasiNewton {
         factor.subtract_step(to, now.x, &self.rows, self.scale);
     }
 
-    /// Adds the pair of the last step, and takes the products of all steps with the gradient, which
-    /// `rows` becomes.
+    /// Adds the pair of the last step, rounds the gradient into `rows`, and computes its products
+    /// with all steps.
     fn learn(&mut self, now: Iterate<'_>, before: Iterate<'_>, unit: f64) {
         let mut new = if self.pairs.len() == self.window {
             self.pairs.pop_front().expect("a window holds at least one step")
@@ -109,7 +109,7 @@ impl QuasiNewton {
             squares[0] += dot(s, s);
             squares[1] += dot(y, y);
         }
-        // A step along which the gradient does not grow says nothing about curvature.
+        // A step along which the gradient does not grow carries no information about curvature.
         if curvature > 1e-12 * squares[0].sqrt() * squares[1].sqrt() {
             new.with_y.clear();
             new.with_y.push(curvature);
@@ -165,13 +165,13 @@ impl QuasiNewton {
     }
 }
 
-/// The rows, a block at a time.
+/// The ranges of rows of the blocks.
 fn blocks(n: usize) -> impl Iterator<Item = Range<usize>> {
     (0..n).step_by(BLOCK).map(move |first| first..n.min(first + BLOCK))
 }
 
 /// `to = scale * (a - b)`.
-// Flat, as are the loops below: rows of four would be taken apart to be put into registers.
+// Flat, like the loops below: rows of four would be unpacked before they are loaded into registers.
 #[inline(never)]
 fn subtract(to: &mut [F32Row], a: &[Row], b: &[Row], scale: f64) {
     let (a, b) = (a.as_flattened(), b.as_flattened());
@@ -189,8 +189,8 @@ fn add_scaled(to: &mut [F32Row], factor: f64, x: &[F32Row]) {
     }
 }
 
-/// Sum of products over a block, in an order that is the same on every machine. Sums side by side
-/// hide the latency of an addition.
+/// Inner product over a block, in the same order on every platform. Sums side by side hide the
+/// latency of an addition.
 #[inline(never)]
 fn dot(a: &[F32Row], b: &[F32Row]) -> f64 {
     let mut sums = [[0.0; 4]; 4];
@@ -204,7 +204,7 @@ fn dot(a: &[F32Row], b: &[F32Row]) -> f64 {
     for (a, b) in a_rest.iter().zip(b_rest) {
         sum = add_product(sum, *a, *b);
     }
-    // With the padding: four are faster than three.
+    // Padding included: four are faster than three.
     let [x, y, z, pad] =
         std::array::from_fn(|i| f64::from((sum[i] + second[i]) + (third[i] + fourth[i])));
     (x + y) + (z + pad)
