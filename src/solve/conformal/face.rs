@@ -6,24 +6,24 @@ use super::weights::ConformalWeights;
 use crate::math::{PrincipalAxes, Vec3, centre};
 use crate::mesh::Point;
 
-/// A face that is thinner than this part of the size of the mesh has no area but by rounding.
+/// A face that is thinner than this fraction of the size of the mesh has an area only by rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// A face in its own plane.
 pub(super) struct Face {
-    /// Corners, in the numbers of the part.
+    /// Corners, as vertex numbers of the part.
     pub(super) corners: Vec<u32>,
-    /// The corners in the least-squares plane, centred, the face's own turn counterclockwise.
+    /// The corners in the least-squares plane, centred, counterclockwise in the order of the face.
     flat: Vec<[f64; 2]>,
-    /// On the surface, above zero.
+    /// Area on the surface, positive.
     pub(super) area: f64,
     /// `|z|^2`.
     squares: f64,
 }
 
 impl Face {
-    /// The face of these `vertices`, without corners yet, or none where it has no area in a mesh of that
-    /// `diameter`: it has no shape to keep.
+    /// Returns the face of these `vertices`, without corners yet, or `None` if it has no area in a
+    /// mesh of this `diameter`, and thus no shape to keep.
     pub(super) fn new(vertices: &[u32], positions: &[Point], diameter: f64) -> Option<Face> {
         let mut points: Vec<Vec3<f64>> =
             vertices.iter().map(|&v| positions[v as usize].into()).collect();
@@ -44,7 +44,7 @@ impl Face {
         }
         let squares: f64 = flat.iter().map(|[x, y]| x * x + y * y).sum();
         let area = area.abs();
-        // Written so that NaN has none.
+        // Written so that NaN has no area.
         let has_area = area > ROUNDING * diameter * squares.sqrt();
         has_area.then_some(Face { corners: Vec::new(), flat, area, squares })
     }
@@ -58,7 +58,7 @@ impl Face {
         }
     }
 
-    /// `|N u - P u|^2` at the map `u`.
+    /// `|N u - P u|^2` of the map `u`.
     pub(super) fn distance(&self, u: &[[f64; 2]]) -> f64 {
         let n = self.corners.len() as f64;
         let mut mean = [0.0; 2];
@@ -90,14 +90,14 @@ impl Face {
         0.5 * crosses.sum::<f64>()
     }
 
-    /// How many extra unknowns it takes, each a complex number: its mean and its factor where it has many
-    /// corners, which would be a dense block of the matrix otherwise.
+    /// Number of extra complex unknowns: the mean and the factor of a face with many corners, which
+    /// would otherwise be a dense block of the matrix.
     pub(super) fn extra_unknowns(&self) -> usize {
         if self.corners.len() > BIG { 2 } else { 0 }
     }
 
-    /// Adds `w (|N u|^2 - |z* u|^2 / |z|^2)`, where the complex unknown `k` has the nodes `2 k` and
-    /// `2 k + 1`, and its extra unknowns are those from `extra` on.
+    /// Adds `w (|N u|^2 - |z* u|^2 / |z|^2)`. The complex unknown `k` has the nodes `2 k` and `2 k
+    /// + 1`; the extra unknowns are those from `extra` on.
     pub(super) fn push_terms(&self, terms: &mut Terms, weight: f64, extra: u32) {
         match self.corners.len() {
             3 => self.push_triangle(terms, weight),
@@ -106,8 +106,9 @@ impl Face {
         }
     }
 
-    /// Beside the constants and the multiples of z there is one direction left, so that the energy of a
-    /// triangle is the square of one complex number: the sum of the u, each times the side opposite to it.
+    /// Only one direction is orthogonal to the constants and the multiples of z, so the energy of a
+    /// triangle is the square of one complex number: the sum of the u, each times the opposite
+    /// side.
     fn push_triangle(&self, terms: &mut Terms, weight: f64) {
         let nodes: Vec<u32> = self.corners.iter().flat_map(|&v| [2 * v, 2 * v + 1]).collect();
         let opposite = || {
@@ -135,9 +136,9 @@ impl Face {
         terms.push(&nodes, flat().flat_map(|&[a, b]| [-b, a]), 0.0, outer);
     }
 
-    /// The same energy is the least of `w |u - m - c z|^2` over the mean `m` and the factor `c`: with these
-    /// as unknowns each corner is coupled to them alone. The factor is in the unit in which z has length
-    /// one on average.
+    /// The same energy is the minimum of `w |u - m - c z|^2` over the mean `m` and the factor `c`.
+    /// With these as unknowns, each corner is coupled only to them. The factor is for z scaled to
+    /// length one on average.
     fn push_big(&self, terms: &mut Terms, weight: f64, extra: u32) {
         let (mean, factor) = (2 * extra, 2 * extra + 2);
         let unit = (self.squares / self.corners.len() as f64).sqrt();
@@ -174,11 +175,11 @@ mod tests {
     use super::*;
     use crate::solve::System;
 
-    /// A polygon of `n` corners that is not flat, with `n` corners of its own.
+    /// A polygon with `n` corners that is not flat.
     fn wavy(n: u32) -> Face {
         let corner = |k: u32| {
             let t = f64::from(k) / f64::from(n);
-            // Around a square, with a bump of its own at every corner.
+            // Around a square, with a different bump at every corner.
             let side = |t: f64| (4.0 * t).clamp(1.0, 2.0) - 1.0 - ((4.0 * t).clamp(3.0, 4.0) - 3.0);
             let bump = f64::from((k * k * 7) % 11) / 40.0;
             [side(t) + bump, side((t + 0.25) % 1.0) - bump, bump * bump]

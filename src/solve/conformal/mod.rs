@@ -1,16 +1,16 @@
-//! Conformal parametrisation (paper section 4.3, Eq. 14): a flat map of a polygon mesh whose polygons
-//! stay as similar to themselves as they can, with a free boundary.
+//! Conformal parametrisation (paper section 4.3, Eq. 14): a flat map of a polygon mesh, with a free
+//! boundary, whose polygons stay as similar to the original ones as possible.
 //!
-//! In the plane a point is a complex number, and the polygons similar to the centred rest polygon `z`
-//! are the multiples of `z`. So the linear projection of section 3.2 is `P u = z (z* u) / |z|^2`, and
-//! with `N u` centred Eq. 14 is `phi(u) = sum_i w_i (|N_i u_i|^2 - |z_i* u_i|^2 / |z_i|^2)`: a quadratic
-//! form. Its smallest eigenvector beside the constants is the map.
+//! In the plane a point is a complex number, and the polygons similar to the centred rest polygon
+//! `z` are the multiples of `z`. The linear projection of section 3.2 is therefore `P u = z (z* u)
+//! / |z|^2`. With `N u` centred, Eq. 14 is the quadratic form `phi(u) = sum_i w_i (|N_i u_i|^2 -
+//! |z_i* u_i|^2 / |z_i|^2)`. The map is its smallest eigenvector besides the constants.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `weights` | the choices: how polygons are weighed, and what is normalised |
+//! | `weights` | the options: the weights of the polygons, and the norm |
 //! | `face` | the terms of one polygon |
-//! | `offer` | what to ask for where a map turns faces over |
+//! | `offer` | better options for a map that flips faces |
 //! | `subspace` | the smallest eigenvector, by inverse iteration |
 
 mod face;
@@ -36,26 +36,27 @@ use subspace::{Pair, smallest};
 /// A flat map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parametrization {
-    /// `#V by 2`. Every part has the area that it has on the surface, its longest axis along the first
-    /// coordinate; the parts lie side by side from the origin on. Vertices without faces that count are
-    /// at the origin.
+    /// `#V by 2`. Every part has the same area as on the surface, and its longest axis along the
+    /// first coordinate; the parts are side by side, starting at the origin. Vertices without faces
+    /// that count are at the origin.
     pub uv: Vec<[f64; 2]>,
-    /// The smallest eigenvalue beside zero, of the part with the greatest area.
+    /// The smallest nonzero eigenvalue, of the part with the greatest area.
     pub eigenvalue: f64,
-    /// The parts that the faces connect.
+    /// Number of parts that the faces connect.
     pub parts: usize,
-    /// Faces that count nowhere, ascending: those without an area, which have no shape to keep, and those
-    /// on the same vertices as an earlier one, which would keep these from having any.
+    /// Faces that are ignored, ascending: those without an area, which have no shape to keep, and
+    /// those on the same vertices as an earlier face, which would prevent both from keeping a
+    /// shape.
     pub left_out: Vec<u32>,
-    /// Parts without a boundary.
+    /// Number of parts without a boundary.
     pub closed_parts: usize,
-    /// The quasi-conformal error, of each face too, and the triangles that the map turns over.
+    /// The quasi-conformal error, also of each face, and the triangles that the map flips.
     pub errors: MapErrors,
-    /// Seconds that it took, by part.
+    /// Times in seconds.
     pub seconds: ConformalSeconds,
 }
 
-/// Seconds that a parametrisation took, by part.
+/// Times of a parametrisation in seconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct ConformalSeconds {
     /// Terms and values of the matrix.
@@ -68,11 +69,11 @@ pub struct ConformalSeconds {
     pub iterate: f64,
 }
 
-/// The metric of vertices that the norm does not count is shifted by this fraction of the mean
-/// diagonal, so that the matrix is positive definite; small against all eigenvalues but zero.
+/// Shift of the diagonal at the vertices that the norm counts, as a fraction of the mean diagonal.
+/// It makes the matrix positive definite, and is small against all eigenvalues but zero.
 const SHIFT: f64 = 1e-10;
 
-/// A map with a greater mean error has put a surface onto a line or into a point.
+/// A map with a greater mean error has collapsed the surface to a line or a point.
 const COLLAPSED: f64 = 1e6;
 
 /// The gap between parts, as a fraction of their mean width.
@@ -82,8 +83,8 @@ impl Parametrization {
     /// Maps `mesh`, part by part.
     ///
     /// # Errors
-    /// When no face has an area, a part has so little that its matrix is singular, or a surface with a
-    /// boundary has no map but one that collapses.
+    /// If no face has an area, if a part has so little that its matrix is singular, or if a surface
+    /// with a boundary has only maps that collapse.
     pub fn new(
         mesh: &Mesh,
         topology: &Topology,
@@ -136,7 +137,7 @@ impl Parametrization {
             result.closed_parts += usize::from(is_closed);
         }
         result.errors = quasi_conformal(&mesh.positions, &result.uv, &mesh.faces, &result.left_out);
-        // What is closed cannot be flattened without folds, of whatever kind these are.
+        // A closed part cannot be flattened without folds, so any error is accepted.
         let mean = result.errors.quasi_conformal.mean;
         if result.closed_parts == 0 && (mean.is_nan() || mean > COLLAPSED) {
             return Err(SolveError::Collapsed);
@@ -145,7 +146,7 @@ impl Parametrization {
     }
 }
 
-/// Which vertices are on the boundary, `#V`.
+/// `#V`: whether the vertex is on the boundary.
 fn boundary(topology: &Topology) -> Vec<bool> {
     let mut on_boundary = vec![false; topology.neighbours().len()];
     for &vertex in topology.boundary_loops().indices() {
@@ -154,14 +155,15 @@ fn boundary(topology: &Topology) -> Vec<bool> {
     on_boundary
 }
 
-/// A connected part of a mesh with numbers of its own.
+/// A connected part of a mesh, with vertex numbers of its own.
 struct Part {
-    /// The vertex of the mesh of each of its own.
+    /// The mesh vertex of each vertex of the part.
     vertices: Vec<u32>,
     faces: Vec<Face>,
 }
 
-/// The shape of each face of `mesh` (`#F`), none where it does not count: see [`Parametrization::left_out`].
+/// Returns the shape of each face of `mesh` (`#F`), or `None` if it is ignored: see
+/// [`Parametrization::left_out`].
 fn faces_that_count(mesh: &Mesh) -> Vec<Option<Face>> {
     let diameter = BoundingSphere::of(&mesh.positions).diameter();
     let faces = mesh.faces.iter().map(|face| Face::new(face, &mesh.positions, diameter));
@@ -172,7 +174,7 @@ fn faces_that_count(mesh: &Mesh) -> Vec<Option<Face>> {
     faces
 }
 
-/// The parts that these faces connect, in the order of their smallest vertices.
+/// Returns the parts that these faces connect, ordered by their smallest vertices.
 fn parts(mesh: &Mesh, faces: Vec<Option<Face>>) -> Vec<Part> {
     let with_area = mesh.faces.iter().zip(&faces).filter(|(_, face)| face.is_some());
     let labels = components(mesh.positions.len(), with_area.map(|(corners, _)| corners));
@@ -194,8 +196,8 @@ fn parts(mesh: &Mesh, faces: Vec<Option<Face>>) -> Vec<Part> {
 }
 
 impl Part {
-    /// The map of least energy, `#vertices by 2`, and its eigenvalue. `counts` tells of each vertex whether
-    /// the norm counts it.
+    /// Returns the map of least energy, `#vertices by 2`, and its eigenvalue. `counts` marks the
+    /// vertices that the norm counts.
     fn map(
         &self,
         weights: ConformalWeights,
@@ -234,7 +236,7 @@ impl Part {
         }
         system.factor(&[1.0], &shifts, vec![false; n]).map_err(|error| match error {
             SolveError::NotPositiveDefinite { vertex } => {
-                // That of an extra unknown is anywhere in its face.
+                // An extra unknown has no vertex: the first vertex of the part stands for it.
                 let vertex = self.vertices.get(vertex as usize / 2);
                 SolveError::NoArea { vertex: *vertex.unwrap_or(&self.vertices[0]) }
             }
@@ -254,13 +256,13 @@ impl Part {
         Ok((map, energy))
     }
 
-    /// The map with the area of the surface, its longest axis along the first coordinate and its least
-    /// coordinates zero; with that area and the extents.
+    /// Returns the map scaled to the area of the surface, with its longest axis along the first
+    /// coordinate and its least coordinates zero; also that area and the extents.
     fn laid_out(&self, mut map: Vec<[f64; 2]>) -> (Vec<[f64; 2]>, f64, [f64; 2]) {
         let n = map.len() as f64;
         let mut mean = [0.0; 2];
         map.iter().for_each(|[x, y]| mean = [mean[0] + x / n, mean[1] + y / n]);
-        // The square root of the sum of squares of complex numbers points along the longest axis.
+        // The square root of the sum of squares, as complex numbers, points along the longest axis.
         let (mut real, mut imaginary) = (0.0, 0.0);
         for p in &mut map {
             *p = [p[0] - mean[0], p[1] - mean[1]];
@@ -291,7 +293,7 @@ impl Part {
     }
 }
 
-/// Vectors to begin with, at one vertex: what is in no way special has some of every eigenvector.
+/// Start vectors at one vertex, scattered so that they have a component along every eigenvector.
 fn start(vertex: usize) -> Pair {
     let scattered = |k: usize| ((vertex * 7919 + k * 104_729) % 1009) as f64 / 1009.0 - 0.5;
     [0, 4].map(|first| std::array::from_fn(|k| scattered(first + k)))

@@ -1,24 +1,24 @@
-//! Better weights and norm where a flat map turns faces over.
+//! Better weights and norm for a flat map that flips faces.
 
 use super::{ConformalNorm, ConformalWeights, Parametrization};
 use crate::mesh::{Mesh, Topology};
 
-/// Settings of a map that turn fewer faces over.
+/// The settings of a map that flips fewer faces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FewerFlips {
     /// The weights of the faces.
     pub weights: ConformalWeights,
-    /// The norm that is kept.
+    /// The norm that is fixed.
     pub norm: ConformalNorm,
-    /// How many faces that map turns over.
+    /// Number of faces that this map flips.
     pub flipped: usize,
     /// Its mean quasi-conformal error.
     pub mean: f64,
 }
 
 impl FewerFlips {
-    /// The settings that turn fewest over, of those that turn fewer than `flipped`, and of several the ones with the
-    /// least mean error; none where all turn as many. It makes every map that there is.
+    /// Returns the settings that flip the fewest faces, if these are fewer than `flipped`; of
+    /// several, those with the least mean error. Computes the maps of all settings.
     pub fn of(mesh: &Mesh, topology: &Topology, flipped: usize) -> Option<FewerFlips> {
         let mut best: Option<FewerFlips> = None;
         for weights in

@@ -1,23 +1,24 @@
-//! The smallest eigenvector of `A u = lambda B u` over complex vectors, by inverse iteration of a few
-//! of them at once on the factored matrix, the Rayleigh-Ritz way.
+//! The smallest eigenvector of `A u = lambda B u` over complex vectors, by inverse iteration of a
+//! few vectors at once on the factored matrix (Rayleigh-Ritz).
 //!
-//! The matrix knows a complex vector as one real vector of twice the length, and commutes with the
-//! multiplication by i: a solve for a column is one for its multiples too. So the four columns that the
-//! factor solves for at once are four complex vectors, and the iteration converges with the ratio of the
-//! first to the fifth eigenvalue. `B` counts some unknowns, each once, and leaves out the others:
-//! only the counted ones are iterated.
+//! The matrix represents a complex vector as a real one of twice the length, and commutes with
+//! multiplication by i, so a solve for a column is also one for its complex multiples. The four
+//! columns that the factor solves for at once are therefore four complex vectors, and the iteration
+//! converges with the ratio of the first to the fifth eigenvalue. `B` counts some unknowns, each
+//! once, and leaves out the others: only the counted ones are iterated.
 
 use crate::constraint::Row;
 use crate::math::{argsort, key_of_number, symmetric_eigen};
 use crate::solve::system::System;
 
-/// Iterations at most. Maps whose fifth eigenvalue is well apart need five to fifteen.
+/// Greatest number of iterations. Maps whose fifth eigenvalue is well separated need five to
+/// fifteen.
 const ITERATIONS: usize = 300;
 
-/// The eigenvector has converged when a step turns it by less.
+/// The eigenvector has converged if a step turns it by less than this.
 const TURN: f64 = 1e-11;
 
-/// Complex vectors that are iterated.
+/// Number of complex vectors that are iterated.
 const VECTORS: usize = 4;
 /// Their real dimensions.
 const REAL: usize = 2 * VECTORS;
@@ -25,14 +26,17 @@ const REAL: usize = 2 * VECTORS;
 /// The real and the imaginary parts of one unknown in all vectors.
 pub(super) type Pair = [Row; 2];
 
-/// A vector with less of its length than this outside the ones before it is one of their combinations.
+/// A vector with less than this fraction of its length outside the span of the previous ones is a
+/// combination of them.
 const INDEPENDENT: f64 = 1e-12;
 
-/// Iterates from the vectors `x` (one [`Pair`] for each counted unknown) to the eigenvector of the smallest
-/// eigenvalue beside that of the constants; its values, `#unknowns by 2`, of length one over the counted.
+/// Iterates from the vectors `x` (one [`Pair`] for each counted unknown) to the eigenvector of the
+/// smallest eigenvalue besides that of the constants. Returns its values, `#unknowns by 2`, of
+/// length one over the counted unknowns.
 ///
-/// `system` holds the factor of `A + shift B`; `nodes` are the two nodes of each unknown, its real and its
-/// imaginary part, and `counted` the unknowns that `B` counts. None when nothing is left of the vectors.
+/// `system` must be factored as `A + shift B`; `nodes` are the two nodes of each unknown, its real
+/// and its imaginary part, and `counted` the unknowns that `B` counts. Returns `None` if the
+/// vectors vanish.
 pub(super) fn smallest(
     system: &mut System,
     nodes: &[[u32; 2]],
@@ -72,20 +76,20 @@ pub(super) fn smallest(
     map.iter().flatten().all(|value| value.is_finite()).then_some(map)
 }
 
-/// The new vectors in terms of the old ones: entry `i` of vector `j` is the factor of vector `i`, all real
-/// parts before all imaginary ones.
+/// The new vectors in terms of the old ones: entry `i` of vector `j` is the factor of vector `i`,
+/// with all real parts before all imaginary ones.
 type Mix = [[f64; REAL]; VECTORS];
-/// A Hermitian matrix `H` as the real one `[Re H, -Im H; Im H, Re H]`, which has each of its eigenvalues
-/// twice.
+/// A Hermitian matrix `H` as the real one `[Re H, -Im H; Im H, Re H]`, in which each of its
+/// eigenvalues occurs twice.
 type Hermitian = [[f64; REAL]; REAL];
 
-/// The eigenvectors of a Hermitian matrix, that of the greatest eigenvalue first.
+/// Returns the eigenvectors of a Hermitian matrix, by descending eigenvalues.
 fn principal(matrix: Hermitian) -> Mix {
     let symmetric =
         std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (matrix[i][j] + matrix[j][i])));
     let (values, vectors) = symmetric_eigen(symmetric);
     let descending = argsort(values.iter().map(|&value| !key_of_number(value)));
-    // Of the two real vectors of an eigenvalue one is a multiple of the other by a complex number.
+    // The two real vectors of an eigenvalue are complex multiples of each other.
     let mut mix = [[0.0; REAL]; VECTORS];
     let mut taken = 0;
     for k in descending {
@@ -107,7 +111,7 @@ fn dot(a: [f64; REAL], b: [f64; REAL]) -> f64 {
     a.iter().zip(&b).map(|(a, b)| a * b).sum()
 }
 
-/// Makes the vectors orthonormal, each against those before it; combinations of those become zero.
+/// Orthonormalises the vectors, each against those before it; combinations of those become zero.
 fn orthonormalise(x: &mut [Pair]) {
     for j in 0..VECTORS {
         let before = length(x, j);
@@ -141,7 +145,7 @@ fn product(x: &[Pair], i: usize, y: &[Pair], j: usize) -> [f64; 2] {
     [along, across]
 }
 
-/// Takes the constant out of a map, and gives it length one, over the counted unknowns.
+/// Subtracts the mean of a map and scales it to length one, over the counted unknowns.
 fn normalise(map: &mut [[f64; 2]], counted: &[u32]) {
     let over = |map: &[[f64; 2]], of: fn(f64) -> f64| {
         let mut sum = [0.0; 2];
@@ -175,7 +179,7 @@ fn mixed([real, imaginary]: &Pair, mix: &Mix) -> Pair {
     ]
 }
 
-/// The length of what of the first new vector is no multiple of the first old one.
+/// The length of the part of the first new vector that is no complex multiple of the first old one.
 fn turn(old: &[Pair], new: &[Pair]) -> f64 {
     let [along, across] = product(old, 0, new, 0);
     let outside = old.iter().zip(new).map(|([a, b], [c, d])| {
@@ -186,7 +190,7 @@ fn turn(old: &[Pair], new: &[Pair]) -> f64 {
     outside.sum::<f64>().sqrt()
 }
 
-/// Takes out the constants, which are in the kernel of `A`.
+/// Subtracts the constants, which are in the kernel of `A`.
 fn centre(x: &mut [Pair]) {
     let mut mean = [[0.0; VECTORS]; 2];
     for pair in x.iter() {

@@ -1,5 +1,5 @@
-//! `E_close` (Eq. 11): every vertex is kept close to the reference surface, to a boundary curve, or
-//! to where it was.
+//! `E_close` (Eq. 11) keeps every vertex close to the reference surface, to a boundary curve, or to
+//! its rest position.
 
 use crate::constraint::Row;
 use crate::math::{argsort, cosine};
@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 /// `E_close = sum_v k_v |v - c(v)|^2`, over the vertices that have a target `c(v)`.
 pub(crate) struct CloseEnergy {
-    /// The rest surface and the boundary curves, each with the vertices that are kept close to it.
+    /// The surface and the boundary curves, each with the vertices that are kept close to it.
     surfaces: Vec<SurfaceTargets>,
     /// Vertices that are kept close to one point.
     points: Vec<PointTarget>,
@@ -18,10 +18,10 @@ pub(crate) struct CloseEnergy {
 /// Vertices whose target is their closest point on a surface or curve.
 struct SurfaceTargets {
     on: Rc<Surface>,
-    /// On the rest surface by ascending nodes: neighbours in the elimination order are neighbours
-    /// on the surface, so that its tree stays in the cache.
+    /// On the surface by ascending nodes: neighbours in the elimination order are neighbours on the
+    /// surface, so that its tree stays in the cache.
     vertices: Vec<SurfaceTarget>,
-    /// The foot points of the last search, from which the next one starts: one for each vertex.
+    /// The foot point of the last search for each vertex, from which the next search starts.
     footings: Vec<ClosestPointCache>,
 }
 
@@ -35,7 +35,7 @@ impl SurfaceTargets {
 #[derive(Clone, Copy)]
 struct SurfaceTarget {
     node: u32,
-    /// Where the last search for it ended.
+    /// The result of the last search.
     warm: u32,
     /// `k_v`, positive.
     factor: f64,
@@ -48,23 +48,23 @@ struct PointTarget {
     target: Row,
 }
 
-/// The rest shape in terms of nodes.
+/// The rest shape by nodes.
 pub(crate) struct RestShape<'a> {
     /// The rest position of each node.
     pub rest: &'a [Row],
     /// The node of each vertex.
     pub node_of: &'a [u32],
     pub topology: &'a Topology,
-    /// Gives the rest surface, which is made when it is first asked for.
+    /// Returns the rest surface, which is computed on first use.
     pub surface: &'a dyn Fn() -> Rc<Surface>,
     /// The surface of [`ClosenessTo::Target`].
     pub target: Option<Rc<Surface>>,
 }
 
 impl CloseEnergy {
-    /// The energy with targets `to`, or those of `boundary` for the vertices there, and the factors `k_v`,
-    /// `#V`; none when nothing is kept close. With it the vertices that are corners of the boundary, if
-    /// these count.
+    /// Creates the energy with the targets `to`, or `boundary` for the vertices there, and the
+    /// factors `k_v`, `#V`; `None` if nothing is kept close. Also returns the corners of the
+    /// boundary, except those with a factor of zero.
     pub(crate) fn new(
         to: ClosenessTo,
         boundary: Option<BoundaryCloseness>,
@@ -126,14 +126,14 @@ impl CloseEnergy {
         (any.then_some(energy), corners)
     }
 
-    /// The nodes that it holds, each once, with `k_v`, which is not zero.
+    /// The nodes that it holds, each once, with their nonzero `k_v`.
     pub(crate) fn held(&self) -> impl Iterator<Item = (u32, f64)> {
         let on_surfaces = self.surfaces.iter().flat_map(|surface| &surface.vertices);
         let on_surfaces = on_surfaces.map(|target| (target.node, target.factor));
         on_surfaces.chain(self.points.iter().map(|target| (target.node, target.factor)))
     }
 
-    /// Adds half the gradient of `lambda * E_close` at `x`, and gives `E_close`.
+    /// Adds half the gradient of `lambda * E_close` at `x`, and returns `E_close`.
     pub(crate) fn step(&mut self, x: &[Row], gradient: &mut [Row], lambda: f64) -> f64 {
         let mut energy = 0.0;
         let mut pull = |node: u32, factor: f64, target: Point| {

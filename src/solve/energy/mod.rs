@@ -1,11 +1,12 @@
-//! The total energy (Eq. 13) with its gradient. Each part also says what it adds to the normal matrix.
+//! The total energy (Eq. 13) with its gradient. Each part also provides its terms of the normal
+//! matrix.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `shape` | `E_shape` (Eq. 4): the constraints and their projections |
 //! | `closeness` | `E_close` (Eq. 11): closest points on a surface or curve, or rest positions |
 //! | `smoothness` | `E_smooth` (Eq. 12): the Laplacian of positions or displacements |
-//! | `positional_constraints` | handles, and the pins of components that nothing holds |
+//! | `positional_constraints` | handles, and pins for components that nothing else holds |
 
 mod closeness;
 mod positional_constraints;
@@ -40,7 +41,7 @@ pub struct Energy {
     pub total: f64,
 }
 
-/// Seconds that iterating took, by part.
+/// Times of the iterations in seconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct IterateSeconds {
     /// The projections and their scatter.
@@ -60,22 +61,23 @@ impl IterateSeconds {
     }
 }
 
-/// The parts of the total that a problem has.
+/// The parts of the total energy of a problem.
 pub(super) struct Energies {
     /// The weights of Eq. 13.
     pub weights: Weights,
     /// `E_shape` and its batches of projections.
     pub shape: ShapeEnergy,
-    /// Closeness; none when it has no weight or nothing to be close to.
+    /// Closeness; `None` if it has no weight or no targets.
     pub close: Option<CloseEnergy>,
-    /// Smoothness; none when it has no weight.
+    /// Smoothness; `None` if it has no weight.
     pub smooth: Option<SmoothEnergy>,
     /// `sum weight * |v - target|^2` over soft handles.
     pub handles: PositionalConstraints,
 }
 
 impl Energies {
-    /// Step I: the energies at `x`; replaces `gradient` by half the gradient of the total.
+    /// Step I: evaluates the energies at `x`, and sets `gradient` to half the gradient of the
+    /// total.
     pub(super) fn evaluate(
         &mut self,
         x: &[Row],

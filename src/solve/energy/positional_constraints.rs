@@ -1,4 +1,4 @@
-//! Positional constraints: soft and fixed handles, and pins of components that nothing holds.
+//! Positional constraints: soft and fixed handles, and pins for components that nothing else holds.
 
 use crate::constraint::Row;
 use crate::mesh::Point;
@@ -10,7 +10,7 @@ use std::num::NonZeroU32;
 pub struct Handle {
     /// The vertex.
     pub vertex: u32,
-    /// Where it shall be.
+    /// The target position.
     pub target: Point,
     /// How it is held.
     pub hold: Hold,
@@ -24,18 +24,18 @@ pub enum Hold {
         /// Positive.
         weight: f64,
     },
-    /// Takes the vertices out of the unknowns: the targets are met exactly.
+    /// Removes the vertices from the unknowns: the targets are met exactly.
     Fixed,
 }
 
-/// Where the handle of each vertex is in a list of handles.
+/// The index of the handle of each vertex in a list of handles.
 pub struct HandleIndex {
-    /// `#V`: the place of the handle of each vertex, from 1 on.
+    /// `#V`: the index of the handle of each vertex, plus one.
     places: Vec<Option<NonZeroU32>>,
 }
 
 impl HandleIndex {
-    /// Of `handles`, of which each vertex has one at most, on a mesh of `n_vertices`.
+    /// Indexes `handles`, at most one for each vertex, on a mesh of `n_vertices`.
     pub fn new(n_vertices: usize, handles: &[Handle]) -> HandleIndex {
         let mut places = HandleIndex { places: vec![None; n_vertices] };
         for (place, handle) in handles.iter().enumerate() {
@@ -44,23 +44,23 @@ impl HandleIndex {
         places
     }
 
-    /// The place of the handle of `vertex`, if it is one.
+    /// The index of the handle of `vertex`, if it has one.
     pub fn get(&self, vertex: u32) -> Option<usize> {
         let place = self.places.get(vertex as usize).copied().flatten()?;
         Some(place.get() as usize - 1)
     }
 
-    /// Says that the handle of `vertex` is at `place` of the list.
+    /// Sets the index of the handle of `vertex` to `place`.
     pub fn insert(&mut self, vertex: u32, place: usize) {
         self.places[vertex as usize] = NonZeroU32::new(place as u32 + 1);
     }
 }
 
-/// One vertex of each connected component of the normal matrix that nothing holds: without, the system
-/// would be singular.
+/// Returns one vertex of each connected component of the normal matrix that nothing holds. Without
+/// these pins the system would be singular.
 ///
-/// `node_of` (`#V`) is the node of each vertex; `components` (`#nodes`) a number for each node, below
-/// `#nodes`, that its component shares; `held` (`#nodes`) whether closeness or a handle holds it.
+/// `node_of` (`#V`) is the node of each vertex; `components` (`#nodes`) the number of the component
+/// of each node, below `#nodes`; `held` (`#nodes`) whether closeness or a handle holds it.
 pub(crate) fn pins(node_of: &[u32], components: &[u32], held: &[bool]) -> Vec<u32> {
     let mut component_is_held = vec![false; components.len()];
     for (&component, &held) in components.iter().zip(held) {
@@ -76,14 +76,15 @@ pub(crate) fn pins(node_of: &[u32], components: &[u32], held: &[bool]) -> Vec<u3
     pins
 }
 
-/// The soft handles, in terms of nodes.
+/// The soft handles, by nodes.
 #[derive(Default)]
 pub(crate) struct PositionalConstraints {
     held: Vec<(u32, f64, Row)>,
 }
 
 impl PositionalConstraints {
-    /// The soft ones among `handles`, whose vertices are called `node_of[v]`; targets relative to `centre`.
+    /// Selects the soft ones of `handles`; `node_of` is the node of each vertex, and targets become
+    /// relative to `centre`.
     pub(crate) fn new(handles: &[Handle], node_of: &[u32], centre: Point) -> Self {
         let held = handles.iter().filter_map(|handle| match handle.hold {
             Hold::Soft { weight } => {
@@ -94,7 +95,7 @@ impl PositionalConstraints {
         PositionalConstraints { held: held.collect() }
     }
 
-    /// Adds half the gradient of `sum weight |v - target|^2` at `x`, and gives the sum.
+    /// Adds half the gradient of `sum weight |v - target|^2` at `x`, and returns the sum.
     pub(crate) fn step(&self, x: &[Row], gradient: &mut [Row]) -> f64 {
         let mut energy = 0.0;
         for &(node, weight, target) in &self.held {

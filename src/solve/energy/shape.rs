@@ -1,4 +1,4 @@
-//! `E_shape` (Eq. 4): the constraints of a scene, batched, with their part of the normal matrix.
+//! `E_shape` (Eq. 4): the constraints of a scene in batches, with their part of the normal matrix.
 
 use crate::constraint::{
     Batch, Centring, Fitted, Kind, LocalStep, Projected, Reference, Row, batches,
@@ -8,29 +8,30 @@ use crate::solve::assemble::Terms;
 
 /// A constraint on more points than this gets its mean as one extra unknown, coupled to each of its
 /// points, instead of coupling all its points with each other. The minimiser is exactly the same:
-/// minimising over the mean alone gives back `N_i`.
+/// minimising over the mean alone gives `N_i`.
 pub(crate) const BIG: usize = 32;
 
-/// One row of the list of constraints, resolved: the same kind on several sets of vertices.
+/// One row of the list of constraints, resolved: one kind on several sets of vertices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Constraints {
     /// The operator `P_i`, with its parameters.
     pub kind: Kind,
-    /// `w_i`, the same for all of them.
+    /// `w_i`, the same for all sets.
     pub weight: f64,
-    /// The vertices of each constraint; where the kind acts on edges, the ends of one after another.
+    /// The vertices of each constraint; for kinds that act on edges, the ends of one edge after
+    /// another.
     pub members: Ragged,
 }
 
 impl Constraints {
-    /// Vertices of each constraint that takes an extra unknown.
+    /// The vertices of each constraint with an extra unknown.
     fn big(&self) -> impl Iterator<Item = &[u32]> {
         let together = self.couples() && self.centring() == Centring::Together;
         self.members.iter().filter(move |members| together && members.len() > BIG)
     }
 
-    /// Whether they couple their vertices in the normal matrix. Those without weight do not: they hold
-    /// nothing, and what nothing holds has to be pinned.
+    /// Whether they couple their vertices in the normal matrix. Constraints without weight do not:
+    /// they hold nothing, so that their vertices may need pins.
     fn couples(&self) -> bool {
         self.weight > 0.0
     }
@@ -39,14 +40,14 @@ impl Constraints {
         self.kind.info().centring
     }
 
-    /// Vertices that these constraints hold in their place.
+    /// The vertices that these constraints hold in place.
     pub(crate) fn placed(&self) -> &[u32] {
         let holds = self.centring() == Centring::Placed && self.couples();
         if holds { self.members.indices() } else { &[] }
     }
 }
 
-/// How many extra unknowns these constraints take.
+/// Number of extra unknowns of these constraints.
 pub(crate) fn extra_unknowns(constraints: &[Constraints], mean_centring: bool) -> usize {
     if mean_centring { constraints.iter().map(|c| c.big().count()).sum() } else { 0 }
 }
@@ -89,7 +90,7 @@ struct ShapeRow {
 }
 
 impl ShapeEnergy {
-    /// Batches `constraints`, whose vertices are called `node_of[v]` from here on.
+    /// Batches `constraints`; `node_of` is the node of each vertex.
     pub(crate) fn new(
         constraints: &[Constraints],
         node_of: &[u32],
@@ -109,12 +110,13 @@ impl ShapeEnergy {
         ShapeEnergy { rows }
     }
 
-    /// Takes back the last local step: see `Batch::take_back`.
+    /// Undoes the last local step: see `Batch::take_back`.
     pub(crate) fn take_back(&mut self) {
         self.rows.iter_mut().flat_map(|row| &mut row.batches).for_each(|batch| batch.take_back());
     }
 
-    /// Step I: projects at `x`, adds half the gradient of `lambda * E_shape`, and gives `E_shape`.
+    /// Step I: projects at `x`, adds half the gradient of `lambda * E_shape`, and returns
+    /// `E_shape`.
     pub(crate) fn local_step(&mut self, x: &[Row], gradient: &mut [Row], lambda: f64) -> f64 {
         let mut energy = 0.0;
         for row in &mut self.rows {
@@ -129,13 +131,14 @@ impl ShapeEnergy {
         energy
     }
 
-    /// For each row of constraints its energy at the last local step, and the greatest squared distance of
-    /// a point from its projection.
+    /// Returns for each row of constraints its energy at the last local step, and the greatest
+    /// squared distance of a point from its projection.
     pub(crate) fn found(&self) -> impl Iterator<Item = LocalStep> {
         self.rows.iter().map(|row| row.found)
     }
 
-    /// Gives `each` the row and the projection of every constraint at `x`, as [`Batch::projected`].
+    /// Calls `each` with the row and the projection of every constraint at `x`, as
+    /// [`Batch::projected`].
     pub(crate) fn projected(&mut self, x: &[Row], mut each: impl FnMut(usize, &Projected)) {
         for (index, row) in self.rows.iter_mut().enumerate() {
             for batch in &mut row.batches {
@@ -144,7 +147,7 @@ impl ShapeEnergy {
         }
     }
 
-    /// The shapes that fit at `x`, to be drawn.
+    /// The fitted shapes at `x`, for drawing.
     pub(crate) fn fitted(&self, x: &[Row]) -> Vec<Fitted> {
         let mut shapes = Vec::new();
         for batch in self.rows.iter().flat_map(|row| &row.batches) {

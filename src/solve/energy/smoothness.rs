@@ -4,7 +4,7 @@ use crate::constraint::Row;
 use crate::mesh::{Laplacian, Ragged};
 use crate::solve::assemble::Terms;
 
-/// Nodes that are treated by one call of a function that is entered often.
+/// Number of nodes per call of `laplace`, so that the function is entered often.
 const BLOCK: usize = 64;
 
 /// The terms of `L^T L` over vertices: one for each row `sum_j w_ij (l_j - l_i)`.
@@ -21,9 +21,9 @@ pub(crate) fn terms(laplacian: &Laplacian) -> Terms {
     terms
 }
 
-/// Springs along edges that are at least as stiff as `L^T L`, by the inequality of Cauchy and Schwarz for each of its
-/// rows. They couple neighbours alone, `L^T L` those of neighbours too: its factor has twice the nonzeros on a mesh of
-/// quads, and takes four times as long.
+/// Springs along edges that are at least as stiff as `L^T L`, by the inequality of Cauchy and
+/// Schwarz for each of its rows. They couple only neighbours, `L^T L` also neighbours of
+/// neighbours: on a mesh of quads its factor has twice the nonzeros, and takes four times as long.
 pub(crate) fn springs(laplacian: &Laplacian) -> Terms {
     let mut terms = Terms::default();
     for (i, (neighbours, weights)) in laplacian.rows().enumerate() {
@@ -35,12 +35,12 @@ pub(crate) fn springs(laplacian: &Laplacian) -> Terms {
     terms
 }
 
-/// The Laplacian in the order of elimination.
+/// The Laplacian in the elimination order.
 pub(crate) struct SmoothEnergy {
     neighbours: Ragged,
     /// `w_ij`, aligned with `neighbours`.
     weights: Vec<f64>,
-    /// `v'` where displacements are smoothed, empty where positions are.
+    /// `v'` if displacements are smoothed, empty if positions are.
     rest: Vec<Row>,
     /// `sum_j w_ij (l_j - l_i)` of each node.
     rows: Vec<Row>,
@@ -48,7 +48,7 @@ pub(crate) struct SmoothEnergy {
 }
 
 impl SmoothEnergy {
-    /// For vertices called `node_of[v]` among `n_nodes` nodes; `rest` is empty or their rest positions.
+    /// `node_of` is the node of each vertex, of `n_nodes`; `rest` is empty or the rest positions.
     pub(crate) fn new(
         laplacian: &Laplacian,
         node_of: &[u32],
@@ -70,7 +70,7 @@ impl SmoothEnergy {
         }
     }
 
-    /// Adds half the gradient of `lambda * E_smooth` at `x`, and gives `E_smooth`.
+    /// Adds half the gradient of `lambda * E_smooth` at `x`, and returns `E_smooth`.
     pub(crate) fn step(&mut self, x: &[Row], gradient: &mut [Row], lambda: f64) -> f64 {
         let SmoothEnergy { neighbours, weights, rest, rows, l } = self;
         let smoothed = if rest.is_empty() {
@@ -86,7 +86,7 @@ impl SmoothEnergy {
         }
         let mut energy = [0.0; 3];
         let mut twice = [[0.0; 4]; BLOCK];
-        // w_ij = w_ji, so that L^T = L and the gradient is the same gather once more.
+        // w_ij = w_ji, so that L^T = L, and the gradient is the same gather once more.
         for (k, gradient) in gradient.chunks_mut(BLOCK).enumerate() {
             let twice = &mut twice[..gradient.len()];
             laplace(neighbours, weights, k * BLOCK, rows, twice);
@@ -101,7 +101,7 @@ impl SmoothEnergy {
     }
 }
 
-/// `sum_j w_ij (l_j - l_i)` for each node `i` of a block, the first of which is `first`.
+/// `sum_j w_ij (l_j - l_i)` for each node `i` of a block, from node `first` on.
 #[inline(never)]
 fn laplace(neighbours: &Ragged, weights: &[f64], first: usize, l: &[Row], block: &mut [Row]) {
     let offsets = &neighbours.offsets()[first..=first + block.len()];

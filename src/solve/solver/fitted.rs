@@ -1,11 +1,11 @@
-//! The projections at the current positions, to be drawn.
+//! The projections at the current positions, for drawing.
 
 use super::Solver;
 use crate::constraint::{Fitted, Projected};
 
 impl Solver {
-    /// Gives `each` the row of every constraint, its vertices, and the way from each of these to the
-    /// shape that fits at the current positions, in the unit of the mesh.
+    /// Calls `each` with the row of every constraint, its vertices, and their displacements to the
+    /// fitted shape at the current positions, in the unit of the mesh.
     pub fn projected(&mut self, mut each: impl FnMut(usize, &Projected)) {
         let mut vertex_of = vec![0; self.x.len()];
         for (vertex, &node) in (0..).zip(&self.system.node_of()[..self.n_vertices]) {
@@ -19,7 +19,7 @@ impl Solver {
         });
     }
 
-    /// The shapes that fit the constraints at the current positions, to be drawn.
+    /// The shapes fitted to the constraints at the current positions, for drawing.
     pub fn fitted(&self) -> Vec<Fitted> {
         let offset = self.centre.into();
         let mut shapes = self.energies.shape.fitted(&self.x);

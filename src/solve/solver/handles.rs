@@ -1,7 +1,7 @@
-//! Handles and weights of a solver: changed at the least cost.
+//! Changes of the handles and weights of a solver, at the least cost.
 //!
-//! Moving a handle changes the gradient. Adding a few changes the factor along their paths in the
-//! elimination tree. Anything else factors the matrix again, in the same order.
+//! Moving a handle changes only the gradient. Adding a few updates the factor along their paths in
+//! the elimination tree. Any other change factors the matrix again, in the same order.
 
 use super::Solver;
 use crate::mesh::Point;
@@ -12,16 +12,16 @@ use crate::solve::parts::{Holding, Nodes};
 use crate::solve::settings::Weights;
 use crate::sparse::Update;
 
-/// More handles at once than this are factored in: by then that costs less.
+/// Greatest number of handles added by updates; for more, factoring again costs less.
 const MOST_UPDATES: usize = 16;
 
 impl Solver {
-    /// Replaces the handles, each vertex at most once, and the positions (`#V by 3`) if there are others;
-    /// numbers and order stay. What has to be factored anew and is certain to be positive definite is
-    /// factored by the next step.
+    /// Replaces the handles, at most one for each vertex, and the positions (`#V by 3`) if given;
+    /// numbers and order stay. A new matrix that is certain to be positive definite is factored by
+    /// the next step.
     ///
     /// # Errors
-    /// When the normal matrix is not positive definite.
+    /// If the normal matrix is not positive definite.
     pub fn hold(
         &mut self,
         handles: Vec<Handle>,
@@ -72,7 +72,7 @@ impl Solver {
         Ok(())
     }
 
-    /// Whether `handles` are those at hand but for their targets.
+    /// Whether `handles` differ from the current ones only in their targets.
     fn holds_alike(&self, handles: &[Handle]) -> bool {
         let alike = |(a, b): (&Handle, &Handle)| a.vertex == b.vertex && a.hold == b.hold;
         handles.len() == self.handles.len() && handles.iter().zip(&self.handles).all(alike)
@@ -83,7 +83,7 @@ impl Solver {
         self.energies.weights
     }
 
-    /// Whether other weights leave the energies as they are: those that are zero stay zero.
+    /// Whether other weights keep the same energies: zero weights stay zero, others positive.
     pub fn can_reweigh(&self, weights: Weights) -> bool {
         let counts = |weights: Weights| {
             [weights.shape, weights.close, weights.smooth].map(|weight| weight > 0.0)
@@ -91,11 +91,11 @@ impl Solver {
         counts(weights) == counts(self.energies.weights)
     }
 
-    /// Replaces the weights of Eq. 13 where [`Solver::can_reweigh`], and the rest as [`Solver::hold`];
-    /// the factor is made anew.
+    /// Replaces the weights of Eq. 13, if [`Solver::can_reweigh`], and the rest as
+    /// [`Solver::hold`]; the matrix is factored again.
     ///
     /// # Errors
-    /// When the normal matrix is not positive definite.
+    /// If the normal matrix is not positive definite.
     pub fn reweigh(
         &mut self,
         weights: Weights,
@@ -108,8 +108,8 @@ impl Solver {
         self.hold(handles, positions)
     }
 
-    /// The diagonal updates that lead to the matrix of `handles`, if these are the handles at hand and a
-    /// few more on vertices that are still free.
+    /// Returns the diagonal updates that lead to the matrix of `handles`, if these are the current
+    /// handles and a few more on free vertices.
     fn updates(&self, handles: &[Handle]) -> Option<Vec<(u32, Update)>> {
         let added = handles.strip_prefix(&self.handles[..])?;
         if !self.factored || added.is_empty() || added.len() > MOST_UPDATES {
@@ -118,8 +118,8 @@ impl Solver {
         let component =
             |v: u32| self.system.components()[self.system.node_of()[v as usize] as usize];
         let update = |handle: &Handle| {
-            // A corner of the boundary is fixed, and a component that a handle holds needs no pin: both
-            // would become free.
+            // A handle on a fixed corner of the boundary, or in a component with a pin, would make
+            // the corner or the pin free, which updates cannot do.
             let frees = self.corners.iter().any(|&(corner, _)| corner == handle.vertex)
                 || self.pinned.iter().any(|&pin| component(pin) == component(handle.vertex));
             let update = match handle.hold {
@@ -131,7 +131,7 @@ impl Solver {
         added.iter().map(update).collect()
     }
 
-    /// Moves the targets of handles. Costs no factorisation: only the gradient changes.
+    /// Moves the targets of handles. Needs no factorisation: only the gradient changes.
     pub fn move_handles(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
         for (vertex, target) in targets {
             if let Some(place) = self.handle_index.get(vertex) {
@@ -141,8 +141,8 @@ impl Solver {
         self.retarget();
     }
 
-    /// Evaluates with the handles that were `added` to the others. Where these hold their vertices where
-    /// they are, the projections at hand stay good.
+    /// Evaluates after handles were `added`. If their targets are the current positions, the
+    /// current projections stay valid.
     fn begin_holding(&mut self, added: &[Handle]) {
         let stay = added.iter().all(|handle| handle.target == self.position(handle.vertex));
         if !stay || self.gliding.is_some() {
@@ -151,7 +151,7 @@ impl Solver {
         }
         let node_of = &self.system.node_of()[..self.n_vertices];
         for handle in added.iter().filter(|handle| handle.hold == Hold::Fixed) {
-            // The target is this position to rounding.
+            // The target is this position up to rounding.
             self.x[node_of[handle.vertex as usize] as usize] = relative(handle.target, self.centre);
             self.put[handle.vertex as usize] = handle.target;
         }
@@ -164,7 +164,7 @@ impl Solver {
         self.start_anew();
     }
 
-    /// Puts fixed vertices on their targets and evaluates anew.
+    /// Moves fixed vertices to their targets and evaluates again.
     pub(super) fn retarget(&mut self) {
         let node_of = &self.system.node_of()[..self.n_vertices];
         let fixed = self.handles.iter().filter(|handle| handle.hold == Hold::Fixed);
@@ -186,7 +186,7 @@ impl Solver {
         self.start_anew();
     }
 
-    /// The steps so far were taken in another problem.
+    /// Forgets the steps so far, which were taken in another problem.
     fn start_anew(&mut self) {
         self.forget();
         self.best = None;

@@ -1,14 +1,15 @@
 //! The two-step iteration (paper sections 2.1 and 2.2) on one mesh.
 //!
-//! In delta form: `x -= A^-1 g(x)`, where `A = Q^T Q` is the normal matrix and `g(x) = A x - Q^T p(x)`
-//! half the gradient of the total energy (Appendix A). The local step gives `g` as a by-product, and
-//! the factor of `A` is only a metric: its rounding cannot move the fixed point.
+//! In delta form: `x -= A^-1 g(x)`, where `A = Q^T Q` is the normal matrix and `g(x) = A x - Q^T
+//! p(x)` half the gradient of the total energy (Appendix A). The local step gives `g` as a
+//! by-product, and the factor of `A` is only a metric: its rounding errors do not move the fixed
+//! point.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `step` | one iteration, and what it falls back to |
-//! | `handles` | handles and weights changed at the least cost |
-//! | `fitted` | the projections at the current positions, to be drawn |
+//! | `step` | one iteration, and its fallbacks |
+//! | `handles` | changes of handles and weights, at the least cost |
+//! | `fitted` | the projections at the current positions, for drawing |
 
 mod fitted;
 mod handles;
@@ -33,7 +34,7 @@ use std::rc::Rc;
 pub struct Solver {
     centre: Point,
     n_vertices: usize,
-    /// Vertices and extra unknowns; nodes beyond are padding.
+    /// Number of vertices and extra unknowns; further nodes are padding.
     n_unknowns: usize,
     settings: SolverSettings,
     system: System,
@@ -41,34 +42,34 @@ pub struct Solver {
     surface: OnceCell<Rc<Surface>>,
     target: Option<(Rc<Mesh>, Rc<Surface>)>,
     energies: Energies,
-    /// Nodes that the shape energy holds in their place.
+    /// `#nodes`: whether the shape energy holds the node in place.
     held: Vec<bool>,
-    /// Corners of the boundary, if these are fixed, and where.
+    /// The corners of the boundary, if they are fixed, and their positions.
     corners: Vec<(u32, Point)>,
-    /// The other boundary vertices, if they are on their curves exactly.
+    /// The other boundary vertices, if they stay exactly on their curves.
     gliding: Option<Gliding>,
     handles: Vec<Handle>,
     handle_index: HandleIndex,
-    /// Whether the factor is that of these handles.
+    /// Whether the factor is that of the current handles.
     factored: bool,
     pinned: Vec<u32>,
     accelerator: Acceleration,
     x: Vec<Row>,
-    /// The positions that vertices were last put at, `#V by 3`: a vertex that is still there keeps
+    /// The positions at which vertices were last put, `#V by 3`: a vertex that is still there keeps
     /// every bit of its coordinates.
     put: Vec<Point>,
     /// Half the gradient of the total at `x`; zero where fixed.
     gradient: Vec<Row>,
     energy: Energy,
-    /// The same before the last step.
+    /// Positions and half gradient before the last step.
     previous: (Vec<Row>, Vec<Row>),
-    /// Whether there was one since the problem changed.
+    /// Whether there was a step since the problem changed.
     has_previous: bool,
-    /// Room for the next positions.
+    /// Storage for the next positions.
     next: Vec<Row>,
-    /// The lowest total of an accelerated run, and where.
+    /// The lowest total of an accelerated run, and its positions.
     best: Option<(f64, Vec<Row>)>,
-    /// Changes of the total below this are rounding: positions have no more digits.
+    /// Changes of the total below this are rounding error: positions have no more digits.
     rounding: f64,
     converged: bool,
     /// Whether the last step was not the plain one.
@@ -78,10 +79,10 @@ pub struct Solver {
 
 impl Solver {
     /// Assembles, orders, factors, and evaluates at the positions `start`, `#V by 3`. Each vertex
-    /// has one handle at most. What another solver on the same mesh left in the `cache` is not made again.
+    /// has at most one handle. Reuses what another solver on the same mesh left in the `cache`.
     ///
     /// # Errors
-    /// When the normal matrix is not positive definite.
+    /// If the normal matrix is not positive definite.
     pub fn new(
         problem: &Problem<'_>,
         cache: SetupCache,
@@ -132,7 +133,7 @@ impl Solver {
         self.retarget();
     }
 
-    /// The same, if there are others, without evaluating there.
+    /// Replaces the positions, if given, without evaluating.
     fn place(&mut self, positions: Option<&[Point]>) {
         let Some(positions) = positions else { return };
         for (&point, &node) in positions.iter().zip(self.system.node_of()) {
@@ -141,7 +142,7 @@ impl Solver {
         self.put.copy_from_slice(positions);
     }
 
-    /// Forgets the steps so far: the next one starts anew.
+    /// Forgets the steps so far.
     fn forget(&mut self) {
         self.accelerator.forget();
         self.has_previous = false;
@@ -175,8 +176,8 @@ impl Solver {
     pub fn energy(&self) -> Energy {
         self.energy
     }
-    /// The gradient of the total energy at the current positions (Appendix A), `#V by 3`; zero where
-    /// vertices are fixed, along the boundary where they are on it exactly.
+    /// The gradient of the total energy at the current positions (Appendix A), `#V by 3`; zero at
+    /// fixed vertices, and along the curve at vertices that stay exactly on the boundary.
     pub fn gradient(&self) -> impl ExactSizeIterator<Item = Point> {
         let half = |&node: &u32| self.gradient[node as usize];
         self.system.node_of()[..self.n_vertices]
@@ -188,7 +189,7 @@ impl Solver {
     pub fn converged(&self) -> bool {
         self.converged
     }
-    /// Whether the last step went elsewhere than to the least-squares answer to its projections.
+    /// Whether the last step did not lead to the least-squares solution for its projections.
     pub fn accelerated(&self) -> bool {
         self.accelerated
     }
@@ -196,12 +197,12 @@ impl Solver {
     pub fn handles(&self) -> &[Handle] {
         &self.handles
     }
-    /// Vertices pinned because nothing holds their part.
+    /// Vertices that are pinned because nothing else holds their component.
     pub fn pinned(&self) -> &[u32] {
         &self.pinned
     }
-    /// For each row of constraints its energy at the last local step, and the greatest squared distance of
-    /// a point from its projection.
+    /// Returns for each row of constraints its energy at the last local step, and the greatest
+    /// squared distance of a point from its projection.
     pub fn found(&self) -> impl Iterator<Item = LocalStep> {
         self.energies.shape.found()
     }
@@ -209,22 +210,23 @@ impl Solver {
     pub fn system(&self) -> &System {
         &self.system
     }
-    /// The rest surface of `mesh`, which is that of the problem, and the centre that its coordinates are
-    /// relative to. It is made when it is first asked for.
+    /// Returns the rest surface of `mesh`, which must be the mesh of the problem, and the centre
+    /// that its coordinates are relative to. It is computed on first use.
     pub fn rest_surface(&self, mesh: &Mesh) -> (Rc<Surface>, Point) {
         let surface = self.surface.get_or_init(|| Rc::new(rest_surface(mesh, self.centre)));
         (Rc::clone(surface), self.centre)
     }
-    /// For the next solver on the same mesh.
+    /// The data that the next solver on the same mesh can reuse.
     pub fn setup_cache(&self) -> SetupCache {
         let analysis = Some(Rc::clone(self.system.analysis()));
         SetupCache { surface: self.surface.clone(), analysis, target: self.target.clone() }
     }
-    /// Seconds of setting up: terms and matrix, ordering and analysis, the last numeric factor.
+    /// Times of the set-up in seconds: terms and matrix, ordering and analysis, the last
+    /// factorisation.
     pub fn set_up_seconds(&self) -> SetUpSeconds {
         self.system.seconds
     }
-    /// Seconds of all iterations so far, by part.
+    /// Times of all iterations so far in seconds, by part.
     pub fn iterate_seconds(&self) -> IterateSeconds {
         self.seconds
     }

@@ -1,5 +1,5 @@
-//! One iteration, with its fallbacks: from an accelerated step to the plain one, from numbers that are not
-//! finite to the positions before, from the end of a run to its lowest total.
+//! One iteration, with its fallbacks: from an accelerated step to the plain one, from non-finite
+//! numbers to the previous positions, from the end of a run to its lowest total.
 
 use super::Solver;
 use crate::constraint::Row;
@@ -8,14 +8,15 @@ use crate::solve::clock;
 use crate::solve::energy::Energy;
 use crate::solve::error::SolveError;
 
-/// A step along curves is halved so often at most; then it stays where it was.
+/// Greatest number of times that a step along curves is shortened; the last time it becomes zero.
 const SHORTENED: u32 = 12;
 
 impl Solver {
-    /// One iteration: step II from the projections at hand, then step I at the new positions.
+    /// Performs one iteration: step II from the current projections, then step I at the new
+    /// positions.
     ///
     /// # Errors
-    /// When a position leaves the finite numbers; the positions are then those before the step.
+    /// If a position becomes NaN or infinite; the positions are then those before the step.
     pub fn step(&mut self) -> Result<(), SolveError> {
         if self.system.unknowns() == 0 && self.energy.total.is_finite() {
             self.accelerated = false;
@@ -40,7 +41,7 @@ impl Solver {
         self.glide();
         self.seconds.global += clock::now() - started;
         self.evaluate();
-        // Without a step to learn from, a proposal is the plain step in fewer digits.
+        // Without a previous step, a proposal is the plain step in fewer digits.
         self.accelerated = rounded && learned;
         // Written so that NaN falls back too.
         let falls = |energy: Energy| energy.total < before.total;
@@ -61,7 +62,7 @@ impl Solver {
         Ok(())
     }
 
-    /// The step of the plain iteration from the positions before.
+    /// Takes the step of the plain iteration from the previous positions.
     fn take_plain_step(&mut self) {
         let started = clock::now();
         let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
@@ -72,14 +73,15 @@ impl Solver {
         self.evaluate();
     }
 
-    /// Puts vertices on their curves at the unknowns that a step has come to.
+    /// Moves vertices to the points of their curves given by the unknowns after a step.
     fn glide(&mut self) {
         if let Some(gliding) = &mut self.gliding {
             gliding.put_on_curves(&mut self.x);
         }
     }
 
-    /// Where vertices are on curves the plain step is no upper bound: halves it until the total falls.
+    /// Halves a step until the total falls: with vertices on curves, the plain step need not lower
+    /// it.
     fn shorten_step(&mut self, before: f64) {
         for k in (0..SHORTENED).rev() {
             if let Some(gliding) = &self.gliding {
@@ -95,14 +97,14 @@ impl Solver {
         }
     }
 
-    /// With operators that are not exact even the plain step can raise the total in a late digit.
+    /// With approximate operators even the plain step can raise the total in a late digit.
     fn keep_best(&mut self, before: f64) {
         if self.energy.total > before && self.best.as_ref().is_none_or(|best| before < best.0) {
             self.best = Some((before, self.previous.0.clone()));
         }
     }
 
-    /// Goes back to the lowest total of the run, if the last step was not it.
+    /// Returns to the lowest total of the run, if the last step did not reach it.
     pub fn settle(&mut self) {
         if let Some((total, x)) = self.best.take()
             && total < self.energy.total
@@ -117,7 +119,7 @@ impl Solver {
     /// The second of two gates for non-finite numbers; the first is where input is read.
     fn stop_non_finite(&mut self) -> Result<(), SolveError> {
         let finite = |row: &Row| row.iter().all(|value| value.is_finite());
-        // Without a way out halfway it takes several at a time.
+        // Without an early exit the loop can be vectorised.
         let all_finite = |all: bool, value: &f64| all & value.is_finite();
         if self.energy.total.is_finite() && self.x.as_flattened().iter().fold(true, all_finite) {
             return Ok(());

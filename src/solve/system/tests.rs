@@ -1,11 +1,11 @@
-//! The linear system against dense ones.
+//! Tests of the linear system against dense ones.
 
 use super::*;
 use crate::sparse::{round, supernodal_factor};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
-/// Terms over `n` nodes: what they add to a dense matrix, and themselves.
+/// Returns the dense matrix of some terms over `n` nodes, and the terms.
 fn dense(n: usize, terms: &[(Vec<u32>, f64, f64)], diagonal: &[f64]) -> (DMatrix<f64>, Terms) {
     let mut matrix = DMatrix::from_diagonal(&DVector::from_column_slice(diagonal));
     let mut sparse = Terms::default();
@@ -26,7 +26,7 @@ fn right_side(n: usize) -> Vec<Row> {
     (0..n).map(|i| std::array::from_fn(|k| ((i * 7 + k * 3) % 11) as f64 - 5.0)).collect()
 }
 
-/// `system.solve` against a dense solution of the rows and columns that are not fixed.
+/// Checks `system.solve` against a dense solution of the rows and columns that are not fixed.
 fn check(system: &mut System, matrix: &DMatrix<f64>, fixed: &[bool]) {
     let n = fixed.len();
     let mut rows = right_side(n);
@@ -133,7 +133,8 @@ proptest! {
             };
             assert!(system.update(&[(system.node_of()[v], update)]));
         }
-        // Both precisions as they were changed, and both as they are made from the matrix that was kept.
+        // First the updated factors in both precisions, then new ones computed from the updated
+        // matrix.
         check(&mut system, &matrix, &fixed);
         let mut again = Factor::new(Rc::clone(system.analysis.supernodes()), factorization);
         again.factor(&system.normal, &system.matrix.fixed, Precision::Double).expect("positive definite");
@@ -274,15 +275,15 @@ fn a_matrix_that_may_be_singular_is_factored_at_once() {
     assert!(matches!(less, Err(SolveError::NotPositiveDefinite { .. })));
     assert_eq!(system.state, State::Unknown);
     system.set_matrix(Precision::Single, &[1.0], &[1.0; 4], vec![false; 4]).expect("it is regular");
-    // Other weights are no comparison.
+    // Matrices with other scales are not comparable.
     system.set_matrix(Precision::Single, &[2.0], &[2.0; 4], vec![false; 4]).expect("it is regular");
     assert_eq!(system.state, State::Whole);
 }
 
 #[test]
 fn names_a_vertex_where_the_matrix_is_singular() {
-    // Two parts that only hold themselves together: constants are in the kernel, and rounding
-    // leaves a pivot that is tiny and not zero.
+    // Two parts that hold only themselves together: constants are in the kernel, and rounding
+    // leaves a pivot that is tiny but not zero.
     let mut terms = Terms::default();
     for nodes in [[0, 1, 2, 3], [4, 5, 6, 7]] {
         terms.push(&nodes, [1.0; 4], 0.3, -0.3 / 4.0);
@@ -295,7 +296,7 @@ fn names_a_vertex_where_the_matrix_is_singular() {
             let SolveError::NotPositiveDefinite { vertex } = error else { panic!("{error}") };
             assert!(vertex < 8);
         }
-        // A failure does not spoil what comes after.
+        // A failure does not affect the next factorisation.
         system.factor(&[1.0], &[1.0; 8], vec![false; 8]).expect("it is regular");
         let mut rows = vec![[1.0, 2.0, 3.0, 0.0]; 8];
         system.solve(&mut rows);
