@@ -20,9 +20,9 @@ pub struct SetUpSeconds {
     pub factor: f64,
 }
 
-/// The parameters of a normal matrix of this pattern: it is `sum_k scales[k] * energies[k] +
-/// diag(diagonal)`, with the rows and columns of the `fixed` nodes replaced by those of the
-/// identity.
+/// The parameters of a normal matrix of this pattern: it is
+/// `sum_k scales[k] * energies[k] + diag(diagonal)`, with the rows and columns of the `fixed` nodes
+/// replaced by those of the identity.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Matrix {
     /// One for each energy.

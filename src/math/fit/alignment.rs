@@ -21,8 +21,8 @@
 //! R = ((l^2 - s) H + 2 l cof H + T) / (l^3 - s l - 2 d),    T = dt/dH
 //! ```
 //!
-//! With the singular values `a >= b >= |c|` of `H`, `c` with the sign of `d`, the denominator is `2
-//! (a + b) (a + c) (b + c)`: it vanishes exactly if several rotations are best. An error of `l`
+//! With the singular values `a >= b >= |c|` of `H`, `c` with the sign of `d`, the denominator is
+//! `2 (a + b) (a + c) (b + c)`: it vanishes exactly if several rotations are best. An error of `l`
 //! multiplies the true rotation by a symmetric matrix, so it always shows as columns that are not
 //! orthonormal. This is checked, and corrected by a step towards the polar factor.
 

@@ -2,10 +2,11 @@
 //! approach for the estimation of circular arc center and its radius", 1989 (paper section 3.1), in
 //! homogeneous form.
 //!
-//! They minimise `sum (|v - c|^2 - r^2)^2`. With centred points, `M = mean v v^T`, `h = mean |v|^2
-//! v / 2` and `s = mean |v|^2`, the centre is `c = M^-1 h` and `r^2 = s + |c|^2`. Near a line (or a
-//! plane) the centre goes to infinity. We therefore store `a = adj(M) h` and `d = det M`, or any
-//! common multiple of them, instead of `c = a / d`. The point of the circle closest to `v` is
+//! They minimise `sum (|v - c|^2 - r^2)^2`. With centred points, `M = mean v v^T`,
+//! `h = mean |v|^2 v / 2` and `s = mean |v|^2`, the centre is `c = M^-1 h` and `r^2 = s + |c|^2`.
+//! Near a line (or a plane) the centre goes to infinity. We therefore store `a = adj(M) h` and
+//! `d = det M`, or any common multiple of them, instead of `c = a / d`. The point of the circle
+//! closest to `v` is
 //!
 //! ```text
 //! v' = v + (d v - a) q / (D (R + D)),   D = |d v - a|,  R = (d^2 s + |a|^2)^1/2 = d r,
@@ -94,8 +95,9 @@ impl Round<f64> {
     /// circle, three for a sphere.
     ///
     /// `M` is then diagonal, with the squared extents `e_k^2`. Dividing `a` and `d` by the product
-    /// of these, but for one factor `e_min`, gives `d = e_min` and `a_k = (e_min / e_k) mean(|v|^2
-    /// v_k / e_k) / 2`, which loses no digits even if `e_min` is 1e-12 of the longest extent.
+    /// of these, but for one factor `e_min`, gives `d = e_min` and
+    /// `a_k = (e_min / e_k) mean(|v|^2 v_k / e_k) / 2`, which loses no digits even if `e_min` is
+    /// 1e-12 of the longest extent.
     pub fn fit_principal(points: &[Vec3<f64>], dimensions: usize) -> Self {
         let inverse_n = 1.0 / points.len() as f64;
         let coordinates = |v: &Vec3<f64>| [v.x, v.y, if dimensions == 3 { v.z } else { 0.0 }];

@@ -1,5 +1,5 @@
-//! The corners of regular polygons with `n` corners on the unit circle, `cos` and `sin` of `2 pi k
-//! / n`: within one ulp for up to 500 corners, and within an ulp of one for any number.
+//! The corners of regular polygons with `n` corners on the unit circle, `cos` and `sin` of
+//! `2 pi k / n`: within one ulp for up to 500 corners, and within an ulp of one for any number.
 //!
 //! The platform's `cos` and `sin` may differ between native and wasm. Here the angle is folded into
 //! the first octant by exact integer arithmetic, and the Taylor series is summed in fixed-point

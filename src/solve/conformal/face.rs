@@ -96,8 +96,8 @@ impl Face {
         if self.corners.len() > BIG { 2 } else { 0 }
     }
 
-    /// Adds `w (|N u|^2 - |z* u|^2 / |z|^2)`. The complex unknown `k` has the nodes `2 k` and `2 k
-    /// + 1`; the extra unknowns are those from `extra` on.
+    /// Adds `w (|N u|^2 - |z* u|^2 / |z|^2)`. The complex unknown `k` has the nodes `2 k` and
+    /// `2 k + 1`; the extra unknowns are those from `extra` on.
     pub(super) fn push_terms(&self, terms: &mut Terms, weight: f64, extra: u32) {
         match self.corners.len() {
             3 => self.push_triangle(terms, weight),

@@ -2,9 +2,10 @@
 //! boundary, whose polygons stay as similar to the original ones as possible.
 //!
 //! In the plane a point is a complex number, and the polygons similar to the centred rest polygon
-//! `z` are the multiples of `z`. The linear projection of section 3.2 is therefore `P u = z (z* u)
-//! / |z|^2`. With `N u` centred, Eq. 14 is the quadratic form `phi(u) = sum_i w_i (|N_i u_i|^2 -
-//! |z_i* u_i|^2 / |z_i|^2)`. The map is its smallest eigenvector besides the constants.
+//! `z` are the multiples of `z`. The linear projection of section 3.2 is therefore
+//! `P u = z (z* u) / |z|^2`. With `N u` centred, Eq. 14 is the quadratic form
+//! `phi(u) = sum_i w_i (|N_i u_i|^2 - |z_i* u_i|^2 / |z_i|^2)`. The map is its smallest eigenvector
+//! besides the constants.
 //!
 //! | file | holds |
 //! |---|---|

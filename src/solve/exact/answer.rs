@@ -1,4 +1,4 @@
-//! The answer: distances reached, constraints that are not met.
+//! The result: the distances reached, and the constraints that are not met.
 
 use super::guard;
 use super::hard_rows::HardBatch;
@@ -13,26 +13,26 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Unmet {
-    /// Its row among those of the problem.
+    /// Index of its row in the problem.
     pub row: usize,
     /// Its vertices.
     pub vertices: Vec<u32>,
-    /// The greatest distance of one of them to the shape that fits, in the unit of the mesh.
+    /// The greatest distance of one of them to the fitted shape, in the unit of the mesh.
     pub distance: f64,
 }
 
-/// How far vertices were moved, in the unit of the mesh.
+/// The distances by which vertices were moved, in the unit of the mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Moved {
-    /// The greatest.
+    /// The maximum.
     pub max: f64,
     /// The mean over all vertices.
     pub mean: f64,
 }
 
 impl Moved {
-    /// Of vertices that have moved so far each.
+    /// Computes this from the distance of each vertex.
     pub fn of(lengths: impl ExactSizeIterator<Item = f64>) -> Moved {
         let count = lengths.len().max(1) as f64;
         let (max, sum) =
@@ -45,55 +45,57 @@ impl Moved {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Improved {
-    /// The energy when all was met.
+    /// The energy when all hard constraints were met.
     pub before: f64,
-    /// The energy at its end, never more.
+    /// The energy at the end of the improvement, never more.
     pub after: f64,
-    /// Its steps.
+    /// Number of steps.
     pub steps: u32,
 }
 
 /// How well hard constraints are met, and what that cost. Lengths are in the unit of the mesh.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ExactAnswer {
-    /// The greatest distance of a vertex to the shape of a hard constraint, at the positions that are given.
+    /// The greatest distance of a vertex to the shape of a hard constraint, at the output
+    /// positions.
     pub max_distance: f64,
-    /// Up to this distance a constraint counts as met; the greatest where constraints have several.
+    /// Constraints count as met up to this distance; the greatest one if they have several.
     pub tolerance: f64,
     /// Whether all hard constraints are met.
     pub met: bool,
-    /// Whether those that are not contradict each other: all else is met then, and no step brings them nearer.
+    /// Whether the unmet constraints contradict each other: all others are met, and no step
+    /// improves them.
     pub contradiction: bool,
-    /// Whether something is to be exact, and the problem is too large for the polish.
+    /// Whether constraints must be exact, but the problem is too large for the polish.
     pub too_large: bool,
-    /// Those that are not, the worst first.
+    /// The unmet constraints, the worst first.
     pub unmet: Vec<Unmet>,
-    /// The way of the vertices from where it started.
+    /// The displacements of the vertices from the start.
     pub moved: Moved,
-    /// Edges that are as short as they may be, as pairs of vertices.
+    /// Edges at their least allowed length, as pairs of vertices.
     pub on_guard: Vec<[u32; 2]>,
-    /// The least ratio of a guarded edge to its length at rest; none without guard.
+    /// The least ratio of a guarded edge to its length at rest; `None` without a guard.
     pub shortest_edge: Option<f64>,
-    /// Iterations of the approach.
+    /// Number of iterations of the approach.
     pub iterations: u32,
-    /// Numeric factors of the scalar matrix.
+    /// Number of factorisations of the scalar matrix.
     pub refactorizations: u32,
-    /// Numeric factors of the matrix of blocks.
+    /// Number of factorisations of the block matrix.
     pub block_factors: u32,
-    /// Steps of the polish.
+    /// Number of steps of the polish.
     pub steps: u32,
-    /// The gain of an improvement; none where none was asked for, or none was possible.
+    /// The gain of the improvement; `None` if it was not requested or not possible.
     pub improved: Option<Improved>,
-    /// Seconds of all of it.
+    /// Total time in seconds.
     pub seconds: f64,
 }
 
-/// A guarded edge counts as being on the guard up to this much above it: the guard aims a little higher where a
-/// tolerance is enough.
+/// A guarded edge counts as on the guard up to this fraction above its bound: the guard aims a
+/// little higher if a tolerance is enough.
 const ON_GUARD: f64 = 2.0 * guard::LONGER;
 
 impl Model {
-    /// Positions, `#V by 3`, as they are given to hosts.
+    /// Returns the output positions, `#V by 3`.
     pub(in crate::solve) fn positions(&self, x: &[Row]) -> Vec<Point> {
         let node_of = self.parts.system.node_of();
         let given = self.put.iter().zip(node_of).map(|(&put, &node)| {
@@ -112,12 +114,12 @@ impl Model {
         tolerance_of(self.parts.centre, self.parts.extent)
     }
 
-    /// About the distance that rounding moves a vertex by, where coordinates are written.
+    /// Approximate rounding error of the position of a vertex in output coordinates.
     pub(in crate::solve) fn rounding(&self) -> f64 {
         rounding_of(self.parts.centre, self.parts.extent)
     }
 
-    /// Measures positions, as they are given; what it cost is for the caller to say.
+    /// Measures the output positions; the caller adds the cost.
     pub(in crate::solve) fn measure(&self, x: &[Row]) -> ExactAnswer {
         let positions = self.positions(x);
         let rounded = self.parts.to_rows(&positions);
@@ -188,8 +190,8 @@ impl Model {
     }
 }
 
-/// The distance up to which exact constraints on a mesh with these positions at rest count as met, in its unit: what
-/// positions can say with their digits, and a little more.
+/// Returns the distance up to which exact constraints on a mesh with these rest positions count as
+/// met, in its unit: a little more than the resolution of the coordinates.
 pub fn exact_tolerance(rest: &[Point]) -> f64 {
     let (centre, extent) = centre_and_extent(rest);
     tolerance_of(centre, extent)

@@ -1,5 +1,6 @@
-//! The first stage: quasi-Newton iterations with shifted projections and a weight of the hard constraints that
-//! grows from round to round. It decides how good the shape is; the polish only ends it.
+//! The first stage: quasi-Newton iterations with shifted projections and a weight of the hard
+//! constraints that grows from round to round. It determines the quality of the shape; the polish
+//! only completes it.
 
 use super::model::Model;
 use crate::constraint::Row;
@@ -10,49 +11,52 @@ use crate::solve::error::SolveError;
 use crate::solve::settings::{Accelerator, SolverSettings};
 use crate::sparse::Precision;
 
-/// The weight at the start, beside what makes hard constraints as stiff as the energies.
+/// The weight at the start, relative to that which makes hard constraints as stiff as the energies.
 const START: f64 = 0.3;
 
-/// The rounds of the approach.
+/// The parameters of rounds.
 #[derive(Clone, Copy)]
 struct Rounds {
-    /// The weight grows so many times from one to the next.
+    /// Factor by which the weight grows from one round to the next.
     growth: f64,
-    /// Iterations of one at most.
+    /// Greatest number of iterations of a round.
     most: u32,
-    /// One ends when an iteration gains less than this part of what is minimised.
+    /// A round ends when an iteration gains less than this fraction of the objective.
     least_gain: f64,
 }
 
-/// The rounds of an approach at first, and those after [`PATIENCE`], which have to end, at the price of
+/// The rounds of an approach at first, and those after [`PATIENCE`], which must end at the price of
 /// some energy.
 struct Schedule {
     patient: Rounds,
     hurried: Rounds,
 }
 
-/// Where some rows are to be exact.
+/// The schedule if some rows must be exact.
 const TO_THE_SHAPE: Schedule = Schedule {
     patient: Rounds { growth: 1.5, most: 60, least_gain: 1e-4 },
-    // In long rounds of a steeply growing weight a horse ends where no polish goes on.
+    // With long rounds and a steeply growing weight, the horse model ends where no polish succeeds.
     hurried: Rounds { growth: 1.3, most: 20, least_gain: 3e-4 },
 };
 
-/// Where a tolerance is enough: a band is reached without a polish. Growth by 1.5 costs up to twice the energy then,
-/// and rounds that end before they have settled crumple smooth surfaces: with 20 iterations at most the way of a wavy
-/// grid of 10,000 flat panels was nine times as long.
+/// The schedule if a tolerance is enough: a band is reached without a polish. Growth by 1.5 would
+/// cost up to twice the energy, and rounds that end before they have settled crumple smooth
+/// surfaces: with at most 20 iterations, the vertices of a wavy grid of 10,000 flat panels moved
+/// nine times as far.
 const INTO_BANDS: Schedule = Schedule {
     patient: Rounds { growth: 1.2, most: 60, least_gain: 1e-4 },
     hurried: Rounds { growth: 1.4, most: 20, least_gain: 3e-4 },
 };
 
-/// After so many iterations an approach has to end.
+/// Number of iterations after which an approach has to end.
 pub(super) const PATIENCE: u32 = 900;
 
-/// The weight stays below this, beside the same: the metric is in single precision, and has to know the energies.
+/// Upper bound of the weight, relative to the same as [`START`]: the metric is in single precision,
+/// and must still resolve the energies.
 const MOST: f64 = 1e5;
 
-/// The approach stands still after so many rounds of at most so many iterations that end at the same distance.
+/// The approach stands still after this number of rounds, of at most this number of iterations,
+/// that end at the same distance.
 const STILL: (u32, u32) = (6, 3);
 
 /// The iteration of the first stage.
@@ -62,13 +66,13 @@ pub(super) struct Approach {
     most: f64,
     schedule: &'static Schedule,
     round: Rounds,
-    /// Iterations left in the round; none before the first one.
+    /// Iterations left in the round; zero before the first round.
     left: u32,
     in_round: u32,
-    /// Rounds in a row that stood still, and the worst excess after the last one.
+    /// Number of consecutive rounds that stood still, and the worst excess after the last one.
     still: u32,
     worst: f64,
-    /// All iterations so far, and all rounds: numeric factors of the scalar matrix.
+    /// Number of all iterations so far, and of all rounds: factorisations of the scalar matrix.
     pub iterations: u32,
     pub rounds: u32,
     /// The objective at the current positions.
@@ -94,7 +98,8 @@ impl Approach {
         let zeros = || vec![[0.0; 4]; n];
         Approach {
             accelerator: Acceleration::new(&quasi_newton),
-            // From a soft solution with a greater weight there is no way back to a small one.
+            // The start may be a soft solution with a greater weight, which a much smaller one
+            // cannot undo.
             rho: Lane::max(START * unit, 0.05 * model.parts.energies.weights.shape),
             most: MOST * unit,
             schedule,
@@ -114,10 +119,10 @@ impl Approach {
         }
     }
 
-    /// One iteration; true when it was the last one of a round.
+    /// Performs one iteration; returns true if it was the last one of a round.
     ///
     /// # Errors
-    /// When the normal matrix is not positive definite.
+    /// If the normal matrix is not positive definite.
     pub(super) fn iterate(&mut self, model: &mut Model) -> Result<bool, SolveError> {
         if self.left == 0 {
             self.begin_round(model)?;
@@ -127,7 +132,7 @@ impl Approach {
         self.iterations += 1;
         let before = self.merit;
         let gains = self.step(model) || {
-            // What was learned misleads: the plain step, as far as single precision has it.
+            // The memory misleads: takes the plain step, in single precision.
             self.restore(model);
             self.forget();
             self.step(model)
@@ -163,10 +168,10 @@ impl Approach {
         Ok(())
     }
 
-    /// Whether rounds have come to stand still at the `worst` excess of the last one: constraints contradict each
-    /// other then, and their shifts would grow without end.
+    /// Whether rounds stand still at the `worst` excess of the last one. The constraints then
+    /// contradict each other, and their shifts would grow without bound.
     pub(super) fn stands_still(&mut self, worst: f64) -> bool {
-        // Where the weight is still small, hardly anything moves either.
+        // While the weight is small, hardly anything moves either.
         let stood = self.rho >= 0.01 * self.most
             && self.in_round <= STILL.1
             && (worst - self.worst).abs() <= 1e-3 * worst;
@@ -179,7 +184,7 @@ impl Approach {
         true
     }
 
-    /// Steps and evaluates; false where nothing was gained.
+    /// Steps and evaluates; returns false if the objective did not fall.
     fn step(&mut self, model: &mut Model) -> bool {
         let now = Iterate { x: &model.x, gradient: &self.gradient };
         let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
@@ -194,7 +199,7 @@ impl Approach {
         self.merit < before
     }
 
-    /// Goes back to the positions before the last step.
+    /// Returns to the positions before the last step.
     fn restore(&mut self, model: &mut Model) {
         model.x.copy_from_slice(&self.previous.0);
         self.evaluate(model);

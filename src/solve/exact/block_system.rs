@@ -1,5 +1,5 @@
-//! The system of the polish: the metric of the energies for each of x, y and z, and stiff springs across the
-//! normal spaces of hard constraints, which couple them.
+//! The system of the polish: the metric of the energies for each of x, y and z, and stiff springs
+//! across the normal spaces of hard constraints, which couple x, y and z.
 
 use super::model::Model;
 use super::normal_space::{BAND, Differences, Linear};
@@ -12,31 +12,31 @@ use crate::solve::rows::add_scaled;
 use crate::solve::system::System;
 use crate::sparse::{BlockMatrix, UpperTriangle};
 
-/// The stiffness of the springs beside that of the metric. The weakest combinations of constraints have 1e-5 of the
-/// stiffness of one alone, and each pass of the multipliers contracts by one over the product.
+/// The stiffness of the springs relative to the metric. The weakest combinations of constraints
+/// have 1e-5 of the stiffness of a single one, and each pass of the multipliers contracts by one
+/// over the product.
 const STIFFEST: f64 = 1e7;
 
-/// The least stiffness, of steps that are far from least change and short.
+/// The least stiffness, for short steps that are far from least change.
 const SOFTEST: f64 = 1e1;
 
-/// Bands that are thinner than this part of the size are taken for the shape itself: across them steps are as good as
-/// Newton's.
+/// Bands thinner than this fraction of the size are replaced by the shape itself: steps across them
+/// are as good as Newton's.
 const THIN: f64 = 1e-4;
 
 /// The constraints of one batch at the last linearisation.
 struct LinearBatch {
     points: usize,
     weight: f64,
-    /// The width of the band that points are held in.
+    /// The width of the band around the shape; `None` if the shape itself is required.
     band: Option<f64>,
     /// The block node of each point of each constraint.
     nodes: Vec<u32>,
-    /// `J^T J` of each.
+    /// `J^T J` of each constraint.
     normals: Vec<f64>,
-    /// Multipliers.
     multipliers: Vec<f64>,
     residuals: Vec<f64>,
-    /// `M (r + dx)` of the last change.
+    /// `J^T J (r + dx)` of the last change.
     images: Vec<f64>,
 }
 
@@ -48,23 +48,24 @@ pub(in crate::solve) struct BlockSystem {
     fixed: Vec<bool>,
     /// The block node of each vertex.
     node_of: Vec<u32>,
-    /// Of the springs, and at most and at least.
+    /// The stiffness of the springs, and the unit of its limits.
     stiffness: f64,
     unit: f64,
     batches: Vec<LinearBatch>,
-    /// Room for a gradient.
+    /// Storage for a gradient.
     gradient: Vec<Row>,
 }
 
-/// Passes of the multipliers for a step downhill.
+/// Number of passes of the multipliers for a downhill step.
 const DOWNHILL: u32 = 4;
 
-/// The largest part of a direction that may remain across the constraints.
+/// The greatest fraction of a direction that may remain across the constraints.
 const TANGENT: f64 = 1e-9;
 
 impl BlockSystem {
-    /// For the hard constraints of `model`. So much is added to the metric of each node, as a part of the mean:
-    /// something has to hold what nothing holds. `smooth_terms` gives those of smoothness in the metric.
+    /// Creates the system for the hard constraints of `model`. `held` is added to the metric of
+    /// each node, as a fraction of the mean, for nodes that nothing else holds. `smooth_terms`
+    /// returns the terms of smoothness in the metric.
     pub(in crate::solve) fn new(
         model: &Model,
         held: f64,
@@ -80,7 +81,7 @@ impl BlockSystem {
         let node_of = system.node_of()[..parts.n_vertices].to_vec();
         let (mut fixed, mut diagonal) = (vec![true; n], vec![0.0; n]);
         let [metric, hard] = model.stiffness;
-        // Where there is no energy at all, all ways are equally short.
+        // Without any energy, the metric measures only lengths.
         let (held, unit) = if metric > 0.0 { (held * metric, metric) } else { (hard, hard) };
         let mut block_of = vec![u32::MAX; model.x.len()];
         for (&node, &own) in parts.system.node_of().iter().zip(&node_of) {
@@ -120,27 +121,27 @@ impl BlockSystem {
         &self.node_of
     }
 
-    /// Whether steps meet the linearised constraints.
+    /// Whether the springs are so stiff that steps meet the linearised constraints.
     pub(in crate::solve) fn is_stiffest(&self) -> bool {
         self.stiffness >= STIFFEST * self.unit
     }
 
-    /// Makes the springs so many times as stiff, within limits; takes effect with the next factor.
+    /// Multiplies the stiffness of the springs, within limits; takes effect with the next factor.
     pub(in crate::solve) fn stiffen(&mut self, times: f64) {
         let [least, most] = [SOFTEST, STIFFEST].map(|stiffness| stiffness * self.unit);
         self.stiffness = Lane::max(Lane::min(self.stiffness * times, most), least);
     }
 
-    /// How many nodes there are.
+    /// Number of nodes.
     pub(in crate::solve) fn size(&self) -> usize {
         self.fixed.len()
     }
 
-    /// Linearises the constraints at the positions of `model`, and factors. Bands hold what is beyond them, or, where
-    /// they do not count, like the shapes that they are around.
+    /// Linearises the constraints at the positions of `model`, and factors. With `bands`, a band
+    /// holds only the points beyond it; without, it is replaced by the shape inside it.
     ///
     /// # Errors
-    /// When the matrix is not positive definite to working precision.
+    /// If the matrix is not positive definite to working precision.
     pub(in crate::solve) fn factor(
         &mut self,
         model: &Model,
@@ -150,10 +151,11 @@ impl BlockSystem {
         self.hold_more(model, bands)
     }
 
-    /// As [`BlockSystem::factor`], but linearises only what nothing holds: the others stay as they were linearised.
+    /// As [`BlockSystem::factor`], but linearises only the constraints that are not held; the
+    /// others keep their linearisation.
     ///
     /// # Errors
-    /// When the matrix is not positive definite to working precision.
+    /// If the matrix is not positive definite to working precision.
     pub(in crate::solve) fn hold_more(
         &mut self,
         model: &Model,
@@ -197,7 +199,7 @@ impl BlockSystem {
         })
     }
 
-    /// Of every constraint, whether nothing held it at the last linearisation.
+    /// For every constraint, whether it was not held at the last linearisation.
     pub(in crate::solve) fn free(&self) -> Vec<bool> {
         let free = |batch: &LinearBatch| {
             let normals = batch.normals.chunks_exact(9 * batch.points * batch.points);
@@ -206,7 +208,7 @@ impl BlockSystem {
         self.batches.iter().flat_map(free).collect()
     }
 
-    /// The part of the residuals at hand, of their squares, that nothing holds.
+    /// The fraction of the current squared residuals that is of constraints that are not held.
     pub(in crate::solve) fn loose(&self) -> f64 {
         let (mut loose, mut all) = (0.0, 0.0);
         for batch in &self.batches {
@@ -222,7 +224,7 @@ impl BlockSystem {
         if all > 0.0 { loose / all } else { 0.0 }
     }
 
-    /// Whether one of these constraints is not met at positions `x` of the model.
+    /// Whether any of the constraints marked by `of` is violated at positions `x` of the model.
     pub(in crate::solve) fn is_violated(&mut self, model: &Model, x: &[Row], of: &[bool]) -> bool {
         let noise = model.goal();
         self.residuals(model, x);
@@ -230,18 +232,19 @@ impl BlockSystem {
         residuals.zip(of).any(|(residual, of)| *of && residual.iter().any(|r| r.abs() > noise))
     }
 
-    /// Whether each node is no unknown.
+    /// `#nodes`: whether the node is fixed.
     pub(in crate::solve) fn fixed(&self) -> &[bool] {
         &self.fixed
     }
 
-    /// Applies the inverse of the factored matrix to four right-hand sides in place, a row for each unknown: x, y and
-    /// z of every node.
+    /// Applies the inverse of the factored matrix to four right-hand sides in place, one row for
+    /// each unknown: x, y and z of every node.
     pub(in crate::solve) fn solve(&self, right: &mut [Row]) {
         self.matrix.solve_columns(right);
     }
 
-    /// The part of a displacement (`#nodes`) in the normal spaces: three numbers for each point of each constraint.
+    /// Returns the part of a displacement (`#nodes`) in the normal spaces, three numbers for each
+    /// point of each constraint.
     pub(in crate::solve) fn across(&mut self, displacement: &[Row]) -> Vec<f64> {
         self.batches.iter_mut().for_each(|batch| batch.residuals.fill(0.0));
         self.update_images(displacement);
@@ -262,17 +265,17 @@ impl BlockSystem {
         }
     }
 
-    /// The norm of all residuals at positions `x` of the model, which are noted.
+    /// Computes and stores the residuals at positions `x` of the model, and returns their norm.
     pub(in crate::solve) fn residuals(&mut self, model: &Model, x: &[Row]) -> f64 {
         let batches = self.batches.iter_mut().zip(&model.hard.batches);
         let squares = batches.map(|(own, hard)| hard.residuals(x, own.band, &mut own.residuals));
         squares.sum::<f64>().sqrt()
     }
 
-    /// The least change `dx`, `#nodes`, in the metric of the energies that meets the linearised constraints with the
-    /// residuals at hand, but for a part `left` of them.
+    /// Computes the least change `dx`, `#nodes`, in the metric of the energies that meets the
+    /// linearised constraints with the current residuals, except for a fraction `left` of them.
     pub(in crate::solve) fn least_change(&mut self, dx: &mut [Row], left: f64) {
-        // Softer springs are for shorter steps: no multipliers then.
+        // Softer springs are for shorter steps, without multipliers.
         let passes = if self.is_stiffest() { 7 } else { 1 };
         let before = self.begin_change(dx);
         for _ in 0..passes {
@@ -282,8 +285,8 @@ impl BlockSystem {
         }
     }
 
-    /// The displacement `dx`, `#nodes`, along the linearised constraints that is the lowest in the metric of the energies,
-    /// where half the gradient of the energies is `pull`.
+    /// Computes the displacement `dx`, `#nodes`, along the linearised constraints that minimises
+    /// the energies in their metric. `pull` is half the gradient of the energies.
     pub(in crate::solve) fn downhill(&mut self, pull: &[Row], dx: &mut [Row]) {
         self.begin_change(dx);
         for _ in 0..DOWNHILL {
@@ -297,7 +300,8 @@ impl BlockSystem {
         self.update_images(dx)
     }
 
-    /// A pass of the multipliers; gives the norm of what is left of the linearised constraints.
+    /// Performs one pass of the multipliers; returns the norm of what remains of the linearised
+    /// constraints.
     fn change(&mut self, dx: &mut [Row], pull: Option<&[Row]>) -> f64 {
         let mut gradient = std::mem::take(&mut self.gradient);
         multiply(&self.metric, dx, &mut gradient);
@@ -330,7 +334,7 @@ impl BlockSystem {
         after
     }
 
-    /// `M (r + dx)` of every constraint; gives the norm of all.
+    /// Computes `J^T J (r + dx)` of every constraint; returns the norm of all.
     fn update_images(&mut self, dx: &[Row]) -> f64 {
         let mut squares = 0.0;
         for batch in &mut self.batches {
@@ -358,8 +362,8 @@ impl BlockSystem {
         squares.sqrt()
     }
 
-    /// The norm of the residuals after the last least change, as the linear model has it: what is across the normal
-    /// spaces, which the constraints are held in, and what is not.
+    /// The norm of the residuals after the last least change, according to the linear model: the
+    /// remainder in the normal spaces, in which constraints are held, and the part outside them.
     pub(in crate::solve) fn predicted(&self) -> f64 {
         let mut squares = 0.0;
         for batch in &self.batches {
@@ -378,7 +382,7 @@ impl BlockSystem {
     }
 }
 
-/// Whether nothing is held by a normal space.
+/// Whether a normal space is empty, so that nothing is held.
 fn is_zero(normal: &[f64]) -> bool {
     normal.iter().all(|entry| *entry == 0.0)
 }

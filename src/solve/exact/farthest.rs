@@ -1,4 +1,4 @@
-//! The distance of a shape from what is required of it, without an energy.
+//! The distance of a shape from its requirements, without an energy.
 
 use super::hard_rows::HardRows;
 use super::requirement::Require;
@@ -8,8 +8,8 @@ use crate::solve::energy::Constraints;
 use crate::solve::local_frame::{centre_and_extent, relative, rest_surface};
 use std::rc::Rc;
 
-/// The greatest distance of a vertex at `positions` (`#V by 3`) to the shape of one of the `constraints`, whose rest
-/// shapes are those of `mesh`, in its unit.
+/// Returns the greatest distance of a vertex at `positions` (`#V by 3`) to the shape of one of the
+/// `constraints`, with `mesh` as the rest shape, in the unit of `mesh`.
 pub fn farthest(mesh: &Mesh, positions: &[Point], constraints: &Constraints) -> f64 {
     let (centre, _) = centre_and_extent(&mesh.positions);
     let rows = |points: &[Point]| -> Vec<Row> {

@@ -1,5 +1,5 @@
-//! The guard: edges between vertices of hard constraints keep a part of their length at rest. Coincident vertices
-//! meet most constraints, and without a bound many a mesh ends there.
+//! The guard: edges between vertices of hard constraints keep a fraction of their rest length.
+//! Coincident vertices meet most constraints, and without a bound many meshes end there.
 
 use super::requirement::Require;
 use crate::constraint::Kind;
@@ -10,8 +10,8 @@ use crate::solve::problem::Problem;
 use serde_json::json;
 use std::collections::BTreeSet;
 
-/// Where a tolerance is enough for everything else, edges are aimed to be longer by this part, so that the approach
-/// can end without being exact to a digit.
+/// If a tolerance is enough for all other constraints, the guard aims at edges longer by this
+/// fraction, so that the approach can end without meeting it exactly.
 pub(super) const LONGER: f64 = 0.01;
 
 /// The guarded edges.
@@ -22,10 +22,11 @@ pub(super) struct Guard {
 }
 
 impl Guard {
-    /// Edges of the `hard` constraints that stay at least `ratio` times as long as at rest; none where there are no
-    /// such edges.
+    /// Guards the edges of the `hard` constraints, which stay at least `ratio` times as long as at
+    /// rest; `None` if there are no such edges.
     ///
-    /// An edge that a hard constraint is on by itself is not guarded: its length is what is asked for.
+    /// An edge with a hard constraint of its own is not guarded: that constraint requires its
+    /// length.
     pub(super) fn new(
         hard: &[Constraints],
         problem: &Problem<'_>,
@@ -49,7 +50,7 @@ impl Guard {
         let aim = if all_within { Lane::min((1.0 + LONGER) * ratio, 1.0) } else { ratio };
         let lengths = members.iter().map(|ends| length(mesh, ends)).filter(|length| *length > 0.0);
         let shortest = lengths.fold(f64::INFINITY, Lane::min);
-        // Both ends may be so far from where they make the edge long enough.
+        // Each end may be this far from positions at which the edge is long enough.
         let slack = 0.5 * (aim - ratio) * shortest;
         let require = if slack > 0.0 { Require::Within(slack) } else { Require::Exact };
         let kind = Kind::new("line-segment", json!({ "length": "rest", "strain": [aim, null] }));

@@ -1,25 +1,28 @@
-//! Hard constraints in batches, with shifted projections: `rho * sum w |z + u - P(z + u)|^2` is the augmented
-//! Lagrangian of `z` being in the set that `P` projects to, where `z = N_i x` and `u` is the shift. Its gradient is
-//! that of the shape energy with `z + u` for `z`, so that the normal matrix of the iteration majorises it too.
+//! Hard constraints in batches, with shifted projections: `rho * sum w |z + u - P(z + u)|^2` is the
+//! augmented Lagrangian of the constraint that `z` is in the set that `P` projects to, with
+//! `z = N_i x` and the shift `u`. Its gradient is that of the shape energy with `z + u` for `z`, so
+//! that the normal matrix of the iteration majorises it too.
 //!
-//! "Within a distance" is the same with a projection that goes only as far as the band around the shape.
+//! "Within a distance" is the same with a projection that goes only as far as the band around the
+//! shape.
 
 use super::requirement::Require;
 use crate::constraint::{Batch, Reference, Row, batches};
 use crate::math::{LANES, Lane, Lanes, Vec3};
 use crate::solve::energy::Constraints;
 
-/// Bands are aimed at from inside: the approach ends on one side of what it aims at.
+/// Bands are aimed at from inside, at this fraction of their width: the approach ends on one side
+/// of its aim.
 const AIM: f64 = 0.5;
 
-/// An edge of the guard that may be shorter by this part is far from its bound.
+/// A guarded edge is far from its bound if it may be shorter by this fraction.
 const SHORTER: f64 = 1e-5;
 
 /// Hard constraints of one row with the same number of points.
 pub(in crate::solve) struct HardBatch {
-    /// The row of constraints of the problem; none of the guard.
+    /// The row of constraints of the problem; `None` for the guard.
     pub row: Option<usize>,
-    /// The width of the band; none where the shape itself is asked for.
+    /// The width of the band; `None` if the shape itself is required.
     pub within: Option<f64>,
     pub batch: Batch,
     /// `u`, in the layout of the nodes of the batch.
@@ -33,20 +36,21 @@ pub(in crate::solve) struct HardRows {
     pub batches: Vec<HardBatch>,
 }
 
-/// A row of constraints, its place among those of the problem, and what is asked of it.
+/// A row of constraints, its index in the problem, and its requirement.
 pub(in crate::solve) type HardRow<'a> = (&'a Constraints, Option<usize>, Require);
 
-/// How far one constraint is from being met.
+/// The distance of a constraint from being met.
 #[derive(Clone, Copy)]
 pub(in crate::solve) struct Miss {
-    /// The greatest distance of a point to the shape that fits.
+    /// The greatest distance of a point to the fitted shape.
     pub distance: f64,
-    /// The same beyond what is allowed.
+    /// The part of it beyond the allowed distance.
     pub excess: f64,
 }
 
 impl HardRows {
-    /// Batches the rows, whose vertices are called `node_of[v]`; `rest` is the rest position of each node.
+    /// Batches the rows. `node_of` is the node of each vertex, `rest` the rest position of each
+    /// node.
     pub(in crate::solve) fn new(
         rows: &[HardRow<'_>],
         node_of: &[u32],
@@ -75,7 +79,8 @@ impl HardRows {
         HardRows { batches: all }
     }
 
-    /// The local step with shifts: adds half the gradient of `rho * E` to `gradient`, and gives `E`.
+    /// The local step with shifts: adds half the gradient of `rho * E` to `gradient`, and returns
+    /// `E`.
     pub(in crate::solve) fn local_step(
         &mut self,
         x: &[Row],
@@ -85,12 +90,12 @@ impl HardRows {
         self.batches.iter_mut().map(|batch| batch.local_step(x, gradient, rho)).sum()
     }
 
-    /// The multipliers' update, `u := z + u - P(z + u)` of the last local step.
+    /// Updates the multipliers: `u := z + u - P(z + u)` of the last local step.
     pub(in crate::solve) fn update_shifts(&mut self) {
         self.batches.iter_mut().for_each(|batch| batch.shift.copy_from_slice(&batch.residual));
     }
 
-    /// Divides all shifts: `rho * w * u` is the multiplier, which stays where `rho` grows.
+    /// Divides all shifts when `rho` grows: the multiplier `rho * w * u` stays.
     pub(in crate::solve) fn divide_shifts(&mut self, by: f64) {
         let part = Lanes::splat(1.0 / by);
         for shift in self.batches.iter_mut().flat_map(|batch| &mut batch.shift) {
@@ -98,12 +103,12 @@ impl HardRows {
         }
     }
 
-    /// Whether something is to be exact.
+    /// Whether any constraint must be exact.
     pub(in crate::solve) fn any_exact(&self) -> bool {
         self.batches.iter().any(|hard| hard.within.is_none())
     }
 
-    /// The greatest excess, that of the guard included.
+    /// The greatest excess, including that of the guard.
     pub(in crate::solve) fn worst(&self, x: &[Row]) -> f64 {
         let mut worst = 0.0;
         for batch in &self.batches {
@@ -179,14 +184,15 @@ impl HardBatch {
         (0..LANES).map(|lane| sum.lane(lane)).sum()
     }
 
-    /// The width of the band that the polish holds points in. It takes a band that is thinner than `thin` for the
-    /// shape itself: its steps go to the middle then, and end when they are inside.
+    /// The width of the band in which the polish keeps points. A band thinner than `thin` is
+    /// replaced by the shape itself: steps then go to the middle, and end when they are inside.
     pub(in crate::solve) fn wide(&self, thin: f64) -> Option<f64> {
         self.within.filter(|width| *width > thin)
     }
 
-    /// Writes the residuals at positions `x`, constraint by constraint, three numbers for each point: the way to the
-    /// shape, backwards, or what of it is beyond the `band`. Gives the sum of squares.
+    /// Writes the residuals at positions `x`, constraint by constraint, three numbers for each
+    /// point: the displacement from the shape to the point, or its part beyond the `band`. Returns
+    /// the sum of squares.
     pub(in crate::solve) fn residuals(&self, x: &[Row], band: Option<f64>, to: &mut [f64]) -> f64 {
         let n = self.batch.points();
         let mut squares = 0.0;
@@ -207,8 +213,8 @@ impl HardBatch {
         squares
     }
 
-    /// Of the guard, whether each edge is longer than it has to be at positions `x`, also when it is a little shorter:
-    /// nothing holds it there. Empty of other constraints.
+    /// For the guard, whether each edge is longer than required at positions `x`, even if slightly
+    /// shortened: nothing holds it there. Empty for other constraints.
     pub(in crate::solve) fn slack(&self, x: &[Row]) -> Vec<bool> {
         let mut slack = Vec::new();
         if self.row.is_none() {
@@ -224,7 +230,7 @@ impl HardBatch {
         slack
     }
 
-    /// Gives `each` how far every constraint is from being met at positions `x`.
+    /// Calls `each` with the distance of every constraint from being met at positions `x`.
     pub(in crate::solve) fn misses(&self, x: &[Row], mut each: impl FnMut(usize, Miss)) {
         self.each_chunk(x, 1.0, &mut |chunk, points, projected| {
             let mut worst = Lanes::zero();
@@ -239,7 +245,8 @@ impl HardBatch {
         });
     }
 
-    /// Gives `each` the centred points of every chunk at positions `x`, times `scale`, and their projections.
+    /// Calls `each` with the centred points of every chunk at positions `x`, times `scale`, and
+    /// their projections.
     fn each_chunk(&self, x: &[Row], scale: f64, each: EachChunk<'_>) {
         let n = self.batch.points();
         let (mut points, mut projected) = (vec![Vec3::zero(); n], vec![Vec3::zero(); n]);
@@ -251,16 +258,16 @@ impl HardBatch {
         }
     }
 
-    /// How many lanes of a chunk have a constraint of their own.
+    /// Number of lanes of a chunk that have a constraint of their own.
     fn lanes(&self, chunk: usize) -> usize {
         LANES.min(self.batch.count() - chunk * LANES)
     }
 }
 
-/// What is done with a chunk: its place, points and projections.
+/// A callback for a chunk: its index, points and projections.
 type EachChunk<'a> = &'a mut dyn FnMut(usize, &[Vec3<Lanes>], &mut [Vec3<Lanes>]);
 
-/// The projection to the band of this width around a shape: projections go only so far.
+/// Replaces projections to a shape by those to the band of this width around it.
 #[inline(always)]
 fn stop_at_band(points: &[Vec3<Lanes>], projected: &mut [Vec3<Lanes>], width: f64) {
     for (point, p) in points.iter().zip(projected) {

@@ -1,9 +1,11 @@
-//! From an exact shape to a better one: steps downhill along the constraints, each brought back onto them. The valley
-//! was chosen by the approach; held back too early, that one may end far above its bottom.
+//! The improvement of an exact shape: steps downhill along the constraints, each followed by a
+//! return onto them. The approach has chosen the valley; if it was held back too early, it may end
+//! far above the bottom.
 //!
-//! A step minimises the energy, in the metric of the polish, among all displacements that are tangent to the
-//! constraints (Gauss-Newton: their curvature is left out, so that steps may be too long, and are cut then). The steps
-//! of the polish bring it back with the same factor. Only a shape that is met and has less energy is taken.
+//! A step minimises the energy, in the metric of the polish, among all displacements that are
+//! tangent to the constraints. This is Gauss-Newton: the curvature of the constraints is left out,
+//! so that steps may be too long, and are then cut. Steps of the polish return onto the constraints
+//! with the same factor. A shape is accepted only if it meets them and has less energy.
 
 use super::answer::Improved;
 use super::model::Model;
@@ -13,42 +15,43 @@ use crate::solve::energy::IterateSeconds;
 use crate::solve::error::SolveError;
 use crate::solve::rows::dot;
 
-/// So many steps at most, a factor each.
+/// Greatest number of steps, each with a factor.
 const MOST_STEPS: u32 = 60;
 
-/// New factors that bring one step back, at most.
+/// Greatest number of new factors for the return of one step.
 const MOST_FACTORS: u32 = 2;
 
-/// A step is halved down to this, and may grow to that.
+/// Least and greatest length of a step.
 const SHORTEST: f64 = 1.0 / 64.0;
 const LONGEST: f64 = 4.0;
 
-/// It ends after so many steps in a row that gain less than this part of the energy.
+/// The improvement ends when less than this fraction of the energy is gained by each of this number
+/// of consecutive steps.
 const LITTLE: (f64, u32) = (2e-4, 3);
 
-/// A step gains at least this part of what its slope promises (Armijo's condition).
+/// A step gains at least this fraction of what its slope predicts (Armijo's condition).
 const ENOUGH: f64 = 1e-4;
 
 /// The steps of an improvement.
 pub(super) struct Improve {
     /// The energy at the start.
     before: f64,
-    /// The energy, and half its gradient, at the positions at hand.
+    /// The energy, and half its gradient, at the current positions.
     energy: f64,
     gradient: Vec<Row>,
-    /// The same gradient by nodes of the system of blocks.
+    /// The same gradient by nodes of the block system.
     pull: Vec<Row>,
     dx: Vec<Row>,
     from: Vec<Row>,
-    /// The part of a step that is tried first.
+    /// The fraction of a step that is tried first.
     length: f64,
     steps: u32,
-    /// Steps in a row that gained little.
+    /// Number of consecutive steps that gained little.
     little: u32,
 }
 
 impl Improve {
-    /// From the positions of `model`, where its hard constraints are met.
+    /// Starts from the positions of `model`, where its hard constraints are met.
     pub(super) fn new(model: &mut Model, polish: &Polish) -> Improve {
         let n = polish.system.size();
         let mut gradient = vec![[0.0; 4]; model.x.len()];
@@ -71,10 +74,10 @@ impl Improve {
         Improved { before: self.before, after: self.energy, steps: self.steps }
     }
 
-    /// One step; whether it gained anything and another may.
+    /// Takes one step; returns whether it gained anything and another one may follow.
     ///
     /// # Errors
-    /// When the system is not positive definite; the positions of `model` are as before then.
+    /// If the system is not positive definite; the positions of `model` are then as before.
     pub(super) fn step(
         &mut self,
         model: &mut Model,
@@ -89,7 +92,7 @@ impl Improve {
         Ok(stepped? && self.little < LITTLE.1 && self.steps < MOST_STEPS)
     }
 
-    /// Whether a step was found that gains.
+    /// Returns whether a step was found that gains.
     fn go(&mut self, model: &mut Model, polish: &mut Polish) -> Result<bool, SolveError> {
         polish.begin_at(model)?;
         let nodes = polish.system.node_of().iter().zip(model.parts.system.node_of());
@@ -123,14 +126,15 @@ impl Improve {
     }
 }
 
-/// Brings positions back onto the constraints, with the factor at hand as long as it serves; whether it got there.
+/// Brings positions back onto the constraints, with the current factor as long as it serves;
+/// returns whether that succeeded.
 fn bring_back(model: &mut Model, polish: &mut Polish) -> Result<bool, SolveError> {
     polish.resume();
     let (goal, began) = (model.goal(), polish.factors);
     while !model.is_met(goal) {
         let goes = match polish.step(model, began) {
             Ok(polished) => polished == Polished::Goes,
-            // A step too far may leave what can be factored.
+            // After a step too far the matrix may not be positive definite.
             Err(SolveError::NotPositiveDefinite { .. }) => false,
             Err(error) => return Err(error),
         };

@@ -1,4 +1,5 @@
-//! How far vertices have to move at least for constraints to hold, to first order; nothing is solved for it.
+//! The least distances that vertices must move for constraints to hold, to first order, without a
+//! solver.
 
 use super::answer::Moved;
 use super::hard_rows::{HardRow, HardRows};
@@ -11,16 +12,18 @@ use crate::solve::energy::Constraints;
 use crate::solve::local_frame::{centre_and_extent, relative, rest_surface};
 use std::rc::Rc;
 
-/// Steps of conjugate gradients at most; with fewer the movement is smaller, never greater.
+/// Greatest number of steps of conjugate gradients; with fewer the movement is smaller, never
+/// greater.
 const STEPS: usize = 60;
-/// The steps end at this part of the residual.
+/// The steps end at this fraction of the residual.
 const PRECISION: f64 = 0.02;
-/// A column of what is nearly an orthogonal projector counts from this length on: all else is rounding, as where
-/// every position is as asked.
+/// A column of an approximate orthogonal projector counts from this length on: shorter ones are
+/// rounding error, for example if every position is as required.
 const RANK: f64 = 1e-3;
 
-/// The smallest change of the positions of `mesh`, in least squares, after which `constraints` hold as far as their
-/// linearisation tells: the first step of the polish, with all ways equally short. Lengths are in the unit of the mesh.
+/// Returns the smallest change of the positions of `mesh`, in least squares, after which the
+/// linearised `constraints` hold: the first step of the polish, with lengths as the metric. Lengths
+/// are in the unit of the mesh.
 pub fn least_move(mesh: &Mesh, constraints: &[Constraints]) -> Moved {
     let (centre, extent) = centre_and_extent(&mesh.positions);
     let x: Vec<Row> = mesh.positions.iter().map(|&point| relative(point, centre)).collect();
@@ -51,17 +54,18 @@ pub fn least_move(mesh: &Mesh, constraints: &[Constraints]) -> Moved {
 /// Linear conditions `direction . (residual + change) = 0` on the points of single constraints.
 #[derive(Default)]
 struct Conditions {
-    /// The vertices of each.
+    /// The vertices of each condition.
     vertices: Ragged,
-    /// For each of them the part of the direction there; each direction is a unit vector.
+    /// The part of the direction at each of these vertices; each direction is a unit vector.
     directions: Vec<Vec3<f64>>,
     /// The residual along each direction.
     residuals: Vec<f64>,
 }
 
 impl Conditions {
-    /// Adds a condition for each dimension of the normal space of a constraint, which the columns of the symmetric
-    /// `normal` span: an orthonormal basis by Gram and Schmidt, the largest column first. Leaves nothing in `normal`.
+    /// Adds a condition for each dimension of the normal space of a constraint, which is spanned by
+    /// the columns of the symmetric `normal`: an orthonormal basis by Gram and Schmidt, the largest
+    /// column first. Reduces `normal` to zero.
     fn add(&mut self, vertices: &[u32], normal: &mut [f64], residual: &[f64]) {
         let size = residual.len();
         for _ in 0..size {
@@ -85,7 +89,8 @@ impl Conditions {
         }
     }
 
-    /// `J^T (J J^T)^-1 r`, where `J` are the directions and `r` the residuals, by conjugate gradients; `#V by 3`.
+    /// Computes `J^T (J J^T)^-1 r`, `#V by 3`, with the directions `J` and the residuals `r`, by
+    /// conjugate gradients.
     fn least_step(&self, n_vertices: usize) -> Vec<Vec3<f64>> {
         let mut residual = self.residuals.clone();
         let mut along = residual.clone();
@@ -112,7 +117,7 @@ impl Conditions {
         step
     }
 
-    /// `J^T`, of a number for each condition.
+    /// Sets `change` to `J^T` times a number for each condition.
     fn transposed(&self, numbers: &[f64], change: &mut [Vec3<f64>]) {
         change.fill(Vec3::zero());
         let mut directions = self.directions.iter();
@@ -123,7 +128,7 @@ impl Conditions {
         }
     }
 
-    /// `J`, of a change of the positions.
+    /// Returns `J` times a change of the positions.
     fn times(&self, change: &[Vec3<f64>]) -> Vec<f64> {
         let mut directions = self.directions.iter();
         let each = self.vertices.iter().map(|vertices| {

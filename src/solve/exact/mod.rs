@@ -1,27 +1,30 @@
-//! Constraints that are met, not weighed: `min f(x)` subject to `N_i x` in `C_i` for hard rows, where `f` is the
-//! energy of everything else. Both stages need nothing of an operator but its projection `P_i`.
+//! Hard constraints, which are met, not weighed: `min f(x)` subject to `N_i x` in `C_i` for hard
+//! rows, where `f` is the energy of everything else. Both stages use only the projection `P_i` of
+//! an operator.
 //!
-//! 1. The approach is the quasi-Newton iteration with shifted projections (the augmented Lagrangian of a set
-//!    constraint) and a weight that grows. It comes within 1e-5 of the size, or within the distance that is allowed.
-//! 2. The polish takes least-change Newton steps onto the constraints, and ends at rounding. It is for constraints that
-//!    are to be exact, and for others where the approach stands still.
+//! 1. The approach is the quasi-Newton iteration with shifted projections (the augmented Lagrangian
+//!    of a set constraint) and a growing weight. It comes within 1e-5 of the size, or within the
+//!    allowed distance.
+//! 2. The polish takes least-change Newton steps onto the constraints, and ends at rounding error.
+//!    It is for exact constraints, and for others if the approach stands still.
 //!
-//! Penalties alone converge like one over the weight, Newton's steps alone wander; both were tried.
+//! Penalties alone converge like one over the weight, and Newton steps alone wander; both were
+//! tried.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `requirement` | what is asked of a row of constraints |
-//! | `guard` | edges that keep a part of their length |
+//! | `requirement` | the requirements on rows of constraints |
+//! | `guard` | edges that keep a fraction of their length |
 //! | `hard_rows` | hard constraints with shifted projections |
-//! | `model` | the shape that both stages work on |
+//! | `model` | the state shared by both stages |
 //! | `approach` | the first stage |
-//! | `normal_space` | where a constraint holds, by central differences of its projection |
+//! | `normal_space` | the normal space of a constraint, by central differences of its projection |
 //! | `block_system` | the system of the polish |
 //! | `polish` | the second stage |
-//! | `improve` | from an exact shape to a better one |
-//! | `least_move` | how far vertices have to move, before anything is solved |
-//! | `farthest` | how far a shape is from what is required |
-//! | `answer` | what has come of it |
+//! | `improve` | the improvement of an exact shape |
+//! | `least_move` | the least movement that constraints need, estimated without a solver |
+//! | `farthest` | the distance of a shape from its requirements |
+//! | `answer` | the result |
 
 mod answer;
 mod approach;
@@ -56,30 +59,34 @@ use improve::Improve;
 use model::Model;
 use polish::{Polish, Polished};
 
-/// The approach ends at this part of the size, and the polish begins; or at that part, where it was long.
+/// The approach ends at this fraction of the size, or, if it was long, at [`NEAR_ENOUGH`]; the
+/// polish follows.
 const NEAR: f64 = 1e-5;
 const NEAR_ENOUGH: f64 = 1e-4;
 
 /// See [`Polish::new`].
 const HELD: f64 = 1e-3;
 
-/// Where the polish fails the approach goes on, so many times nearer; not below the last.
+/// If the polish fails, the approach goes on to this fraction of the last distance, but not below
+/// [`NEAREST`] times the size.
 const NEARER: f64 = 0.3;
 const NEAREST: f64 = 1e-7;
 
-/// So often the polish is tried in a row at most, and again only where the last try has come nearer, to this part.
+/// Greatest number of consecutive polishes. After the second, another one follows only if the last
+/// one reduced the worst excess to the fraction [`GAINED`].
 const POLISHES: u32 = 8;
 const GAINED: f64 = 0.8;
 
-/// The factor of the polish takes at most so many bytes; larger problems end with the approach.
+/// Greatest size of the factor of the polish in bytes; larger problems end with the approach.
 const MOST_BYTES: usize = 400_000_000;
 
-/// Where smoothness counts, the factor of the polish has at most this part of the nonzeros that the scalar one has for
-/// each of its blocks: it couples neighbours alone, see [`springs`]. On meshes of quads of more than 1,000 vertices it is
-/// .48 to .56, on triangles .32.
+/// With smoothness, the block factor of the polish has at most this fraction of the nonzeros of the
+/// scalar factor, for each entry of a block: it couples only neighbours, see [`springs`]. On meshes
+/// of quads of more than 1,000 vertices the fraction is .48 to .56, on triangles .32.
 const COUPLED: f64 = 0.6;
 
-/// Constraints on so many points couple all of them in the system of the polish.
+/// Greatest number of pairs of points that constraints couple: each constraint couples all its
+/// points in the system of the polish.
 const MOST_COUPLED: usize = 20_000_000;
 
 /// The stage after a call of [`Exact::step`].
@@ -87,45 +94,46 @@ const MOST_COUPLED: usize = 20_000_000;
 pub enum Stage {
     /// An iteration of the approach.
     Approach,
-    /// The end of a round of the approach: a good place to stop.
+    /// The end of a round of the approach: a good point to stop.
     Round,
     /// A step of the polish.
     Polish,
     /// A step of the improvement.
     Improve,
-    /// All is done.
+    /// All stages have ended.
     Ended,
 }
 
-/// Hard constraints that are being met, step by step.
+/// A step-by-step solver for hard constraints.
 pub struct Exact {
     model: Model,
     approach: Approach,
     polish: Option<Polish>,
     improve: Option<Improve>,
-    /// Whether an improvement is to follow.
+    /// Whether an improvement is requested.
     is_to_improve: bool,
     stage: Stage,
-    /// The approach ends when the worst excess is this.
+    /// The worst excess at which the approach ends.
     near: f64,
-    /// Factors of blocks when this polish began, and where.
+    /// Number of block factors when this polish began, and the positions.
     began: (u32, Vec<Row>),
     most_iterations: u32,
     can_polish: bool,
     contradicts: bool,
-    /// Approaches that have ended, and polishes after the last one.
+    /// Number of approaches that have ended, and of polishes after the last one.
     tries: u32,
     polishes: u32,
-    /// The best worst excess when the last polish began.
+    /// The least worst excess when the last polish began.
     polished_from: f64,
-    /// The least worst excess so far, and where.
+    /// The least worst excess so far, and its positions.
     best: (f64, Vec<Row>),
     seconds: f64,
 }
 
 impl Exact {
-    /// For a problem whose rows are `requirements.rows`, from the positions `start`, `#V by 3`: best the solution with all
-    /// rows soft. Each vertex has one handle at most.
+    /// Creates a solver for a problem whose rows have the requirements `requirements.rows`, from
+    /// the positions `start`, `#V by 3`: preferably the solution with all rows soft. Each vertex
+    /// has at most one handle.
     pub fn new(
         problem: &Problem<'_>,
         requirements: &Requirements<'_>,
@@ -139,7 +147,7 @@ impl Exact {
         let approach = Approach::new(&model, &settings);
         let worst = model.hard.worst(&model.x);
         let can_polish = polish_fits(problem, requirements, model.parts.system.factor_nonzeros());
-        // Bands are reached without a polish, but where rounds stand still.
+        // Bands are reached without a polish, unless rounds stand still.
         let near = if model.hard.any_exact() { NEAR * model.parts.extent } else { 0.0 };
         let mut exact = Exact {
             best: (worst, model.x.clone()),
@@ -169,17 +177,19 @@ impl Exact {
         exact
     }
 
-    /// Goes on, once all is met, to a shape with less energy where all is met too. It stays as it is where constraints
-    /// are not met, or the problem is too large for it. To be called before or after the other steps.
+    /// Once all constraints are met, continues to a shape with less energy that meets them too. Has
+    /// no effect if constraints are not met, or if the problem is too large. Can be called before
+    /// or after the other steps.
     pub fn improve(&mut self) {
         self.is_to_improve = true;
         self.begin_improvement();
     }
 
-    /// One iteration of the approach, or one step of the polish or of the improvement; nothing once it has ended.
+    /// Performs one iteration of the approach, or one step of the polish or of the improvement;
+    /// does nothing after the end.
     ///
     /// # Errors
-    /// When a system is not positive definite. The best positions so far stay.
+    /// If a system is not positive definite. The best positions so far are kept.
     pub fn step(&mut self) -> Result<Stage, SolveError> {
         let started = clock::now();
         let result = match self.stage {
@@ -197,7 +207,7 @@ impl Exact {
         result.map(|()| self.stage)
     }
 
-    /// All steps.
+    /// Performs all steps.
     ///
     /// # Errors
     /// As [`Exact::step`].
@@ -206,18 +216,19 @@ impl Exact {
         Ok(())
     }
 
-    /// Ends the approach where it is; the polish tries from there.
+    /// Ends the approach early; the polish starts from its positions.
     pub fn hurry(&mut self) {
         if matches!(self.stage, Stage::Approach | Stage::Round) {
             self.end_approach();
         }
     }
 
-    /// Ends it where it is, with the best positions so far.
+    /// Ends all stages, with the best positions so far.
     pub fn stop(&mut self) {
         self.is_to_improve = false;
         if self.stage != Stage::Ended {
-            // An improvement holds the best one, whatever is less by rounding.
+            // An improvement already has the best positions, although others may have less excess
+            // by rounding.
             if self.stage != Stage::Improve {
                 self.keep_best();
             }
@@ -270,7 +281,8 @@ impl Exact {
         self.keep_best();
         if polished == Polished::Contradicts {
             self.contradicts = true;
-            // All is met here but what contradicts, which misses by more where something else gives way.
+            // All constraints are met here except the contradicting ones; their excess would be
+            // less if other constraints gave way.
             self.best.1.copy_from_slice(&self.model.x);
             self.end();
         } else if self.model.is_met(self.model.goal()) {
@@ -307,8 +319,8 @@ impl Exact {
         Ok(())
     }
 
-    /// Tries again from the best positions with steps that gain, as long as they do; then comes nearer by the approach,
-    /// if that may go on.
+    /// Tries again from the best positions with steps that gain, as long as they do. Otherwise
+    /// continues the approach to a smaller distance, if it may go on.
     fn polish_failed(&mut self) {
         let gained = self.best.0 <= GAINED * self.polished_from;
         if let Some(polish) = &mut self.polish
@@ -335,10 +347,10 @@ impl Exact {
         }
     }
 
-    /// Notes the positions if they are the best so far; gives their worst excess.
+    /// Keeps the positions if they are the best so far; returns their worst excess.
     fn keep_best(&mut self) -> f64 {
         let worst = self.model.hard.worst(&self.model.x);
-        // An approach that comes nearer has a better shape too.
+        // An approach that comes nearer also improves the shape.
         if worst <= self.best.0 {
             self.best.0 = worst;
             self.best.1.copy_from_slice(&self.model.x);
@@ -351,29 +363,30 @@ impl Exact {
         self.model.x.copy_from_slice(&self.best.1);
     }
 
-    /// The stage that it is in.
+    /// The current stage.
     pub fn stage(&self) -> Stage {
         self.stage
     }
 
-    /// The current positions, `#V by 3`; once it has ended the best ones.
+    /// The current positions, `#V by 3`; after the end, the best ones.
     pub fn positions(&self) -> Vec<Point> {
         self.model.positions(&self.model.x)
     }
 
-    /// How far the worst constraint is from being met at the current positions, in the unit of the mesh.
+    /// The greatest distance of a constraint from being met at the current positions, in the unit
+    /// of the mesh.
     pub fn worst(&self) -> f64 {
         self.model.hard.worst(&self.model.x)
     }
 
-    /// The energies of all but the hard rows at the current positions.
+    /// The energies, without the hard rows, at the current positions.
     pub fn energy(&mut self) -> Energy {
         let mut gradient = vec![[0.0; 4]; self.model.x.len()];
         let mut seconds = IterateSeconds::default();
         self.model.parts.energies.evaluate(&self.model.x, &mut gradient, &mut seconds)
     }
 
-    /// The answer at the current positions.
+    /// The result at the current positions.
     pub fn answer(&self) -> ExactAnswer {
         let polish = self.polish.as_ref();
         let measured = self.model.measure(&self.model.x);
@@ -390,16 +403,16 @@ impl Exact {
         }
     }
 
-    /// Whether the polish of a problem would not fit in memory, whatever is to be exact, where the factor with all rows
-    /// soft has so many nonzeros, and smoothness counts in it or not.
+    /// Whether the polish of a problem would not fit in memory, whatever must be exact. `nonzeros`
+    /// are those of the factor with all rows soft; `is_smooth` is whether smoothness has a weight.
     pub fn is_too_large(nonzeros: usize, is_smooth: bool) -> bool {
         let coupled = if is_smooth { COUPLED } else { 1.0 };
         BlockMatrix::bytes((coupled * nonzeros as f64) as usize) > MOST_BYTES
     }
 
-    /// Where a polish would not fit in memory, the distance to which exact constraints are met instead, in the unit of
-    /// the mesh: that at which the approach ends. None where it fits, and where nothing is asked to be exact.
-    /// `nonzeros` are those of the factor with all rows soft.
+    /// Returns the distance to which exact constraints are met if the polish would not fit in
+    /// memory, in the unit of the mesh: that at which the approach ends. `None` if it fits, or if
+    /// nothing must be exact. `nonzeros` are those of the factor with all rows soft.
     pub fn nearest(
         problem: &Problem<'_>,
         requirements: &Requirements<'_>,
@@ -410,13 +423,13 @@ impl Exact {
         is_too_large.then(|| NEAR * centre_and_extent(&problem.mesh.positions).1)
     }
 
-    /// Whether the polish fits in memory; where it does not, constraints are met to 1e-5 of the size only.
+    /// Whether the polish fits in memory; otherwise constraints are met only to 1e-5 of the size.
     pub fn can_polish(&self) -> bool {
         self.can_polish
     }
 }
 
-/// Whether the system of the polish fits in memory, where the factor of the scalar one has so many nonzeros.
+/// Whether the system of the polish fits in memory, given the `nonzeros` of the scalar factor.
 fn polish_fits(problem: &Problem<'_>, requirements: &Requirements<'_>, nonzeros: usize) -> bool {
     let hard = problem.constraints.iter().zip(requirements.rows).filter(|(_, it)| it.is_hard());
     let coupled: usize = hard

@@ -1,4 +1,5 @@
-//! The shape that both stages work on: its energies, its hard constraints, and the system of the global step.
+//! The state shared by both stages: the energies, the hard constraints, and the system of the
+//! global step.
 
 use super::guard::Guard;
 use super::hard_rows::{HardBatch, HardRow, HardRows};
@@ -15,7 +16,8 @@ use crate::solve::problem::Problem;
 use crate::solve::setup_cache::SetupCache;
 use std::rc::Rc;
 
-/// The polish ends at this part of the diagonal of the bounding box: 1e-12 of the bounding sphere.
+/// The polish ends at this fraction of the diagonal of the bounding box: 1e-12 of the bounding
+/// sphere.
 const MET: f64 = 5e-13;
 
 /// The shape with its energies and hard constraints.
@@ -27,15 +29,17 @@ pub(in crate::solve) struct Model {
     pub x: Vec<Row>,
     /// `#nodes`: the positions at the start.
     pub start: Vec<Row>,
-    /// The positions at the start, `#V by 3`: a vertex that is still there keeps every bit of its coordinates.
+    /// The positions at the start, `#V by 3`: a vertex that is still there keeps every bit of its
+    /// coordinates.
     pub put: Vec<Point>,
     /// The edges of the guard, and the ratio that they keep.
     pub guarded: Option<(Vec<[u32; 2]>, f64)>,
-    /// The mean of the diagonal of the metric, and that of the hard constraints, over their nodes.
+    /// The mean diagonal of the metric, and that of the hard constraints, over the nodes of hard
+    /// constraints.
     pub stiffness: [f64; 2],
-    /// The terms of soft rows and of hard rows over vertices alone, for the system of blocks.
+    /// The terms of soft rows and of hard rows over vertices only, for the block system.
     pub cliques: [Terms; 2],
-    /// Of smoothness, where that has a weight.
+    /// The Laplacian of smoothness, if it has a weight.
     pub laplacian: Option<Laplacian>,
 }
 
@@ -54,7 +58,8 @@ impl Model {
             if require == Require::Soft {
                 soft.push(row.clone());
             } else {
-                // What is met needs no weight; a weight only balances what cannot be met.
+                // A constraint that is met needs no weight; weights only balance constraints that
+                // cannot be met.
                 let weight = if row.weight > 0.0 { row.weight } else { 1.0 };
                 hard.push(Constraints { weight, ..row.clone() });
                 places.push((Some(index), require));
@@ -93,7 +98,7 @@ impl Model {
         let mut holding = parts.holding(handles);
         let mut x = parts.to_rows(start);
         if let Some(gliding) = &mut parts.gliding {
-            // What is on the boundary stays in its place on the curve meanwhile.
+            // Boundary vertices keep their positions on the curves meanwhile.
             gliding.place(&mut x, handles);
             gliding.vertices().for_each(|(_, node)| holding.fixed[node as usize] = true);
         }
@@ -122,12 +127,12 @@ impl Model {
         model
     }
 
-    /// The excess at which the polish is done: what coordinates have digits for, at most.
+    /// The excess at which the polish is done, not less than the rounding error of coordinates.
     pub(in crate::solve) fn goal(&self) -> f64 {
         (MET * self.parts.extent).max(self.rounding())
     }
 
-    /// Whether the constraints are met, those that are to be exact up to `near`.
+    /// Whether the constraints are met; exact ones up to `near`.
     pub(in crate::solve) fn is_met(&self, near: f64) -> bool {
         let mut met = true;
         for hard in &self.hard.batches {
@@ -137,13 +142,14 @@ impl Model {
         met
     }
 
-    /// The scales of the energies in the normal matrix, with this weight of the hard constraints.
+    /// The scales of the energies in the normal matrix, with the weight `rho` of the hard
+    /// constraints.
     pub(in crate::solve) fn scales(&self, rho: f64) -> [f64; 3] {
         let weights = self.parts.energies.weights;
         [weights.shape, weights.smooth, rho]
     }
 
-    /// The means of the diagonals of the metric and of the hard constraints, over the free nodes of the latter.
+    /// Computes [`Model::stiffness`], over the free nodes of hard constraints.
     fn mean_stiffness(&self) -> [f64; 2] {
         let Holding { fixed, diagonal, .. } = &self.holding;
         let system = &self.parts.system;
@@ -188,7 +194,7 @@ fn without_means(rows: &[Constraints], mean_centring: bool) -> Terms {
     terms
 }
 
-/// Terms that couple all vertices of each constraint, and add nothing.
+/// Terms that couple all vertices of each constraint in the pattern, with zero values.
 fn coupled(rows: &[Constraints]) -> Terms {
     let mut terms = Terms::default();
     let mut distinct = Vec::new();

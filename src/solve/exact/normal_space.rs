@@ -1,24 +1,25 @@
-//! The normal space of a constraint, by central differences of its projection alone.
+//! The normal space of a constraint, by central differences of its projection only.
 //!
-//! Where `P` projects to a set, `J = I - DP` at a point of it is zero along the set and nowhere else, and where `P`
-//! is the closest point it is the orthogonal projector to the normal space. `J^T J` is that projector too; where `P`
-//! is another projection to the same set it still has the same kernel, and errors of `J` enter it squared.
+//! If `P` projects to a set, `J = I - DP` at a point of the set is zero along the set and nowhere
+//! else. If `P` is the closest point, `J` is the orthogonal projector to the normal space, and
+//! `J^T J` is the same projector. For another projection to the same set `J^T J` still has the same
+//! kernel, and errors of `J` enter it squared.
 
 use super::hard_rows::HardBatch;
 use crate::constraint::{Centring, Row};
 use crate::math::{LANES, Lanes, Vec3};
 
-/// The step of the differences, times the root mean square of the points: the rounding and the truncation of a
-/// difference are about the same there.
+/// The step of the differences, relative to the root mean square of the points. There the rounding
+/// and the truncation error of a difference are about equal.
 const STEP: f64 = 1e-6;
 
-/// An entry of `J` beyond this is no derivative: the projection jumps there.
+/// An entry of `J` beyond this is not a derivative: the projection jumps there.
 const LARGEST: f64 = 10.0;
 
-/// Bands begin to be held this much inside, as a part of their width.
+/// The fraction of their width at which bands begin to hold, slightly inside.
 pub(super) const BAND: f64 = 0.98;
 
-/// One constraint at some positions.
+/// The linearisation of a constraint at some positions.
 pub(super) struct Linear<'a> {
     /// The residual, three numbers for each point.
     pub residual: &'a mut [f64],
@@ -26,13 +27,13 @@ pub(super) struct Linear<'a> {
     pub normal: &'a mut [f64],
 }
 
-/// Room for the points of one constraint in all lanes.
+/// Storage for the points of one constraint in all lanes.
 pub(super) struct Differences {
     points: Vec<Vec3<Lanes>>,
     projected: Vec<Vec3<Lanes>>,
     /// `J`, column by column.
     columns: Vec<f64>,
-    /// Those that differences are taken for: together with centring they give the others.
+    /// The columns that differences are computed for; centring gives the others.
     own: Vec<usize>,
 }
 
@@ -48,8 +49,9 @@ impl Differences {
         }
     }
 
-    /// Linearises constraint `i` of a batch, or of a band around its shapes, at positions `x`, whose residual there is known. `unit` is a length of
-    /// the size of the model, for what has none of its own.
+    /// Linearises constraint `i` of a batch, or of the band around its shapes, at positions `x`.
+    /// Its residual there must be in `to`. `unit` is a length of the size of the model, for
+    /// constraints without a size of their own.
     pub(super) fn linearise(
         &mut self,
         (hard, band): (&HardBatch, Option<f64>),
@@ -71,7 +73,7 @@ impl Differences {
         let at: Vec<Vec3<f64>> = projected.iter().map(|point| point.lane(0)).collect();
         let Some(step) = step(&at, unit) else { return along_residual(to) };
         let size = 3 * at.len();
-        // Lane by lane a displaced copy: forwards and backwards along one coordinate of one point.
+        // Each lane has a displaced copy: forwards or backwards along one coordinate of one point.
         for pairs in self.own.chunks(LANES / 2) {
             for (point, at) in self.points.iter_mut().zip(&at) {
                 *point = Vec3::splat(*at);
@@ -97,7 +99,7 @@ impl Differences {
         if self.own.len() < size {
             self.derive_others(group(at.len(), hard.batch.centring()));
         }
-        // Written so that NaN is no derivative either.
+        // Written so that NaN is not a derivative either.
         if !self.columns.iter().all(|value| value.abs() < LARGEST) {
             return along_residual(to);
         }
@@ -110,8 +112,8 @@ impl Differences {
         }
     }
 
-    /// Where points are centred in groups of so many, all of them moved alike change nothing: the first one's columns
-    /// are what the others leave.
+    /// If points are centred in groups of this size, moving a whole group changes nothing: the
+    /// columns of its first point are minus the sum of the others.
     fn derive_others(&mut self, group: usize) {
         let size = 3 * self.points.len();
         for points in self.columns.chunks_exact_mut(3 * group * size) {
@@ -124,7 +126,7 @@ impl Differences {
     }
 }
 
-/// How many points are centred together.
+/// Number of points that are centred together.
 fn group(points: usize, centring: Centring) -> usize {
     match centring {
         Centring::Together => points,
@@ -133,7 +135,7 @@ fn group(points: usize, centring: Centring) -> usize {
     }
 }
 
-/// The step of the differences at these points; none where they coincide.
+/// The step of the differences at these points; `None` if they coincide.
 fn step(at: &[Vec3<f64>], unit: f64) -> Option<f64> {
     if let [_] = at {
         return Some(STEP * unit);
@@ -150,7 +152,7 @@ fn moved(point: Vec3<f64>, coordinate: usize, by: f64) -> Vec3<f64> {
     moved.into()
 }
 
-/// Where there is no derivative: the direction to the shape.
+/// Without a derivative, uses the direction to the shape.
 fn along_residual(to: Linear<'_>) {
     let size = to.residual.len();
     let squared: f64 = to.residual.iter().map(|r| r * r).sum();
@@ -163,7 +165,7 @@ fn along_residual(to: Linear<'_>) {
     }
 }
 
-/// A band holds each point that is beyond it along its way to the shape, and no other.
+/// A band holds each point beyond it along the direction to the shape, and no other point.
 fn across_band(to: Linear<'_>) {
     let size = to.residual.len();
     for (k, away) in to.residual.chunks_exact(3).enumerate() {

@@ -1,5 +1,5 @@
-//! The second stage: steps of least change onto the linearised constraints, with one factor of the system of
-//! blocks for several of them.
+//! The second stage: least-change steps onto the linearised constraints, several of them with one
+//! factor of the block system.
 
 use super::block_system::BlockSystem;
 use super::model::Model;
@@ -9,34 +9,36 @@ use crate::solve::assemble::Terms;
 use crate::solve::error::SolveError;
 use crate::solve::rows::{add_scaled, dot};
 
-/// Factors at most, and steps with one factor at most.
+/// Greatest number of factors, and of steps with one factor.
 const MOST_FACTORS: u32 = 12;
 const MOST_STEPS: u32 = 20;
 
-/// Where only steps that gain are taken: after one that was cut, the springs are so many times softer, after one
-/// that was not, stiffer.
+/// If only steps that gain are taken, the springs become so many times softer after a step that was
+/// cut, and [`STIFFER`] after one that was not.
 const SOFTER: f64 = 30.0;
 const STIFFER: f64 = 10.0;
 
-/// So many full steps with a fresh factor that gain nothing show a contradiction; by then all else is met.
+/// This number of full steps with a fresh factor that gain nothing show a contradiction; all other
+/// constraints are met by then.
 const STUCK: u32 = 6;
 
-/// A step meets the linearised constraints but for this part: the shape itself is less linear. With a factor of other
-/// positions it need not be so close.
+/// A step meets the linearised constraints except for this fraction: the shape itself is less
+/// linear. With a factor of other positions, [`ROUGHLY`] is enough.
 const LINEAR: f64 = 1e-3;
 const ROUGHLY: f64 = 0.1;
 
-/// The factor serves as long as a step with it leaves less than this part of the residuals.
+/// The factor is kept as long as a step with it leaves less than this fraction of the residuals.
 const SERVES: f64 = 0.9;
 
-/// Where so much of the squares of the residuals is of constraints that the factor does not hold, they are added to it:
-/// a step without them would not serve.
+/// If more than this fraction of the squared residuals is of constraints that the factor does not
+/// hold, they are added to it: a step without them would not serve.
 const LOOSE: f64 = 0.5;
 
-/// The least relative denominator of a correction: below it, the steps so far carry no information.
+/// The least relative denominator of a correction: below it, the previous steps carry no
+/// information.
 const LEAST_LEFT: f64 = 0.05;
 
-/// A step is halved down to this.
+/// The least fraction of a step, reached by halving.
 const SHORTEST: f64 = 0.125;
 
 /// The steps of the second stage.
@@ -44,16 +46,16 @@ pub(in crate::solve) struct Polish {
     pub system: BlockSystem,
     dx: Vec<Row>,
     next: Vec<Row>,
-    /// Factors and steps so far.
+    /// Number of factors and of steps so far.
     pub factors: u32,
     pub steps: u32,
-    /// Steps left with the factor at hand.
+    /// Number of steps left with the current factor.
     left: u32,
-    /// How often a full step with a fresh factor has gained nothing, as the linear model said.
+    /// Number of full steps with a fresh factor that gained nothing, as the linear model predicted.
     stuck: u32,
     /// Whether only steps that gain are taken.
     damped: bool,
-    /// The last steps with the factor at hand, all of them full.
+    /// The last steps with the current factor, all of them full.
     taken: Vec<Vec<Row>>,
 }
 
@@ -90,13 +92,14 @@ impl Polish {
         }
     }
 
-    /// Begins anew from other positions: with bold steps, or with those that gain, which are shorter by softer springs.
+    /// Restarts from other positions: with bold steps, or, if `damped`, only with steps that gain,
+    /// shortened by softer springs.
     pub(in crate::solve) fn restart(&mut self, damped: bool) {
         (self.left, self.stuck, self.damped) = (0, 0, damped);
         self.system.stiffen(f64::INFINITY);
     }
 
-    /// Begins anew from other positions with the factor at hand, as long as that serves.
+    /// Restarts from other positions with the current factor, as long as that serves.
     pub(in crate::solve) fn resume(&mut self) {
         self.restart(false);
         self.left = MOST_STEPS;
@@ -106,17 +109,18 @@ impl Polish {
     /// Factors at the positions of `model`, for steps that begin there.
     ///
     /// # Errors
-    /// When the matrix cannot be factored.
+    /// If the matrix cannot be factored.
     pub(super) fn begin_at(&mut self, model: &Model) -> Result<(), SolveError> {
         self.system.stiffen(f64::INFINITY);
         self.factors += 1;
         self.system.factor(model, true)
     }
 
-    /// One step, with a new factor where the last one has served.
+    /// Takes one step, with a new factor if the last one no longer serves. `factors` is the number
+    /// of factors when the polish began.
     ///
     /// # Errors
-    /// When the matrix cannot be factored.
+    /// If the matrix cannot be factored.
     pub(in crate::solve) fn step(
         &mut self,
         model: &mut Model,
@@ -181,8 +185,9 @@ impl Polish {
         Ok(Polished::Goes)
     }
 
-    /// Corrects a step by what those before it with the same factor have shown: Broyden's method, as Kelley has it
-    /// (*Iterative Methods for Linear and Nonlinear Equations*, 1995, section 7.3).
+    /// Corrects a step by what previous steps with the same factor have shown: Broyden's method,
+    /// according to Kelley (*Iterative Methods for Linear and Nonlinear Equations*, 1995, section
+    /// 7.3).
     fn correct(&mut self) {
         let Some(last) = self.taken.last() else { return };
         for pair in self.taken.windows(2) {
@@ -201,7 +206,7 @@ impl Polish {
     }
 }
 
-/// Adds `t` times a displacement by nodes of the system of blocks to positions of the model.
+/// Adds `t` times a displacement, by nodes of the block system, to positions of the model.
 pub(super) fn add_displacement(
     x: &mut [Row],
     (model, system): (&Model, &BlockSystem),

@@ -1,9 +1,9 @@
 //! The two-step iteration (paper sections 2.1 and 2.2) on one mesh.
 //!
-//! In delta form: `x -= A^-1 g(x)`, where `A = Q^T Q` is the normal matrix and `g(x) = A x - Q^T
-//! p(x)` half the gradient of the total energy (Appendix A). The local step gives `g` as a
-//! by-product, and the factor of `A` is only a metric: its rounding errors do not move the fixed
-//! point.
+//! In delta form: `x -= A^-1 g(x)`, where `A = Q^T Q` is the normal matrix and
+//! `g(x) = A x - Q^T p(x)` half the gradient of the total energy (Appendix A). The local step gives
+//! `g` as a by-product, and the factor of `A` is only a metric: its rounding errors do not move the
+//! fixed point.
 //!
 //! | file | holds |
 //! |---|---|

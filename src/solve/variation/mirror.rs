@@ -4,19 +4,19 @@ use super::vectors::{COUNT, principal};
 use crate::constraint::Row;
 use crate::math::{argsort, key_of_number};
 
-/// Vertices are mirror images up to this part of the size: shapes come from iterations.
+/// Vertices are mirror images up to this fraction of the size, because shapes come from iterations.
 const NEAR: f64 = 1e-4;
 
 /// A plane of symmetry.
 pub(super) struct Mirror {
     normal: [f64; 3],
-    /// The node that each node of a vertex is the image of; others are their own.
+    /// The node whose mirror image each node of a vertex is; other nodes map to themselves.
     image: Vec<u32>,
 }
 
 impl Mirror {
-    /// The mirrors across coordinate planes and principal planes of the nodes of vertices, `nodes`, at positions `at`,
-    /// on a model of this `size`.
+    /// Finds the mirrors across coordinate planes and principal planes of `nodes`, the nodes of
+    /// vertices, at positions `at` on a model of this `size`.
     pub(super) fn all(at: &[Row], nodes: &[u32], size: f64) -> Vec<Mirror> {
         let n = nodes.len() as f64;
         let mean: [f64; 3] =
@@ -32,7 +32,7 @@ impl Mirror {
         let principal = axes.into_iter().map(|axis| [axis[0], axis[1], axis[2]]);
         let principal = principal.filter(|axis| dot(*axis, *axis) > 0.5);
         let coordinate = (0..3).map(|c| std::array::from_fn(|k| f64::from(u8::from(k == c))));
-        // Sorted along a direction that no plane of symmetry is likely to have for its own.
+        // Sorted along a direction that is unlikely to be the normal of a plane of symmetry.
         let key = |p: [f64; 3]| dot(p, [0.532, 0.301, 0.791]);
         let points: Vec<[f64; 3]> = nodes.iter().map(|&node| relative(node)).collect();
         let order = argsort(points.iter().map(|&p| key_of_number(key(p))));

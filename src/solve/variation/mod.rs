@@ -1,14 +1,15 @@
-//! The shape space of a shape whose hard constraints are met: its softest ways to change while they stay met
-//! (the tangent space of Yang, Yang, Pottmann, Mitra 2011, by projections alone), and the way back onto the
-//! constraints from a step along them.
+//! The shape space of a shape whose hard constraints are met: its softest variations that keep them
+//! met (the tangent space of Yang, Yang, Pottmann, Mitra 2011, from projections only), and the
+//! return onto the constraints after a step along them.
 //!
-//! The energy is that of smoothness of the displacement, and a little of the displacement itself. One factor of the
-//! system of blocks serves all modes; a step takes another one, and a few triangular sweeps.
+//! The energy is that of smoothness of the displacement, and a little of the displacement itself.
+//! One factor of the block system serves all modes; a step needs another one, and a few triangular
+//! sweeps.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `vectors` | a few vectors over all unknowns |
-//! | `motions` | translations, rotations and scaling, which are no variations |
+//! | `motions` | translations, rotations and scaling, which are not variations |
 //! | `subspace` | the iteration for the softest directions |
 //! | `mirror` | planes of symmetry |
 //! | `modes` | the modes that are shown |

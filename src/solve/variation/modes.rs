@@ -1,4 +1,5 @@
-//! The modes that are shown: the softest directions, tangent, of the symmetry of the shape, each to its better side.
+//! The modes that are shown: the softest directions, made tangent and symmetric, and oriented
+//! outwards.
 
 use super::mirror::Mirror;
 use super::subspace::Subspace;
@@ -8,29 +9,31 @@ use crate::math::{Vec3, argsort, key_of_number};
 use crate::mesh::Point;
 use crate::solve::exact::block_system::BlockSystem;
 
-/// Coefficients of modes go this far to either side, as a part of the size.
+/// Coefficients of modes range this far to either side, as a fraction of the size.
 pub const SLIDE: f64 = 0.1;
 
-/// A direction that loses more of its length where it is made tangent is none of the shape space.
+/// A direction that loses more than this fraction of its length when it is made tangent is not in
+/// the shape space.
 const TANGENT: f64 = 0.5;
 
-/// A mode counts as symmetric, or as antisymmetric, up to this.
+/// A mode counts as symmetric or antisymmetric from this absolute parity on.
 const ALMOST: f64 = 0.99;
 
-/// A way to change a shape.
+/// A variation of a shape.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variation {
-    /// `#V by 3`: the displacement, whose longest row has the size of the model. A coefficient of a hundredth moves
-    /// the vertex that goes farthest by a hundredth of the size.
+    /// `#V by 3`: the displacement, whose longest row has the size of the model. A coefficient of a
+    /// hundredth moves the vertex that moves farthest by a hundredth of the size.
     pub displacement: Vec<Point>,
-    /// How stiff the shape is against it, for comparison with other modes.
+    /// The stiffness of the shape against it, for comparison with other modes.
     pub stiffness: f64,
-    /// The least and the greatest coefficient with which the constraints can be met, from [`SLIDE`] below zero to that
-    /// above; none while it is not known.
+    /// The least and the greatest coefficient for which the constraints can be met, from minus
+    /// [`SLIDE`] to [`SLIDE`]; `None` until it is known.
     pub range: Option<[f64; 2]>,
 }
 
-/// The modes of a subspace, `#nodes` each, of length one, the softest first, with their stiffness.
+/// Returns the modes of a subspace, `#nodes` each, of length one, the softest first, with their
+/// stiffness.
 pub(super) fn modes(
     system: &mut BlockSystem,
     mut subspace: Subspace,
@@ -63,9 +66,9 @@ pub(super) fn modes(
     order.iter().map(|&k| std::mem::take(&mut modes[k as usize])).collect()
 }
 
-/// Turns the vectors of a subspace so that each is symmetric or antisymmetric about every mirror, where they can be;
-/// gives how much, from -1 to 1, for each mirror. Nothing is turned, and none given, where the constraints are not
-/// symmetric.
+/// Mixes the vectors of a subspace so that each is symmetric or antisymmetric about every mirror,
+/// if possible. Returns their parities, from -1 to 1, for each mirror. If the constraints are not
+/// symmetric, changes nothing and returns no parities.
 fn symmetrise(
     subspace: &mut Subspace,
     compliances: &mut [f64; COUNT],
@@ -83,7 +86,7 @@ fn symmetrise(
     if images.is_empty() {
         return Vec::new();
     }
-    // What commutes is diagonal together, also where compliances are equal.
+    // Commuting matrices share an eigenbasis, even with repeated compliances.
     let mut sum: Products = [[0.0; COUNT]; COUNT];
     (0..COUNT).for_each(|k| sum[k][k] = compliances[k]);
     let mut weight = 0.1 * compliances[MODES - 1];
@@ -101,7 +104,7 @@ fn symmetrise(
     let parities: Vec<[f64; COUNT]> =
         images.iter().map(|image| std::array::from_fn(|k| along(image, k))).collect();
     let is_definite = |k: &usize| parities.iter().all(|parity| parity[*k].abs() > ALMOST);
-    // Of modes of equal compliance the last one may be without the others.
+    // The subspace may end between modes of equal compliance, so that some have no parity.
     if (0..MODES).filter(is_definite).count() < MODES / 2 {
         return Vec::new();
     }
@@ -116,15 +119,15 @@ fn squared(mode: &[Row]) -> f64 {
     mode.as_flattened().iter().map(|value| value * value).sum()
 }
 
-/// Whether the vertex that goes farthest goes outwards: along its normal, or away from the centre, or, where it goes
-/// across both, towards the first vertex that it goes along.
+/// Whether the vertex that moves farthest moves outwards: along its normal, or away from the
+/// centre, or, if it moves across both, towards the first vertex in whose direction it moves.
 pub(super) fn goes_outwards(displacement: &[Point], normals: &[Vec3<f64>], at: &[Point]) -> bool {
     const ALONG: f64 = 0.1;
     let n = at.len() as f64;
     let centre = at.iter().fold(Vec3::zero(), |sum, &p| sum + Vec3::from(p) * (1.0 / n));
     let lengths = || displacement.iter().map(|&d| Vec3::from(d).length());
     let longest = lengths().fold(0.0, f64::max);
-    // The first of those that go almost as far: mirror images go equally far.
+    // The first of those that move almost as far: mirror images move equally far.
     let Some(v) = lengths().position(|length| length >= 0.999 * longest) else { return true };
     let (way, from) = (Vec3::from(displacement[v]), Vec3::from(at[v]));
     let others = at.iter().map(|&p| Vec3::from(p) - from);

@@ -1,4 +1,5 @@
-//! Translations, rotations and scaling about the centre: those that keep the constraints are no variations.
+//! Translations, rotations and scaling about the centre. Those that keep the constraints are not
+//! variations.
 
 use super::vectors::{COUNT, Products, Vectors, principal};
 use crate::constraint::Row;
@@ -6,11 +7,12 @@ use crate::solve::exact::block_system::BlockSystem;
 
 const MOTIONS: usize = 7;
 
-/// A motion of length one keeps the constraints whose part across them, squared, is less.
+/// A motion of length one keeps the constraints if the square of its part across them is at most
+/// this.
 const KEPT: f64 = 1e-8;
 
-/// The combinations of such motions that keep the constraints of `system` and its fixed nodes, orthonormal; `at` are
-/// the positions of the nodes, and `nodes` those of vertices.
+/// Returns the combinations of such motions that keep the constraints of `system` and its fixed
+/// nodes, orthonormal. `at` are the positions of the nodes, and `nodes` those of vertices.
 pub(super) fn kept_motions(system: &mut BlockSystem, at: &[Row], nodes: &[u32]) -> Vectors {
     let n = nodes.len() as f64;
     let mut centre = [0.0; 3];
@@ -50,7 +52,7 @@ pub(super) fn kept_motions(system: &mut BlockSystem, at: &[Row], nodes: &[u32]) 
         }
     }
     motions.mix(&factors);
-    // Those that were combinations of others, on a line of vertices, are zero still.
+    // Motions that are combinations of others, as for vertices on a line, are still zero.
     motions.orthonormalise();
     motions
 }

@@ -1,4 +1,4 @@
-//! The modes of a shape, and steps along them: added up, and brought back onto the constraints.
+//! The modes of a shape, and steps along them, which are brought back onto the constraints.
 
 use super::mirror::Mirror;
 use super::modes::{SLIDE, Variation, goes_outwards, modes};
@@ -18,70 +18,74 @@ use crate::solve::{
 };
 use std::collections::VecDeque;
 
-/// See [`Polish::new`]: little, so that soft modes differ.
+/// See [`Polish::new`]: small, so that soft modes differ.
 const HELD: f64 = 1e-5;
 
-/// Factors of a step at most, and of one that is only tried to find the range of a mode.
+/// Greatest number of factors of a step, and of one that is only tried to find the range of a mode.
 const MOST_FACTORS: u32 = 8;
 const MOST_FACTORS_TRIED: u32 = 3;
 
-/// The end of a range is found to a part of [`SLIDE`] by halving so often.
+/// Number of halvings that find the end of a range.
 const HALVINGS: u32 = 3;
 
-/// A step that is not possible is tried again with these parts of it.
+/// If a step is not possible, these fractions of it are tried.
 const SHORTER: [f64; 4] = [1.0, 0.75, 0.5, 0.25];
 
-/// Constraints bring a step back by no more than this part of its way: beyond, it goes elsewhere.
+/// Constraints bring a step back by at most this fraction of its length: beyond, it leads
+/// elsewhere.
 const MOST_BACK: f64 = 0.5;
 
-/// A shape whose hard constraints are met, and its softest ways to change.
+/// A shape whose hard constraints are met, and its softest variations.
 pub struct ShapeSpace {
     model: Model,
     /// Brings steps back.
     polish: Polish,
     /// `#V by 3`: the shape.
     shape: Vec<Point>,
-    /// The normals of the vertices, of any length.
+    /// The unit normals of the vertices, or zero.
     normals: Vec<Vec3<f64>>,
-    /// Until the modes are found, with the system that says how soft they are.
+    /// The system that defines the stiffness of the modes, with the iteration; `None` once they are
+    /// found.
     subspace: Option<(Subspace, BlockSystem)>,
     modes: Vec<Variation>,
     untried: VecDeque<Trial>,
-    /// Whether the factor at hand is that of the shape.
+    /// Whether the current factor is that of the shape.
     is_at_shape: bool,
-    /// The constraints that nothing holds at the shape: edges that are longer than they have to be.
+    /// The constraints that are not held at the shape: edges that are longer than required.
     free: Vec<bool>,
-    /// Whether nothing is required within a distance: the factor of the shape serves steps from it then.
+    /// Whether nothing is required within a distance: the factor of the shape then serves steps
+    /// from it.
     is_exact: bool,
 }
 
-/// The end of the range of a mode that is to be found.
+/// A search for one end of the range of a mode.
 struct Trial {
     mode: usize,
     side: usize,
-    /// The coefficients, without their sign, that are known to be possible, and not to be.
+    /// The greatest possible and the least impossible coefficient so far, without their sign.
     between: [f64; 2],
     halvings: u32,
 }
 
-/// A step along some modes.
+/// The result of a step along some modes.
 #[derive(Clone, Debug)]
 pub struct Reached {
     /// `#V by 3`.
     pub positions: Vec<Point>,
-    /// The part of the step that was taken; the rest is not possible.
+    /// The fraction of the step that was taken; the rest is not possible.
     pub part: f64,
-    /// How well the constraints are met; what has moved is the way from the shape.
+    /// How well the constraints are met; displacements are relative to the shape.
     pub answer: ExactAnswer,
 }
 
 impl ShapeSpace {
-    /// Of the positions `shape`, `#V by 3`, where the hard rows of `problem` are met; its weights and soft rows do not
-    /// count. Fixed handles stay, soft ones do not count. What is required within a distance is kept as it is for the
-    /// directions, and within the distance for the steps.
+    /// Creates the shape space at the positions `shape`, `#V by 3`, where the hard rows of
+    /// `problem` are met. Its weights and soft rows are ignored. Fixed handles stay, soft ones are
+    /// ignored. A constraint within a distance is kept unchanged by the directions, and within the
+    /// distance by the steps.
     ///
     /// # Errors
-    /// When the system is not positive definite.
+    /// If the system is not positive definite.
     pub fn new(
         problem: &Problem<'_>,
         requirements: &Requirements<'_>,
@@ -108,7 +112,7 @@ impl ShapeSpace {
         let mut held: Vec<Handle> = handles.iter().filter(is_fixed).copied().collect();
         held.extend(alone(&problem, &held, shape));
         let mut model = Model::new(&problem, &requirements, &held, shape, cache);
-        // The little that is added to the metric holds them: the shape goes where it likes.
+        // The small addition to the metric holds them: the shape is free to move.
         for &vertex in &model.holding.pinned {
             let node = model.parts.system.node_of()[vertex as usize];
             model.holding.fixed[node as usize] = false;
@@ -133,11 +137,11 @@ impl ShapeSpace {
         })
     }
 
-    /// Goes on to find the modes, or, once they are found, their ranges, by one iteration or one trial; whether there
-    /// is more to do.
+    /// Performs one iteration for the modes, or, once they are found, one trial for their ranges;
+    /// returns whether there is more to do.
     ///
     /// # Errors
-    /// When a system is not positive definite.
+    /// If a system is not positive definite.
     pub fn step(&mut self) -> Result<bool, SolveError> {
         match &mut self.subspace {
             Some((subspace, system)) => {
@@ -150,18 +154,19 @@ impl ShapeSpace {
         Ok(self.subspace.is_some() || !self.untried.is_empty())
     }
 
-    /// The modes, the softest first; none while they are not found. There are fewer than eight where the shape has
-    /// fewer ways to change.
+    /// The modes, the softest first; empty until they are found. There are fewer than eight if the
+    /// shape has fewer variations.
     pub fn modes(&self) -> &[Variation] {
         &self.modes
     }
 
-    /// Whether the modes are found; their ranges may not be.
+    /// Whether the modes are found; their ranges may not be known yet.
     pub fn has_modes(&self) -> bool {
         self.subspace.is_none()
     }
 
-    /// The shape, `#V by 3`, plus the modes times these coefficients, where they are not brought back yet.
+    /// The shape, `#V by 3`, plus the modes times these coefficients, not yet brought back onto the
+    /// constraints.
     pub fn towards(&self, coefficients: &[f64]) -> Vec<Point> {
         let mut positions = self.shape.clone();
         for (mode, coefficient) in self.modes.iter().zip(coefficients).filter(|(_, c)| **c != 0.0) {
@@ -172,16 +177,17 @@ impl ShapeSpace {
         positions
     }
 
-    /// Goes along the modes with these coefficients, and back onto the constraints; as far as it is possible.
+    /// Moves along the modes with these coefficients, and back onto the constraints, as far as
+    /// possible.
     ///
     /// # Errors
-    /// When a system is not positive definite.
+    /// If a system is not positive definite.
     pub fn go(&mut self, coefficients: &[f64]) -> Result<Reached, SolveError> {
         let mut reached = 0.0;
         if coefficients.iter().any(|coefficient| *coefficient != 0.0) {
             for part in SHORTER {
                 let shorter: Vec<f64> = coefficients.iter().map(|c| part * c).collect();
-                // The factor of the shape may lead a long way elsewhere.
+                // The factor of the shape may lead far elsewhere.
                 let is_quick = part == 1.0
                     && self.is_exact
                     && self.bring_back(&shorter, MOST_FACTORS, true)?;
@@ -232,7 +238,7 @@ impl ShapeSpace {
         self.untried = untried.collect();
     }
 
-    /// Tries how far a mode goes to one side.
+    /// Tries how far a mode can go to one side.
     fn try_range(&mut self) -> Result<(), SolveError> {
         let Some(mut trial) = self.untried.pop_front() else { return Ok(()) };
         let middle = 0.5 * (trial.between[0] + trial.between[1]);
@@ -250,8 +256,8 @@ impl ShapeSpace {
         Ok(())
     }
 
-    /// Goes along the modes and back onto the constraints, with so many factors at most beside that of the shape, which
-    /// serves first where steps are to be quick; whether it got there.
+    /// Moves along the modes and back onto the constraints, with at most this many factors besides
+    /// that of the shape, which is used first if `from_shape`; returns whether that succeeded.
     fn bring_back(
         &mut self,
         coefficients: &[f64],
@@ -262,7 +268,7 @@ impl ShapeSpace {
         let (model, polish) = (&mut self.model, &mut self.polish);
         polish.restart(false);
         if from_shape {
-            // Before a factor that would not serve.
+            // Checked before computing a factor that would not serve.
             if polish.system.is_violated(model, &there, &self.free) {
                 return Ok(false);
             }
@@ -285,7 +291,7 @@ impl ShapeSpace {
             self.is_at_shape &= goes.is_ok() && polish.factors == began;
             let goes = match goes {
                 Ok(polished) => polished == Polished::Goes,
-                // A step too far may leave what can be factored.
+                // After a step too far the matrix may not be positive definite.
                 Err(SolveError::NotPositiveDefinite { .. }) => false,
                 Err(error) => return Err(error),
             };
@@ -306,7 +312,7 @@ impl ShapeSpace {
     }
 }
 
-/// The positions of the model by nodes of a system of blocks.
+/// The positions of the model by nodes of a block system.
 fn by_node(system: &BlockSystem, model: &Model) -> Vec<Row> {
     let mut at = vec![[0.0; 4]; system.size()];
     for (&own, &node) in system.node_of().iter().zip(model.parts.system.node_of()) {
@@ -315,7 +321,7 @@ fn by_node(system: &BlockSystem, model: &Model) -> Vec<Row> {
     at
 }
 
-/// Handles for the vertices that neither a face nor a constraint has: nothing is asked of them.
+/// Handles for the vertices without a face or a constraint, which nothing else determines.
 fn alone<'a>(
     problem: &'a Problem<'_>,
     held: &[Handle],
@@ -333,7 +339,7 @@ fn alone<'a>(
     })
 }
 
-/// Normals of the vertices, each as long as twice the area around it.
+/// Unit normals of the vertices, weighted by area; zero if there is none.
 fn normals(mesh: &Mesh, shape: &[Point]) -> Vec<Vec3<f64>> {
     let mut normals = vec![Vec3::zero(); shape.len()];
     for face in mesh.faces.iter() {

@@ -1,14 +1,14 @@
-//! The softest directions along the constraints, by subspace iteration: the inverse of the factored matrix hardly
-//! passes anything across them. Beside it the motions are left out, so that what is iterated is symmetric, and its
-//! greatest eigenvalues are the compliances.
+//! The softest directions along the constraints, by subspace iteration: the inverse of the factored
+//! matrix almost cancels components across them. The motions are subtracted too, so that the
+//! iterated operator is symmetric, and its greatest eigenvalues are the compliances.
 
 use super::vectors::{COUNT, MODES, Vectors, principal};
 use crate::solve::exact::block_system::BlockSystem;
 
-/// Iterations at most; five to forty are usual.
+/// Greatest number of iterations; five to forty are usual.
 const ITERATIONS: u32 = 60;
 
-/// It has converged when no compliance of a mode grows by more than this part.
+/// The iteration has converged when no compliance of a mode grows by more than this fraction.
 const GAIN: f64 = 1e-4;
 
 /// The iteration.
@@ -21,7 +21,7 @@ pub(super) struct Subspace {
 }
 
 impl Subspace {
-    /// From vectors that are like noise.
+    /// Starts from pseudo-random vectors.
     pub(super) fn new(system: &BlockSystem, motions: Vectors) -> Subspace {
         let mut vectors = Vectors::zero(system.size());
         let mut state = 1_u32;
@@ -36,7 +36,7 @@ impl Subspace {
         Subspace { vectors, compliances: [0.0; COUNT], motions, iterations: 0 }
     }
 
-    /// One iteration; whether there is more to gain.
+    /// Performs one iteration; returns whether there is more to gain.
     pub(super) fn iterate(&mut self, system: &BlockSystem) -> bool {
         let mut next = self.vectors.clone();
         next.solve(system);

@@ -1,27 +1,28 @@
-//! A few vectors over all unknowns: x, y and z of every node. Four of them are solved for at once.
+//! A few vectors over all unknowns (x, y and z of every node), solved for in groups of four.
 
 use crate::constraint::Row;
 use crate::math::{argsort, key_of_number, symmetric_eigen};
 use crate::solve::exact::block_system::BlockSystem;
 
-/// How many. Those beyond the modes make these converge sooner.
+/// Number of vectors. Those beyond the modes make the modes converge sooner.
 pub(super) const COUNT: usize = 12;
 
-/// Modes at most.
+/// Greatest number of modes.
 pub(super) const MODES: usize = 8;
 
-/// A vector with less of its length than this outside the ones before it is one of their combinations.
+/// A vector with less than this fraction of its length outside the span of the previous ones is a
+/// combination of them.
 const INDEPENDENT: f64 = 1e-9;
 
 /// Inner products of vectors.
 pub(super) type Products = [[f64; COUNT]; COUNT];
 
-/// The vectors, an entry of each for every unknown.
+/// The vectors: for every unknown, an entry of each.
 #[derive(Clone)]
 pub(super) struct Vectors(pub Vec<[f64; COUNT]>);
 
 impl Vectors {
-    /// All zero, over so many nodes.
+    /// Zero vectors over this many nodes.
     pub(super) fn zero(nodes: usize) -> Vectors {
         Vectors(vec![[0.0; COUNT]; 3 * nodes])
     }
@@ -57,7 +58,7 @@ impl Vectors {
         }
     }
 
-    /// Takes out what the orthonormal vectors of `basis` span.
+    /// Subtracts the components in the span of the orthonormal vectors of `basis`.
     pub(super) fn leave_out(&mut self, basis: &Vectors) {
         let along = basis.products(self);
         for (entries, basis) in self.0.iter_mut().zip(&basis.0) {
@@ -67,7 +68,8 @@ impl Vectors {
         }
     }
 
-    /// Makes them orthonormal, each against those before it; combinations of those become zero.
+    /// Orthonormalises the vectors, each against those before it; combinations of those become
+    /// zero.
     pub(super) fn orthonormalise(&mut self) {
         for j in 0..COUNT {
             let before = self.product(j, j).sqrt();
@@ -101,7 +103,7 @@ impl Vectors {
     }
 }
 
-/// The eigenvalues of a symmetric matrix, the greatest first, and the eigenvector of each.
+/// Returns the eigenvalues of a symmetric matrix, the greatest first, and the eigenvector of each.
 pub(super) fn principal(matrix: &Products) -> ([f64; COUNT], Products) {
     let symmetric: Products =
         std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (matrix[i][j] + matrix[j][i])));
