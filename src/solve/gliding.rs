@@ -101,13 +101,14 @@ impl Gliding {
         for glider in self.vertices.iter_mut().filter(|glider| !glider.taken) {
             let row = &mut gradient[glider.node as usize];
             let g = Vec3::new(row[0], row[1], row[2]);
-            let [back, on] = self.curves[glider.curve as usize].directions(glider.s);
-            let slope = |way: Option<Vec3<f64>>| way.map_or(0.0, |way| g.dot(way));
+            let [backward, forward] = self.curves[glider.curve as usize].directions(glider.s);
+            let slope = |along: Option<Vec3<f64>>| along.map_or(0.0, |along| g.dot(along));
             // At a vertex of the curve the energy can fall on both sides, or on neither.
-            let (rising, falling) = (slope(back).max(0.0), slope(on).min(0.0));
-            let (slope, way) = if rising > -falling { (rising, back) } else { (falling, on) };
+            let (rising, falling) = (slope(backward).max(0.0), slope(forward).min(0.0));
+            let (slope, direction) =
+                if rising > -falling { (rising, backward) } else { (falling, forward) };
             glider.slope = slope;
-            let along = way.unwrap_or(Vec3::zero()) * slope;
+            let along = direction.unwrap_or(Vec3::zero()) * slope;
             *row = [along.x, along.y, along.z, 0.0];
         }
     }

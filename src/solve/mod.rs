@@ -10,13 +10,13 @@
 //! | `local_frame` | coordinates relative to the centre of the model |
 //! | `rows` | vector operations on rows of numbers |
 //! | `assemble` | the normal matrix `Q^T Q` in compressed columns |
-//! | `system` | the linear system of the global step: matrix, factor, and when each is made |
+//! | `system` | the linear system of the global step: matrix, factor, and when each is computed |
 //! | `gliding` | boundary vertices that stay exactly on their curve |
 //! | `parts` | the components of a solver, built from a problem |
 //! | `solver` | the iteration |
 //! | `exact` | hard constraints: met exactly or within a tolerance |
 //! | `variation` | changes of a shape that keep its hard constraints met |
-//! | `accelerate` | steps that use the steps before |
+//! | `accelerate` | steps that use previous steps |
 //! | `setup_cache` | the data that one solver passes to the next |
 //! | `rest_projections` | projections at the rest shape, without a solver |
 //! | `conformal` | conformal parametrisation (Eq. 14) |

@@ -4,6 +4,7 @@
 //! mean of its singular values (Umeyama 1991). In space it needs no eigenvectors: with the unit
 //! normal `n` of the plane of `p` and `q`, it is the mean of the pair and of the pair obtained by
 //! turning each vector by a right angle towards the other,
+//!
 //! ```text
 //! u = (p + q x n) / 2,   w = (q + n x p) / 2,   n = p x q / |p x q|
 //! ```

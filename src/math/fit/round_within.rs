@@ -4,6 +4,7 @@
 //! nearest limit `r`, and the centre `c` minimises `sum (|v - c| - r)^2`. The centre starts at the
 //! mean of `v - r u`, where the unit vectors `u` point away from the fitted centre, and takes a
 //! fixed number of Newton steps with
+//!
 //! ```text
 //! gradient  mean ((r - |v - c|) u),    Hessian  mean (u u^T + k (I - u u^T)),   k = 1 - r / |v - c|
 //! ```
@@ -87,7 +88,7 @@ impl<S: Lane> RoundWithin<S> {
             }
             let gradient = centre + sum * (radius * inverse_n);
             let [xx, xy, xz, yy, yz, zz, rest] = hessian.map(|h| h * inverse_n);
-            // The points of a circle determine nothing along its normal: one in that direction.
+            // One along the normal of a circle, where the points carry no information.
             let out = normal * rest;
             let level = one - rest + S::splat(LEVEL);
             let hessian = Symmetric3 {
@@ -167,7 +168,6 @@ impl RoundWithin<f64> {
 /// along the shortest axis. A limit of more than a million times the size of the points gives a
 /// line along the longest axis (for a sphere, a plane along the two longest). Coincident points
 /// stay. If the radius must be zero, all points go to their mean.
-/// must be zero all points go to their mean.
 #[derive(Clone, Copy, Debug)]
 pub struct PrincipalRound {
     /// The principal axes of the points.

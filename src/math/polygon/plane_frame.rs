@@ -9,8 +9,8 @@ const NEGLIGIBLE: f64 = 4.0 * f64::EPSILON;
 /// `y` by less than 180 degrees goes from `e` to `f`.
 ///
 /// For parallel vectors `f` is orthogonal to them, in their plane with one of the coordinate axes
-/// farthest from them. The vectors must be finite with squares in the range of `f64`, and one of
-/// them must not be zero.
+/// farthest from them. The vectors must be finite with squares in the range of `f64`, and at least
+/// one of them nonzero.
 #[inline(always)]
 pub fn plane_frame<S: Lane>(x: Vec3<S>, y: Vec3<S>) -> [Vec3<S>; 2] {
     let (xx, yy) = (x.length_squared(), y.length_squared());

@@ -1,5 +1,5 @@
-//! Steps that use the steps before them, so that stiff problems need tens of iterations where the
-//! plain two-step iteration needs thousands.
+//! Steps that use previous steps, so that stiff problems need tens of iterations where the plain
+//! two-step iteration needs thousands.
 //!
 //! An accelerator works on positions, half gradients and the inverse of the normal matrix,
 //! independent of the geometry. It proposes a step; the solver accepts it only if the energy falls,

@@ -2,10 +2,10 @@
 //! Methods for Real-Time Simulation of Hyperelastic Materials, 2017, section 4). With an empty
 //! window it is exactly the plain two-step iteration.
 //!
-//! The memory is in single precision, like the metric: what is learnt from steps is no more
-//! accurate than that, and reading it is most of the extra cost of an accelerated iteration. For
-//! the same reason the two-loop recursion (Nocedal and Wright, Algorithm 7.4) is written in inner
-//! products, computed for all vectors at once, one block of rows at a time.
+//! The memory is in single precision, like the metric: curvature learnt from steps is no more
+//! accurate, and reading it is most of the extra cost of an accelerated iteration. For the same
+//! reason the two-loop recursion (Nocedal and Wright, Algorithm 7.4) is written in inner products,
+//! computed for all vectors at once, one block of rows at a time.
 
 use super::iterate::Iterate;
 use crate::constraint::Row;

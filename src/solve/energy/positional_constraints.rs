@@ -37,11 +37,11 @@ pub struct HandleIndex {
 impl HandleIndex {
     /// Indexes `handles`, at most one for each vertex, on a mesh of `n_vertices`.
     pub fn new(n_vertices: usize, handles: &[Handle]) -> HandleIndex {
-        let mut places = HandleIndex { places: vec![None; n_vertices] };
+        let mut index = HandleIndex { places: vec![None; n_vertices] };
         for (place, handle) in handles.iter().enumerate() {
-            places.insert(handle.vertex, place);
+            index.insert(handle.vertex, place);
         }
-        places
+        index
     }
 
     /// The index of the handle of `vertex`, if it has one.

@@ -36,7 +36,7 @@ impl Moved {
     pub fn of(lengths: impl ExactSizeIterator<Item = f64>) -> Moved {
         let count = lengths.len().max(1) as f64;
         let (max, sum) =
-            lengths.fold((0.0, 0.0), |(max, sum), way| (Lane::max(way, max), sum + way));
+            lengths.fold((0.0, 0.0), |(max, sum), length| (Lane::max(length, max), sum + length));
         Moved { max, mean: sum / count }
     }
 }
@@ -53,7 +53,8 @@ pub struct Improved {
     pub steps: u32,
 }
 
-/// How well hard constraints are met, and what that cost. Lengths are in the unit of the mesh.
+/// How well hard constraints are met, and the cost of meeting them. Lengths are in the unit of the
+/// mesh.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ExactAnswer {
     /// The greatest distance of a vertex to the shape of a hard constraint, at the output

@@ -48,7 +48,7 @@ pub fn least_move(mesh: &Mesh, constraints: &[Constraints]) -> Moved {
         }
     }
     let step = conditions.least_step(x.len());
-    Moved::of(step.iter().map(|way| way.length()))
+    Moved::of(step.iter().map(|displacement| displacement.length()))
 }
 
 /// Linear conditions `direction . (residual + change) = 0` on the points of single constraints.

@@ -170,8 +170,8 @@ impl ShapeSpace {
     pub fn towards(&self, coefficients: &[f64]) -> Vec<Point> {
         let mut positions = self.shape.clone();
         for (mode, coefficient) in self.modes.iter().zip(coefficients).filter(|(_, c)| **c != 0.0) {
-            for (point, way) in positions.iter_mut().zip(&mode.displacement) {
-                (0..3).for_each(|c| point[c] += coefficient * way[c]);
+            for (point, offset) in positions.iter_mut().zip(&mode.displacement) {
+                (0..3).for_each(|c| point[c] += coefficient * offset[c]);
             }
         }
         positions
@@ -306,9 +306,9 @@ impl ShapeSpace {
                 .map(|(a, b)| (0..3).map(|c| (a[c] - b[c]) * (a[c] - b[c])).sum::<f64>());
             away.fold(0.0, f64::max).sqrt()
         };
-        let (way, back) = (farthest(&from, &model.start), farthest(&from, &model.x));
+        let (length, back) = (farthest(&from, &model.start), farthest(&from, &model.x));
         // Written so that NaN is not possible.
-        Ok(back <= MOST_BACK * way + goal)
+        Ok(back <= MOST_BACK * length + goal)
     }
 }
 
