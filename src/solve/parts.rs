@@ -254,8 +254,8 @@ impl Holding {
     }
 }
 
-/// Marks components with nodes on both sides, decoupled and not, as held: neither block of the
-/// matrix contains all of their nodes, so both are regular.
+/// Marks components with both decoupled and other nodes as held: neither block of the matrix
+/// contains all nodes of such a component, so both are regular.
 fn hold_both_sides(system: &System, held: &mut [bool]) {
     let (components, apart) = (system.components(), system.apart());
     let mut sides = vec![[false; 2]; components.len()];

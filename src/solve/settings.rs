@@ -113,8 +113,8 @@ pub enum Accelerator {
 /// `c(v)`: the point that a vertex is kept close to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ClosenessTo {
-    /// The closest point on the rest surface; without faces on the curves, without curves among the
-    /// points.
+    /// The closest point of the rest surface; of the curves if there are no faces, of the points if
+    /// there are no curves either.
     #[default]
     Surface,
     /// The vertex's own rest position.

@@ -105,8 +105,8 @@ fn largest(x: &[Row]) -> f64 {
     largest.into_iter().fold(0.0, Lane::max)
 }
 
-/// The greatest power of two not above `x`, a positive number. It is clamped to 1e-200..1e200:
-/// values beyond are negligible or not finite.
+/// The greatest power of two not above `x`, which is positive and clamped to 1e-200..1e200: values
+/// beyond are negligible or not finite.
 fn power_of_two(x: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     f64::from_bits(x.clamp(1e-200, 1e200).to_bits() & EXPONENT)

@@ -7,10 +7,10 @@
 //! fill-reducing order, symbolic analysis, numeric factorisation, triangular sweeps.
 //!
 //! [`Factorization`] chooses between two numeric factorisations. `sprs-ldl` computes one column
-//! after another and serves small systems, which it factors within a frame; the other computes
-//! dense blocks of columns (supernodes), which is several times faster for many unknowns. Both fill
-//! the same panels, which are swept in single or double precision and support rank-1 updates that
-//! add vertices.
+//! after another and serves small systems, which it factors in the time that a frame can spare; the
+//! other computes dense blocks of columns (supernodes), which is several times faster for many
+//! unknowns. Both fill the same panels, which are swept in single or double precision and support
+//! rank-1 updates that add vertices.
 //!
 //! | file | holds |
 //! |---|---|

@@ -4,7 +4,8 @@ use crate::constraint::Row;
 use crate::mesh::{Laplacian, Ragged};
 use crate::solve::assemble::Terms;
 
-/// Number of nodes per call of `laplace`, so that the function is entered often.
+/// Number of nodes per call of `laplace`: V8 replaces wasm functions by optimised code only between
+/// calls.
 const BLOCK: usize = 64;
 
 /// The terms of `L^T L` over vertices: one for each row `sum_j w_ij (l_j - l_i)`.
@@ -22,7 +23,7 @@ pub(crate) fn terms(laplacian: &Laplacian) -> Terms {
 }
 
 /// Springs along edges that are at least as stiff as `L^T L`, by the inequality of Cauchy and
-/// Schwarz for each of its rows. They couple only neighbours, `L^T L` also neighbours of
+/// Schwarz for each of its rows. They couple only neighbours. `L^T L` also couples neighbours of
 /// neighbours: on a mesh of quads its factor has twice the nonzeros, and takes four times as long.
 pub(crate) fn springs(laplacian: &Laplacian) -> Terms {
     let mut terms = Terms::default();

@@ -32,7 +32,7 @@ pub struct Moved {
 }
 
 impl Moved {
-    /// Computes this from the distance of each vertex.
+    /// Computes this from the distance that each vertex moved.
     pub fn of(lengths: impl ExactSizeIterator<Item = f64>) -> Moved {
         let count = lengths.len().max(1) as f64;
         let (max, sum) =

@@ -55,7 +55,7 @@ pub(super) const PATIENCE: u32 = 900;
 /// and must still resolve the energies.
 const MOST: f64 = 1e5;
 
-/// The approach stands still after this number of rounds, of at most this number of iterations,
+/// The approach stands still after `STILL.0` consecutive rounds of at most `STILL.1` iterations
 /// that end at the same distance.
 const STILL: (u32, u32) = (6, 3);
 

@@ -25,8 +25,8 @@ const MOST_FACTORS: u32 = 2;
 const SHORTEST: f64 = 1.0 / 64.0;
 const LONGEST: f64 = 4.0;
 
-/// The improvement ends when less than this fraction of the energy is gained by each of this number
-/// of consecutive steps.
+/// The improvement ends after `LITTLE.1` consecutive steps that gain less than the fraction
+/// `LITTLE.0` of the energy.
 const LITTLE: (f64, u32) = (2e-4, 3);
 
 /// A step gains at least this fraction of what its slope predicts (Armijo's condition).

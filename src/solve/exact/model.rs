@@ -175,7 +175,8 @@ impl Model {
     }
 }
 
-/// The terms of soft rows without extra unknowns: constraints on many points hold each of them.
+/// The terms of soft rows without extra unknowns: constraints on many points hold each point by
+/// itself.
 fn without_means(rows: &[Constraints], mean_centring: bool) -> Terms {
     let is_big = |row: &Constraints, members: &[u32]| {
         row.kind.info().centring == Centring::Together && members.len() > BIG

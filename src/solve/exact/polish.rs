@@ -18,8 +18,8 @@ const MOST_STEPS: u32 = 20;
 const SOFTER: f64 = 30.0;
 const STIFFER: f64 = 10.0;
 
-/// This number of full steps with a fresh factor that gain nothing show a contradiction; all other
-/// constraints are met by then.
+/// A contradiction is detected after this number of full steps with a fresh factor that gain
+/// nothing; all other constraints are met by then.
 const STUCK: u32 = 6;
 
 /// A step meets the linearised constraints except for this fraction: the shape itself is less
@@ -92,8 +92,8 @@ impl Polish {
         }
     }
 
-    /// Restarts from other positions: with bold steps, or, if `damped`, only with steps that gain,
-    /// shortened by softer springs.
+    /// Restarts from other positions: with steps that need not gain, or, if `damped`, with steps
+    /// that must, which softer springs shorten.
     pub(in crate::solve) fn restart(&mut self, damped: bool) {
         (self.left, self.stuck, self.damped) = (0, 0, damped);
         self.system.stiffen(f64::INFINITY);

@@ -189,7 +189,7 @@ impl Solver {
     pub fn converged(&self) -> bool {
         self.converged
     }
-    /// Whether the last step did not lead to the least-squares solution for its projections.
+    /// Whether the last step was not the plain one, the least-squares solution for its projections.
     pub fn accelerated(&self) -> bool {
         self.accelerated
     }

@@ -8,7 +8,7 @@ use crate::solve::clock;
 use crate::solve::energy::Energy;
 use crate::solve::error::SolveError;
 
-/// Greatest number of times that a step along curves is shortened; the last time it becomes zero.
+/// Greatest number of reductions of a step along curves; the last one makes it zero.
 const SHORTENED: u32 = 12;
 
 impl Solver {

@@ -81,8 +81,8 @@ pub struct Reached {
 impl ShapeSpace {
     /// Creates the shape space at the positions `shape`, `#V by 3`, where the hard rows of
     /// `problem` are met. Its weights and soft rows are ignored. Fixed handles stay, soft ones are
-    /// ignored. A constraint within a distance is kept unchanged by the directions, and within the
-    /// distance by the steps.
+    /// ignored. The directions keep constraints "within a distance" as they are; the steps keep
+    /// them within the distance.
     ///
     /// # Errors
     /// If the system is not positive definite.
