@@ -1,15 +1,15 @@
-//! A fault in a JSON document, with its path.
+//! An error in a JSON document, with its JSON path.
 
 use super::tree::Tree;
 use serde::de::{self, Unexpected};
 use std::fmt;
 
-/// A fault in a JSON document.
+/// An error in a JSON document.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct JsonError {
     /// JSON path, such as `constraints[2].on.set`; empty for the whole document.
     pub(crate) path: String,
-    /// The fault, and what was expected instead.
+    /// What is wrong, and what was expected instead.
     pub(crate) message: String,
 }
 
@@ -18,7 +18,7 @@ impl JsonError {
         JsonError { path: path.into(), message: message.into() }
     }
 
-    /// The same fault, seen from one level above.
+    /// Returns this error with `step` prepended to its path.
     pub(crate) fn below(mut self, mut step: String) -> JsonError {
         if !(self.path.is_empty() || self.path.starts_with('[')) {
             step.push('.');
@@ -45,14 +45,14 @@ impl JsonError {
         JsonError::new("", format!("unknown key `{key}`, known here: {}", known.join(", ")))
     }
 
-    /// The key that an object should have and has not, where that is the fault.
+    /// Returns the key that the object lacks, if that is the error.
     pub(crate) fn missing_key(&self) -> Option<&str> {
         self.message.strip_prefix('`')?.strip_suffix("` is missing")
     }
 }
 
-/// Stands before and after the path where serde hands an error on as text, as `try_from` does: no path has
-/// this character.
+/// Delimits the path in the text of an error. Serde converts the errors of `try_from` to text; the
+/// marks let [`de::Error::custom`] recover the path. No path contains this character.
 const MARK: char = '\u{1}';
 
 impl fmt::Display for JsonError {
@@ -104,12 +104,12 @@ impl de::Error for JsonError {
     }
 }
 
-/// "found ..., expected ..."
+/// An error of the form "found ..., expected ...".
 pub(crate) fn found(value: impl Into<Tree>, expected: &str) -> JsonError {
     JsonError::found(&value.into().describe(), expected)
 }
 
-/// The serde messages that name Rust types.
+/// Replaces the serde messages that name Rust types by plain words.
 fn plain(expected: &str) -> &str {
     match expected {
         "f64" => "a number",
@@ -124,7 +124,7 @@ fn plain(expected: &str) -> &str {
     }
 }
 
-/// Appends a key to a JSON path; one that is not a plain word is quoted.
+/// Appends a key to a JSON path, in brackets and quotes unless it is a plain word.
 pub(crate) fn push_key(path: &mut String, key: &str) {
     let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
     if key.is_empty() || !key.chars().all(plain) {

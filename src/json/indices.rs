@@ -1,25 +1,25 @@
-//! Index lists: a JSON array, or a string of ranges such as `"0-199,240"` with both ends included.
-//! The order of the list is kept, in and out. For serde's `with`.
+//! Index lists: a JSON array, or a string of inclusive ranges such as `"0-199,240"`. Reading and
+//! writing keep the order of the list. For serde's `with` attribute.
 
 use serde::de::{self, Deserialize, Deserializer, SeqAccess, Unexpected, Visitor};
 use std::cell::Cell;
 use std::fmt;
 
-/// How many indices the ranges of a document may stand for, all together: a few bytes of text stand for
-/// any number, and this many take 64 MiB.
+/// Upper bound on the number of indices that the ranges of one document expand to. A few bytes of
+/// text can stand for any number of indices; this many take 64 MiB.
 const MOST_INDICES: usize = 1 << 24;
 
 thread_local! {
-    /// How many indices the ranges of the document that is being read may still stand for.
+    /// How many more indices the ranges of the current document may expand to.
     static LEFT: Cell<usize> = const { Cell::new(MOST_INDICES) };
 }
 
-/// A document begins, whose ranges count anew.
+/// Resets the count at the start of a document.
 pub(crate) fn begin() {
     LEFT.set(MOST_INDICES);
 }
 
-/// A list as serde reads it.
+/// A list of indices that serde deserializes from either form.
 pub(crate) struct Indices(pub(crate) Vec<u32>);
 
 pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<u32>, D::Error> {
@@ -101,14 +101,14 @@ fn read_ranges(text: &str) -> Result<Vec<u32>, String> {
     Ok(indices)
 }
 
-/// Digits only: `parse` alone would also take a sign.
+/// Parses digits only: `parse` alone would accept a sign.
 fn index(text: &str) -> Option<u32> {
     let text = text.trim();
     let digits = !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
     if digits { text.parse().ok() } else { None }
 }
 
-/// The list as JSON: an array, or the string of ranges where that is shorter.
+/// Writes the list as JSON: an array, or the string of ranges if that is shorter.
 pub(crate) fn write(indices: &[u32]) -> String {
     let mut ranges = String::new();
     let mut rest = indices;

@@ -1,14 +1,15 @@
-//! JSON: text to a tree, a tree to typed values whose errors name their place, and a tree to text.
+//! JSON: text to a tree, a tree to typed values, and a tree to text.
 //!
-//! Scene files, edits and the parameters of kinds are serde types. They are all read by one deserializer,
-//! so that each of them is compiled once, and by one that tracks the JSON path itself.
+//! Scene files, edits and the parameters of kinds are serde types. One deserializer reads all of
+//! them, so that each type is compiled once; it tracks the JSON path itself, for the error
+//! messages.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `tree` | the tree |
 //! | `parse` | text to a tree |
 //! | `read` | a tree to serde types |
-//! | `error` | a fault with its JSON path |
+//! | `error` | an error with its JSON path |
 //! | `indices` | lists of indices: arrays, or strings of ranges |
 
 mod error;

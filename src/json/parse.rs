@@ -1,21 +1,21 @@
 //! JSON text to a tree.
 //!
-//! Not by `serde_json::from_str`: what it reads numbers with, to the last bit, would be a fiftieth of the
-//! solver module, beside the same in the standard library, which mesh files are read with. And it takes the
-//! last of several values for one key, where somebody meant something with each.
+//! `serde_json::from_str` is not used, for two reasons. Its exact number parser would be a fiftieth
+//! of the solver module and duplicates that of the standard library, which reads mesh files. And it
+//! silently keeps the last of several values of one key, where a duplicate key should be an error.
 
 use super::error::JsonError;
 use super::tree::Tree;
 use serde_json::Number;
 use std::collections::BTreeSet;
 
-/// Arrays and objects in each other; deeper ones would exhaust the stack.
+/// Maximum nesting of arrays and objects; deeper documents would exhaust the stack.
 const MOST_LEVELS: usize = 128;
 
-/// The document as a tree, with or without a byte order mark before it.
+/// Parses a document, with or without a leading byte order mark.
 ///
 /// # Errors
-/// Text that is not JSON, or an object with the same key twice: with line and column.
+/// Text that is not JSON, or an object with a repeated key; the message has line and column.
 pub(crate) fn parse(text: &str) -> Result<Tree, JsonError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut parser = Parser { text, at: 0, level: 0 };
@@ -33,7 +33,7 @@ pub(crate) fn parse(text: &str) -> Result<Tree, JsonError> {
 
 struct Parser<'a> {
     text: &'a str,
-    /// The next byte; where a fault is.
+    /// Byte offset of the next byte, and of the error if parsing fails.
     at: usize,
     level: usize,
 }
@@ -41,7 +41,7 @@ struct Parser<'a> {
 type Parsed<T> = Result<T, String>;
 
 impl Parser<'_> {
-    /// The next byte that is not white space, which stays.
+    /// Skips white space and returns the next byte without consuming it.
     fn next(&mut self) -> Option<u8> {
         let rest = &self.text.as_bytes()[self.at..];
         let space = rest.iter().take_while(|byte| b" \t\r\n".contains(byte)).count();
@@ -87,7 +87,7 @@ impl Parser<'_> {
         format!("expected {what}{end}")
     }
 
-    /// The comma-separated entries between brackets.
+    /// Parses the comma-separated entries between brackets.
     fn items(&mut self, close: u8, mut item: impl FnMut(&mut Self) -> Parsed<()>) -> Parsed<()> {
         if self.level == MOST_LEVELS {
             return Err("recursion: arrays and objects are too deep in each other".to_owned());
@@ -143,7 +143,7 @@ impl Parser<'_> {
         Ok(string)
     }
 
-    /// The character that a backslash and what follows stand for.
+    /// Parses an escape sequence, from its backslash.
     fn escape(&mut self) -> Parsed<char> {
         let Some(letter) = self.text.as_bytes().get(self.at + 1) else {
             return Err("a text has no end".to_owned());
@@ -162,7 +162,7 @@ impl Parser<'_> {
         Ok(character)
     }
 
-    /// `\uXXXX`, or two of them for a character beyond 16 bits.
+    /// Parses `\uXXXX`, or a surrogate pair of two for a character beyond 16 bits.
     fn unicode(&mut self) -> Parsed<char> {
         let unit = |at: usize| {
             let digits = self.text.get(at..at + 6)?.strip_prefix("\\u")?;
@@ -199,7 +199,7 @@ impl Parser<'_> {
         }
         let number = match (word.parse::<u64>(), word.parse::<i64>()) {
             (Ok(whole), _) => Some(whole.into()),
-            // Minus zero is a float.
+            // -0 becomes a float, to keep its sign.
             (_, Ok(whole)) if whole != 0 => Some(whole.into()),
             _ => word.parse().ok().and_then(Number::from_f64),
         };

@@ -1,7 +1,7 @@
-//! A tree to serde types, with the JSON path of an error.
+//! Deserializes serde types from a tree, with the JSON path of an error.
 //!
-//! A deserializer of our own rather than one that wraps another: every type has its own copy of what
-//! reads it, so that this is a matter of size. An enum with fields is an object whose `type` names the
+//! We use a deserializer of our own, not a wrapper around another, because its code is instantiated
+//! for every type and must be small. An enum with fields is an object whose `type` names the
 //! variant.
 
 use super::error::JsonError;
@@ -13,20 +13,20 @@ use serde::de::{
 };
 use serde_json::{Number, Value};
 
-/// Reads a value.
+/// Deserializes a value.
 ///
 /// # Errors
-/// A value that does not fit, with its path below `value`.
+/// A value that does not fit; the path of the error is relative to `value`.
 pub(crate) fn read<T: DeserializeOwned>(value: &Value) -> Result<T, JsonError> {
     read_tree(&value.into())
 }
 
-/// The same of a document.
+/// Deserializes a document.
 pub(crate) fn read_tree<T: DeserializeOwned>(tree: &Tree) -> Result<T, JsonError> {
     T::deserialize(Reader(tree, None))
 }
 
-/// Of a key that may be absent: what is there has to be a value, which null is not.
+/// Deserializes a key that may be absent, but must not be null if it is present.
 pub(crate) fn present<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
     from: D,
 ) -> Result<Option<T>, D::Error> {
@@ -35,7 +35,7 @@ pub(crate) fn present<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
 
 const TAG: &str = "type";
 
-/// A JSON value to be read, without the entry of this key.
+/// A JSON value to be read, ignoring the entry with the given key.
 #[derive(Clone, Copy)]
 struct Reader<'de>(&'de Tree, Option<&'static str>);
 
@@ -164,7 +164,7 @@ impl<'de> Deserializer<'de> for Reader<'de> {
     ) -> Result<V::Value, JsonError> {
         match self.0 {
             Tree::Text(_) | Tree::Object(_) => visitor.visit_enum(self),
-            // Says what was found.
+            // Reports what was found.
             _ => self.deserialize_any(visitor),
         }
     }
@@ -175,7 +175,7 @@ impl<'de> Deserializer<'de> for Reader<'de> {
     }
 }
 
-/// A variant by its name alone, or an object that names it and has its fields.
+/// A variant is its name alone, or an object that contains its name and its fields.
 impl<'de> EnumAccess<'de> for Reader<'de> {
     type Error = JsonError;
     type Variant = Self;
@@ -221,7 +221,7 @@ fn key(word: &str) -> StrDeserializer<'_, JsonError> {
     word.into_deserializer()
 }
 
-/// The items of an array with their numbers.
+/// The items of an array with their indices.
 struct Items<'de>(std::iter::Enumerate<std::slice::Iter<'de, Tree>>);
 
 impl<'de> SeqAccess<'de> for Items<'de> {
@@ -240,7 +240,7 @@ impl<'de> SeqAccess<'de> for Items<'de> {
     }
 }
 
-/// The entries of an object, and the one whose key has been read.
+/// The entries of an object that remain, and the entry whose key has just been read.
 struct Entries<'de> {
     rest: std::slice::Iter<'de, (String, Tree)>,
     but: Option<&'static str>,
@@ -248,7 +248,7 @@ struct Entries<'de> {
 }
 
 impl<'de> Entries<'de> {
-    /// Goes on to the next entry. Not in every type's reader: a matter of size.
+    /// Advances to the next entry. Not inlined, to keep the code of each type small.
     #[inline(never)]
     fn advance(&mut self) -> Option<&'de str> {
         let next = self.rest.find(|(key, _)| self.but.is_none_or(|but| but != key));

@@ -1,4 +1,4 @@
-//! A JSON document as a tree that keeps the order of keys.
+//! A JSON document as a tree that keeps the order of the keys.
 
 use serde_json::{Number, Value};
 
@@ -10,25 +10,25 @@ pub(crate) enum Tree {
     Number(Number),
     Text(String),
     Array(Vec<Tree>),
-    /// Keys in the order of the document, none twice.
+    /// Keys in the order of the document, without duplicates.
     Object(Vec<(String, Tree)>),
 }
 
 impl Tree {
-    /// The value of `key` where this is an object that has it.
+    /// Returns the value of `key`, if this is an object that has it.
     pub(crate) fn get(&self, key: &str) -> Option<&Tree> {
         let Tree::Object(entries) = self else { return None };
         entries.iter().find(|(own, _)| own == key).map(|(_, value)| value)
     }
 
-    /// Takes an entry out of an object.
+    /// Removes an entry from an object and returns its value.
     pub(crate) fn remove(&mut self, key: &str) -> Option<Tree> {
         let Tree::Object(entries) = self else { return None };
         let at = entries.iter().position(|(own, _)| own == key)?;
         Some(entries.remove(at).1)
     }
 
-    /// For the "found" of a message.
+    /// Describes the value for the "found" part of an error message.
     pub(super) fn describe(&self) -> String {
         match self {
             Tree::Null => "null".to_owned(),
