@@ -1,4 +1,4 @@
-//! Meshes to begin with, for the page. They are in the module of parts, which comes when it is first asked for.
+//! New meshes for the page. They are part of the build module, which is loaded on first use.
 
 use super::{log_panics, mesh_of, plain_object as plain, rows_of, thrown};
 use crate::begin::{NEW_KINDS, NewKind, Plan, PlanError, SpanCurve, SpanError, fill, loft};
@@ -9,37 +9,38 @@ use wasm_bindgen::prelude::*;
 /// The surface over a drawn plan.
 #[derive(Serialize, tsify::Tsify)]
 struct NewPlan {
-    /// Of an OBJ file.
+    /// The text of an OBJ file.
     text: String,
-    /// The vertices that it stands on where those are its corners alone; else none.
+    /// The vertices that the surface stands on, if those are only its corners; else empty.
     feet: Vec<u32>,
 }
 
-/// The kinds of meshes to begin with.
+/// Returns the kinds of new meshes.
 ///
 /// # Errors
-/// None: they are plain data.
+/// None: plain data always serializes.
 #[wasm_bindgen(js_name = newKinds, unchecked_return_type = "NewKind[]")]
 pub fn new_kinds() -> Result<JsValue, JsValue> {
     log_panics();
     plain(&NEW_KINDS)
 }
 
-/// A mesh of a kind with these sizes, in the order in which it declares them, as the text of an OBJ file.
+/// Returns a mesh of a kind as the text of an OBJ file; `sizes` in the order in which the kind
+/// declares them.
 ///
 /// # Errors
-/// An unknown kind, or a size out of its limits.
+/// An unknown kind, or a size out of its range.
 #[wasm_bindgen(js_name = newMesh)]
 pub fn new_mesh(kind: &str, sizes: &[f64], units: &str) -> Result<String, JsValue> {
     let kind = NewKind::of(kind).ok_or_else(|| thrown(format!("unknown kind {kind:?}")))?;
     Ok(obj(&kind.mesh(sizes).map_err(thrown)?, units, "z"))
 }
 
-/// The surface over a drawn plan.
+/// Returns the surface over a drawn plan.
 ///
 /// # Errors
-/// What is wrong with the plan, in one sentence; where sides cross, the error has them as `sides`: the loop and the point
-/// where it begins of each, the outline being loop 0.
+/// The fault of the plan, in one sentence. If two sides cross, the error has `sides`: for each, its
+/// loop and the point where it begins; the outline is loop 0.
 #[wasm_bindgen(js_name = newPlan, unchecked_return_type = "NewPlan")]
 pub fn new_plan(
     #[wasm_bindgen(unchecked_param_type = "Plan")] plan: JsValue,
@@ -56,13 +57,13 @@ fn refused(why: &PlanError) -> JsValue {
         let numbers = sides.map(|side| [side.hole.map_or(0, |hole| hole + 1), side.point]);
         let numbers: js_sys::Array =
             numbers.as_flattened().iter().map(|&number| JsValue::from(number as u32)).collect();
-        // An object that was just made takes every property.
+        // Setting a property of a new object cannot fail.
         let _ = js_sys::Reflect::set(&error, &"sides".into(), &numbers);
     }
     error
 }
 
-/// The curves of a mesh, and the surfaces between them.
+/// The curves of a mesh, to be spanned by surfaces.
 #[wasm_bindgen]
 pub struct NewSpans {
     curves: Vec<SpanCurve>,
@@ -72,8 +73,8 @@ pub struct NewSpans {
 
 #[wasm_bindgen]
 impl NewSpans {
-    /// Of a mesh of `positions`, `#V by 3`, with faces and polylines as offsets and indices; `up` is its upright axis,
-    /// z or y.
+    /// Reads the curves of a mesh of `positions`, `#V by 3`, with faces and polylines as offsets
+    /// and indices; `up` is its up axis, z or y.
     #[wasm_bindgen(constructor)]
     pub fn new(
         positions: &[f64],
@@ -89,20 +90,20 @@ impl NewSpans {
         NewSpans { curves: SpanCurve::all(&mesh), units, up }
     }
 
-    /// Its polylines, then the boundaries of its faces.
+    /// Returns the polylines of the mesh, then the boundaries of its faces.
     ///
     /// # Errors
-    /// None: they are plain data.
+    /// None: plain data always serializes.
     #[wasm_bindgen(unchecked_return_type = "CurveWords[]")]
     pub fn curves(&self) -> Result<JsValue, JsValue> {
         plain(&SpanCurve::words(&self.curves))
     }
 
-    /// The surface between two of them, or where the second is not given inside one, with panels of that size, as the
-    /// text of an OBJ file.
+    /// Returns the surface between two curves, or inside the first if there is no second, with
+    /// panels of the given size, as the text of an OBJ file.
     ///
     /// # Errors
-    /// Why there is none, in one sentence.
+    /// Why there is no such surface, in one sentence.
     pub fn mesh(&self, first: usize, second: Option<usize>, size: f64) -> Result<String, JsValue> {
         let mesh = self.surface(first, second, size).map_err(thrown)?;
         Ok(obj(&mesh, &self.units, &self.up))

@@ -1,4 +1,4 @@
-//! Sheets and the build check for the page: a module of its own, which is loaded when it is first asked for.
+//! Sheets and the build check for the page: a module of its own, which is loaded on first use.
 
 use super::{log_panics, mesh_of, plain_object as plain, thrown};
 use crate::fabricate::file::picture;
@@ -15,26 +15,26 @@ struct Offers {
     defaults: BuildSettings,
 }
 
-/// A file as the page saves it.
+/// A file to be saved by the page.
 #[derive(Serialize)]
 struct File {
     name: String,
     text: String,
 }
 
-/// The report on one page.
+/// The one-page report.
 #[derive(Serialize, tsify::Tsify)]
 struct ReportPage {
-    /// To be saved.
+    /// The file to save.
     pdf: String,
-    /// To be looked at and printed.
+    /// The picture to show and print.
     svg: String,
 }
 
-/// The presets and the defaults.
+/// Returns the presets and the defaults.
 ///
 /// # Errors
-/// None: they are plain data.
+/// None: plain data always serializes.
 #[wasm_bindgen(js_name = buildOffers)]
 pub fn build_offers() -> Result<JsValue, JsValue> {
     log_panics();
@@ -49,9 +49,9 @@ pub struct Builder {
 
 #[wasm_bindgen]
 impl Builder {
-    /// Makes the parts of a mesh of `positions`, `#V by 3`, and faces: face `f` has the corners from
-    /// `offsets[f]` to `offsets[f + 1]` of `indices`. `settings` as in the key `build` of a scene; the unit of
-    /// the mesh is called `symbol` and so many `metres` long.
+    /// Makes the parts of a mesh of `positions`, `#V by 3`, and faces: face `f` has the corners
+    /// from `offsets[f]` to `offsets[f + 1]` of `indices`. `settings` are those of the key `build`
+    /// of a scene; the unit of the mesh has the symbol `symbol` and is `metres` long.
     ///
     /// # Errors
     /// A mesh without faces, or a setting out of its range, in one sentence.
@@ -70,26 +70,26 @@ impl Builder {
         Ok(Builder { build: build.map_err(thrown)? })
     }
 
-    /// All numbers, as the report of the command line has them.
+    /// Returns all numbers, as in the report of the command line.
     ///
     /// # Errors
-    /// None: they are plain data.
+    /// None: plain data always serializes.
     pub fn report(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.report())
     }
 
-    /// Those of the card, which follow while the shape moves.
+    /// Returns the numbers of the card, which is updated while the shape moves.
     ///
     /// # Errors
-    /// None: they are plain data.
+    /// None: plain data always serializes.
     pub fn card(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.card())
     }
 
-    /// The sheets from `first`, `count` of them at most, as pictures.
+    /// Returns at most `count` sheets as pictures, starting with sheet `first`.
     ///
     /// # Errors
-    /// None: they are plain data.
+    /// None: plain data always serializes.
     pub fn sheets(&self, first: usize, count: usize) -> Result<JsValue, JsValue> {
         let drawings = self.build.drawings();
         let failed = self.build.failed_sides(&self.build.failed());
@@ -97,78 +97,81 @@ impl Builder {
         plain(&shown.map(|(drawing, failed)| picture(drawing, failed)).collect::<Vec<_>>())
     }
 
-    /// The numbers that a lesson may bound, lengths in the unit of the mesh: pairs of an id and a value; those that do not
-    /// apply are left out.
+    /// Returns the numbers that a lesson may bound, as pairs of id and value, lengths in the unit
+    /// of the mesh. Numbers that do not apply are left out.
     ///
     /// # Errors
-    /// None: they are plain data.
+    /// None: plain data always serializes.
     pub fn numbers(&self) -> Result<JsValue, JsValue> {
         let known = BUILD_NUMBERS.iter().zip(self.build.numbers());
         plain(&known.filter_map(|(number, value)| Some((number.id, value?))).collect::<Vec<_>>())
     }
 
-    /// Where the offset has the vertices, `#V by 3`; nothing where offsets are not offered.
+    /// Returns the vertices of the offset, `#V by 3`; undefined if no offset is offered.
     pub fn layer(&self) -> Option<Vec<f64>> {
         self.build.layer().map(|points| points.into_iter().flatten().collect())
     }
 
-    /// Takes another distance with the same axes and parts.
+    /// Sets another distance of the offset, with the same axes and parts.
     #[wasm_bindgen(js_name = moveLayer)]
     pub fn move_layer(&mut self, distance: f64) {
         self.build.move_layer(distance);
     }
 
-    /// Takes another shape of the same mesh for its offset, `#V by 3`; parts and sheets stay.
+    /// Computes the offset of another shape of the same mesh, `#V by 3`; parts and sheets stay.
     pub fn reshape(&mut self, positions: &[f64]) {
         self.build.reshape(positions.as_chunks().0);
     }
 
-    /// Panels that are not within a limit.
+    /// Returns the panels that exceed a limit.
     #[wasm_bindgen(js_name = failedPanels)]
     pub fn failed_panels(&self) -> Vec<u32> {
         self.build.failed().panels
     }
 
-    /// Edges whose beams are not within a limit, by their ends: two numbers each.
+    /// Returns the edges whose beams exceed a limit, as pairs of vertices.
     #[wasm_bindgen(js_name = failedEdges)]
     pub fn failed_edges(&self) -> Vec<u32> {
         let ends = |&e: &u32| self.build.surface.edges[e as usize].ends;
         self.build.failed().edges.iter().flat_map(ends).collect()
     }
 
-    /// Vertices whose axes are not within a limit.
+    /// Returns the vertices whose axes exceed a limit.
     #[wasm_bindgen(js_name = failedNodes)]
     pub fn failed_nodes(&self) -> Vec<u32> {
         self.build.failed().nodes
     }
 
-    /// The errors of each kind of offset.
+    /// Returns the errors of each kind of offset.
     ///
     /// # Errors
-    /// None: they are plain data.
+    /// None: plain data always serializes.
     pub fn choices(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.choices())
     }
 
-    /// Shape, offset and beams as binary glTF; `z_up` says which axis of the mesh is up, z or y.
+    /// Returns shape, offset and beams as binary glTF; `z_up` if the up axis of the mesh is z, else
+    /// y.
     pub fn presentation(&self, z_up: bool) -> Vec<u8> {
         self.build.presentation(z_up)
     }
 
-    /// Everything that is built as objects on layers, for CAD programs; `z_up` says which axis of the mesh is up, z or y.
+    /// Returns the build as objects on layers, for CAD programs; `z_up` if the up axis is z, else
+    /// y.
     ///
     /// # Errors
-    /// None: they are plain data.
+    /// None: plain data always serializes.
     #[wasm_bindgen(js_name = spatialParts)]
     pub fn spatial_parts(&self, z_up: bool) -> Result<JsValue, JsValue> {
         plain(&self.build.spatial_parts(z_up))
     }
 
-    /// The report on one page of A4: `pdf` and `svg`. `z_up` says which axis of the mesh is up, z or y; the `camera` is
-    /// turned about it and looks down by these two angles in radians. An empty `link` is left out.
+    /// Returns the report on one A4 page, as `pdf` and `svg`. `z_up` if the up axis of the mesh is
+    /// z, else y. `camera` has two angles in radians: the turn about the up axis and the downward
+    /// tilt. An empty `link` is left out.
     ///
     /// # Errors
-    /// None: they are plain data.
+    /// None: plain data always serializes.
     #[wasm_bindgen(js_name = reportPage)]
     pub fn report_page(
         &self,
@@ -182,10 +185,10 @@ impl Builder {
         plain(&ReportPage { pdf: page.pdf, svg: page.svg })
     }
 
-    /// All files: `name` and `text`.
+    /// Returns all files: `name` and `text`.
     ///
     /// # Errors
-    /// None: they are plain data.
+    /// None: plain data always serializes.
     pub fn files(&self) -> Result<JsValue, JsValue> {
         let files = self.build.files().into_iter();
         plain(&files.map(|file| File { name: file.name, text: file.text }).collect::<Vec<_>>())

@@ -1,26 +1,26 @@
-//! Directions and lines of curvature for the page. They are in the module of parts, which comes when it is first asked
-//! for.
+//! Directions and lines of curvature for the page. They are part of the build module, which is
+//! loaded on first use.
 
 use super::{log_panics, mesh_of, thrown};
 use crate::mesh::{CurvatureField, CurvatureLine, Family, Point, SurfacePlace, Topology};
 use wasm_bindgen::prelude::*;
 
 const FAMILIES: [Family; 2] = [Family::Larger, Family::Smaller];
-/// Lines so near that there would be more than so many beside each other over the surface are not drawn.
+/// Maximum number of lines side by side across the surface; smaller distances are refused.
 const MOST_LINES: f64 = 200.0;
 
-/// Polylines over the surface, as the view takes them.
+/// Polylines over the surface, in the form that the view draws.
 #[wasm_bindgen(getter_with_clone)]
 pub struct CurvatureDrawing {
     /// #points by 3.
     pub points: Vec<f64>,
     /// Polyline `k` has the points from `offsets[k]` to `offsets[k + 1]`.
     pub offsets: Vec<u32>,
-    /// So many of them, the first ones, are along the larger principal curvature.
+    /// The number of polylines along the larger principal curvature, which come first.
     pub count: u32,
 }
 
-/// The directions in which a shape bends most and least.
+/// The principal directions of curvature of a shape.
 #[wasm_bindgen]
 pub struct SurfaceCurvature {
     field: CurvatureField,
@@ -29,8 +29,8 @@ pub struct SurfaceCurvature {
 
 #[wasm_bindgen]
 impl SurfaceCurvature {
-    /// Of a mesh of `positions`, `#V by 3`, and faces: face `f` has the corners from `offsets[f]` to `offsets[f + 1]`
-    /// of `indices`.
+    /// Computes the directions on a mesh of `positions`, `#V by 3`, and faces: face `f` has the
+    /// corners from `offsets[f]` to `offsets[f + 1]` of `indices`.
     #[wasm_bindgen(constructor)]
     pub fn new(positions: &[f64], offsets: &[u32], indices: &[u32]) -> SurfaceCurvature {
         log_panics();
@@ -40,19 +40,20 @@ impl SurfaceCurvature {
         SurfaceCurvature { field, size }
     }
 
-    /// A distance of lines that shows the surface and leaves it to be seen, in the unit of the mesh.
+    /// Returns a line distance that shows the curvature without covering the surface, in the unit
+    /// of the mesh.
     pub fn distance(&self) -> f64 {
         (0.04 * self.size).max(1.5 * self.field.mean_edge())
     }
 
-    /// Short strokes on every face.
+    /// Returns a short stroke along each direction on every face.
     pub fn strokes(&self) -> CurvatureDrawing {
         drawing(FAMILIES.map(|family| {
             self.field.strokes(family).into_iter().map(|ends| ends.to_vec()).collect()
         }))
     }
 
-    /// Lines of curvature so far apart, in the unit of the mesh.
+    /// Returns lines of curvature at the given distance from each other, in the unit of the mesh.
     ///
     /// # Errors
     /// A distance that is not positive, or so small that there would be too many lines.
@@ -64,7 +65,7 @@ impl SurfaceCurvature {
         Ok(drawing(FAMILIES.map(|family| polylines(&self.field.spaced_lines(family, distance)))))
     }
 
-    /// The lines of curvature through vertices and through the middles of faces.
+    /// Returns the lines of curvature through vertices and through the centres of faces.
     #[wasm_bindgen(js_name = linesThrough)]
     pub fn lines_through(&self, vertices: &[u32], faces: &[u32]) -> CurvatureDrawing {
         let at_vertices = vertices.iter().filter_map(|&v| self.field.at_vertex(v));

@@ -1,4 +1,5 @@
-//! Between Rust and the page: plain objects, typed arrays, and errors with their place.
+//! Conversions between Rust and the page: plain objects, typed arrays, and errors with their JSON
+//! path.
 
 use super::thrown;
 use crate::scene::SceneError;
@@ -7,12 +8,12 @@ use wasm_bindgen::JsValue;
 
 pub(super) use super::plain_object as plain;
 
-/// A plain object of the page as JSON.
+/// Returns a plain object of the page as JSON text.
 pub(super) fn text(value: &JsValue) -> Result<String, JsValue> {
     Ok(String::from(js_sys::JSON::stringify(value)?))
 }
 
-/// An object of typed arrays.
+/// Creates an object from its entries.
 pub(super) fn object<const N: usize>(entries: [(&str, JsValue); N]) -> Result<JsValue, JsValue> {
     let object = js_sys::Object::new();
     for (key, value) in entries {
@@ -21,18 +22,18 @@ pub(super) fn object<const N: usize>(entries: [(&str, JsValue); N]) -> Result<Js
     Ok(object.into())
 }
 
-/// Numbers in single precision, as they are drawn.
+/// Converts to single precision, for drawing.
 pub(super) fn narrow(numbers: &[f64]) -> Float32Array {
     let narrow: Vec<f32> = numbers.iter().map(|&number| number as f32).collect();
     Float32Array::from(&narrow[..])
 }
 
-/// Indices of vertices, edges or faces.
+/// Converts indices of vertices, edges or faces to a typed array.
 pub(super) fn indices(indices: &[u32]) -> JsValue {
     Uint32Array::from(indices).into()
 }
 
-/// Some vertices, edges and faces, as the page selects them.
+/// Creates the selection object of the page.
 pub(super) fn selection(
     vertices: &[u32],
     edges: &[u32],
@@ -41,10 +42,10 @@ pub(super) fn selection(
     object([("vertices", indices(vertices)), ("edges", indices(edges)), ("faces", indices(faces))])
 }
 
-/// The `Error` for an error in a scene or in an entry of one, with its JSON path as `path`.
+/// Returns the `Error` for an error in a scene or in a part of one, with its JSON path as `path`.
 pub(super) fn thrown_at(error: &SceneError) -> JsValue {
     let thrown = thrown(error);
-    // An object that was just made takes every property.
+    // Setting a property of a new object cannot fail.
     let _ = js_sys::Reflect::set(&thrown, &"path".into(), &error.path.as_str().into());
     thrown
 }

@@ -1,8 +1,9 @@
-//! The work of every model, on a small grid, while nothing else is to be done.
+//! Iterates on a small grid while the worker is idle, to warm up the compiled code.
 //!
-//! V8 compiles a wasm function quickly at its first call, and well once it has run for a while: what it
-//! is called from then on is up to three times as fast. This lets it run for a while before somebody
-//! waits for it, and takes the time: what the machine can do is known then.
+//! V8 first compiles a wasm function quickly, and optimises it after it has run for a while, which
+//! makes it up to three times as fast. The warm-up triggers this before the user waits for a
+//! result. It also measures the time of an iteration, from which the speed of the machine is
+//! estimated.
 
 use crate::mesh::read;
 use crate::scene::Scene;
@@ -11,41 +12,41 @@ use crate::solve::clock;
 use std::fmt::Write;
 use wasm_bindgen::prelude::*;
 
-/// Operators of the common closed forms, every energy, the default acceleration.
+/// Common kinds with closed-form projections, every energy, the default accelerator.
 const SCENE: &str = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "grid.obj" },
     "constraints": [ { "kind": "circle", "on": "faces" }, { "kind": "plane", "on": "faces" },
                      { "kind": "rigid", "on": "faces" } ],
     "handles": [ { "vertices": [0], "weight": 100 } ],
     "weights": { "shape": 5, "close": 10, "smooth": 2 }, "solver": { "tolerance": 0 } }"#;
 
-/// Vertices along a side.
+/// Vertices along each side of the grid.
 const SIDE: u32 = 20;
-/// Models, one after another, and iterations of each.
+/// Number of models, one after another, and iterations of each.
 const MODELS: u32 = 4;
 const STEPS: u32 = 100;
-/// Iterations are done for as many seconds at a time.
+/// Duration of a slice in seconds.
 const SLICE: f64 = 0.006;
 
-/// The rest of the warm-up.
+/// The state of the warm-up.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct WarmUp {
     session: Option<Session>,
     models: u32,
     steps: u32,
-    /// Of an iteration, in the fastest slice: what else the machine did slows down the others.
+    /// Seconds per iteration in the fastest slice; other work of the machine slows down the others.
     seconds: Option<f64>,
 }
 
 #[wasm_bindgen]
 impl WarmUp {
-    /// A warm-up that has not begun.
+    /// Creates a warm-up that has not begun.
     #[wasm_bindgen(constructor)]
     pub fn new() -> WarmUp {
         WarmUp::default()
     }
 
-    /// Iterates for a few milliseconds; false when nothing is left.
+    /// Iterates for a few milliseconds; returns false when nothing is left.
     #[wasm_bindgen(js_name = goOn)]
     pub fn go_on(&mut self) -> bool {
         let Some(session) = &mut self.session else {
@@ -69,7 +70,8 @@ impl WarmUp {
         true
     }
 
-    /// The most faces of a mesh that this machine works with at once; none before it has begun.
+    /// Returns the largest number of faces with which this machine works interactively; none before
+    /// the first slice.
     #[wasm_bindgen(js_name = mostFaces)]
     pub fn max_interactive_faces(&self) -> Option<u32> {
         let faces = (SIDE - 1) * (SIDE - 1);
@@ -77,7 +79,7 @@ impl WarmUp {
     }
 }
 
-/// A bumpy grid of quads, opened as files are.
+/// Opens a bumpy grid of quads, in the same way as a file.
 fn grid() -> Session {
     let mut obj = String::new();
     let places = (0..SIDE).flat_map(|j| (0..SIDE).map(move |i| (i, j)));

@@ -1,4 +1,4 @@
-//! Where the model is looked at from.
+//! The camera.
 
 use super::view::View;
 use crate::view::camera::UpAxis;
@@ -32,55 +32,58 @@ impl View {
         self.model().orbit(dx, dy);
     }
 
-    /// Begins to turn the camera by a drag, about what is under the cursor.
+    /// Begins to turn the camera by a drag, about the point under the cursor.
     #[wasm_bindgen(js_name = beginTurn)]
     pub fn begin_turn(&mut self, x: f32, y: f32) {
         self.model().begin_turn(Vec2::new(x, y));
     }
 
-    /// Goes on with the drag that `beginTurn` began: what was under the cursor keeps its place.
+    /// Continues the drag that `beginTurn` began; the point that was under the cursor keeps its
+    /// position.
     pub fn turn(&mut self, dx: f32, dy: f32) {
         self.model().turn(dx, dy);
     }
 
-    /// Turns the model about the vertical through its middle, as on a turntable, by an angle in radians.
+    /// Turns the model about the vertical axis through its centre, as on a turntable, by an angle
+    /// in radians.
     pub fn spin(&mut self, angle: f32) {
         self.model().spin(angle);
     }
 
-    /// Slides the picture by a drag.
+    /// Slides the picture by a drag in CSS pixels.
     pub fn pan(&mut self, dx: f32, dy: f32) {
         self.model().pan(dx, dy);
     }
 
-    /// Comes `factor` times nearer (farther when less than one) to what is under the cursor.
+    /// Moves `factor` times nearer to the point under the cursor (farther if the factor is below
+    /// 1).
     pub fn zoom(&mut self, factor: f32, x: f32, y: f32) {
         self.model().zoom(factor, Vec2::new(x, y));
     }
 
-    /// Leaves so many CSS pixels free at the lower edge when something is framed. What is framed now moves
-    /// away from there, and not back.
+    /// Reserves a strip of `pixels` CSS pixels at the lower edge when framing. A framed model is
+    /// framed again when the strip grows, but not when it shrinks.
     pub fn cover(&mut self, pixels: f32) {
         self.model().cover(pixels);
     }
 
-    /// Where the camera is: numbers to be kept. See [`crate::view::state::saved_camera`].
+    /// Returns the camera as numbers, for saving. See [`crate::view::state::saved_camera`].
     pub fn camera(&self) -> Vec<f64> {
         self.pictures.model().camera_numbers().to_vec()
     }
 
-    /// Puts the camera back where `camera` said that it was.
+    /// Restores a camera from the numbers that `camera` returned.
     #[wasm_bindgen(js_name = placeCamera)]
     pub fn place_camera(&mut self, numbers: &[f64]) {
         self.model().place_camera(numbers);
     }
 
-    /// Fills the canvas with the mesh, from where the camera looks now.
+    /// Fits the mesh to the canvas, without changing the direction of view.
     pub fn fit(&mut self) {
         self.model().fit();
     }
 
-    /// Fills the canvas with some vertices.
+    /// Fits some vertices to the canvas.
     ///
     /// # Errors
     /// A vertex that does not exist.

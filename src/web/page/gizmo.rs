@@ -1,4 +1,4 @@
-//! The gizmo at the selected handles, and the hold that the pointer has of handles.
+//! The gizmo at the selected handles, and how the pointer drags handles.
 
 use super::view::View;
 use crate::view::gizmo::DragDirection;
@@ -8,43 +8,44 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl View {
-    /// Shows the gizmo where a handle is selected, or not; larger for fingers.
+    /// Shows the gizmo if a handle is selected, or hides it; `touch` makes it larger, for fingers.
     #[wasm_bindgen(js_name = setGizmo)]
     pub fn set_gizmo(&mut self, shown: bool, touch: bool) {
         self.model().want_gizmo(|wanted| (wanted.shown, wanted.touch) = (shown, touch));
     }
 
-    /// Lights up a part of the gizmo: an axis `x`, `y` or `z`, or a plane `xy`, `yz` or `zx`. While
-    /// handles are `held`, the other parts step back.
+    /// Highlights a part of the gizmo: an axis `x`, `y` or `z`, or a plane `xy`, `yz` or `zx`.
+    /// While handles are `held`, the other parts are drawn fainter.
     ///
     /// # Errors
     /// Any other name.
     #[wasm_bindgen(js_name = lightGizmo)]
     pub fn light_gizmo(&mut self, part: Option<String>, held: bool) -> Result<(), JsValue> {
-        let lit = part.map(|name| self.way(&name)).transpose()?;
+        let lit = part.map(|name| self.direction(&name)).transpose()?;
         self.model().want_gizmo(|wanted| (wanted.lit, wanted.held) = (lit, held));
         Ok(())
     }
 
-    /// The part of the gizmo under the cursor.
+    /// Returns the part of the gizmo under the cursor.
     #[wasm_bindgen(js_name = pickGizmo)]
     pub fn pick_gizmo(&self, x: f32, y: f32) -> Option<String> {
         let way = self.pictures.model().gizmo()?.pick(Vec2::new(x, y))?;
         Some(way.name().to_owned())
     }
 
-    /// Where a part of the gizmo is on the canvas; nothing while it is not shown or cannot be taken.
+    /// Returns the canvas position of a part of the gizmo; undefined while the gizmo is hidden or
+    /// the part cannot be picked.
     ///
     /// # Errors
-    /// A name that is none.
+    /// An unknown name.
     #[wasm_bindgen(js_name = gizmoPart)]
     pub fn gizmo_part(&self, part: &str) -> Result<Option<Vec<f64>>, JsValue> {
-        let way = self.way(part)?;
+        let way = self.direction(part)?;
         let at = self.pictures.model().gizmo().and_then(|gizmo| gizmo.best(way));
         Ok(at.map(|at| vec![f64::from(at.x), f64::from(at.y)]))
     }
 
-    /// Takes hold of a vertex, with the cursor at `(x, y)`, or by keys without one.
+    /// Begins to hold a vertex, with the cursor at `(x, y)`, or by keys without a cursor.
     ///
     /// # Errors
     /// A vertex that does not exist.
@@ -59,31 +60,33 @@ impl View {
         self.model().hold_vertex(vertex, from).map_err(thrown)
     }
 
-    /// Takes hold of the gizmo, with the cursor at `(x, y)`.
+    /// Begins to hold the gizmo, with the cursor at `(x, y)`.
     #[wasm_bindgen(js_name = holdGizmo)]
     pub fn hold_gizmo(&mut self, x: f32, y: f32) {
         self.model().hold_gizmo(Vec2::new(x, y));
     }
 
-    /// How far what is held goes when the cursor has gone by `(dx, dy)`: three numbers, or nothing where
-    /// that cannot be said. `way` is `screen`, `horizontal`, `vertical`, or a part of the gizmo.
+    /// Returns the displacement of what is held for a displacement `(dx, dy)` of the cursor: three
+    /// numbers, or undefined if there is none. `way` is `screen`, `horizontal`, `vertical`, or a
+    /// part of the gizmo.
     ///
     /// # Errors
-    /// Any other way.
+    /// Any other direction.
     #[wasm_bindgen(js_name = constrainMove)]
     pub fn constrain_move(&self, way: &str, dx: f32, dy: f32) -> Result<Option<Vec<f64>>, JsValue> {
-        let found = self.pictures.model().constrain_move(self.way(way)?, Vec2::new(dx, dy));
+        let found = self.pictures.model().constrain_move(self.direction(way)?, Vec2::new(dx, dy));
         Ok(found.map(|by| by.as_dvec3().to_array().to_vec()))
     }
 
-    /// Where what is held is seen on the canvas when it has gone so far; nothing while nothing is held.
+    /// Returns the canvas position of what is held after a displacement; undefined while nothing is
+    /// held.
     #[wasm_bindgen(js_name = heldPlace)]
     pub fn held_place(&self, x: f64, y: f64, z: f64) -> Option<Vec<f64>> {
         let place = self.pictures.model().held_place(DVec3::new(x, y, z).as_vec3())?;
         Some(vec![f64::from(place.x), f64::from(place.y)])
     }
 
-    fn way(&self, name: &str) -> Result<DragDirection, JsValue> {
+    fn direction(&self, name: &str) -> Result<DragDirection, JsValue> {
         DragDirection::named(name, self.pictures.model().camera().up).map_err(thrown)
     }
 }

@@ -1,4 +1,4 @@
-//! The flat map of the model beside it: two parts of one canvas.
+//! The flat map beside the model, on the same canvas.
 
 use super::view::View;
 use crate::view::appearance::ColourScale;
@@ -9,28 +9,29 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl View {
-    /// Shows the flat map `uv` (#V by 2) of the mesh beside it, in place of one that is shown already,
-    /// and outlines the faces that it turns over.
+    /// Shows the flat map `uv` (#V by 2) of the mesh beside it, replacing an earlier one, and
+    /// outlines the faces that it flips.
     ///
     /// # Errors
-    /// Another number of places than vertices, one that is not finite, or a face that does not exist;
-    /// all stays as it was.
+    /// A wrong number of points, one that is not finite, or a face that does not exist; nothing
+    /// changes then.
     #[wasm_bindgen(js_name = setMap)]
     pub fn set_map(&mut self, uv: &[f64], flipped: &[u32]) -> Result<(), JsValue> {
         self.pictures.set_map(uv, flipped).map_err(thrown)
     }
 
-    /// Takes the flat map away.
+    /// Removes the flat map.
     #[wasm_bindgen(js_name = clearMap)]
     pub fn clear_map(&mut self) {
         self.pictures.clear_map();
     }
 
-    /// Draws a checkerboard with so many squares along the longer side of the map on the model, on the
-    /// map, or on both; and colours the faces of the map by a value each (#F), from `low` to `high`.
+    /// Draws a checkerboard with `squares` squares along the longer side of the map on the model,
+    /// on the map, or on both, and colours each face of the map by its value (#F), from `low` to
+    /// `high`.
     ///
     /// # Errors
-    /// Another number of values than faces.
+    /// The number of values differs from the number of faces.
     #[wasm_bindgen(js_name = setMapLooks)]
     pub fn set_map_looks(
         &mut self,
@@ -46,7 +47,8 @@ impl View {
         looks.map_err(thrown)
     }
 
-    /// Where the map is on the canvas, CSS pixels: left, top, width, height; nothing without a map.
+    /// Returns the region of the map on the canvas in CSS pixels: left, top, width, height;
+    /// undefined without a map.
     #[wasm_bindgen(js_name = mapRegion)]
     pub fn map_region(&self) -> Option<Vec<f32>> {
         let Region { at, size } = self.pictures.map_region()?;
@@ -61,7 +63,7 @@ impl View {
         }
     }
 
-    /// Makes the map `factor` times larger about a place in its part of the canvas.
+    /// Enlarges the map by `factor` about a point in its part of the canvas.
     #[wasm_bindgen(js_name = zoomMap)]
     pub fn zoom_map(&mut self, factor: f32, x: f32, y: f32) {
         if let Some(map) = self.pictures.map_mut() {
@@ -69,13 +71,13 @@ impl View {
         }
     }
 
-    /// Comes near the faces that the map turns over, on the model and on the map.
+    /// Zooms to the faces that the map flips, on the model and on the map.
     #[wasm_bindgen(js_name = showFlipped)]
     pub fn show_flipped(&mut self) {
         self.pictures.show_flipped();
     }
 
-    /// Fills its part of the canvas with the map.
+    /// Fits the map to its part of the canvas.
     #[wasm_bindgen(js_name = fitMap)]
     pub fn fit_map(&mut self) {
         if let Some(map) = self.pictures.map_mut() {

@@ -1,10 +1,10 @@
-//! The face of the view in the page.
+//! The interface of the view in the page.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `view` | the canvas and what is shown on it |
-//! | `camera`, `picking`, `gizmo` | where it is looked from, what is under the cursor, what it drags |
-//! | `map`, `split`, `seeing` | the flat map beside the model, two pictures, ways of seeing |
+//! | `camera`, `picking`, `gizmo` | the camera, elements under the cursor, dragging |
+//! | `map`, `split`, `seeing` | the flat map beside the model, two pictures, display options |
 
 mod camera;
 mod gizmo;

@@ -1,11 +1,11 @@
-//! Picking under the cursor and inside an outline, and the places of vertices on the canvas.
+//! Picking under the cursor and inside an outline, and canvas positions of vertices.
 
 use super::view::View;
 use crate::view::state::{Outline, Taking};
 use glam::Vec2;
 use wasm_bindgen::prelude::*;
 
-/// From x and y of each corner.
+/// Creates an outline from the x and y of each corner.
 fn outline(corners: &[f32]) -> Outline {
     let (corners, _) = corners.as_chunks::<2>();
     Outline::new(corners.iter().map(|&[x, y]| Vec2::new(x, y)).collect())
@@ -13,49 +13,51 @@ fn outline(corners: &[f32]) -> Outline {
 
 #[wasm_bindgen]
 impl View {
-    /// The visible vertex nearest to the cursor.
+    /// Returns the visible vertex nearest to the cursor.
     #[wasm_bindgen(js_name = pickVertex)]
     pub fn pick_vertex(&self, x: f32, y: f32, radius: f32) -> Option<u32> {
         self.pictures.model().pick_vertex(Vec2::new(x, y), radius)
     }
 
-    /// The vertex of the handle nearest to the cursor, hidden or not.
+    /// Returns the vertex of the handle nearest to the cursor, hidden or not.
     #[wasm_bindgen(js_name = pickHandle)]
     pub fn pick_handle(&self, x: f32, y: f32, radius: f32) -> Option<u32> {
         self.pictures.model().pick_handle(Vec2::new(x, y), radius)
     }
 
-    /// The face under the cursor.
+    /// Returns the face under the cursor.
     #[wasm_bindgen(js_name = pickFace)]
     pub fn pick_face(&self, x: f32, y: f32) -> Option<u32> {
         self.pictures.model().pick_face(Vec2::new(x, y))
     }
 
-    /// The visible edge nearest to the cursor, by its place in `setEdges`.
+    /// Returns the visible edge nearest to the cursor, by its index in `setEdges`.
     #[wasm_bindgen(js_name = pickEdge)]
     pub fn pick_edge(&mut self, x: f32, y: f32, radius: f32) -> Option<u32> {
         self.model().pick_edge(Vec2::new(x, y), radius)
     }
 
-    /// Vertices inside a polygon on the screen (x and y of each corner); with `through` hidden ones too.
+    /// Returns the vertices inside a polygon on the screen (x and y of each corner); with
+    /// `through`, also hidden ones.
     #[wasm_bindgen(js_name = verticesIn)]
     pub fn vertices_in(&mut self, corners: &[f32], through: bool) -> Vec<u32> {
         self.model().vertices_in(&outline(corners), through)
     }
 
-    /// Edges inside a polygon on the screen; with `touching` also those partly inside.
+    /// Returns the edges inside a polygon on the screen; with `touching`, also those partly inside.
     #[wasm_bindgen(js_name = edgesIn)]
     pub fn edges_in(&mut self, corners: &[f32], touching: bool, through: bool) -> Vec<u32> {
         self.model().edges_in(&outline(corners), Taking { touching, through })
     }
 
-    /// Faces inside a polygon on the screen; with `touching` also those partly inside.
+    /// Returns the faces inside a polygon on the screen; with `touching`, also those partly inside.
     #[wasm_bindgen(js_name = facesIn)]
     pub fn faces_in(&mut self, corners: &[f32], touching: bool, through: bool) -> Vec<u32> {
         self.model().faces_in(&outline(corners), Taking { touching, through })
     }
 
-    /// Where a vertex is on the canvas; nothing when it is hidden, outside, or not there.
+    /// Returns the canvas position of a vertex; undefined if it is hidden, outside, or does not
+    /// exist.
     pub fn screen(&self, vertex: u32) -> Option<Vec<f64>> {
         self.pictures.model().screen(vertex).map(|at| vec![f64::from(at.x), f64::from(at.y)])
     }

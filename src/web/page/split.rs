@@ -8,16 +8,16 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl View {
-    /// Puts the divider at a part of the width of the canvas, from 0 to 1; begins to show two pictures.
+    /// Shows two pictures, with the divider at a fraction `at` of the canvas width, from 0 to 1.
     #[wasm_bindgen(js_name = setSplit)]
     pub fn set_split(&mut self, at: f32) {
         self.pictures.set_split(at);
     }
 
-    /// Sets what the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or the shape
-    /// as it is, with its faces coloured by a value each (#F), and by those of the vertices (#V) whose
-    /// greatest they are, where they are such. The colours go from `low` to `high`; up to a tolerance the
-    /// faces keep the material.
+    /// Sets what the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or
+    /// the current shape, its faces coloured by `values` (#F). If the value of a face is the
+    /// largest of its vertices, `corners` has the values of the vertices (#V). Colours go from
+    /// `low` to `high`; faces within the tolerance keep the material.
     ///
     /// # Errors
     /// Arrays that do not fit the mesh.
@@ -41,7 +41,7 @@ impl View {
         self.pictures.set_split_side(side, original.as_deref(), colours).map_err(thrown)
     }
 
-    /// Shows one picture again.
+    /// Returns to a single picture.
     #[wasm_bindgen(js_name = clearSplit)]
     pub fn clear_split(&mut self) {
         self.pictures.clear_split();

@@ -1,7 +1,7 @@
-//! The page's view: a canvas, what is shown on it, and what is under the cursor.
+//! The page's view: a canvas and what is shown on it.
 //!
 //! Screen positions are CSS pixels from the upper left corner of the canvas. Coordinates are those
-//! of the file. What is thrown is an `Error` whose message is one complete line.
+//! of the file. Exceptions are an `Error` whose message is one complete line.
 
 use crate::view::appearance::{ColourMap, ColourScale, RowColours};
 use crate::view::gpu::{Device, DeviceError, Loss, Placement, Renderer};
@@ -22,7 +22,7 @@ pub struct View {
     /// Model, flat map and split pictures, without a GPU.
     pub(super) pictures: Pictures,
     pixel_ratio: f32,
-    /// Where the canvas lies in a picture that is larger.
+    /// The position of the canvas in a larger picture, if the canvas is one tile of it.
     tile: Option<Placement>,
     renderer: Renderer,
     backend: &'static str,
@@ -34,14 +34,14 @@ pub struct View {
 impl Drop for View {
     fn drop(&mut self) {
         let listener = self.context_lost.as_ref().unchecked_ref();
-        // Nothing is left to do when the listener was gone already.
+        // An error means that the listener is already gone: nothing is left to do.
         let _ = self.canvas.remove_event_listener_with_callback(CONTEXT_LOST, listener);
     }
 }
 
 const CONTEXT_LOST: &str = "webglcontextlost";
 
-/// The graphics backend of this module.
+/// The graphics backends of this module.
 const BACKENDS: &[&str] = &[
     #[cfg(feature = "view-webgpu")]
     "webgpu",
@@ -49,7 +49,7 @@ const BACKENDS: &[&str] = &[
     "webgl2",
 ];
 
-/// Opens the backend asked for, with its name.
+/// Opens the requested backend; returns the device and the name of the backend.
 async fn open(
     canvas: &HtmlCanvasElement,
     backend: &str,
@@ -67,22 +67,23 @@ async fn open(
     }
 }
 
-/// Does for WebGPU what browsers do for WebGL: the canvas hears of the loss when it happens.
+/// Dispatches to the canvas, for WebGPU, the event that browsers dispatch for WebGL when the
+/// context is lost.
 async fn tell_loss(loss: Arc<Loss>, canvas: HtmlCanvasElement) {
     loss.wait().await;
     if let Ok(event) = web_sys::Event::new(CONTEXT_LOST) {
-        // It fails when the event is under way already.
+        // It fails if the event is already being dispatched.
         let _ = canvas.dispatch_event(&event);
     }
 }
 
 #[wasm_bindgen]
 impl View {
-    /// Opens a view on a canvas that has no context yet. `backend` is `webgpu` or `webgl2`, one that
-    /// this module has.
+    /// Opens a view on a canvas that has no context yet. `backend` is `webgpu` or `webgl2`, and
+    /// must be built into this module.
     ///
     /// # Errors
-    /// Rejects when there is no adapter, with the reason.
+    /// Rejects without an adapter, with the reason.
     pub async fn create(canvas: HtmlCanvasElement, backend: String) -> Result<View, JsValue> {
         log_panics();
         let (device, backend) = open(&canvas, &backend).await.map_err(thrown)?;
@@ -115,8 +116,8 @@ impl View {
         self.backend.to_owned()
     }
 
-    /// Sets the size of the canvas in physical pixels; at most what the adapter allows. A view that
-    /// nobody has moved since it was fitted is fitted again.
+    /// Sets the size of the canvas in physical pixels, limited to what the adapter allows. If the
+    /// camera has not moved since the view was fitted, the view is fitted again.
     pub fn resize(&mut self, width: u32, height: u32, device_pixel_ratio: f32) {
         self.renderer.device.resize(width, height);
         self.tile = None;
@@ -124,8 +125,8 @@ impl View {
         self.pictures.resize(Vec2::new(width as f32, height as f32) / self.pixel_ratio);
     }
 
-    /// Makes the canvas one tile of a picture of `width` by `height` pixels: `part` is the tile's left and upper
-    /// edge in the picture, and its width and height. `resize` ends this.
+    /// Makes the canvas one tile of a picture of `width` by `height` pixels. `part` is the left and
+    /// top edge of the tile in the picture, and its width and height. `resize` ends this.
     #[wasm_bindgen(js_name = setTile)]
     pub fn set_tile(&mut self, width: u32, height: u32, device_pixel_ratio: f32, part: &[u32]) {
         let &[left, top, across, down] = part else { return };
@@ -138,8 +139,8 @@ impl View {
         self.model().view_changed();
     }
 
-    /// Shows a mesh: rows of faces and of curves as offsets and indices, #V by 3 positions. Another
-    /// mesh than before is framed from the three-quarter view, without marks.
+    /// Shows a mesh: faces and curves as offsets and indices, #V by 3 positions. A mesh with
+    /// another topology is framed from the three-quarter view, without marks.
     ///
     /// # Errors
     /// Arrays that do not fit together; the old mesh stays.
@@ -160,17 +161,18 @@ impl View {
     /// Moves the vertices, #V by 3.
     ///
     /// # Errors
-    /// Another number of vertices, or a coordinate that is not finite.
+    /// A wrong number of vertices, or a coordinate that is not finite.
     #[wasm_bindgen(js_name = setPositions)]
     pub fn set_positions(&mut self, positions: &[f64]) -> Result<(), JsValue> {
         self.model().set_positions(positions).map_err(thrown)
     }
 
-    /// Colours faces by a value each, from `low` to `high`, evenly or by their logarithm; with a
-    /// tolerance, those within it keep the material. NaN is grey; null is the plain material.
+    /// Colours each face by its value, from `low` to `high`, on a linear or logarithmic scale. With
+    /// a tolerance, faces within it keep the material. NaN is grey; null restores the plain
+    /// material.
     ///
     /// # Errors
-    /// Another number of values than faces.
+    /// The number of values differs from the number of faces.
     #[wasm_bindgen(js_name = setFaceValues)]
     pub fn set_face_values(
         &mut self,
@@ -185,19 +187,19 @@ impl View {
         self.model().set_face_values(values, scale).map_err(thrown)
     }
 
-    /// CSS colours of the map of all values from low to high, for a legend.
+    /// Returns CSS colours of the full colour map from low to high, for a legend.
     #[wasm_bindgen(js_name = colourStops)]
     pub fn colour_stops(&self, count: usize) -> Vec<String> {
         ColourMap::Viridis.stops(count)
     }
 
-    /// Light or dark.
+    /// Selects the light or the dark theme.
     #[wasm_bindgen(js_name = setTheme)]
     pub fn set_theme(&mut self, dark: bool) {
         self.model().set_dark(dark);
     }
 
-    /// A grey behind everything, from 0 (black) to 1 (white), or the colours of the theme.
+    /// Sets a grey background, from 0 (black) to 1 (white), or the background of the theme.
     #[wasm_bindgen(js_name = setGround)]
     pub fn set_ground(&mut self, grey: Option<f32>) {
         self.model().set_ground(grey);
@@ -231,16 +233,16 @@ impl View {
         self.model().set_handles(vertices, states, targets).map_err(thrown)
     }
 
-    /// Marks vertices and faces as selected, and no others.
+    /// Sets the selected vertices and faces.
     ///
     /// # Errors
-    /// An index that names nothing.
+    /// An index out of range.
     #[wasm_bindgen(js_name = setSelection)]
     pub fn set_selection(&mut self, vertices: Vec<u32>, faces: Vec<u32>) -> Result<(), JsValue> {
         self.model().select(vertices, faces).map_err(thrown)
     }
 
-    /// Sets the edges that can be picked: two vertices each, numbered in this order. Another mesh has
+    /// Sets the edges that can be picked: two vertices each, numbered in this order. A new mesh has
     /// none at first.
     ///
     /// # Errors
@@ -250,7 +252,7 @@ impl View {
         self.model().set_edges(ends).map_err(thrown)
     }
 
-    /// Marks edges as selected, by their places in `setEdges`, and no others.
+    /// Sets the selected edges, by their indices in `setEdges`.
     ///
     /// # Errors
     /// An edge that does not exist.
@@ -259,10 +261,10 @@ impl View {
         self.model().select_edges(edges).map_err(thrown)
     }
 
-    /// Marks the members of a constraint in a colour (each part 0 to 1), and no others.
+    /// Sets the marked members of a constraint, and their colour (components from 0 to 1).
     ///
     /// # Errors
-    /// An index that names nothing.
+    /// An index out of range.
     #[wasm_bindgen(js_name = setTint)]
     pub fn set_tint(
         &mut self,
@@ -275,9 +277,10 @@ impl View {
         self.model().set_tint(vertices, faces, [red, green, blue]).map_err(thrown)
     }
 
-    /// Gives faces and vertices the colours of the rows of constraints that act on them: per face (#F)
-    /// and per vertex (#V) 0 or one more than a place in the palette, whose colours are three parts
-    /// from 0 to 1. Empty arrays take all colours away. Values of faces go before colours of rows.
+    /// Colours faces and vertices by the row of constraints that acts on them. Each entry per face
+    /// (#F) and per vertex (#V) is 0, or an index into the palette plus one; the palette has three
+    /// components from 0 to 1 per colour. Empty arrays remove all colours. Values of faces take
+    /// precedence over row colours.
     ///
     /// # Errors
     /// Arrays that do not fit together.
@@ -297,15 +300,16 @@ impl View {
     /// Sets the fitted shapes, eight numbers each: kind (0 circle, 1 sphere), centre, normal, radius.
     ///
     /// # Errors
-    /// A length that is no multiple of eight.
+    /// A length that is not a multiple of eight.
     #[wasm_bindgen(js_name = setShapes)]
     pub fn set_shapes(&mut self, shapes: &[f32]) -> Result<(), JsValue> {
         self.model().set_shapes(shapes).map_err(thrown)
     }
 
-    /// Sets the projections of the constraints: the vertex of each projected point, the way from the
-    /// vertex to the point (#points by 3), one more than the place of its colour in the palette, the
-    /// outlines as pairs of points, and the palette, three parts from 0 to 1 per colour.
+    /// Sets the projections of the constraints: the vertex of each projected point, its
+    /// displacement from that vertex (#points by 3), the index of its colour in the palette plus
+    /// one, the outlines as pairs of points, and the palette, three components from 0 to 1 per
+    /// colour.
     ///
     /// # Errors
     /// Arrays that do not fit together.
@@ -324,7 +328,7 @@ impl View {
         Ok(())
     }
 
-    /// Whether the next `draw` has something new to show.
+    /// Returns whether anything has changed since the last `draw`.
     #[wasm_bindgen(js_name = needsDraw)]
     pub fn needs_draw(&self) -> bool {
         self.pictures.has_changes()
@@ -333,7 +337,7 @@ impl View {
     /// Draws if anything has changed; returns whether it did.
     ///
     /// # Errors
-    /// The device is lost; the page makes a new view on a new canvas.
+    /// The device is lost; the page then creates a new view on a new canvas.
     pub fn draw(&mut self) -> Result<bool, JsValue> {
         let (model, map, split) = self.pictures.to_draw();
         let drawn = self.renderer.draw(model, map, split, self.pixel_ratio, self.tile);
@@ -342,15 +346,16 @@ impl View {
         Ok(drawn)
     }
 
-    /// Whether the occlusion that was found last is still that of what is seen: then showing it costs nothing.
+    /// Returns whether the last computed occlusion still fits the current picture, so that showing
+    /// it costs nothing.
     #[wasm_bindgen(js_name = occlusionFits)]
     pub fn occlusion_fits(&self) -> bool {
         let size = self.tile.map_or(self.renderer.device.size(), |tile| tile.size);
-        // Two pictures side by side have none.
+        // Two pictures side by side have no occlusion.
         self.pictures.is_split() || self.renderer.occlusion_fits(self.pictures.model(), size)
     }
 
-    /// Pictures drawn so far.
+    /// Returns the number of pictures drawn so far.
     pub fn frames(&self) -> u32 {
         self.frames
     }

@@ -1,4 +1,4 @@
-//! Dragging handles, as the page tells of it.
+//! Handles dragged by the page.
 
 use super::solver::Solver;
 use crate::scene::NamedEnum;
@@ -8,12 +8,12 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Solver {
-    /// Drags handles: `phase` is "make", which makes the vertices handles first, or "start", then
-    /// "move", "end" or "cancel"; `targets` is `#vertices by 3`, or empty where none moves.
+    /// Drags handles. `phase` is "start", or "make" to turn the vertices into handles first; then
+    /// "move", "end" or "cancel". `targets` is `#vertices by 3`, or empty if none moves.
     ///
     /// # Errors
-    /// An unknown phase, or targets that are not one for each vertex, not finite or too far out: nothing
-    /// moves then, and an "end" keeps the move before.
+    /// An unknown phase, or targets that are not one per vertex, not finite or too far out. Nothing
+    /// moves then, and an "end" keeps the last move.
     pub fn drag(&mut self, vertices: &[u32], targets: &[f64], phase: &str) -> Result<(), JsValue> {
         let session = self.open_mut()?;
         let (targets, rest) = targets.as_chunks::<3>();

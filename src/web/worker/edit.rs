@@ -1,4 +1,4 @@
-//! Edits as the page sends them, and what it asks before it sends one.
+//! Edits from the page, and previews of edits.
 
 use super::parametrize::of_word;
 use super::solver::Solver;
@@ -8,7 +8,8 @@ use crate::web::plain::{plain, text, thrown_at};
 use crate::web::thrown;
 use wasm_bindgen::prelude::*;
 
-/// Types that serde reads by hand, and the form of enums with fields: an object whose `type` is the variant.
+/// TypeScript types of values that serde reads by hand, and the form of enums with fields: an
+/// object whose `type` names the variant.
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 export type Sent<E> = E extends string ? { type: E } : { [K in keyof E]: { type: K } & E[K] }[keyof E];
@@ -19,7 +20,7 @@ export type Selector = { each: string; in?: Within } | { vertices: number[] };
 
 #[wasm_bindgen]
 impl Solver {
-    /// Makes an edit, one step of undo.
+    /// Makes an edit, as one step of undo.
     pub fn edit(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Sent<Edit>")] edit: JsValue,
@@ -30,14 +31,14 @@ impl Solver {
         session.edit(edit).map(|_| ()).map_err(refused)
     }
 
-    /// Asks one shape of all panels, within `tolerance`, and begins a run: see
+    /// Requires one shape of all panels, within `tolerance`, and begins a run: see
     /// [`crate::session::Session::make_panels`].
     #[wasm_bindgen(js_name = makePanels)]
     pub fn make_panels(&mut self, kind: &str, tolerance: f64, afresh: bool) -> Result<(), JsValue> {
         self.open_mut()?.make_panels(kind, tolerance, afresh).map_err(refused)
     }
 
-    /// Makes an edit and begins a run, one step of undo together.
+    /// Makes an edit and begins a run, together one step of undo.
     #[wasm_bindgen(js_name = editAndRun)]
     pub fn edit_and_run(
         &mut self,
@@ -49,13 +50,13 @@ impl Solver {
         session.edit_and_run(edit).map_err(refused)
     }
 
-    /// The operations on the mesh, with sizes that fit it.
+    /// Returns the operations on the mesh, with sizes that suit it.
     #[wasm_bindgen(js_name = meshOperations, unchecked_return_type = "OfferedOperation[]")]
     pub fn mesh_operations(&self) -> Result<JsValue, JsValue> {
         plain(&self.open()?.operations())
     }
 
-    /// A preview of an operation on the mesh.
+    /// Returns a preview of an operation on the mesh.
     #[wasm_bindgen(unchecked_return_type = "RemeshingPreview")]
     pub fn remeshing(
         &self,
@@ -65,19 +66,19 @@ impl Solver {
         plain(&self.open()?.remeshing(&asked).map_err(refused)?)
     }
 
-    /// What refining by a scheme would make of the mesh, once, twice and so on; turns of more than `keep` degrees stay
-    /// sharp.
+    /// Returns the mesh sizes after refining by a scheme once, twice and so on. Edges at which the
+    /// surface turns by more than `keep` degrees stay sharp.
     ///
     /// # Errors
-    /// When the mesh cannot be refined so.
+    /// The mesh cannot be refined by this scheme.
     #[wasm_bindgen(unchecked_return_type = "Refinement[]")]
     pub fn refinements(&self, scheme: &str, keep: f64) -> Result<JsValue, JsValue> {
         let scheme = of_word("scheme", scheme)?;
         plain(&self.open()?.refinements(scheme, keep).map_err(refused)?)
     }
 
-    /// How many constraints a row of each kind would hold at each of the places, which are selectors as
-    /// in an edit: `#kinds by #places`, null where nothing fits.
+    /// Returns the number of constraints that a row of each kind would have on each of `places`,
+    /// which are selectors as in an edit: `#kinds by #places`, null if no element fits.
     #[wasm_bindgen(unchecked_return_type = "(Preview | null)[][]")]
     pub fn previews(
         &self,

@@ -1,4 +1,4 @@
-//! The face of the experiments in the worker.
+//! The interface of the experiments in the worker.
 
 use super::solver::Solver;
 use crate::error::Error;
@@ -11,24 +11,25 @@ use crate::web::thrown;
 use js_sys::{Array, Float64Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
 
-/// An experiment under way.
+/// An experiment in progress.
 #[wasm_bindgen]
 pub struct ExperimentRun {
     run: Run,
-    /// How many samples of each series the host has been told, and whether that it has ended.
-    told: Vec<(usize, bool)>,
+    /// For each series: the number of samples already reported to the page, and whether its end
+    /// was.
+    sent: Vec<(usize, bool)>,
 }
 
 impl ExperimentRun {
     fn of(run: Run) -> ExperimentRun {
-        ExperimentRun { told: vec![(0, false); run.experiment().methods.len()], run }
+        ExperimentRun { sent: vec![(0, false); run.experiment().methods.len()], run }
     }
 }
 
 #[wasm_bindgen]
 impl ExperimentRun {
-    /// The experiment of an example, on its scene and the mesh that this names. Limits that are not
-    /// given are the experiment's own.
+    /// Creates the experiment of an example, on its scene and the mesh that the scene names. Limits
+    /// default to those of the experiment.
     #[wasm_bindgen(constructor)]
     pub fn new(
         example: &str,
@@ -49,8 +50,8 @@ impl ExperimentRun {
         Ok(ExperimentRun::of(Run::new(experiment, scene, mesh, limits)))
     }
 
-    /// The comparison of methods on what is open, from its original shape. At most so many iterations of
-    /// each method, else as the experiment says.
+    /// Creates the comparison of methods on the open model, from its original shape, with at most
+    /// `iterations` of each method (default: as the experiment declares).
     #[wasm_bindgen(js_name = ofOpen)]
     pub fn of_open(solver: &Solver, iterations: Option<u32>) -> Result<ExperimentRun, JsValue> {
         let session = solver.open()?;
@@ -60,12 +61,12 @@ impl ExperimentRun {
         Ok(ExperimentRun::of(Run::new(&COMPARISON, scene, session.mesh().clone(), limits)))
     }
 
-    /// The declaration of the comparison on whatever is open.
+    /// Returns the declaration of the comparison on the open model.
     pub fn declared() -> Result<JsValue, JsValue> {
         plain(&COMPARISON)
     }
 
-    /// Iterates for about so many milliseconds; false once all methods have ended.
+    /// Iterates for about the given time; returns false once all methods have ended.
     pub fn advance(&mut self, milliseconds: f64) -> Result<bool, JsValue> {
         let until = clock::now() + milliseconds / 1e3;
         while clock::now() < until {
@@ -76,23 +77,23 @@ impl ExperimentRun {
         Ok(true)
     }
 
-    /// Samples since the last call, one entry for each method with something new: `method`, its
-    /// index; `endedBy`, in words, or null; `samples`, per iteration its number, the seconds, and the
-    /// quantities of the experiment.
+    /// Returns the samples since the last call, one entry for each method with news: `method`, its
+    /// index; `endedBy`, in words, or null; `samples`, for each iteration its number, the seconds,
+    /// and the quantities of the experiment.
     pub fn news(&mut self) -> Result<Array, JsValue> {
         let news = Array::new();
-        for (method, (series, told)) in self.run.series().iter().zip(&mut self.told).enumerate() {
+        for (method, (series, sent)) in self.run.series().iter().zip(&mut self.sent).enumerate() {
             let state = (series.samples.len(), series.ended_by.is_some());
-            if *told == state {
+            if *sent == state {
                 continue;
             }
-            let fresh = series.samples.iter().enumerate().skip(told.0);
+            let fresh = series.samples.iter().enumerate().skip(sent.0);
             let numbers: Vec<f64> = fresh
                 .flat_map(|(iteration, sample)| {
                     [iteration as f64, sample.seconds].into_iter().chain(sample.values.clone())
                 })
                 .collect();
-            *told = state;
+            *sent = state;
             let ended = series.ended_by.map_or(JsValue::NULL, |ended| ended.words().into());
             let entry = Object::new();
             Reflect::set(&entry, &"method".into(), &(method as f64).into())?;
@@ -103,7 +104,7 @@ impl ExperimentRun {
         Ok(news)
     }
 
-    /// Everything that was measured as comma-separated values.
+    /// Returns all measurements as comma-separated values.
     pub fn csv(&self) -> String {
         self.run.csv()
     }

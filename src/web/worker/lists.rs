@@ -1,4 +1,4 @@
-//! Lists of elements: the verdict on the panels, the worst elements, those with a problem.
+//! Lists of elements: the verdict on the panels, the worst elements, elements with a flaw.
 
 use super::solver::Solver;
 use crate::web::plain::{plain, selection};
@@ -7,32 +7,34 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Solver {
-    /// The `count` worst faces by a measure.
+    /// Returns the `count` worst faces by a measure.
     #[wasm_bindgen(js_name = worstFaces, unchecked_return_type = "WorstElement[]")]
     pub fn worst_faces(&mut self, measure: &str, count: usize) -> Result<JsValue, JsValue> {
         let worst = self.open_mut()?.worst_faces(measure, count);
         plain(&worst.ok_or_else(|| thrown(format!("unknown measure {measure:?}")))?)
     }
 
-    /// The `count` worst constraints of a row.
+    /// Returns the `count` worst constraints of a row.
     #[wasm_bindgen(js_name = worstConstraints, unchecked_return_type = "WorstElement[]")]
     pub fn worst_constraints(&mut self, row: usize, count: usize) -> Result<JsValue, JsValue> {
         plain(&self.open_mut()?.worst_constraints(row, count))
     }
 
-    /// How many panels are as asked within a tolerance, units of the mesh; null where none is asked.
+    /// Returns how many panels meet their requirement within a tolerance (units of the mesh); null
+    /// if no row requires a shape of the panels.
     #[wasm_bindgen(unchecked_return_type = "Verdict | null")]
     pub fn verdict(&mut self, tolerance: f64) -> Result<JsValue, JsValue> {
         plain(&self.open_mut()?.verdict(tolerance))
     }
 
-    /// How far the mesh will move for panels of one shape, in words; null where no such shape is offered.
+    /// Returns in words how far making panels of one shape will move the mesh; null if no such
+    /// shape is offered.
     #[wasm_bindgen(unchecked_return_type = "string | null")]
     pub fn forecast(&self) -> Result<JsValue, JsValue> {
         plain(&self.open()?.forecast().map(|forecast| forecast.words()))
     }
 
-    /// The vertices, edges and faces that have a flaw, as the page selects them.
+    /// Returns the vertices, edges and faces with a flaw, as a selection.
     pub fn flawed(&self, name: &str) -> Result<JsValue, JsValue> {
         let session = self.open()?;
         let found = session.elements_with_problem(name);

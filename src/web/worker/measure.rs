@@ -5,8 +5,8 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Solver {
-    /// Seconds that all iterations took so far, by part: projections, closeness, smoothness and handles,
-    /// and the global step.
+    /// Returns the seconds spent in all iterations so far, by part: projections, closeness,
+    /// smoothness and handles, and the global step.
     #[wasm_bindgen(js_name = iterateSeconds)]
     pub fn iterate_seconds(&self) -> Result<Vec<f64>, JsValue> {
         let seconds = self.open()?.solver().iterate_seconds();

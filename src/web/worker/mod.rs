@@ -1,16 +1,16 @@
-//! The face of the solver in the worker.
+//! The interface of the solver in the worker.
 //!
 //! | file or folder | holds |
 //! |---|---|
-//! | `solver` | the model that is open, its state, its numbers |
-//! | `reading`, `edit`, `drag` | files in; edits and previews; handles that are dragged |
-//! | `shown`, `original` | what is drawn of the session, and of what it was before |
-//! | `report` | what is told of the session |
+//! | `solver` | the open model, its state and its numbers |
+//! | `reading`, `edit`, `drag` | files to open; edits and previews; dragged handles |
+//! | `shown`, `original` | arrays to draw, of the current shape and of the original |
+//! | `report` | reports on the session |
 //! | `selecting`, `lists` | selections and settings, lists of elements |
-//! | `saved` | steps of undo and unfinished work as bytes, to go on after a restart; what a student hands in |
+//! | `saved` | undo history and unfinished work as bytes, for a restart; a student's results |
 //! | `parametrize`, `experiment` | the flat map, the paper's comparisons |
-//! | `trials` | what would help where constraints are not met, what it would cost to be exact, and variations |
-//! | `measure` | what benchmarks ask |
+//! | `trials` | edits that may help if constraints are not met, the cost of exactness, variations |
+//! | `measure` | timings for benchmarks |
 
 mod drag;
 mod edit;

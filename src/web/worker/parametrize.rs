@@ -9,19 +9,25 @@ use crate::web::thrown;
 use js_sys::Float64Array;
 use wasm_bindgen::prelude::*;
 
-/// The colours of a map span at least this: a difference of one per cent is hardly seen in a shape.
+/// The colour range of a map is at least this wide: a difference of one per cent is hardly visible.
 const LEAST_RANGE: [f64; 2] = [1.0, 1.01];
-/// Bars of the histogram of errors.
+/// Number of bars in the histogram of errors.
 const BARS: usize = 24;
 
 #[wasm_bindgen]
 impl Solver {
-    /// The flat map of the current shape: `uv` (`#V by 2`, units of the mesh), `faceErrors` (`#F`, the
-    /// greatest quasi-conformal error of the triangles of each face, not a number without area), `mean`
-    /// (weighted by area) and `max` of the error, `histogram` (faces, from 1 up to `high`), `flipped` triangles, `flippedFaces`
-    /// that have some of these, `parts`, `closedParts`, `leftOut` faces without area or on the same vertices
-    /// as another,
-    /// `eigenvalue`, and `seconds`, by part in `secondsOf`. `weights` and `norm` are the words of the command line.
+    /// Computes the flat map of the current shape. Returns
+    ///
+    /// - `uv`, `#V by 2`, units of the mesh,
+    /// - `faceErrors`, `#F`: the largest quasi-conformal error of the triangles of each face, NaN
+    ///   for a face without area; `mean` (weighted by area) and `max` of the error; its `histogram`
+    ///   over the faces, from 1 to `high`,
+    /// - the number of `flipped` triangles, and `flippedFaces`, the faces that contain them,
+    /// - the numbers of `parts`, `closedParts`, and `leftOut` faces (without area, or on the same
+    ///   vertices as another face),
+    /// - `eigenvalue`, `seconds`, and their parts in `secondsOf`.
+    ///
+    /// `weights` and `norm` are the words of the command line.
     ///
     /// # Errors
     /// A mesh without faces, a surface without area, or an unknown word.
@@ -57,9 +63,9 @@ impl Solver {
         ])
     }
 
-    /// The weights and norm whose flat map of the current shape turns fewest triangles over, of those that
-    /// turn fewer than `flipped`: `weights`, `norm`, `flipped` and `mean`, as [`Solver::parametrize`] has them. Null
-    /// where all turn as many. It makes every map that there is.
+    /// Returns the weights and norm whose flat map of the current shape flips the fewest triangles,
+    /// among those that flip fewer than `flipped`: `weights`, `norm`, `flipped` and `mean`, as in
+    /// [`Solver::parametrize`]. Null if no choice flips fewer. It computes the maps of all choices.
     ///
     /// # Errors
     /// No model is open.
@@ -79,7 +85,7 @@ impl Solver {
     /// The current shape as OBJ with the texture coordinates `uv` (`#V by 2`) of each vertex.
     ///
     /// # Errors
-    /// Another number of coordinates.
+    /// The number of coordinates is wrong.
     #[wasm_bindgen(js_name = objWithUv)]
     pub fn obj_with_uv(&self, uv: &[f64]) -> Result<String, JsValue> {
         let session = self.open()?;
@@ -92,7 +98,7 @@ impl Solver {
     }
 }
 
-/// The choice that a word of the command line names.
+/// Returns the choice with the given word of the command line.
 pub(super) fn of_word<T: NamedEnum>(what: &str, word: &str) -> Result<T, JsValue> {
     let unknown = || thrown(format!("{what} \"{word}\", expected one of {}", T::list(", ")));
     T::of_word(word).ok_or_else(unknown)

@@ -1,4 +1,4 @@
-//! Files in: meshes, and scenes with the mesh files that they name.
+//! Opens files: meshes, and scenes with the mesh files that they name.
 
 use super::report::Loaded;
 use super::solver::Solver;
@@ -12,33 +12,34 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Solver {
-    /// The files that a scene names, by their paths: its mesh, another surface to be close to, another pose.
+    /// Returns the paths of the files that a scene names: its mesh, a reference surface, another
+    /// pose.
     #[wasm_bindgen(js_name = sceneFiles)]
     pub fn scene_files(&self, bytes: &[u8]) -> Result<Vec<String>, JsValue> {
         let scene = OpenedFile::scene_in(bytes).map_err(thrown)?;
         Ok(named_files(&scene).map(str::to_owned).collect())
     }
 
-    /// A file beside the next scene, by the path that this names it with.
+    /// Supplies a file for the next scene, under the path by which the scene names it.
     pub fn bring(&mut self, path: &str, bytes: Vec<u8>) {
         self.files.bring(path, bytes);
     }
 
-    /// Unit and axis of the next mesh file unless it states its own, in the words of such a file:
-    /// `# units: m`, `# up: y`, a line each.
+    /// Sets the unit and up axis of the next mesh file, in case the file does not state them.
+    /// `comments` has the form of such statements in a file: `# units: m`, `# up: y`, a line each.
     pub fn assume(&mut self, comments: &str) {
         self.files.assume(UnitsAndUp::stated(comments.as_bytes()));
     }
 
-    /// Whether the next mesh file keeps vertices at one place apart: otherwise it is welded where its faces
-    /// have their own.
+    /// Sets whether coincident vertices of the next mesh file stay separate. Otherwise the mesh is
+    /// welded if its faces do not share vertices.
     #[wasm_bindgen(js_name = keepApart)]
     pub fn keep_apart(&mut self, apart: bool) {
         self.files.keep_apart(apart);
     }
 
-    /// Opens a mesh, or a scene with the files that it names, which were brought. The model that is open
-    /// stays when this one is refused.
+    /// Opens a mesh, or a scene with the files that [`Solver::bring`] supplied. If this one is
+    /// refused, the model that is open stays.
     #[wasm_bindgen(unchecked_return_type = "Loaded")]
     pub fn load(&mut self, name: &str, bytes: &[u8]) -> Result<JsValue, JsValue> {
         let started = clock::now();
@@ -56,8 +57,8 @@ impl Solver {
         loaded
     }
 
-    /// The summary of the mesh that has taken the place of the one that was asked for last, without a name;
-    /// undefined while it is the same.
+    /// Returns the summary of the current mesh, without a name, if the mesh has been replaced since
+    /// the last summary; else undefined.
     #[wasm_bindgen(unchecked_return_type = "Loaded | undefined")]
     pub fn remeshed(&mut self) -> Result<JsValue, JsValue> {
         let session = self.open()?;
@@ -76,7 +77,7 @@ impl Solver {
         loaded
     }
 
-    /// Counts on from `iteration`, where the scene that was just opened stood when it was saved.
+    /// Continues counting from `iteration`, the saved iteration of the scene that was just opened.
     #[wasm_bindgen(js_name = restoreIteration)]
     pub fn restore_iteration(&mut self, iteration: u32) -> Result<(), JsValue> {
         self.open_mut()?.restore_iteration(iteration);

@@ -1,4 +1,5 @@
-//! Steps of undo and unfinished work as bytes, to go on after a restart, and what a student hands in.
+//! Undo history and unfinished work as bytes, for a restart of the worker, and the results that a
+//! student hands in.
 
 use super::solver::Solver;
 use crate::fabricate::BUILD_NUMBERS;
@@ -7,32 +8,32 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Solver {
-    /// The steps of undo and redo. They belong to the scene as it stands, or as it stood before the run or
-    /// the drag that goes on.
+    /// Returns the steps of undo and redo. They belong to the current scene or, during a run or
+    /// drag, to the scene before it.
     #[wasm_bindgen(js_name = savedHistory)]
     pub fn saved_history(&self) -> Result<Vec<u8>, JsValue> {
         Ok(self.open()?.saved_history())
     }
 
-    /// How far the run or the drag that goes on has come.
+    /// Returns the progress of the current run or drag.
     #[wasm_bindgen(js_name = savedProgress)]
     pub fn saved_progress(&self) -> Result<Vec<u8>, JsValue> {
         Ok(self.open()?.saved_progress())
     }
 
-    /// Goes on where the scene that was just opened stood when it was saved; either may be empty. What
-    /// can be restored is, also when an error says that something cannot.
+    /// Restores the saved history and progress of the scene that was just opened; either may be
+    /// empty. Restores as much as it can, even if it returns an error.
     pub fn restore(&mut self, history: &[u8], progress: &[u8]) -> Result<(), JsValue> {
         self.open_mut()?.restore(history, progress).map_err(thrown)
     }
 
-    /// The numbers of what is built that a lesson may bound.
+    /// Returns the numbers of the build that a lesson may bound.
     #[wasm_bindgen(js_name = buildNumbers)]
     pub fn build_numbers(&self) -> Result<JsValue, JsValue> {
         plain_object(&BUILD_NUMBERS)
     }
 
-    /// Takes over numbers of what is built of the shape as it is: `ids` and as many `values`.
+    /// Stores numbers of the build of the current shape: `ids` and as many `values`.
     #[wasm_bindgen(js_name = tellBuild)]
     pub fn tell_build(&mut self, ids: Vec<String>, values: &[f64]) -> Result<(), JsValue> {
         let numbers = ids.into_iter().zip(values.iter().copied()).collect();
@@ -40,7 +41,7 @@ impl Solver {
         Ok(())
     }
 
-    /// The file that `student` hands in.
+    /// Returns the file that `student` hands in.
     pub fn results(&mut self, student: &str, time: &str) -> Result<String, JsValue> {
         let results = self.open_mut()?.results(student, time);
         let results = results.ok_or_else(|| thrown("the scene has no lesson"))?;

@@ -1,4 +1,4 @@
-//! Selections, and the declared lists of operations and settings.
+//! Selections, and the declared operations and settings.
 
 use super::solver::Solver;
 use crate::session::{OPERATIONS, SETTINGS, SelectRequest};
@@ -8,24 +8,24 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Solver {
-    /// The declared ways to select.
+    /// Returns the declared selection operations.
     #[wasm_bindgen(unchecked_return_type = "Operation[]")]
     pub fn operations(&self) -> Result<JsValue, JsValue> {
         plain(&OPERATIONS)
     }
 
-    /// The declared settings of a scene.
+    /// Returns the declared settings of a scene.
     #[wasm_bindgen(unchecked_return_type = "Setting[]")]
     pub fn settings(&self) -> Result<JsValue, JsValue> {
         plain(&SETTINGS)
     }
 
-    /// The edges of the mesh: `#E by 2` vertices, in the order in which selections number them.
+    /// Returns the edges of the mesh: `#E by 2` vertices, in the numbering that selections use.
     pub fn edges(&self) -> Result<Uint32Array, JsValue> {
         Ok(Uint32Array::from(self.open()?.topology().edges().as_flattened()))
     }
 
-    /// The selection after an operation: `vertices`, `edges` and `faces`, ascending.
+    /// Returns the selection after an operation: `vertices`, `edges` and `faces`, ascending.
     pub fn select(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "SelectRequest")] request: JsValue,

@@ -1,5 +1,5 @@
-//! Arrays of the session that the view draws: values of faces and vertices, fitted shapes, projections, and what
-//! rows of constraints act on.
+//! Arrays of the session that the view draws: values of faces and vertices, fitted shapes,
+//! projections, and the elements of each row of constraints.
 
 use super::solver::Solver;
 use crate::constraint::Fitted;
@@ -11,22 +11,23 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Solver {
-    /// The values of a measure of faces, `#F`, in its unit.
+    /// Returns the values of a measure of faces, `#F`, in its unit.
     #[wasm_bindgen(js_name = faceValues)]
     pub fn face_values(&mut self, measure: &str) -> Result<Float32Array, JsValue> {
         let values = self.open_mut()?.face_values(measure);
         values.map(|values| narrow(&values)).ok_or_else(|| unknown(measure))
     }
 
-    /// The fitted shapes to be drawn, eight numbers each: [`Fitted::numbers`].
+    /// Returns the fitted shapes to be drawn, eight numbers each: [`Fitted::numbers`].
     pub fn fitted(&self) -> Result<Float32Array, JsValue> {
         let shapes = self.open()?.solver().fitted();
         Ok(narrow(&shapes.iter().flat_map(Fitted::numbers).collect::<Vec<f64>>()))
     }
 
-    /// The projections of the constraints at the current positions: per point its vertex
-    /// (`vertices`), the way from there to the point (`ways`, `#points by 3`, units of the mesh), and
-    /// one more than the place of its colour in `palette` (`colours`); `outlines` are pairs of points.
+    /// Returns the projections of the constraints at the current positions: the vertex of each
+    /// projected point (`vertices`), its displacement from that vertex (`ways`, `#points by 3`,
+    /// units of the mesh), and the index of its colour in `palette` plus one (`colours`);
+    /// `outlines` are pairs of points.
     pub fn projections(&mut self) -> Result<JsValue, JsValue> {
         let session = self.open_mut()?;
         let rows = session.row_palette();
@@ -41,15 +42,15 @@ impl Solver {
         ])
     }
 
-    /// The faces and vertices that row `constraint` acts on.
+    /// Returns the faces and vertices on which row `constraint` acts.
     pub fn members(&self, constraint: usize) -> Result<JsValue, JsValue> {
         let [faces, vertices] = self.open()?.members(constraint);
         object([("faces", indices(&faces)), ("vertices", indices(&vertices))])
     }
 
-    /// The colour of the row of constraints that acts on each face and each vertex: `faces` (`#F`)
-    /// and `vertices` (`#V`) are 0 where there is none, else one more than a place in `palette`,
-    /// three numbers from 0 to 1 per colour.
+    /// Returns the colour of the row of constraints that acts on each face and each vertex: `faces`
+    /// (`#F`) and `vertices` (`#V`) are 0 without a row, else an index into `palette` plus one. The
+    /// palette has three numbers from 0 to 1 per colour.
     #[wasm_bindgen(js_name = rowColours)]
     pub fn row_colours(&self) -> Result<JsValue, JsValue> {
         let session = self.open()?;
@@ -66,15 +67,15 @@ impl Solver {
         ])
     }
 
-    /// The values of a measure of the faces of the original, `#F`, in its unit.
+    /// Returns the values of a measure on the faces of the original, `#F`, in its unit.
     #[wasm_bindgen(js_name = originalValues)]
     pub fn original_values(&mut self, measure: &str) -> Result<Float32Array, JsValue> {
         let values = self.open_mut()?.face_values_of(measure, Shape::Original);
         values.map(|values| narrow(&values)).ok_or_else(|| unknown(measure))
     }
 
-    /// The values of the vertices, `#V`, whose largest the faces have in a measure; nothing where the
-    /// measure is not of vertices.
+    /// Returns the values of the vertices, `#V`, of which each face has the largest as its value;
+    /// undefined if the measure has no vertex values.
     #[wasm_bindgen(js_name = cornerValues)]
     pub fn corner_values(&self, measure: &str) -> Result<Option<Float32Array>, JsValue> {
         let values = self.open()?.corner_values(measure);
@@ -86,7 +87,7 @@ fn unknown(measure: &str) -> JsValue {
     thrown(format!("unknown measure {measure:?}"))
 }
 
-/// Three parts from 0 to 1 per colour.
+/// Returns the palette as three components from 0 to 1 per colour.
 fn palette(rows: &RowPalette) -> JsValue {
     let parts = rows.colours.as_flattened().iter();
     let parts: Vec<f32> = parts.map(|&part| f32::from(part) / 255.0).collect();

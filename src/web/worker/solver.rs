@@ -1,4 +1,4 @@
-//! The face of the solver in the worker.
+//! The interface of the solver in the worker.
 
 use super::report::{self, Document, elements, kinds};
 use crate::mesh::Weld;
@@ -9,68 +9,68 @@ use crate::web::{log_panics, thrown};
 use js_sys::{Float64Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
-/// Everything that the worker does, on the one model that is open.
+/// The interface of the worker to the one model that is open.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Solver {
     pub(super) session: Option<Session>,
     pub(super) files: FileReader,
-    /// How the mesh that is open was welded.
+    /// How the vertices of the open mesh were welded, if they were.
     pub(super) weld: Option<Weld>,
-    /// The generation of the mesh that the page knows.
+    /// The generation of the mesh that was last reported to the page.
     pub(super) generation: u32,
-    /// Milliseconds that the last step took.
+    /// Duration of the last step in milliseconds.
     pub(super) step_ms: f64,
-    /// The trial of exactness that is under way.
+    /// The trial of exactness in progress.
     pub(super) trial: Option<ExactTrial>,
-    /// Ways to change the shape.
+    /// The variations of the shape: the ways in which it can change.
     pub(super) variations: Option<Variations>,
 }
 
 #[wasm_bindgen]
 impl Solver {
-    /// No model.
+    /// Creates a solver without a model.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Solver {
         log_panics();
         Solver::default()
     }
 
-    /// The list of kinds.
+    /// Returns all kinds of constraints.
     #[wasm_bindgen(unchecked_return_type = "KindWords[]")]
     pub fn kinds(&self) -> Result<JsValue, JsValue> {
         plain(&kinds())
     }
 
-    /// The elements that can carry one constraint each.
+    /// Returns the elements on which constraints can act, one constraint per element.
     #[wasm_bindgen(unchecked_return_type = "ElementWords[]")]
     pub fn elements(&self) -> Result<JsValue, JsValue> {
         plain(&elements())
     }
 
-    /// The measures of faces.
+    /// Returns the measures of faces.
     #[wasm_bindgen(unchecked_return_type = "FaceMeasure[]")]
     pub fn measures(&self) -> Result<JsValue, JsValue> {
         plain(&FACE_MEASURES)
     }
 
-    /// The document: constraints, handles, weights, what can be undone.
+    /// Returns the document: constraints, handles, weights, undo and redo.
     #[wasm_bindgen(unchecked_return_type = "Document")]
     pub fn document(&self) -> Result<JsValue, JsValue> {
         plain(&Document::new(self.open()?))
     }
 
-    /// Takes back the last step; its name, or null.
+    /// Undoes the last step; returns its name, or undefined.
     pub fn undo(&mut self) -> Result<Option<String>, JsValue> {
         self.open_mut()?.undo().map_err(thrown)
     }
 
-    /// Repeats the step that was last undone; its name, or null.
+    /// Repeats the step that was last undone; returns its name, or undefined.
     pub fn redo(&mut self) -> Result<Option<String>, JsValue> {
         self.open_mut()?.redo().map_err(thrown)
     }
 
-    /// One iteration; true when there is nothing to go on for.
+    /// Does one iteration; returns true when the run has ended.
     pub fn step(&mut self) -> Result<bool, JsValue> {
         let started = clock::now();
         let step = self.open_mut()?.step().map_err(thrown)?;
@@ -78,25 +78,26 @@ impl Solver {
         Ok(step.ended)
     }
 
-    /// One iteration as a run of its own, which ends before hard constraints are met; whether it has converged.
+    /// Does one iteration as a run of its own, which ends before hard constraints are met; returns
+    /// whether it has converged.
     #[wasm_bindgen(js_name = singleStep)]
     pub fn single_step(&mut self) -> Result<bool, JsValue> {
         Ok(self.open_mut()?.single_step().map_err(thrown)?.ended)
     }
 
-    /// How the shape has collapsed, as the end of a sentence, or undefined.
+    /// Describes how the shape has collapsed, as the end of a sentence, or returns undefined.
     pub fn collapse(&self) -> Result<Option<String>, JsValue> {
         Ok(self.open()?.collapse().map(|collapse| collapse.to_string()))
     }
 
-    /// Lets the run that has begun go on when the shape collapses.
+    /// Lets the current run continue although the shape has collapsed.
     #[wasm_bindgen(js_name = goOn)]
     pub fn go_on(&mut self) -> Result<(), JsValue> {
         self.open_mut()?.go_on();
         Ok(())
     }
 
-    /// Begins a run: iterations up to [`Solver::end_run`] are one step of undo.
+    /// Begins a run: all iterations until [`Solver::end_run`] become one step of undo.
     #[wasm_bindgen(js_name = beginRun)]
     pub fn begin_run(&mut self) -> Result<(), JsValue> {
         self.open_mut()?.begin_run();
@@ -110,19 +111,19 @@ impl Solver {
         Ok(())
     }
 
-    /// Whether a run has begun and not ended: the end of a drag may begin one.
+    /// Returns whether a run is in progress; the end of a drag may begin one.
     #[wasm_bindgen(js_name = isRunning)]
     pub fn is_running(&self) -> Result<bool, JsValue> {
         Ok(self.open()?.is_running())
     }
 
-    /// The iteration of the current state.
+    /// Returns the number of the current iteration.
     pub fn iteration(&self) -> Result<u32, JsValue> {
         Ok(self.open()?.iteration())
     }
 
-    /// The energies of the iterations that led to the current state, `#iterations by 6`: iteration,
-    /// shape, close, smooth, handles, total.
+    /// Returns the energies of the iterations that led to the current state, `#iterations by 6`:
+    /// iteration, shape, close, smooth, handles, total.
     pub fn trace(&self) -> Result<Float64Array, JsValue> {
         let entries = self.open()?.trace().iter().map(|entry| {
             let e = entry.energy;
@@ -131,8 +132,8 @@ impl Solver {
         Ok(Float64Array::from(entries.collect::<Vec<_>>().as_flattened()))
     }
 
-    /// The numbers of the current state; while it is `iterating`, how planar and circular the faces are may
-    /// be those of half a second before.
+    /// Returns the numbers of the current state. While `iterating`, planarity and circularity may
+    /// be up to half a second old.
     #[wasm_bindgen(unchecked_return_type = "Frame")]
     pub fn frame(&mut self, iterating: bool) -> Result<JsValue, JsValue> {
         let step_ms = self.step_ms;
@@ -146,22 +147,23 @@ impl Solver {
         Ok(())
     }
 
-    /// The report, in the words and units of the command line.
+    /// Returns the report, in the words and units of the command line.
     pub fn report(&self) -> Result<JsValue, JsValue> {
         plain(&self.open()?.report())
     }
 
-    /// The scene file with the mesh inline.
+    /// Returns the scene file with the mesh inline.
     pub fn scene(&self) -> Result<String, JsValue> {
         Ok(self.open()?.scene_with_mesh())
     }
 
-    /// The current shape as OBJ.
+    /// Returns the current shape as OBJ.
     pub fn obj(&self) -> Result<String, JsValue> {
         Ok(self.open()?.obj())
     }
 
-    /// The current shape as OBJ with the vertices and faces of the file, where these were welded.
+    /// Returns the current shape as OBJ, with the vertices and faces of the file from before
+    /// welding.
     #[wasm_bindgen(js_name = objAsItCame)]
     pub fn obj_as_it_came(&self) -> Result<String, JsValue> {
         let session = self.open()?;
@@ -169,7 +171,8 @@ impl Solver {
         Ok(weld.map_or_else(|| session.obj(), |weld| session.obj_as_it_came(weld)))
     }
 
-    /// A table as CSV: `errors` of faces, energies of the iterations (`convergence`), or `angles`.
+    /// Returns a table as CSV: `errors` of faces, energies of the iterations (`convergence`), or
+    /// `angles`.
     pub fn table(&mut self, what: &str) -> Result<String, JsValue> {
         let session = self.open_mut()?;
         match what {
@@ -180,25 +183,25 @@ impl Solver {
         }
     }
 
-    /// Where the corners of each face start, `#F + 1`.
+    /// Returns where the corners of each face start, `#F + 1`.
     #[wasm_bindgen(js_name = faceOffsets)]
     pub fn face_offsets(&self) -> Result<Uint32Array, JsValue> {
         Ok(Uint32Array::from(self.open()?.mesh().faces.offsets()))
     }
 
-    /// The corners of all faces.
+    /// Returns the corners of all faces.
     #[wasm_bindgen(js_name = faceIndices)]
     pub fn face_indices(&self) -> Result<Uint32Array, JsValue> {
         Ok(Uint32Array::from(self.open()?.mesh().faces.indices()))
     }
 
-    /// Where the vertices of each polyline start, `#curves + 1`.
+    /// Returns where the vertices of each polyline start, `#curves + 1`.
     #[wasm_bindgen(js_name = curveOffsets)]
     pub fn curve_offsets(&self) -> Result<Uint32Array, JsValue> {
         Ok(Uint32Array::from(self.open()?.mesh().curves.offsets()))
     }
 
-    /// The vertices of all polylines.
+    /// Returns the vertices of all polylines.
     #[wasm_bindgen(js_name = curveIndices)]
     pub fn curve_indices(&self) -> Result<Uint32Array, JsValue> {
         Ok(Uint32Array::from(self.open()?.mesh().curves.indices()))

@@ -1,5 +1,5 @@
-//! Trials in slices beside the worker's other work: of edits that help where constraints are not met, of being exact,
-//! and of ways to change a shape that is.
+//! Trials in slices beside the worker's other work: edits that may help if constraints are not met,
+//! exact solutions, and variations of a shape.
 
 use super::solver::Solver;
 use crate::session::Remedies;
@@ -10,7 +10,7 @@ use js_sys::{Float32Array, Float64Array};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// Trials of changes on a copy of the model that is open.
+/// Trials of edits on a copy of the open model.
 #[wasm_bindgen(js_name = RemedyTrials)]
 pub struct RemedyTrials {
     remedies: Remedies,
@@ -18,7 +18,7 @@ pub struct RemedyTrials {
 
 #[wasm_bindgen(js_class = RemedyTrials)]
 impl RemedyTrials {
-    /// Begins; `solver` is only read now.
+    /// Begins the trials; `solver` is read only during this call.
     #[wasm_bindgen(constructor)]
     pub fn new(solver: &Solver) -> Result<RemedyTrials, JsValue> {
         log_panics();
@@ -26,7 +26,7 @@ impl RemedyTrials {
         Ok(RemedyTrials { remedies })
     }
 
-    /// Goes on for about so many milliseconds; whether there is more to try.
+    /// Continues for about the given time; returns whether there is more to try.
     pub fn advance(&mut self, milliseconds: f64) -> Result<bool, JsValue> {
         let until = clock::now() + 1e-3 * milliseconds;
         while self.remedies.step().map_err(thrown)? {
@@ -37,7 +37,7 @@ impl RemedyTrials {
         Ok(false)
     }
 
-    /// Those that help, the greatest help first.
+    /// Returns the edits that help, the most effective first.
     #[wasm_bindgen(unchecked_return_type = "Remedy[]")]
     pub fn found(&self) -> Result<JsValue, JsValue> {
         plain(&self.remedies.found())
@@ -46,21 +46,21 @@ impl RemedyTrials {
 
 #[wasm_bindgen]
 impl Solver {
-    /// Begins to try what it would cost to be exact, from the shape that is open on.
+    /// Begins a trial, from the current shape, to meet exactly what is met within a distance.
     #[wasm_bindgen(js_name = tryExact)]
     pub fn try_exact(&mut self) -> Result<(), JsValue> {
         self.trial = self.open()?.exact_trial().map_err(thrown)?;
         Ok(())
     }
 
-    /// Begins to look for less energy among the shapes that meet what is required.
+    /// Begins to search the shapes that meet the requirements for one of lower energy.
     #[wasm_bindgen(js_name = tryImprovement)]
     pub fn try_improvement(&mut self) -> Result<(), JsValue> {
         self.trial = self.open()?.improvement().map_err(thrown)?;
         Ok(())
     }
 
-    /// Goes on with that for about so many milliseconds; whether there is more to do.
+    /// Continues the trial for about the given time; returns whether there is more to do.
     pub fn advance(&mut self, milliseconds: f64) -> Result<bool, JsValue> {
         let Some((trial, session)) = self.trial.as_mut().zip(self.session.as_ref()) else {
             return Ok(false);
@@ -74,37 +74,37 @@ impl Solver {
         Ok(false)
     }
 
-    /// The cost of exactness; null where nothing is hard.
+    /// Returns the cost of exactness; null without a trial.
     pub fn offer(&mut self) -> Result<JsValue, JsValue> {
         let both = self.trial.as_mut().zip(self.session.as_ref());
         plain(&both.map(|(trial, session)| trial.offer(session)))
     }
 
-    /// Takes the exact shape, as a step of undo or as a part of the last one; whether it was of the current shape
-    /// still.
+    /// Applies the shape of the trial, as a step of undo or as part of the last one (`joins`);
+    /// returns whether the trial still belonged to the current shape.
     pub fn accept(&mut self, joins: bool) -> Result<bool, JsValue> {
         let Some(trial) = self.trial.take() else { return Ok(false) };
         self.open_mut()?.make_exact(&trial, joins).map_err(thrown)
     }
 }
 
-/// How far the search for variations has come.
+/// The progress of the search for variations.
 #[derive(Serialize, tsify::Tsify)]
 #[tsify(missing_as_null)]
 pub(crate) struct VariationProgress {
-    /// How many there are; none while they are not found.
+    /// The number of variations; none until the search has found them.
     found: Option<usize>,
-    /// The least and the greatest coefficient of each that is possible, where it is known.
+    /// The least and greatest possible coefficient of each variation, if known.
     ranges: Vec<Option<[f64; 2]>>,
-    /// How far the coefficients go to either side.
+    /// Bound on the absolute value of the coefficients.
     slide: f64,
-    /// Whether there is more to find.
+    /// Whether the search continues.
     more: bool,
 }
 
 #[wasm_bindgen]
 impl Solver {
-    /// Begins to look for ways to change the shape that is open; whether there can be any.
+    /// Begins to search for variations of the open shape; returns whether there can be any.
     #[wasm_bindgen(js_name = findVariations)]
     pub fn find_variations(&mut self) -> Result<bool, JsValue> {
         self.open_mut()?.leave_variation();
@@ -112,7 +112,7 @@ impl Solver {
         Ok(self.variations.is_some())
     }
 
-    /// Goes on with that for about so many milliseconds.
+    /// Continues the search for about the given time.
     #[wasm_bindgen(js_name = advanceVariations, unchecked_return_type = "VariationProgress")]
     pub fn advance_variations(&mut self, milliseconds: f64) -> Result<JsValue, JsValue> {
         let Some(variations) = &mut self.variations else { return Err(nothing_found()) };
@@ -129,7 +129,7 @@ impl Solver {
         })
     }
 
-    /// The displacement of one, `#V by 3`, for a coefficient of one.
+    /// Returns the displacement of a variation, `#V by 3`, for a coefficient of 1.
     pub fn variation(&self, index: usize) -> Result<Float32Array, JsValue> {
         let mut modes = self.variations.iter().flat_map(|variations| variations.modes());
         let mode = modes.nth(index).ok_or_else(nothing_found)?;
@@ -163,20 +163,20 @@ impl Solver {
         session.keep_variation(variations).map_err(thrown)
     }
 
-    /// Goes back from a variation that is shown and not kept.
+    /// Restores the shape from before a variation that is shown but not kept.
     #[wasm_bindgen(js_name = leaveVariation)]
     pub fn leave_variation(&mut self) -> Result<(), JsValue> {
         self.open_mut()?.leave_variation();
         Ok(())
     }
 
-    /// The numbers of the variants that are kept.
+    /// Returns the numbers of the variants that were kept.
     #[wasm_bindgen(js_name = variantTable, unchecked_return_type = "VariantRow[]")]
     pub fn variant_table(&mut self, tolerance: f64) -> Result<JsValue, JsValue> {
         plain(&self.open_mut()?.variant_table(tolerance).map_err(thrown)?)
     }
 
-    /// The positions of one, `#V by 3`.
+    /// Returns the positions of a variant, `#V by 3`.
     #[wasm_bindgen(js_name = variantPositions)]
     pub fn variant_positions(&self, index: usize) -> Result<Float64Array, JsValue> {
         let kept = &self.open()?.document().variants.kept;
@@ -184,7 +184,7 @@ impl Solver {
         Ok(Float64Array::from(variant.positions.as_flattened()))
     }
 
-    /// The values of a measure of its faces, `#F`.
+    /// Returns the values of a measure on the faces of a variant, `#F`.
     #[wasm_bindgen(js_name = variantValues)]
     pub fn variant_values(&mut self, index: usize, measure: &str) -> Result<Float32Array, JsValue> {
         let values = self.open_mut()?.variant_values(index, measure).map_err(thrown)?;

@@ -8,7 +8,7 @@ use crate::solve::Require;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-/// The document as it stands.
+/// The current document.
 #[derive(Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub(crate) struct Document<'a> {
@@ -24,26 +24,26 @@ pub(crate) struct Document<'a> {
         tsify(type = "\"surface\" | \"rest\" | \"none\" | \"target\"")
     )]
     closeness: &'static str,
-    /// Whether shapes are taken from another pose.
+    /// Whether the target shapes are taken from another pose.
     pose: bool,
     smoothness: SmoothnessWords,
-    /// Of every declared setting its value.
+    /// The value of each declared setting.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
     settings: serde_json::Map<String, Value>,
-    /// The id of the preset whose settings it has.
+    /// The id of the preset that has the same settings.
     preset: Option<&'static str>,
     presets: Vec<PresetOffer>,
-    /// Vertices that nothing acts on.
+    /// The number of vertices on which nothing acts.
     free: usize,
     sets: Vec<NamedSet<'a>>,
-    /// Vertices that are kept close more or less than the others.
+    /// The number of vertices with a closeness weight of their own.
     #[serde(rename = "heldOtherwise")]
     held_otherwise: usize,
-    /// The name of the step that Undo takes back.
+    /// The name of the step that Undo reverts.
     undo: Option<&'a str>,
-    /// The name of the step that Redo does again.
+    /// The name of the step that Redo repeats.
     redo: Option<&'a str>,
-    /// Vertices that were fixed because nothing else holds their part.
+    /// Vertices that were fixed because nothing else holds their connected component.
     pinned: &'a [u32],
     lesson: Option<LessonWords<'a>>,
     /// The presentation.
@@ -51,11 +51,11 @@ pub(crate) struct Document<'a> {
     /// The settings for building the shape.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Required<BuildSettings> | null"))]
     build: Option<Value>,
-    /// The names of the shapes that were kept.
+    /// The names of the variants that were kept.
     variants: Vec<&'a str>,
-    /// Which of them is the design.
+    /// The index of the variant that is the design.
     design: Option<usize>,
-    /// Whether the mesh is too large for anything to be exact.
+    /// Whether the mesh is too large for exact constraints.
     #[serde(rename = "tooLargeForExact")]
     too_large_for_exact: bool,
 }
@@ -73,28 +73,28 @@ struct NamedSet<'a> {
 struct ConstraintRow<'a> {
     index: usize,
     kind: &'static str,
-    /// Its name, or what its kind is called.
+    /// Its name, or the label of its kind.
     label: &'a str,
-    /// Empty when it has none.
+    /// Empty without a name.
     name: &'a str,
-    /// sRGB bytes.
+    /// Three sRGB bytes.
     colour: [u8; 3],
-    /// Its selector in words.
+    /// Its selector, in words.
     on: String,
-    /// How many constraints.
+    /// The number of constraints.
     count: usize,
-    /// Elements whose number of vertices does not fit the kind.
+    /// The number of elements whose vertex count does not fit the kind.
     skipped: usize,
-    /// Of a kind that acts on vertices in pairs, how many have a partner at rest.
+    /// If the kind acts on pairs of vertices: how many have a partner at rest.
     paired: Option<Paired>,
     weight: f64,
     enabled: bool,
-    /// As in a scene file.
+    /// In the form of the scene file.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Require"))]
     require: Value,
-    /// The panels of which less is required.
+    /// The panels with a weaker requirement.
     eased: Option<EasedPanels>,
-    /// The id of the measure of single faces that it is about, if it is on faces.
+    /// The id of the measure of single faces that the row minimises, if it acts on faces.
     measure: Option<&'static str>,
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
     params: Value,
@@ -125,7 +125,7 @@ struct SmoothnessWords {
     weighting: &'static str,
 }
 
-/// As in a scene file.
+/// Returns the form of a requirement in the scene file.
 fn require(require: Require) -> Value {
     match require {
         Require::Soft => "soft".into(),
@@ -135,7 +135,7 @@ fn require(require: Require) -> Value {
 }
 
 impl<'a> Document<'a> {
-    /// The document of `session`.
+    /// Creates the document of `session`.
     pub(crate) fn new(session: &'a Session) -> Self {
         let scene = session.document();
         let specs = scene.constraints.iter();

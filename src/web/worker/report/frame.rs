@@ -14,31 +14,31 @@ use serde::Serialize;
 pub(crate) struct Frame {
     iteration: u32,
     converged: bool,
-    /// How the shape has collapsed.
+    /// How the shape has collapsed, if it has.
     collapse: Option<String>,
-    /// The local step is done, the global step is next.
+    /// Whether the local step is done and the global step comes next.
     halfway: bool,
     energy: Energy,
     planarity: Planarity,
     circularity: Circularity,
     moved: Moved,
-    /// The least length of an edge as a part of its length at rest.
+    /// The least ratio of an edge length to its length at rest.
     shortest_edge: f64,
-    /// Of each row of the document, disabled ones included as zero.
+    /// The worst distance of each row of the document; zero for disabled rows.
     worst: Vec<f64>,
-    /// Of each row its part of the total energy, from 0 to 1.
+    /// The share of each row in the total energy, from 0 to 1.
     shares: Vec<f64>,
-    /// Of each goal of the lesson.
+    /// The numbers of each goal of the lesson.
     goals: Vec<GoalNumbers>,
-    /// How well hard constraints are met; none while they are not.
+    /// How well hard constraints are met; none before they are.
     exact: Option<ExactReport>,
     step_ms: f64,
 }
 
-/// How old measures may be while it iterates, in seconds.
+/// Maximum age of the measures while iterating, in seconds.
 const RENEWED: f64 = 0.5;
 
-/// How many constraints that are not met are named.
+/// Maximum number of unmet constraints in a report.
 const NAMED: usize = 100;
 
 fn exact(session: &Session) -> Option<ExactReport> {
@@ -48,7 +48,8 @@ fn exact(session: &Session) -> Option<ExactReport> {
 }
 
 impl Frame {
-    /// The state of `session`, whose last step took `step_ms`; see [`Session::recent_measures`].
+    /// Creates the frame of `session`, whose last step took `step_ms`; see
+    /// [`Session::recent_measures`].
     pub(crate) fn new(session: &mut Session, step_ms: f64, iterating: bool) -> Self {
         let goals = GoalNumbers::of(session);
         let measures = session.recent_measures(if iterating { RENEWED } else { 0.0 });

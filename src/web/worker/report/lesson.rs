@@ -1,10 +1,10 @@
-//! Lessons, as the page shows them.
+//! Lessons in the form that the page shows.
 
 use crate::scene::{Lesson, Lock};
 use crate::session::{GoalWords, Session, goals_in_words};
 use serde::Serialize;
 
-/// The exercise that the scene is.
+/// The exercise of the scene.
 #[derive(Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub(crate) struct LessonWords<'a> {

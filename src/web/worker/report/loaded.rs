@@ -19,22 +19,23 @@ pub(crate) struct Loaded {
     units: String,
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"y\" | \"z\""))]
     up: &'static str,
-    /// Which of unit and axis the file does not say.
+    /// Which of unit and up axis were guessed because the file does not state them.
     guessed: Guessed,
-    /// Mean length of an edge at rest; zero without edges.
+    /// Mean edge length at rest; zero without edges.
     #[serde(rename = "meanEdge")]
     mean_edge: f64,
-    /// For distances, in the unit of the mesh.
+    /// The default tolerance of distances, in the unit of the mesh.
     tolerance: f64,
-    /// The kinds that are offered for all panels.
+    /// The kinds that are offered for making all panels.
     panels: Vec<PanelOffer>,
-    /// None where nothing was welded.
+    /// None if nothing was welded.
     welded: Option<Welded>,
     problems: Vec<Problem>,
     notes: Vec<String>,
 }
 
-/// How many vertices the file has and the mesh has, and within which distance they are at one place.
+/// The vertex counts of the file and of the mesh, and the distance within which vertices were
+/// merged.
 #[derive(Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 struct Welded {
@@ -50,21 +51,22 @@ struct Group {
     faces: usize,
 }
 
-/// Something wrong in a file that could be survived.
+/// A recoverable problem of a file.
 #[derive(Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 struct Problem {
-    /// One sentence: how often, and where first.
+    /// One sentence: how often it occurs, and where first.
     message: String,
     count: usize,
-    /// The line of the first one.
+    /// The line of the first occurrence.
     line: Option<usize>,
-    /// The name to ask for the elements that have it; none where they are not in the mesh.
+    /// The name for querying the elements with this problem; none if they are not in the mesh.
     flaw: Option<&'static str>,
 }
 
 impl Loaded {
-    /// About the file `name`, opened as `session`; `read` holds what its reader said.
+    /// Creates the summary of the file `name`, opened as `session`; `read` has the messages of its
+    /// reader.
     pub(crate) fn new(
         name: &str,
         session: &Session,

@@ -1,11 +1,11 @@
-//! Results for the page, as plain objects in camelCase.
+//! Reports to the page, as plain objects in camelCase.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `loaded` | what was read from a file |
-//! | `document` | the document as it stands |
+//! | `loaded` | the summary of a file that was opened |
+//! | `document` | the current document |
 //! | `frame` | the numbers of one state of the iteration |
-//! | `lesson` | the exercise that the scene is, and its goals |
+//! | `lesson` | the exercise of the scene, and its goals |
 //! | `vocabulary` | the kinds, and the elements that they act on |
 
 mod document;

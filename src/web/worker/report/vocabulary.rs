@@ -4,7 +4,7 @@ use crate::constraint::{Element, Info, KINDS, Kind, Sketch};
 use serde::Serialize;
 use serde_json::Value;
 
-/// An element that can carry one constraint each.
+/// A type of element on which constraints can act, one constraint per element.
 #[derive(Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "camelCase")]
@@ -15,7 +15,7 @@ pub(crate) struct ElementWords {
     face_based: bool,
 }
 
-/// Every element.
+/// Returns all types of elements.
 pub(crate) fn elements() -> Vec<ElementWords> {
     let all = Element::ALL.iter();
     all.map(|&element| ElementWords {
@@ -26,18 +26,18 @@ pub(crate) fn elements() -> Vec<ElementWords> {
     .collect()
 }
 
-/// A kind with its drawing.
+/// A kind of constraint with its sketch.
 #[derive(Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub(crate) struct KindWords {
     #[serde(flatten)]
     info: &'static Info,
-    /// How many vertices or edges it takes, in words.
+    /// The number of vertices or edges that it takes, in words.
     takes: String,
     sketch: Sketch,
 }
 
-/// Every kind.
+/// Returns all kinds.
 pub(crate) fn kinds() -> Vec<KindWords> {
     let all = KINDS.iter();
     all.map(|info| {
