@@ -1,21 +1,23 @@
-//! Where a line of sight meets the surface, by the ray-triangle test of Moller and Trumbore 1997.
+//! Intersection of rays with the surface, by the ray-triangle test of Moller and Trumbore (1997).
 
 use crate::view::model::RenderMesh;
 use glam::Vec3;
 
-/// Triangles are larger by this part of their sides, so that no ray slips between two of them.
+/// Triangles are enlarged by this fraction of their sides, so that no ray slips between two of
+/// them.
 const SEAM: f32 = 1e-5;
 
 /// A point on the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// The face that was met.
+    /// The intersected face.
     pub face: u32,
-    /// Distance in units of the direction's length.
+    /// Distance along the ray, in units of the direction's length.
     pub along: f32,
 }
 
-/// The first meeting of a ray with the surface, where `is_there` says that there is one.
+/// Returns the first intersection of a ray with the part of the surface for which `is_there` is
+/// true.
 pub fn first_hit(
     mesh: &RenderMesh,
     from: Vec3,
@@ -35,10 +37,10 @@ pub fn first_hit(
     nearest
 }
 
-/// Whether the surface hides a vertex from an eye. Triangles that have the vertex as a corner do
-/// not count, nor does anything nearer to it than `tolerance` (units of length), so that corners on
-/// the outline, and copies of a vertex in the same place, are seen; nor does the surface where `is_there`
-/// says that there is none.
+/// Returns whether the surface hides a vertex from an eye. Triangles at the vertex do not count,
+/// nor does anything nearer to it than `tolerance` (units of length), so that corners on the
+/// outline and coincident vertices stay visible; nor do parts of the surface for which `is_there`
+/// is false.
 pub fn hidden(
     mesh: &RenderMesh,
     eye: Vec3,
@@ -55,7 +57,7 @@ pub fn hidden(
     })
 }
 
-/// Distance to a triangle, seen from either side, in units of the direction's length.
+/// Returns the distance to a triangle, from either side, in units of the direction's length.
 fn meet([a, b, c]: [Vec3; 3], from: Vec3, direction: Vec3) -> Option<f32> {
     let (ab, ac) = (b - a, c - a);
     let p = direction.cross(ac);
@@ -101,7 +103,7 @@ mod tests {
         let hit = first_hit(&mesh, above, Vec3::NEG_Z * 2.0, |_| true).unwrap();
         assert_eq!(hit.face, 1);
         assert!((hit.along - 1.25).abs() < 1e-6);
-        // Where the upper one is cut away, the lower one is met.
+        // If the upper one is cut away, the lower one is hit.
         let below = |point: Vec3| point.z < 0.0;
         assert_eq!(first_hit(&mesh, above, Vec3::NEG_Z, below).unwrap().face, 0);
         let first = |from: Vec3, way: Vec3| first_hit(&mesh, from, way, |_| true);
@@ -113,7 +115,7 @@ mod tests {
     #[test]
     fn the_upper_floor_hides_the_lower_one_only() {
         let mesh = two_floors();
-        // The centre of the view is the middle of the box: the floors lie at -0.5 and 0.5.
+        // The origin of the view is the centre of the box: the floors lie at -0.5 and 0.5.
         let eye = Vec3::new(0.0, 0.0, 4.0);
         for vertex in 0..8 {
             assert_eq!(hidden(&mesh, eye, vertex, 1e-3, |_| true), vertex < 4, "{vertex}");

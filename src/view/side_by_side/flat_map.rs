@@ -1,5 +1,5 @@
-//! The flat map of a surface beside it: the same faces in the plane, on a stage of its own that is
-//! seen from above, and how the two share the canvas.
+//! The flat map of a surface: the same faces in the plane, in a view of their own from above, and
+//! the division of the canvas between the two.
 
 use crate::math::polygon_sides;
 use crate::view::model::{Checks, Lists, RenderMesh, ViewError, check_indices};
@@ -15,17 +15,17 @@ pub struct Region {
     pub size: Vec2,
 }
 
-/// On a canvas that is narrower, the map lies below the surface.
+/// On a canvas narrower than this (CSS pixels) the map lies below the surface.
 const NARROW: f32 = 560.0;
 
 impl Region {
-    /// The whole of a canvas.
+    /// Returns the whole of a canvas.
     pub fn whole(canvas: Vec2) -> Region {
         Region { at: Vec2::ZERO, size: canvas }
     }
 
-    /// The parts of the surface and of the map: side by side, or on a narrow or high canvas one above
-    /// the other. That of the surface begins in the corner of the canvas. Both begin at whole pixels.
+    /// Returns the parts of the surface and of the map: side by side, or one above the other on a
+    /// narrow or high canvas. The surface is at the upper left corner. Both begin at whole pixels.
     pub fn halves(canvas: Vec2) -> [Region; 2] {
         let stacked = canvas.x < NARROW || canvas.x < canvas.y;
         let first = if stacked {
@@ -38,12 +38,11 @@ impl Region {
     }
 }
 
-/// The stage of a flat map of what `model` shows, with a checkerboard for both: the places `uv`
-/// (#V by 2 in a flat array) are in the units of the mesh. The faces that it turns over, `flipped`, are
-/// outlined.
+/// Creates the view of a flat map of the mesh of `model`, and the checkerboard of both. `uv` (#V by
+/// 2 in a flat array) is in units of the mesh. The `flipped` faces are outlined.
 ///
 /// # Errors
-/// Another number of places than vertices, one that is not finite, or a face that does not exist.
+/// A wrong number of points, one that is not finite, or a face that does not exist.
 pub fn flat_map(
     model: &ViewState,
     uv: &[f64],
@@ -59,7 +58,7 @@ pub fn flat_map(
     Ok((ViewState::of_flat_map(mesh, checks.clone(), flipped), checks))
 }
 
-/// The sides of some faces, each once.
+/// Returns the sides of some faces, each once.
 fn sides(faces: &Lists, chosen: &[u32]) -> Vec<[u32; 2]> {
     let corners = chosen.iter().map(|&face| faces.row(face as usize));
     let mut sides: Vec<[u32; 2]> =
@@ -69,7 +68,8 @@ fn sides(faces: &Lists, chosen: &[u32]) -> Vec<[u32; 2]> {
     sides
 }
 
-/// Comes near the faces that the map turns over, as near as they are small; on the model from their front.
+/// Zooms to the faces that the map flips, as far as their size requires; on the model from their
+/// front.
 pub fn show_flipped(map: &mut ViewState, model: &mut ViewState) {
     let mut vertices = map.flipped().as_flattened().to_vec();
     vertices.sort_unstable();
@@ -91,10 +91,10 @@ pub fn show_flipped(map: &mut ViewState, model: &mut ViewState) {
     }
 }
 
-/// So much around what is shown is seen at least, as a part of the size of the whole.
+/// Minimum margin around the faces, as a fraction of the size of the whole.
 const LEAST_PART: f32 = 1e-4;
 
-/// Brings what the map has in common with the surface up to date.
+/// Updates the map with what it shares with the surface.
 pub fn follow(map: &mut ViewState, model: &ViewState) {
     map.set_dark(model.is_dark());
     map.set_display(model.display());

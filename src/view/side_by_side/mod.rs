@@ -1,10 +1,10 @@
-//! The contents of one canvas: a picture, or two.
+//! The contents of one canvas: one picture, or two.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `flat_map` | the flat map beside the model |
-//! | `split` | the model twice |
-//! | `pictures` | all that is on the canvas, and how it shares it |
+//! | `split` | two pictures of the model |
+//! | `pictures` | all pictures of a canvas, and how they share it |
 
 pub mod flat_map;
 pub mod pictures;

@@ -8,15 +8,15 @@ use crate::view::model::ViewError;
 use crate::view::state::ViewState;
 use glam::Vec2;
 
-/// The view of the model, and what is beside it.
+/// The view of the model, and the views beside it.
 #[derive(Debug)]
 pub struct Pictures {
     model: ViewState,
     map: Option<ViewState>,
     split: Option<Split>,
-    /// On its way to another view.
+    /// The flight of the camera in progress.
     flight: Option<Flight>,
-    /// Where the next flight begins.
+    /// The start of the next flight.
     take_off_from: Option<Camera>,
     /// Size of the canvas in CSS pixels.
     canvas: Vec2,
@@ -37,29 +37,29 @@ impl Default for Pictures {
 }
 
 impl Pictures {
-    /// The view of the model.
+    /// Returns the view of the model.
     pub fn model(&self) -> &ViewState {
         &self.model
     }
 
-    /// The view of the model, to be changed.
+    /// Returns the view of the model, to be changed.
     pub fn model_mut(&mut self) -> &mut ViewState {
         &mut self.model
     }
 
-    /// The view of the flat map, to be moved.
+    /// Returns the view of the flat map, to be moved.
     pub fn map_mut(&mut self) -> Option<&mut ViewState> {
         self.map.as_mut()
     }
 
-    /// Whether there is anything new to see.
+    /// Returns whether anything has changed since the last picture.
     pub fn has_changes(&self) -> bool {
         self.model.changes().any()
             || self.map.as_ref().is_some_and(|map| map.changes().any())
             || self.split.as_ref().is_some_and(Split::has_changes)
     }
 
-    /// Model, map and split picture for the renderer, the latter two up to date with the model.
+    /// Returns model, map and split for the renderer, after updating map and split from the model.
     pub fn to_draw(&mut self) -> (&mut ViewState, Option<&mut ViewState>, Option<&mut Split>) {
         if let Some(map) = &mut self.map {
             follow(map, &self.model);
@@ -70,13 +70,13 @@ impl Pictures {
         (&mut self.model, self.map.as_mut(), self.split.as_mut())
     }
 
-    /// Sets the size of the canvas in CSS pixels, and gives the model and its map their parts.
+    /// Sets the size of the canvas in CSS pixels, and divides it between the model and its map.
     pub fn resize(&mut self, canvas: Vec2) {
         self.canvas = canvas;
         self.arrange();
     }
 
-    /// Shows a mesh: see [`ViewState::set_mesh`]. What is beside another mesh than before goes.
+    /// Shows a mesh: see [`ViewState::set_mesh`]. If its topology is new, removes map and split.
     ///
     /// # Errors
     /// Arrays that do not fit together; the old mesh stays.
@@ -90,17 +90,17 @@ impl Pictures {
         if self.model.checks().places.is_empty() {
             self.clear_map();
         }
-        // Its sides show the mesh before.
+        // Its sides show the previous mesh.
         self.split = None;
         Ok(())
     }
 
-    /// Shows the flat map `uv` (#V by 2) of the mesh beside it, in place of one that is shown already, and
-    /// outlines the faces that it turns over.
+    /// Shows the flat map `uv` (#V by 2) of the mesh beside it, replacing an earlier one, and
+    /// outlines the faces that it flips.
     ///
     /// # Errors
-    /// Another number of places than vertices, one that is not finite, or a face that does not exist; all
-    /// stays as it was.
+    /// A wrong number of points, one that is not finite, or a face that does not exist; nothing
+    /// changes then.
     pub fn set_map(&mut self, uv: &[f64], flipped: &[u32]) -> Result<(), ViewError> {
         let (map, checks) = flat_map(&self.model, uv, flipped)?;
         self.model.set_checks(checks);
@@ -112,7 +112,7 @@ impl Pictures {
         Ok(())
     }
 
-    /// Takes the flat map away.
+    /// Removes the flat map.
     pub fn clear_map(&mut self) {
         if self.map.take().is_some() {
             self.model.set_checks(Default::default());
@@ -121,11 +121,11 @@ impl Pictures {
         }
     }
 
-    /// Draws a checkerboard with so many squares along the longer side of the map, on the model and on the
-    /// map as `drawn` says; and colours the faces of the map by a value each (#F) on a scale.
+    /// Draws a checkerboard with `squares` squares along the longer side of the map, on the model,
+    /// on the map, or on both, and colours each face of the map by its value (#F) on a scale.
     ///
     /// # Errors
-    /// Another number of values than faces.
+    /// The number of values differs from the number of faces.
     pub fn set_map_looks(
         &mut self,
         squares: f32,
@@ -142,34 +142,34 @@ impl Pictures {
         map.set_face_values(values, scale)
     }
 
-    /// Where the map is on the canvas; nothing without a map.
+    /// Returns the region of the map on the canvas; none without a map.
     pub fn map_region(&self) -> Option<Region> {
         self.map.as_ref()?;
         let [_, region] = Region::halves(self.canvas);
         Some(region)
     }
 
-    /// Comes near the faces that the map turns over, on the model and on the map.
+    /// Zooms to the faces that the map flips, on the model and on the map.
     pub fn show_flipped(&mut self) {
         if let Some(map) = &mut self.map {
             show_flipped(map, &mut self.model);
         }
     }
 
-    /// Puts the divider at a part of the width of the canvas, from 0 to 1; begins to show two pictures.
+    /// Shows two pictures, with the divider at a fraction of the canvas width, from 0 to 1.
     pub fn set_split(&mut self, at: f32) {
         match &mut self.split {
             Some(split) => split.move_to(at),
             None => {
                 self.split = Some(Split::new(&self.model, at));
-                // The marks of the model are those of both sides.
+                // Both sides show the marks of the model.
                 self.model.show_anew();
             }
         }
     }
 
-    /// Sets what the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or the current
-    /// shape, in these colours.
+    /// Sets what the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or
+    /// the current shape, in these colours.
     ///
     /// # Errors
     /// Arrays that do not fit the mesh.
@@ -185,19 +185,19 @@ impl Pictures {
         side.colour(colours)
     }
 
-    /// Shows one picture again.
+    /// Returns to a single picture.
     pub fn clear_split(&mut self) {
         if self.split.take().is_some() {
             self.model.view_changed();
         }
     }
 
-    /// Whether two pictures are shown in place of one.
+    /// Returns whether two pictures of the model are shown.
     pub fn is_split(&self) -> bool {
         self.split.is_some() && self.map.is_none()
     }
 
-    /// Shows values of faces in bands, or gradually.
+    /// Shows values of faces in bands, or continuously.
     pub fn set_in_bands(&mut self, in_bands: bool) {
         self.model.set_in_bands(in_bands);
         if let Some(split) = &mut self.split {
@@ -205,32 +205,32 @@ impl Pictures {
         }
     }
 
-    /// The values and marks of the model, or of the left (0) or right (1) of two pictures.
+    /// Returns the values and marks of the model, or of the left (0) or right (1) of two pictures.
     pub fn appearance(&self, side: Option<usize>) -> &Appearance {
         let split = side.and_then(|side| self.split.as_ref()?.sides.get(side));
         split.map_or(&self.model, |side| &side.state).appearance()
     }
 
-    /// Parallel projection, or perspective.
+    /// Selects parallel or perspective projection.
     pub fn set_parallel(&mut self, parallel: bool) {
         self.arrive();
         self.model.set_parallel(parallel);
     }
 
-    /// Prepares a flight from where the camera is now to where it is when [`Pictures::take_off`] is called.
+    /// Records the current camera as the start of a flight; [`Pictures::take_off`] records its end.
     pub fn plan_flight(&mut self) {
         self.arrive();
         self.take_off_from = Some(self.model.camera());
     }
 
-    /// Puts the camera back to where the flight begins.
+    /// Creates the flight to the current camera, and returns the camera to its start.
     pub fn take_off(&mut self) {
         let from = self.take_off_from.take();
         self.flight = from.map(|from| self.model.flight_from(from));
     }
 
-    /// Flies on to `part` of the way, from 0 to 1. Whether the flight goes on: it ends where it arrives,
-    /// and when the camera is moved otherwise.
+    /// Moves the camera to a fraction `part` of the flight, from 0 to 1. Returns whether the flight
+    /// continues: it ends on arrival, or when the camera is moved by other means.
     pub fn fly(&mut self, part: f32) -> bool {
         let Some(flight) = &mut self.flight else { return false };
         let goes_on = self.model.move_camera(|camera| flight.go(camera, part));
@@ -240,12 +240,12 @@ impl Pictures {
         goes_on
     }
 
-    /// Ends a flight where it leads.
+    /// Ends a flight at its destination.
     pub fn arrive(&mut self) {
         self.fly(1.0);
     }
 
-    /// Gives the model and its map their parts of the canvas.
+    /// Divides the canvas between the model and its map.
     fn arrange(&mut self) {
         self.arrive();
         let whole = Region::whole(self.canvas);
@@ -349,7 +349,7 @@ mod tests {
         let forward = |pictures: &Pictures| pictures.model().camera().eye().forward;
         assert!((forward(&pictures) - forward(&there)).length() < 1e-5);
         assert!(!pictures.fly(0.5), "it has ended");
-        // Another one begins where the one before would have ended.
+        // The next flight starts at the destination of the one before.
         prepare(&mut pictures, "front");
         assert!(pictures.fly(0.1));
         let front = forward(&pictures);

@@ -1,5 +1,5 @@
-//! Two pictures of the same mesh on one canvas, seen by the same camera: one left and one right of a
-//! divider. Each shows the shape as it is or the original, with colours of its own (paper Fig. 5).
+//! Two pictures of the same mesh on one canvas, left and right of a divider, with the same camera.
+//! Each shows the current shape or the original, with colours of its own (paper Fig. 5).
 
 use super::flat_map::Region;
 use crate::view::appearance::ColourScale;
@@ -7,12 +7,12 @@ use crate::view::model::ViewError;
 use crate::view::state::ViewState;
 use glam::Vec2;
 
-/// The divider and what is on its two sides.
+/// The divider and its two sides.
 #[derive(Debug)]
 pub struct Split {
-    /// Where the divider is, as a part of the width of the canvas: 0 is the left end, 1 the right.
+    /// Position of the divider as a fraction of the canvas width, from 0 (left) to 1.
     pub at: f32,
-    /// Left and right.
+    /// The left and the right side.
     pub sides: [Side; 2],
 }
 
@@ -21,24 +21,25 @@ pub struct Split {
 pub struct Side {
     /// The mesh with the colours of this side.
     pub state: ViewState,
-    /// Whether it stays as it is when the mesh moves: handles and projections are not of its shape.
+    /// Whether it shows the original, and does not follow the mesh. Handles and projections belong
+    /// to the current shape only.
     pub is_original: bool,
 }
 
-/// The colours of the faces of a side: a value each (#F) and the scale for them; no values for the
-/// plain material.
+/// Colours of the faces of a side, by value (#F) on a scale; without values, the plain material.
 #[derive(Clone, Debug)]
 pub struct Colours {
-    /// A value per face.
+    /// The value of each face.
     pub values: Option<Vec<f32>>,
-    /// #V, what the values of the faces are the greatest of; nothing where they are not of vertices.
+    /// #V, of which each face has the largest as its value; none if the measure has no vertex
+    /// values.
     pub corners: Option<Vec<f32>>,
-    /// From which value to which the colours go, and beyond which tolerance.
+    /// The range of the colours, and the tolerance below which there are none.
     pub scale: ColourScale,
 }
 
 impl Split {
-    /// Both sides show what `model` shows, without colours of values.
+    /// Creates a split in which both sides show what `model` shows, without colours of values.
     pub fn new(model: &ViewState, at: f32) -> Split {
         let side = || Side { state: model.beside(), is_original: false };
         let mut split = Split { at: 0.0, sides: [side(), side()] };
@@ -46,7 +47,7 @@ impl Split {
         split
     }
 
-    /// Shows the values of both sides in bands, or gradually.
+    /// Shows the values of both sides in bands, or continuously.
     pub fn set_in_bands(&mut self, in_bands: bool) {
         for side in &mut self.sides {
             side.state.set_in_bands(in_bands);
@@ -59,32 +60,32 @@ impl Split {
         self.sides[0].state.view_changed();
     }
 
-    /// The parts of the canvas left and right of the divider, which is at a whole pixel.
+    /// Returns the parts of the canvas left and right of the divider, which is at a whole pixel.
     pub fn parts(&self, canvas: Vec2) -> [Region; 2] {
         let left = Vec2::new((self.at * canvas.x).round(), canvas.y);
         let at = Vec2::new(left.x, 0.0);
         [Region { at: Vec2::ZERO, size: left }, Region { at, size: canvas - at }]
     }
 
-    /// Brings both sides up to date with what they have in common with `model`.
+    /// Updates both sides with what they share with `model`.
     pub fn follow(&mut self, model: &ViewState) {
         for side in &mut self.sides {
             side.follow(model);
         }
     }
 
-    /// Whether there is anything new to see.
+    /// Returns whether anything has changed since the last picture.
     pub fn has_changes(&self) -> bool {
         self.sides.iter().any(|side| side.state.changes().any())
     }
 }
 
 impl Side {
-    /// Shows the shape `coordinates` (#V by 3, in file coordinates), whatever becomes of `model`; or
-    /// what `model` shows.
+    /// Shows the fixed shape `coordinates` (#V by 3, in file coordinates) or, if `None`, the shape
+    /// of `model`.
     ///
     /// # Errors
-    /// Another number of vertices or a coordinate that is not finite; all stays as it was.
+    /// A wrong number of vertices, or a coordinate that is not finite; nothing changes then.
     pub fn show(
         &mut self,
         coordinates: Option<&[f64]>,
@@ -101,7 +102,7 @@ impl Side {
     /// Colours the faces.
     ///
     /// # Errors
-    /// Another number of values than faces, or of those of corners than vertices.
+    /// A wrong number of values of faces or vertices.
     pub fn colour(&mut self, colours: Colours) -> Result<(), ViewError> {
         let Colours { values, corners, scale } = colours;
         self.state.set_face_values(values, scale)?;
@@ -121,7 +122,7 @@ impl Side {
 mod tests {
     use super::*;
 
-    /// A quad in a stage.
+    /// A view of one quad.
     fn model() -> ViewState {
         let mut state = ViewState::default();
         let faces = (vec![0, 4], vec![0, 1, 2, 3]);
@@ -165,7 +166,7 @@ mod tests {
         for side in [left, right] {
             assert_eq!(side.state.camera().eye().at, model.camera().eye().at);
         }
-        // Back to the shape as it is.
+        // Back to the current shape.
         split.sides[0].show(None, &model).unwrap();
         assert_eq!(split.sides[0].state.mesh().positions, model.mesh().positions);
     }
@@ -223,7 +224,7 @@ mod tests {
                 assert!(depth < far && (depth > near || depth < 0.0), "{near} {depth} {far}");
             }
         }
-        // A split picture that begins later has them at once.
+        // A split that begins later has them at once.
         let later = Split::new(&model, 0.5);
         assert_eq!(later.sides[1].state.around().grid_step(), model.around().grid_step());
         assert!(later.sides[1].state.around().changed);

@@ -1,10 +1,10 @@
-//! Views beside another one: the two pictures of a split view, and a flat map.
+//! Secondary views: the two pictures of a split view, and a flat map.
 
 use super::view_state::ViewState;
 use crate::view::model::{Checks, RenderMesh};
 
 impl ViewState {
-    /// A view of what this one shows, without marks, handles and values.
+    /// Creates a view of the same mesh, without marks, handles and values.
     pub fn beside(&self) -> ViewState {
         let mut other = ViewState::default();
         other.content.mesh = self.content.mesh.clone();
@@ -14,8 +14,8 @@ impl ViewState {
         other
     }
 
-    /// The view of a flat map, from above: its mesh in the plane, its checkerboard, and the sides of the
-    /// faces that it turns over (`#sides by 2`).
+    /// Creates the view of a flat map from above: its mesh in the plane, its checkerboard, and the
+    /// sides of the faces that it flips (`#sides by 2`).
     pub fn of_flat_map(mesh: RenderMesh, checks: Checks, flipped: Vec<[u32; 2]>) -> ViewState {
         let mut map = ViewState::default();
         (map.content.mesh, map.content.checks, map.content.flipped) = (mesh, checks, flipped);
@@ -23,7 +23,7 @@ impl ViewState {
         map
     }
 
-    /// Takes the positions and targets of `model`, whose faces are the same.
+    /// Copies positions and targets of `model`, which has the same faces.
     pub fn take_positions(&mut self, model: &ViewState) {
         let (own, other) = (&mut self.content.mesh, &model.content.mesh);
         own.exact.clone_from(&other.exact);
@@ -34,7 +34,7 @@ impl ViewState {
         self.take_targets(model);
     }
 
-    /// Takes what has changed in `model` of positions, targets and projections.
+    /// Copies positions, targets and projections of `model` that have changed.
     pub fn follow_shape(&mut self, model: &ViewState) {
         if model.changes.positions {
             self.take_positions(model);
@@ -47,7 +47,7 @@ impl ViewState {
         }
     }
 
-    /// Takes the marks and the tint of `model`, if they have changed.
+    /// Copies marks and tint of `model`, if they have changed.
     pub fn follow_marks(&mut self, model: &ViewState) {
         if model.changes.appearance {
             self.look.appearance.mark_as(&model.look.appearance);
@@ -56,7 +56,7 @@ impl ViewState {
         }
     }
 
-    /// Takes camera, surroundings, theme and switches of `model`, which are drawn with it.
+    /// Copies the camera, surroundings, theme and switches of `model`.
     pub fn follow_view(&mut self, model: &ViewState) {
         if model.around.changed {
             self.around.clone_from(&model.around);
@@ -68,7 +68,7 @@ impl ViewState {
         self.changes.view |= model.changes.view;
     }
 
-    /// Asks for another picture with the marks of `model` and its positions.
+    /// Requests a redraw with the marks and positions of `model`.
     pub fn show_anew(&mut self) {
         self.changes.appearance = true;
         self.changes.positions = true;

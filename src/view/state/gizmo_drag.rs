@@ -1,4 +1,4 @@
-//! The gizmo of a view, and what is dragged with it or without it.
+//! The gizmo of a view, and dragging with or without it.
 
 use super::view_state::ViewState;
 use crate::view::gizmo::{DragConstraint, DragDirection, Gizmo, GizmoState};
@@ -6,24 +6,25 @@ use crate::view::model::{ViewError, check_indices};
 use glam::{DVec3, Vec2, Vec3};
 
 impl ViewState {
-    /// The gizmo, where it is wanted and a handle is selected: in the middle of the targets of those.
+    /// Returns the gizmo, at the mean target of the selected handles; none if it is switched off or
+    /// no handle is selected.
     pub fn gizmo(&self) -> Option<Gizmo> {
         let middle = self.middle_of_chosen().filter(|_| self.gizmo.shown)?;
         Gizmo::new(&self.viewpoint.camera, middle, self.gizmo.touch)
     }
 
-    /// Switches of the gizmo, and the hold that the pointer has.
+    /// Returns the switches of the gizmo, and what the pointer holds.
     pub fn gizmo_state(&self) -> &GizmoState {
         &self.gizmo
     }
 
-    /// Where what is held is seen on the canvas when it has gone `by`, in CSS pixels; nothing while nothing
-    /// is held.
+    /// Returns the canvas position of what is held after a displacement `by`, in CSS pixels; none
+    /// if nothing is held.
     pub fn held_place(&self, by: Vec3) -> Option<Vec2> {
         Some(self.gizmo.grip?.place(by))
     }
 
-    /// Changes what is wanted of the gizmo, and draws again if that is seen.
+    /// Changes the state of the gizmo, and requests a redraw if the change is visible.
     pub fn want_gizmo(&mut self, change: impl FnOnce(&mut GizmoState)) {
         let look = |wanted: &GizmoState| (wanted.shown, wanted.touch, wanted.lit, wanted.held);
         let before = look(&self.gizmo);
@@ -31,7 +32,7 @@ impl ViewState {
         self.changes.view |= look(&self.gizmo) != before;
     }
 
-    /// Takes hold of a vertex, with the pointer at a screen position or, without one, right on it.
+    /// Begins to hold a vertex, with the pointer at a screen position or, if `None`, exactly on it.
     ///
     /// # Errors
     /// A vertex that does not exist.
@@ -43,19 +44,20 @@ impl ViewState {
         Ok(())
     }
 
-    /// Takes hold of the gizmo, if there is one, with the pointer at a screen position.
+    /// Begins to hold the gizmo, if there is one, with the pointer at a screen position.
     pub fn hold_gizmo(&mut self, from: Vec2) {
         self.gizmo.grip = self
             .middle_of_chosen()
             .map(|held| DragConstraint::new(&self.viewpoint.camera, held, from));
     }
 
-    /// How far what is held goes for a pointer that has gone `by` CSS pixels; see [`DragConstraint::way`].
+    /// Returns the displacement of what is held for a pointer displacement of `by` CSS pixels; see
+    /// [`DragConstraint::way`].
     pub fn constrain_move(&self, way: DragDirection, by: Vec2) -> Option<Vec3> {
         self.gizmo.grip?.way(way, by)
     }
 
-    /// The middle of the targets of the selected handles, relative to the view's centre.
+    /// Returns the mean target of the selected handles, relative to the view's centre.
     fn middle_of_chosen(&self) -> Option<Vec3> {
         let selected = &self.look.appearance.selected_vertices;
         if selected.is_empty() {

@@ -1,4 +1,4 @@
-//! The layer beside the surface of a view, and the lines over it.
+//! The layer beside the surface of a view, and the lines over the surface.
 
 use super::view_state::ViewState;
 use crate::view::appearance::{Colour, DARK, LineKind};
@@ -7,12 +7,12 @@ use crate::view::overlay::{ShownLayer, SurfaceLines};
 use glam::Vec3;
 
 impl ViewState {
-    /// Shows a layer: #V by 3 in file coordinates, or nothing for none; with the edges that fail, by their ends,
-    /// and the vertices whose posts do.
+    /// Shows a layer: #V by 3 points in file coordinates, or none to hide it; with the edges (two
+    /// vertices each) that fail, and the vertices whose posts fail.
     ///
     /// # Errors
-    /// Another number of vertices, a coordinate that is not finite, or a vertex that does not exist; the layer
-    /// stays.
+    /// A wrong number of vertices, a coordinate that is not finite, or a vertex that does not
+    /// exist; the old layer stays.
     pub fn set_layer(
         &mut self,
         coordinates: &[f64],
@@ -39,21 +39,21 @@ impl ViewState {
         Ok(())
     }
 
-    /// Whether the layer, or the surface below it, has changed since this was last asked, to be drawn.
+    /// Returns whether the layer, or the surface below it, has changed since the last call.
     pub fn take_changed_layer(&mut self) -> bool {
         let below = self.changes.positions && !self.layer.points.is_empty();
         std::mem::take(&mut self.layer.changed) || below
     }
 
-    /// The points of the layer relative to the view's centre, then those of the surface.
+    /// Returns the points of the layer relative to the view's centre, then those of the surface.
     pub fn layer_points(&self) -> impl Iterator<Item = Vec3> + '_ {
         let points = &self.layer.points;
         let below = self.content.mesh.positions.iter().take(points.len());
         points.iter().map(|&point| self.content.mesh.relative(point)).chain(below.copied())
     }
 
-    /// Its lines: their ends among [`ViewState::layer_points`], and their [`LineKind`]. Those that fail are last,
-    /// over the others.
+    /// Returns the lines of the layer: their ends among [`ViewState::layer_points`], and their
+    /// [`LineKind`]. Failing lines come last, to be drawn over the others.
     pub fn layer_lines(&self) -> Vec<[u32; 3]> {
         let count = self.layer.points.len() as u32;
         if count == 0 {
@@ -80,19 +80,21 @@ impl ViewState {
         lines
     }
 
-    /// Shows lines over the surface instead of those before.
+    /// Replaces the lines over the surface.
     pub fn set_surface_lines(&mut self, lines: SurfaceLines) {
         self.lines = lines;
         self.view_changed();
     }
 
-    /// The colour of lines over the surface: light ones on the full map of values, most of which are dark.
+    /// Returns the colour of lines over the surface: light on a full map of values, which is mostly
+    /// dark.
     pub fn colour_over_surface(&self, kind: LineKind) -> Colour {
         let palette = if self.appearance().has_full_map() { &DARK } else { self.palette() };
         palette.strokes[kind as usize].colour
     }
 
-    /// The lines, with their points relative to the view's centre, where they have changed since this was last asked.
+    /// Returns the lines over the surface and their points relative to the view's centre, if they
+    /// have changed since the last call.
     pub fn take_changed_surface_lines(&mut self) -> Option<(Vec<[u32; 3]>, Vec<Vec3>)> {
         if !std::mem::take(&mut self.lines.changed) {
             return None;

@@ -1,19 +1,19 @@
-//! Everything that a picture shows, without a GPU: native tests hold it to account.
+//! The state that determines a picture, independent of the GPU, so that native tests can check it.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `view_state` | the state of a view, and its setters |
-//! | `content`, `viewpoint` | what it shows, how that looks, and from where it is seen |
-//! | `set_look` | values, marks, theme and switches set |
-//! | `beside` | views beside another one: split pictures, flat maps |
-//! | `parts` | handles, switches, and what has changed since the last picture |
+//! | `content`, `viewpoint` | its contents and look, and its camera |
+//! | `set_look` | setters of values, marks, theme and switches |
+//! | `beside` | secondary views: split pictures, flat maps |
+//! | `parts` | handles, switches, and flags of changes since the last picture |
 //! | `navigate` | the camera under the pointer, and framing |
-//! | `pick` | what is under the cursor |
-//! | `select_region` | what is inside an outline |
-//! | `gizmo_drag` | what is dragged with the gizmo |
-//! | `surrounding` | the ghost and the ground of a view, and how deep it is |
+//! | `pick` | elements under the cursor |
+//! | `select_region` | elements inside an outline |
+//! | `gizmo_drag` | dragging with the gizmo |
+//! | `surrounding` | the ghost and the ground of a view, and its depth range |
 //! | `layer` | the layer beside the surface, and the lines over it |
-//! | `saved_camera` | the camera as numbers, to be kept |
+//! | `saved_camera` | the camera as numbers, for saving |
 //! | `tape` | the measuring tape |
 
 mod beside;

@@ -1,4 +1,4 @@
-//! The camera of a view under the pointer, and framing.
+//! Camera navigation by the pointer, and framing.
 
 use super::view_state::ViewState;
 use crate::view::camera::{Camera, Flight, UpAxis, frame};
@@ -7,19 +7,19 @@ use crate::view::picking::pick;
 use glam::{Vec2, Vec3};
 
 impl ViewState {
-    /// The camera.
+    /// Returns the camera.
     pub fn camera(&self) -> Camera {
         self.viewpoint.camera
     }
 
-    /// Moves the camera as `to` does.
+    /// Changes the camera by `to`.
     pub fn move_camera<T>(&mut self, to: impl FnOnce(&mut Camera) -> T) -> T {
         let done = to(&mut self.viewpoint.camera);
         self.view_changed();
         done
     }
 
-    /// The flight to where the camera is from where it was, and leaves it there.
+    /// Returns the flight from the camera `from` to the current one, and sets the camera to `from`.
     pub fn flight_from(&mut self, from: Camera) -> Flight {
         let to = std::mem::replace(&mut self.viewpoint.camera, from);
         self.view_changed();
@@ -33,19 +33,19 @@ impl ViewState {
         self.view_changed();
     }
 
-    /// Fits again, unless somebody has moved the camera since.
+    /// Fits the model again, unless the user has moved the camera since.
     pub(crate) fn refit(&mut self) {
         if self.viewpoint.framed {
             self.fit();
         }
     }
 
-    /// Whether the camera stands as `fit` left it.
+    /// Returns whether the camera is as `fit` left it.
     pub(crate) fn is_framed(&self) -> bool {
         self.viewpoint.framed
     }
 
-    /// Says whether the camera stands as `fit` would leave it, and lets it.
+    /// Sets whether the camera counts as fitted; if so, fits it.
     pub(crate) fn set_framed(&mut self, framed: bool) {
         self.viewpoint.framed = framed;
         self.refit();
@@ -56,22 +56,23 @@ impl ViewState {
     pub fn set_up(&mut self, up: UpAxis) {
         if up != self.viewpoint.camera.up {
             self.viewpoint.camera.up = up;
-            // The ground is on another side, and the shadow with it.
+            // The ground and its shadow move to another side.
             self.changes.positions = true;
             self.surround();
             self.fit();
         }
     }
 
-    /// Turns the camera about the middle of the canvas by a drag in CSS pixels.
+    /// Turns the camera about the centre of the canvas by a drag in CSS pixels.
     pub fn orbit(&mut self, dx: f32, dy: f32) {
         self.viewpoint.camera.orbit(dx, dy);
         self.viewpoint.framed = false;
         self.view_changed();
     }
 
-    /// Begins to turn the camera by a drag: about what is under the cursor, or where nothing is about
-    /// the middle of the model, or what is in the middle of the canvas when that is out of sight.
+    /// Begins to turn the camera by a drag, about the point under the cursor. If there is none, it
+    /// turns about the centre of the model or, if that is out of sight, about the pivot of the
+    /// camera.
     pub fn begin_turn(&mut self, cursor: Vec2) {
         let [low, high] = self.bounds();
         let middle = (low + high) * 0.5;
@@ -82,14 +83,15 @@ impl ViewState {
         self.viewpoint.turned_about = self.surface_at(cursor).unwrap_or(otherwise);
     }
 
-    /// Turns the camera about the point of [`ViewState::begin_turn`], which keeps its place.
+    /// Turns the camera about the point of [`ViewState::begin_turn`], which stays in place.
     pub fn turn(&mut self, dx: f32, dy: f32) {
         self.viewpoint.camera.orbit_about(self.viewpoint.turned_about, dx, dy);
         self.viewpoint.framed = false;
         self.view_changed();
     }
 
-    /// Turns the model about the vertical through its middle, as on a turntable, by an angle in radians.
+    /// Turns the model about the vertical axis through its centre, as on a turntable, by an angle
+    /// in radians.
     pub fn spin(&mut self, angle: f32) {
         let [low, high] = self.bounds();
         self.viewpoint.camera.spin((low + high) * 0.5, angle);
@@ -104,7 +106,8 @@ impl ViewState {
         self.view_changed();
     }
 
-    /// Comes `factor` times nearer (farther when less than one) to what is under the cursor.
+    /// Moves `factor` times nearer to the point under the cursor (farther if the factor is below
+    /// 1).
     pub fn zoom(&mut self, factor: f32, cursor: Vec2) {
         if !(factor.is_finite() && factor > 0.0) {
             return;
@@ -117,8 +120,8 @@ impl ViewState {
         self.view_changed();
     }
 
-    /// Leaves so much free at the lower edge of the canvas when something is framed, in CSS pixels. What is
-    /// framed now moves away from there, and not back.
+    /// Reserves a strip at the lower edge of the canvas when framing, in CSS pixels. A framed model
+    /// is framed again when the strip grows, but not when it shrinks.
     pub fn cover(&mut self, pixels: f32) {
         let is_more = pixels > self.viewpoint.camera.covered;
         self.viewpoint.camera.covered = pixels;
@@ -127,14 +130,14 @@ impl ViewState {
         }
     }
 
-    /// The point of the surface under the cursor.
+    /// Returns the point of the surface under the cursor.
     fn surface_at(&self, cursor: Vec2) -> Option<Vec3> {
         let hit = pick::pick_face(&self.content.mesh, &self.viewpoint.camera, cursor)?;
         let (from, direction) = self.viewpoint.camera.eye().ray(cursor);
         Some(from + direction * hit.along)
     }
 
-    /// Fills the canvas with the whole model, from where the camera looks now.
+    /// Fits the whole model to the canvas, without changing the direction of view.
     pub fn fit(&mut self) {
         let radius = self.size() * 1e-3;
         frame(&mut self.viewpoint.camera, self.content.mesh.used_positions(), radius);
@@ -142,7 +145,7 @@ impl ViewState {
         self.view_changed();
     }
 
-    /// Fills the canvas with some vertices and a little around them.
+    /// Fits some vertices to the canvas, with a small margin.
     ///
     /// # Errors
     /// A vertex that does not exist.
@@ -152,7 +155,7 @@ impl ViewState {
         Ok(())
     }
 
-    /// Fills the canvas with some vertices and so much around them.
+    /// Fits some vertices to the canvas, with a margin `around` in units of length.
     pub(crate) fn come_near(&mut self, vertices: &[u32], around: f32) {
         let points = vertices.iter().map(|&v| self.content.mesh.positions[v as usize]);
         frame(&mut self.viewpoint.camera, points, around);
@@ -160,7 +163,7 @@ impl ViewState {
         self.view_changed();
     }
 
-    /// Looks from a named side and fills the canvas.
+    /// Looks from a named side and fits the model to the canvas.
     ///
     /// # Errors
     /// An unknown name.

@@ -1,4 +1,4 @@
-//! Small parts of a view: handles, switches, and what has changed since the last picture.
+//! Small parts of a view: handles, switches, and flags of changes since the last picture.
 
 use crate::view::appearance::DotKind;
 use glam::DVec3;
@@ -6,14 +6,14 @@ use glam::DVec3;
 /// Numbers per fitted shape: kind (0 circle, 1 sphere), centre, normal, radius.
 pub const SHAPE_NUMBERS: usize = 8;
 
-/// A vertex that is held, softly or exactly.
+/// A handle: a vertex that is held softly or exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HandleMark {
     /// The vertex.
     pub vertex: u32,
     /// [`DotKind::Handle`], [`DotKind::Fixed`] or [`DotKind::Active`].
     pub kind: DotKind,
-    /// Where it should be, in file coordinates.
+    /// The target position, in file coordinates.
     pub target: DVec3,
 }
 
@@ -32,24 +32,24 @@ pub struct Display {
     pub arrows: bool,
 }
 
-/// The changes since the last picture.
+/// Flags of what has changed since the last picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Changes {
     /// Faces, curves, edges.
     pub mesh: bool,
-    /// Where vertices are.
+    /// Vertex positions.
     pub positions: bool,
-    /// Where handle targets are.
+    /// Handle targets.
     pub targets: bool,
     /// Values and marks of faces.
     pub appearance: bool,
-    /// Which dots and pulling lines there are.
+    /// The sets of dots and pull lines.
     pub marks: bool,
     /// Fitted shapes.
     pub shapes: bool,
     /// The projections.
     pub projections: bool,
-    /// Places on the checkerboard.
+    /// Texture coordinates of the checkerboard.
     pub checks: bool,
     /// Camera, theme, size, display: all that needs a new picture but no new data.
     pub view: bool,
@@ -69,7 +69,7 @@ impl Changes {
         view: true,
     };
 
-    /// Whether there is anything.
+    /// Returns whether anything has changed.
     pub fn any(self) -> bool {
         self != Changes::default()
     }

@@ -1,4 +1,4 @@
-//! Picking elements under the cursor, and the places of vertices on the canvas.
+//! Picking under the cursor, and canvas positions of vertices.
 
 use super::view_state::ViewState;
 use crate::view::picking::depth_map::{COARSE, DepthMap};
@@ -6,35 +6,35 @@ use crate::view::picking::pick;
 use glam::Vec2;
 
 impl ViewState {
-    /// The visible vertex nearest to the cursor.
+    /// Returns the visible vertex nearest to the cursor.
     pub fn pick_vertex(&self, at: Vec2, radius: f32) -> Option<u32> {
         pick::pick_vertex(&self.content.mesh, &self.viewpoint.camera, at, radius)
     }
 
-    /// The handle nearest to the cursor, hidden or not.
+    /// Returns the handle nearest to the cursor, hidden or not.
     pub fn pick_handle(&self, at: Vec2, radius: f32) -> Option<u32> {
         let handles = self.content.handles.iter().map(|handle| handle.vertex);
         pick::pick_any(&self.content.mesh, &self.viewpoint.camera, handles, at, radius)
     }
 
-    /// The face under the cursor.
+    /// Returns the face under the cursor.
     pub fn pick_face(&self, at: Vec2) -> Option<u32> {
         pick::pick_face(&self.content.mesh, &self.viewpoint.camera, at).map(|hit| hit.face)
     }
 
-    /// Makes sure that it is known what is in front.
+    /// Computes the depth map, unless it is up to date.
     pub(crate) fn look(&mut self) {
         self.viewpoint.depth_map.get_or_insert_with(|| {
             DepthMap::new(&self.content.mesh, &self.viewpoint.camera, COARSE)
         });
     }
 
-    /// The depth map, once [`ViewState::look`] has made it.
+    /// Returns the depth map, if [`ViewState::look`] has made it.
     pub(crate) fn depth_map(&self) -> Option<&DepthMap> {
         self.viewpoint.depth_map.as_ref()
     }
 
-    /// Where a vertex is on the canvas; `None` when hidden or outside.
+    /// Returns the canvas position of a vertex; `None` if it is hidden or outside.
     pub fn screen(&self, vertex: u32) -> Option<Vec2> {
         let point = *self.content.mesh.positions.get(vertex as usize)?;
         let (screen, _) = self.viewpoint.camera.eye().project(point);

@@ -1,13 +1,14 @@
-//! The camera as numbers, to be kept and put back later, in a window of another size too.
+//! The camera as numbers that can be saved and restored, also in a window of another size.
 
 use super::view_state::ViewState;
 use glam::DVec3;
 
-/// The pivot in file coordinates (3), distance, turn, tilt, and whether everything is framed (1 or 0).
+/// Pivot in file coordinates (3 numbers), distance, turn, tilt, and whether the model is framed (1
+/// or 0).
 pub const CAMERA_NUMBERS: usize = 7;
 
 impl ViewState {
-    /// Where the camera is.
+    /// Returns the camera as numbers.
     pub fn camera_numbers(&self) -> [f64; CAMERA_NUMBERS] {
         let [x, y, z] =
             (self.viewpoint.camera.pivot.as_dvec3() + self.content.mesh.centre).to_array();
@@ -20,7 +21,7 @@ impl ViewState {
         [x, y, z, distance, turn, tilt, f64::from(u8::from(self.is_framed()))]
     }
 
-    /// Puts the camera where it was. What is not a place of a camera leaves it where it is.
+    /// Restores the camera. Ignores numbers that are not a valid camera.
     pub fn place_camera(&mut self, numbers: &[f64]) {
         let Ok([x, y, z, distance, turn, tilt, framed]) =
             <[f64; CAMERA_NUMBERS]>::try_from(numbers)

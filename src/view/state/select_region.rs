@@ -1,5 +1,5 @@
-//! Elements inside an outline on the screen: a box, a lasso, a stroke of the brush. Screen positions are CSS
-//! pixels.
+//! Elements inside an outline on the screen: a box, a lasso, or a brush stroke. Screen positions
+//! are CSS pixels.
 
 use super::view_state::ViewState;
 use crate::math::polygon_sides;
@@ -8,7 +8,8 @@ use crate::view::model::{RenderMesh, ViewError, check_indices};
 use crate::view::picking::DepthMap;
 use glam::{Vec2, Vec3};
 
-/// A closed polygon on the screen. Where it crosses itself, every other part is inside.
+/// A closed polygon on the screen. If it intersects itself, the even-odd rule decides what is
+/// inside.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
     corners: Vec<Vec2>,
@@ -17,14 +18,15 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// From its corners, in order; it closes by itself. Without corners it holds nothing.
+    /// Creates an outline from its corners in order; it is closed implicitly. Without corners it is
+    /// empty.
     pub fn new(corners: Vec<Vec2>) -> Outline {
         let low = corners.iter().copied().reduce(Vec2::min).unwrap_or(Vec2::INFINITY);
         let high = corners.iter().copied().reduce(Vec2::max).unwrap_or(Vec2::NEG_INFINITY);
         Outline { corners, low, high }
     }
 
-    /// A box, from any two opposite corners.
+    /// Creates a box from any two opposite corners.
     pub fn around(a: Vec2, b: Vec2) -> Outline {
         Outline::new(vec![a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)])
     }
@@ -33,24 +35,24 @@ impl Outline {
         p.cmpge(self.low).all() && p.cmple(self.high).all() && holds(&self.corners, p)
     }
 
-    /// Whether a segment crosses the outline.
+    /// Returns whether a segment crosses the outline.
     fn crosses(&self, a: Vec2, b: Vec2) -> bool {
         let beside = a.max(b).cmplt(self.low).any() || a.min(b).cmpgt(self.high).any();
         !beside && polygon_sides(&self.corners).any(|[c, d]| cross(a, b, c, d))
     }
 
-    /// Whether any part of a segment is inside.
+    /// Returns whether any part of a segment is inside.
     fn meets(&self, a: Vec2, b: Vec2) -> bool {
         self.holds(a) || self.crosses(a, b)
     }
 
-    /// Whether all of a segment is inside.
+    /// Returns whether a segment is entirely inside.
     fn has(&self, a: Vec2, b: Vec2) -> bool {
         self.holds(a) && self.holds(b) && !self.crosses(a, b)
     }
 }
 
-/// The even-odd rule: how often the way to the right leaves the polygon.
+/// Applies the even-odd rule to a horizontal ray from `p` to the right.
 fn holds(corners: &[Vec2], p: Vec2) -> bool {
     let crossed = polygon_sides(corners).filter(|&[a, b]| {
         (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)
@@ -58,26 +60,26 @@ fn holds(corners: &[Vec2], p: Vec2) -> bool {
     crossed.count() % 2 == 1
 }
 
-/// Whether two segments cross: the ends of each lie on different sides of the other.
+/// Returns whether two segments cross: the ends of each lie on different sides of the other.
 fn cross(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
     let side = |from: Vec2, to: Vec2, p: Vec2| (to - from).perp_dot(p - from) > 0.0;
     side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b)
 }
 
-/// How a region takes elements.
+/// Which elements a region selects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Taking {
-    /// Also those that are partly inside.
+    /// Whether elements that are partly inside count.
     pub touching: bool,
-    /// Also those that the surface hides.
+    /// Whether elements that the surface hides count.
     pub through: bool,
 }
 
 impl ViewState {
-    /// The edges that can be picked: two vertices each, numbered in this order.
+    /// Sets the edges that can be picked: two vertices each, numbered in this order.
     ///
     /// # Errors
-    /// A vertex that does not exist, or half an edge.
+    /// A vertex that does not exist, or an odd number of vertices.
     pub fn set_edges(&mut self, ends: &[u32]) -> Result<(), ViewError> {
         check_indices("edges", ends, self.counts().0)?;
         let (edges, rest) = ends.as_chunks::<2>();
@@ -89,10 +91,10 @@ impl ViewState {
         Ok(())
     }
 
-    /// Marks edges as selected, and no others.
+    /// Sets the selected edges.
     ///
     /// # Errors
-    /// An edge that is not among those of [`ViewState::set_edges`].
+    /// An index out of range of [`ViewState::set_edges`].
     pub fn select_edges(&mut self, edges: &[u32]) -> Result<(), ViewError> {
         check_indices("selected edges", edges, self.content.edges.len())?;
         self.look.appearance.selected_edges =
@@ -101,7 +103,7 @@ impl ViewState {
         Ok(())
     }
 
-    /// The visible edge nearest to a screen position, within a radius.
+    /// Returns the visible edge nearest to a screen position, within a radius.
     pub fn pick_edge(&mut self, at: Vec2, radius: f32) -> Option<u32> {
         let seen = Seen::new(self, false);
         let mut near: Vec<(f32, f32, u32)> = Vec::new();
@@ -118,7 +120,7 @@ impl ViewState {
         near.into_iter().map(|(_, _, edge)| edge).find(|&edge| seen.shows_edge(edge))
     }
 
-    /// Vertices inside, in order.
+    /// Returns the vertices inside, in ascending order.
     pub fn vertices_in(&mut self, outline: &Outline, through: bool) -> Vec<u32> {
         let seen = Seen::new(self, through);
         let count = seen.mesh.positions.len() as u32;
@@ -130,7 +132,8 @@ impl ViewState {
         (0..count).filter(inside).collect()
     }
 
-    /// Edges inside, in order of [`ViewState::set_edges`]. One is seen where its middle is.
+    /// Returns the edges inside, in the order of [`ViewState::set_edges`]. An edge is visible if
+    /// its midpoint is.
     pub fn edges_in(&mut self, outline: &Outline, taking: Taking) -> Vec<u32> {
         let seen = Seen::new(self, taking.through);
         let inside = |&edge: &u32| {
@@ -142,7 +145,7 @@ impl ViewState {
         (0..seen.edges.len() as u32).filter(inside).collect()
     }
 
-    /// Faces inside, in order.
+    /// Returns the faces inside, in ascending order.
     pub fn faces_in(&mut self, outline: &Outline, taking: Taking) -> Vec<u32> {
         let seen = Seen::new(self, taking.through);
         let shown = seen.faces();
@@ -155,7 +158,7 @@ impl ViewState {
             }
             let corners: Vec<Vec2> = places.iter().map(|&(at, _)| at).collect();
             let within = if taking.touching {
-                // The outline may lie inside the face, and touch none of its sides.
+                // The outline may lie inside the face without touching its sides.
                 polygon_sides(&corners).any(|[a, b]| outline.meets(a, b))
                     || outline.corners.first().is_some_and(|&corner| holds(&corners, corner))
             } else {
@@ -171,13 +174,13 @@ impl ViewState {
     }
 }
 
-/// The mesh from where the camera stands, and what of it is in front.
+/// The mesh as the camera sees it, with the depths to test visibility.
 struct Seen<'a> {
     mesh: &'a RenderMesh,
     edges: &'a [[u32; 2]],
     camera: Camera,
     eye: Eye,
-    /// None where hidden things count too.
+    /// None if hidden elements count too.
     map: Option<&'a DepthMap>,
 }
 
@@ -197,13 +200,14 @@ impl<'a> Seen<'a> {
         self.eye.project(point)
     }
 
-    /// Whether a point is left by the section, and not hidden where that counts.
+    /// Returns whether the section keeps a point and, if that counts, the surface does not hide it.
     fn shows(&self, point: Vec3) -> bool {
         let (at, depth) = self.project(point);
         self.camera.keeps(point) && self.map.is_none_or(|map| map.shows(at, depth))
     }
 
-    /// Where the ends of an edge are, with their depths; nothing where one is behind the eye.
+    /// Returns the screen positions and depths of the ends of an edge; none if one is behind the
+    /// eye.
     fn on_screen(&self, ends: [u32; 2]) -> Option<[(Vec2, f32); 2]> {
         let ends = ends.map(|v| self.project(self.mesh.positions[v as usize]));
         ends.iter().all(|&(_, depth)| depth > 0.0).then_some(ends)
@@ -214,11 +218,11 @@ impl<'a> Seen<'a> {
         self.shows((a + b) * 0.5)
     }
 
-    /// Per face whether it is in sight; none where hidden ones count too.
+    /// Returns whether each face is visible; none if hidden faces count too.
     fn faces(&self) -> Option<Vec<bool>> {
         let map = self.map?;
         let mut shown = map.faces_in_front(self.mesh.faces.len());
-        // A face too small for the map's pixels is seen where its middle is.
+        // A face too small for the map's pixels is visible if its centre is.
         for (triangle, &face) in self.mesh.triangles.iter().zip(&self.mesh.triangle_face) {
             if !shown[face as usize] {
                 let corners = triangle.map(|v| self.mesh.positions[v as usize]);

@@ -1,4 +1,4 @@
-//! How a view looks, and its setters: colours and marks of faces, theme, switches.
+//! Setters of how a view looks: colours and marks of faces, theme, switches.
 
 use super::parts::Display;
 use super::view_state::ViewState;
@@ -8,32 +8,32 @@ use crate::view::appearance::{
 use crate::view::model::ViewError;
 
 impl ViewState {
-    /// Values and marks of faces and vertices.
+    /// Returns the values and marks of faces and vertices.
     pub fn appearance(&self) -> &Appearance {
         &self.look.appearance
     }
 
-    /// The colour of the members of a constraint, three parts from 0 to 1.
+    /// Returns the colour of marked members of a constraint, three components from 0 to 1.
     pub fn tint(&self) -> [f32; 3] {
         self.look.tint
     }
 
-    /// The parts of the view that are switched on.
+    /// Returns which parts of the view are switched on.
     pub fn display(&self) -> Display {
         self.look.display
     }
 
-    /// Whether the theme is dark.
+    /// Returns whether the theme is dark.
     pub fn is_dark(&self) -> bool {
         self.look.dark
     }
 
-    /// The colours of the theme.
+    /// Returns the colours of the theme.
     pub fn palette(&self) -> &'static Palette {
         if self.look.dark { &DARK } else { &LIGHT }
     }
 
-    /// The colour behind everything.
+    /// Returns the background colour.
     pub fn background(&self) -> Colour {
         match self.look.ground {
             Some(grey) => [grey, grey, grey, 1.0],
@@ -41,29 +41,29 @@ impl ViewState {
         }
     }
 
-    /// Whether everything is on one grey, as for a picture that is cut out.
+    /// Returns whether the background is plain grey, as for a picture that is cut out.
     pub fn is_on_plain_ground(&self) -> bool {
         self.look.ground.is_some()
     }
 
-    /// Light or dark.
+    /// Selects the light or the dark theme.
     pub fn set_dark(&mut self, dark: bool) {
         self.changes.view |= dark != self.look.dark;
         self.look.dark = dark;
     }
 
-    /// A grey behind everything, from 0 (black) to 1 (white), or the colours of the theme.
+    /// Sets a grey background, from 0 (black) to 1 (white), or the background of the theme.
     pub fn set_ground(&mut self, grey: Option<f32>) {
         self.changes.view |= grey != self.look.ground;
         self.look.ground = grey;
     }
 
-    /// How much of it is seen that what is near keeps light off, from 0 to 1.
+    /// Returns the strength of the ambient occlusion, from 0 (none) to 1.
     pub fn occlusion(&self) -> f32 {
         self.look.occlusion
     }
 
-    /// Shows so much of it that what is near keeps light off, from 0 (none) to 1.
+    /// Sets the strength of the ambient occlusion, from 0 (none) to 1.
     pub fn set_occlusion(&mut self, amount: f32) {
         let amount = amount.clamp(0.0, 1.0);
         self.changes.view |= amount != self.look.occlusion;
@@ -76,10 +76,10 @@ impl ViewState {
         self.look.display = display;
     }
 
-    /// Colours faces by `values` (#F) on a scale; none is the plain material.
+    /// Colours faces by `values` (#F) on a scale; `None` restores the plain material.
     ///
     /// # Errors
-    /// Another number of values than faces.
+    /// The number of values differs from the number of faces.
     pub fn set_face_values(
         &mut self,
         values: Option<Vec<f32>>,
@@ -91,11 +91,11 @@ impl ViewState {
         Ok(())
     }
 
-    /// Takes the values of the vertices (#V) whose greatest those of the faces are; bands go through the
-    /// faces then.
+    /// Sets the values of the vertices (#V) of which each face has the largest as its value. Bands
+    /// then run through the faces.
     ///
     /// # Errors
-    /// Another number of values than vertices.
+    /// The number of values differs from the number of vertices.
     pub fn set_corner_values(&mut self, values: Option<Vec<f32>>) -> Result<(), ViewError> {
         let (vertices, _) = self.counts();
         self.look.appearance.set_corners(values, vertices)?;
@@ -103,32 +103,32 @@ impl ViewState {
         Ok(())
     }
 
-    /// Shows values of faces in bands, or gradually.
+    /// Shows values of faces in bands, or continuously.
     pub fn set_in_bands(&mut self, in_bands: bool) {
         self.look.appearance.set_in_bands(in_bands);
         self.changes.appearance = true;
     }
 
-    /// Chooses the map of values when all of them have colours; see [`MapChoice`].
+    /// Sets the colour map for values on all faces; see [`MapChoice`].
     ///
     /// # Errors
-    /// A name that no map has.
+    /// An unknown name of a map.
     pub fn set_colour_map(&mut self, name: &str, middle: Option<f32>) -> Result<(), ViewError> {
         self.look.appearance.set_map(MapChoice::named(name, middle)?);
         self.changes.appearance = true;
         Ok(())
     }
 
-    /// Gives faces and vertices the colours of the rows that act on them.
+    /// Colours faces and vertices by the rows of constraints that act on them.
     pub fn set_row_colours(&mut self, rows: RowColours) {
         self.look.appearance.rows = rows;
         (self.changes.appearance, self.changes.marks) = (true, true);
     }
 
-    /// Marks vertices and faces as selected, and no others.
+    /// Sets the selected vertices and faces.
     ///
     /// # Errors
-    /// An index that names nothing.
+    /// An index out of range.
     pub fn select(&mut self, vertices: Vec<u32>, faces: Vec<u32>) -> Result<(), ViewError> {
         let counts = self.counts();
         self.look.appearance.select(vertices, faces, counts)?;
@@ -136,10 +136,11 @@ impl ViewState {
         Ok(())
     }
 
-    /// Marks vertices and faces as members of a constraint, in a colour (each part 0 to 1), and no others.
+    /// Sets the vertices and faces that are marked as members of a constraint, and their colour
+    /// (components from 0 to 1).
     ///
     /// # Errors
-    /// An index that names nothing.
+    /// An index out of range.
     pub fn set_tint(
         &mut self,
         vertices: Vec<u32>,

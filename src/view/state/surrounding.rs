@@ -1,4 +1,4 @@
-//! The ghost and the ground of a view, its projection, and how deep it is.
+//! The ghost and the ground of a view, its projection, and its depth range.
 
 use super::view_state::ViewState;
 use crate::view::appearance::LineKind;
@@ -8,10 +8,10 @@ use crate::view::overlay::Ground;
 use glam::{DVec3, Vec3};
 
 impl ViewState {
-    /// Takes the positions of the mesh as it was opened: #V by 3 in file coordinates.
+    /// Sets the positions of the mesh as it was opened: #V by 3 in file coordinates.
     ///
     /// # Errors
-    /// Another number of vertices, or a coordinate that is not finite.
+    /// A wrong number of vertices, or a coordinate that is not finite.
     pub fn set_rest(&mut self, coordinates: &[f64]) -> Result<(), ViewError> {
         let expected = self.content.mesh.exact.len() * 3;
         if coordinates.len() != expected {
@@ -31,13 +31,13 @@ impl ViewState {
         }
     }
 
-    /// Forgets the mesh before this one.
+    /// Removes the rest positions of the previous mesh.
     pub(crate) fn leave_surroundings(&mut self) {
         self.around.rest.clear();
         self.surround();
     }
 
-    /// Makes the grid anew, and sees to it that nothing is cut off.
+    /// Recomputes the grid, and extends the depth range to include it.
     pub(crate) fn surround(&mut self) {
         let around = &mut self.around;
         let low = around.rest.iter().copied().reduce(DVec3::min);
@@ -53,15 +53,15 @@ impl ViewState {
         self.view_changed();
     }
 
-    /// The points of what is shown, relative to the view's centre: first those of the ghost.
+    /// Returns the points of the ghost, then those of the grid, relative to the view's centre.
     pub fn surrounding_points(&self) -> impl Iterator<Item = Vec3> + '_ {
         let ghost = if self.around.ghost { &self.around.rest[..] } else { &[] };
         let grid = self.around.grid.lines.iter().flatten().copied();
         ghost.iter().map(|&point| self.content.mesh.relative(point)).chain(grid)
     }
 
-    /// The lines of what is shown: their ends among [`ViewState::surrounding_points`], and their
-    /// [`LineKind`].
+    /// Returns the lines of ghost and grid: their ends among [`ViewState::surrounding_points`], and
+    /// their [`LineKind`].
     pub fn surrounding_lines(&self) -> Vec<[u32; 3]> {
         let mut lines = Vec::new();
         let mut first = 0;
@@ -77,7 +77,8 @@ impl ViewState {
         lines
     }
 
-    /// Perspective or parallel projection; the pivot keeps its place and what lies there its size.
+    /// Selects perspective or parallel projection. The pivot stays in place, and objects there keep
+    /// their size.
     pub fn set_parallel(&mut self, parallel: bool) {
         let is_parallel = self.viewpoint.camera.projection != CameraProjection::Perspective;
         if parallel == is_parallel {
@@ -92,8 +93,9 @@ impl ViewState {
         self.view_changed();
     }
 
-    /// Cuts the model open across an axis of the file (0 to 2), at a part of the way through it from 0 to 1;
-    /// kept is what comes before the plane along the axis, or after it when it is turned. Nothing shows all.
+    /// Cuts the model open with a plane across an axis of the file (0 to 2), at a fraction (0 to 1)
+    /// of its extent. The side before the plane along the axis is kept, or the other one if the
+    /// flag is set. `None` shows the whole model.
     ///
     /// # Errors
     /// An axis that does not exist.
@@ -107,7 +109,7 @@ impl ViewState {
         Ok(())
     }
 
-    /// In parallel projection, keeps the eye behind everything.
+    /// In parallel projection, keeps the eye behind everything that is drawn.
     pub(crate) fn keep_reach(&mut self) {
         if let CameraProjection::Parallel { reach } = self.viewpoint.camera.projection {
             let needed = self.reach();
@@ -118,10 +120,11 @@ impl ViewState {
         }
     }
 
-    /// Near and far depths around everything drawn.
+    /// Returns the near and far depth of everything that is drawn.
     pub fn depth_range(&self) -> (f32, f32) {
         let [mut low, mut high] = self.bounds();
-        // Projections lie beside their vertices, and are drawn nearer to the eye by as much.
+        // Projections lie beside their vertices, and are drawn nearer to the eye by their
+        // displacement.
         let ways = self.content.projections.points.iter().map(|point| point.way.length_squared());
         let beside = 2.0 * ways.fold(0.0, f32::max).sqrt();
         (low, high) = (low - beside, high + beside);
@@ -133,7 +136,7 @@ impl ViewState {
         depth_range(&self.viewpoint.camera, corners.chain(others))
     }
 
-    /// So far from the view's centre anything is drawn, and a little more.
+    /// Returns a radius around the view's centre that contains everything drawn, with a margin.
     fn reach(&self) -> f32 {
         let points = self.content.mesh.positions.iter().copied();
         let others = self.targets().chain(self.surrounding_points()).chain(self.layer_points());

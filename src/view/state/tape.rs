@@ -1,20 +1,20 @@
-//! The measuring tape: how far apart two vertices are, now and in the model that was opened.
+//! The measuring tape: the vector between two vertices, now and in the mesh as it was opened.
 
 use super::view_state::ViewState;
 use crate::view::model::{ViewError, check_indices};
 use glam::{DVec3, Vec2};
 
-/// From one vertex to another, in file coordinates and the unit of the file.
+/// The vector from one vertex to another, in file coordinates and the unit of the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
-    /// As the mesh is.
+    /// In the current shape.
     pub now: DVec3,
-    /// As it was opened, when that is known.
+    /// In the shape as it was opened, if that is known.
     pub rest: Option<DVec3>,
 }
 
 impl ViewState {
-    /// Spans the tape between two vertices, marks the one that it begins at, or takes it away.
+    /// Spans the tape between two vertices, marks its start at one, or removes it.
     ///
     /// # Errors
     /// A vertex that does not exist, or more than two.
@@ -29,13 +29,13 @@ impl ViewState {
         Ok(())
     }
 
-    /// The ends of the tape: none, the first, or both.
+    /// Returns the ends of the tape: none, the first, or both.
     pub fn tape(&self) -> &[u32] {
         &self.content.tape
     }
 
-    /// Where the middle of the tape is on the canvas, hidden or not, in CSS pixels; nothing without a tape,
-    /// and where it is behind the eye.
+    /// Returns the canvas position of the middle of the tape, hidden or not, in CSS pixels; none
+    /// without a tape, or if it is behind the eye.
     pub fn tape_middle(&self) -> Option<Vec2> {
         let &[from, to] = &self.content.tape[..] else { return None };
         let [from, to] = [from, to].map(|v| self.content.mesh.positions[v as usize]);
@@ -43,7 +43,7 @@ impl ViewState {
         (depth > 0.0).then_some(at)
     }
 
-    /// The vector along the tape; none unless it spans two vertices.
+    /// Returns the vector along the tape; none unless it spans two vertices.
     pub fn measured(&self) -> Option<Measured> {
         let &[from, to] = &self.content.tape[..] else { return None };
         let between = |points: &[DVec3]| points[to as usize] - points[from as usize];

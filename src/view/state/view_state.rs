@@ -1,5 +1,4 @@
-//! The state of a view: what is shown, how it looks, from where it is seen; and what has changed of that
-//! since the last picture.
+//! The state of a view: its contents, look and camera, and what has changed since the last picture.
 
 use super::content::{Content, Look};
 
@@ -13,21 +12,21 @@ use crate::view::model::{
 use crate::view::overlay::{ShownLayer, SurfaceLines, Surroundings};
 use glam::{DVec3, Vec3, Vec4};
 
-/// The state of a view. Its setters note what has changed; whoever draws takes that with
+/// The state of a view. Its setters record changes, which the renderer fetches with
 /// [`ViewState::take_changes`].
 #[derive(Debug)]
 pub struct ViewState {
     pub(super) content: Content,
     pub(super) look: Look,
     pub(super) viewpoint: Viewpoint,
-    /// The ghost of the model as it was opened, and the ground.
+    /// The ghost of the mesh as it was opened, and the ground.
     pub(super) around: Surroundings,
     /// The layer beside the surface.
     pub(super) layer: ShownLayer,
     /// The lines over the surface.
     pub(super) lines: SurfaceLines,
     pub(super) gizmo: GizmoState,
-    /// Since the last picture.
+    /// Changes since the last picture.
     pub(super) changes: Changes,
 }
 
@@ -47,8 +46,9 @@ impl Default for ViewState {
 }
 
 impl ViewState {
-    /// Shows a mesh. Another mesh than before comes without marks, handles and shapes, and is
-    /// framed from the three-quarter view; the same faces and curves only move.
+    /// Shows a mesh. A mesh of another topology starts without marks, handles and shapes, and is
+    /// framed from the three-quarter view; if faces and curves are the same, only the positions
+    /// change.
     ///
     /// # Errors
     /// Arrays that do not fit together; the old mesh stays.
@@ -81,7 +81,7 @@ impl ViewState {
     /// Moves the vertices; #V by 3 in file coordinates.
     ///
     /// # Errors
-    /// Another number of vertices or a coordinate that is not finite.
+    /// A wrong number of vertices, or a coordinate that is not finite.
     pub fn set_positions(&mut self, coordinates: &[f64]) -> Result<(), ViewError> {
         self.content.mesh.set_positions(coordinates)?;
         self.changes.positions = true;
@@ -90,7 +90,7 @@ impl ViewState {
         Ok(())
     }
 
-    /// How many vertices and faces there are.
+    /// Returns the numbers of vertices and faces.
     pub fn counts(&self) -> (usize, usize) {
         (self.content.mesh.positions.len(), self.content.mesh.faces.len())
     }
@@ -98,7 +98,7 @@ impl ViewState {
     /// Sets all handles; states are 0 soft, 1 fixed, 2 active; targets are #H by 3.
     ///
     /// # Errors
-    /// Arrays that do not fit together, or a state that is not known.
+    /// Arrays that do not fit together, or an unknown state.
     pub fn set_handles(
         &mut self,
         vertices: &[u32],
@@ -139,7 +139,7 @@ impl ViewState {
     /// Sets the fitted shapes: eight numbers each, centres in file coordinates.
     ///
     /// # Errors
-    /// A length that is no multiple of eight.
+    /// A length that is not a multiple of eight.
     pub fn set_shapes(&mut self, shapes: &[f32]) -> Result<(), ViewError> {
         let (rows, rest) = shapes.as_chunks::<SHAPE_NUMBERS>();
         if !rest.is_empty() {
@@ -163,7 +163,8 @@ impl ViewState {
         self.content.projections = projections;
     }
 
-    /// The projected points relative to the view's centre, each with its distance from its vertex.
+    /// Returns the projected points relative to the view's centre, each with its distance from its
+    /// vertex.
     pub fn projected(&self) -> impl Iterator<Item = Vec4> + '_ {
         self.content.projections.points.iter().map(|point| {
             let at = self.content.mesh.positions[point.vertex as usize] + point.way;
@@ -171,48 +172,49 @@ impl ViewState {
         })
     }
 
-    /// Pieces that a fitted circle is drawn with: fewer when there are thousands, which are small.
+    /// Returns the number of segments of a fitted circle: fewer if there are thousands of small
+    /// ones.
     pub fn circle_pieces(&self) -> u32 {
         if self.content.shapes.len() > 1000 * SHAPE_NUMBERS { 32 } else { 96 }
     }
 
-    /// Asks for another picture, without new data.
+    /// Requests a redraw without new data.
     pub fn view_changed(&mut self) {
         self.changes.view = true;
         self.viewpoint.forget_depth();
     }
 
-    /// The changes since the last picture.
+    /// Returns the changes since the last picture.
     pub fn changes(&self) -> Changes {
         self.changes
     }
 
-    /// The changes since the last picture, which is made of them now.
+    /// Returns and clears the changes since the last picture.
     pub fn take_changes(&mut self) -> Changes {
         std::mem::take(&mut self.changes)
     }
 
-    /// The mesh.
+    /// Returns the mesh.
     pub fn mesh(&self) -> &RenderMesh {
         &self.content.mesh
     }
 
-    /// All handles.
+    /// Returns all handles.
     pub fn handles(&self) -> &[HandleMark] {
         &self.content.handles
     }
 
-    /// Fitted shapes in view coordinates, [`SHAPE_NUMBERS`] each.
+    /// Returns the fitted shapes in view coordinates, [`SHAPE_NUMBERS`] numbers each.
     pub fn shapes(&self) -> &[f32] {
         &self.content.shapes
     }
 
-    /// Projected points, outlines, arrows.
+    /// Returns the projected points, outlines and arrows.
     pub fn projections(&self) -> &ProjectionMarks {
         &self.content.projections
     }
 
-    /// The checkerboard of a flat map.
+    /// Returns the checkerboard of a flat map.
     pub fn checks(&self) -> &Checks {
         &self.content.checks
     }
@@ -221,32 +223,33 @@ impl ViewState {
     pub fn set_checks(&mut self, checks: Checks) {
         self.content.checks = checks;
         self.changes.checks = true;
-        // Values of faces make room for it.
+        // It replaces the colours of face values.
         self.changes.appearance = true;
     }
 
-    /// Draws the checkerboard with so many squares for each unit of length on the map; none with zero.
+    /// Sets the number of checkerboard squares per unit of length on the map; 0 hides the
+    /// checkerboard.
     pub fn scale_checks(&mut self, per_length: f32) {
         self.content.checks.per_length = per_length;
         self.changes.view = true;
     }
 
-    /// Sides of the faces that a flat map turns over, by their vertices: `#sides by 2`.
+    /// Returns the sides of the faces that a flat map flips, as pairs of vertices: `#sides by 2`.
     pub fn flipped(&self) -> &[[u32; 2]] {
         &self.content.flipped
     }
 
-    /// The ghost of the model as it was opened, and the ground.
+    /// Returns the ghost of the mesh as it was opened, and the ground.
     pub fn around(&self) -> &Surroundings {
         &self.around
     }
 
-    /// Whether ghost or ground have changed since this was last asked, to be drawn.
+    /// Returns whether ghost or ground have changed since the last call.
     pub fn take_changed_surroundings(&mut self) -> bool {
         std::mem::take(&mut self.around.changed)
     }
 
-    /// Half the diagonal of the bounding box; 1 where there is none.
+    /// Returns half the diagonal of the bounding box; 1 if that is zero.
     pub fn size(&self) -> f32 {
         let [low, high] = self.bounds();
         let size = (high - low).length() * 0.5;
@@ -259,7 +262,7 @@ impl ViewState {
         [low, points.reduce(Vec3::max).unwrap_or_default()]
     }
 
-    /// Where each handle should be, relative to the view's centre.
+    /// Returns the target of each handle, relative to the view's centre.
     pub fn targets(&self) -> impl Iterator<Item = Vec3> + '_ {
         self.content.handles.iter().map(|handle| self.content.mesh.relative(handle.target))
     }

@@ -1,18 +1,18 @@
-//! From where a view is seen.
+//! The viewpoint of a view.
 
 use crate::view::camera::Camera;
 use crate::view::picking::DepthMap;
 use glam::Vec3;
 
-/// The camera, and what depends on where it stands.
+/// The camera, and data that depends on it.
 #[derive(Debug)]
 pub(super) struct Viewpoint {
     pub(super) camera: Camera,
-    /// The point that a drag turns the camera about.
+    /// The point about which a drag turns the camera.
     pub(super) turned_about: Vec3,
-    /// Whether the camera stands as `fit` left it, and follows the canvas when that is resized.
+    /// Whether the camera is as `fit` left it; then it is fitted again when the canvas is resized.
     pub(super) framed: bool,
-    /// The foremost face per pixel, made when first asked for after the camera or the mesh moved.
+    /// The frontmost face per pixel, computed on first use after camera or mesh have moved.
     pub(super) depth_map: Option<DepthMap>,
 }
 
@@ -24,7 +24,7 @@ impl Default for Viewpoint {
 }
 
 impl Viewpoint {
-    /// Camera or mesh have moved.
+    /// Discards the depth map after camera or mesh have moved.
     pub(super) fn forget_depth(&mut self) {
         self.depth_map = None;
     }

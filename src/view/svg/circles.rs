@@ -1,5 +1,5 @@
-//! Fitted circles of a still picture: the ellipses that they are on the screen, over all faces. So it is a
-//! picture for meshes whose faces are all seen.
+//! Fitted circles of a still picture, as ellipses on the screen. They are drawn over all faces,
+//! which suits meshes whose faces are all visible.
 
 use crate::view::appearance::LIGHT;
 use crate::view::camera::Eye;
@@ -7,15 +7,15 @@ use crate::view::state::{SHAPE_NUMBERS, ViewState};
 use glam::{Vec2, Vec3};
 use std::fmt::Write;
 
-/// Circles of a smaller radius on the screen are drawn fainter, as in `shaders/circles.wgsl`, CSS pixels.
+/// Circles of a smaller radius on the screen are fainter, as in `shaders/circles.wgsl`; CSS pixels.
 const FULL_OPACITY: f32 = 20.0;
-/// Of this radius they are not seen.
+/// Radius on the screen at which circles disappear, CSS pixels.
 const NO_OPACITY: f32 = 2.0;
 
-/// Axes of ellipses are rounded to so many degrees.
+/// Ellipse axes are rounded to multiples of this angle in degrees.
 const TURN: f32 = 6.0;
 
-/// A circle of a scene: centre, and two radii at a right angle.
+/// A circle of the scene: centre, and two perpendicular radii.
 pub(super) struct Circle {
     pub centre: Vec3,
     pub radii: [Vec3; 2],
@@ -26,17 +26,18 @@ struct Ellipse {
     centre: Vec2,
     /// The longer semi-axis.
     axis: Vec2,
-    /// The length of the other.
+    /// The length of the shorter semi-axis.
     minor: f32,
 }
 
-/// All circles as one path, which a script redraws from the fitted shapes; empty where there are none.
+/// Returns all circles as one path, which a script redraws from the fitted shapes; empty without
+/// circles.
 pub(super) fn circles(state: &ViewState, eye: &Eye) -> String {
     let mut path = String::new();
     let mut sizes = Vec::new();
     for circle in fitted(state) {
         sizes.push(size_on_screen(&circle, eye));
-        // Rounded before anything is computed from them: equal ellipses are equal text, and pack well.
+        // Rounded first, so that equal ellipses have equal text, which compresses well.
         let Ellipse { centre, axis, minor } = on_screen(&circle, eye);
         let (major, minor) = (half(axis.length()), half(minor));
         let turn = (axis.y.atan2(axis.x).to_degrees() / TURN).round() * TURN;
@@ -50,7 +51,7 @@ pub(super) fn circles(state: &ViewState, eye: &Eye) -> String {
     if path.is_empty() {
         return path;
     }
-    // One path has one weight: the mean along its lines.
+    // A path has a single opacity: the mean, weighted by the radii on the screen.
     let part = |size: f32| ((size - NO_OPACITY) / (FULL_OPACITY - NO_OPACITY)).clamp(0.0, 1.0);
     let drawn: f32 = sizes.iter().map(|&size| size * part(size)).sum();
     let mean = drawn / sizes.iter().sum::<f32>().max(f32::MIN_POSITIVE);
@@ -59,7 +60,7 @@ pub(super) fn circles(state: &ViewState, eye: &Eye) -> String {
     format!(r#"<g opacity="{opacity}"><path class="circles" d="{path}"/></g>"#)
 }
 
-/// The radius in CSS pixels, less where the circle is seen edge on.
+/// Returns the radius in CSS pixels, reduced if the circle is seen edge-on.
 fn size_on_screen(circle: &Circle, eye: &Eye) -> f32 {
     let [u, v] = circle.radii;
     let away = eye.seen_from(circle.centre) - circle.centre;
@@ -69,7 +70,7 @@ fn size_on_screen(circle: &Circle, eye: &Eye) -> f32 {
     u.length() * (0.15 + 0.85 * facing) / pixel
 }
 
-/// The fitted circles of a scene.
+/// Returns the fitted circles of the scene.
 pub(super) fn fitted(state: &ViewState) -> impl Iterator<Item = Circle> + '_ {
     let shapes = state.shapes().chunks_exact(SHAPE_NUMBERS);
     shapes.filter(|shape| shape[0] == 0.0).map(|shape| {
@@ -79,14 +80,14 @@ pub(super) fn fitted(state: &ViewState) -> impl Iterator<Item = Circle> + '_ {
     })
 }
 
-/// The ellipse whose conjugate semi-diameters are the images of the two radii. In perspective this is the image of
-/// the circle but for terms of the second order in its radius over its distance.
+/// Returns the ellipse whose conjugate semi-diameters are the images of the two radii. In
+/// perspective this is the image of the circle up to terms of second order in radius / distance.
 fn on_screen(circle: &Circle, eye: &Eye) -> Ellipse {
     let [u, v] = circle.radii.map(|radius| {
         let [a, b] = [radius, -radius].map(|way| eye.project(circle.centre + way).0);
         0.5 * (a - b)
     });
-    // Where the distance from the centre is the greatest.
+    // The angle at which the distance from the centre is greatest.
     let turn = 0.5 * (2.0 * u.dot(v)).atan2(u.length_squared() - v.length_squared());
     let (sin, cos) = turn.sin_cos();
     let [axis, other] = [u * cos + v * sin, v * cos - u * sin];

@@ -1,12 +1,12 @@
-//! The colour of a face without a GPU: what `shaders/faces.wgsl` computes for the middle of the
-//! face. A page test holds the still picture, which is made of these, to what the view draws.
+//! The colour of a face without a GPU, as `shaders/faces.wgsl` computes it for the centre of the
+//! face. A page test compares the still picture, which uses these colours, with the view.
 
 use crate::view::appearance::{Colour, FaceColour, Palette, row_colours};
 use crate::view::camera::Eye;
 use crate::view::state::ViewState;
 use glam::Vec3;
 
-/// The sRGB colour of a face in the middle, each part 0 to 1; marks are not seen.
+/// Returns the sRGB colour at the centre of a face, components from 0 to 1, without marks.
 pub fn face_colour(state: &ViewState, face: u32, palette: &Palette) -> Vec3 {
     let (light, is_front) = light_on(state, face);
     let modelled = 0.68 + (1.05 - 0.68) * light;
@@ -30,10 +30,11 @@ fn rgb([r, g, b, _]: Colour) -> Vec3 {
     Vec3::new(r, g, b)
 }
 
-/// So far beyond the terminator the large light still reaches.
+/// How far the light wraps around beyond the terminator.
 const WRAP: f32 = 0.3;
 
-/// From 0 in the shade to 1 in full light, and whether the face is seen from its front.
+/// Returns the light on a face, from 0 in the shade to 1 in full light, and whether its front is
+/// seen.
 fn light_on(state: &ViewState, face: u32) -> (f32, bool) {
     let mesh = state.mesh();
     let corners = mesh.faces.row(face as usize);
@@ -56,7 +57,7 @@ fn light_on(state: &ViewState, face: u32) -> (f32, bool) {
     (light, outwards.dot(to_eye) >= 0.0)
 }
 
-/// The vector or its opposite, whichever is on the side of `side`.
+/// Returns the vector or its opposite, whichever is on the side of `side`.
 fn towards(vector: Vec3, side: Vec3) -> Vec3 {
     if vector.dot(side) >= 0.0 { vector } else { -vector }
 }

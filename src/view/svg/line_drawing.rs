@@ -1,9 +1,9 @@
-//! A line drawing of a model for print: visible edges, outlines and fitted circles of a surface, without what
-//! the surface hides.
+//! A line drawing of a model for print: the visible parts of its edges, outlines and fitted
+//! circles.
 //!
-//! Each line is cut where it is hidden, by samples against a depth buffer with a pixel of about a tenth of a
-//! millimetre on paper; the sides of a face that is in front at a sample are seen there whatever the depths are, so
-//! that lines on surfaces seen at a slant stay whole.
+//! Visibility is sampled along each line against a depth buffer whose pixels are about a tenth of a
+//! millimetre on paper. The sides of the frontmost face at a sample count as visible whatever their
+//! depth, so that lines on slanted surfaces stay whole.
 
 use super::circles::fitted;
 use super::picture::line;
@@ -14,26 +14,28 @@ use crate::view::state::ViewState;
 use glam::{Vec2, Vec3};
 use std::fmt::Write;
 
-/// The drawing fits into a sheet of A4 in landscape with a margin, in hundredths of a millimetre.
+/// Size of the drawing: A4 landscape with a margin, in hundredths of a millimetre.
 const SHEET: Vec2 = Vec2::new(27_700.0, 19_000.0);
 /// Pixels of the depth buffer along the longer side.
 const PIXELS: f32 = 2560.0;
-/// A line is sampled at each pixel, at most so often.
+/// Lines are sampled once per pixel, at most this many times.
 const MOST_SAMPLES: f32 = 4000.0;
-/// Visible runs of fewer samples on a longer line are dropped as specks, as where a hidden edge meets an outline.
+/// Visible runs of fewer samples are dropped from longer lines: such specks appear where a hidden
+/// edge meets an outline.
 const SPECK: usize = 8;
-/// A circle is drawn as so many chords.
+/// Number of chords of a drawn circle.
 const CHORDS: usize = 48;
 
-/// Around the model, as a part of its size: circles go beyond it.
+/// Margin around the model as a fraction of its size, because circles extend beyond it.
 const MARGIN: f32 = 0.03;
 
-/// Pens in hundredths of a millimetre (ISO 128: thick for outlines, thin for what is on the surface).
+/// Line widths in hundredths of a millimetre (ISO 128: thick for outlines, thin on the surface).
 const OUTLINE: u32 = 35;
 const EDGE: u32 = 18;
 const CIRCLE: u32 = 13;
 
-/// The lines that are seen, as an SVG file in millimetres with a group for each pen: circles, edges, outlines.
+/// Draws the visible lines as an SVG file in millimetres, with a group for each pen: circles,
+/// edges, outlines.
 pub fn line_drawing(state: &ViewState) -> String {
     let camera = state.camera();
     let [low, high] = frame(state);
@@ -60,13 +62,14 @@ pub fn line_drawing(state: &ViewState) -> String {
             mesh.normals.faces[face as usize].dot(corner - sight.eye.seen_from(corner))
         };
         let is_outline = match faces[..] {
-            // Where neighbours turn opposite ways it is the other way round: then the depths tell.
+            // Opposite orientations of the two faces invert this test; `sees` then finds outlines
+            // by depth.
             [one, other] => from_eye(one) * from_eye(other) < 0.0,
             _ => true,
         };
         sight.draw(sides[0].0.map(at), &faces, is_outline, &mut edges);
     }
-    // Where the surface is cut it ends.
+    // The section ends the surface, so that it is an outline.
     if let Some(section) = camera.section {
         for (&triangle, &face) in mesh.triangles.iter().zip(&mesh.triangle_face) {
             let corners = triangle.map(at);
@@ -75,7 +78,7 @@ pub fn line_drawing(state: &ViewState) -> String {
             }
         }
     }
-    // Outlines are drawn without edges, too.
+    // Outlines are drawn even if edges are switched off.
     if !display.edges {
         edges.on_surface.clear();
     }
@@ -117,7 +120,7 @@ pub fn line_drawing(state: &ViewState) -> String {
     svg + "</g></svg>\n"
 }
 
-/// The part of the canvas that the model is in, with a margin: two corners.
+/// Returns two corners of the part of the canvas that shows the model, with a margin.
 fn frame(state: &ViewState) -> [Vec2; 2] {
     let (canvas, eye) = (state.camera().canvas, state.camera().eye());
     let places = state.mesh().used_positions().map(|point| eye.project(point));
@@ -128,14 +131,14 @@ fn frame(state: &ViewState) -> [Vec2; 2] {
     [(low - margin).max(Vec2::ZERO), (high + margin).min(canvas)]
 }
 
-/// The data of paths: lines that the surface ends at, as seen from the eye, and others.
+/// Path data of outlines, where the surface ends as seen from the eye, and of other lines.
 #[derive(Default)]
 struct Lines {
     outlines: String,
     on_surface: String,
 }
 
-/// How a part of a line is seen.
+/// The visibility of a part of a line.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Seen {
     Hidden,
@@ -143,7 +146,7 @@ enum Seen {
     Outline,
 }
 
-/// The depth buffer and the eye point.
+/// The depth buffer and the eye, against which lines are drawn.
 struct Sight {
     map: DepthMap,
     eye: Eye,
@@ -160,8 +163,8 @@ struct Sight {
 }
 
 impl Sight {
-    /// Adds what is seen of the line between two points, a side of `faces`. Where it is no outline by itself, it is
-    /// one where there is nothing near behind it.
+    /// Draws the visible parts of the line between two points, a side of `faces`. Even if
+    /// `is_outline` is false, a part is drawn as an outline if there is nothing close behind it.
     fn draw(&self, ends: [Vec3; 2], faces: &[u32], is_outline: bool, to: &mut Lines) {
         let kept = self.section.map_or(Some(ends), |section| section.cut(ends));
         let Some(ends) = kept.and_then(|ends| self.in_front(ends)) else { return };
@@ -194,7 +197,7 @@ impl Sight {
         }
     }
 
-    /// The part of a line beyond the near depth.
+    /// Returns the part of a line beyond the near depth.
     fn in_front(&self, [a, b]: [Vec3; 2]) -> Option<[Vec3; 2]> {
         let [da, db] = [a, b].map(|point| (point - self.eye.at).dot(self.eye.forward) - self.near);
         let cut = || a.lerp(b, da / (da - db));
@@ -206,7 +209,8 @@ impl Sight {
         }
     }
 
-    /// How the point at this part of the line between two places with their depths is seen.
+    /// Returns the visibility of the point at fraction `part` of a line, given the screen positions
+    /// and depths of its ends.
     fn sees(
         &self,
         [(a, depth_a), (b, depth_b)]: [(Vec2, f32); 2],
@@ -215,7 +219,7 @@ impl Sight {
     ) -> Seen {
         let place = a.lerp(b, part);
         let depth = match self.eye.parallel {
-            // One over the depth is what is linear on the screen.
+            // 1 / depth is linear on the screen.
             None => 1.0 / ((1.0 - part) / depth_a + part / depth_b),
             Some(_) => depth_a + (depth_b - depth_a) * part,
         };
@@ -231,7 +235,8 @@ impl Sight {
     }
 }
 
-/// A short piece of outline on a longer line, as beside a vertex of an outline, is a part of the line.
+/// Turns short runs of outline on a longer line into plain line: they appear beside a vertex of an
+/// outline.
 fn forget_specks(seen: &mut [Seen], speck: usize) {
     for run in seen.chunk_by_mut(|a, b| a == b) {
         if run[0] == Seen::Outline && run.len() < speck {
@@ -244,7 +249,7 @@ fn forget_specks(seen: &mut [Seen], speck: usize) {
 mod tests {
     use super::*;
 
-    /// Quads as they are seen in parallel projection.
+    /// Draws quads in parallel projection.
     fn seen(positions: &[[f64; 3]], quads: &[[u32; 4]], from: &str) -> String {
         let mut state = ViewState::default();
         let offsets = (0..=quads.len() as u32).map(|k| 4 * k).collect();
@@ -256,7 +261,7 @@ mod tests {
         line_drawing(&state)
     }
 
-    /// The lengths of the lines of a pen, in hundredths of a millimetre.
+    /// Returns the lengths of the lines of a pen, in hundredths of a millimetre.
     fn lengths(svg: &str, pen: &str) -> Vec<f32> {
         let Some((_, group)) = svg.split_once(&format!("id=\"{pen}\"")) else { return vec![] };
         let data = group.split('"').find(|text| text.starts_with('M')).unwrap();
@@ -278,11 +283,11 @@ mod tests {
         let svg = seen(&corners, &quads, "isometric");
         let [outlines, edges] = ["outlines", "edges"].map(|pen| lengths(&svg, pen));
         assert_eq!([outlines.len(), edges.len()], [6, 3], "{svg}");
-        // All edges are as long in this view.
+        // All edges have the same length in this view.
         for length in outlines.iter().chain(&edges) {
             assert!((length / edges[0] - 1.0).abs() < 0.01, "{svg}");
         }
-        // Without its lid and the two sides in front nothing hides the others.
+        // Without the lid and the two front sides nothing is hidden.
         let svg = seen(&corners, &[quads[0], quads[3], quads[4]], "isometric");
         assert_eq!(lengths(&svg, "outlines").len() + lengths(&svg, "edges").len(), 9);
     }
@@ -297,7 +302,7 @@ mod tests {
         let found = lengths(&svg, "outlines");
         let side = found.iter().copied().fold(0.0, f32::max);
         let sum: f32 = found.iter().sum();
-        // Of the lower square two halves of sides are hidden.
+        // Two half sides of the lower square are hidden.
         assert_eq!(found.len(), 8);
         assert!((sum / side - 7.0).abs() < 0.02, "{}", sum / side);
         assert!(lengths(&svg, "edges").is_empty());

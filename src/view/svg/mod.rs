@@ -2,11 +2,11 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `picture` | the picture that the page begins with |
+//! | `picture` | the still picture with which the page starts |
 //! | `circles` | its fitted circles |
 //! | `line_drawing` | visible lines in ink, for print |
 //! | `thumbnail` | small pictures for the gallery |
-//! | `light` | the colour of a face in the light |
+//! | `light` | the shaded colour of a face |
 
 mod circles;
 pub mod light;

@@ -1,13 +1,13 @@
-//! A still picture of a stage as SVG: what a page shows before it can draw. Faces, edges, fitted circles,
-//! handles and the lines that pull them, as the view draws them in its first picture, in the colours of
-//! both themes.
+//! A still picture of the model as SVG, which the page shows before it can draw: faces, edges,
+//! fitted circles, handles and their pull lines, as in the first picture of the view, in the
+//! colours of both themes.
 //!
-//! Faces are painted from the farthest to the nearest, each in one colour with its own edges. So it
-//! is a picture for meshes of a few hundred faces that do not cut through each other.
+//! Faces are painted from the farthest to the nearest, each in one colour with its own edges. This
+//! suits meshes of a few hundred faces that do not intersect.
 //!
-//! The picture says what a script needs to keep it alive until the view draws
-//! (`www/viewport/placeholder/placeholder-scene.js`): the eye, so that the faces can be drawn at other positions, and where a
-//! handle goes when it is dragged.
+//! Attributes hold the data with which a script (`www/viewport/placeholder/placeholder-scene.js`)
+//! animates the picture until the view draws: the eye, to draw the faces at other positions, and
+//! the displacement of a dragged handle.
 
 use super::circles::circles;
 use super::light::face_colour;
@@ -20,16 +20,17 @@ use glam::{Vec2, Vec3, Vec4};
 use std::collections::BTreeSet;
 use std::fmt::{Display, Write};
 
-/// Colours of faces are rounded to so many steps per part, places to whole CSS pixels: nobody sees it
-/// in a picture that is replaced at once, and it is half of the size.
+/// Steps per colour component; positions are rounded to whole CSS pixels. The picture is replaced
+/// so soon that the rounding is not noticed, and it halves the size.
 const STEPS: f32 = 64.0;
-/// Opacity of what the surface hides, as in the shaders of lines and dots.
+/// Opacity of marks that the surface hides, as in the shaders of lines and dots.
 const BEHIND: f32 = 0.38;
-/// A surface in front of a handle by less than this part of its distance from the eye does not hide it.
+/// A surface hides a handle only if it is in front by more than this fraction of the distance to
+/// the eye.
 const NEAR: f32 = 0.02;
 
-/// The stage as an `svg` element of the size of its canvas, with the classes `still` and `class`.
-/// [`style`] has the rest of its looks.
+/// Returns the picture as an `svg` element of the size of the canvas, with the classes `still` and
+/// `class`. [`style`] has the rest of its styling.
 pub fn svg(state: &ViewState, class: &str) -> String {
     let [width, height] = state.camera().canvas.round().to_array();
     let eye = state.camera().eye();
@@ -60,13 +61,13 @@ pub fn svg(state: &ViewState, class: &str) -> String {
     svg + &circles(state, &eye) + &handles(state, &eye) + "</svg>"
 }
 
-/// The edges on the boundary.
+/// Returns the boundary edges.
 pub(crate) fn rim_of(state: &ViewState) -> BTreeSet<[u32; 2]> {
     let boundary = state.mesh().edges.iter().filter(|edge| edge.boundary);
     boundary.map(|edge| edge.ends).collect()
 }
 
-/// Each handle with its target and the line between them.
+/// Draws each handle with its target and the line between them.
 fn handles(state: &ViewState, eye: &Eye) -> String {
     let mut svg = String::new();
     for (handle, target) in state.handles().iter().zip(state.targets()) {
@@ -94,19 +95,19 @@ fn handles(state: &ViewState, eye: &Eye) -> String {
     svg
 }
 
-/// The eye's rows for points in file coordinates.
+/// Returns the rows of the eye's projection for points in file coordinates.
 fn rows_for_file(state: &ViewState, eye: &Eye) -> [Vec4; 3] {
     let centre = state.mesh().centre.as_vec3();
     eye.rows().map(|row| row.truncate().extend(row.w - row.truncate().dot(centre)))
 }
 
-/// Numbers as the text of an attribute.
+/// Formats numbers as the text of an attribute.
 pub fn spaced(values: impl IntoIterator<Item = impl Display>) -> String {
     values.into_iter().map(|value| value.to_string()).collect::<Vec<_>>().join(" ")
 }
 
-/// The style sheet of still pictures: the colours and widths of the view's palette. Faces with
-/// a full map of values have lighter edges than plain ones.
+/// Returns the style sheet of still pictures, with the colours and widths of the view's palette.
+/// Edges are lighter if all faces have colours of values.
 pub fn style(has_full_map: bool) -> String {
     let edge = |palette: &Palette| {
         let mut stroke = palette.strokes[LineKind::Edge as usize];
@@ -154,8 +155,8 @@ pub fn style(has_full_map: bool) -> String {
     style
 }
 
-/// The faces in the order in which they are painted: those whose corners are on average the
-/// farthest first. It depends on where the eye looks, not on where it is.
+/// Returns the faces in painting order: the greatest mean depth of the corners first. The order
+/// depends on the direction of view, not on the position of the eye.
 pub fn from_far_to_near(state: &ViewState) -> Vec<u32> {
     let mesh = state.mesh();
     let forward = state.camera().eye().forward;
@@ -168,19 +169,20 @@ pub fn from_far_to_near(state: &ViewState) -> Vec<u32> {
     faces.into_iter().map(|(_, face)| face).collect()
 }
 
-/// The sides of a face, the smaller vertex first.
+/// Returns the sides of a face, each with the smaller vertex first.
 pub(crate) fn sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
     polygon_sides(corners).map(|[a, b]| [a.min(b), a.max(b)])
 }
 
-/// Whether the surface hides the mark on a vertex. The view draws marks in front of what is near.
+/// Returns whether the surface hides the mark on a vertex. Marks are drawn in front of near
+/// surfaces.
 pub(crate) fn is_hidden(state: &ViewState, eye: &Eye, vertex: u32) -> bool {
     let point = state.mesh().positions[vertex as usize];
     let from = eye.seen_from(point);
     hidden(state.mesh(), from, vertex, eye.scale_depth((point - from).length()) * NEAR, |_| true)
 }
 
-/// A line through places, as the data of a path: the first as it is, the others by their steps.
+/// Returns the path data of a polyline: the first point absolute, the others relative.
 pub(crate) fn line(places: impl IntoIterator<Item = Vec2>) -> String {
     let mut data = String::new();
     let mut last = None;
@@ -222,7 +224,7 @@ fn dot_class(kind: DotKind) -> &'static str {
     }
 }
 
-/// A CSS colour for both themes.
+/// Returns a CSS colour for both themes.
 pub(crate) fn themed(light: Colour, dark: Colour) -> String {
     let [light, dark] = [light, dark].map(hex);
     if light == dark { light } else { format!("light-dark({light},{dark})") }

@@ -1,8 +1,8 @@
-//! A small picture of a stage as an SVG file of its own, for the gallery. Like [`super::picture`] it
-//! paints faces from the farthest to the nearest; colours are fewer and places coarser, so that the
-//! file is small.
+//! Thumbnails for the gallery: a small picture of the model as an SVG file of its own. Faces are
+//! painted from the farthest to the nearest, as in [`super::picture`], but with fewer colours and
+//! coarser positions, to keep the file small.
 //!
-//! The file is for both themes: it takes the colour scheme of the page that shows it.
+//! One file serves both themes: it follows the colour scheme of the page that shows it.
 
 use super::light::face_colour;
 use super::picture::{from_far_to_near, is_hidden, line, rim_of, sides, themed};
@@ -13,12 +13,12 @@ use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// A mesh of more faces than this is drawn more coarsely, and with finer lines.
+/// Meshes of more faces are drawn more coarsely and with thinner lines.
 const CROWD: usize = 1200;
-/// Handles are this much smaller than in the view, as the picture is.
+/// Handles are scaled by this factor relative to the view.
 const DOTS: f32 = 0.62;
 
-/// The stage as an SVG file of the size of its canvas.
+/// Returns the thumbnail as an SVG file of the size of the canvas.
 pub fn svg(state: &ViewState) -> String {
     let mut drawing = Drawing::new(state);
     let body = drawing.faces() + &drawing.curves() + &drawing.dots();
@@ -32,19 +32,19 @@ pub fn svg(state: &ViewState) -> String {
     )
 }
 
-/// A picture in the making.
+/// A picture under construction.
 struct Drawing<'a> {
     state: &'a ViewState,
     eye: Eye,
-    /// Steps of places per CSS pixel.
+    /// Position units per CSS pixel.
     scale: f32,
-    /// Steps of brightness from black to white.
+    /// Brightness steps from black to white.
     steps: f32,
-    /// The classes of the colours that are used.
+    /// The class of each colour used.
     colours: BTreeMap<String, String>,
 }
 
-/// Names `a`, `b`, ..., `z`, `aa`, ...
+/// Returns the name with this number: `a`, `b`, ..., `z`, `aa`, ...
 fn letters(number: usize) -> String {
     let last = char::from(b'a' + (number % 26) as u8);
     if number < 26 { last.to_string() } else { letters(number / 26 - 1) + &last.to_string() }
@@ -57,7 +57,7 @@ impl<'a> Drawing<'a> {
         Drawing { state, eye: state.camera().eye(), scale, steps, colours: BTreeMap::new() }
     }
 
-    /// The class of a colour.
+    /// Returns the class of a colour, which is new if necessary.
     fn class(&mut self, colour: String) -> String {
         let number = self.colours.len();
         self.colours.entry(colour).or_insert_with(|| letters(number)).clone()
@@ -69,7 +69,7 @@ impl<'a> Drawing<'a> {
             true => palette.edge_of_values,
             false => palette.strokes[LineKind::Edge as usize].colour,
         };
-        // Where there are thousands of faces, lines as wide as in the view would be all that is seen.
+        // Lines as wide as in the view would cover thousands of small faces.
         let crowd = (self.state.mesh().faces.len() as f32 / 450.0).sqrt().max(1.0);
         let stroke = |kind: LineKind| {
             let colour = |palette: &Palette| palette.strokes[kind as usize].colour;
@@ -95,10 +95,10 @@ impl<'a> Drawing<'a> {
     fn faces(&mut self) -> String {
         let mut svg = String::new();
         let rim = rim_of(self.state);
-        // The class of the path that the last face is in.
+        // The class of the path that contains the last face.
         let mut open = String::new();
         for face in from_far_to_near(self.state) {
-            // Of a closed surface no back is seen.
+            // On a closed surface no back face is visible.
             if rim.is_empty() && self.is_turned_away(face) {
                 continue;
             }
@@ -128,8 +128,8 @@ impl<'a> Drawing<'a> {
         svg
     }
 
-    /// The colour with fewer digits: of values each part, of light on a material the brightness, so
-    /// that its hue stays.
+    /// Quantises a colour: each component of a value colour, but only the brightness of shaded
+    /// material, to keep its hue.
     fn coarse(&self, colour: Vec3) -> Vec3 {
         let coarse = |part: f32| (part * self.steps).round() / self.steps;
         let most = colour.max_element();
@@ -140,7 +140,7 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// Whether the back of a face is seen.
+    /// Returns whether the back of a face is visible.
     fn is_turned_away(&self, face: u32) -> bool {
         let mesh = self.state.mesh();
         let corner = mesh.faces.row(face as usize)[0];
@@ -148,7 +148,7 @@ impl<'a> Drawing<'a> {
         mesh.normals.faces[face as usize].dot(sight) > 0.0
     }
 
-    /// Polylines where there are no faces; those on a surface are seen by its edges.
+    /// Draws polylines if there are no faces; polylines on a surface appear as its edges.
     fn curves(&self) -> String {
         let mesh = self.state.mesh();
         if !mesh.faces.is_empty() || mesh.curves.is_empty() {
@@ -160,8 +160,8 @@ impl<'a> Drawing<'a> {
         format!(r#"<path class="R" d="{lines}"/>"#)
     }
 
-    /// Vertices in the colours of constraints, all of them where there is nothing else to see, then
-    /// handles and the lines that pull them.
+    /// Draws vertices in the colours of constraints (all vertices if there is nothing else), then
+    /// handles and their pull lines.
     fn dots(&mut self) -> String {
         let mut svg = self.points();
         let mut marks = String::new();
@@ -180,7 +180,7 @@ impl<'a> Drawing<'a> {
         svg + &marks
     }
 
-    /// One path of dots for each colour.
+    /// Draws the dots, one path for each colour.
     fn points(&mut self) -> String {
         let state = self.state;
         let rows = &state.appearance().rows;
