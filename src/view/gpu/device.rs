@@ -1,8 +1,8 @@
-//! Adapter, device, and the canvas that pictures appear on.
+//! Adapter, device, and the canvas on which pictures appear.
 //!
-//! A canvas that has once given out a WebGPU context can never give a WebGL one. So the WebGPU
-//! adapter and device are asked for without a canvas, and the canvas is touched only when it is
-//! certain which backend draws on it.
+//! A canvas that has once provided a WebGPU context can never provide a WebGL one. Therefore the
+//! WebGPU adapter and device are requested without a canvas, and the canvas is touched only when it
+//! is certain which backend draws on it.
 
 use super::canvas_size::clamp_size;
 use super::loss::Loss;
@@ -12,9 +12,9 @@ use std::sync::Arc;
 /// Device, queue and canvas.
 #[derive(Debug)]
 pub struct Device {
-    /// Makes things.
+    /// Creates resources.
     pub device: wgpu::Device,
-    /// Takes commands.
+    /// Receives commands.
     pub queue: wgpu::Queue,
     surface: wgpu::Surface<'static>,
     config: wgpu::SurfaceConfiguration,
@@ -23,7 +23,7 @@ pub struct Device {
     loss: Arc<Loss>,
 }
 
-/// Why no picture can be drawn.
+/// Why nothing can be drawn.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DeviceError(pub String);
 
@@ -35,7 +35,7 @@ impl std::fmt::Display for DeviceError {
 
 impl std::error::Error for DeviceError {}
 
-/// Views of the frame that is being drawn.
+/// The frame that is being drawn.
 #[derive(Debug)]
 pub struct SurfaceFrame {
     texture: wgpu::SurfaceTexture,
@@ -51,14 +51,14 @@ fn instance(backends: wgpu::Backends) -> wgpu::Instance {
     wgpu::Instance::new(descriptor)
 }
 
-/// Asks an instance for an adapter and its device.
+/// Requests an adapter and its device.
 async fn open(
     instance: wgpu::Instance,
     surface: Option<&wgpu::Surface<'static>>,
 ) -> Result<Opened, String> {
     let options = wgpu::RequestAdapterOptions { compatible_surface: surface, ..Default::default() };
     let adapter = instance.request_adapter(&options).await.map_err(|e| e.to_string())?;
-    // The limits of WebGL2 are enough on both; only the size of the canvas may be larger.
+    // The limits of WebGL2 suffice for both backends; only the canvas may be larger.
     let required_limits =
         wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits());
     let descriptor =
@@ -68,10 +68,10 @@ async fn open(
 }
 
 impl Device {
-    /// Opens a WebGPU device for the canvas. The canvas is untouched when this fails.
+    /// Opens a WebGPU device for the canvas. On failure the canvas is untouched.
     ///
     /// # Errors
-    /// No adapter answers.
+    /// There is no adapter.
     #[cfg(feature = "view-webgpu")]
     pub async fn webgpu(target: wgpu::SurfaceTarget<'static>) -> Result<Device, DeviceError> {
         let opened = open(instance(wgpu::Backends::BROWSER_WEBGPU), None).await;
@@ -83,7 +83,7 @@ impl Device {
     /// Opens a WebGL2 device for the canvas.
     ///
     /// # Errors
-    /// The canvas has another context already, or WebGL2 is not available.
+    /// The canvas already has another context, or WebGL2 is not available.
     #[cfg(feature = "view-webgl2")]
     pub async fn webgl2(target: wgpu::SurfaceTarget<'static>) -> Result<Device, DeviceError> {
         let instance = instance(wgpu::Backends::GL);
@@ -100,7 +100,7 @@ impl Device {
         let mut config = surface
             .get_default_config(&adapter, 1, 1)
             .ok_or_else(|| DeviceError("The adapter cannot draw on a canvas".to_owned()))?;
-        // The first format differs in being sRGB from backend to backend: take one that is not.
+        // Whether the first format is sRGB depends on the backend: choose one that is not.
         let formats = surface.get_capabilities(&adapter).formats;
         if let Some(&format) = formats.iter().find(|format| !format.is_srgb()) {
             config.format = format;
@@ -114,22 +114,22 @@ impl Device {
         Ok(Device { device, queue, surface, config, colour, depth, loss })
     }
 
-    /// Format of the canvas.
+    /// Returns the format of the canvas.
     pub fn format(&self) -> wgpu::TextureFormat {
         self.config.format
     }
 
-    /// Width and height of the canvas in pixels.
+    /// Returns the width and height of the canvas in pixels.
     pub fn size(&self) -> (u32, u32) {
         (self.config.width, self.config.height)
     }
 
-    /// Whether the device is lost.
+    /// Returns the notification of the loss of the device.
     pub fn loss(&self) -> Arc<Loss> {
         Arc::clone(&self.loss)
     }
 
-    /// Sets the size of the canvas, at most what the adapter allows; the proportions are kept.
+    /// Sets the size of the canvas, limited to what the adapter allows, with the same proportions.
     pub fn resize(&mut self, width: u32, height: u32) {
         let (width, height) =
             clamp_size(width, height, self.device.limits().max_texture_dimension_2d);
@@ -142,7 +142,7 @@ impl Device {
         self.depth = target(&self.device, &self.config, DEPTH_FORMAT);
     }
 
-    /// The next frame; `None` when the canvas cannot be seen at the moment.
+    /// Returns the next frame; `None` if the canvas is not visible at the moment.
     ///
     /// # Errors
     /// The device is lost.
@@ -167,7 +167,7 @@ impl Device {
         Err(DeviceError("The graphics device was lost".to_owned()))
     }
 
-    /// A pass that clears the frame and draws on it.
+    /// Begins a pass that clears the frame and draws on it.
     pub fn pass<'a>(
         &self,
         encoder: &'a mut wgpu::CommandEncoder,
@@ -198,14 +198,14 @@ impl Device {
         })
     }
 
-    /// Sends the commands and shows the frame.
+    /// Submits the commands and shows the frame.
     pub fn show(&self, encoder: wgpu::CommandEncoder, frame: SurfaceFrame) {
         self.queue.submit([encoder.finish()]);
         self.queue.present(frame.texture);
     }
 }
 
-/// A texture of the canvas's size with several samples per pixel.
+/// Creates a multisampled texture of the size of the canvas.
 fn target(
     device: &wgpu::Device,
     config: &wgpu::SurfaceConfiguration,

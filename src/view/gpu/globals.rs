@@ -1,18 +1,18 @@
-//! The numbers that every shader reads: camera, canvas, colours. The order is that of `Scene` in
-//! `shaders/scene.wgsl`, all of it in groups of four.
+//! The uniform block of all shaders: camera, canvas, colours. The order is that of `Scene` in
+//! `shaders/scene.wgsl`, in groups of four numbers.
 
 use super::placement::Placement;
 use crate::view::appearance::{Colour, DOT_KINDS, Dot, DotKind, LINE_KINDS, LineKind, Stroke};
 use crate::view::state::ViewState;
 use glam::{Mat4, Vec3, Vec4};
 
-/// How many numbers there are.
+/// Total number of numbers.
 pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 7 + 2 + 4 + 3) + 8 + 8 * LINE_KINDS + 12 * DOT_KINDS;
 
-/// The reach of occlusion, as a part of the size of the model.
+/// Reach of the occlusion, as a fraction of the size of the model.
 const REACH: f32 = 0.26;
 
-/// The numbers for a picture that lies so on the canvas, with a veil of this colour.
+/// Returns the numbers for a picture at `placement`, with a veil of this colour.
 pub fn numbers(state: &ViewState, veil: Colour, placement: Placement) -> Vec<f32> {
     let camera = state.camera();
     let eye = camera.eye();
@@ -82,10 +82,10 @@ pub fn numbers(state: &ViewState, veil: Colour, placement: Placement) -> Vec<f32
     numbers
 }
 
-/// Every point is on the side that is kept.
+/// A half space that contains every point.
 const NO_SECTION: Vec4 = Vec4::new(0.0, 0.0, 0.0, 1.0);
 
-/// How much of the tint is mixed into a face.
+/// Fraction of the tint that is mixed into a face.
 const TINT_STRENGTH: f32 = 0.55;
 
 fn extend_stroke(numbers: &mut Vec<f32>, stroke: &Stroke, pieces: u32) {

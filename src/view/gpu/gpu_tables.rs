@@ -1,6 +1,6 @@
-//! Tables that vertex shaders pull from, of four numbers per vertex or face. They are textures
-//! because WebGL2 has no storage buffers. Each table is written at once, in whole rows: it is the
-//! number of writes that costs time, not their size.
+//! Tables from which shaders read, with four numbers per vertex or face. They are textures because
+//! WebGL2 has no storage buffers. Each table is written in one call, in whole rows: the number of
+//! writes costs time, not their size.
 
 use super::globals::{NUMBERS, numbers};
 use super::placement::Placement;
@@ -8,10 +8,10 @@ use crate::view::appearance::{Colour, ColourMap, TEXELS, row_colours};
 use crate::view::state::ViewState;
 use glam::{Vec3, Vec4};
 
-/// Texels in a row of a table; the shaders know it too.
+/// Texels in a row of a table; the shaders use the same constant.
 const WIDTH: u32 = 1024;
 
-/// A growing table.
+/// A growable table.
 #[derive(Debug)]
 struct Table {
     texture: wgpu::Texture,
@@ -23,12 +23,12 @@ impl Table {
         Table { texture: create(device, label, format, WIDTH, 1), label }
     }
 
-    /// Whether there is room for so many texels.
+    /// Returns whether there is room for `count` texels.
     fn holds(&self, count: usize) -> bool {
         count <= (WIDTH * self.texture.height()) as usize
     }
 
-    /// Writes all texels; returns whether the texture is another one than before.
+    /// Writes all texels; returns whether the texture was replaced.
     fn write<T: bytemuck::Pod>(
         &mut self,
         device: &wgpu::Device,
@@ -38,7 +38,7 @@ impl Table {
         let rows = (size_of_val(&texels[..]) as u32).div_ceil(self.row_bytes()).max(1);
         let grown = rows > self.texture.height();
         if grown {
-            // Room to grow by a few handles without a new texture each time.
+            // An extra row, so that a few more handles do not need a new texture each time.
             let format = self.texture.format();
             self.texture = create(device, self.label, format, WIDTH, rows + 1);
         }
@@ -46,7 +46,7 @@ impl Table {
         grown
     }
 
-    /// Writes texels from the start of a row on. What is left of their last row is nothing.
+    /// Writes texels from the start of a row on. The rest of their last row is filled with zeros.
     fn write_rows<T: bytemuck::Pod>(&self, queue: &wgpu::Queue, first: u32, mut texels: Vec<T>) {
         let row_bytes = self.row_bytes();
         let row = row_bytes as usize / size_of::<T>();
@@ -81,7 +81,7 @@ fn create(
     })
 }
 
-/// Writes `height` rows of `width` texels from row `first` on.
+/// Writes `height` rows of `width` texels, starting at row `first`.
 fn write(
     queue: &wgpu::Queue,
     texture: &wgpu::Texture,
@@ -109,7 +109,7 @@ fn write(
     );
 }
 
-/// All that the shaders read, bound as one group.
+/// All data that the shaders read, bound as one group.
 #[derive(Debug)]
 pub struct GpuTables {
     globals: wgpu::Buffer,
@@ -118,7 +118,7 @@ pub struct GpuTables {
     face_normals: Table,
     face_looks: Table,
     colour_map: wgpu::Texture,
-    /// The map in the first row of it.
+    /// The map in row 0 of `colour_map`.
     full_map: ColourMap,
     places: Table,
     layout: wgpu::BindGroupLayout,
@@ -126,12 +126,12 @@ pub struct GpuTables {
 }
 
 impl GpuTables {
-    /// Empty tables.
+    /// Creates empty tables.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> GpuTables {
         GpuTables::with_layout(device, queue, group_layout(device))
     }
 
-    /// Empty tables for another stage, which the same pipelines can read.
+    /// Creates empty tables for another view, which the same pipelines can read.
     pub fn beside(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> GpuTables {
         GpuTables::with_layout(device, queue, self.layout.clone())
     }
@@ -182,18 +182,17 @@ impl GpuTables {
         }
     }
 
-    /// How the group is bound.
+    /// Returns the layout of the bind group.
     pub fn layout(&self) -> &wgpu::BindGroupLayout {
         &self.layout
     }
 
-    /// The group.
+    /// Returns the bind group.
     pub fn group(&self) -> &wgpu::BindGroup {
         &self.group
     }
 
-    /// Writes what has changed on the stage, and always the globals, for a picture that lies so on the
-    /// canvas.
+    /// Writes what has changed in the state, and always the globals, for a picture at `placement`.
     pub fn update(
         &mut self,
         device: &wgpu::Device,
@@ -212,7 +211,7 @@ impl GpuTables {
             if vertices_changed || !self.positions.holds(count) {
                 rebind |= self.positions.write(device, queue, points(state, 0));
             } else {
-                // Only what comes after the vertices.
+                // Only the part after the vertices.
                 let row = vertices as u32 / WIDTH;
                 self.positions.write_rows(queue, row, points(state, (row * WIDTH) as usize));
             }
@@ -252,7 +251,7 @@ impl GpuTables {
         queue.write_buffer(&self.globals, 0, bytemuck::cast_slice(&numbers));
     }
 
-    /// Writes points in place of those of a mesh, and the globals, which are those of `stage` with a veil of this
+    /// Writes points in place of those of the mesh, and the globals of `state` with a veil of this
     /// colour.
     pub fn update_points(
         &mut self,
@@ -284,7 +283,7 @@ impl GpuTables {
         self.group = bind(device, &self.layout, &self.globals, textures);
     }
 
-    /// Writes a palette of rows of constraints into a row of the texture of colours.
+    /// Writes a palette of rows of constraints into a row of the colour texture.
     fn write_colours(&self, queue: &wgpu::Queue, row: u32, palette: &[[f32; 3]]) {
         let width = TEXELS as u32;
         let texels = row_colours::texels(palette, TEXELS);
@@ -292,16 +291,17 @@ impl GpuTables {
     }
 }
 
-/// The table of positions from a vertex on: vertices, targets of handles, projected points.
+/// Returns the table of positions from a vertex on: vertices, targets of handles, projected points.
 fn points(state: &ViewState, first: usize) -> Vec<[f32; 4]> {
     let vertices = state.mesh().positions.iter().enumerate().skip(first);
-    // Less than nothing: the fourth number of what lies beside the surface is more.
+    // Negated: shaders take the greater fourth number of a vertex and its projected point, which
+    // must be the distance of the projected point.
     let vertices = vertices.map(|(v, at)| at.extend(-state.appearance().corner_in_steps(v)));
     let targets = state.targets().map(|place| place.extend(0.0));
     four_each(vertices.chain(targets).chain(state.projected()))
 }
 
-/// Vectors as four floats each.
+/// Converts vectors to four floats each.
 fn four_each(vectors: impl Iterator<Item = Vec4>) -> Vec<[f32; 4]> {
     vectors.map(|vector| vector.to_array()).collect()
 }

@@ -1,10 +1,11 @@
-//! That the graphics device was lost: asked before each picture, and waited for while nothing is drawn.
+//! The loss of the graphics device: checked before each picture, and awaited while nothing is
+//! drawn.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::task::{Poll, Waker};
 
-/// Whether a device is lost. It never comes back.
+/// Whether a device is lost. A lost device never recovers.
 #[derive(Debug, Default)]
 pub struct Loss {
     happened: AtomicBool,
@@ -12,12 +13,12 @@ pub struct Loss {
 }
 
 impl Loss {
-    /// Set when the device is lost.
+    /// Returns whether the device is lost.
     pub fn happened(&self) -> bool {
         self.happened.load(Ordering::Relaxed)
     }
 
-    /// Says that it is.
+    /// Records the loss, and wakes the waiting task.
     pub fn happen(&self) {
         self.happened.store(true, Ordering::Relaxed);
         let mut waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner);
@@ -26,7 +27,7 @@ impl Loss {
         }
     }
 
-    /// Ends when it is. One at a time can wait.
+    /// Completes when the device is lost. Only one task can wait at a time.
     pub async fn wait(&self) {
         std::future::poll_fn(|context| {
             if self.happened() {

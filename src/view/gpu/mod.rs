@@ -1,18 +1,19 @@
-//! From the state of a view to a canvas, with wgpu. Compiled for the browser only, but for what native tests check.
+//! Drawing of view states on a canvas with wgpu. Compiled for the browser only, except what native
+//! tests check.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `renderer` | draws a view |
-//! | `viewport` | the part of the canvas that a view is drawn to |
+//! | `viewport` | the GPU resources of one picture |
 //! | `device` | adapter, device and surface |
-//! | `loss` | what happens when a device is lost |
-//! | `placement` | where a picture, or a tile of it, lies on the canvas |
+//! | `loss` | notification that a device was lost |
+//! | `placement` | the position of a picture, or of a tile of it, on the canvas |
 //! | `canvas_size` | the size of a canvas in device pixels |
 //! | `gpu_tables` | buffers and textures that shaders read |
 //! | `globals` | the uniform block of all shaders |
 //! | `shaders` | the sources of the shaders |
 //! | `pipeline` | render pipelines |
-//! | `primitive` | what is drawn, one file for each kind |
+//! | `primitive` | the drawing primitives, one file for each kind |
 
 pub mod canvas_size;
 #[cfg(target_arch = "wasm32")]

@@ -1,4 +1,4 @@
-//! Makes the pipeline of a primitive from its shader, and grows its buffers.
+//! Creates the pipeline of a primitive from its shader, and growable vertex buffers.
 
 use super::gpu_tables::GpuTables;
 
@@ -7,18 +7,18 @@ pub const SAMPLES: u32 = 4;
 /// Format of the depth buffer.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
 
-/// How a primitive meets the depth buffer and the colours that are there.
+/// Depth test and blending of a primitive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
-    /// Opaque, and pushed back a little so that lines on it are seen. WebGPU allows such a bias on
+    /// Opaque, with a depth bias so that lines on it are visible. WebGPU allows such a bias on
     /// triangles only.
     Surface,
-    /// Blended, where nothing is in front, and pushed back more than a surface: where both are in the
-    /// same place, the surface is seen and nothing flickers.
+    /// Blended where nothing is in front, with a larger bias than a surface: where both coincide,
+    /// the surface is seen and nothing flickers.
     Veil,
-    /// Blended, where nothing is in front.
+    /// Blended where nothing is in front.
     InFront,
-    /// Blended, where something is in front.
+    /// Blended where something is in front.
     Behind,
     /// Blended, over everything.
     Over,
@@ -27,13 +27,14 @@ pub enum Layer {
 /// The target of a pipeline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Onto {
-    /// The picture, whose canvas has this format, with several samples per pixel.
+    /// The picture, in the format of its canvas, with several samples per pixel.
     Picture(wgpu::TextureFormat),
-    /// A texture that later passes read, of [`FOUND_FORMAT`]; it has depths for a surface alone.
+    /// A texture of [`FOUND_FORMAT`] that later passes read; only a surface uses a depth buffer
+    /// with it.
     Found,
 }
 
-/// Format of what one pass finds for the next: four bytes that everything can draw to.
+/// Format of intermediate results: four bytes, which every device can render to.
 pub const FOUND_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// The description of a primitive's pipeline.
@@ -41,13 +42,13 @@ pub const FOUND_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 pub struct Recipe<'a> {
     /// The primitive's name.
     pub label: &'a str,
-    /// Its whole shader.
+    /// The complete shader source.
     pub source: &'a str,
     /// Vertex entry point.
     pub vertex: &'a str,
     /// Fragment entry point.
     pub fragment: &'a str,
-    /// Attributes, and whether they step per instance.
+    /// Vertex attributes.
     pub attributes: &'a [wgpu::VertexAttribute],
     /// Bytes from one element to the next.
     pub stride: u64,
@@ -57,7 +58,7 @@ pub struct Recipe<'a> {
     pub layer: Layer,
 }
 
-/// Makes a pipeline that draws triangles from both sides onto the picture and reads the tables.
+/// Creates a pipeline that draws triangles from both sides onto the picture and reads the tables.
 pub fn build(
     device: &wgpu::Device,
     tables: &GpuTables,
@@ -67,7 +68,7 @@ pub fn build(
     build_onto(device, &[Some(tables.layout())], Onto::Picture(format), recipe)
 }
 
-/// Makes a pipeline that draws triangles from both sides, with bind groups of these layouts.
+/// Creates a pipeline that draws triangles from both sides, with bind groups of these layouts.
 pub fn build_onto(
     device: &wgpu::Device,
     groups: &[Option<&wgpu::BindGroupLayout>],
@@ -146,7 +147,7 @@ pub struct VertexBuffer {
 }
 
 impl VertexBuffer {
-    /// Holds nothing yet.
+    /// Creates an empty buffer.
     pub fn new(device: &wgpu::Device) -> VertexBuffer {
         VertexBuffer { buffer: Self::create(device, 256), count: 0 }
     }
@@ -177,12 +178,12 @@ impl VertexBuffer {
         }
     }
 
-    /// How many elements.
+    /// Returns the number of elements.
     pub fn count(&self) -> u32 {
         self.count
     }
 
-    /// The buffer.
+    /// Returns the whole buffer.
     pub fn slice(&self) -> wgpu::BufferSlice<'_> {
         self.buffer.slice(..)
     }

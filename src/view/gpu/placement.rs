@@ -1,31 +1,31 @@
-//! Where a picture lies on the canvas: over all of it, on a part of it, or so that the canvas holds one
-//! tile of a picture that is larger than what the adapter can draw at once.
+//! The position of a picture on the canvas: it fills the canvas or a part of it, or the canvas
+//! shows one tile of a picture that is larger than the adapter can draw at once.
 
 /// A picture on a canvas, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Placement {
     /// Width and height of the picture.
     pub size: (u32, u32),
-    /// Its left and upper edges on the canvas; less than zero where they are beyond it.
+    /// Left and top edge on the canvas; negative if outside.
     pub at: (i32, i32),
     /// Width and height of the canvas.
     pub canvas: (u32, u32),
 }
 
 impl Placement {
-    /// A picture that fills a canvas.
+    /// Returns the placement of a picture that fills a canvas.
     pub fn whole(canvas: (u32, u32)) -> Placement {
         Placement { size: canvas, at: (0, 0), canvas }
     }
 
-    /// A part of this picture (left, top, width, height) as a picture of its own.
+    /// Returns a part of this picture (left, top, width, height) as a picture of its own.
     pub fn part(&self, [left, top, width, height]: [u32; 4]) -> Placement {
         let at = (self.at.0 + left as i32, self.at.1 + top as i32);
         Placement { size: (width, height), at, ..*self }
     }
 
-    /// From the clip coordinates of the picture to those of the canvas: the factors of x and y, and what
-    /// is added to each, times w.
+    /// Returns the map from clip coordinates of the picture to those of the canvas: the factors of
+    /// x and y, and the offsets, which are multiplied by w.
     pub fn transform(&self) -> [f32; 4] {
         let along = |size: u32, at: i32, canvas: u32| {
             let canvas = canvas.max(1) as f32;
@@ -36,8 +36,8 @@ impl Placement {
         [x, y, right, -down]
     }
 
-    /// The part of the picture that the canvas shows: left, top, width, height on the canvas. None where the
-    /// picture is beside it.
+    /// Returns the part of the canvas that the picture covers: left, top, width, height; none if it
+    /// is outside.
     pub fn shown(&self) -> Option<[u32; 4]> {
         let along = |size: u32, at: i32, canvas: u32| {
             let from = i64::from(at).max(0);
@@ -54,7 +54,7 @@ impl Placement {
 mod tests {
     use super::*;
 
-    /// Where a point of the picture, in pixels from its upper left corner, comes to lie on the canvas.
+    /// Returns the canvas position of a point of the picture, in pixels from its upper left corner.
     fn on_canvas(placement: &Placement, [x, y]: [f32; 2]) -> [f32; 2] {
         let (width, height) = (placement.size.0 as f32, placement.size.1 as f32);
         let clip = [2.0 * x / width - 1.0, 1.0 - 2.0 * y / height];

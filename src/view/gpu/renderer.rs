@@ -1,5 +1,4 @@
-//! Turns a stage into a picture: brings the GPU's data up to date, then draws the primitives in
-//! their order.
+//! Draws a view: updates the data on the GPU, then draws the primitives in order.
 
 use super::device::{Device, DeviceError};
 use super::gpu_tables::GpuTables;
@@ -20,17 +19,17 @@ use glam::Vec2;
 pub struct Renderer {
     /// Device and canvas.
     pub device: Device,
-    /// Of the stage itself.
+    /// The picture of the model.
     whole: Viewport,
-    /// Of the stage of the flat map.
+    /// The tables of the flat map.
     map_store: GpuTables,
-    /// Of the two sides of a split picture.
+    /// The two sides of a split picture.
     sides: Option<[Viewport; 2]>,
     backdrop: Backdrop,
     occlusion: Occlusion,
-    /// From where, how deep and how large the picture was that the occlusion was found for.
+    /// Camera, depths and size for which the occlusion was last computed.
     found_for: Option<Seen>,
-    /// What the shadow on the ground is that of.
+    /// The section with which the shadow on the ground was computed.
     shadow_of: Option<Section>,
     faces: Faces,
     lines: Lines,
@@ -45,7 +44,7 @@ pub struct Renderer {
 type Seen = (Camera, (f32, f32), (u32, u32));
 
 impl Renderer {
-    /// Builds the pipelines.
+    /// Creates the pipelines.
     pub fn new(device: Device) -> Renderer {
         let (gpu, format) = (&device.device, device.format());
         let tables = GpuTables::new(gpu, &device.queue);
@@ -69,20 +68,20 @@ impl Renderer {
         }
     }
 
-    /// Whether the occlusion that was found last is still that of the shape as it is seen now, in a picture of
-    /// this size in pixels.
+    /// Returns whether the last computed occlusion is still valid for the current view in a picture
+    /// of this size in pixels.
     pub fn occlusion_fits(&self, state: &ViewState, size: (u32, u32)) -> bool {
         let changes = state.changes();
         let is_moved = changes.mesh || changes.positions;
         !is_moved && self.found_for == Some((state.camera(), state.depth_range(), size))
     }
 
-    /// Draws the stage, and beside it its flat map if there is one, or else the two sides of a split
-    /// picture in its place, if anything has changed; returns whether it did. `ratio` is pixels per CSS pixel;
-    /// `tile` is where the canvas lies in a picture that is larger, if it is.
+    /// Draws the model, with its flat map beside it if there is one, or else the two sides of a
+    /// split picture, if anything has changed; returns whether it did. `ratio` is pixels per CSS
+    /// pixel; `tile` is the position of the canvas in a larger picture, if there is one.
     ///
     /// # Errors
-    /// The device is lost; a new picture on a new canvas is needed.
+    /// The device is lost; a new view on a new canvas is needed.
     pub fn draw(
         &mut self,
         state: &mut ViewState,
@@ -150,7 +149,7 @@ impl Renderer {
             self.lines.draw(&mut pass, state.display().edges);
             self.lines.draw_flipped(&mut pass);
         }
-        // On WebGL2 only what is inside the last rectangle arrives on the canvas.
+        // On WebGL2 only the pixels inside the last scissor rectangle reach the canvas.
         let (width, height) = picture.canvas;
         pass.set_scissor_rect(0, 0, width, height);
         drop(pass);
@@ -158,9 +157,10 @@ impl Renderer {
         Ok(true)
     }
 
-    /// Everything that is drawn of the model, as `viewport` has it. A side of a split picture tells whether it
-    /// is of the original, of which there is only the mesh and what is about it: handles, projections and
-    /// fitted shapes are those of the current shape. Only the whole picture has a shadow.
+    /// Draws everything of the model with the tables of `viewport`. `side` is given for a side of a
+    /// split picture, and is true for the original, of which only the mesh and its surroundings are
+    /// drawn: handles, projections and fitted shapes belong to the current shape. Only a whole
+    /// picture has a shadow.
     fn draw_model(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
@@ -191,7 +191,7 @@ impl Renderer {
         }
     }
 
-    /// Brings the tables of both sides up to date; gives of each its part of the picture, and whether it
+    /// Updates the tables of both sides; returns for each its part of the picture, and whether it
     /// shows the original.
     fn update_sides(
         &mut self,
@@ -238,7 +238,7 @@ impl Renderer {
             self.lines.update_handles(device, queue, state);
             self.points.update_marks(device, queue, state);
         }
-        // Their points come after the targets of the handles.
+        // Projected points come after the targets of the handles in the table.
         if changes.mesh || changes.marks || changes.projections {
             self.projections.update(device, queue, state);
         }
@@ -249,7 +249,7 @@ impl Renderer {
     }
 }
 
-/// A part of the picture in pixels: left, top, width, height, all of it in the picture.
+/// Returns a part of the picture in pixels: left, top, width, height, clamped to the picture.
 fn pixels(part: Region, ratio: f32, (width, height): (u32, u32)) -> [u32; 4] {
     let low = (part.at * ratio).round();
     let high = ((part.at + part.size) * ratio).round();
@@ -258,7 +258,7 @@ fn pixels(part: Region, ratio: f32, (width, height): (u32, u32)) -> [u32; 4] {
     [left, top, right.saturating_sub(left).max(1), bottom.saturating_sub(top).max(1)]
 }
 
-/// Restricts drawing to what the canvas shows of a picture; whether that is anything.
+/// Restricts drawing to the part of a picture that the canvas shows; returns whether there is one.
 fn confine(pass: &mut wgpu::RenderPass<'_>, part: Placement) -> bool {
     let shown = part.shown();
     if let Some([left, top, width, height]) = shown {

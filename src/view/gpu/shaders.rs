@@ -1,6 +1,6 @@
-//! The shaders of the primitives, each as the parts that make it whole.
+//! The shaders of the primitives, each as a list of source files.
 //!
-//! Names that primitives share are in `shaders/scene.wgsl`, lines of constant width in
+//! Shared declarations are in `shaders/scene.wgsl`, lines of constant width in
 //! `shaders/stroke.wgsl`, depths in textures in `shaders/depth.wgsl`.
 
 const SCENE: &str = include_str!("shaders/scene.wgsl");
@@ -11,9 +11,9 @@ const DEPTH: &str = include_str!("shaders/depth.wgsl");
 pub const BACKDROP: [&str; 2] = [SCENE, include_str!("shaders/backdrop.wgsl")];
 /// Lit faces.
 pub const FACES: [&str; 3] = [SCENE, DEPTH, include_str!("shaders/faces.wgsl")];
-/// How open the surroundings of what is seen are.
+/// Ambient occlusion.
 pub const OCCLUSION: [&str; 3] = [SCENE, DEPTH, include_str!("shaders/occlusion.wgsl")];
-/// Edges, curves, pulling lines.
+/// Edges, curves, pull lines.
 pub const LINES: [&str; 3] = [SCENE, STROKE, include_str!("shaders/lines.wgsl")];
 /// Outlines of projected shapes, and arrows to projected points.
 pub const PROJECTIONS: [&str; 3] = [SCENE, STROKE, include_str!("shaders/projections.wgsl")];
@@ -62,7 +62,7 @@ mod tests {
         }
     }
 
-    /// WebGL2 takes GLSL ES 3.00, which cannot say everything that WGSL can.
+    /// WebGL2 uses GLSL ES 3.00, which cannot express everything that WGSL can.
     #[test]
     fn every_shader_can_be_said_in_webgl2() {
         let options = glsl::Options {

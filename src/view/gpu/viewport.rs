@@ -1,6 +1,6 @@
-//! The GPU resources of one picture: its tables, what is drawn about its mesh, and
-//! the lines that part its bands of values. The whole canvas is one pane; a split picture has two,
-//! which share the mesh's faces and edges.
+//! The GPU resources of one picture: its tables, ghost, ground, layer and surface lines, and the
+//! lines between its bands of values. The whole canvas is one picture; a split canvas has two,
+//! which share the faces and edges of the mesh.
 
 use super::gpu_tables::GpuTables;
 use super::pipeline::VertexBuffer;
@@ -11,7 +11,7 @@ use crate::view::state::ViewState;
 /// One picture of a mesh.
 #[derive(Debug)]
 pub struct Viewport {
-    /// The tables of the stage.
+    /// The tables of the view state.
     pub tables: GpuTables,
     around: SurroundingLines,
     layer: SurroundingLines,
@@ -20,7 +20,7 @@ pub struct Viewport {
 }
 
 impl Viewport {
-    /// Nothing to draw yet; `like` is a store that the same pipelines read.
+    /// Creates an empty viewport; `like` are tables that the same pipelines read.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, like: &GpuTables) -> Viewport {
         Viewport {
             tables: like.beside(device, queue),
@@ -31,8 +31,8 @@ impl Viewport {
         }
     }
 
-    /// Takes what has changed on the stage, whose mesh `lines` has already, for a picture that lies so on
-    /// the canvas.
+    /// Uploads what has changed in the state, for a picture at `placement`; `lines` already has its
+    /// mesh.
     pub fn update(
         &mut self,
         (device, queue): (&wgpu::Device, &wgpu::Queue),
@@ -55,7 +55,8 @@ impl Viewport {
         }
     }
 
-    /// Draws the surface, what is about it, its edges, the lines over it, and the layer beside it; leaves the group of the tables bound.
+    /// Draws the surface, its surroundings, its edges, the lines over it, and the layer beside it.
+    /// Leaves the group of the tables bound.
     pub fn draw(
         &self,
         pass: &mut wgpu::RenderPass<'_>,

@@ -1,5 +1,5 @@
-//! The checkerboard of a flat map: squares of the plane, carried by the surface. Where they are
-//! squares on the surface too, the map keeps angles.
+//! The checkerboard of a flat map: squares of the plane, mapped to the surface. Where they are
+//! squares on the surface too, the map preserves angles.
 
 use super::lists::ViewError;
 use glam::{DVec2, Vec2};
@@ -7,17 +7,19 @@ use glam::{DVec2, Vec2};
 /// A checkerboard on a surface.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Checks {
-    /// #V, where the vertices lie on the board, about the middle of the map; empty without a map.
+    /// #V, texture coordinates of the vertices, relative to the centre of the map; empty without a
+    /// map.
     pub places: Vec<Vec2>,
-    /// Squares along a unit of length; none are drawn when it is 0.
+    /// Number of squares per unit of length; none are drawn if it is 0.
     pub per_length: f32,
 }
 
 impl Checks {
-    /// Takes the places of `count` vertices, #V by 2 in a flat array. No squares are drawn yet.
+    /// Creates a checkerboard from texture coordinates of `count` vertices, #V by 2 in a flat
+    /// array. No squares are drawn yet.
     ///
     /// # Errors
-    /// Another number of places, or one that is not finite.
+    /// A wrong number of coordinates, or one that is not finite.
     pub fn new(uv: &[f64], count: usize) -> Result<Checks, ViewError> {
         let (places, rest) = uv.as_chunks::<2>();
         if places.len() != count || !rest.is_empty() {
@@ -34,7 +36,7 @@ impl Checks {
         Ok(Checks { places: places().map(|p| (p - middle).as_vec2()).collect(), per_length: 0.0 })
     }
 
-    /// Width and height of the map.
+    /// Returns the width and height of the map.
     pub fn extent(&self) -> Vec2 {
         let places = || self.places.iter().copied();
         let low = places().reduce(Vec2::min).unwrap_or_default();

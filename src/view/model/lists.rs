@@ -1,4 +1,4 @@
-//! A list of lists of vertex indices in two flat arrays, checked once when it comes in.
+//! Rows of vertex indices in two flat arrays, checked once on input.
 
 use std::fmt;
 
@@ -9,46 +9,46 @@ pub struct Lists {
     indices: Vec<u32>,
 }
 
-/// Why arrays that came from outside cannot be shown.
+/// Why arrays from outside cannot be shown.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ViewError {
-    /// An array has another length than its partners ask for.
+    /// The length of an array does not match the others.
     Length {
         /// Which array.
         what: &'static str,
-        /// How many entries it has.
+        /// Its actual number of entries.
         got: usize,
         /// The expected number.
         expected: usize,
     },
-    /// Row offsets that do not start at 0, fall, or end elsewhere than at the end of the indices.
+    /// Row offsets that do not start at 0, decrease, or do not end at the number of indices.
     Offsets {
         /// Which rows: faces or curves.
         what: &'static str,
-        /// The entry that is wrong.
+        /// The index of the wrong offset.
         row: usize,
     },
-    /// An index that names nothing.
+    /// An index out of range.
     Index {
         /// Which array.
         what: &'static str,
         /// The index.
         index: u32,
-        /// How many things there are to name.
+        /// The number of elements, which the index must be below.
         count: usize,
     },
-    /// A coordinate that is not a number.
+    /// A coordinate that is not finite.
     NotFinite {
-        /// The vertex whose coordinate it is.
+        /// The vertex with this coordinate.
         vertex: usize,
     },
-    /// A word that is none of those known here.
+    /// An unknown word.
     Word {
-        /// The choice that the word is for.
+        /// What the word selects.
         what: &'static str,
-        /// The word.
+        /// The given word.
         got: String,
-        /// The words that are known.
+        /// The known words.
         known: &'static str,
     },
 }
@@ -80,12 +80,12 @@ impl fmt::Display for ViewError {
 impl std::error::Error for ViewError {}
 
 impl Lists {
-    /// Takes `#rows + 1` offsets and the indices of all rows, each less than `count`. No offsets at
-    /// all stand for no rows.
+    /// Creates rows from `#rows + 1` offsets and the indices of all rows, each less than `count`.
+    /// Empty offsets mean no rows.
     ///
     /// # Errors
-    /// Offsets that do not cut the indices into rows, or an index that is too large. `what` names
-    /// the rows in the message.
+    /// Offsets that do not divide the indices into rows, or an index that is too large. `what`
+    /// names the rows in the message.
     pub fn new(
         what: &'static str,
         offsets: Vec<u32>,
@@ -107,22 +107,22 @@ impl Lists {
         Ok(Lists { offsets, indices })
     }
 
-    /// How many rows.
+    /// Returns the number of rows.
     pub fn len(&self) -> usize {
         self.offsets.len().saturating_sub(1)
     }
 
-    /// Whether there is no row.
+    /// Returns whether there are no rows.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Row `i`; panics when there is none.
+    /// Returns row `i`; panics if it does not exist.
     pub fn row(&self, i: usize) -> &[u32] {
         &self.indices[self.offsets[i] as usize..self.offsets[i + 1] as usize]
     }
 
-    /// All rows in order.
+    /// Returns all rows in order.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> + Clone {
         self.offsets.windows(2).map(|w| &self.indices[w[0] as usize..w[1] as usize])
     }

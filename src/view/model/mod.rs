@@ -1,15 +1,15 @@
-//! The mesh as it is shown, and what belongs to it.
+//! The mesh as it is drawn, and data that belongs to it.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `lists` | lists of lists of indices from flat arrays, and the errors of bad arrays |
-//! | `render_mesh` | positions, faces, curves, triangles and edges as they are shown |
-//! | `triangulate` | polygons as triangles |
-//! | `normals` | normals of faces |
+//! | `lists` | rows of indices in flat arrays, and errors for bad arrays |
+//! | `render_mesh` | positions, faces, curves, triangles and edges as they are drawn |
+//! | `triangulate` | triangulation of polygons |
+//! | `normals` | normals of faces and vertices |
 //! | `polygon_edges` | the edges of the polygons |
 //! | `checks` | the checkerboard of a flat map |
-//! | `projections` | where constraints want their vertices |
-//! | `projected_faces` | the faces of projected shapes |
+//! | `projections` | the projections of constraints |
+//! | `projected_faces` | the insides of projected shapes |
 
 pub mod checks;
 pub mod lists;

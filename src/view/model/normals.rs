@@ -1,22 +1,22 @@
-//! One normal per polygon, and a softened one per vertex. Panels must read as panels, so the
-//! polygon's normal leads; the vertex normal only bends it a little across the panel.
+//! One normal per polygon, and a smoothed one per vertex. Panels must look like panels, so shading
+//! uses mainly the polygon's normal; the vertex normal only bends it slightly across the panel.
 
 use super::lists::Lists;
 use super::triangulate::newell_normal;
 use glam::Vec3;
 
-/// Unit normals: `faces` is #F, `vertices` is #V. Zero where there is no area, and at vertices
-/// whose faces disagree altogether.
+/// Unit normals: `faces` is #F, `vertices` is #V. Zero without area, and at vertices where the
+/// normals of the faces cancel.
 #[derive(Clone, Debug, Default)]
 pub struct Normals {
-    /// Per polygon.
+    /// One per polygon.
     pub faces: Vec<Vec3>,
-    /// Per vertex, the mean of its polygons weighted by area.
+    /// One per vertex, the area-weighted mean of its polygons.
     pub vertices: Vec<Vec3>,
 }
 
 impl Normals {
-    /// Computes both for the positions given.
+    /// Computes both for the given positions.
     pub fn update(&mut self, positions: &[Vec3], faces: &Lists) {
         self.faces.clear();
         self.vertices.clear();

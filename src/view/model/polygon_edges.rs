@@ -1,4 +1,4 @@
-//! The edges of polygons, each once, with the mark that only one face uses it.
+//! The edges of polygons, each once, with boundary flags.
 
 use super::lists::Lists;
 use crate::math::polygon_sides;
@@ -12,7 +12,7 @@ pub struct PolygonEdge {
     pub boundary: bool,
 }
 
-/// Every edge of `faces` once, in the order of its vertices. Sides that start and end at the same
+/// Returns every edge of `faces` once, sorted by vertices. Sides that start and end at the same
 /// vertex are left out.
 pub fn polygon_edges(faces: &Lists) -> Vec<PolygonEdge> {
     sides_by_edge(faces)
@@ -21,8 +21,8 @@ pub fn polygon_edges(faces: &Lists) -> Vec<PolygonEdge> {
         .collect()
 }
 
-/// Every side of every face, the smaller vertex first, with the face: those of one edge side by side, edges in the
-/// order of [`polygon_edges`].
+/// Returns every side of every face, the smaller vertex first, with its face. Sides of the same
+/// edge are adjacent, edges in the order of [`polygon_edges`].
 pub fn sides_by_edge(faces: &Lists) -> Vec<([u32; 2], u32)> {
     let mut sides = Vec::new();
     for (index, face) in (0..).zip(faces.iter()) {

@@ -1,20 +1,22 @@
-//! The inside of projected shapes: where the outlines of one close to a ring, triangles that fill it.
+//! Triangles that fill projected shapes whose outlines form closed rings.
 
 use super::projections::ProjectionMarks;
 use super::triangulate::triangulate;
 use glam::Vec3;
 
-/// Triangles between projected points.
+/// Triangles between projected points, which fill closed shapes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ProjectedFaces {
-    /// Three points each.
+    /// Three projected points each.
     pub triangles: Vec<[u32; 3]>,
-    /// Per triangle the longest way of a point of its ring: how far beside the surface it may lie.
+    /// For each triangle the largest displacement in its ring: an upper bound on its distance from
+    /// the surface.
     pub beside: Vec<f32>,
 }
 
 impl ProjectedFaces {
-    /// Of `projections`, whose points are at `places`. What is open, or branches, has no inside.
+    /// Fills the shapes of `projections`, whose points are at `places`. Open and branching outlines
+    /// stay empty.
     pub fn new(projections: &ProjectionMarks, places: &[Vec3]) -> ProjectedFaces {
         let mut found = ProjectedFaces::default();
         for ring in rings(&projections.outlines, places.len()) {
@@ -27,7 +29,8 @@ impl ProjectedFaces {
     }
 }
 
-/// The closed rings among pairs of `count` points, each once, in the order of their first points.
+/// Returns the closed rings among pairs of `count` points, each once, in the order of their first
+/// points.
 fn rings(pairs: &[[u32; 2]], count: usize) -> Vec<Vec<u32>> {
     let mut degree = vec![0u8; count];
     let mut beside = vec![[0u32; 2]; count];
@@ -65,7 +68,7 @@ mod tests {
     fn only_what_is_closed_and_does_not_branch_is_a_ring() {
         let square = [[0, 1], [0, 3], [1, 2], [2, 3]];
         assert_eq!(rings(&square, 4), [[0, 1, 2, 3]]);
-        // The corners of a quad as they come, sorted by vertices and not around it.
+        // The sides of a quad as they come, sorted by vertices rather than around the quad.
         let crossed = [[0, 2], [0, 3], [1, 2], [1, 3]];
         assert_eq!(rings(&crossed, 4), [[0, 2, 1, 3]]);
         let open = [[0, 1], [1, 2], [2, 3]];

@@ -1,20 +1,20 @@
-//! The projections of constraints: points near vertices, outlines between them, and an arrow from
-//! each vertex to its point.
+//! The projections of constraints: points near vertices, outlines between them, and arrows from the
+//! vertices to their points.
 
 use super::lists::{ViewError, check_indices};
 use glam::Vec3;
 
-/// More points than this are not drawn: the table that the shaders read has no room for them.
+/// Maximum number of points drawn: the table that the shaders read has no room for more.
 pub const MOST_POINTS: usize = 1 << 20;
 
 /// A projected point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProjectedPoint {
-    /// The vertex that it is the projection of.
+    /// The vertex of which it is the projection.
     pub vertex: u32,
-    /// From the vertex to the point; relative, so that it loses no digits far from the origin.
+    /// Displacement from the vertex to the point; relative, to keep its digits far from the origin.
     pub way: Vec3,
-    /// One more than the place of its colour in the palette.
+    /// Index of its colour in the palette, plus one.
     pub place: u8,
 }
 
@@ -25,17 +25,17 @@ pub struct ProjectionMarks {
     pub points: Vec<ProjectedPoint>,
     /// Pairs of points.
     pub outlines: Vec<[u32; 2]>,
-    /// sRGB, each part 0 to 1.
+    /// sRGB, components from 0 to 1.
     pub palette: Vec<[f32; 3]>,
 }
 
 impl ProjectionMarks {
-    /// Takes the vertex of each point, the way from it to the point (#points by 3), one more than the
-    /// place of its colour, the outlines as pairs of points, and the palette, #colours by 3. Of more
-    /// than [`MOST_POINTS`] the first are taken.
+    /// Creates the marks from the vertex of each point, its displacement from the vertex (#points
+    /// by 3), the index of its colour plus one, the outlines as pairs of points, and the palette,
+    /// #colours by 3. Keeps only the first [`MOST_POINTS`] points.
     ///
     /// # Errors
-    /// Arrays that do not fit together, or an index that names nothing.
+    /// Arrays that do not fit together, or an index out of range.
     pub fn new(
         vertices: &[u32],
         ways: &[f32],
@@ -67,7 +67,7 @@ impl ProjectionMarks {
         }
         let points = vertices.iter().zip(ways).zip(places);
         let points = points.take(MOST_POINTS).map(|((&vertex, &way), &place)| {
-            // A way that is not finite is no way: the arrow has no length and is not seen.
+            // A displacement that is not finite becomes zero, which hides its arrow.
             let way = Vec3::from(way);
             ProjectedPoint { vertex, way: if way.is_finite() { way } else { Vec3::ZERO }, place }
         });

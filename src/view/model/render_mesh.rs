@@ -1,4 +1,4 @@
-//! The mesh as it is shown: positions about the view's own centre, triangles and edges.
+//! The mesh as it is drawn: positions relative to the view's own centre, triangles and edges.
 
 use super::lists::{Lists, ViewError};
 use super::normals::Normals;
@@ -9,10 +9,10 @@ use glam::{DVec3, Vec3};
 /// The mesh as it is drawn.
 #[derive(Clone, Debug, Default)]
 pub struct RenderMesh {
-    /// The middle of the first bounding box, in file coordinates. It stays when vertices move.
+    /// The centre of the first bounding box, in file coordinates. It stays when vertices move.
     pub centre: DVec3,
-    /// The vertices that the model is made of: those of faces and curves, or all where it has neither.
-    /// A stray one far away would leave the model as small as a dot, and its digits too few.
+    /// The vertices of faces and curves, or all vertices if there are neither. A stray vertex far
+    /// away would otherwise shrink the model to a dot and cost precision.
     pub used: Vec<u32>,
     /// #V, in file coordinates.
     pub exact: Vec<DVec3>,
@@ -22,18 +22,18 @@ pub struct RenderMesh {
     pub faces: Lists,
     /// Vertices of each polyline.
     pub curves: Lists,
-    /// Vertex indices of the triangles that stand for the faces.
+    /// Triangles of the faces, three vertices each.
     pub triangles: Vec<[u32; 3]>,
-    /// Per triangle, the face that it is part of.
+    /// The face of each triangle.
     pub triangle_face: Vec<u32>,
-    /// The polygons' own edges, each once.
+    /// The edges of the polygons, each once.
     pub edges: Vec<PolygonEdge>,
-    /// Per face and per vertex.
+    /// Normals per face and per vertex.
     pub normals: Normals,
 }
 
 impl RenderMesh {
-    /// Takes a mesh; `coordinates` is #V by 3 in a flat array, in file coordinates.
+    /// Creates the mesh; `coordinates` is #V by 3 in a flat array, in file coordinates.
     ///
     /// # Errors
     /// Arrays that do not fit together, or a coordinate that is not finite.
@@ -54,10 +54,10 @@ impl RenderMesh {
         Ok(mesh)
     }
 
-    /// Moves the vertices; the same shape as in [`RenderMesh::new`].
+    /// Moves the vertices; `coordinates` as in [`RenderMesh::new`].
     ///
     /// # Errors
-    /// Another number of vertices, or a coordinate that is not finite. Nothing has moved then.
+    /// A wrong number of vertices, or a coordinate that is not finite. Nothing has moved then.
     pub fn set_positions(&mut self, coordinates: &[f64]) -> Result<(), ViewError> {
         let expected = self.exact.len() * 3;
         if coordinates.len() != expected {
@@ -75,23 +75,23 @@ impl RenderMesh {
         self.normals.update(&self.positions, &self.faces);
     }
 
-    /// The positions of the vertices that the model is made of, relative to the centre.
+    /// Returns the positions of the used vertices, relative to the centre.
     pub fn used_positions(&self) -> impl Iterator<Item = Vec3> + Clone {
         self.used.iter().map(|&v| self.positions[v as usize])
     }
 
-    /// Whether there is nothing but vertices to see.
+    /// Returns whether the mesh has only vertices, neither faces nor curves.
     pub fn is_only_points(&self) -> bool {
         self.faces.is_empty() && self.curves.is_empty()
     }
 
-    /// A point in file coordinates as the view sees it.
+    /// Returns a point in file coordinates relative to the centre.
     pub fn relative(&self, point: DVec3) -> Vec3 {
         (point - self.centre).as_vec3()
     }
 }
 
-/// Of `count` vertices those of faces and curves, ascending, or all where there are neither.
+/// Returns the vertices of faces and curves among `count`, ascending, or all if there are neither.
 fn used(faces: &Lists, curves: &Lists, count: usize) -> Vec<u32> {
     let mut is_used = vec![faces.is_empty() && curves.is_empty(); count];
     for &vertex in faces.iter().chain(curves.iter()).flatten() {
@@ -100,10 +100,10 @@ fn used(faces: &Lists, curves: &Lists, count: usize) -> Vec<u32> {
     (0..).zip(is_used).filter_map(|(vertex, used)| used.then_some(vertex)).collect()
 }
 
-/// Reads #P by 3 coordinates.
+/// Reads points from #P by 3 coordinates.
 ///
 /// # Errors
-/// A length that is no multiple of three, or a coordinate that is not finite.
+/// A length that is not a multiple of three, or a coordinate that is not finite.
 pub fn read_points(coordinates: &[f64]) -> Result<Vec<DVec3>, ViewError> {
     let (points, rest) = coordinates.as_chunks::<3>();
     if !rest.is_empty() {

@@ -1,15 +1,16 @@
-//! Cuts a polygon into triangles for drawing and picking, by clipping ears in the polygon's mean
-//! plane (Meisters 1975). Convex polygons, nearly all panels, become a fan at once.
+//! Triangulation of polygons for drawing and picking, by ear clipping in the polygon's mean plane
+//! (Meisters 1975). Convex polygons, that is nearly all panels, become fans directly.
 //!
-//! The triangles keep the polygon's sense of turning. Polygons that cross themselves, or that have
-//! no area, still give `n - 2` triangles, so that nothing disappears.
+//! The triangles keep the orientation of the polygon. Self-intersecting polygons and polygons
+//! without area still give `n - 2` triangles, so that they do not disappear.
 
 use glam::{Vec2, Vec3};
 
-/// Newell's normal of a polygon: its length is twice the area; zero for a polygon without area.
+/// Returns Newell's normal of a polygon, whose length is twice the area; zero for a polygon without
+/// area.
 pub fn newell_normal(positions: &[Vec3], polygon: &[u32]) -> Vec3 {
     let Some(&last) = polygon.last() else { return Vec3::ZERO };
-    // Relative to one corner: coordinates far from the origin would cancel badly.
+    // Relative to one corner, to avoid cancellation far from the origin.
     let origin = positions[last as usize];
     let mut before = Vec3::ZERO;
     let mut sum = Vec3::ZERO;
@@ -45,7 +46,7 @@ pub fn triangulate(positions: &[Vec3], polygon: &[u32], triangles: &mut Vec<[u32
     triangles.push([left[0], left[1], left[2]].map(|i| polygon[i]));
 }
 
-/// The corners in the plane of the polygon's normal, counter-clockwise.
+/// Projects the corners to the plane of the polygon's normal, counter-clockwise.
 fn flatten(positions: &[Vec3], polygon: &[u32]) -> Vec<Vec2> {
     let normal = newell_normal(positions, polygon).try_normalize().unwrap_or(Vec3::Z);
     let (u, v) = normal.any_orthonormal_pair();
@@ -63,14 +64,15 @@ fn neighbours(count: usize, i: usize) -> (usize, usize) {
     ((i + count - 1) % count, (i + 1) % count)
 }
 
-/// Twice the signed area of the triangle at corner `i` of those left: negative where it is reflex.
+/// Returns twice the signed area of the triangle at corner `i` of the remaining polygon, negative
+/// if reflex.
 fn turn(flat: &[Vec2], left: &[usize], i: usize) -> f32 {
     let (before, after) = neighbours(left.len(), i);
     let at = flat[left[i]];
     (at - flat[left[before]]).perp_dot(flat[left[after]] - at)
 }
 
-/// The ear whose new side is shortest; the least reflex corner where there is no ear.
+/// Returns the ear with the shortest new side, or the least reflex corner if there is no ear.
 fn best_ear(flat: &[Vec2], left: &[usize]) -> usize {
     let new_side = |i: usize| {
         let (before, after) = neighbours(left.len(), i);
@@ -84,7 +86,7 @@ fn best_ear(flat: &[Vec2], left: &[usize]) -> usize {
     })
 }
 
-/// Whether the triangle at corner `i` turns the right way and holds no other corner.
+/// Returns whether the triangle at corner `i` is convex and contains no other corner.
 fn is_ear(flat: &[Vec2], left: &[usize], i: usize) -> bool {
     if turn(flat, left, i) <= 0.0 {
         return false;

@@ -1,29 +1,30 @@
-//! A grid on the ground, below the mesh: its lines are at round coordinates of the file, a round
-//! length apart, so that it tells how large things are.
+//! A grid on the ground below the mesh. Its lines are at round coordinates of the file, a round
+//! length apart, and so show the size of things.
 
 use crate::view::appearance::round_down;
 use crate::view::camera::UpAxis;
 use glam::{DVec3, Vec3};
 
-/// There are at least so many squares along the longer side of the mesh.
+/// Minimum number of squares along the longer side of the mesh.
 const LEAST: f64 = 6.0;
-/// The grid reaches beyond the mesh by this part of its longer side.
+/// Margin of the grid around the mesh, as a fraction of the longer side of the mesh.
 const BEYOND: f64 = 0.22;
-/// It lies this part of the size of the mesh below it, so that a flat mesh does not lie in it.
+/// Distance of the grid below the mesh, as a fraction of its size, so that a flat mesh does not lie
+/// in it.
 const BELOW: f64 = 0.004;
 
 /// The lines of a grid.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ground {
-    /// From one line to the next, in the unit of the file.
+    /// Spacing of the lines, in the unit of the file.
     pub step: f64,
     /// Ends of each line, relative to the view's centre.
     pub lines: Vec<[Vec3; 2]>,
 }
 
 impl Ground {
-    /// Below the box from `low` to `high`, in file coordinates; `centre` is the view's. No lines
-    /// where the box has no size.
+    /// Creates the grid below the box from `low` to `high`, in file coordinates; `centre` is that
+    /// of the view. It has no lines if the box has no size.
     pub fn new(low: DVec3, high: DVec3, up: UpAxis, centre: DVec3) -> Ground {
         let [right, away, sky] = up.axes().map(|axis| axis.as_dvec3());
         let size = high - low;

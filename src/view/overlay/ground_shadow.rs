@@ -1,45 +1,48 @@
-//! The soft shadow of a mesh on the ground below it, under an even sky: how much light the mesh keeps off
-//! the corners of a grid. What is near the ground has a dark and narrow shadow, what is high a pale and
+//! The soft shadow of a mesh on the ground under a uniform sky: the fraction of light that the mesh
+//! blocks at the corners of a grid. Low parts have a dark and narrow shadow, high parts a pale and
 //! wide one.
 
 use crate::view::camera::UpAxis;
 use glam::{Vec2, Vec3};
 
-/// Cells along the longer side of the grid.
+/// Number of cells along the longer side of the grid.
 const CELLS: f32 = 80.0;
-/// The grid reaches beyond the mesh by this part of its longer side, and of its height.
+/// Margin of the grid around the mesh, as a fraction of the longer side and of the height of the
+/// mesh.
 const BEYOND: f32 = 0.32;
-/// Of the size of the mesh: what is so high has 1/e of the narrow shadow, and of the wide one.
+/// Heights, as fractions of the size of the mesh, at which the narrow and the wide shadow fade to
+/// 1/e.
 const HEIGHTS: [f32; 2] = [0.06, 0.9];
-/// Of the longer side of the grid: half the width of a box that blurs, applied three times.
+/// Half widths of the box blurs, as fractions of the longer side of the grid; each is applied three
+/// times.
 const BLURS: [f32; 2] = [0.009, 0.040];
-/// How dark each is at most.
+/// Maximum darkness of the narrow and the wide shadow.
 const STRENGTHS: [f32; 2] = [0.50, 0.48];
-/// A face that stands upright keeps light off, too: this part of its area counts.
+/// Fraction of the area of upright faces that counts, because they block light too.
 const UPRIGHT: f32 = 0.25;
-/// No more than so many samples along the side of a triangle.
+/// Maximum number of samples along the side of a triangle.
 const MOST_SAMPLES: f32 = 48.0;
-/// Darkness that is not seen.
+/// Cells up to this darkness are not drawn.
 const LEAST: f32 = 0.004;
 
-/// How dark the ground is on the corners of a grid of squares.
+/// The darkness of the ground at the corners of a grid of squares.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GroundShadow {
-    /// Length of the sides of a cell.
+    /// Side length of a cell.
     pub side: f32,
     /// The corner of the first cell.
     origin: Vec3,
-    /// To the next cell in a row, and to the next row.
+    /// Vectors to the next cell in a row, and to the next row.
     steps: [Vec3; 2],
-    /// Corners in a row.
+    /// Number of corners in a row.
     width: usize,
-    /// Row by row, 0 to 1.
+    /// Darkness of the corners, row by row, from 0 to 1.
     dark: Vec<f32>,
 }
 
 impl GroundShadow {
-    /// Of a mesh: `positions` (#V), `triangles` (#T) and the axis that points up. No cells where the mesh has
-    /// no extent along the ground.
+    /// Computes the shadow of a mesh with `positions` (#V), `triangles` (#T) and the given up axis.
+    /// It has no cells if the mesh has no horizontal extent.
     pub fn new(positions: &[Vec3], triangles: &[[u32; 3]], up: UpAxis) -> GroundShadow {
         let corners = || triangles.iter().flatten().map(|&vertex| positions[vertex as usize]);
         let (Some(low), Some(high)) = (corners().reduce(Vec3::min), corners().reduce(Vec3::max))
@@ -104,7 +107,8 @@ impl GroundShadow {
         }
     }
 
-    /// The cells that are seen: the corner of each, and how dark its four corners are, row by row.
+    /// Returns the visible cells: the first corner of each, and the darkness at its four corners,
+    /// row by row.
     pub fn cells(&self) -> impl Iterator<Item = (Vec3, [f32; 4])> + '_ {
         let rows = self.dark.len().checked_div(self.width).unwrap_or(0);
         let [right, away] = self.steps;
@@ -120,7 +124,8 @@ impl GroundShadow {
     }
 }
 
-/// The middles of the `count`² triangles that a triangle is divided into, as parts of two of its sides.
+/// Returns the centroids of the `count`² subtriangles of a triangle, as coordinates along two of
+/// its sides.
 fn samples_of_triangle(count: u32) -> impl Iterator<Item = [f32; 2]> {
     let part = 1.0 / (3.0 * count as f32);
     (0..count).flat_map(move |i| (0..count - i).map(move |j| (i, j))).flat_map(move |(i, j)| {
@@ -130,7 +135,7 @@ fn samples_of_triangle(count: u32) -> impl Iterator<Item = [f32; 2]> {
     })
 }
 
-/// Adds a weight to the four corners around a place.
+/// Adds a weight to the four corners around a point, by bilinear interpolation.
 fn splat(layer: &mut [f32], width: usize, place: Vec2, weight: f32) {
     let cell = place.floor();
     let part = place - cell;
@@ -147,8 +152,8 @@ fn splat(layer: &mut [f32], width: usize, place: Vec2, weight: f32) {
     }
 }
 
-/// The mean over `reach` neighbours on both sides along rows (`step` 1) or columns (`step` the width);
-/// beyond the grid it is light.
+/// Replaces each value by the mean over `reach` neighbours on both sides along rows (`step` 1) or
+/// columns (`step` the width); values outside the grid are 0.
 fn blur(layer: &mut [f32], width: usize, step: usize, reach: usize) {
     let (lines, length, between) = if step == 1 {
         (layer.len() / width, width, width)
@@ -174,7 +179,7 @@ fn blur(layer: &mut [f32], width: usize, step: usize, reach: usize) {
 mod tests {
     use super::*;
 
-    /// A square plate of that side, so high above a crumb that marks the ground.
+    /// A square plate of the given side and height, above a tiny triangle that marks the ground.
     fn plate(side: f32, height: f32) -> (Vec<Vec3>, Vec<[u32; 3]>) {
         let corner = |x: f32, y: f32| Vec3::new(x * side, y * side, height);
         let mut points = vec![corner(0., 0.), corner(1., 0.), corner(1., 1.), corner(0., 1.)];

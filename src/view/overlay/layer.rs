@@ -1,16 +1,18 @@
-//! A layer beside the surface, joined to it by a post at every vertex, and where it cannot be built.
+//! A layer beside the surface, joined to it by a post at every vertex, with marks where it cannot
+//! be built.
 
 use glam::DVec3;
 
 /// A layer; nothing is drawn without points.
 #[derive(Clone, Debug, Default)]
 pub struct ShownLayer {
-    /// #V in file coordinates, or none.
+    /// #V in file coordinates, or empty.
     pub(in crate::view) points: Vec<DVec3>,
-    /// Edges, by their ends, that fail: drawn on the surface, in the layer, and by the posts at their ends.
+    /// Edges that fail, by their ends: drawn on the surface, in the layer, and with the posts at
+    /// their ends.
     pub(in crate::view) failed_edges: Vec<[u32; 2]>,
     /// Vertices whose posts fail.
     pub(in crate::view) failed_vertices: Vec<u32>,
-    /// It has changed since the last picture.
+    /// Whether it has changed since the last picture.
     pub(in crate::view) changed: bool,
 }

@@ -7,7 +7,7 @@
 //! | `ground_shadow` | the shadow of the mesh on the ground |
 //! | `layer` | a layer beside the surface |
 //! | `surface_lines` | lines over the surface |
-//! | `scale_bar` | a bar of a round length |
+//! | `scale_bar` | a scale bar of round length |
 
 pub mod ground;
 pub mod ground_shadow;

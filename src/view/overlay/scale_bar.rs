@@ -1,10 +1,10 @@
-//! A bar of round length. In parallel projection it is true everywhere; in perspective, at the depth
-//! that the camera turns about.
+//! A scale bar of round length. It is exact everywhere in parallel projection; in perspective, at
+//! the depth of the camera's pivot.
 
 use crate::view::appearance::round_down;
 use crate::view::camera::Camera;
 
-/// A length and how long it is on the screen.
+/// A length and its size on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScaleBar {
     /// In the unit of the file.
@@ -13,7 +13,7 @@ pub struct ScaleBar {
     pub pixels: f64,
 }
 
-/// The longest bar of round length that is at most `most` CSS pixels long.
+/// Returns the longest bar of round length that is at most `most` CSS pixels long.
 pub fn scale_bar(camera: &Camera, most: f64) -> ScaleBar {
     let pixels_per_length = f64::from(camera.eye().focal) / f64::from(camera.distance);
     let length = round_down(most / pixels_per_length);

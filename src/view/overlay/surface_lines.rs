@@ -1,4 +1,4 @@
-//! Lines over the surface, between points of their own.
+//! Lines over the surface, between points that are not vertices of the mesh.
 
 use crate::view::appearance::LineKind;
 use crate::view::model::{Lists, ViewError, read_points};
@@ -7,17 +7,18 @@ use glam::DVec3;
 /// Polylines of two kinds; nothing is drawn without points.
 #[derive(Clone, Debug, Default)]
 pub struct SurfaceLines {
-    /// In file coordinates.
+    /// Points in file coordinates.
     pub(in crate::view) points: Vec<DVec3>,
-    /// Their ends among the points, and their [`LineKind`].
+    /// Two points of each line, and its [`LineKind`].
     pub(in crate::view) lines: Vec<[u32; 3]>,
-    /// They have changed since the last picture.
+    /// Whether they have changed since the last picture.
     pub(in crate::view) changed: bool,
 }
 
 impl SurfaceLines {
-    /// Polylines through `coordinates`, #points by 3: polyline `k` has the points from `offsets[k]` to `offsets[k + 1]`.
-    /// The first `count` are along the larger principal curvature, the others along the smaller one.
+    /// Creates polylines through `coordinates`, #points by 3: polyline `k` has the points from
+    /// `offsets[k]` to `offsets[k + 1]`. The first `count` are along the larger principal
+    /// curvature, the others along the smaller one.
     ///
     /// # Errors
     /// Arrays that do not fit together, or a coordinate that is not finite.
@@ -36,7 +37,7 @@ impl SurfaceLines {
         Ok(SurfaceLines { lines: lines.collect(), points, changed: true })
     }
 
-    /// None.
+    /// Creates an empty set of lines, which clears those drawn before.
     pub fn none() -> SurfaceLines {
         SurfaceLines { changed: true, ..SurfaceLines::default() }
     }

@@ -1,31 +1,32 @@
-//! A small picture of the surface made on the CPU: per pixel the nearest depth and its face. It
-//! tells what is visible for box selections, where a ray per candidate would be too slow.
+//! A small depth buffer made on the CPU, with the nearest depth and its face per pixel. It decides
+//! visibility for box selections, for which a ray per candidate would be too slow.
 
 use crate::view::camera::section::clipped;
 use crate::view::camera::{Camera, Eye};
 use crate::view::model::RenderMesh;
 use glam::{Vec2, Vec3};
 
-/// Pixels along the longer side of the canvas, to tell what can be selected.
+/// Pixels along the longer side of the canvas, for selection.
 pub const COARSE: f32 = 512.0;
-/// A point this much farther away than the surface, in parts of its depth, still counts as on it.
+/// A point farther away than the surface by up to this fraction of its depth still counts as on it.
 const TOLERANCE: f32 = 4e-3;
-/// The same for lines that are sides of faces, which need no tolerance on these.
+/// The same for sides of faces, whose own faces need no tolerance.
 const TOLERANCE_OF_SIDES: f32 = 5e-4;
-/// A surface this much farther away than a line on another one is not its continuation.
+/// A surface farther away than a line by more than this fraction of its depth does not continue the
+/// line's.
 const BEHIND: f32 = 2e-2;
 /// No face.
 const NONE: u32 = u32::MAX;
 
-/// Depth and face per pixel.
+/// The nearest depth and its face per pixel.
 #[derive(Clone, Debug)]
 pub struct DepthMap {
     width: usize,
     height: usize,
     /// Pixels per CSS pixel.
     scale: f32,
-    /// A depth that grows towards the eye and is linear on the screen: one over the depth, in parallel
-    /// projection minus the depth. Less than any where there is nothing.
+    /// Nearness, which grows towards the eye and is linear on the screen: 1 / depth in perspective,
+    /// minus the depth in parallel projection. Minus infinity on empty pixels.
     nearness: Vec<f32>,
     faces: Vec<u32>,
     /// [`Eye::parallel`].
@@ -33,7 +34,8 @@ pub struct DepthMap {
 }
 
 impl DepthMap {
-    /// Draws all triangles as the camera sees them, with so many pixels along the longer side.
+    /// Draws all triangles as the camera sees them, with `longer_side` pixels along the longer
+    /// side.
     pub fn new(mesh: &RenderMesh, camera: &Camera, longer_side: f32) -> DepthMap {
         let scale = longer_side / camera.canvas.max_element().max(1.0);
         let size = (camera.canvas * scale).ceil().max(Vec2::ONE);
@@ -54,7 +56,7 @@ impl DepthMap {
         map
     }
 
-    /// Cuts a triangle at the near depth and at the section, and draws what is left.
+    /// Clips a triangle at the near depth and at the section, and draws the rest.
     fn draw_clipped(&mut self, camera: &Camera, eye: &Eye, corners: [Vec3; 3], face: u32) {
         let near = camera.distance * 1e-3;
         let beyond_near = |point: Vec3| (point - eye.at).dot(eye.forward) - near;
@@ -71,7 +73,7 @@ impl DepthMap {
         }
     }
 
-    /// Pixel position, and nearness as third coordinate.
+    /// Returns the pixel position, with the nearness as third coordinate.
     fn pixel(&self, eye: &Eye, point: Vec3) -> Vec3 {
         let (screen, depth) = eye.project(point);
         let nearness = if self.parallel.is_some() { -depth } else { 1.0 / depth };
@@ -85,7 +87,7 @@ impl DepthMap {
         if area == 0.0 || !area.is_finite() {
             return;
         }
-        // Pixel centres lie at halves. The cast saturates: beyond the picture becomes its rim.
+        // Pixel centres are at half-integers. The casts saturate, which clamps to the border.
         let range = |low: f32, high: f32, count: usize| {
             ((low - 0.5).ceil().max(0.0) as usize)
                 ..((high + 0.5).floor().max(0.0) as usize).min(count)
@@ -110,22 +112,23 @@ impl DepthMap {
         }
     }
 
-    /// Whether a point of the surface is in front at some pixel around it. The neighbours count so
-    /// that points on the outline are seen.
+    /// Returns whether a point of the surface is in front at its pixel or a neighbour. Neighbours
+    /// count so that points on the outline are visible.
     pub fn shows(&self, screen: Vec2, depth: f32) -> bool {
         let nearness = self.nearness_of(depth, TOLERANCE);
         self.around(screen, |pixel| self.nearness[pixel] <= nearness)
     }
 
-    /// Whether a point of a line is in front at its pixel, or one of the `faces` that have the line for a side is at
-    /// some pixel around it.
+    /// Returns whether a point of a line is in front at its pixel, or one of the `faces` with the
+    /// line as a side is in front at its pixel or a neighbour.
     pub fn shows_line(&self, screen: Vec2, depth: f32, faces: &[u32]) -> bool {
         let tolerance = if faces.is_empty() { TOLERANCE } else { TOLERANCE_OF_SIDES };
         self.nearness[self.pixel_at(screen, 0, 0)] <= self.nearness_of(depth, tolerance)
             || self.around(screen, |pixel| faces.contains(&self.faces[pixel]))
     }
 
-    /// Whether at some pixel around a point there is nothing, or something that is much farther away and none of `faces`.
+    /// Returns whether, at the pixel of a point or a neighbour, there is nothing or a surface much
+    /// farther away that is none of `faces`.
     pub fn ends_at(&self, screen: Vec2, depth: f32, faces: &[u32]) -> bool {
         let behind = self.nearness_of(depth, -BEHIND);
         self.around(screen, |pixel| {
@@ -133,7 +136,7 @@ impl DepthMap {
         })
     }
 
-    /// The nearness above which a sample hides a point at this depth.
+    /// Returns the nearness above which a sample hides a point at this depth.
     fn nearness_of(&self, depth: f32, tolerance: f32) -> f32 {
         match self.parallel {
             None => (1.0 + tolerance) / depth,
@@ -141,12 +144,12 @@ impl DepthMap {
         }
     }
 
-    /// Whether `is_so` of the pixel at a place, or of one around it.
+    /// Returns whether `is_so` holds for the pixel at a position or one of its neighbours.
     fn around(&self, screen: Vec2, is_so: impl Fn(usize) -> bool) -> bool {
         (-1..=1).any(|dy| (-1..=1).any(|dx| is_so(self.pixel_at(screen, dx, dy))))
     }
 
-    /// The pixel at a place, so many to the right and down of it; beyond the picture that at its rim.
+    /// Returns the pixel at a position, offset by `dx` and `dy` and clamped to the border.
     fn pixel_at(&self, screen: Vec2, dx: i64, dy: i64) -> usize {
         let at = (screen * self.scale).floor();
         let x = (at.x as i64 + dx).clamp(0, self.width as i64 - 1) as usize;
@@ -154,7 +157,7 @@ impl DepthMap {
         y * self.width + x
     }
 
-    /// Per face, whether it is in front at some pixel.
+    /// Returns for each face whether it is in front at some pixel.
     pub fn faces_in_front(&self, count: usize) -> Vec<bool> {
         let mut seen = vec![false; count];
         for &face in self.faces.iter().filter(|&&f| f != NONE) {

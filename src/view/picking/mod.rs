@@ -1,9 +1,9 @@
-//! Picking: elements under the cursor, and the depth in front.
+//! Picking of elements under the cursor, and visibility.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `pick` | the nearest vertex, the face under the cursor |
-//! | `ray` | a ray against triangles |
+//! | `ray` | intersection of rays with triangles |
 //! | `depth_map` | a small depth buffer of the mesh |
 
 pub mod depth_map;

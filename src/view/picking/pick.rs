@@ -5,10 +5,12 @@ use crate::view::camera::Camera;
 use crate::view::model::RenderMesh;
 use glam::Vec2;
 
-/// A vertex this much behind the surface, in parts of its distance from the eye, is still seen.
+/// A vertex behind the surface by up to this fraction of its distance from the eye is still
+/// visible.
 const HIDING_TOLERANCE: f32 = 1e-3;
 
-/// Whether the vertex is in front of the eye, not behind the surface, and left by the section.
+/// Returns whether a vertex is in front of the eye, not hidden by the surface, and kept by the
+/// section.
 pub fn visible(mesh: &RenderMesh, camera: &Camera, vertex: u32) -> bool {
     let eye = camera.eye();
     let point = mesh.positions[vertex as usize];
@@ -20,7 +22,7 @@ pub fn visible(mesh: &RenderMesh, camera: &Camera, vertex: u32) -> bool {
         && !hidden(mesh, from, vertex, tolerance, |point| camera.keeps(point))
 }
 
-/// The visible vertex nearest to a screen position, within a radius.
+/// Returns the visible vertex nearest to a screen position, within a radius.
 pub fn pick_vertex(mesh: &RenderMesh, camera: &Camera, at: Vec2, radius: f32) -> Option<u32> {
     let all = 0..mesh.positions.len() as u32;
     near_cursor(mesh, camera, all, at, radius)
@@ -28,7 +30,7 @@ pub fn pick_vertex(mesh: &RenderMesh, camera: &Camera, at: Vec2, radius: f32) ->
         .find(|&vertex| visible(mesh, camera, vertex))
 }
 
-/// The nearest of `candidates` to a screen position, within a radius, hidden or not.
+/// Returns the candidate nearest to a screen position, within a radius, hidden or not.
 pub fn pick_any(
     mesh: &RenderMesh,
     camera: &Camera,
@@ -39,8 +41,8 @@ pub fn pick_any(
     near_cursor(mesh, camera, candidates, at, radius).first().copied()
 }
 
-/// Those of `candidates` within `radius` of a screen position, the nearest first; of those in the
-/// same place the one nearer to the eye first.
+/// Returns the candidates within `radius` of a screen position, sorted by distance; equal distances
+/// are sorted by depth.
 fn near_cursor(
     mesh: &RenderMesh,
     camera: &Camera,
@@ -60,7 +62,7 @@ fn near_cursor(
     near.into_iter().map(|(_, _, vertex)| vertex).collect()
 }
 
-/// The face under a screen position, with the depth at which it was met.
+/// Returns the face under a screen position, and the distance along its ray.
 pub fn pick_face(mesh: &RenderMesh, camera: &Camera, at: Vec2) -> Option<Hit> {
     let (from, direction) = camera.eye().ray(at);
     first_hit(mesh, from, direction, |point| camera.keeps(point))

@@ -1,4 +1,4 @@
-//! Draws what is behind the model: `shaders/backdrop.wgsl`.
+//! Draws the background: `shaders/backdrop.wgsl`.
 
 use crate::view::gpu::{BACKDROP, GpuTables, Layer, Recipe, VertexBuffer, build};
 use crate::view::overlay::GroundShadow;
@@ -21,14 +21,14 @@ pub struct Backdrop {
 #[derive(Clone, Copy, bytemuck::NoUninit)]
 #[repr(C)]
 struct Cell {
-    /// Its corner, and the length of its sides.
+    /// Its corner, and its side length.
     place: [f32; 4],
-    /// How dark its corners are.
+    /// The darkness at its corners.
     dark: [u8; 4],
 }
 
 impl Backdrop {
-    /// No shadow yet.
+    /// Creates the pipelines, without a shadow.
     pub fn new(
         device: &wgpu::Device,
         queue: &wgpu::Queue,
@@ -62,7 +62,7 @@ impl Backdrop {
         Backdrop { gradient, shadow, picture, cells: VertexBuffer::new(device) }
     }
 
-    /// Takes the shadow of the mesh as it is now.
+    /// Uploads the shadow of the mesh.
     pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, shadow: &GroundShadow) {
         let cells: Vec<Cell> = shadow
             .cells()
@@ -74,7 +74,7 @@ impl Backdrop {
         self.cells.write(device, queue, &cells);
     }
 
-    /// Draws the gradient, and the shadow where it is wanted.
+    /// Draws the gradient and, if requested, the shadow.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, has_shadow: bool) {
         pass.set_pipeline(&self.gradient);
         pass.set_vertex_buffer(0, self.picture.slice());

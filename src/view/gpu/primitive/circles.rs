@@ -14,7 +14,7 @@ pub struct Circles {
 }
 
 impl Circles {
-    /// Nothing to draw yet.
+    /// Creates the pipeline, with nothing to draw.
     pub fn new(device: &wgpu::Device, tables: &GpuTables, format: wgpu::TextureFormat) -> Circles {
         let recipe = Recipe {
             label: "circles",
@@ -30,7 +30,7 @@ impl Circles {
         Circles { pipeline, circles: VertexBuffer::new(device) }
     }
 
-    /// Takes the circles among fitted shapes in view coordinates.
+    /// Uploads the circles among fitted shapes in view coordinates.
     pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, shapes: &[f32]) {
         let circles: Vec<[f32; 7]> = shapes
             .chunks_exact(SHAPE_NUMBERS)
@@ -40,7 +40,7 @@ impl Circles {
         self.circles.write(device, queue, &circles);
     }
 
-    /// Draws them, each in so many pieces.
+    /// Draws the circles, each with `pieces` segments.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pieces: u32) {
         if self.circles.count() > 0 {
             pass.set_pipeline(&self.pipeline);

@@ -1,4 +1,4 @@
-//! Draws the faces, and those of the ghost as a veil: `shaders/faces.wgsl`.
+//! Draws the faces, and the ghost's faces as a veil: `shaders/faces.wgsl`.
 
 use crate::view::gpu::{FACES, GpuTables, Layer, Onto, Recipe, VertexBuffer, build_onto};
 use crate::view::model::RenderMesh;
@@ -11,12 +11,13 @@ pub const CORNER_OF_FACE: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![
 pub struct Faces {
     surface: wgpu::RenderPipeline,
     veil: wgpu::RenderPipeline,
-    /// Per corner its vertex and its face.
+    /// The vertex and the face of each corner.
     corners: VertexBuffer,
 }
 
 impl Faces {
-    /// Nothing to draw yet; `occlusion` is how that is bound which tells how open their surroundings are.
+    /// Creates the pipelines, with nothing to draw; `occlusion` is the layout of the bind group of
+    /// the occlusion.
     pub fn new(
         device: &wgpu::Device,
         tables: &GpuTables,
@@ -44,7 +45,7 @@ impl Faces {
         }
     }
 
-    /// Takes the triangles of a mesh.
+    /// Uploads the triangles of a mesh.
     pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &RenderMesh) {
         let corners: Vec<[u32; 2]> = mesh
             .triangles
@@ -55,17 +56,17 @@ impl Faces {
         self.corners.write(device, queue, &corners);
     }
 
-    /// Draws them; how open their surroundings are is bound as the second group.
+    /// Draws the faces; the second bind group must be that of the occlusion.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.draw_with(pass, &self.surface);
     }
 
-    /// Draws them where the points of the ghost are, whose group is bound.
+    /// Draws the faces as a veil at the points whose tables are bound.
     pub fn draw_veil(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.draw_with(pass, &self.veil);
     }
 
-    /// Draws them with a pipeline that takes [`CORNER_OF_FACE`].
+    /// Draws the faces with a pipeline that takes [`CORNER_OF_FACE`].
     pub fn draw_with(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
         if self.corners.count() > 0 {
             pass.set_pipeline(pipeline);

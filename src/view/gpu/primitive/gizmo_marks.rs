@@ -14,7 +14,7 @@ pub struct GizmoMarks {
 }
 
 impl GizmoMarks {
-    /// Nothing to draw yet.
+    /// Creates the pipeline, with nothing to draw.
     pub fn new(
         device: &wgpu::Device,
         tables: &GpuTables,
@@ -36,14 +36,14 @@ impl GizmoMarks {
         }
     }
 
-    /// Takes the gizmo as it lies on the screen now.
+    /// Uploads the gizmo at its current screen position.
     pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
         let gizmo = state.gizmo();
         let corners = gizmo.map(|gizmo| triangles(&gizmo, state.gizmo_state(), state.palette()));
         self.corners.write(device, queue, &corners.unwrap_or_default());
     }
 
-    /// Draws it.
+    /// Draws the gizmo.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         if self.corners.count() > 0 {
             pass.set_pipeline(&self.pipeline);

@@ -1,5 +1,5 @@
-//! Draws edges, polylines, selected edges, outlines of flipped faces, and the lines from handles to their
-//! targets: `shaders/lines.wgsl`.
+//! Draws edges, polylines, selected edges, outlines of flipped faces, and pull lines from handles
+//! to targets: `shaders/lines.wgsl`.
 
 use crate::view::appearance::{LineKind, Seam, seams};
 use crate::view::gpu::{GpuTables, LINES, Layer, Recipe, VertexBuffer, build};
@@ -13,18 +13,18 @@ const LINE: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Uint32x2,
 pub struct Lines {
     in_front: wgpu::RenderPipeline,
     behind: wgpu::RenderPipeline,
-    /// Per line its two ends and its [`LineKind`].
+    /// The two ends of each line and its [`LineKind`].
     edges: VertexBuffer,
     curves: VertexBuffer,
     pulls: VertexBuffer,
     selected: VertexBuffer,
     flipped: VertexBuffer,
-    /// Where two faces of the mesh meet.
+    /// Edges at which two faces of the mesh meet.
     seams: Vec<Seam>,
 }
 
 impl Lines {
-    /// Nothing to draw yet.
+    /// Creates the pipelines, with nothing to draw.
     pub fn new(device: &wgpu::Device, tables: &GpuTables, format: wgpu::TextureFormat) -> Lines {
         let pipeline = |fragment: &str, layer: Layer| {
             let recipe = Recipe {
@@ -51,7 +51,7 @@ impl Lines {
         }
     }
 
-    /// Takes the edges and curves of a mesh.
+    /// Uploads the edges and curves of a mesh.
     pub fn update_mesh(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &RenderMesh) {
         self.edges.write(device, queue, &edge_lines(mesh));
         let curves: Vec<[u32; 3]> = mesh
@@ -63,7 +63,8 @@ impl Lines {
         self.seams = seams(&mesh.faces);
     }
 
-    /// The edges between faces whose values are in different bands, as [`Lines::draw_others`] takes them.
+    /// Returns the edges between faces in different bands of values, in the form of
+    /// [`Lines::draw_others`].
     pub fn between_bands(&self, state: &ViewState) -> Vec<[u32; 3]> {
         let appearance = state.appearance();
         let seams = self.seams.iter().filter(|_| appearance.bands().is_some());
@@ -74,7 +75,7 @@ impl Lines {
         parting.map(|seam| line(seam.ends[0], seam.ends[1], LineKind::Band)).collect()
     }
 
-    /// Takes the selected edges and the measuring tape.
+    /// Uploads the selected edges and the measuring tape.
     pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
         let edges = state.appearance().selected_edges.iter();
         let mut selected: Vec<[u32; 3]> =
@@ -85,14 +86,14 @@ impl Lines {
         self.selected.write(device, queue, &selected);
     }
 
-    /// Takes the sides of the faces that the flat map `map` turns over.
+    /// Uploads the sides of the faces that the flat map `map` flips.
     pub fn update_map(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, map: &ViewState) {
         let sides = map.flipped().iter();
         let flipped: Vec<[u32; 3]> = sides.map(|&[a, b]| line(a, b, LineKind::Flipped)).collect();
         self.flipped.write(device, queue, &flipped);
     }
 
-    /// Takes the handles; their targets come after the vertices in the table of positions.
+    /// Uploads the handles; their targets come after the vertices in the table of positions.
     pub fn update_handles(
         &mut self,
         device: &wgpu::Device,
@@ -109,7 +110,7 @@ impl Lines {
         self.pulls.write(device, queue, &pulls);
     }
 
-    /// Draws edges, if wanted, and curves.
+    /// Draws the curves and, if requested, the edges.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, edges: bool) {
         if edges {
             draw(pass, &self.in_front, &self.edges);
@@ -117,13 +118,13 @@ impl Lines {
         draw(pass, &self.in_front, &self.curves);
     }
 
-    /// Draws the outlines of the faces that the flat map turns over.
+    /// Draws the outlines of the faces that the flat map flips.
     pub fn draw_flipped(&self, pass: &mut wgpu::RenderPass<'_>) {
         draw(pass, &self.in_front, &self.flipped);
     }
 
-    /// Draws other lines: those in sight, and the first `through` of them dim where the surface hides
-    /// them.
+    /// Draws other lines where they are visible; the first `through` of them also dim where they
+    /// are hidden.
     pub fn draw_others(&self, pass: &mut wgpu::RenderPass<'_>, lines: &VertexBuffer, through: u32) {
         if through > 0 {
             pass.set_pipeline(&self.behind);
@@ -133,14 +134,14 @@ impl Lines {
         draw(pass, &self.in_front, lines);
     }
 
-    /// Draws selected edges and the tape: dim where the surface hides them, then those in sight.
+    /// Draws selected edges and the tape: first dim where they are hidden, then where they are
+    /// visible.
     pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
         draw(pass, &self.behind, &self.selected);
         draw(pass, &self.in_front, &self.selected);
     }
 
-    /// Draws the lines from handles to targets: dim where the surface hides them, then those in
-    /// sight.
+    /// Draws the pull lines: first dim where they are hidden, then where they are visible.
     pub fn draw_pulls(&self, pass: &mut wgpu::RenderPass<'_>) {
         draw(pass, &self.behind, &self.pulls);
         draw(pass, &self.in_front, &self.pulls);
@@ -159,7 +160,7 @@ fn line(from: u32, to: u32, kind: LineKind) -> [u32; 3] {
     [from, to, kind as u32]
 }
 
-/// Inner edges first, so that the heavier rim lies over them.
+/// Returns the edges, inner ones first, so that the heavier boundary is drawn over them.
 fn edge_lines(mesh: &RenderMesh) -> Vec<[u32; 3]> {
     let kinds = [(false, LineKind::Edge), (true, LineKind::Boundary)];
     kinds

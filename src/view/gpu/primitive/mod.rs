@@ -2,9 +2,9 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `backdrop` | what is behind the model |
+//! | `backdrop` | the background |
 //! | `faces` | lit faces |
-//! | `occlusion` | how much light from all around reaches the faces |
+//! | `occlusion` | ambient occlusion of the faces |
 //! | `lines` | edges, curves, lines from handles to targets |
 //! | `points` | dots |
 //! | `circles` | fitted circles |

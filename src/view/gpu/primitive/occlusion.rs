@@ -1,11 +1,11 @@
-//! Finds how much light from all around reaches the faces, in three passes at half the size of the
-//! picture: `shaders/occlusion.wgsl`. [`super::Faces`] reads what they find.
+//! Computes the ambient occlusion of the faces in three passes at half the size of the picture:
+//! `shaders/occlusion.wgsl`. [`super::Faces`] reads the result.
 
 use super::faces::{CORNER_OF_FACE, Faces};
 use crate::view::gpu::pipeline::{DEPTH_FORMAT, FOUND_FORMAT};
 use crate::view::gpu::{GpuTables, Layer, OCCLUSION, Onto, Recipe, build_onto};
 
-/// No side is longer than this: what is found changes slowly from place to place.
+/// Maximum side of the textures: occlusion varies slowly.
 const LONGEST: u32 = 2048;
 
 /// The passes and their textures.
@@ -23,14 +23,14 @@ pub struct Occlusion {
 struct Textures {
     size: (u32, u32),
     depth: wgpu::TextureView,
-    /// Depths and normals, what is gathered from them, and the mean of that.
+    /// Depths and normals, gathered occlusion, smoothed occlusion.
     found: [wgpu::TextureView; 3],
-    /// Each of them, to be read.
+    /// The bind groups for reading each of them.
     groups: [wgpu::BindGroup; 3],
 }
 
 impl Occlusion {
-    /// Has found nothing yet.
+    /// Creates the passes; nothing is computed yet.
     pub fn new(device: &wgpu::Device, tables: &GpuTables) -> Occlusion {
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("found"),
@@ -70,17 +70,17 @@ impl Occlusion {
         }
     }
 
-    /// How what is found is bound.
+    /// Returns the layout of the bind group of the result.
     pub fn layout(&self) -> &wgpu::BindGroupLayout {
         &self.layout
     }
 
-    /// The result, to be read while the faces are drawn.
+    /// Returns the bind group of the result, for drawing the faces.
     pub fn group(&self) -> &wgpu::BindGroup {
         &self.textures.groups[2]
     }
 
-    /// Finds it for a picture of so many pixels of the faces, whose tables are `tables`.
+    /// Computes the occlusion of the faces for a picture of this size in pixels.
     pub fn find(
         &mut self,
         device: &wgpu::Device,
@@ -145,7 +145,7 @@ impl Textures {
     }
 }
 
-/// A pass onto a texture, which says at first that there is nothing.
+/// Begins a pass onto a texture, which is cleared to empty.
 fn begin<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     view: &wgpu::TextureView,

@@ -11,14 +11,14 @@ const DOT: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Uint32x3];
 pub struct Points {
     in_front: wgpu::RenderPipeline,
     behind: wgpu::RenderPipeline,
-    /// Per dot its place in the table, its [`DotKind`], and the place of its colour.
+    /// Index of each dot in the table of positions, its [`DotKind`], and the index of its colour.
     vertices: VertexBuffer,
     members: VertexBuffer,
     marks: VertexBuffer,
 }
 
 impl Points {
-    /// Nothing to draw yet.
+    /// Creates the pipelines, with nothing to draw.
     pub fn new(device: &wgpu::Device, tables: &GpuTables, format: wgpu::TextureFormat) -> Points {
         let pipeline = |fragment: &str, layer: Layer| {
             let recipe = Recipe {
@@ -42,14 +42,14 @@ impl Points {
         }
     }
 
-    /// Takes the vertices of a mesh.
+    /// Uploads the vertices of a mesh.
     pub fn update_mesh(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
         let count = state.counts().0 as u32;
         let dots: Vec<[u32; 3]> = (0..count).map(|v| dot(v, DotKind::Vertex)).collect();
         self.vertices.write(device, queue, &dots);
     }
 
-    /// Takes marks and handles.
+    /// Uploads marks and handles.
     pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
         let rows = &state.appearance().rows;
         let members: Vec<[u32; 3]> =
@@ -58,13 +58,13 @@ impl Points {
         self.marks.write(device, queue, &marks(state));
     }
 
-    /// Draws a dot on every vertex in sight.
+    /// Draws a dot on every visible vertex.
     pub fn draw_vertices(&self, pass: &mut wgpu::RenderPass<'_>) {
         draw(pass, &self.in_front, &self.vertices);
     }
 
-    /// Draws members of constraints in sight, then marks and handles: dim where the surface hides
-    /// them, then those in sight.
+    /// Draws the visible members of constraints, then marks and handles: first the hidden ones dim,
+    /// then the visible ones.
     pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
         draw(pass, &self.in_front, &self.members);
         draw(pass, &self.behind, &self.marks);
@@ -84,8 +84,8 @@ fn dot(place: u32, kind: DotKind) -> [u32; 3] {
     [place, kind as u32, 0]
 }
 
-/// The least important first: later dots lie over earlier ones. Targets come after the vertices in
-/// the table of positions.
+/// Returns the marks, least important first: later dots cover earlier ones. Targets come after the
+/// vertices in the table of positions.
 fn marks(state: &ViewState) -> Vec<[u32; 3]> {
     let appearance = state.appearance();
     let tinted = appearance.tinted_dots().iter();

@@ -15,9 +15,9 @@ const CORNER: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Uint32x
 #[repr(C)]
 struct Corner {
     point: u32,
-    /// Of its colour.
+    /// Index of its colour.
     place: u32,
-    /// How far beside the surface it may lie.
+    /// Upper bound on its distance from the surface.
     beside: f32,
 }
 
@@ -26,15 +26,15 @@ struct Corner {
 pub struct ProjectionLines {
     lines: wgpu::RenderPipeline,
     insides: wgpu::RenderPipeline,
-    /// Three per triangle.
+    /// Three corners per triangle.
     corners: VertexBuffer,
-    /// Per line its two ends, its [`LineKind`], and the place of its colour.
+    /// The two ends of each line, its [`LineKind`], and the index of its colour.
     outlines: VertexBuffer,
     arrows: VertexBuffer,
 }
 
 impl ProjectionLines {
-    /// Nothing to draw yet.
+    /// Creates the pipelines, with nothing to draw.
     pub fn new(
         device: &wgpu::Device,
         tables: &GpuTables,
@@ -67,7 +67,8 @@ impl ProjectionLines {
         }
     }
 
-    /// Takes the projections; their points come after vertices and targets in the table of positions.
+    /// Uploads the projections; their points come after vertices and targets in the table of
+    /// positions.
     pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
         let first = (state.counts().0 + state.handles().len()) as u32;
         let points = &state.projections().points;
@@ -102,7 +103,7 @@ impl ProjectionLines {
         self.arrows.write(device, queue, &arrows);
     }
 
-    /// Draws what is switched on.
+    /// Draws the parts that are switched on.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, display: Display) {
         if display.outlines && self.corners.count() > 0 {
             pass.set_pipeline(&self.insides);

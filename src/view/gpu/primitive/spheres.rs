@@ -13,7 +13,7 @@ pub struct Spheres {
 }
 
 impl Spheres {
-    /// Nothing to draw yet.
+    /// Creates the pipeline, with nothing to draw.
     pub fn new(device: &wgpu::Device, tables: &GpuTables, format: wgpu::TextureFormat) -> Spheres {
         let recipe = Recipe {
             label: "spheres",
@@ -29,7 +29,7 @@ impl Spheres {
         Spheres { pipeline, spheres: VertexBuffer::new(device) }
     }
 
-    /// Takes the spheres among fitted shapes in view coordinates.
+    /// Uploads the spheres among fitted shapes in view coordinates.
     pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, shapes: &[f32]) {
         let spheres: Vec<[f32; 4]> = shapes
             .chunks_exact(SHAPE_NUMBERS)
@@ -39,7 +39,7 @@ impl Spheres {
         self.spheres.write(device, queue, &spheres);
     }
 
-    /// Draws them.
+    /// Draws the spheres.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         if self.spheres.count() > 0 {
             pass.set_pipeline(&self.pipeline);

@@ -1,5 +1,5 @@
-//! Draws ghost and ground, or the layer beside the surface, or lines over it: lines between points of their own, in
-//! the picture of the stage, and the surface of ghost or layer.
+//! Draws ghost and ground, or the layer beside the surface, or the lines over it: lines between
+//! points of their own, and the surface of ghost or layer.
 
 use super::faces::Faces;
 use super::lines::Lines;
@@ -8,27 +8,27 @@ use crate::view::gpu::{GpuTables, Placement, VertexBuffer};
 use crate::view::state::ViewState;
 use glam::Vec3;
 
-/// Lines that the surface hides.
+/// Kinds of lines that the surface hides.
 const HIDDEN: [LineKind; 3] = [LineKind::Ground, LineKind::Larger, LineKind::Smaller];
 
 /// The points and lines on the GPU.
 #[derive(Debug)]
 pub struct SurroundingLines {
     tables: GpuTables,
-    /// First those that are seen through the surface.
+    /// Lines that show through the surface come first.
     lines: VertexBuffer,
     through: u32,
 }
 
 impl SurroundingLines {
-    /// Nothing to draw yet; `beside` is the store of the mesh.
+    /// Creates empty buffers; `beside` are the tables of the mesh.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, beside: &GpuTables) -> SurroundingLines {
         let lines = VertexBuffer::new(device);
         SurroundingLines { tables: beside.beside(device, queue), lines, through: 0 }
     }
 
-    /// Takes lines, of which those that are seen through the surface are first, and points, where they are new;
-    /// for a picture that lies so on the canvas.
+    /// Uploads lines (those that show through the surface first) and points if they are new, for a
+    /// picture at `placement`.
     pub fn update(
         &mut self,
         (device, queue): (&wgpu::Device, &wgpu::Queue),
@@ -48,8 +48,8 @@ impl SurroundingLines {
         }
     }
 
-    /// Draws them; `faces` are those of the mesh, whose group is bound again then. The points of ghost and layer
-    /// are numbered as its vertices are.
+    /// Draws them. `faces` are those of the mesh, because the points of ghost and layer have the
+    /// indices of its vertices. The group of `mesh` is bound again afterwards.
     pub fn draw(
         &self,
         pass: &mut wgpu::RenderPass<'_>,

@@ -1,4 +1,4 @@
-// What is behind the model: a gradient over the whole picture, and the shadow on the ground.
+// The background: a gradient over the whole picture, and the shadow on the ground.
 
 struct Behind {
     @builtin(position) position: vec4f,
@@ -17,18 +17,18 @@ fn corner_of_picture(@location(0) at: vec2f) -> Behind {
 @fragment
 fn gradient(in: Behind) -> @location(0) vec4f {
     let colour = mix(scene.behind_bottom.rgb, scene.behind_top.rgb, in.height);
-    // Less than one step of eight bits, or the gradient would be seen as stripes.
+    // Dithering by less than one step of eight bits, so that the gradient has no visible stripes.
     let noise = fract(52.9829189 * fract(dot(in.position.xy, vec2f(0.06711056, 0.00583715))));
     return vec4f(colour + (noise - 0.5) / 255.0, 1.0);
 }
 
 struct Ground {
     @builtin(position) position: vec4f,
-    // How much light is kept off.
+    // Fraction of the light that is blocked.
     @location(0) dark: f32,
 }
 
-// A cell of the ground: its corner, the length of its sides, and how dark its corners are.
+// A cell of the ground: its corner and side length, and the darkness at its corners.
 @vertex
 fn corner_of_cell(
     @builtin(vertex_index) corner: u32,
@@ -41,10 +41,10 @@ fn corner_of_cell(
     let at = cell.xyz + cell.w * (vec3f(select(0.0, 1.0, right), 0.0, 0.0) + select(0.0, 1.0, away) * along);
     var out: Ground;
     out.position = scene.clip_from_scene * vec4f(at, 1.0);
-    // It is behind the model in any case, and not cut off where the model ends.
+    // Always behind the model, and not clipped at its far depth.
     out.position.z = 0.5 * out.position.w;
     out.dark = mix(mix(dark.x, dark.y, f32(right)), mix(dark.z, dark.w, f32(right)), f32(away));
-    // From below the ground is not there.
+    // The ground is not drawn from below.
     if dot(to_eye_from(at), scene.sky.xyz) <= 0.0 {
         out.dark = 0.0;
     }

@@ -1,5 +1,5 @@
-// Fitted circles, as thin lines of many pieces. They come before the faces that they are fitted to,
-// which are not flat yet.
+// Fitted circles, as thin lines of many segments. They are lifted in front of the faces to which
+// they are fitted, which are not flat yet.
 
 struct Corner {
     @builtin(position) position: vec4f,
@@ -22,13 +22,14 @@ fn corner_of_circle(
     let pieces = scene.circle.size.y;
     let piece = f32(index / 6u);
     let start = piece / pieces * 6.283185307;
-    // The last piece ends exactly where the first began.
+    // The last segment ends exactly where the first began.
     let end = select((piece + 1.0) / pieces * 6.283185307, 0.0, piece + 1.5 > pieces);
     let a = centre + u * cos(start) + v * sin(start);
     let b = centre + u * cos(end) + v * sin(end);
-    // Circles of a few pixels are drawn finer and fainter, down to nothing, or many of them would be one patch.
+    // Circles of a few pixels are thinner and fainter, down to nothing: many of them would merge
+    // into a patch.
     let depth = max(scale_depth(centre), 1e-12);
-    // So are those that are seen nearly edge on, whose rows are as near as they are narrow.
+    // So are circles seen nearly edge-on, whose rows are as close as they are narrow.
     let facing = abs(dot(normal, to_eye_from(centre)));
     let radius_on_screen =
         radius * mix(0.15, 1.0, facing) / (depth * scene.canvas.w * scene.canvas.z);
@@ -47,7 +48,7 @@ fn corner_of_circle(
 
 @fragment
 fn drawn(in: Corner) -> @location(0) vec4f {
-    // Where two pieces meet each gives way to the other, or the line would be a row of beads.
+    // Where two segments meet, each fades out: overlaps would look like beads.
     let span = in.ends.zw - in.ends.xy;
     let total = max(length(span), 1e-4);
     let along = dot(in.at - in.ends.xy, span) / total;

@@ -1,7 +1,7 @@
-// Depths in the textures of the passes that find how open the surroundings of a point are: two bytes, from
-// 0 at the near depth of the scene to 1 at the far one, where there is nothing.
+// Depths in the textures of the occlusion passes, as two bytes: from 0 at the near depth of the
+// scene to 1 at the far depth, where there is nothing.
 
-// What the pass before this one has found, for less than the whole size of the picture.
+// The result of the previous pass, smaller than the picture.
 @group(1) @binding(0) var found: texture_2d<f32>;
 
 fn depth_part(at: vec3f) -> f32 {

@@ -1,6 +1,6 @@
-// Faces: flat panels, lit from both sides by a large soft light over the viewer's left shoulder, whose
-// light reaches a little around the shape, a sky, and a little light from the eye, so that shape reads
-// from everywhere. From behind they are cooler.
+// Flat faces, lit from both sides by a large soft key light over the viewer's left shoulder that
+// wraps a little around the shape, by a sky, and by a weak light from the eye, so that the shape is
+// readable from everywhere. Back faces are cooler.
 
 struct Corner {
     @builtin(position) position: vec4f,
@@ -10,7 +10,7 @@ struct Corner {
     @location(3) @interpolate(flat) look: vec4f,
     // In squares of the checkerboard.
     @location(4) place: vec2f,
-    // Where vertices have values, in steps from a limit.
+    // If vertices have values: in steps from a band limit.
     @location(5) steps: f32,
 }
 
@@ -32,8 +32,8 @@ fn corner_of_face(@location(0) ids: vec2u) -> Corner {
     return out;
 }
 
-// How much of a pixel is in dark squares: the checkerboard under a box filter of the size of the
-// pixel (Quilez, Filtering procedural textures), so that it is crisp near and grey far away.
+// Fraction of a pixel in dark squares: the checkerboard under a box filter of pixel size (Quilez,
+// Filtering procedural textures), crisp when near and grey far away.
 fn dark_part(place: vec2f, pixel: vec2f) -> f32 {
     let size = max(pixel, vec2f(1e-5));
     let from_edge = abs(fract((place - 0.5 * size) * 0.5) - 0.5);
@@ -42,7 +42,7 @@ fn dark_part(place: vec2f, pixel: vec2f) -> f32 {
     return 0.5 - 0.5 * sides.x * sides.y;
 }
 
-// The colour of the band of a value, on the map in that row.
+// Colour of the band of a value, from row `row` of the colour map.
 fn band_colour(value: f32, row: u32) -> vec3f {
     let begins = scene.checks.y;
     let ends = scene.checks.z;
@@ -52,18 +52,18 @@ fn band_colour(value: f32, row: u32) -> vec3f {
     return textureLoad(colour_map, vec2u(u32(part * 255.0 + 0.5), row), 0).rgb;
 }
 
-// How much of a pixel is on the line of a limit; `change` is how much the value changes there.
+// Coverage of a pixel by an isoline; `change` is the change of the value per pixel.
 fn on_isoline(value: f32, change: f32) -> f32 {
     let limit = round(value);
     let is_inside = limit > scene.checks.y + 1e-3 && limit < scene.checks.z - 1e-3;
     let half_width = 0.5 * scene.strokes[BAND].size.x * scene.canvas.z;
     let away = abs(value - limit) / max(change, 1e-9);
-    // Where lines are only a few pixels apart, they fade instead of filling everything.
+    // Lines that are only a few pixels apart fade, so that they do not fill the face.
     let fading = clamp(0.25 * (1.0 / max(change, 1e-9)) / (half_width + 1.0) - 0.5, 0.0, 1.0);
     return select(0.0, clamp(half_width + 0.5 - away, 0.0, 1.0) * fading, is_inside);
 }
 
-// How much of a pixel is on a diagonal line of the hatching, which stays where it is on the canvas.
+// Coverage of a pixel by the diagonal hatching, which is fixed to the canvas.
 fn hatched(pixel: vec2f) -> f32 {
     let ratio = scene.canvas.z;
     let across = (pixel.x + pixel.y) * 0.70710678 / ratio;
@@ -71,7 +71,7 @@ fn hatched(pixel: vec2f) -> f32 {
     return clamp((0.5 * HATCH_WIDTH - away) * ratio + 0.5, 0.0, 1.0);
 }
 
-// In CSS pixels, and how opaque the lines are.
+// Spacing and width of the hatching in CSS pixels, and its opacity.
 const HATCH_STEP: f32 = 7.0;
 const HATCH_WIDTH: f32 = 1.5;
 const HATCH: f32 = 0.92;
@@ -79,10 +79,10 @@ const HATCH_OF_SELECTED: vec3f = vec3f(0.06, 0.08, 0.11);
 const HATCH_OF_TINT: vec3f = vec3f(1.0);
 
 const BAND: u32 = 10u;
-// A section is drawn as a rim is.
+// The section is drawn in the style of the boundary.
 const CUT: u32 = 1u;
 
-// How much light there is, and 1 where the face is seen from its front, else 0.
+// Amount of light, and 1 if the front of the face is seen, else 0.
 fn light_on(in: Corner) -> vec2f {
     let to_eye = to_eye_from(in.at);
     var normal = in.normal;
@@ -101,8 +101,8 @@ fn light_on(in: Corner) -> vec2f {
     return vec2f(clamp(light, 0.0, 1.0), select(0.0, 1.0, is_front));
 }
 
-// How much of the light from all around reaches a point: 1 where nothing near keeps it off. Found for fewer
-// pixels than there are: of the four around, those that are as far away count.
+// Fraction of the ambient light that reaches a point: 1 without occluders. It is computed at a
+// lower resolution; of the four nearest samples, those of similar depth count.
 fn openness(in: Corner) -> f32 {
     if scene.nearby.w <= 0.0 {
         return 1.0;
@@ -128,17 +128,17 @@ fn openness(in: Corner) -> f32 {
     return mix(1.0, sum / weights, scene.nearby.w);
 }
 
-// Where no light from all around arrives, this is left of the colour.
+// Factor of the colour where no ambient light arrives.
 const CLOSED: vec3f = vec3f(0.47, 0.47, 0.50);
 
-// So far beyond the terminator the large light still reaches.
+// How far the key light wraps around beyond the terminator.
 const WRAP: f32 = 0.3;
 
 @fragment
 fn lit(in: Corner) -> @location(0) vec4f {
     let seen = light_on(in);
     let light = seen.x;
-    // Differences between pixels are there only where all of them come by.
+    // Derivatives are defined only in uniform control flow, so they are taken here.
     let pixel = fwidth(in.place);
     let change = length(vec2f(dpdx(in.steps), dpdy(in.steps)));
     let within = within_section(in.at);
@@ -154,7 +154,7 @@ fn lit(in: Corner) -> @location(0) vec4f {
         if scene.checks.z > 0.0 {
             let line = scene.strokes[BAND].colour;
             let covered = on_isoline(in.steps, change) * line.a;
-            // A part of a face that is beyond the tolerance may be within it.
+            // A face beyond the tolerance may be partly within it.
             let banded = band_colour(in.steps, map) * modelled;
             colour = mix(banded, colour, select(0.0, 1.0, in.steps < scene.checks.w));
             colour = mix(colour, line.rgb, covered);
@@ -169,11 +169,12 @@ fn lit(in: Corner) -> @location(0) vec4f {
         let dark = dark_part(in.place, pixel) * scene.check.a;
         colour = mix(colour, scene.check.rgb * modelled, dark);
     }
-    // Over values a mark is hatched as well, with white or ink: one of its two colours is seen on any other.
+    // Over values, marks are also hatched, in white or in dark ink: one of the two contrasts with
+    // any colour.
     let hatch = select(0.0, 1.0, in.look.y > 0.375) * hatched(in.position.xy);
     colour = mix(colour, mix(scene.tint.rgb * modelled, HATCH_OF_TINT, hatch * in.look.w), in.look.w * mix(scene.tint.a, HATCH, hatch));
     colour = mix(colour, mix(scene.selected.rgb * modelled, HATCH_OF_SELECTED, hatch), in.look.z * mix(scene.selected.a, HATCH, hatch));
-    // Along the section the surface ends in a heavy line.
+    // At the section the surface ends in a heavy line.
     let cut = scene.strokes[CUT];
     let beside_cut = within / max(within_change, 1e-12);
     colour = mix(colour, cut.colour.rgb, clamp(cut.size.x * scene.canvas.z + 0.5 - beside_cut, 0.0, 1.0));
@@ -183,14 +184,15 @@ fn lit(in: Corner) -> @location(0) vec4f {
     return vec4f(min(colour, vec3f(1.0)), 1.0);
 }
 
-// The ghost: the faces where the mesh was, as a veil that is denser where it is seen edge on.
+// The ghost: the original faces as a veil, which is denser where it is seen edge-on.
 
 struct VeilCorner {
     @builtin(position) position: vec4f,
     @location(0) at: vec3f,
 }
 
-// It lies behind a surface that is as good as there: one that has hardly moved has no stains.
+// Pushed back by this fraction of the distance, so that it does not stain a surface that has hardly
+// moved.
 const BACK: f32 = 0.0012;
 
 @vertex

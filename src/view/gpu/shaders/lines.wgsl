@@ -1,12 +1,12 @@
-// Edges of polygons, polylines, and lines from handles to their targets; of the latter also the part
-// behind the surface, dim.
+// Edges of polygons, polylines, and lines from handles to their targets; the part of the latter
+// lines behind the surface is drawn dim.
 
 struct Corner {
     @builtin(position) position: vec4f,
     @location(0) at: vec2f,
     @location(1) @interpolate(flat) ends: vec4f,
     @location(2) @interpolate(flat) colour: vec4f,
-    // Half the width, and what is left of the opacity behind the surface.
+    // Half the width, and the factor of the opacity behind the surface.
     @location(3) @interpolate(flat) style: vec2f,
 }
 
@@ -19,13 +19,14 @@ fn corner_of_line(
     let stroke = scene.strokes[kind];
     let ratio = scene.canvas.z;
     let half_width = 0.5 * stroke.size.x * ratio;
-    // Lines over the surface cross its faces, which are drawn as flat pieces.
+    // Lines over the surface cross faces, which are drawn as flat triangles, and need a larger
+    // lift.
     let lift = select(LIFT, 4.0 * LIFT, kind >= OVER);
     let from_point = position_of(ends.x);
     let to_point = position_of(ends.y);
     var quad: StrokeCorner;
     if kind == GROUND || kind == PULL {
-        // What is about the model is not cut.
+        // The section does not cut what lies outside the model.
         quad = stroke_corner(from_point, to_point, corner, half_width, lift);
     } else {
         quad = cut_stroke_corner(from_point, to_point, corner, half_width, lift);
@@ -37,7 +38,7 @@ fn corner_of_line(
     out.colour = stroke.colour;
     out.style = vec2f(half_width, stroke.size.w);
     if kind == 0u || kind == GHOST || kind == LAYER {
-        // The denser edges are, the lighter: panels of a few pixels would be nothing but edges.
+        // Short edges are fainter: panels of a few pixels would otherwise be nothing but edges.
         let length_on_screen = distance(quad.start, quad.end) / ratio;
         out.colour.a *= clamp(0.16 + length_on_screen / 26.0, 0.16, 1.0);
     }

@@ -1,8 +1,7 @@
-// How open the surroundings of every point are that is seen, at half the size of the picture: first the
-// depths and normals of the faces, then for each pixel how much of the light from all around is kept off
-// by what is near, as by the horizon that neighbours on the screen make (Mara, McGuire, Bukowski and
-// Ritter 2016 compare such estimates), and at last the mean over sixteen neighbours, each of which has
-// looked in directions of its own.
+// Ambient occlusion at half the size of the picture, in three passes: the depths and normals of the
+// faces; for each pixel the ambient light that nearby surfaces block, estimated from the horizon of
+// its neighbours on the screen (Mara, McGuire, Bukowski and Ritter 2016 compare such estimates);
+// and the mean over sixteen neighbours, each of which sampled other directions.
 
 struct Seen {
     @builtin(position) position: vec4f,
@@ -14,7 +13,7 @@ struct Seen {
 fn corner_of_depth(@location(0) ids: vec2u) -> Seen {
     let at = position_of(ids.x);
     var out: Seen;
-    // The whole picture, also where the canvas shows a part of it.
+    // The whole picture, even if the canvas shows only a part of it.
     let clip = scene.clip_from_scene * vec4f(at, 1.0);
     let xy = (clip.xy - scene.placement.zw * clip.w) / scene.placement.xy;
     out.position = vec4f(xy, clip.z, clip.w);
@@ -23,7 +22,8 @@ fn corner_of_depth(@location(0) ids: vec2u) -> Seen {
     return out;
 }
 
-// Depth, and the normal's parts to the right and up on the screen, turned towards the eye.
+// Depth, and the components of the normal to the right and up on the screen, turned towards the
+// eye.
 @fragment
 fn depth_and_normal(in: Seen) -> @location(0) vec4f {
     let towards = select(-1.0, 1.0, dot(in.normal, to_eye_from(in.at)) >= 0.0);
@@ -50,7 +50,7 @@ fn depth_of(part: f32) -> f32 {
     return scene.nearby.x + part * scene.nearby.y;
 }
 
-// The point that is seen at a pixel, in the axes of the screen: right, up, and away from the eye.
+// The surface point at a pixel, in screen axes: right, up, and away from the eye.
 fn seen_at(pixel: vec2f, part: f32, size: vec2f) -> vec3f {
     let depth = depth_of(part);
     let across = select(depth, scene.eye.w, is_parallel());
@@ -58,14 +58,14 @@ fn seen_at(pixel: vec2f, part: f32, size: vec2f) -> vec3f {
     return vec3f(place * half_extent() * across, depth);
 }
 
-// In how many places a pixel looks.
+// Number of samples per pixel.
 const LOOKS: i32 = 8;
-// Nothing is looked at farther away than this many pixels.
+// Maximum distance of a sample in pixels.
 const FARTHEST: f32 = 72.0;
-// What rises less than this above the surface, as a sine, keeps no light off: faces are flat.
+// Samples that rise less than this above the surface, as a sine, block no light: faces are flat.
 const RISE: f32 = 0.12;
 const STRENGTH: f32 = 2.7;
-// A height above the ground, in parts of the reach, from which on the ground keeps no light off.
+// Height above the ground, relative to the reach, from which the ground blocks no light.
 const GROUND_REACH: f32 = 1.0;
 const GROUND_STRENGTH: f32 = 0.38;
 
@@ -85,7 +85,7 @@ fn gathered(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let across = select(point.z, scene.eye.w, is_parallel());
     let radius = min(0.5 * reach / (across * half_extent().x) * size.x, FARTHEST);
 
-    // Each of four by four neighbours begins in another direction.
+    // Each pixel of a block of four by four starts in another direction.
     let cell = vec2u(position.xy) & vec2u(3u);
     let crossed = cell.x ^ cell.y;
     let turned = f32((crossed & 1u) * 8u + (cell.y & 1u) * 4u + (crossed & 2u) + (cell.y >> 1u));
@@ -104,7 +104,7 @@ fn gathered(@builtin(position) position: vec4f) -> @location(0) vec4f {
     }
     var open = 1.0 - STRENGTH * kept_off / f32(LOOKS);
 
-    // The ground is no face, but keeps light off what is near it and looks down.
+    // The ground is not a face, but blocks light from low surfaces that face down.
     let sky = vec3f(
         dot(scene.sky.xyz, scene.right.xyz),
         dot(scene.sky.xyz, scene.up.xyz),
@@ -126,7 +126,8 @@ fn smoothed(@builtin(position) position: vec4f) -> @location(0) vec4f {
         return here;
     }
     let last = vec2i(textureDimensions(found)) - 1;
-    // Where the surface is steep its depth changes much from pixel to pixel; beyond it is another one.
+    // A steep surface changes its depth much from pixel to pixel; larger differences are another
+    // surface.
     let allowed = 0.3 * scene.nearby.z / scene.nearby.y;
     var sum = 0.0;
     var weights = 0.0;

@@ -1,9 +1,9 @@
-// Dots: vertices, selected vertices, handles, targets. Round or square, always facing the eye,
-// with a rim; the part of a dot that lies behind the surface is drawn dim.
+// Dots: vertices, selected vertices, handles, targets. Round or square, always facing the eye, with
+// a rim; parts behind the surface are drawn dim.
 
 struct Corner {
     @builtin(position) position: vec4f,
-    // From the middle of the dot, pixels.
+    // Offset from the centre of the dot in pixels.
     @location(0) at: vec2f,
     @location(1) @interpolate(flat) kind: u32,
     @location(2) @interpolate(flat) fill: vec4f,
@@ -12,7 +12,7 @@ struct Corner {
 @vertex
 fn corner_of_dot(
     @builtin(vertex_index) corner: u32,
-    // Place in the table of positions, kind, place of the colour among those of the rows.
+    // Index in the table of positions, kind, index of the colour among those of the rows.
     @location(0) ids: vec3u,
 ) -> Corner {
     let size = scene.dots[ids.y].size;
@@ -21,8 +21,8 @@ fn corner_of_dot(
     let high = corner == 2u || corner == 4u || corner == 5u;
     let middle = position_of(ids.x);
     let depth = scale_depth(middle);
-    // In front of the surface around its vertex, also where that surface is steep. Marks come
-    // farther: half a handle is no handle.
+    // Lifted in front of the surface around the vertex, even a steep one. Marks are lifted further,
+    // so that no part of a handle is hidden.
     let steepness = select(1.6, 4.0, ids.y > 0u);
     let forward = reach * scene.canvas.w * steepness + 0.0012;
     let clip = scene.clip_from_scene * vec4f(nearer(middle, min(forward, 0.5)), 1.0);
@@ -35,7 +35,7 @@ fn corner_of_dot(
     }
     let offset = out.at / (0.5 * scene.canvas.xy);
     out.position = vec4f(clip.xy + offset * clip.w, clip.z, clip.w);
-    // A handle is there to be taken wherever it is.
+    // Handles can be picked wherever they are, so the section does not cut them.
     let is_cut = within_section(middle) < 0.0 && ids.y <= SELECTED;
     if depth <= 0.0 || is_cut {
         out.position = vec4f(0.0, 0.0, -1.0, 1.0);
@@ -52,7 +52,7 @@ fn dot_colour(in: Corner) -> vec4f {
     let coverage = clamp(style.size.x * ratio + 0.5 - away, 0.0, 1.0);
     let inside = clamp((style.size.x - style.size.y) * ratio + 0.5 - away, 0.0, 1.0);
     let colour = mix(style.rim, in.fill, inside);
-    // The one under the pointer glows.
+    // The handle under the pointer glows.
     let beyond = clamp((away / ratio - style.size.x) / GLOW, 0.0, 1.0);
     let glow = select(0.0, 0.5 * (1.0 - beyond) * (1.0 - beyond), in.kind == ACTIVE);
     let opacity = max(colour.a * coverage, glow);
@@ -70,9 +70,9 @@ fn behind(in: Corner) -> @location(0) vec4f {
     return vec4f(colour.rgb, colour.a * 0.38);
 }
 
-// The handle under the pointer, and how far it glows, in CSS pixels.
+// The handle under the pointer, and the extent of its glow in CSS pixels.
 const ACTIVE: u32 = 7u;
 const GLOW: f32 = 9.0;
 
-// The kinds up to this one are marks of vertices, those after it handles and the tape.
+// Kinds up to this one mark vertices; the later ones are handles and the tape.
 const SELECTED: u32 = 3u;

@@ -1,26 +1,27 @@
-// Projected shapes, as outlines with a faint inside, and arrows from vertices to their projections, in
-// the colours of the rows of constraints, with a light casing that parts them from whatever is below.
+// Projected shapes, as outlines with a faint inside, and arrows from vertices to their projections,
+// in the colours of the rows of constraints, with a light casing that separates them from what is
+// below.
 
 struct Corner {
     @builtin(position) position: vec4f,
     @location(0) at: vec2f,
     @location(1) @interpolate(flat) ends: vec4f,
     @location(2) @interpolate(flat) colour: vec4f,
-    // Half widths of the line and of the arrow's head, length of the head, width of the casing.
+    // Half widths of the line and of the arrow head, length of the head, width of the casing.
     @location(3) @interpolate(flat) sizes: vec4f,
 }
 
-// A head, in CSS pixels; of a shorter arrow it is the whole.
+// Length of the head in CSS pixels; a shorter arrow is all head.
 const HEAD: f32 = 8.0;
 const HEAD_SLOPE: f32 = 0.42;
-// An arrow that is no longer than this on the screen, in CSS pixels, says nothing.
+// Arrows that are no longer than this on the screen, in CSS pixels, are not drawn.
 const SHORTEST: f32 = 1.5;
 
 @vertex
 fn corner_of_projection(
     @builtin(vertex_index) corner: u32,
     @location(0) ends: vec2u,
-    // Which stroke, and the place of the colour.
+    // Index of the stroke, and index of the colour.
     @location(1) kind: vec2u,
 ) -> Corner {
     let stroke = scene.strokes[kind.x];
@@ -28,8 +29,8 @@ fn corner_of_projection(
     let is_arrow = kind.x == ARROW;
     let from_point = textureLoad(positions, texel(ends.x), 0);
     let to_point = textureLoad(positions, texel(ends.y), 0);
-    // A projected point lies beside the surface, by the fourth number: so much nearer to the eye,
-    // nothing that it belongs to hides it.
+    // The fourth number is the distance of a projected point from its vertex. Lifted by as much,
+    // the point is not hidden by its own surface.
     let depth = max(scale_depth(to_point.xyz), 1e-12);
     let lift = 2.5 * LIFT + min(max(from_point.w, to_point.w) / depth, 0.1);
     let head = select(0.0, HEAD * ratio, is_arrow);
@@ -47,7 +48,7 @@ fn corner_of_projection(
     out.ends = vec4f(quad.start, quad.end);
     let head_length = min(head, length_on_screen);
     out.sizes = vec4f(half_width, head_length * HEAD_SLOPE, head_length, casing);
-    // Outlines that are only a few pixels long fade instead of filling everything, as edges do.
+    // Outlines that are only a few pixels long fade like edges, so that they do not fill the face.
     let fineness = clamp(length_on_screen / (24.0 * ratio), 0.2, 1.0);
     let colour = textureLoad(colour_map, vec2u(kind.y, 2u), 0).rgb;
     out.colour = vec4f(colour, select(fineness, 1.0, is_arrow));
@@ -61,7 +62,7 @@ fn drawn(in: Corner) -> @location(0) vec4f {
     let along = span / total;
     let from_tip = dot(in.ends.zw - in.at, along);
     let aside = abs(dot(in.at - in.ends.xy, vec2f(-along.y, along.x)));
-    // The line ends inside the head, or its round end would blunt the tip.
+    // The shaft ends inside the head; its round end would otherwise blunt the tip.
     let shaft = clamp(dot(in.at - in.ends.xy, along), 0.0, max(total - in.sizes.z, 0.0));
     var away = distance(in.at, in.ends.xy + along * shaft) - in.sizes.x;
     if in.sizes.z > 0.0 {
@@ -81,22 +82,22 @@ struct InsideCorner {
     @location(1) within: f32,
 }
 
-// How much of its colour is on a shape that lies clear of the surface.
+// Opacity of the inside of a shape that lies clear of the surface.
 const INSIDE: f32 = 0.45;
-// It does where it is so many CSS pixels beside it. What lies on its face says nothing, and the colour
-// of the face is seen.
+// Distance from the surface, in CSS pixels, at which this opacity is reached. A shape on its face
+// is transparent, so that the colour of the face is seen.
 const CLEAR: f32 = 9.0;
-// A paper of the colour of its row, which is seen on a face of that colour too.
+// Fraction of white in the inside, which makes it visible on a face of the colour of its row.
 const PAPER: f32 = 0.72;
 
 @vertex
 fn corner_of_inside(
-    // The point, and the place of the colour.
+    // Index of the point, and index of the colour.
     @location(0) ids: vec2u,
     @location(1) beside: f32,
 ) -> InsideCorner {
     let at = position_of(ids.x);
-    // As near to the eye as the outlines are, but for a little: they lie on it.
+    // Lifted slightly less than the outlines, so that those lie on top.
     let depth = max(scale_depth(at), 1e-12);
     let lift = 2.0 * LIFT + min(beside / depth, 0.1);
     let beside_on_screen = beside / (depth * scene.canvas.w * scene.canvas.z);

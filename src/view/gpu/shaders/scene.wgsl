@@ -1,36 +1,36 @@
-// What all primitives share: the scene's numbers, and tables from which vertices are pulled.
+// Shared by all primitives: the uniform block, and the tables from which vertices are pulled.
 // WebGL2 has no storage buffers, so the tables are textures, 1024 texels wide.
 
 struct Stroke {
     colour: vec4f,
-    // Width in CSS pixels; for circles the number of pieces; width of the casing; what is left of the
-    // opacity where the surface hides it.
+    // Width in CSS pixels; for circles the number of segments; width of the casing; factor of the
+    // opacity where the surface hides the line.
     size: vec4f,
 }
 
 struct Dot {
     fill: vec4f,
     rim: vec4f,
-    // Radius and rim width in CSS pixels, 1 for a square, then nothing.
+    // Radius and rim width in CSS pixels, 1 for a square, unused.
     size: vec4f,
 }
 
 struct Scene {
     clip_from_scene: mat4x4f,
-    // Then in parallel projection the depth whose scale everything has, else 0.
+    // w: the depth that sets the scale everywhere in parallel projection, else 0.
     eye: vec4f,
     right: vec4f,
     up: vec4f,
     forward: vec4f,
-    // To the sky, then how high the lowest point of the model is along it.
+    // Up direction; w: height of the lowest point of the model along it.
     sky: vec4f,
     // Width and height in pixels, pixels per CSS pixel, length of a pixel at depth 1.
     canvas: vec4f,
-    // From clip coordinates of the picture to those of the canvas: factors, then what is added.
+    // From clip coordinates of the picture to those of the canvas: factors, then offsets.
     placement: vec4f,
-    // Near depth, from there to the far depth, and how far away things keep light off each other.
+    // Near depth, far minus near depth, reach of the occlusion, strength of the occlusion.
     nearby: vec4f,
-    // The half space that is kept: its points times the first three are at most the fourth.
+    // Section: points with dot(point, xyz) <= w are kept.
     section: vec4f,
     material: vec4f,
     shade: vec4f,
@@ -38,19 +38,19 @@ struct Scene {
     selected: vec4f,
     tint: vec4f,
     sphere: vec4f,
-    // The surface of the ghost, or of the layer.
+    // The surface of the ghost or of the layer.
     ghost: vec4f,
-    // Colour of the dark squares of the checkerboard; its opacity is how much is mixed into a face.
+    // Dark squares of the checkerboard; the opacity is the fraction mixed into a face.
     check: vec4f,
-    // Squares of the checkerboard along a unit of length, 0 for none; then, where vertices have values
-    // in steps, how many steps from a limit the range begins and ends, and where the tolerance is, else 0.
+    // Squares of the checkerboard per unit of length, 0 for none. Then, if vertices have values, in
+    // steps from a band limit: start and end of the range, and the tolerance; else 0.
     checks: vec4f,
-    // Behind everything, from the top of the picture to its bottom.
+    // Background, at the top and the bottom of the picture.
     behind_top: vec4f,
     behind_bottom: vec4f,
-    // On the ground; its opacity is that where all light is kept off.
+    // Shadow on the ground; its opacity applies where all light is blocked.
     shadow: vec4f,
-    // The light of faces that are seen from behind is multiplied by this.
+    // Factor of the light on back faces.
     back: vec4f,
     circle: Stroke,
     strokes: array<Stroke, 16>,
@@ -62,17 +62,17 @@ struct Scene {
 @group(0) @binding(2) var vertex_normals: texture_2d<f32>;
 @group(0) @binding(3) var face_normals: texture_2d<f32>;
 @group(0) @binding(4) var face_looks: texture_2d<f32>;
-// Row 0: the full map of values. Row 1: the colours of the rows of constraints. Row 2: the same, for
-// projections. Row 3: the map of values beyond a tolerance.
+// Row 0: the full map of values. Row 1: the colours of the rows of constraints. Row 2: the same,
+// for projections. Row 3: the map of values beyond a tolerance.
 @group(0) @binding(5) var colour_map: texture_2d<f32>;
-// Where the vertices are on the checkerboard.
+// Positions of the vertices on the checkerboard.
 @group(0) @binding(6) var places: texture_2d<f32>;
 
 fn texel(index: u32) -> vec2u {
     return vec2u(index & 1023u, index >> 10u);
 }
 
-// Its opacity is how much of it is mixed into a face.
+// Colour of a row of constraints; its opacity is the fraction mixed into a face.
 fn colour_of_row(place: u32) -> vec4f {
     return textureLoad(colour_map, vec2u(place, 1u), 0);
 }
@@ -85,7 +85,7 @@ fn is_parallel() -> bool {
     return scene.eye.w > 0.0;
 }
 
-// The depth that decides how large things are at a point.
+// Depth that determines the size on the screen at a point.
 fn scale_depth(point: vec3f) -> f32 {
     if is_parallel() {
         return scene.eye.w;
@@ -93,7 +93,7 @@ fn scale_depth(point: vec3f) -> f32 {
     return dot(point - scene.eye.xyz, scene.forward.xyz);
 }
 
-// From a point towards the eye.
+// Unit vector from a point towards the eye.
 fn to_eye_from(point: vec3f) -> vec3f {
     if is_parallel() {
         return -scene.forward.xyz;
@@ -101,7 +101,7 @@ fn to_eye_from(point: vec3f) -> vec3f {
     return normalize(scene.eye.xyz - point);
 }
 
-// A point that comes towards the eye by a part of its distance: its place on the screen stays.
+// Moves a point towards the eye by a fraction of its distance; its screen position stays.
 fn nearer(point: vec3f, part: f32) -> vec3f {
     if is_parallel() {
         return point - scene.forward.xyz * (part * scene.eye.w);
@@ -109,12 +109,12 @@ fn nearer(point: vec3f, part: f32) -> vec3f {
     return mix(point, scene.eye.xyz, part);
 }
 
-// How far a point is on the side of the section plane that is kept; less than nothing where it is cut off.
+// Distance from the section plane, negative where the section cuts off.
 fn within_section(point: vec3f) -> f32 {
     return scene.section.w - dot(point, scene.section.xyz);
 }
 
-// Where a place in clip coordinates of the canvas is in those of the picture.
+// Converts clip coordinates of the canvas to those of the picture.
 fn on_picture(at: vec2f) -> vec2f {
     return (at - scene.placement.zw) / scene.placement.xy;
 }

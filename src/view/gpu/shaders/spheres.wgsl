@@ -1,9 +1,9 @@
-// Fitted spheres: a tinted glass ball with its outline and three great circles. The ball is met by
-// the line of sight of each pixel, so that it is round at every size and from inside.
+// Fitted spheres, as tinted glass balls with their outline and three great circles. The ray through
+// each pixel is intersected with the ball, which is therefore round at every size and from inside.
 
 struct Corner {
     @builtin(position) position: vec4f,
-    // From where the line of sight begins through the pixel, any length.
+    // Direction of the ray through the pixel, of any length; it starts at `begins`.
     @location(0) sight: vec3f,
     @location(1) @interpolate(flat) ball: vec4f,
     @location(2) begins: vec3f,
@@ -27,8 +27,8 @@ fn corner_of_sphere(
     let away = length(to_centre);
     var out: Corner;
     out.ball = vec4f(centre, radius);
-    // Across the line of sight to the centre, the cone that touches the ball has this radius. Near
-    // the ball, or inside, the whole canvas is covered instead.
+    // Radius, at the centre and across the ray to it, of the cone that touches the ball. Near the
+    // ball or inside, the whole canvas is covered instead.
     let reach = 1.02 * radius * away / sqrt(max(away * away - radius * radius, 1e-12));
     out.begins = scene.eye.xyz;
     if is_parallel() {
@@ -60,7 +60,7 @@ fn glass(in: Corner) -> Pixel {
     let radius = in.ball.w;
     let from_centre = in.begins - in.ball.xyz;
     let middle = -dot(from_centre, sight);
-    // Where the line of sight passes nearest to the centre.
+    // Smallest distance of the ray from the centre.
     let miss = length(from_centre + sight * middle);
     let half_chord = sqrt(max(radius * radius - miss * miss, 0.0));
     let front = middle - half_chord;

@@ -1,23 +1,23 @@
-// A line of constant width on the screen: a quad around each segment, with round ends, whose rim
-// is smoothed over one pixel.
+// Lines of constant width on the screen: a quad around each segment, with round ends and a rim that
+// is antialiased over one pixel.
 
 struct StrokeCorner {
     position: vec4f,
-    // On the screen, pixels.
+    // Screen positions in pixels.
     at: vec2f,
     start: vec2f,
     end: vec2f,
 }
 
-// A line on a face comes towards the eye by this part of its distance: its place on the screen
-// stays, and it lies in front of the face.
+// Lines on a face are moved towards the eye by this fraction of their distance: their screen
+// position stays, and they lie in front of the face.
 const LIFT: f32 = 0.0006;
 
 fn pixels(clip: vec4f) -> vec2f {
     return clip.xy / clip.w * 0.5 * scene.canvas.xy;
 }
 
-// The same of the part of the segment that the section plane leaves.
+// Like `stroke_corner`, for the part of the segment that the section plane keeps.
 fn cut_stroke_corner(a: vec3f, b: vec3f, corner: u32, half_width: f32, lift: f32) -> StrokeCorner {
     let inside = vec2f(within_section(a), within_section(b));
     if max(inside.x, inside.y) < 0.0 {
@@ -31,7 +31,8 @@ fn cut_stroke_corner(a: vec3f, b: vec3f, corner: u32, half_width: f32, lift: f32
     return stroke_corner(start, end, corner, half_width, lift);
 }
 
-// Corner 0 to 5 of the two triangles around the segment from a to b, lifted towards the eye.
+// Returns corner 0 to 5 of the two triangles around the segment from a to b, lifted towards the
+// eye.
 fn stroke_corner(a: vec3f, b: vec3f, corner: u32, half_width: f32, lift: f32) -> StrokeCorner {
     var from_clip = scene.clip_from_scene * vec4f(nearer(a, lift), 1.0);
     var to_clip = scene.clip_from_scene * vec4f(nearer(b, lift), 1.0);
@@ -40,7 +41,7 @@ fn stroke_corner(a: vec3f, b: vec3f, corner: u32, half_width: f32, lift: f32) ->
         out.position = vec4f(0.0, 0.0, -1.0, 1.0);
         return out;
     }
-    // Cut at the near plane before the division.
+    // Clipped at the near plane before the perspective division.
     let part = from_clip.z / (from_clip.z - to_clip.z);
     if from_clip.z < 0.0 {
         from_clip = mix(from_clip, to_clip, part);
