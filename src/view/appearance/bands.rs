@@ -1,8 +1,10 @@
-//! Values in steps: each band between two round limits has one colour, and lines part the bands.
+//! Values in bands: each band between two round limits has one colour, and lines separate the
+//! bands.
 //!
-//! Most measures are one number per face: a face is in one band, and the lines run along the edges
-//! between faces of different bands. Where every vertex has a value, the faces are coloured by what
-//! lies between their corners, and the lines are isolines through them (`shaders/faces.wgsl`).
+//! Most measures have one value per face: a face is in one band, and the lines run along the edges
+//! between faces of different bands. If every vertex has a value, the faces are coloured by
+//! interpolation between their corners, and the lines are isolines through the faces
+//! (`shaders/faces.wgsl`).
 
 use super::colour_map::{ColourMap, texel};
 use super::colour_scale::ColourScale;
@@ -10,7 +12,7 @@ use super::round_length::round_down;
 use crate::math::polygon_sides;
 use crate::view::model::Lists;
 
-/// There are at least so many bands in a range, and at most five halves as many.
+/// Minimum number of bands in a range; the maximum is 5/2 of it.
 const LEAST: f64 = 5.0;
 
 /// Round limits over a range of values.
@@ -19,16 +21,16 @@ pub struct Bands {
     scale: ColourScale,
     low: f64,
     high: f64,
-    /// From one limit to the next, a round number in the unit of the values, or of their logarithm.
+    /// Distance between limits, a round number in the unit of the values or of their logarithm.
     pub step: f64,
-    /// The limits inside the range, as parts of it.
+    /// The limits inside the range, as fractions of it.
     pub limits: Vec<f64>,
-    /// Per band the texel of the colour map in its middle.
+    /// For each band the texel of the colour map at its midpoint.
     pub texels: Vec<u8>,
 }
 
 impl Bands {
-    /// For the range of a scale; none where there is nothing in it.
+    /// Creates the bands for the range of a scale; none if the range is empty.
     pub fn new(scale: ColourScale) -> Option<Bands> {
         let [low, high] = scale.ends();
         let step = round_down((high - low) / LEAST);
@@ -45,14 +47,14 @@ impl Bands {
         Some(Bands { scale, low, high, step, limits, texels })
     }
 
-    /// Which band a value is in, from 0 on; values beyond the range are in its first or last band,
-    /// and what is not a number is in none.
+    /// Returns the index of the band of a value. Values outside the range are in the first or last
+    /// band; NaN is in none.
     pub fn band(&self, value: f32) -> Option<usize> {
         let part = (self.scale.coordinate(value) - self.low) / (self.high - self.low);
         (!part.is_nan()).then(|| self.limits.partition_point(|&limit| limit <= part))
     }
 
-    /// The CSS colour of each band.
+    /// Returns the CSS colour of each band.
     pub fn colours(&self, map: ColourMap) -> Vec<String> {
         let css = |&texel: &u8| {
             let [r, g, b] = (map.colour(texel) * 255.0).round().to_array();
@@ -61,13 +63,13 @@ impl Bands {
         self.texels.iter().map(css).collect()
     }
 
-    /// Where the range begins and ends, in steps from a limit.
+    /// Returns the ends of the range, in steps from a limit.
     pub fn range_in_steps(&self) -> [f32; 2] {
         [self.low, self.high].map(|end| self.steps_to(end))
     }
 
-    /// A value in the same steps, whole at the limits; at most a little outside the range. What is not
-    /// a number is at its beginning.
+    /// Returns a value in the same steps: whole at the limits, and clamped to slightly more than
+    /// the range. NaN is at the start of the range.
     pub fn in_steps(&self, value: f32) -> f32 {
         let [begins, ends] = self.range_in_steps();
         let steps = self.steps_to(self.scale.coordinate(value));
@@ -75,13 +77,13 @@ impl Bands {
     }
 
     fn steps_to(&self, value: f64) -> f32 {
-        // One more: no value in the range is less than nothing.
+        // Counted from one step below the first, so that no value in the range is negative.
         let whole = (self.low / self.step).floor() - 1.0;
         (value / self.step - whole) as f32
     }
 }
 
-/// Two faces with the edge between them.
+/// Two faces and the edge between them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Seam {
     /// The vertices of the edge.
@@ -90,7 +92,8 @@ pub struct Seam {
     pub faces: [u32; 2],
 }
 
-/// Every edge that parts two faces, with them; where more than two meet, each next to the one before.
+/// Returns every edge between two faces. If more than two faces meet, each is paired with the one
+/// before.
 pub fn seams(faces: &Lists) -> Vec<Seam> {
     let mut sides: Vec<([u32; 2], u32)> = Vec::new();
     for (face, corners) in (0..).zip(faces.iter()) {
@@ -132,7 +135,7 @@ mod tests {
         let limits: Vec<f64> = bands.limits.iter().map(|part| part * 0.038).collect();
         assert_eq!(limits.len(), 7);
         assert!((limits[0] - 0.005).abs() < 1e-9 && (limits[6] - 0.035).abs() < 1e-9);
-        // A limit at the end of the range parts nothing.
+        // A limit at the end of the range separates nothing.
         assert_eq!(of(0.0, 0.01).unwrap().limits.len(), 4);
         assert_eq!(of(3.0, 8.0).unwrap().limits, [0.2, 0.4, 0.6, 0.8]);
         for (low, high) in [(0.0, 0.0), (1.0, 0.5), (0.0, f32::NAN), (0.0, f32::INFINITY)] {

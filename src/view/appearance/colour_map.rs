@@ -1,38 +1,38 @@
-//! The perceptually uniform colour maps of errors, which also read to colour-blind eyes: viridis (van
-//! der Walt and Smith 2015) from its light end to its dark one, a grey, one that diverges at a tolerance, and
-//! one for values beyond a tolerance. No error is light in all of them: what is asked for is calm, and what
-//! is wrong is seen.
+//! Perceptually uniform colour maps of errors, which are also readable with colour blindness:
+//! viridis (van der Walt and Smith 2015) from its light to its dark end, a grey map, one that
+//! diverges at a tolerance, and one for values beyond a tolerance. In all of them small errors are
+//! light and unobtrusive, and large errors stand out.
 //!
-//! Values of both signs have a map that is pale at zero and as dark at both ends.
+//! Values of both signs have a map that is pale at zero and equally dark at both ends.
 //!
-//! Values within the tolerance have the colour of the material, light or dark. So the map of those beyond
-//! it begins pale, but where it differs from every grey, and ends before it is dark: a shape that is
-//! nearly as asked is calm, and the worst faces are seen on both themes. Our own maps go along straight lines
-//! of Oklab (Ottosson 2020) at an even speed.
+//! Values within the tolerance have the colour of the material, light or dark. Therefore the map of
+//! values beyond it starts pale, but distinct from every grey, and ends before it is dark: a nearly
+//! perfect shape looks calm, and the worst faces are visible on both themes. Our own maps follow
+//! straight lines in Oklab (Ottosson 2020) at constant speed.
 
 use crate::view::model::ViewError;
 use glam::{DVec3, Vec3};
 
-/// Texels of the map's texture.
+/// Number of texels of the map's texture.
 pub const TEXELS: usize = 256;
 
-/// Which values have which colours.
+/// A colour map, and the values that it applies to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ColourMap {
     /// For all values: from yellow over green to violet.
     Viridis,
     /// For all values: from nearly white to dark.
     Grey,
-    /// For all values: from light blue to nearly white, which is at this part of the range, and on over
+    /// For all values: from light blue to nearly white, at this fraction of the range, and on over
     /// orange to dark red.
     Diverging(f64),
     /// For values beyond a tolerance: from apricot over coral and magenta to violet.
     Beyond,
-    /// For values of both signs, with nothing in the middle: from blue over pale grey to orange.
+    /// For values of both signs, with zero in the middle: from blue over pale grey to orange.
     AroundZero,
 }
 
-/// Which map somebody wants for all values.
+/// The map chosen for all values.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum MapChoice {
     /// [`ColourMap::Viridis`].
@@ -40,13 +40,13 @@ pub enum MapChoice {
     Viridis,
     /// [`ColourMap::Grey`].
     Grey,
-    /// [`ColourMap::Diverging`] from both sides of this value.
+    /// [`ColourMap::Diverging`] about this value.
     Diverging(f32),
 }
 
 impl MapChoice {
-    /// The map of that name: `viridis`, `grey`, or `diverging` from both sides of `middle`, without which it
-    /// is viridis.
+    /// Returns the map with this name: `viridis`, `grey`, or `diverging` about `middle` (viridis
+    /// without `middle`).
     ///
     /// # Errors
     /// Any other name.
@@ -63,16 +63,16 @@ impl MapChoice {
     }
 }
 
-/// Where [`ColourMap::Beyond`] turns, in Oklab.
+/// Vertices of [`ColourMap::Beyond`] in Oklab.
 const BEYOND: [DVec3; 4] = [
     DVec3::new(0.873, 0.040, 0.050),
     DVec3::new(0.737, 0.106, 0.078),
     DVec3::new(0.579, 0.184, -0.027),
     DVec3::new(0.432, 0.122, -0.150),
 ];
-/// The same of [`ColourMap::Grey`].
+/// Vertices of [`ColourMap::Grey`].
 const GREY: [DVec3; 2] = [DVec3::new(0.965, 0.0, 0.0), DVec3::new(0.32, 0.0, 0.0)];
-/// Of [`ColourMap::Diverging`], below the middle and above it.
+/// Vertices of [`ColourMap::Diverging`], below the middle and above it.
 const WITHIN: [DVec3; 2] = [DVec3::new(0.79, -0.045, -0.085), DVec3::new(0.97, 0.0, 0.008)];
 const ABOVE: [DVec3; 4] = [
     WITHIN[1],
@@ -81,7 +81,7 @@ const ABOVE: [DVec3; 4] = [
     DVec3::new(0.36, 0.125, 0.030),
 ];
 
-/// Where [`ColourMap::AroundZero`] turns; its middle is that of the map, both ways are alike in lightness.
+/// Vertices of [`ColourMap::AroundZero`]; its two halves have similar lightness.
 const AROUND_ZERO: [DVec3; 5] = [
     DVec3::new(0.42, -0.025, -0.135),
     DVec3::new(0.68, -0.045, -0.085),
@@ -90,7 +90,7 @@ const AROUND_ZERO: [DVec3; 5] = [
     DVec3::new(0.44, 0.105, 0.085),
 ];
 
-/// The colour at a part of the way along a polyline in Oklab.
+/// Returns the colour at a fraction of the length of a polyline in Oklab.
 fn along(line: &[DVec3], part: f64) -> colorous::Color {
     let sides = || line.windows(2).map(|ends| (ends[0], ends[1]));
     let mut left = part * sides().map(|(from, to)| from.distance(to)).sum::<f64>();
@@ -104,7 +104,7 @@ fn along(line: &[DVec3], part: f64) -> colorous::Color {
     srgb(line[line.len() - 1])
 }
 
-/// The sRGB colour of a colour of Oklab that has one.
+/// Converts a colour inside the sRGB gamut from Oklab to sRGB.
 fn srgb(oklab: DVec3) -> colorous::Color {
     let cone = |a: f64, b: f64| (oklab.x + a * oklab.y + b * oklab.z).powi(3);
     let long = cone(0.396_337_777_4, 0.215_803_757_3);
@@ -113,7 +113,7 @@ fn srgb(oklab: DVec3) -> colorous::Color {
     let byte = |l: f64, m: f64, s: f64| {
         let linear = (l * long + m * middle + s * short).clamp(0.0, 1.0);
         let part = if linear > 0.003_130_8 {
-            // To the power of 5/12: the third root, times its fourth root.
+            // linear^(5/12) = linear^(1/3) * linear^(1/12).
             let root = linear.cbrt();
             1.055 * root * root.sqrt().sqrt() - 0.055
         } else {
@@ -129,7 +129,7 @@ fn srgb(oklab: DVec3) -> colorous::Color {
 }
 
 impl ColourMap {
-    /// The colour of a place from 0 to 1.
+    /// Returns the colour at a position from 0 to 1.
     fn at(self, part: f64) -> colorous::Color {
         match self {
             ColourMap::Viridis => colorous::VIRIDIS.eval_continuous(1.0 - part),
@@ -139,7 +139,7 @@ impl ColourMap {
             ColourMap::Diverging(middle) => along(&ABOVE, (part - middle) / (1.0 - middle)),
             ColourMap::Beyond => along(&BEYOND, part),
             ColourMap::AroundZero => {
-                // Nothing is in the middle, whichever way is longer.
+                // Zero is in the middle, whichever half is longer.
                 let half = if part < 0.5 { &AROUND_ZERO[..3] } else { &AROUND_ZERO[2..] };
                 along(half, if part < 0.5 { 2.0 * part } else { 2.0 * part - 1.0 })
             }
@@ -148,13 +148,13 @@ impl ColourMap {
 
     fn of_texel(self, texel: usize) -> colorous::Color {
         match self {
-            // The nearest of the 256 colours by which viridis is defined.
+            // The nearest of the 256 colours that define viridis.
             ColourMap::Viridis => colorous::VIRIDIS.eval_rational(TEXELS - 1 - texel, TEXELS),
             _ => self.at(texel as f64 / (TEXELS - 1) as f64),
         }
     }
 
-    /// The map as RGBA bytes, `TEXELS` by 4.
+    /// Returns the map as RGBA bytes, `TEXELS` by 4.
     pub fn texels(self) -> Vec<u8> {
         (0..TEXELS)
             .flat_map(|texel| {
@@ -164,13 +164,13 @@ impl ColourMap {
             .collect()
     }
 
-    /// The sRGB colour of a texel, each part 0 to 1.
+    /// Returns the sRGB colour of a texel, components from 0 to 1.
     pub fn colour(self, texel: u8) -> Vec3 {
         let colour = self.of_texel(usize::from(texel));
         Vec3::new(f32::from(colour.r), f32::from(colour.g), f32::from(colour.b)) / 255.0
     }
 
-    /// `count` CSS colours from the low to the high end of the map.
+    /// Returns `count` CSS colours from the low to the high end of the map.
     pub fn stops(self, count: usize) -> Vec<String> {
         (0..count)
             .map(|i| {
@@ -182,7 +182,7 @@ impl ColourMap {
     }
 }
 
-/// The texel of a place from 0 to 1.
+/// Returns the texel of a position from 0 to 1.
 pub fn texel(part: f64) -> u8 {
     (part.clamp(0.0, 1.0) * (TEXELS - 1) as f64).round() as u8
 }
@@ -222,7 +222,8 @@ mod tests {
             let lightness = |texel: u8| lab(map.colour(texel)).x;
             assert!(lightness(0) > 72.0, "{map:?}: {}", lightness(0));
             assert!(lightness(255) < 40.0, "{map:?}: {}", lightness(255));
-            // Beyond the middle of a diverging map, and in all others everywhere, more is darker.
+            // Colours get darker above the middle of a diverging map, and everywhere in the other
+            // maps.
             let first = if let ColourMap::Diverging(middle) = map { texel(middle) } else { 0 };
             let all: Vec<f32> = (first..=255).map(lightness).collect();
             assert!(all.windows(2).all(|pair| pair[1] < pair[0] + 0.25), "{map:?}");
@@ -249,7 +250,7 @@ mod tests {
         assert!(MapChoice::named("jet", None).is_err());
     }
 
-    /// CIE L*a*b* of an sRGB colour, white D65.
+    /// Returns the CIE L*a*b* coordinates of an sRGB colour, white D65.
     fn lab(colour: Vec3) -> Vec3 {
         let linear = colour.to_array().map(|part| {
             if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
@@ -266,7 +267,7 @@ mod tests {
         Vec3::new(116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z))
     }
 
-    /// Just noticeable is a distance of about 2.3.
+    /// The just noticeable difference is about 2.3.
     #[test]
     fn beyond_the_tolerance_every_colour_differs_plainly_from_the_material_in_any_light() {
         let rgb = |[r, g, b, _]: Colour| Vec3::new(r, g, b);
@@ -283,8 +284,9 @@ mod tests {
         }
     }
 
-    /// Eighths of the map, or of each side of a diverging one: no step is much larger than another. Those of
-    /// viridis are even in a newer space of colours; in this one its lightness is.
+    /// Steps are eighths of the map, or of each side of a diverging one: no step is much larger
+    /// than another. The steps of viridis are uniform in a newer colour space; in this one only its
+    /// lightness is.
     #[test]
     fn equal_steps_look_equal() {
         let sides = [(0.0, 0.4), (0.4, 1.0)];

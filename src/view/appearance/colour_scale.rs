@@ -1,46 +1,46 @@
-//! From the values of faces to places on a colour map: over a range, evenly or by their logarithm, and
-//! with a tolerance: what is within it keeps the material.
+//! From the values of faces to positions on a colour map: over a range, linear or logarithmic, and
+//! with an optional tolerance within which values keep the material.
 
-/// So far below its high end does a logarithmic scale begin at the latest.
+/// Minimum ratio of the low end of a logarithmic scale to its high end.
 const LEAST_PART: f64 = 1e-6;
 
-/// How values become colours.
+/// The mapping of values to colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColourScale {
     /// The value at the first colour.
     pub low: f32,
     /// The value at the last colour.
     pub high: f32,
-    /// Values up to this keep the material, and those beyond it have the map of what is beyond a
-    /// tolerance; without one all values are on the full map.
+    /// Values up to this keep the material, and values beyond it have a map of their own; without a
+    /// tolerance all values are on the full map.
     pub tolerance: Option<f32>,
-    /// Equal factors of a value are equal steps, instead of equal differences.
+    /// Whether equal factors of a value, rather than equal differences, are equal steps.
     pub logarithmic: bool,
 }
 
 impl ColourScale {
-    /// The full map, evenly.
+    /// Creates a linear scale over the full map.
     pub fn linear(low: f32, high: f32) -> ColourScale {
         ColourScale { low, high, tolerance: None, logarithmic: false }
     }
 
-    /// Whether values have both signs: the range is as long to both sides of 0.
+    /// Returns whether values have both signs: the range is then symmetric about 0.
     pub fn is_signed(&self) -> bool {
         self.low < 0.0
     }
 
-    /// Whether a value keeps the material.
+    /// Returns whether a value keeps the material.
     pub fn is_within(&self, value: f32) -> bool {
         self.tolerance.is_some_and(|tolerance| value <= tolerance)
     }
 
-    /// Where the range begins and ends, in the coordinate of [`ColourScale::coordinate`].
+    /// Returns the ends of the range, as [`ColourScale::coordinate`].
     pub fn ends(&self) -> [f64; 2] {
         [self.low, self.high].map(|end| self.along(exact(end)))
     }
 
-    /// The quantity that is proportional to the place of a value in the range: the value itself or its logarithm to
-    /// the base 10. What is not a number stays none.
+    /// Returns the quantity that is linear in the position of a value in the range: the value
+    /// itself, or its logarithm to base 10. NaN stays NaN.
     pub fn coordinate(&self, value: f32) -> f64 {
         self.along(f64::from(value))
     }
@@ -52,8 +52,8 @@ impl ColourScale {
         value.max(LEAST_PART * f64::from(self.high)).log10()
     }
 
-    /// The place of a value in the range, from 0 to 1; values beyond it are at its ends. `None` stands
-    /// for a value that is not a number. Where there is no range, everything is at the low end.
+    /// Returns the position of a value in the range, from 0 to 1; values beyond it are at its ends.
+    /// `None` for NaN. If the range is empty, everything is at the low end.
     pub fn part(&self, value: f32) -> Option<f64> {
         if value.is_nan() {
             return None;
@@ -64,7 +64,7 @@ impl ColourScale {
     }
 }
 
-/// The shortest decimal: what was entered as 0.01 is not a little less.
+/// Converts via the shortest decimal: a value entered as 0.01 is not slightly less.
 fn exact(value: f32) -> f64 {
     format!("{value}").parse().unwrap_or_else(|_| f64::from(value))
 }
@@ -89,7 +89,7 @@ mod tests {
             let found = scale.part(value).unwrap();
             assert!((found - part).abs() < 1e-6, "{value}: {found}");
         }
-        // A range from nothing on has a first factor all the same.
+        // A range that starts at zero still has a finite low end.
         let from_nothing = ColourScale { logarithmic: true, ..ColourScale::linear(0.0, 1.0) };
         assert!(from_nothing.ends().iter().all(|end| end.is_finite()));
         assert!(from_nothing.part(1e-3).unwrap() > 0.3);

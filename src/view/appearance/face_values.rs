@@ -1,6 +1,6 @@
-//! The appearance of a face beside its shape: its value on the colour map, whether it is selected,
-//! the colour of the row of constraints that acts on it, whether it is a member of the one that is
-//! pointed at. Four bytes per face.
+//! The appearance of a face: its value on the colour map, the colour of the row of constraints that
+//! acts on it, whether it is selected, and whether it is a member of the highlighted constraint.
+//! Four bytes per face.
 
 use super::bands::Bands;
 use super::colour_map::{ColourMap, MapChoice, texel};
@@ -13,18 +13,18 @@ use crate::view::model::{ViewError, check_indices};
 pub enum FaceColour {
     /// The material.
     Plain,
-    /// A row of constraints: its place among the colours of rows, from 1 on.
+    /// A row of constraints: the index of its colour, from 1 on.
     Row(u8),
     /// A value: its texel on the map of all values, or of both signs.
     Value(u8),
-    /// A value beyond the tolerance: its texel on the map of these.
+    /// A value beyond the tolerance: its texel on the map of such values.
     Beyond(u8),
-    /// There should be a value, but it is not a number.
+    /// The value is NaN.
     NoValue,
 }
 
 impl FaceColour {
-    /// Bytes 0 and 1 of the look of a face.
+    /// Returns bytes 0 and 1 of the look of a face.
     fn bytes(self) -> [u8; 2] {
         match self {
             FaceColour::Plain => [0, 0],
@@ -39,14 +39,15 @@ impl FaceColour {
 /// Values and marks of the faces and vertices.
 #[derive(Clone, Debug, Default)]
 pub struct Appearance {
-    /// Per face, or nothing for the plain material.
+    /// Values of the faces and their scale, or none for the plain material.
     values: Option<(Vec<f32>, ColourScale)>,
-    /// #V, what the values of the faces are the greatest of; nothing where they are not of vertices.
+    /// #V, of which each face has the largest as its value; none if the measure has no vertex
+    /// values.
     corners: Option<Vec<f32>>,
     in_bands: bool,
-    /// For when all values have colours.
+    /// The map to use when all values have colours.
     map: MapChoice,
-    /// When values are shown in bands.
+    /// The bands, if values are shown in bands.
     bands: Option<Bands>,
     /// Selected vertices.
     pub selected_vertices: Vec<u32>,
@@ -55,15 +56,15 @@ pub struct Appearance {
     selected_faces: Vec<u32>,
     tinted_vertices: Vec<u32>,
     tinted_faces: Vec<u32>,
-    /// Colours of the rows of constraints; values go before them.
+    /// Colours of the rows of constraints; values take precedence.
     pub rows: RowColours,
 }
 
 impl Appearance {
-    /// Colours faces by `values` (#F) on a scale; `None` is the plain material.
+    /// Colours faces by `values` (#F) on a scale; `None` restores the plain material.
     ///
     /// # Errors
-    /// Another number of values than faces.
+    /// The number of values differs from the number of faces.
     pub fn set_values(
         &mut self,
         values: Option<Vec<f32>>,
@@ -77,31 +78,31 @@ impl Appearance {
             return Err(ViewError::Length { what: "face values", got, expected: faces });
         }
         self.values = values.map(|values| (values, scale));
-        self.part();
+        self.update_bands();
         Ok(())
     }
 
-    /// Chooses the map for when all values have colours.
+    /// Chooses the map to use when all values have colours.
     pub fn set_map(&mut self, map: MapChoice) {
         self.map = map;
     }
 
-    /// Shows values in bands, or gradually.
+    /// Shows values in bands, or continuously.
     pub fn set_in_bands(&mut self, in_bands: bool) {
         self.in_bands = in_bands;
-        self.part();
+        self.update_bands();
     }
 
-    /// Whether values are to be shown in bands.
+    /// Returns whether values should be shown in bands.
     pub fn is_in_bands(&self) -> bool {
         self.in_bands
     }
 
-    /// Tells the values of the vertices (#V) whose greatest those of the faces are; bands go through
-    /// the faces then.
+    /// Sets the values of the vertices (#V) of which each face has the largest as its value. Bands
+    /// then run through the faces.
     ///
     /// # Errors
-    /// Another number of values than vertices.
+    /// The number of values differs from the number of vertices.
     pub fn set_corners(
         &mut self,
         corners: Option<Vec<f32>>,
@@ -117,32 +118,33 @@ impl Appearance {
         Ok(())
     }
 
-    fn part(&mut self) {
+    fn update_bands(&mut self) {
         let range = self.values.as_ref().filter(|_| self.in_bands);
         self.bands = range.and_then(|&(_, scale)| Bands::new(scale));
     }
 
-    /// The bands that values are shown in, if they are.
+    /// Returns the bands of the values, if they are shown in bands.
     pub fn bands(&self) -> Option<&Bands> {
         self.bands.as_ref()
     }
 
-    /// The band of a face, where faces are in bands as a whole.
+    /// Returns the band of a face, if each face is in a single band.
     pub fn band_of(&self, face: u32) -> Option<usize> {
         let (values, scale) = self.values.as_ref().filter(|_| self.corners.is_none())?;
         let value = values[face as usize];
         let bands = self.bands.as_ref()?;
-        // What is within the tolerance is a band of its own, after the others.
+        // Values within the tolerance form a band of their own, after the others.
         if scale.is_within(value) { Some(bands.texels.len()) } else { bands.band(value) }
     }
 
-    /// Where bands go through the faces, the range in steps from a limit.
+    /// Returns the range in steps from a band limit, if bands run through the faces.
     pub fn corner_steps(&self) -> Option<[f32; 2]> {
         self.corners.as_ref()?;
         Some(self.bands.as_ref()?.range_in_steps())
     }
 
-    /// The value of a vertex in the steps of [`Appearance::corner_steps`]; zero where there are none.
+    /// Returns the value of a vertex in the steps of [`Appearance::corner_steps`]; zero if there
+    /// are none.
     pub fn corner_in_steps(&self, vertex: usize) -> f32 {
         match (&self.bands, &self.corners) {
             (Some(bands), Some(corners)) => bands.in_steps(corners[vertex]),
@@ -150,7 +152,7 @@ impl Appearance {
         }
     }
 
-    /// The tolerance in the steps of [`Appearance::corner_steps`]; zero where there is none.
+    /// Returns the tolerance in the steps of [`Appearance::corner_steps`]; zero if there is none.
     pub fn tolerance_in_steps(&self) -> f32 {
         let scale = self.values.as_ref().map(|(_, scale)| scale);
         let tolerance = scale.and_then(|scale| scale.tolerance);
@@ -160,17 +162,18 @@ impl Appearance {
         }
     }
 
-    /// Whether faces are coloured by values.
+    /// Returns whether faces are coloured by values.
     pub fn has_values(&self) -> bool {
         self.values.is_some()
     }
 
-    /// Whether all faces have colours of values from light to dark; with a tolerance, only those beyond it have.
+    /// Returns whether all faces have colours of values from light to dark. With a tolerance only
+    /// those beyond it have.
     pub fn has_full_map(&self) -> bool {
         self.has_values() && !matches!(self.map(), ColourMap::Beyond | ColourMap::AroundZero)
     }
 
-    /// The map of the values.
+    /// Returns the map of the values.
     pub fn map(&self) -> ColourMap {
         match &self.values {
             Some((_, scale)) if scale.is_signed() => ColourMap::AroundZero,
@@ -179,7 +182,7 @@ impl Appearance {
         }
     }
 
-    /// The map of values that all have colours.
+    /// Returns the map for values that all have colours.
     fn full_map(&self, scale: Option<&ColourScale>) -> ColourMap {
         match self.map {
             MapChoice::Viridis => ColourMap::Viridis,
@@ -191,10 +194,10 @@ impl Appearance {
         }
     }
 
-    /// Marks vertices and faces as selected, and no others.
+    /// Sets the selected vertices and faces.
     ///
     /// # Errors
-    /// An index that names nothing.
+    /// An index out of range.
     pub fn select(
         &mut self,
         vertices: Vec<u32>,
@@ -207,10 +210,10 @@ impl Appearance {
         Ok(())
     }
 
-    /// Marks vertices and faces as members of a constraint, and no others.
+    /// Sets the vertices and faces that are marked as members of a constraint.
     ///
     /// # Errors
-    /// An index that names nothing.
+    /// An index out of range.
     pub fn tint(
         &mut self,
         vertices: Vec<u32>,
@@ -223,7 +226,7 @@ impl Appearance {
         Ok(())
     }
 
-    /// Marks the same vertices and faces as `other`, and has the same map.
+    /// Copies the marks and the map of `other`.
     pub fn mark_as(&mut self, other: &Appearance) {
         self.map = other.map;
         self.selected_vertices.clone_from(&other.selected_vertices);
@@ -232,12 +235,12 @@ impl Appearance {
         self.tinted_faces.clone_from(&other.tinted_faces);
     }
 
-    /// Tinted vertices that need a dot: where whole faces are tinted, dots would be noise.
+    /// Returns the tinted vertices that need a dot; none if whole faces are tinted.
     pub fn tinted_dots(&self) -> &[u32] {
         if self.tinted_faces.is_empty() { &self.tinted_vertices } else { &[] }
     }
 
-    /// The meaning of the colour of a face.
+    /// Returns the meaning of the colour of a face.
     pub fn colour_of(&self, face: usize) -> FaceColour {
         if let Some((values, scale)) = &self.values {
             let value = values[face];
@@ -258,7 +261,7 @@ impl Appearance {
         }
     }
 
-    /// Per face: texel, kind of colour, selected, tinted; #F by 4 bytes.
+    /// Returns texel, kind of colour, selected and tinted for each face; #F by 4 bytes.
     pub fn bytes(&self, faces: usize) -> Vec<u8> {
         let mut bytes = vec![0; faces * 4];
         for (face, look) in bytes.chunks_exact_mut(4).enumerate() {
@@ -292,7 +295,7 @@ mod tests {
         assert!(matches!(colours[2], FaceColour::Beyond(_)));
         assert!(appearance.has_values() && !appearance.has_full_map());
         assert_eq!(appearance.bytes(5)[12..14], [255, 191]);
-        // A line parts what is within from the first band beyond.
+        // A line separates values within the tolerance from the first band beyond it.
         appearance.set_in_bands(true);
         assert_eq!(appearance.band_of(0), appearance.band_of(1));
         assert_ne!(appearance.band_of(1), appearance.band_of(2));
@@ -355,7 +358,7 @@ mod tests {
         let [low, middle, high] = [0, 128, 255].map(FaceColour::Value);
         assert_eq!(colours, [low, middle, high, FaceColour::NoValue]);
         assert_eq!(appearance.map(), ColourMap::AroundZero);
-        // Its edges are not those that are light on a dark map.
+        // Its edges are not those of a full map.
         assert!(!appearance.has_full_map());
     }
 

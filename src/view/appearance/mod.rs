@@ -1,14 +1,14 @@
-//! Colours of faces and of all else.
+//! Colours of faces, lines and dots.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `face_values` | values, selections and highlights of faces, edges and vertices, and their colours |
 //! | `colour_map` | perceptually uniform colour maps |
-//! | `colour_scale` | from a value to a place in the map |
-//! | `bands` | steps of the colour scale, and the lines between them |
+//! | `colour_scale` | from a value to a position on the map |
+//! | `bands` | bands of values, and the lines between them |
 //! | `row_colours` | a colour for each row of constraints |
 //! | `palette` | colours and widths of lines and dots, for both themes |
-//! | `round_length` | lengths of 1, 2 or 5 and zeros |
+//! | `round_length` | round lengths: 1, 2 or 5 times a power of ten |
 
 pub mod bands;
 pub mod colour_map;

@@ -1,86 +1,86 @@
-//! All colours and sizes of the picture, for light and dark. Colours are sRGB, sizes CSS pixels.
+//! All colours and sizes of the picture, for both themes. Colours are sRGB, sizes CSS pixels.
 
-/// An sRGB colour with opacity, each 0 to 1.
+/// An sRGB colour with opacity, components from 0 to 1.
 pub type Colour = [f32; 4];
 
-/// How a line is drawn.
+/// The style of a line.
 #[derive(Clone, Copy, Debug)]
 pub struct Stroke {
     /// Colour and opacity.
     pub colour: Colour,
     /// Width.
     pub width: f32,
-    /// Width of the casing on each side, whose colour is `colour`; the line has a colour of its own
-    /// then.
+    /// Width of the casing on each side. If positive, `colour` is that of the casing; the line has
+    /// a colour of its own.
     pub casing: f32,
-    /// Of its opacity, what is left where the surface hides it.
+    /// Factor of the opacity where the surface hides the line.
     pub hidden: f32,
 }
 
-/// How a dot is drawn.
+/// The style of a dot.
 #[derive(Clone, Copy, Debug)]
 pub struct Dot {
-    /// Inside.
+    /// The colour of the inside.
     pub fill: Colour,
-    /// The rim around it.
+    /// The colour of the rim.
     pub rim: Colour,
-    /// From the middle to the outside of the rim.
+    /// Radius to the outside of the rim.
     pub radius: f32,
     /// Width of the rim.
     pub rim_width: f32,
-    /// 0 is round, 1 is square.
+    /// 0 for round, 1 for square.
     pub square: f32,
 }
 
-/// The meaning of a line; its number is its place in [`Palette::strokes`].
+/// The meaning of a line; its value is its index in [`Palette::strokes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineKind {
-    /// Between two faces.
+    /// An edge between two faces.
     Edge = 0,
-    /// On the rim of the surface.
+    /// An edge on the boundary of the surface.
     Boundary = 1,
-    /// Part of a polyline.
+    /// A segment of a polyline.
     Curve = 2,
-    /// From a handle to where it should be.
+    /// From a handle to its target.
     Pull = 3,
-    /// Of a projected shape; the shader knows its number.
+    /// The outline of a projected shape; the shader uses its number.
     Outline = 4,
-    /// From a vertex to its projection; the shader knows its number.
+    /// From a vertex to its projection; the shader uses its number.
     Arrow = 5,
     /// A selected edge.
     Selected = 6,
-    /// An edge of the model as it was opened; the shader knows its number.
+    /// An edge of the mesh as it was opened; the shader uses its number.
     Ghost = 7,
-    /// Of the grid on the ground.
+    /// A line of the grid on the ground.
     Ground = 8,
     /// The measuring tape.
     Tape = 9,
     /// Between faces whose values are in different bands.
     Band = 10,
-    /// A side of a face that the flat map turns over.
+    /// A side of a face that the flat map flips.
     Flipped = 11,
-    /// Of the layer beside the surface; the shader knows its number.
+    /// A line of the layer beside the surface; the shader uses its number.
     Layer = 12,
-    /// Of the layer, where it cannot be built.
+    /// A line of the layer where it cannot be built.
     Failed = 13,
-    /// Over the surface, along the larger principal curvature; the shader knows its number.
+    /// Over the surface, along the larger principal curvature; the shader uses its number.
     Larger = 14,
-    /// Over the surface, along the smaller one; the shader knows its number.
+    /// Over the surface, along the smaller principal curvature; the shader uses its number.
     Smaller = 15,
 }
 
-/// The meaning of a dot; its number is its place in [`Palette::dots`].
+/// The meaning of a dot; its value is its index in [`Palette::dots`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DotKind {
     /// A vertex.
     Vertex = 0,
-    /// A member of a constraint that covers no face; its inside takes the colour of the row.
+    /// A member of a constraint that covers no face; its inside has the colour of the row.
     Member = 1,
-    /// A member of the constraint pointed at; its inside takes the tint.
+    /// A member of the highlighted constraint; its inside has the tint.
     Tinted = 2,
-    /// Selected.
+    /// A selected vertex.
     Selected = 3,
-    /// Where a handle should be.
+    /// The target of a handle.
     Target = 4,
     /// A soft handle.
     Handle = 5,
@@ -88,58 +88,59 @@ pub enum DotKind {
     Fixed = 6,
     /// The handle that is being moved.
     Active = 7,
-    /// On a handle that is selected.
+    /// A mark on a selected handle.
     Chosen = 8,
     /// An end of the measuring tape.
     Tape = 9,
 }
 
-/// How many kinds of lines there are.
+/// Number of kinds of lines.
 pub const LINE_KINDS: usize = 16;
-/// How many kinds of dots there are.
+/// Number of kinds of dots.
 pub const DOT_KINDS: usize = 10;
 
-/// One theme.
+/// The colours and sizes of one theme.
 #[derive(Clone, Copy, Debug)]
 pub struct Palette {
-    /// Behind everything, at the bottom; the page has the same gradient behind the canvas.
+    /// Background at the bottom; the page has the same gradient behind the canvas.
     pub background: Colour,
-    /// Behind everything, at the top.
+    /// Background at the top.
     pub backdrop: Colour,
-    /// The shadow on the ground; the opacity is that where all light is kept off.
+    /// The shadow on the ground; its opacity applies where all light is blocked.
     pub shadow: Colour,
-    /// The factor of the light of back faces.
+    /// Factor of the light on back faces.
     pub back: Colour,
     /// Faces in full light.
     pub material: Colour,
-    /// Faces in shade; the light goes from one to the other.
+    /// Faces in shade; lighting interpolates between shade and material.
     pub shade: Colour,
-    /// Faces whose value is not a number.
+    /// Faces whose value is NaN.
     pub no_value: Colour,
-    /// Selected faces; the opacity is how much of it is mixed in.
+    /// Selected faces; the opacity is the fraction that is mixed in.
     pub selected: Colour,
-    /// By [`LineKind`].
+    /// Indexed by [`LineKind`].
     pub strokes: [Stroke; LINE_KINDS],
-    /// Edges between faces that have values: dark, because the colour of no error is light and is
-    /// what most faces have in the end. Where errors are large, faces differ from their neighbours.
+    /// Edges between faces that have values. Dark, because the colour of a small error is light,
+    /// and most faces have it in the end. Where errors are large, neighbouring faces differ anyway.
     pub edge_of_values: Colour,
     /// Dark squares of the checkerboard of a flat map.
     pub check: Colour,
-    /// Edges between faces with a checkerboard: seen on both kinds of squares, and fainter than them.
+    /// Edges between faces with a checkerboard: visible on both kinds of squares, but fainter than
+    /// these.
     pub edge_of_checks: Colour,
-    /// By [`DotKind`].
+    /// Indexed by [`DotKind`].
     pub dots: [Dot; DOT_KINDS],
     /// Fitted circles.
     pub circle: Stroke,
     /// Fitted spheres.
     pub sphere: Colour,
-    /// The surface of the ghost; the opacity is that of a face seen face on.
+    /// The surface of the ghost; its opacity applies to a face seen from the front.
     pub ghost: Colour,
     /// The surface of the layer, likewise.
     pub layer: Colour,
-    /// Arrows of the gizmo along x, y, z, and squares across them.
+    /// Arrows of the gizmo along x, y, z, and the squares perpendicular to them.
     pub axes: [Colour; 3],
-    /// The rim that sets the gizmo off from its background.
+    /// The casing that separates the gizmo from its background.
     pub axis_casing: Colour,
 }
 
@@ -150,7 +151,7 @@ const TAPE: Colour = [0.80, 0.09, 0.36, 1.0];
 const WHITE: Colour = [1.0, 1.0, 1.0, 1.0];
 const INK: Colour = [0.06, 0.08, 0.11, 1.0];
 
-/// Most lines are dim where they are hidden.
+/// Factor of the opacity of most lines where they are hidden.
 const HIDDEN: f32 = 0.38;
 
 const fn stroke(colour: Colour, width: f32) -> Stroke {
@@ -161,7 +162,7 @@ const fn seen_through(hidden: f32, colour: Colour, width: f32) -> Stroke {
     Stroke { colour, width, casing: 0.0, hidden }
 }
 
-/// A line in the colour of a row of constraints.
+/// Returns a line in the colour of a row of constraints.
 const fn cased(width: f32) -> Stroke {
     Stroke { colour: [1.0, 1.0, 1.0, 0.7], width, casing: 0.8, hidden: HIDDEN }
 }
@@ -170,7 +171,7 @@ const fn dot(fill: Colour, rim: Colour, radius: f32, rim_width: f32) -> Dot {
     Dot { fill, rim, radius, rim_width, square: 0.0 }
 }
 
-/// On a light page.
+/// The light theme.
 pub const LIGHT: Palette = Palette {
     background: [0.863, 0.875, 0.878, 1.0],
     backdrop: [0.965, 0.969, 0.965, 1.0],
@@ -221,7 +222,7 @@ pub const LIGHT: Palette = Palette {
     axis_casing: [1.0, 1.0, 1.0, 0.85],
 };
 
-/// On a dark page.
+/// The dark theme.
 pub const DARK: Palette = Palette {
     background: [0.094, 0.106, 0.114, 1.0],
     backdrop: [0.208, 0.224, 0.243, 1.0],

@@ -1,13 +1,14 @@
-//! Round numbers for what is read off a picture: one, two or five times a power of ten.
+//! Round numbers for scales and grids: one, two or five times a power of ten.
 
-/// The largest round number that is not greater than `most`; zero where `most` is not a positive
-/// number.
+/// Returns the largest round number that is not greater than `most`; zero unless `most` is positive
+/// and finite.
 pub fn round_down(most: f64) -> f64 {
     if !(most > 0.0 && most.is_finite()) {
         return 0.0;
     }
     let exponent = most.log10().floor();
-    // A decimal literal is the nearest number there is: 0.005, not 5 times something near 0.001.
+    // Parsing a decimal literal gives the nearest number: 0.005 exactly, not 5 times an inexact
+    // 0.001.
     let times_power = |digit: u32, exponent: f64| {
         let text = format!("{digit}e{exponent}");
         text.parse::<f64>().expect("a digit with a whole exponent is a number")

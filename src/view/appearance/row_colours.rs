@@ -1,30 +1,31 @@
-//! The colours of the rows of constraints, at rest: which one each face and each vertex has.
+//! The colours of the rows of constraints, and which of them each face and each vertex has.
 
 use crate::view::model::ViewError;
 
-/// How many colours there can be: places in the palette are bytes, and 0 is no colour.
+/// Maximum number of colours: indices into the palette are bytes, and 0 is no colour.
 pub const MOST_COLOURS: usize = 255;
 
-/// How much of its colour is mixed into the material of a face, so that shape stays readable.
+/// Fraction of its colour that is mixed into the material of a face, so that its shape stays
+/// readable.
 pub const STRENGTH: f32 = 0.36;
 
-/// Palette and places in it; nothing has a colour at first.
+/// A palette and indices into it; initially nothing has a colour.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RowColours {
-    /// Per face 0 or one more than a place in the palette; empty where no face has a colour.
+    /// For each face 0, or an index into the palette plus one; empty if no face has a colour.
     pub faces: Vec<u8>,
-    /// The same per vertex.
+    /// The same for each vertex.
     pub vertices: Vec<u8>,
-    /// sRGB, each part 0 to 1.
+    /// sRGB, components from 0 to 1.
     pub palette: Vec<[f32; 3]>,
 }
 
 impl RowColours {
-    /// Takes places per face (#F) and per vertex (#V), 0 for none, and the palette, #colours by 3.
-    /// Empty places stand for no colours at all.
+    /// Creates the colours from indices per face (#F) and per vertex (#V), 0 for none, and the
+    /// palette, #colours by 3. Empty indices mean no colours.
     ///
     /// # Errors
-    /// Arrays that do not fit together, or a place that the palette does not have.
+    /// Arrays that do not fit together, or an index outside the palette.
     pub fn new(
         faces: Vec<u8>,
         vertices: Vec<u8>,
@@ -51,13 +52,14 @@ impl RowColours {
         Ok(RowColours { faces, vertices, palette: palette.to_vec() })
     }
 
-    /// The vertices that have a colour, each with its place.
+    /// Returns the vertices that have a colour, with the index of it.
     pub fn dots(&self) -> impl Iterator<Item = (u32, u8)> + '_ {
         (0..).zip(self.vertices.iter().copied()).filter(|&(_, place)| place > 0)
     }
 }
 
-/// A palette as RGBA bytes for `count` places, the first for place 0; opacity is [`STRENGTH`].
+/// Returns a palette as RGBA bytes for `count` indices, the first for index 0; opacity is
+/// [`STRENGTH`].
 pub fn texels(palette: &[[f32; 3]], count: usize) -> Vec<u8> {
     let mut texels = vec![0; count * 4];
     for (texel, colour) in texels.chunks_exact_mut(4).skip(1).zip(palette) {

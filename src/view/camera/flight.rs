@@ -1,29 +1,30 @@
-//! The way of the camera from one view to another: it turns the shorter way round, and comes nearer
-//! or goes farther evenly in proportion.
+//! The movement of the camera from one view to another: it turns the shorter way round, and its
+//! distance changes by equal factors.
 
 use super::orbit_camera::Camera;
 use glam::Vec3;
 use std::f32::consts::{PI, TAU};
 
-/// From where to where the camera flies.
+/// The start and the end of a camera movement.
 #[derive(Clone, Copy, Debug)]
 pub struct Flight {
     from: Camera,
     to: Camera,
-    /// Where the camera was left last: when it is elsewhere now, somebody took it.
+    /// The camera after the last move; if it differs now, something else has moved it.
     at: Camera,
 }
 
 impl Flight {
-    /// A flight that has not begun.
+    /// Creates a flight that has not begun.
     pub fn new(from: Camera, to: Camera) -> Flight {
         Flight { from, to, at: from }
     }
 
-    /// Moves the camera on to `part` of the way, from 0 to 1; slow at both ends. Whether the flight
-    /// goes on: not when it has arrived, nor when the camera has been moved otherwise.
+    /// Moves the camera to a fraction `part` of the flight, from 0 to 1, with easing at both ends.
+    /// Returns whether the flight continues: it ends on arrival, or when the camera was moved by
+    /// other means.
     pub fn go(&mut self, camera: &mut Camera, part: f32) -> bool {
-        if place(camera) != place(&self.at) {
+        if pose(camera) != pose(&self.at) {
             return false;
         }
         let part = part.clamp(0.0, 1.0);
@@ -39,8 +40,8 @@ impl Flight {
     }
 }
 
-/// Where a camera is and how it looks; not how much it sees.
-fn place(camera: &Camera) -> (Vec3, [f32; 3]) {
+/// Returns position and direction of a camera, without canvas and projection.
+fn pose(camera: &Camera) -> (Vec3, [f32; 3]) {
     (camera.pivot, [camera.distance, camera.turn, camera.tilt])
 }
 
@@ -61,7 +62,7 @@ mod tests {
         let mut flight = Flight::new(from, to);
         assert!(flight.go(&mut camera, 0.5));
         assert!((camera.distance - 4.0).abs() < 1e-4);
-        // From 6.0 over a whole turn to 0.5: the middle is near to 0.11, not to 3.25.
+        // From 6.0 over a whole turn to 0.5: the midpoint is near 0.11, not 3.25.
         assert!((camera.turn - (3.25 - PI)).abs() < 1e-3, "{}", camera.turn);
         assert!(!flight.go(&mut camera, 1.0));
         assert!((camera.pivot - to.pivot).length() < 1e-5);

@@ -1,29 +1,29 @@
-//! Places the camera so that points fill the canvas, and finds the depths between which they lie.
+//! Places the camera so that points fill the canvas, and finds the range of their depths.
 //!
-//! With the direction of view given, the nearest eye that sees all points is found exactly: each
-//! point bounds the eye by the four side planes of the field of view.
+//! For a given direction of view, the nearest eye that sees all points is found exactly: each point
+//! bounds the eye by the four side planes of the field of view.
 
 use super::orbit_camera::Camera;
 use glam::{Vec2, Vec3};
 
-/// Free part of the canvas on each side.
+/// Margin on each side, as a fraction of the canvas.
 const MARGIN: f32 = 0.045;
-/// The near depth is at least this part of the far one, for the sake of the depth buffer.
+/// Minimum ratio of the near depth to the far depth, for the precision of the depth buffer.
 const NEAREST: f32 = 1e-3;
 
-/// Moves `camera` along and across its direction of view until the balls of `radius` about all
-/// `points` are inside the part of the canvas that nothing covers, with a small margin. The radius is more than nothing, so that one
-/// point has a size. No points leave the camera as it was.
+/// Moves `camera` along and across its direction of view until balls of `radius` around all
+/// `points` are inside the uncovered part of the canvas, with a small margin. The radius should be
+/// positive, so that a single point has a size. Without points the camera stays.
 pub fn frame(camera: &mut Camera, points: impl Iterator<Item = Vec3> + Clone, radius: f32) {
     let eye = camera.eye();
-    // Of the side planes: to the right and upwards, to the left and downwards.
+    // Slopes of the side planes: to the right and upwards, to the left and downwards.
     let slope = eye.middle * (1.0 - 2.0 * MARGIN) / eye.focal;
     let bottom = (2.0 * MARGIN * eye.middle.y).max(camera.covered.min(eye.middle.y));
     let slope_back = Vec2::new(slope.x, (eye.middle.y - bottom) / eye.focal);
     if eye.parallel.is_some() {
         return frame_parallel(camera, points, radius, [slope, slope_back]);
     }
-    // How far the ball reaches beyond its centre, measured across the side planes.
+    // Extent of the ball beyond its centre, measured across the side planes.
     let reach = |slope: Vec2| (slope * slope + 1.0).map(f32::sqrt) * radius;
     let seen = points.map(|p| Vec3::new(p.dot(eye.right), p.dot(eye.up), p.dot(eye.forward)));
     let nowhere = Vec2::splat(f32::NEG_INFINITY);
@@ -41,7 +41,7 @@ pub fn frame(camera: &mut Camera, points: impl Iterator<Item = Vec3> + Clone, ra
     let (high, low) = (high + reach(slope), low + reach(slope_back));
     let depth = (-(high + low) / (slope + slope_back)).min_element();
     let middle = 0.5 * (front + back);
-    // Points on one line of sight give no width to go by.
+    // Points on a single ray have no width that bounds the depth.
     let depth = depth.min(front - 0.05 * (back - front));
     let across = (high - low + (slope - slope_back) * depth) * 0.5;
     camera.pivot = eye.right * across.x + eye.up * across.y + eye.forward * middle;
@@ -49,8 +49,8 @@ pub fn frame(camera: &mut Camera, points: impl Iterator<Item = Vec3> + Clone, ra
 }
 
 /// [`frame`] in parallel projection, where the side planes of the field of view are parallel too.
-/// The slopes are the free parts of the canvas from its middle to the right and upwards, and to the left
-/// and downwards, seen at depth 1.
+/// The slopes are the free parts of the canvas from its centre to the right and upwards, and to the
+/// left and downwards, at depth 1.
 fn frame_parallel(
     camera: &mut Camera,
     points: impl Iterator<Item = Vec3>,
@@ -71,7 +71,7 @@ fn frame_parallel(
     camera.pivot = eye.right * middle.x + eye.up * middle.y + eye.forward * middle.z;
 }
 
-/// Near and far depths that hold all `points` tightly.
+/// Returns near and far depths that tightly enclose all `points`.
 pub fn depth_range(camera: &Camera, points: impl Iterator<Item = Vec3>) -> (f32, f32) {
     let eye = camera.eye();
     let (mut front, mut back) = (f32::INFINITY, f32::NEG_INFINITY);

@@ -1,11 +1,11 @@
-//! Where the model is looked at from.
+//! The camera.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `orbit_camera` | the camera, its projection, and the way to the canvas and back |
+//! | `orbit_camera` | the camera, its projection, and conversions between scene and canvas |
 //! | `framing` | fitting points into the canvas |
 //! | `section` | a plane that cuts the model open |
-//! | `flight` | the way from one camera to another |
+//! | `flight` | the movement from one camera to another |
 
 pub mod flight;
 pub mod framing;

@@ -1,35 +1,35 @@
-//! A turntable camera, in perspective or in parallel projection: it turns about the vertical axis
-//! and tilts, and never rolls.
+//! A turntable camera, in perspective or parallel projection: it turns about the vertical axis and
+//! tilts, but never rolls.
 //!
-//! Lengths are those of the scene relative to the view's centre; screen positions are CSS pixels
-//! from the upper left corner of the canvas.
+//! Points are relative to the view's centre; screen positions are CSS pixels from the upper left
+//! corner of the canvas.
 
 use super::section::Section;
 use crate::view::model::ViewError;
 use glam::{Mat4, Vec2, Vec3, Vec4};
 use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4};
 
-/// Half the vertical angle of view, radians. A long lens: verticals stay nearly parallel.
+/// Half the vertical angle of view, radians. A long lens keeps verticals nearly parallel.
 const HALF_ANGLE: f32 = 0.28;
 /// Turn per CSS pixel of an orbiting drag, radians.
 const TURN_PER_PIXEL: f32 = 0.006;
-/// The three-quarter view that every mesh is first seen from, radians.
+/// Turn and tilt of the three-quarter view in which every mesh is first shown, radians.
 const HOME: (f32, f32) = (0.55, 0.65);
-/// The tangent of the tilt at which a cube's three edges look equally long, in parallel projection.
+/// Tangent of the tilt at which the edges of a cube look equally long, in parallel projection.
 const ISOMETRIC: f32 = FRAC_1_SQRT_2;
 
-/// Which axis of the file points to the sky.
+/// The axis of the file that points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum UpAxis {
-    /// Architecture, Rhino, Blender.
+    /// As in architecture, Rhino, Blender.
     #[default]
     Z,
-    /// Games and animation.
+    /// As in games and animation.
     Y,
 }
 
 impl UpAxis {
-    /// Right, away, and up, as seen from the front.
+    /// Returns the directions right, away, and up, as seen from the front.
     pub fn axes(self) -> [Vec3; 3] {
         match self {
             UpAxis::Z => [Vec3::X, Vec3::Y, Vec3::Z],
@@ -38,30 +38,30 @@ impl UpAxis {
     }
 }
 
-/// How depth acts on size.
+/// The projection of the camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum CameraProjection {
     /// Objects farther away are smaller.
     #[default]
     Perspective,
-    /// Everything has the size that it has at the pivot's depth in perspective; lines of sight are
-    /// parallel.
+    /// Everything has the size that it would have at the depth of the pivot in perspective; rays
+    /// are parallel.
     Parallel {
-        /// Nothing is farther than this from the view's centre: so far behind the pivot the eye
-        /// stands, and all is in front of it.
+        /// Upper bound on distances from the view's centre: the eye is so far behind the pivot that
+        /// everything is in front of it.
         reach: f32,
     },
 }
 
-/// Where the eye is and how it looks. All fields can be set freely; [`Camera::tilt`] stays within
-/// a quarter turn.
+/// Position and direction of the camera. All fields can be set freely; [`Camera::tilt`] must stay
+/// within a quarter turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// The point in the middle of the canvas, which the eye turns about.
+    /// The point at the centre of the canvas, about which the eye turns.
     pub pivot: Vec3,
-    /// From the pivot to the eye.
+    /// Distance from the pivot to the eye.
     pub distance: f32,
-    /// Angle about the vertical, radians; 0 looks from the front, growing to the right.
+    /// Angle about the vertical, radians; 0 looks from the front, increasing to the right.
     pub turn: f32,
     /// Angle above the horizon, radians, from -pi/2 to pi/2.
     pub tilt: f32,
@@ -71,28 +71,28 @@ pub struct Camera {
     pub projection: CameraProjection,
     /// Size of the canvas, CSS pixels.
     pub canvas: Vec2,
-    /// At the lower edge of the canvas, what framing leaves free for what lies over it, CSS pixels.
+    /// Height of the strip at the lower edge of the canvas that framing leaves free, CSS pixels.
     pub covered: f32,
-    /// The section plane; without one all of the model is drawn.
+    /// The section plane; without one the whole model is drawn.
     pub section: Option<Section>,
 }
 
-/// The camera's axes and place, computed once per use.
+/// The position and axes of the camera, computed once per use.
 #[derive(Clone, Copy, Debug)]
 pub struct Eye {
-    /// Where the eye is; in parallel projection a point behind everything in the middle of the canvas.
+    /// Position; in parallel projection a point behind everything, at the centre of the canvas.
     pub at: Vec3,
-    /// To the right on the screen.
+    /// The direction to the right on the screen.
     pub right: Vec3,
     /// The upward direction of the screen.
     pub up: Vec3,
-    /// Into the screen.
+    /// The direction into the screen.
     pub forward: Vec3,
-    /// CSS pixels that a unit length covers at depth 1.
+    /// CSS pixels of a unit length at depth 1.
     pub focal: f32,
-    /// The middle of the canvas, CSS pixels.
+    /// The centre of the canvas, CSS pixels.
     pub middle: Vec2,
-    /// In parallel projection, the depth whose scale everything has.
+    /// In parallel projection, the depth that sets the scale everywhere.
     pub parallel: Option<f32>,
 }
 
@@ -113,7 +113,7 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// The eye as the camera stands.
+    /// Computes the eye of the camera.
     pub fn eye(&self) -> Eye {
         let [x, y, z] = self.up.axes();
         let (sin_turn, cos_turn) = self.turn.sin_cos();
@@ -137,19 +137,19 @@ impl Camera {
         }
     }
 
-    /// Whether the section leaves a point.
+    /// Returns whether the section keeps a point.
     pub fn keeps(&self, point: Vec3) -> bool {
         self.section.is_none_or(|section| section.within(point) >= 0.0)
     }
 
-    /// Turns the eye about the pivot by a drag of so many CSS pixels.
+    /// Turns the eye about the pivot by a drag in CSS pixels.
     pub fn orbit(&mut self, dx: f32, dy: f32) {
         self.turn = (self.turn - dx * TURN_PER_PIXEL).rem_euclid(std::f32::consts::TAU);
         self.tilt = (self.tilt + dy * TURN_PER_PIXEL).clamp(-FRAC_PI_2, FRAC_PI_2);
     }
 
-    /// Turns by a drag of so many CSS pixels about `anchor`, which keeps its place on the screen. Only
-    /// the direction of view changes as in [`Camera::orbit`].
+    /// Turns by a drag in CSS pixels about `anchor`, which keeps its screen position. The direction
+    /// of view changes as in [`Camera::orbit`].
     pub fn orbit_about(&mut self, anchor: Vec3, dx: f32, dy: f32) {
         let before = self.eye();
         let offset = self.pivot - anchor;
@@ -160,18 +160,20 @@ impl Camera {
         self.pivot = anchor + after.right * right + after.up * up + after.forward * forward;
     }
 
-    /// Turns the model about the vertical through `anchor` by an angle in radians, to the right in front.
+    /// Turns the model about the vertical axis through `anchor` by an angle in radians; its front
+    /// moves right.
     pub fn spin(&mut self, anchor: Vec3, angle: f32) {
         self.orbit_about(anchor, angle / TURN_PER_PIXEL, 0.0);
     }
 
-    /// Slides the picture by so many CSS pixels: what lies at the pivot's depth follows the cursor.
+    /// Slides the picture by a drag in CSS pixels: points at the depth of the pivot follow the
+    /// cursor.
     pub fn pan(&mut self, dx: f32, dy: f32) {
         let eye = self.eye();
         self.pivot -= eye.across(Vec2::new(dx, dy), self.distance);
     }
 
-    /// Comes `factor` times nearer to `anchor`, which keeps its place on the screen. `nearest` and
+    /// Moves `factor` times nearer to `anchor`, which keeps its screen position. `nearest` and
     /// `farthest` bound the distance from the pivot.
     pub fn zoom(&mut self, factor: f32, anchor: Vec3, nearest: f32, farthest: f32) {
         let distance = (self.distance / factor).clamp(nearest, farthest);
@@ -180,14 +182,14 @@ impl Camera {
         self.distance = distance;
     }
 
-    /// The point under a screen position in the plane through the pivot that faces the eye.
+    /// Returns the point under a screen position in the plane through the pivot that faces the eye.
     pub fn on_pivot_plane(&self, screen: Vec2) -> Vec3 {
         let eye = self.eye();
         self.pivot + eye.across(screen - eye.middle, self.distance)
     }
 
     /// Looks from a named side: `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric`, or
-    /// `home`, the three-quarter view. Place and distance stay.
+    /// `home`, the three-quarter view. Pivot and distance stay.
     ///
     /// # Errors
     /// Any other name.
@@ -213,7 +215,7 @@ impl Camera {
         Ok(())
     }
 
-    /// Looks against a direction, which is not zero. Place and distance stay.
+    /// Looks against a direction, which must not be zero. Pivot and distance stay.
     pub fn look_against(&mut self, direction: Vec3) {
         let direction = direction.normalize();
         let [right, back, up] = self.up.axes().map(|axis| axis.dot(direction));
@@ -221,13 +223,13 @@ impl Camera {
         self.tilt = up.clamp(-1.0, 1.0).asin();
     }
 
-    /// From scene to clip coordinates (x and y from -w to w, z from 0 to w), with the near and far
-    /// depths given.
+    /// Returns the matrix from scene to clip coordinates (x and y from -w to w, z from 0 to w) for
+    /// the given near and far depths.
     pub fn clip_from_scene(&self, near: f32, far: f32) -> Mat4 {
         let eye = self.eye();
         let row = |axis: Vec3, scale: f32| axis.extend(-axis.dot(eye.at)) * scale;
         let depth = row(eye.forward, 1.0);
-        // Of depths from near to far, 0 to w: in perspective w is the depth, else 1.
+        // Maps depths from near to far to 0..w: in perspective w is the depth, else 1.
         let (size, stretch, w) = match eye.parallel {
             None => (eye.focal, far / (far - near), depth),
             Some(scale) => (eye.focal / scale, 1.0 / (far - near), Vec4::W),
@@ -243,13 +245,13 @@ impl Camera {
 }
 
 impl Eye {
-    /// The depth that decides how large a thing at `depth` looks.
+    /// Returns the depth that determines the size of objects at `depth`.
     pub fn scale_depth(&self, depth: f32) -> f32 {
         self.parallel.unwrap_or(depth)
     }
 
-    /// Screen position and depth of a point. The screen position means nothing where the depth is
-    /// not positive.
+    /// Returns the screen position and depth of a point. The screen position is meaningless unless
+    /// the depth is positive.
     pub fn project(&self, point: Vec3) -> (Vec2, f32) {
         let from_eye = point - self.at;
         let depth = from_eye.dot(self.forward);
@@ -257,9 +259,9 @@ impl Eye {
         (self.middle + offset * (self.focal / self.scale_depth(depth)), depth)
     }
 
-    /// [`Eye::project`] as three rows that act on (point, 1): the first over the third is the place
-    /// to the right, the second over the third the place downwards; the third is the depth that
-    /// decides the size.
+    /// Returns [`Eye::project`] as three rows that act on (point, 1): row 0 over row 2 is the
+    /// horizontal position, row 1 over row 2 the vertical position downwards; row 2 is the depth
+    /// that determines sizes.
     pub fn rows(&self) -> [Vec4; 3] {
         let row = |axis: Vec3| axis.extend(-axis.dot(self.at));
         let depth = self.parallel.map_or(row(self.forward), |scale| Vec4::W * scale);
@@ -270,13 +272,13 @@ impl Eye {
         ]
     }
 
-    /// The displacement parallel to the screen that covers `pixels` at a depth.
+    /// Returns the displacement parallel to the screen that covers `pixels` at a depth.
     pub fn across(&self, pixels: Vec2, depth: f32) -> Vec3 {
         (self.right * pixels.x - self.up * pixels.y) * (self.scale_depth(depth) / self.focal)
     }
 
-    /// The line of sight through a screen position: where it begins, and its direction, whose depth
-    /// is 1 and whose length is not.
+    /// Returns the ray through a screen position: its origin, and its direction, which has depth 1
+    /// rather than length 1.
     pub fn ray(&self, screen: Vec2) -> (Vec3, Vec3) {
         let across = self.across(screen - self.middle, 1.0);
         match self.parallel {
@@ -285,7 +287,7 @@ impl Eye {
         }
     }
 
-    /// Where the line of sight to a point begins.
+    /// Returns the origin of the ray to a point.
     pub fn seen_from(&self, point: Vec3) -> Vec3 {
         match self.parallel {
             None => self.at,
@@ -307,7 +309,7 @@ mod tests {
         }
     }
 
-    /// In perspective, and parallel.
+    /// One camera in perspective, one in parallel projection.
     fn cameras() -> [Camera; 2] {
         let parallel = Camera { projection: CameraProjection::Parallel { reach: 4.0 }, ..camera() };
         [camera(), parallel]
@@ -430,7 +432,7 @@ mod tests {
             let seen = on_screen(&parallel, at);
             assert!((seen - on_screen(&parallel, parallel.pivot)).length() < 1e-2);
         }
-        // What lies at the pivot keeps its size when the projection changes.
+        // At the pivot, sizes stay the same when the projection changes.
         let across = perspective.eye().right * 0.5;
         for camera in cameras() {
             let eye = camera.eye();

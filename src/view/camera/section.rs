@@ -1,20 +1,21 @@
-//! A plane that cuts the model open: what is on its far side is neither drawn nor picked.
+//! A plane that cuts the model open: the far side is neither drawn nor picked.
 
 use crate::view::model::ViewError;
 use glam::{Vec3, Vec4};
 
-/// The half space that is kept: of all points whose part along `normal` is at most `offset`.
+/// The half space that is kept: points whose component along `normal` is at most `offset`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Section {
-    /// Out of what is kept, of length 1.
+    /// Unit normal, pointing out of the kept side.
     pub normal: Vec3,
-    /// Of the plane along the normal, relative to the view's centre.
+    /// Position of the plane along the normal, relative to the view's centre.
     pub offset: f32,
 }
 
 impl Section {
-    /// Across an axis of the file (0 to 2), at a part of the way through the box from `low` to `high`, from
-    /// 0 to 1. Kept is what comes before the plane along the axis, or after it when it is turned.
+    /// Creates a section across an axis of the file (0 to 2), at a fraction `part` of the box from
+    /// `low` to `high`. The side before the plane along the axis is kept, or the other one if
+    /// `is_turned`.
     ///
     /// # Errors
     /// An axis that does not exist.
@@ -36,17 +37,17 @@ impl Section {
         })
     }
 
-    /// How far a point is on the side that is kept; less than nothing where it is cut off.
+    /// Returns the distance of a point from the plane, negative where it is cut off.
     pub fn within(&self, point: Vec3) -> f32 {
         self.offset - point.dot(self.normal)
     }
 
-    /// Normal and offset as four numbers.
+    /// Returns normal and offset as four numbers.
     pub fn numbers(&self) -> Vec4 {
         self.normal.extend(self.offset)
     }
 
-    /// What is left of a mesh: its points, and the triangles between them.
+    /// Clips a mesh; returns its points, and the triangles between them.
     pub fn kept(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<Vec3>, Vec<[u32; 3]>) {
         let mut points = positions.to_vec();
         let mut left = Vec::with_capacity(triangles.len());
@@ -63,7 +64,7 @@ impl Section {
         (points, left)
     }
 
-    /// Where the plane goes through a triangle; nothing where it passes by.
+    /// Returns the intersection of the plane with a triangle; none if there is none.
     pub fn through(&self, corners: [Vec3; 3]) -> Option<[Vec3; 2]> {
         let sides = [0, 1, 2].map(|i| [corners[i], corners[(i + 1) % 3]]);
         let mut met = sides.into_iter().filter_map(|[a, b]| {
@@ -73,7 +74,7 @@ impl Section {
         Some([met.next()?, met.next()?])
     }
 
-    /// The part of a segment that is kept; none where all of it is cut off.
+    /// Returns the part of a segment that is kept; none if all of it is cut off.
     pub fn cut(&self, [a, b]: [Vec3; 2]) -> Option<[Vec3; 2]> {
         let (from, to) = (self.within(a), self.within(b));
         if from < 0.0 && to < 0.0 {
@@ -84,7 +85,7 @@ impl Section {
     }
 }
 
-/// The part of a convex polygon where the linear function `within` is not negative.
+/// Returns the part of a convex polygon where the linear function `within` is not negative.
 pub fn clipped(corners: &[Vec3], within: impl Fn(Vec3) -> f32) -> Vec<Vec3> {
     let mut kept = Vec::with_capacity(corners.len() + 1);
     for (i, &from) in corners.iter().enumerate() {
@@ -125,7 +126,7 @@ mod tests {
             let [a, b, c] = [a, b, c].map(|vertex| kept[vertex as usize]);
             (b - a).cross(c - a).length() * 0.5
         };
-        // Of a triangle of area 1 the corner beyond, which is half as long and half as high.
+        // A corner of half the length and half the height is cut off a triangle of area 1.
         assert_eq!(triangles.into_iter().map(area).sum::<f32>(), 0.75);
         assert!(section.kept(&points, &[[1, 3, 4]]).1.is_empty());
     }

@@ -1,36 +1,37 @@
-//! A hold of handles that the pointer drags: freely, in a plane, or along an axis.
+//! A drag of handles by the pointer: freely, in a plane, or along an axis.
 //!
-//! A plane is met by the line of sight through the pointer. An axis is followed to its point nearest
-//! to that line. Both go on from the point under the pointer when the drag began, with the eye as it
-//! was then, so that nothing jumps and nothing drifts.
+//! In a plane, the dragged point follows the intersection with the ray through the pointer; along
+//! an axis, the point of the axis nearest to that ray. Both are measured from the point under the
+//! pointer at the start of the drag, with the eye as it was then, so that nothing jumps and nothing
+//! drifts.
 
 use crate::view::camera::{Camera, Eye, UpAxis};
 use crate::view::model::ViewError;
 use glam::{Vec2, Vec3};
 
-/// The sine of the angle below which an axis points at the eye, or a plane is seen from its side.
+/// Sine of the angle below which an axis counts as pointing at the eye, or a plane as seen edge-on.
 const EDGE_ON: f32 = 0.1;
-/// The largest distance of a drag, in depths of the dragged point.
+/// Maximum distance of a drag, in multiples of the depth of the dragged point.
 const FARTHEST: f32 = 20.0;
 
-/// The axis or plane that a drag keeps to, in the file's coordinates.
+/// The axis or plane to which a drag is restricted, in file coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DragDirection {
     /// The plane that faces the eye.
     Screen,
     /// Along an axis: 0, 1, 2.
     Axis(usize),
-    /// Across an axis: 0, 1, 2.
+    /// In the plane perpendicular to an axis: 0, 1, 2.
     Plane(usize),
 }
 
-/// Names of planes by the axis across them.
+/// Names of planes by the axis perpendicular to them.
 const PLANES: [&str; 3] = ["yz", "zx", "xy"];
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl DragDirection {
-    /// From `screen`, `x`, `y`, `z`, `xy`, `yz`, `zx`, or from what the vertical axis gives:
-    /// `horizontal`, `vertical`.
+    /// Returns the direction with this name: `screen`, `x`, `y`, `z`, `xy`, `yz`, `zx`, or relative
+    /// to the up axis `horizontal`, `vertical`.
     ///
     /// # Errors
     /// Any other name.
@@ -57,7 +58,7 @@ impl DragDirection {
         }
     }
 
-    /// Its name, which [`DragDirection::named`] reads.
+    /// Returns its name, which [`DragDirection::named`] reads.
     pub fn name(self) -> &'static str {
         match self {
             DragDirection::Screen => "screen",
@@ -67,25 +68,25 @@ impl DragDirection {
     }
 }
 
-/// A hold of a point.
+/// A point held by the pointer.
 #[derive(Clone, Copy, Debug)]
 pub struct DragConstraint {
     eye: Eye,
     /// The dragged point, relative to the view's centre.
     held: Vec3,
-    /// Where the pointer took it, CSS pixels.
+    /// Position of the pointer at the start, CSS pixels.
     from: Vec2,
 }
 
 impl DragConstraint {
-    /// Takes hold of a point, with the pointer somewhere near it on the screen.
+    /// Begins to hold a point, with the pointer somewhere near it on the screen.
     pub fn new(camera: &Camera, held: Vec3, from: Vec2) -> DragConstraint {
         DragConstraint { eye: camera.eye(), held, from }
     }
 
-    /// How far what is held goes when the pointer has gone `by` CSS pixels; `None` where its line of
-    /// sight does not say, or says something out of all proportion. Parts of the displacement that the
-    /// way forbids are exactly nothing.
+    /// Returns the displacement of the held point for a pointer displacement of `by` CSS pixels;
+    /// `None` if the ray does not determine one, or one out of all proportion. Components that the
+    /// direction forbids are exactly zero.
     pub fn way(&self, way: DragDirection, by: Vec2) -> Option<Vec3> {
         let to = self.from + by;
         let way = match way {
@@ -102,7 +103,7 @@ impl DragConstraint {
         (depth(self.held + way) > 0.0 && way.length() < limit).then_some(way)
     }
 
-    /// Where what is held is seen when it has gone so far, CSS pixels.
+    /// Returns the screen position of the held point after a displacement, CSS pixels.
     pub fn place(&self, by: Vec3) -> Vec2 {
         self.eye.project(self.held + by).0
     }
@@ -112,7 +113,8 @@ impl DragConstraint {
         self.eye.across(to - self.from, depth)
     }
 
-    /// Where the axis through what is held comes nearest to the line of sight, measured from there.
+    /// Returns the point of the axis nearest to the ray, as a coordinate relative to the held
+    /// point.
     fn along(&self, axis: usize, at: Vec2) -> Option<f32> {
         let along = axis_of(axis);
         let (from, sight) = self.eye.ray(at);
@@ -124,11 +126,11 @@ impl DragConstraint {
         }
         let offset = from - self.held;
         let far = (offset.dot(along) - part * offset.dot(sight)) / across;
-        // The nearest point of the line of sight is in front of the eye.
+        // Accepted only if the nearest point of the ray is in front of the eye.
         (self.held + along * far - from).dot(sight).is_sign_positive().then_some(far)
     }
 
-    /// The displacement in the plane across an axis.
+    /// Returns the displacement in the plane perpendicular to an axis.
     fn in_plane(&self, axis: usize, to: Vec2) -> Option<Vec3> {
         let normal = axis_of(axis);
         let meet = |at: Vec2| {
@@ -140,7 +142,8 @@ impl DragConstraint {
         };
         let (_, sight) = self.eye.ray(self.from);
         let mut way = if sight.normalize().dot(normal).abs() < EDGE_ON {
-            // Seen from the side, a plane is a line: what is up on the screen says nothing of it.
+            // Edge-on, a plane is a line: vertical movement on the screen does not determine
+            // anything in it.
             self.on_screen(to)
         } else {
             meet(to)? - meet(self.from)?
@@ -150,7 +153,7 @@ impl DragConstraint {
     }
 }
 
-/// The unit vector along an axis.
+/// Returns the unit vector along an axis.
 pub fn axis_of(axis: usize) -> Vec3 {
     Vec3::AXES[axis]
 }
@@ -166,7 +169,7 @@ mod tests {
         Camera { turn, tilt, distance: 6.0, canvas: Vec2::new(900.0, 700.0), ..Camera::default() }
     }
 
-    /// From many sides, in perspective and in parallel projection.
+    /// Cameras on many sides, in perspective and in parallel projection.
     fn views() -> impl Iterator<Item = Camera> {
         let turns = [-2.8, -1.0, 0.4, 0.9, 2.2];
         let cameras = turns
@@ -178,7 +181,7 @@ mod tests {
         })
     }
 
-    /// Takes hold beside the point, and goes where the point would be after `by`.
+    /// Holds a point from beside it, and moves the pointer by the screen displacement of `by`.
     fn drag(camera: &Camera, way: DragDirection, by: Vec3) -> Option<Vec3> {
         let eye = camera.eye();
         let beside = Vec2::new(9.0, -6.0);
@@ -242,7 +245,7 @@ mod tests {
         let at = above.eye().project(HELD).0;
         let grip = DragConstraint::new(&above, HELD, at);
         assert_eq!(grip.way(DragDirection::Axis(2), Vec2::splat(40.0)), None);
-        // A plane that is seen from its side still moves to the right.
+        // A plane seen edge-on still moves to the right.
         let front = camera(0.0, 0.0);
         let at = front.eye().project(Vec3::ZERO).0;
         let grip = DragConstraint::new(&front, Vec3::ZERO, at);

@@ -1,9 +1,9 @@
-//! Arrows and squares with which a handle is dragged along an axis or in a plane.
+//! Arrows and squares for dragging a handle along an axis or in a plane.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `parts` | the parts of the gizmo on the canvas, and which one is under the pointer |
-//! | `drag_constraint` | from the way of the pointer to the way of what is dragged |
+//! | `drag_constraint` | from pointer movement to the displacement of what is dragged |
 //! | `outline` | the parts as triangles |
 
 pub mod drag_constraint;

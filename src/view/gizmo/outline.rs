@@ -1,30 +1,30 @@
-//! The shape of the gizmo: arrows with the letters of their axes, and squares, as triangles.
+//! The geometry of the gizmo: arrows with the letters of their axes, and squares, as triangles.
 //!
-//! Each part has a casing below it, so that it is seen on any mesh. The part under the pointer is
-//! heavier; while it is held, the others step back.
+//! Each part has a casing below it, so that it is visible on any mesh. The part under the pointer
+//! is drawn heavier; while it is held, the others are drawn fainter.
 
 use super::drag_constraint::DragDirection;
 use super::parts::{Gizmo, GizmoState, Part};
 use crate::view::appearance::{Colour, Palette};
 use glam::Vec2;
 
-/// Widths in CSS pixels: of an arrow's shaft, of a square's outline, of a letter's strokes.
+/// Widths in CSS pixels: shaft of an arrow, outline of a square, strokes of a letter.
 const SHAFT: f32 = 2.4;
 const OUTLINE: f32 = 1.6;
 const LETTER: f32 = 1.7;
-/// The casing on each side.
+/// Width of the casing on each side.
 const CASING: f32 = 1.3;
-/// The factor of width of a highlighted part.
+/// Factor of the width of a highlighted part.
 const LIT: f32 = 1.6;
-/// Opacity of the inside of a square, and of one that is lit.
+/// Opacity of the inside of a square, plain and highlighted.
 const FILL: [f32; 2] = [0.32, 0.72];
-/// The factor of opacity of parts that are not dragged.
+/// Factor of the opacity of parts that are not dragged.
 const STEPPED_BACK: f32 = 0.22;
 /// Length and half width of an arrow's head.
 const HEAD: Vec2 = Vec2::new(13.0, 5.0);
-/// From the tip to the middle of the letter.
+/// Distance from the tip to the centre of the letter.
 const TO_LETTER: f32 = 11.0;
-/// Strokes of the letters x, y and z, downwards positive.
+/// Strokes of the letters x, y and z; y points down.
 const LETTERS: [&[[f32; 4]]; 3] = [
     &[[-3.0, -4.0, 3.0, 4.0], [-3.0, 4.0, 3.0, -4.0]],
     &[[-3.2, -4.0, 0.0, 0.2], [3.2, -4.0, 0.0, 0.2], [0.0, 0.2, 0.0, 4.0]],
@@ -34,7 +34,7 @@ const LETTERS: [&[[f32; 4]]; 3] = [
 /// A corner of a triangle: x and y in CSS pixels, and a colour.
 pub type Corner = [f32; 6];
 
-/// All triangles, the lowest first.
+/// Returns all triangles, in drawing order.
 pub fn triangles(gizmo: &Gizmo, wanted: &GizmoState, palette: &Palette) -> Vec<Corner> {
     let mut parts: Vec<&Part> = gizmo.parts.iter().filter(|part| part.strength > 0.0).collect();
     let is_arrow = |part: &Part| matches!(part.way, DragDirection::Axis(_));
@@ -83,7 +83,7 @@ impl Drawing {
         let [start, tip] = part.corners[..] else { return };
         let span = tip - start;
         let along = span.normalize_or(Vec2::NEG_Y);
-        // A head that is longer than its arrow would cover the handle.
+        // A head longer than its arrow would cover the handle.
         let scale = (span.length() / HEAD.x).min(1.0) * (0.5 + 0.5 * width);
         let head = HEAD * scale;
         let neck = tip - along * head.x;

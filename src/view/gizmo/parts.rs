@@ -1,78 +1,78 @@
-//! The gizmo at the selected handles: an arrow along each axis and a square in each plane, which the
-//! pointer takes hold of. It has the same size on the screen wherever it is, and lies over the mesh.
+//! The gizmo at the selected handles: an arrow along each axis and a square in each plane, which
+//! the pointer can hold. It has the same size on the screen everywhere, and is drawn over the mesh.
 //!
-//! An arrow that points at the eye, and a square seen from its side, fade out and cannot be taken: a
-//! pixel would mean any distance there.
+//! Arrows that point at the eye and squares seen edge-on fade out and cannot be picked, because a
+//! pixel would correspond to any distance.
 
 use super::drag_constraint::{DragConstraint, DragDirection, axis_of};
 use crate::view::camera::{Camera, Eye};
 use glam::{Vec2, Vec3};
 
-/// An arrow is gone where the sine of its angle with the line of sight is the first, and whole from
-/// the second on; so is a square, by the cosine of the angle of its normal.
+/// An arrow is invisible up to the first value of the sine of its angle with the ray, and opaque
+/// from the second on; likewise a square, by the cosine of the angle of its normal.
 const FADING: [f32; 2] = [0.2, 0.38];
-/// A part fainter than this cannot be grabbed.
+/// A part fainter than this cannot be picked.
 const TAKEN_FROM: f32 = 0.5;
 
-/// Sizes in CSS pixels, of what is seen from the front.
+/// Sizes in CSS pixels, seen from the front.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sizes {
-    /// Radius around the middle that belongs to the handle itself.
+    /// Radius around the centre that belongs to the handle itself.
     pub gap: f32,
-    /// From the middle to the tip of an arrow.
+    /// Distance from the centre to the tip of an arrow.
     pub length: f32,
-    /// Where the sides of a square are, along both of its axes.
+    /// Range of a square along both of its axes.
     pub square: [f32; 2],
-    /// The pointer is on what is this near: half the size of a target.
+    /// Maximum distance of the pointer from a part: half the size of a target.
     pub reach: f32,
 }
 
-/// For a mouse or a pen.
+/// Sizes for a mouse or a pen.
 const FINE: Sizes = Sizes { gap: 15.0, length: 86.0, square: [28.0, 54.0], reach: 12.0 };
-/// For fingers.
+/// Sizes for fingers.
 const COARSE: Sizes = Sizes { gap: 26.0, length: 120.0, square: [44.0, 84.0], reach: 22.0 };
 
 /// The state of the gizmo, as the page sets it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct GizmoState {
-    /// Whether it is shown where a handle is selected.
+    /// Whether it is shown when a handle is selected.
     pub shown: bool,
-    /// Whether fingers are to take it.
+    /// Whether it is sized for fingers.
     pub touch: bool,
-    /// The part under the pointer, or held by it.
+    /// The part that the pointer is over or holds.
     pub lit: Option<DragDirection>,
-    /// Whether the pointer holds the part, or another handle: what else there is steps back.
+    /// Whether the pointer holds this part or another handle; the other parts are then fainter.
     pub held: bool,
-    /// The hold that the pointer has of handles.
+    /// The point that the pointer holds.
     pub grip: Option<DragConstraint>,
 }
 
 /// An arrow or a square on the screen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// The axis or plane that it drags along.
+    /// The direction in which it drags.
     pub way: DragDirection,
-    /// From 0, gone, to 1.
+    /// Opacity, from 0 (invisible) to 1.
     pub strength: f32,
     /// Start and tip of an arrow, or the corners of a square, CSS pixels.
     pub corners: Vec<Vec2>,
-    /// Of its farthest point: what is nearer is drawn later.
+    /// Depth of its farthest point; nearer parts are drawn later.
     pub depth: f32,
 }
 
-/// The gizmo as it lies on the screen.
+/// The gizmo on the screen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gizmo {
-    /// Where the handles are, CSS pixels.
+    /// Position of the handles, CSS pixels.
     pub middle: Vec2,
-    /// How large it is.
+    /// Its sizes.
     pub sizes: Sizes,
     /// Arrows x, y, z, then squares yz, zx, xy.
     pub parts: Vec<Part>,
 }
 
 impl Gizmo {
-    /// The gizmo at a point of the scene; `None` when it is behind the eye.
+    /// Creates the gizmo at a point of the scene; `None` if it is behind the eye.
     pub fn new(camera: &Camera, at: Vec3, touch: bool) -> Option<Gizmo> {
         let eye = camera.eye();
         let (middle, depth) = eye.project(at);
@@ -99,7 +99,8 @@ impl Gizmo {
         Some(Gizmo { middle, sizes, parts: arrows.chain(squares).collect() })
     }
 
-    /// The part under a screen position. Around the middle there is none: the handle is there.
+    /// Returns the part at a screen position. Near the centre there is none, because the handle is
+    /// there.
     pub fn pick(&self, at: Vec2) -> Option<DragDirection> {
         if at.distance(self.middle) < self.sizes.gap {
             return None;
@@ -115,7 +116,7 @@ impl Gizmo {
         nearest.map(|(_, way)| way)
     }
 
-    /// Where a part is best taken; `None` while it cannot be.
+    /// Returns the best position for picking a part; `None` if it cannot be picked.
     pub fn best(&self, way: DragDirection) -> Option<Vec2> {
         let part = self.parts.iter().find(|part| part.way == way)?;
         let at = match part.corners[..] {
@@ -142,7 +143,8 @@ impl Part {
         self.corners.iter().sum::<Vec2>() / self.corners.len() as f32
     }
 
-    /// How far the part is from a screen position, if that is on it or nearer than `reach`.
+    /// Returns the distance of the part from a screen position, if that is on it or nearer than
+    /// `reach`.
     fn apart(&self, at: Vec2, reach: f32) -> Option<f32> {
         if let [start, tip] = self.corners[..] {
             let apart = apart_from_segment(at, start, tip);

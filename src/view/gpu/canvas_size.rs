@@ -1,6 +1,6 @@
-//! Keeps a canvas within what an adapter can draw.
+//! Limits the size of a canvas to what an adapter can draw.
 
-/// The largest size of the same proportions with no side over `limit`, and none under 1.
+/// Returns the largest size of the same proportions with no side over `limit`, and none under 1.
 pub fn clamp_size(width: u32, height: u32, limit: u32) -> (u32, u32) {
     let longer = width.max(height);
     if longer <= limit {
