@@ -1,8 +1,7 @@
 //! JSON: text to a tree, a tree to typed values, and a tree to text.
 //!
 //! Scene files, edits and the parameters of kinds are serde types. One deserializer reads all of
-//! them, so that each type is compiled once; it tracks the JSON path itself, for the error
-//! messages.
+//! them, so that each type is compiled once; it tracks the JSON path itself.
 //!
 //! | file | holds |
 //! |---|---|

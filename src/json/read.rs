@@ -1,8 +1,7 @@
 //! Deserializes serde types from a tree, with the JSON path of an error.
 //!
-//! We use a deserializer of our own, not a wrapper around another, because its code is instantiated
-//! for every type and must be small. An enum with fields is an object whose `type` names the
-//! variant.
+//! We do not wrap another deserializer, because this code is instantiated for every type and must
+//! be small. An enum with fields is an object whose `type` names the variant.
 
 use super::error::JsonError;
 use super::tree::Tree;

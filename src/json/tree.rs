@@ -15,13 +15,11 @@ pub(crate) enum Tree {
 }
 
 impl Tree {
-    /// Returns the value of `key`, if this is an object that has it.
     pub(crate) fn get(&self, key: &str) -> Option<&Tree> {
         let Tree::Object(entries) = self else { return None };
         entries.iter().find(|(own, _)| own == key).map(|(_, value)| value)
     }
 
-    /// Removes an entry from an object and returns its value.
     pub(crate) fn remove(&mut self, key: &str) -> Option<Tree> {
         let Tree::Object(entries) = self else { return None };
         let at = entries.iter().position(|(own, _)| own == key)?;

@@ -18,15 +18,14 @@ struct NewPlan {
 /// Returns the kinds of new meshes.
 ///
 /// # Errors
-/// None: plain data always serializes.
+/// None: the data is plain.
 #[wasm_bindgen(js_name = newKinds, unchecked_return_type = "NewKind[]")]
 pub fn new_kinds() -> Result<JsValue, JsValue> {
     log_panics();
     plain(&NEW_KINDS)
 }
 
-/// Returns a mesh of a kind as the text of an OBJ file; `sizes` in the order in which the kind
-/// declares them.
+/// Returns a mesh of a kind as OBJ text; `sizes` are in the order in which the kind declares them.
 ///
 /// # Errors
 /// An unknown kind, or a size out of its range.
@@ -93,7 +92,7 @@ impl NewSpans {
     /// Returns the polylines of the mesh, then the boundaries of its faces.
     ///
     /// # Errors
-    /// None: plain data always serializes.
+    /// None: the data is plain.
     #[wasm_bindgen(unchecked_return_type = "CurveWords[]")]
     pub fn curves(&self) -> Result<JsValue, JsValue> {
         plain(&SpanCurve::words(&self.curves))

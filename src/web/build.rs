@@ -34,7 +34,7 @@ struct ReportPage {
 /// Returns the presets and the defaults.
 ///
 /// # Errors
-/// None: plain data always serializes.
+/// None: the data is plain.
 #[wasm_bindgen(js_name = buildOffers)]
 pub fn build_offers() -> Result<JsValue, JsValue> {
     log_panics();
@@ -73,7 +73,7 @@ impl Builder {
     /// Returns all numbers, as in the report of the command line.
     ///
     /// # Errors
-    /// None: plain data always serializes.
+    /// None: the data is plain.
     pub fn report(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.report())
     }
@@ -81,7 +81,7 @@ impl Builder {
     /// Returns the numbers of the card, which is updated while the shape moves.
     ///
     /// # Errors
-    /// None: plain data always serializes.
+    /// None: the data is plain.
     pub fn card(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.card())
     }
@@ -89,7 +89,7 @@ impl Builder {
     /// Returns at most `count` sheets as pictures, starting with sheet `first`.
     ///
     /// # Errors
-    /// None: plain data always serializes.
+    /// None: the data is plain.
     pub fn sheets(&self, first: usize, count: usize) -> Result<JsValue, JsValue> {
         let drawings = self.build.drawings();
         let failed = self.build.failed_sides(&self.build.failed());
@@ -101,7 +101,7 @@ impl Builder {
     /// of the mesh. Numbers that do not apply are left out.
     ///
     /// # Errors
-    /// None: plain data always serializes.
+    /// None: the data is plain.
     pub fn numbers(&self) -> Result<JsValue, JsValue> {
         let known = BUILD_NUMBERS.iter().zip(self.build.numbers());
         plain(&known.filter_map(|(number, value)| Some((number.id, value?))).collect::<Vec<_>>())
@@ -145,33 +145,30 @@ impl Builder {
     /// Returns the errors of each kind of offset.
     ///
     /// # Errors
-    /// None: plain data always serializes.
+    /// None: the data is plain.
     pub fn choices(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.choices())
     }
 
-    /// Returns shape, offset and beams as binary glTF; `z_up` if the up axis of the mesh is z, else
-    /// y.
+    /// Returns shape, offset and beams as binary glTF; `z_up` if the up axis is z, else y.
     pub fn presentation(&self, z_up: bool) -> Vec<u8> {
         self.build.presentation(z_up)
     }
 
-    /// Returns the build as objects on layers, for CAD programs; `z_up` if the up axis is z, else
-    /// y.
+    /// Returns the build as objects on layers, for CAD programs; the up axis is z or y.
     ///
     /// # Errors
-    /// None: plain data always serializes.
+    /// None: the data is plain.
     #[wasm_bindgen(js_name = spatialParts)]
     pub fn spatial_parts(&self, z_up: bool) -> Result<JsValue, JsValue> {
         plain(&self.build.spatial_parts(z_up))
     }
 
-    /// Returns the report on one A4 page, as `pdf` and `svg`. `z_up` if the up axis of the mesh is
-    /// z, else y. `camera` has two angles in radians: the turn about the up axis and the downward
-    /// tilt. An empty `link` is left out.
+    /// Returns the report on one A4 page, as `pdf` and `svg`. `camera` has its turn about the up
+    /// axis (z or y) and its downward tilt, in radians. An empty `link` is left out.
     ///
     /// # Errors
-    /// None: plain data always serializes.
+    /// None: the data is plain.
     #[wasm_bindgen(js_name = reportPage)]
     pub fn report_page(
         &self,
@@ -188,7 +185,7 @@ impl Builder {
     /// Returns all files: `name` and `text`.
     ///
     /// # Errors
-    /// None: plain data always serializes.
+    /// None: the data is plain.
     pub fn files(&self) -> Result<JsValue, JsValue> {
         let files = self.build.files().into_iter();
         plain(&files.map(|file| File { name: file.name, text: file.text }).collect::<Vec<_>>())

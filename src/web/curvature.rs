@@ -1,5 +1,5 @@
-//! Directions and lines of curvature for the page. They are part of the build module, which is
-//! loaded on first use.
+//! Directions and lines of curvature for the page, in the build module, which is loaded on first
+//! use.
 
 use super::{log_panics, mesh_of, thrown};
 use crate::mesh::{CurvatureField, CurvatureLine, Family, Point, SurfacePlace, Topology};
@@ -40,8 +40,8 @@ impl SurfaceCurvature {
         SurfaceCurvature { field, size }
     }
 
-    /// Returns a line distance that shows the curvature without covering the surface, in the unit
-    /// of the mesh.
+    /// Returns a line distance that shows the curvature without covering the surface, in mesh
+    /// units.
     pub fn distance(&self) -> f64 {
         (0.04 * self.size).max(1.5 * self.field.mean_edge())
     }

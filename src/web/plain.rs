@@ -1,5 +1,4 @@
-//! Conversions between Rust and the page: plain objects, typed arrays, and errors with their JSON
-//! path.
+//! Conversions between Rust and the page: plain objects, typed arrays, errors with JSON paths.
 
 use super::thrown;
 use crate::scene::SceneError;
@@ -13,7 +12,6 @@ pub(super) fn text(value: &JsValue) -> Result<String, JsValue> {
     Ok(String::from(js_sys::JSON::stringify(value)?))
 }
 
-/// Creates an object from its entries.
 pub(super) fn object<const N: usize>(entries: [(&str, JsValue); N]) -> Result<JsValue, JsValue> {
     let object = js_sys::Object::new();
     for (key, value) in entries {
@@ -28,12 +26,10 @@ pub(super) fn narrow(numbers: &[f64]) -> Float32Array {
     Float32Array::from(&narrow[..])
 }
 
-/// Converts indices of vertices, edges or faces to a typed array.
 pub(super) fn indices(indices: &[u32]) -> JsValue {
     Uint32Array::from(indices).into()
 }
 
-/// Creates the selection object of the page.
 pub(super) fn selection(
     vertices: &[u32],
     edges: &[u32],

@@ -2,8 +2,7 @@
 //!
 //! V8 first compiles a wasm function quickly, and optimises it after it has run for a while, which
 //! makes it up to three times as fast. The warm-up triggers this before the user waits for a
-//! result. It also measures the time of an iteration, from which the speed of the machine is
-//! estimated.
+//! result, and estimates the speed of the machine from the time of an iteration.
 
 use crate::mesh::read;
 use crate::scene::Scene;
@@ -70,8 +69,7 @@ impl WarmUp {
         true
     }
 
-    /// Returns the largest number of faces with which this machine works interactively; none before
-    /// the first slice.
+    /// Returns the largest number of faces for interactive work on this machine, once measured.
     #[wasm_bindgen(js_name = mostFaces)]
     pub fn max_interactive_faces(&self) -> Option<u32> {
         let faces = (SIDE - 1) * (SIDE - 1);

@@ -1,10 +1,8 @@
-//! Values in bands: each band between two round limits has one colour, and lines separate the
-//! bands.
+//! Values in bands: each band between two round limits has one colour; lines separate the bands.
 //!
 //! Most measures have one value per face: a face is in one band, and the lines run along the edges
-//! between faces of different bands. If every vertex has a value, the faces are coloured by
-//! interpolation between their corners, and the lines are isolines through the faces
-//! (`shaders/faces.wgsl`).
+//! between faces of different bands. If every vertex has a value, the colours are interpolated
+//! between the corners, and the lines are isolines through the faces (`shaders/faces.wgsl`).
 
 use super::colour_map::{ColourMap, texel};
 use super::colour_scale::ColourScale;
@@ -47,8 +45,7 @@ impl Bands {
         Some(Bands { scale, low, high, step, limits, texels })
     }
 
-    /// Returns the index of the band of a value. Values outside the range are in the first or last
-    /// band; NaN is in none.
+    /// Returns the index of the band of a value: the first or last outside the range, none for NaN.
     pub fn band(&self, value: f32) -> Option<usize> {
         let part = (self.scale.coordinate(value) - self.low) / (self.high - self.low);
         (!part.is_nan()).then(|| self.limits.partition_point(|&limit| limit <= part))
@@ -92,8 +89,7 @@ pub struct Seam {
     pub faces: [u32; 2],
 }
 
-/// Returns every edge between two faces. If more than two faces meet, each is paired with the one
-/// before.
+/// Returns every edge between two faces; where more meet, each is paired with the one before.
 pub fn seams(faces: &Lists) -> Vec<Seam> {
     let mut sides: Vec<([u32; 2], u32)> = Vec::new();
     for (face, corners) in (0..).zip(faces.iter()) {

@@ -23,8 +23,8 @@ pub enum ColourMap {
     Viridis,
     /// For all values: from nearly white to dark.
     Grey,
-    /// For all values: from light blue to nearly white, at this fraction of the range, and on over
-    /// orange to dark red.
+    /// For all values: from light blue over nearly white, at this fraction of the range, and orange
+    /// to dark red.
     Diverging(f64),
     /// For values beyond a tolerance: from apricot over coral and magenta to violet.
     Beyond,
@@ -45,8 +45,7 @@ pub enum MapChoice {
 }
 
 impl MapChoice {
-    /// Returns the map with this name: `viridis`, `grey`, or `diverging` about `middle` (viridis
-    /// without `middle`).
+    /// Returns the map `viridis`, `grey`, or `diverging` about `middle` (viridis without it).
     ///
     /// # Errors
     /// Any other name.
@@ -222,8 +221,7 @@ mod tests {
             let lightness = |texel: u8| lab(map.colour(texel)).x;
             assert!(lightness(0) > 72.0, "{map:?}: {}", lightness(0));
             assert!(lightness(255) < 40.0, "{map:?}: {}", lightness(255));
-            // Colours get darker above the middle of a diverging map, and everywhere in the other
-            // maps.
+            // More is darker above the middle of a diverging map, and everywhere in the others.
             let first = if let ColourMap::Diverging(middle) = map { texel(middle) } else { 0 };
             let all: Vec<f32> = (first..=255).map(lightness).collect();
             assert!(all.windows(2).all(|pair| pair[1] < pair[0] + 0.25), "{map:?}");
@@ -284,9 +282,8 @@ mod tests {
         }
     }
 
-    /// Steps are eighths of the map, or of each side of a diverging one: no step is much larger
-    /// than another. The steps of viridis are uniform in a newer colour space; in this one only its
-    /// lightness is.
+    /// In eighths of the map, or of each side of a diverging one, no step is much larger than
+    /// another. Viridis is uniform in a newer colour space; in this one only its lightness is.
     #[test]
     fn equal_steps_look_equal() {
         let sides = [(0.0, 0.4), (0.4, 1.0)];

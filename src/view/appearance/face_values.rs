@@ -1,6 +1,6 @@
 //! The appearance of a face: its value on the colour map, the colour of the row of constraints that
-//! acts on it, whether it is selected, and whether it is a member of the highlighted constraint.
-//! Four bytes per face.
+//! acts on it, whether it is selected, and whether it is highlighted as a member. Four bytes per
+//! face.
 
 use super::bands::Bands;
 use super::colour_map::{ColourMap, MapChoice, texel};
@@ -41,13 +41,11 @@ impl FaceColour {
 pub struct Appearance {
     /// Values of the faces and their scale, or none for the plain material.
     values: Option<(Vec<f32>, ColourScale)>,
-    /// #V, of which each face has the largest as its value; none if the measure has no vertex
-    /// values.
+    /// #V, of which each face has the largest as its value; none without vertex values.
     corners: Option<Vec<f32>>,
     in_bands: bool,
     /// The map to use when all values have colours.
     map: MapChoice,
-    /// The bands, if values are shown in bands.
     bands: Option<Bands>,
     /// Selected vertices.
     pub selected_vertices: Vec<u32>,
@@ -64,7 +62,7 @@ impl Appearance {
     /// Colours faces by `values` (#F) on a scale; `None` restores the plain material.
     ///
     /// # Errors
-    /// The number of values differs from the number of faces.
+    /// A wrong number of values.
     pub fn set_values(
         &mut self,
         values: Option<Vec<f32>>,
@@ -98,11 +96,11 @@ impl Appearance {
         self.in_bands
     }
 
-    /// Sets the values of the vertices (#V) of which each face has the largest as its value. Bands
-    /// then run through the faces.
+    /// Sets the values of the vertices (#V) of which each face has the largest. Bands then run
+    /// through the faces.
     ///
     /// # Errors
-    /// The number of values differs from the number of vertices.
+    /// A wrong number of values.
     pub fn set_corners(
         &mut self,
         corners: Option<Vec<f32>>,
@@ -143,8 +141,7 @@ impl Appearance {
         Some(self.bands.as_ref()?.range_in_steps())
     }
 
-    /// Returns the value of a vertex in the steps of [`Appearance::corner_steps`]; zero if there
-    /// are none.
+    /// Returns the value of a vertex in the steps of [`Appearance::corner_steps`], or zero.
     pub fn corner_in_steps(&self, vertex: usize) -> f32 {
         match (&self.bands, &self.corners) {
             (Some(bands), Some(corners)) => bands.in_steps(corners[vertex]),
@@ -167,8 +164,8 @@ impl Appearance {
         self.values.is_some()
     }
 
-    /// Returns whether all faces have colours of values from light to dark. With a tolerance only
-    /// those beyond it have.
+    /// Returns whether all faces have colours of values; with a tolerance only those beyond it
+    /// have.
     pub fn has_full_map(&self) -> bool {
         self.has_values() && !matches!(self.map(), ColourMap::Beyond | ColourMap::AroundZero)
     }

@@ -10,8 +10,7 @@ pub struct Stroke {
     pub colour: Colour,
     /// Width.
     pub width: f32,
-    /// Width of the casing on each side. If positive, `colour` is that of the casing; the line has
-    /// a colour of its own.
+    /// Width of the casing on each side, which has the colour `colour`; the line has its own.
     pub casing: f32,
     /// Factor of the opacity where the surface hides the line.
     pub hidden: f32,
@@ -125,8 +124,7 @@ pub struct Palette {
     pub edge_of_values: Colour,
     /// Dark squares of the checkerboard of a flat map.
     pub check: Colour,
-    /// Edges between faces with a checkerboard: visible on both kinds of squares, but fainter than
-    /// these.
+    /// Edges between faces with a checkerboard: visible on both kinds of squares, but fainter.
     pub edge_of_checks: Colour,
     /// Indexed by [`DotKind`].
     pub dots: [Dot; DOT_KINDS],

@@ -1,14 +1,12 @@
 //! Round numbers for scales and grids: one, two or five times a power of ten.
 
-/// Returns the largest round number that is not greater than `most`; zero unless `most` is positive
-/// and finite.
+/// Returns the largest round number up to `most`; zero unless `most` is positive and finite.
 pub fn round_down(most: f64) -> f64 {
     if !(most > 0.0 && most.is_finite()) {
         return 0.0;
     }
     let exponent = most.log10().floor();
-    // Parsing a decimal literal gives the nearest number: 0.005 exactly, not 5 times an inexact
-    // 0.001.
+    // A parsed literal is the nearest number: 0.005, not 5 times an inexact 0.001.
     let times_power = |digit: u32, exponent: f64| {
         let text = format!("{digit}e{exponent}");
         text.parse::<f64>().expect("a digit with a whole exponent is a number")

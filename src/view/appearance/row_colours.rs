@@ -5,8 +5,7 @@ use crate::view::model::ViewError;
 /// Maximum number of colours: indices into the palette are bytes, and 0 is no colour.
 pub const MOST_COLOURS: usize = 255;
 
-/// Fraction of its colour that is mixed into the material of a face, so that its shape stays
-/// readable.
+/// Fraction of its colour that is mixed into the material of a face, so that shape stays readable.
 pub const STRENGTH: f32 = 0.36;
 
 /// A palette and indices into it; initially nothing has a colour.
@@ -58,8 +57,7 @@ impl RowColours {
     }
 }
 
-/// Returns a palette as RGBA bytes for `count` indices, the first for index 0; opacity is
-/// [`STRENGTH`].
+/// Returns a palette as RGBA bytes for indices below `count`, 0 for none; opacity is [`STRENGTH`].
 pub fn texels(palette: &[[f32; 3]], count: usize) -> Vec<u8> {
     let mut texels = vec![0; count * 4];
     for (texel, colour) in texels.chunks_exact_mut(4).skip(1).zip(palette) {

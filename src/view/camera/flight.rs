@@ -20,9 +20,9 @@ impl Flight {
         Flight { from, to, at: from }
     }
 
-    /// Moves the camera to a fraction `part` of the flight, from 0 to 1, with easing at both ends.
-    /// Returns whether the flight continues: it ends on arrival, or when the camera was moved by
-    /// other means.
+    /// Moves the camera to a fraction `part` of the flight, from 0 to 1, with easing. Returns
+    /// whether the flight continues: it ends on arrival, or when the camera was moved by other
+    /// means.
     pub fn go(&mut self, camera: &mut Camera, part: f32) -> bool {
         if pose(camera) != pose(&self.at) {
             return false;

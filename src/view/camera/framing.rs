@@ -49,8 +49,7 @@ pub fn frame(camera: &mut Camera, points: impl Iterator<Item = Vec3> + Clone, ra
 }
 
 /// [`frame`] in parallel projection, where the side planes of the field of view are parallel too.
-/// The slopes are the free parts of the canvas from its centre to the right and upwards, and to the
-/// left and downwards, at depth 1.
+/// The slopes are the free parts of the canvas right and up, and left and down, of its centre.
 fn frame_parallel(
     camera: &mut Camera,
     points: impl Iterator<Item = Vec3>,

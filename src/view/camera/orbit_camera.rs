@@ -1,5 +1,4 @@
-//! A turntable camera, in perspective or parallel projection: it turns about the vertical axis and
-//! tilts, but never rolls.
+//! A turntable camera, in perspective or parallel projection: it turns and tilts, but never rolls.
 //!
 //! Points are relative to the view's centre; screen positions are CSS pixels from the upper left
 //! corner of the canvas.
@@ -44,17 +43,14 @@ pub enum CameraProjection {
     /// Objects farther away are smaller.
     #[default]
     Perspective,
-    /// Everything has the size that it would have at the depth of the pivot in perspective; rays
-    /// are parallel.
+    /// Everything has the size that it has at the pivot in perspective; rays are parallel.
     Parallel {
-        /// Upper bound on distances from the view's centre: the eye is so far behind the pivot that
-        /// everything is in front of it.
+        /// Upper bound on distances from the view's centre, which places the eye behind everything.
         reach: f32,
     },
 }
 
-/// Position and direction of the camera. All fields can be set freely; [`Camera::tilt`] must stay
-/// within a quarter turn.
+/// Position and direction of the camera. [`Camera::tilt`] must stay within a quarter turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// The point at the centre of the canvas, about which the eye turns.
@@ -160,14 +156,12 @@ impl Camera {
         self.pivot = anchor + after.right * right + after.up * up + after.forward * forward;
     }
 
-    /// Turns the model about the vertical axis through `anchor` by an angle in radians; its front
-    /// moves right.
+    /// Turns the model about the vertical axis through `anchor`, in radians; its front moves right.
     pub fn spin(&mut self, anchor: Vec3, angle: f32) {
         self.orbit_about(anchor, angle / TURN_PER_PIXEL, 0.0);
     }
 
-    /// Slides the picture by a drag in CSS pixels: points at the depth of the pivot follow the
-    /// cursor.
+    /// Slides the picture by a drag in CSS pixels: the plane of the pivot follows the cursor.
     pub fn pan(&mut self, dx: f32, dy: f32) {
         let eye = self.eye();
         self.pivot -= eye.across(Vec2::new(dx, dy), self.distance);
@@ -250,8 +244,8 @@ impl Eye {
         self.parallel.unwrap_or(depth)
     }
 
-    /// Returns the screen position and depth of a point. The screen position is meaningless unless
-    /// the depth is positive.
+    /// Returns the screen position and depth of a point; only a positive depth has a valid
+    /// position.
     pub fn project(&self, point: Vec3) -> (Vec2, f32) {
         let from_eye = point - self.at;
         let depth = from_eye.dot(self.forward);
@@ -259,9 +253,9 @@ impl Eye {
         (self.middle + offset * (self.focal / self.scale_depth(depth)), depth)
     }
 
-    /// Returns [`Eye::project`] as three rows that act on (point, 1): row 0 over row 2 is the
-    /// horizontal position, row 1 over row 2 the vertical position downwards; row 2 is the depth
-    /// that determines sizes.
+    /// Returns [`Eye::project`] as three rows that act on (point, 1): row 0 / row 2 is the
+    /// horizontal position, row 1 / row 2 the vertical one, downwards; row 2 is the depth that
+    /// determines sizes.
     pub fn rows(&self) -> [Vec4; 3] {
         let row = |axis: Vec3| axis.extend(-axis.dot(self.at));
         let depth = self.parallel.map_or(row(self.forward), |scale| Vec4::W * scale);
@@ -277,8 +271,8 @@ impl Eye {
         (self.right * pixels.x - self.up * pixels.y) * (self.scale_depth(depth) / self.focal)
     }
 
-    /// Returns the ray through a screen position: its origin, and its direction, which has depth 1
-    /// rather than length 1.
+    /// Returns the origin and the direction of the ray through a screen position. The direction has
+    /// depth 1, not length 1.
     pub fn ray(&self, screen: Vec2) -> (Vec3, Vec3) {
         let across = self.across(screen - self.middle, 1.0);
         match self.parallel {
@@ -309,7 +303,6 @@ mod tests {
         }
     }
 
-    /// One camera in perspective, one in parallel projection.
     fn cameras() -> [Camera; 2] {
         let parallel = Camera { projection: CameraProjection::Parallel { reach: 4.0 }, ..camera() };
         [camera(), parallel]

@@ -1,9 +1,8 @@
 //! A drag of handles by the pointer: freely, in a plane, or along an axis.
 //!
 //! In a plane, the dragged point follows the intersection with the ray through the pointer; along
-//! an axis, the point of the axis nearest to that ray. Both are measured from the point under the
-//! pointer at the start of the drag, with the eye as it was then, so that nothing jumps and nothing
-//! drifts.
+//! an axis, the point of the axis nearest to that ray. Both start from the point under the pointer,
+//! with the eye at the start of the drag, so that nothing jumps and nothing drifts.
 
 use crate::view::camera::{Camera, Eye, UpAxis};
 use crate::view::model::ViewError;
@@ -113,8 +112,7 @@ impl DragConstraint {
         self.eye.across(to - self.from, depth)
     }
 
-    /// Returns the point of the axis nearest to the ray, as a coordinate relative to the held
-    /// point.
+    /// Returns the point of the axis nearest to the ray, as a coordinate from the held point.
     fn along(&self, axis: usize, at: Vec2) -> Option<f32> {
         let along = axis_of(axis);
         let (from, sight) = self.eye.ray(at);
@@ -142,8 +140,7 @@ impl DragConstraint {
         };
         let (_, sight) = self.eye.ray(self.from);
         let mut way = if sight.normalize().dot(normal).abs() < EDGE_ON {
-            // Edge-on, a plane is a line: vertical movement on the screen does not determine
-            // anything in it.
+            // Edge-on, a plane is a line: vertical screen movement determines nothing in it.
             self.on_screen(to)
         } else {
             meet(to)? - meet(self.from)?
@@ -169,7 +166,6 @@ mod tests {
         Camera { turn, tilt, distance: 6.0, canvas: Vec2::new(900.0, 700.0), ..Camera::default() }
     }
 
-    /// Cameras on many sides, in perspective and in parallel projection.
     fn views() -> impl Iterator<Item = Camera> {
         let turns = [-2.8, -1.0, 0.4, 0.9, 2.2];
         let cameras = turns

@@ -99,8 +99,7 @@ impl Gizmo {
         Some(Gizmo { middle, sizes, parts: arrows.chain(squares).collect() })
     }
 
-    /// Returns the part at a screen position. Near the centre there is none, because the handle is
-    /// there.
+    /// Returns the part at a screen position; none near the centre, where the handle is.
     pub fn pick(&self, at: Vec2) -> Option<DragDirection> {
         if at.distance(self.middle) < self.sizes.gap {
             return None;
@@ -143,8 +142,7 @@ impl Part {
         self.corners.iter().sum::<Vec2>() / self.corners.len() as f32
     }
 
-    /// Returns the distance of the part from a screen position, if that is on it or nearer than
-    /// `reach`.
+    /// Returns the distance of the part from a screen position, if it is at most `reach`.
     fn apart(&self, at: Vec2, reach: f32) -> Option<f32> {
         if let [start, tip] = self.corners[..] {
             let apart = apart_from_segment(at, start, tip);

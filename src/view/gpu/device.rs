@@ -42,7 +42,6 @@ pub struct SurfaceFrame {
     view: wgpu::TextureView,
 }
 
-/// An adapter with its device.
 type Opened = (wgpu::Instance, wgpu::Adapter, wgpu::Device, wgpu::Queue);
 
 fn instance(backends: wgpu::Backends) -> wgpu::Instance {
@@ -51,7 +50,6 @@ fn instance(backends: wgpu::Backends) -> wgpu::Instance {
     wgpu::Instance::new(descriptor)
 }
 
-/// Requests an adapter and its device.
 async fn open(
     instance: wgpu::Instance,
     surface: Option<&wgpu::Surface<'static>>,

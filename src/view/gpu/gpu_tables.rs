@@ -1,6 +1,5 @@
 //! Tables from which shaders read, with four numbers per vertex or face. They are textures because
-//! WebGL2 has no storage buffers. Each table is written in one call, in whole rows: the number of
-//! writes costs time, not their size.
+//! WebGL2 has no storage buffers. Each is written in one call, in whole rows: calls cost, not size.
 
 use super::globals::{NUMBERS, numbers};
 use super::placement::Placement;
@@ -23,7 +22,6 @@ impl Table {
         Table { texture: create(device, label, format, WIDTH, 1), label }
     }
 
-    /// Returns whether there is room for `count` texels.
     fn holds(&self, count: usize) -> bool {
         count <= (WIDTH * self.texture.height()) as usize
     }
@@ -81,7 +79,6 @@ fn create(
     })
 }
 
-/// Writes `height` rows of `width` texels, starting at row `first`.
 fn write(
     queue: &wgpu::Queue,
     texture: &wgpu::Texture,
@@ -251,8 +248,7 @@ impl GpuTables {
         queue.write_buffer(&self.globals, 0, bytemuck::cast_slice(&numbers));
     }
 
-    /// Writes points in place of those of the mesh, and the globals of `state` with a veil of this
-    /// colour.
+    /// Writes points in place of those of the mesh, and the globals with a veil of this colour.
     pub fn update_points(
         &mut self,
         device: &wgpu::Device,
@@ -301,7 +297,6 @@ fn points(state: &ViewState, first: usize) -> Vec<[f32; 4]> {
     four_each(vertices.chain(targets).chain(state.projected()))
 }
 
-/// Converts vectors to four floats each.
 fn four_each(vectors: impl Iterator<Item = Vec4>) -> Vec<[f32; 4]> {
     vectors.map(|vector| vector.to_array()).collect()
 }

@@ -1,5 +1,4 @@
-//! The loss of the graphics device: checked before each picture, and awaited while nothing is
-//! drawn.
+//! The loss of the graphics device: checked before each picture, and awaited in between.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};

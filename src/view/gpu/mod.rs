@@ -1,5 +1,4 @@
-//! Drawing of view states on a canvas with wgpu. Compiled for the browser only, except what native
-//! tests check.
+//! Draws view states on a canvas with wgpu. Browser only, except what native tests check.
 //!
 //! | file | holds |
 //! |---|---|

@@ -10,8 +10,7 @@ pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
 /// Depth test and blending of a primitive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
-    /// Opaque, with a depth bias so that lines on it are visible. WebGPU allows such a bias on
-    /// triangles only.
+    /// Opaque, with a depth bias so that lines on it are visible; WebGPU biases only triangles.
     Surface,
     /// Blended where nothing is in front, with a larger bias than a surface: where both coincide,
     /// the surface is seen and nothing flickers.
@@ -29,8 +28,7 @@ pub enum Layer {
 pub enum Onto {
     /// The picture, in the format of its canvas, with several samples per pixel.
     Picture(wgpu::TextureFormat),
-    /// A texture of [`FOUND_FORMAT`] that later passes read; only a surface uses a depth buffer
-    /// with it.
+    /// A texture of [`FOUND_FORMAT`] for later passes; only a surface uses a depth buffer with it.
     Found,
 }
 

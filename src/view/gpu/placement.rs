@@ -36,8 +36,7 @@ impl Placement {
         [x, y, right, -down]
     }
 
-    /// Returns the part of the canvas that the picture covers: left, top, width, height; none if it
-    /// is outside.
+    /// Returns the part of the canvas that the picture covers: left, top, width, height, if any.
     pub fn shown(&self) -> Option<[u32; 4]> {
         let along = |size: u32, at: i32, canvas: u32| {
             let from = i64::from(at).max(0);

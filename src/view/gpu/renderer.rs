@@ -68,8 +68,7 @@ impl Renderer {
         }
     }
 
-    /// Returns whether the last computed occlusion is still valid for the current view in a picture
-    /// of this size in pixels.
+    /// Returns whether the last occlusion is still valid for this view and picture size in pixels.
     pub fn occlusion_fits(&self, state: &ViewState, size: (u32, u32)) -> bool {
         let changes = state.changes();
         let is_moved = changes.mesh || changes.positions;
@@ -158,9 +157,9 @@ impl Renderer {
     }
 
     /// Draws everything of the model with the tables of `viewport`. `side` is given for a side of a
-    /// split picture, and is true for the original, of which only the mesh and its surroundings are
-    /// drawn: handles, projections and fitted shapes belong to the current shape. Only a whole
-    /// picture has a shadow.
+    /// split picture, which has no shadow. It is true for the original, of which only the mesh and
+    /// its surroundings are drawn: handles, projections and fitted shapes belong to the current
+    /// shape.
     fn draw_model(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
@@ -191,8 +190,7 @@ impl Renderer {
         }
     }
 
-    /// Updates the tables of both sides; returns for each its part of the picture, and whether it
-    /// shows the original.
+    /// Updates the tables of both sides; returns their parts of the picture, and which is original.
     fn update_sides(
         &mut self,
         split: &mut Split,

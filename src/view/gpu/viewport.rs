@@ -31,8 +31,7 @@ impl Viewport {
         }
     }
 
-    /// Uploads what has changed in the state, for a picture at `placement`; `lines` already has its
-    /// mesh.
+    /// Uploads changes of the state, for a picture at `placement`; `lines` already has its mesh.
     pub fn update(
         &mut self,
         (device, queue): (&wgpu::Device, &wgpu::Queue),

@@ -7,16 +7,14 @@ use glam::{DVec2, Vec2};
 /// A checkerboard on a surface.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Checks {
-    /// #V, texture coordinates of the vertices, relative to the centre of the map; empty without a
-    /// map.
+    /// #V, texture coordinates of the vertices about the centre of the map; empty without a map.
     pub places: Vec<Vec2>,
     /// Number of squares per unit of length; none are drawn if it is 0.
     pub per_length: f32,
 }
 
 impl Checks {
-    /// Creates a checkerboard from texture coordinates of `count` vertices, #V by 2 in a flat
-    /// array. No squares are drawn yet.
+    /// Creates a board from texture coordinates of `count` vertices, #V by 2, without squares yet.
     ///
     /// # Errors
     /// A wrong number of coordinates, or one that is not finite.

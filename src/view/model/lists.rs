@@ -80,12 +80,12 @@ impl fmt::Display for ViewError {
 impl std::error::Error for ViewError {}
 
 impl Lists {
-    /// Creates rows from `#rows + 1` offsets and the indices of all rows, each less than `count`.
-    /// Empty offsets mean no rows.
+    /// Creates rows from `#rows + 1` offsets (or none, for no rows) and indices, each below
+    /// `count`.
     ///
     /// # Errors
-    /// Offsets that do not divide the indices into rows, or an index that is too large. `what`
-    /// names the rows in the message.
+    /// Offsets that do not divide the indices into rows, or an index that is too large; `what`
+    /// names the rows.
     pub fn new(
         what: &'static str,
         offsets: Vec<u32>,

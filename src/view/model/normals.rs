@@ -5,8 +5,7 @@ use super::lists::Lists;
 use super::triangulate::newell_normal;
 use glam::Vec3;
 
-/// Unit normals: `faces` is #F, `vertices` is #V. Zero without area, and at vertices where the
-/// normals of the faces cancel.
+/// Unit normals: `faces` is #F, `vertices` is #V. Zero without area, or where normals cancel.
 #[derive(Clone, Debug, Default)]
 pub struct Normals {
     /// One per polygon.

@@ -12,8 +12,7 @@ pub struct PolygonEdge {
     pub boundary: bool,
 }
 
-/// Returns every edge of `faces` once, sorted by vertices. Sides that start and end at the same
-/// vertex are left out.
+/// Returns every edge of `faces` once, sorted by vertices, without sides of zero length.
 pub fn polygon_edges(faces: &Lists) -> Vec<PolygonEdge> {
     sides_by_edge(faces)
         .chunk_by(|a, b| a.0 == b.0)

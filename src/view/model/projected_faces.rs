@@ -9,14 +9,13 @@ use glam::Vec3;
 pub struct ProjectedFaces {
     /// Three projected points each.
     pub triangles: Vec<[u32; 3]>,
-    /// For each triangle the largest displacement in its ring: an upper bound on its distance from
-    /// the surface.
+    /// The largest displacement in the ring of each triangle, which bounds its distance from the
+    /// surface.
     pub beside: Vec<f32>,
 }
 
 impl ProjectedFaces {
-    /// Fills the shapes of `projections`, whose points are at `places`. Open and branching outlines
-    /// stay empty.
+    /// Fills the closed shapes of `projections`, whose points are at `places`.
     pub fn new(projections: &ProjectionMarks, places: &[Vec3]) -> ProjectedFaces {
         let mut found = ProjectedFaces::default();
         for ring in rings(&projections.outlines, places.len()) {
@@ -29,8 +28,7 @@ impl ProjectedFaces {
     }
 }
 
-/// Returns the closed rings among pairs of `count` points, each once, in the order of their first
-/// points.
+/// Returns the closed rings among pairs of `count` points, each once, sorted by first point.
 fn rings(pairs: &[[u32; 2]], count: usize) -> Vec<Vec<u32>> {
     let mut degree = vec![0u8; count];
     let mut beside = vec![[0u32; 2]; count];

@@ -1,5 +1,4 @@
-//! The projections of constraints: points near vertices, outlines between them, and arrows from the
-//! vertices to their points.
+//! The projections of constraints: points near vertices, outlines between points, and arrows.
 
 use super::lists::{ViewError, check_indices};
 use glam::Vec3;

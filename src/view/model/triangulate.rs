@@ -6,8 +6,7 @@
 
 use glam::{Vec2, Vec3};
 
-/// Returns Newell's normal of a polygon, whose length is twice the area; zero for a polygon without
-/// area.
+/// Returns Newell's normal of a polygon: its length is twice the area, possibly zero.
 pub fn newell_normal(positions: &[Vec3], polygon: &[u32]) -> Vec3 {
     let Some(&last) = polygon.last() else { return Vec3::ZERO };
     // Relative to one corner, to avoid cancellation far from the origin.
@@ -64,8 +63,7 @@ fn neighbours(count: usize, i: usize) -> (usize, usize) {
     ((i + count - 1) % count, (i + 1) % count)
 }
 
-/// Returns twice the signed area of the triangle at corner `i` of the remaining polygon, negative
-/// if reflex.
+/// Returns twice the signed area of the triangle at remaining corner `i`; negative if reflex.
 fn turn(flat: &[Vec2], left: &[usize], i: usize) -> f32 {
     let (before, after) = neighbours(left.len(), i);
     let at = flat[left[i]];

@@ -9,8 +9,7 @@ use glam::{DVec3, Vec3};
 const LEAST: f64 = 6.0;
 /// Margin of the grid around the mesh, as a fraction of the longer side of the mesh.
 const BEYOND: f64 = 0.22;
-/// Distance of the grid below the mesh, as a fraction of its size, so that a flat mesh does not lie
-/// in it.
+/// Distance of the grid below the mesh, as a fraction of its size; a flat mesh does not touch it.
 const BELOW: f64 = 0.004;
 
 /// The lines of a grid.

@@ -1,20 +1,16 @@
-//! The soft shadow of a mesh on the ground under a uniform sky: the fraction of light that the mesh
-//! blocks at the corners of a grid. Low parts have a dark and narrow shadow, high parts a pale and
-//! wide one.
+//! The soft shadow of a mesh on the ground under a uniform sky, sampled at the corners of a grid.
+//! Low parts have a dark and narrow shadow, high parts a pale and wide one.
 
 use crate::view::camera::UpAxis;
 use glam::{Vec2, Vec3};
 
 /// Number of cells along the longer side of the grid.
 const CELLS: f32 = 80.0;
-/// Margin of the grid around the mesh, as a fraction of the longer side and of the height of the
-/// mesh.
+/// Margin of the grid around the mesh, as a fraction of its longer side and of its height.
 const BEYOND: f32 = 0.32;
-/// Heights, as fractions of the size of the mesh, at which the narrow and the wide shadow fade to
-/// 1/e.
+/// Heights at which the narrow and the wide shadow fade to 1/e, relative to the size of the mesh.
 const HEIGHTS: [f32; 2] = [0.06, 0.9];
-/// Half widths of the box blurs, as fractions of the longer side of the grid; each is applied three
-/// times.
+/// Half widths of the box blurs, relative to the longer side of the grid; each is applied 3 times.
 const BLURS: [f32; 2] = [0.009, 0.040];
 /// Maximum darkness of the narrow and the wide shadow.
 const STRENGTHS: [f32; 2] = [0.50, 0.48];
@@ -34,9 +30,9 @@ pub struct GroundShadow {
     origin: Vec3,
     /// Vectors to the next cell in a row, and to the next row.
     steps: [Vec3; 2],
-    /// Number of corners in a row.
+    /// Corners per row.
     width: usize,
-    /// Darkness of the corners, row by row, from 0 to 1.
+    /// Row by row, from 0 to 1.
     dark: Vec<f32>,
 }
 
@@ -107,8 +103,8 @@ impl GroundShadow {
         }
     }
 
-    /// Returns the visible cells: the first corner of each, and the darkness at its four corners,
-    /// row by row.
+    /// Returns the visible cells: the first corner, and the darkness at the four corners, row by
+    /// row.
     pub fn cells(&self) -> impl Iterator<Item = (Vec3, [f32; 4])> + '_ {
         let rows = self.dark.len().checked_div(self.width).unwrap_or(0);
         let [right, away] = self.steps;
@@ -124,8 +120,7 @@ impl GroundShadow {
     }
 }
 
-/// Returns the centroids of the `count`² subtriangles of a triangle, as coordinates along two of
-/// its sides.
+/// Returns the centroids of the `count`² subtriangles of a triangle, in coordinates of two sides.
 fn samples_of_triangle(count: u32) -> impl Iterator<Item = [f32; 2]> {
     let part = 1.0 / (3.0 * count as f32);
     (0..count).flat_map(move |i| (0..count - i).map(move |j| (i, j))).flat_map(move |(i, j)| {

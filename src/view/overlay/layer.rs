@@ -1,5 +1,5 @@
-//! A layer beside the surface, joined to it by a post at every vertex, with marks where it cannot
-//! be built.
+//! A layer beside the surface, joined to it by a post at every vertex, and where it cannot be
+//! built.
 
 use glam::DVec3;
 
@@ -8,10 +8,8 @@ use glam::DVec3;
 pub struct ShownLayer {
     /// #V in file coordinates, or empty.
     pub(in crate::view) points: Vec<DVec3>,
-    /// Edges that fail, by their ends: drawn on the surface, in the layer, and with the posts at
-    /// their ends.
+    /// Edges that fail, by their ends: drawn on the surface and in the layer, with their posts.
     pub(in crate::view) failed_edges: Vec<[u32; 2]>,
-    /// Vertices whose posts fail.
     pub(in crate::view) failed_vertices: Vec<u32>,
     /// Whether it has changed since the last picture.
     pub(in crate::view) changed: bool,

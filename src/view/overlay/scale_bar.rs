@@ -1,5 +1,4 @@
-//! A scale bar of round length. It is exact everywhere in parallel projection; in perspective, at
-//! the depth of the camera's pivot.
+//! A scale bar of round length: exact in parallel projection, and at the pivot in perspective.
 
 use crate::view::appearance::round_down;
 use crate::view::camera::Camera;

@@ -11,7 +11,7 @@ pub struct SurfaceLines {
     pub(in crate::view) points: Vec<DVec3>,
     /// Two points of each line, and its [`LineKind`].
     pub(in crate::view) lines: Vec<[u32; 3]>,
-    /// Whether they have changed since the last picture.
+    /// Changed since the last picture.
     pub(in crate::view) changed: bool,
 }
 

@@ -1,5 +1,4 @@
-//! The ghost of the mesh as it was opened and the grid on the ground, as lines between points of
-//! their own.
+//! The ghost of the mesh as it was opened and the ground grid, as lines between their own points.
 
 use super::ground::Ground;
 use glam::DVec3;

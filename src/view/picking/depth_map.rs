@@ -12,10 +12,8 @@ pub const COARSE: f32 = 512.0;
 const TOLERANCE: f32 = 4e-3;
 /// The same for sides of faces, whose own faces need no tolerance.
 const TOLERANCE_OF_SIDES: f32 = 5e-4;
-/// A surface farther away than a line by more than this fraction of its depth does not continue the
-/// line's.
+/// A surface behind a line by more than this fraction of its depth does not continue the line's.
 const BEHIND: f32 = 2e-2;
-/// No face.
 const NONE: u32 = u32::MAX;
 
 /// The nearest depth and its face per pixel.
@@ -34,8 +32,7 @@ pub struct DepthMap {
 }
 
 impl DepthMap {
-    /// Draws all triangles as the camera sees them, with `longer_side` pixels along the longer
-    /// side.
+    /// Draws all triangles as the camera sees them, with this many pixels on the longer side.
     pub fn new(mesh: &RenderMesh, camera: &Camera, longer_side: f32) -> DepthMap {
         let scale = longer_side / camera.canvas.max_element().max(1.0);
         let size = (camera.canvas * scale).ceil().max(Vec2::ONE);

@@ -5,12 +5,10 @@ use crate::view::camera::Camera;
 use crate::view::model::RenderMesh;
 use glam::Vec2;
 
-/// A vertex behind the surface by up to this fraction of its distance from the eye is still
-/// visible.
+/// A vertex behind the surface by up to this fraction of its distance is still visible.
 const HIDING_TOLERANCE: f32 = 1e-3;
 
-/// Returns whether a vertex is in front of the eye, not hidden by the surface, and kept by the
-/// section.
+/// Returns whether a vertex is in front of the eye, not hidden, and kept by the section.
 pub fn visible(mesh: &RenderMesh, camera: &Camera, vertex: u32) -> bool {
     let eye = camera.eye();
     let point = mesh.positions[vertex as usize];
@@ -41,8 +39,7 @@ pub fn pick_any(
     near_cursor(mesh, camera, candidates, at, radius).first().copied()
 }
 
-/// Returns the candidates within `radius` of a screen position, sorted by distance; equal distances
-/// are sorted by depth.
+/// Returns the candidates within `radius` of a screen position, sorted by distance, then depth.
 fn near_cursor(
     mesh: &RenderMesh,
     camera: &Camera,

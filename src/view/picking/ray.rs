@@ -3,8 +3,7 @@
 use crate::view::model::RenderMesh;
 use glam::Vec3;
 
-/// Triangles are enlarged by this fraction of their sides, so that no ray slips between two of
-/// them.
+/// Triangles are enlarged by this fraction, so that no ray slips between two of them.
 const SEAM: f32 = 1e-5;
 
 /// A point on the surface.
@@ -16,8 +15,7 @@ pub struct Hit {
     pub along: f32,
 }
 
-/// Returns the first intersection of a ray with the part of the surface for which `is_there` is
-/// true.
+/// Returns the first intersection of a ray with the surface for which `is_there` is true.
 pub fn first_hit(
     mesh: &RenderMesh,
     from: Vec3,
@@ -39,8 +37,7 @@ pub fn first_hit(
 
 /// Returns whether the surface hides a vertex from an eye. Triangles at the vertex do not count,
 /// nor does anything nearer to it than `tolerance` (units of length), so that corners on the
-/// outline and coincident vertices stay visible; nor do parts of the surface for which `is_there`
-/// is false.
+/// outline and coincident vertices stay visible; nor do points for which `is_there` is false.
 pub fn hidden(
     mesh: &RenderMesh,
     eye: Vec3,

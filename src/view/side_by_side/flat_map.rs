@@ -68,8 +68,7 @@ fn sides(faces: &Lists, chosen: &[u32]) -> Vec<[u32; 2]> {
     sides
 }
 
-/// Zooms to the faces that the map flips, as far as their size requires; on the model from their
-/// front.
+/// Zooms to the flipped faces, in proportion to their size; on the model from their front.
 pub fn show_flipped(map: &mut ViewState, model: &mut ViewState) {
     let mut vertices = map.flipped().as_flattened().to_vec();
     vertices.sort_unstable();

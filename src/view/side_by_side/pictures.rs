@@ -14,7 +14,6 @@ pub struct Pictures {
     model: ViewState,
     map: Option<ViewState>,
     split: Option<Split>,
-    /// The flight of the camera in progress.
     flight: Option<Flight>,
     /// The start of the next flight.
     take_off_from: Option<Camera>,
@@ -95,12 +94,11 @@ impl Pictures {
         Ok(())
     }
 
-    /// Shows the flat map `uv` (#V by 2) of the mesh beside it, replacing an earlier one, and
-    /// outlines the faces that it flips.
+    /// Shows the flat map `uv` (#V by 2) beside the mesh, replacing an earlier one, and outlines
+    /// the faces that it flips.
     ///
     /// # Errors
-    /// A wrong number of points, one that is not finite, or a face that does not exist; nothing
-    /// changes then.
+    /// A wrong number of points, one that is not finite, or an unknown face; nothing changes then.
     pub fn set_map(&mut self, uv: &[f64], flipped: &[u32]) -> Result<(), ViewError> {
         let (map, checks) = flat_map(&self.model, uv, flipped)?;
         self.model.set_checks(checks);
@@ -125,7 +123,7 @@ impl Pictures {
     /// on the map, or on both, and colours each face of the map by its value (#F) on a scale.
     ///
     /// # Errors
-    /// The number of values differs from the number of faces.
+    /// A wrong number of values.
     pub fn set_map_looks(
         &mut self,
         squares: f32,
@@ -245,7 +243,6 @@ impl Pictures {
         self.fly(1.0);
     }
 
-    /// Divides the canvas between the model and its map.
     fn arrange(&mut self) {
         self.arrive();
         let whole = Region::whole(self.canvas);

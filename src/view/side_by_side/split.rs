@@ -21,8 +21,8 @@ pub struct Split {
 pub struct Side {
     /// The mesh with the colours of this side.
     pub state: ViewState,
-    /// Whether it shows the original, and does not follow the mesh. Handles and projections belong
-    /// to the current shape only.
+    /// Whether it shows the original, without handles and projections, and does not follow the
+    /// mesh.
     pub is_original: bool,
 }
 
@@ -31,8 +31,7 @@ pub struct Side {
 pub struct Colours {
     /// The value of each face.
     pub values: Option<Vec<f32>>,
-    /// #V, of which each face has the largest as its value; none if the measure has no vertex
-    /// values.
+    /// #V, of which each face has the largest as its value; none without vertex values.
     pub corners: Option<Vec<f32>>,
     /// The range of the colours, and the tolerance below which there are none.
     pub scale: ColourScale,
@@ -81,8 +80,7 @@ impl Split {
 }
 
 impl Side {
-    /// Shows the fixed shape `coordinates` (#V by 3, in file coordinates) or, if `None`, the shape
-    /// of `model`.
+    /// Shows the shape `coordinates` (#V by 3, in file coordinates), or follows that of `model`.
     ///
     /// # Errors
     /// A wrong number of vertices, or a coordinate that is not finite; nothing changes then.

@@ -1,5 +1,5 @@
-//! The contents of a view (mesh, handles, shapes, projections, tape) and its look (colours and
-//! marks of faces, theme, switches).
+//! The contents of a view (mesh, handles, shapes, projections, tape) and its look (colours, marks,
+//! theme, switches).
 
 use super::parts::{Display, HandleMark};
 use crate::view::appearance::Appearance;
@@ -18,7 +18,6 @@ pub(super) struct Content {
     pub(super) checks: Checks,
     /// Sides of the faces that a flat map flips: `#sides by 2`.
     pub(super) flipped: Vec<[u32; 2]>,
-    /// The ends of the measuring tape: none, the first, or both.
     pub(super) tape: Vec<u32>,
 }
 

@@ -11,8 +11,8 @@ impl ViewState {
     /// vertices each) that fail, and the vertices whose posts fail.
     ///
     /// # Errors
-    /// A wrong number of vertices, a coordinate that is not finite, or a vertex that does not
-    /// exist; the old layer stays.
+    /// A wrong number of vertices, a coordinate that is not finite, or an unknown vertex; the old
+    /// layer stays.
     pub fn set_layer(
         &mut self,
         coordinates: &[f64],
@@ -86,15 +86,14 @@ impl ViewState {
         self.view_changed();
     }
 
-    /// Returns the colour of lines over the surface: light on a full map of values, which is mostly
-    /// dark.
+    /// Returns the colour of lines over the surface: light on a full map, which is mostly dark.
     pub fn colour_over_surface(&self, kind: LineKind) -> Colour {
         let palette = if self.appearance().has_full_map() { &DARK } else { self.palette() };
         palette.strokes[kind as usize].colour
     }
 
-    /// Returns the lines over the surface and their points relative to the view's centre, if they
-    /// have changed since the last call.
+    /// Returns the lines over the surface, and their points relative to the view's centre, if
+    /// changed since the last call.
     pub fn take_changed_surface_lines(&mut self) -> Option<(Vec<[u32; 3]>, Vec<Vec3>)> {
         if !std::mem::take(&mut self.lines.changed) {
             return None;

@@ -40,7 +40,6 @@ impl ViewState {
         }
     }
 
-    /// Returns whether the camera is as `fit` left it.
     pub(crate) fn is_framed(&self) -> bool {
         self.viewpoint.framed
     }
@@ -70,9 +69,8 @@ impl ViewState {
         self.view_changed();
     }
 
-    /// Begins to turn the camera by a drag, about the point under the cursor. If there is none, it
-    /// turns about the centre of the model or, if that is out of sight, about the pivot of the
-    /// camera.
+    /// Begins to turn the camera by a drag: about the point under the cursor, else about the centre
+    /// of the model or, if that is out of sight, about the pivot of the camera.
     pub fn begin_turn(&mut self, cursor: Vec2) {
         let [low, high] = self.bounds();
         let middle = (low + high) * 0.5;
@@ -90,8 +88,7 @@ impl ViewState {
         self.view_changed();
     }
 
-    /// Turns the model about the vertical axis through its centre, as on a turntable, by an angle
-    /// in radians.
+    /// Turns the model about the vertical axis through its centre, by an angle in radians.
     pub fn spin(&mut self, angle: f32) {
         let [low, high] = self.bounds();
         self.viewpoint.camera.spin((low + high) * 0.5, angle);
@@ -106,8 +103,7 @@ impl ViewState {
         self.view_changed();
     }
 
-    /// Moves `factor` times nearer to the point under the cursor (farther if the factor is below
-    /// 1).
+    /// Moves `factor` times nearer to the point under the cursor (farther if it is below 1).
     pub fn zoom(&mut self, factor: f32, cursor: Vec2) {
         if !(factor.is_finite() && factor > 0.0) {
             return;
@@ -130,7 +126,6 @@ impl ViewState {
         }
     }
 
-    /// Returns the point of the surface under the cursor.
     fn surface_at(&self, cursor: Vec2) -> Option<Vec3> {
         let hit = pick::pick_face(&self.content.mesh, &self.viewpoint.camera, cursor)?;
         let (from, direction) = self.viewpoint.camera.eye().ray(cursor);

@@ -3,8 +3,7 @@
 use super::view_state::ViewState;
 use glam::DVec3;
 
-/// Pivot in file coordinates (3 numbers), distance, turn, tilt, and whether the model is framed (1
-/// or 0).
+/// Pivot in file coordinates (3 numbers), distance, turn, tilt, and whether it is framed (1 or 0).
 pub const CAMERA_NUMBERS: usize = 7;
 
 impl ViewState {

@@ -1,5 +1,4 @@
-//! Elements inside an outline on the screen: a box, a lasso, or a brush stroke. Screen positions
-//! are CSS pixels.
+//! Elements inside a box, a lasso, or a brush stroke. Screen positions are CSS pixels.
 
 use super::view_state::ViewState;
 use crate::math::polygon_sides;
@@ -8,8 +7,7 @@ use crate::view::model::{RenderMesh, ViewError, check_indices};
 use crate::view::picking::DepthMap;
 use glam::{Vec2, Vec3};
 
-/// A closed polygon on the screen. If it intersects itself, the even-odd rule decides what is
-/// inside.
+/// A closed polygon on the screen. If it intersects itself, the even-odd rule applies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
     corners: Vec<Vec2>,
@@ -18,8 +16,7 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// Creates an outline from its corners in order; it is closed implicitly. Without corners it is
-    /// empty.
+    /// Creates an outline from its corners in order, closed implicitly; empty without corners.
     pub fn new(corners: Vec<Vec2>) -> Outline {
         let low = corners.iter().copied().reduce(Vec2::min).unwrap_or(Vec2::INFINITY);
         let high = corners.iter().copied().reduce(Vec2::max).unwrap_or(Vec2::NEG_INFINITY);
@@ -132,8 +129,8 @@ impl ViewState {
         (0..count).filter(inside).collect()
     }
 
-    /// Returns the edges inside, in the order of [`ViewState::set_edges`]. An edge is visible if
-    /// its midpoint is.
+    /// Returns the edges inside, by [`ViewState::set_edges`]. An edge is visible if its midpoint
+    /// is.
     pub fn edges_in(&mut self, outline: &Outline, taking: Taking) -> Vec<u32> {
         let seen = Seen::new(self, taking.through);
         let inside = |&edge: &u32| {
@@ -206,8 +203,7 @@ impl<'a> Seen<'a> {
         self.camera.keeps(point) && self.map.is_none_or(|map| map.shows(at, depth))
     }
 
-    /// Returns the screen positions and depths of the ends of an edge; none if one is behind the
-    /// eye.
+    /// Returns the screen positions and depths of the ends of an edge, if both are before the eye.
     fn on_screen(&self, ends: [u32; 2]) -> Option<[(Vec2, f32); 2]> {
         let ends = ends.map(|v| self.project(self.mesh.positions[v as usize]));
         ends.iter().all(|&(_, depth)| depth > 0.0).then_some(ends)

@@ -79,7 +79,7 @@ impl ViewState {
     /// Colours faces by `values` (#F) on a scale; `None` restores the plain material.
     ///
     /// # Errors
-    /// The number of values differs from the number of faces.
+    /// A wrong number of values.
     pub fn set_face_values(
         &mut self,
         values: Option<Vec<f32>>,
@@ -91,11 +91,11 @@ impl ViewState {
         Ok(())
     }
 
-    /// Sets the values of the vertices (#V) of which each face has the largest as its value. Bands
-    /// then run through the faces.
+    /// Sets the values of the vertices (#V) of which each face has the largest. Bands then run
+    /// through the faces.
     ///
     /// # Errors
-    /// The number of values differs from the number of vertices.
+    /// A wrong number of values.
     pub fn set_corner_values(&mut self, values: Option<Vec<f32>>) -> Result<(), ViewError> {
         let (vertices, _) = self.counts();
         self.look.appearance.set_corners(values, vertices)?;
@@ -136,8 +136,7 @@ impl ViewState {
         Ok(())
     }
 
-    /// Sets the vertices and faces that are marked as members of a constraint, and their colour
-    /// (components from 0 to 1).
+    /// Sets the marked members of a constraint, and their colour (components from 0 to 1).
     ///
     /// # Errors
     /// An index out of range.

@@ -60,8 +60,8 @@ impl ViewState {
         ghost.iter().map(|&point| self.content.mesh.relative(point)).chain(grid)
     }
 
-    /// Returns the lines of ghost and grid: their ends among [`ViewState::surrounding_points`], and
-    /// their [`LineKind`].
+    /// Returns the lines of ghost and grid: two of [`ViewState::surrounding_points`], and
+    /// [`LineKind`].
     pub fn surrounding_lines(&self) -> Vec<[u32; 3]> {
         let mut lines = Vec::new();
         let mut first = 0;
@@ -77,8 +77,7 @@ impl ViewState {
         lines
     }
 
-    /// Selects perspective or parallel projection. The pivot stays in place, and objects there keep
-    /// their size.
+    /// Selects perspective or parallel projection. Pivot, and sizes at its depth, stay the same.
     pub fn set_parallel(&mut self, parallel: bool) {
         let is_parallel = self.viewpoint.camera.projection != CameraProjection::Perspective;
         if parallel == is_parallel {
@@ -123,8 +122,7 @@ impl ViewState {
     /// Returns the near and far depth of everything that is drawn.
     pub fn depth_range(&self) -> (f32, f32) {
         let [mut low, mut high] = self.bounds();
-        // Projections lie beside their vertices, and are drawn nearer to the eye by their
-        // displacement.
+        // Projections lie beside their vertices, and are lifted by their displacement.
         let ways = self.content.projections.points.iter().map(|point| point.way.length_squared());
         let beside = 2.0 * ways.fold(0.0, f32::max).sqrt();
         (low, high) = (low - beside, high + beside);

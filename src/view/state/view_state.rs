@@ -12,8 +12,7 @@ use crate::view::model::{
 use crate::view::overlay::{ShownLayer, SurfaceLines, Surroundings};
 use glam::{DVec3, Vec3, Vec4};
 
-/// The state of a view. Its setters record changes, which the renderer fetches with
-/// [`ViewState::take_changes`].
+/// The state of a view. Its setters record changes, which [`ViewState::take_changes`] returns.
 #[derive(Debug)]
 pub struct ViewState {
     pub(super) content: Content,
@@ -21,12 +20,9 @@ pub struct ViewState {
     pub(super) viewpoint: Viewpoint,
     /// The ghost of the mesh as it was opened, and the ground.
     pub(super) around: Surroundings,
-    /// The layer beside the surface.
     pub(super) layer: ShownLayer,
-    /// The lines over the surface.
     pub(super) lines: SurfaceLines,
     pub(super) gizmo: GizmoState,
-    /// Changes since the last picture.
     pub(super) changes: Changes,
 }
 
@@ -46,9 +42,8 @@ impl Default for ViewState {
 }
 
 impl ViewState {
-    /// Shows a mesh. A mesh of another topology starts without marks, handles and shapes, and is
-    /// framed from the three-quarter view; if faces and curves are the same, only the positions
-    /// change.
+    /// Shows a mesh. One of another topology starts without marks, handles and shapes, in the
+    /// three-quarter view; if faces and curves are the same, only the positions change.
     ///
     /// # Errors
     /// Arrays that do not fit together; the old mesh stays.
@@ -163,8 +158,8 @@ impl ViewState {
         self.content.projections = projections;
     }
 
-    /// Returns the projected points relative to the view's centre, each with its distance from its
-    /// vertex.
+    /// Returns the projected points relative to the view's centre, and distances from their
+    /// vertices.
     pub fn projected(&self) -> impl Iterator<Item = Vec4> + '_ {
         self.content.projections.points.iter().map(|point| {
             let at = self.content.mesh.positions[point.vertex as usize] + point.way;
@@ -172,8 +167,7 @@ impl ViewState {
         })
     }
 
-    /// Returns the number of segments of a fitted circle: fewer if there are thousands of small
-    /// ones.
+    /// Returns the number of segments of a fitted circle: fewer for thousands of small ones.
     pub fn circle_pieces(&self) -> u32 {
         if self.content.shapes.len() > 1000 * SHAPE_NUMBERS { 32 } else { 96 }
     }
@@ -227,8 +221,7 @@ impl ViewState {
         self.changes.appearance = true;
     }
 
-    /// Sets the number of checkerboard squares per unit of length on the map; 0 hides the
-    /// checkerboard.
+    /// Sets the number of checkerboard squares per unit of length on the map; none for 0.
     pub fn scale_checks(&mut self, per_length: f32) {
         self.content.checks.per_length = per_length;
         self.changes.view = true;

@@ -30,8 +30,7 @@ struct Ellipse {
     minor: f32,
 }
 
-/// Returns all circles as one path, which a script redraws from the fitted shapes; empty without
-/// circles.
+/// Returns all circles as one path, which a script redraws from the fitted shapes, or nothing.
 pub(super) fn circles(state: &ViewState, eye: &Eye) -> String {
     let mut path = String::new();
     let mut sizes = Vec::new();

@@ -33,8 +33,7 @@ fn rgb([r, g, b, _]: Colour) -> Vec3 {
 /// How far the light wraps around beyond the terminator.
 const WRAP: f32 = 0.3;
 
-/// Returns the light on a face, from 0 in the shade to 1 in full light, and whether its front is
-/// seen.
+/// Returns the light on a face, from 0 (shade) to 1 (full light), and whether its front is seen.
 fn light_on(state: &ViewState, face: u32) -> (f32, bool) {
     let mesh = state.mesh();
     let corners = mesh.faces.row(face as usize);

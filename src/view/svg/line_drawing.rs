@@ -1,5 +1,4 @@
-//! A line drawing of a model for print: the visible parts of its edges, outlines and fitted
-//! circles.
+//! A line drawing of a model for print: visible parts of edges, outlines and fitted circles.
 //!
 //! Visibility is sampled along each line against a depth buffer whose pixels are about a tenth of a
 //! millimetre on paper. The sides of the frontmost face at a sample count as visible whatever their
@@ -20,8 +19,7 @@ const SHEET: Vec2 = Vec2::new(27_700.0, 19_000.0);
 const PIXELS: f32 = 2560.0;
 /// Lines are sampled once per pixel, at most this many times.
 const MOST_SAMPLES: f32 = 4000.0;
-/// Visible runs of fewer samples are dropped from longer lines: such specks appear where a hidden
-/// edge meets an outline.
+/// Shorter visible runs of longer lines are dropped: specks where a hidden edge meets an outline.
 const SPECK: usize = 8;
 /// Number of chords of a drawn circle.
 const CHORDS: usize = 48;
@@ -34,8 +32,7 @@ const OUTLINE: u32 = 35;
 const EDGE: u32 = 18;
 const CIRCLE: u32 = 13;
 
-/// Draws the visible lines as an SVG file in millimetres, with a group for each pen: circles,
-/// edges, outlines.
+/// Draws the visible lines as an SVG file in millimetres, with one group per pen.
 pub fn line_drawing(state: &ViewState) -> String {
     let camera = state.camera();
     let [low, high] = frame(state);
@@ -62,8 +59,7 @@ pub fn line_drawing(state: &ViewState) -> String {
             mesh.normals.faces[face as usize].dot(corner - sight.eye.seen_from(corner))
         };
         let is_outline = match faces[..] {
-            // Opposite orientations of the two faces invert this test; `sees` then finds outlines
-            // by depth.
+            // Inconsistent orientations invert this test; `sees` then finds outlines by depth.
             [one, other] => from_eye(one) * from_eye(other) < 0.0,
             _ => true,
         };
@@ -152,11 +148,9 @@ struct Sight {
     eye: Eye,
     /// The depth in front of which nothing is drawn.
     near: f32,
-    /// The section plane, if there is one.
     section: Option<Section>,
     /// Samples per CSS pixel.
     samples: f32,
-    /// See [`frame`].
     frame: [Vec2; 2],
     /// Units of the drawing per CSS pixel.
     scale: f32,
@@ -209,8 +203,8 @@ impl Sight {
         }
     }
 
-    /// Returns the visibility of the point at fraction `part` of a line, given the screen positions
-    /// and depths of its ends.
+    /// Returns the visibility at fraction `part` of a line, given the positions and depths of its
+    /// ends.
     fn sees(
         &self,
         [(a, depth_a), (b, depth_b)]: [(Vec2, f32); 2],
@@ -235,8 +229,7 @@ impl Sight {
     }
 }
 
-/// Turns short runs of outline on a longer line into plain line: they appear beside a vertex of an
-/// outline.
+/// Turns short runs of outline, which appear beside a vertex of an outline, into plain line.
 fn forget_specks(seen: &mut [Seen], speck: usize) {
     for run in seen.chunk_by_mut(|a, b| a == b) {
         if run[0] == Seen::Outline && run.len() < speck {

@@ -1,6 +1,6 @@
-//! A still picture of the model as SVG, which the page shows before it can draw: faces, edges,
-//! fitted circles, handles and their pull lines, as in the first picture of the view, in the
-//! colours of both themes.
+//! A still picture of the model as SVG, for a page that cannot draw yet: faces, edges, fitted
+//! circles, handles and their pull lines, as in the first picture of the view, in the colours of
+//! both themes.
 //!
 //! Faces are painted from the farthest to the nearest, each in one colour with its own edges. This
 //! suits meshes of a few hundred faces that do not intersect.
@@ -25,8 +25,7 @@ use std::fmt::{Display, Write};
 const STEPS: f32 = 64.0;
 /// Opacity of marks that the surface hides, as in the shaders of lines and dots.
 const BEHIND: f32 = 0.38;
-/// A surface hides a handle only if it is in front by more than this fraction of the distance to
-/// the eye.
+/// A surface hides a handle if it is in front by more than this fraction of the distance.
 const NEAR: f32 = 0.02;
 
 /// Returns the picture as an `svg` element of the size of the canvas, with the classes `still` and
@@ -174,8 +173,7 @@ pub(crate) fn sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
     polygon_sides(corners).map(|[a, b]| [a.min(b), a.max(b)])
 }
 
-/// Returns whether the surface hides the mark on a vertex. Marks are drawn in front of near
-/// surfaces.
+/// Returns whether the surface hides a mark. Marks are drawn in front of near surfaces.
 pub(crate) fn is_hidden(state: &ViewState, eye: &Eye, vertex: u32) -> bool {
     let point = state.mesh().positions[vertex as usize];
     let from = eye.seen_from(point);
@@ -224,7 +222,6 @@ fn dot_class(kind: DotKind) -> &'static str {
     }
 }
 
-/// Returns a CSS colour for both themes.
 pub(crate) fn themed(light: Colour, dark: Colour) -> String {
     let [light, dark] = [light, dark].map(hex);
     if light == dark { light } else { format!("light-dark({light},{dark})") }

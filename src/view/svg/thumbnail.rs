@@ -32,7 +32,6 @@ pub fn svg(state: &ViewState) -> String {
     )
 }
 
-/// A picture under construction.
 struct Drawing<'a> {
     state: &'a ViewState,
     eye: Eye,
@@ -128,8 +127,7 @@ impl<'a> Drawing<'a> {
         svg
     }
 
-    /// Quantises a colour: each component of a value colour, but only the brightness of shaded
-    /// material, to keep its hue.
+    /// Quantises each component of a value colour, but only the brightness of shaded material.
     fn coarse(&self, colour: Vec3) -> Vec3 {
         let coarse = |part: f32| (part * self.steps).round() / self.steps;
         let most = colour.max_element();
@@ -140,7 +138,6 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// Returns whether the back of a face is visible.
     fn is_turned_away(&self, face: u32) -> bool {
         let mesh = self.state.mesh();
         let corner = mesh.faces.row(face as usize)[0];
@@ -160,8 +157,8 @@ impl<'a> Drawing<'a> {
         format!(r#"<path class="R" d="{lines}"/>"#)
     }
 
-    /// Draws vertices in the colours of constraints (all vertices if there is nothing else), then
-    /// handles and their pull lines.
+    /// Draws vertices in the colours of constraints (all if there is nothing else), then handles
+    /// and pull lines.
     fn dots(&mut self) -> String {
         let mut svg = self.points();
         let mut marks = String::new();
@@ -180,7 +177,6 @@ impl<'a> Drawing<'a> {
         svg + &marks
     }
 
-    /// Draws the dots, one path for each colour.
     fn points(&mut self) -> String {
         let state = self.state;
         let rows = &state.appearance().rows;

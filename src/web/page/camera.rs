@@ -38,14 +38,12 @@ impl View {
         self.model().begin_turn(Vec2::new(x, y));
     }
 
-    /// Continues the drag that `beginTurn` began; the point that was under the cursor keeps its
-    /// position.
+    /// Continues the drag of `beginTurn`; the point that was under the cursor keeps its position.
     pub fn turn(&mut self, dx: f32, dy: f32) {
         self.model().turn(dx, dy);
     }
 
-    /// Turns the model about the vertical axis through its centre, as on a turntable, by an angle
-    /// in radians.
+    /// Turns the model about the vertical axis through its centre, by an angle in radians.
     pub fn spin(&mut self, angle: f32) {
         self.model().spin(angle);
     }
@@ -55,8 +53,7 @@ impl View {
         self.model().pan(dx, dy);
     }
 
-    /// Moves `factor` times nearer to the point under the cursor (farther if the factor is below
-    /// 1).
+    /// Moves `factor` times nearer to the point under the cursor (farther if it is below 1).
     pub fn zoom(&mut self, factor: f32, x: f32, y: f32) {
         self.model().zoom(factor, Vec2::new(x, y));
     }

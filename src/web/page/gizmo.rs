@@ -33,8 +33,7 @@ impl View {
         Some(way.name().to_owned())
     }
 
-    /// Returns the canvas position of a part of the gizmo; undefined while the gizmo is hidden or
-    /// the part cannot be picked.
+    /// Returns the canvas position of a part of the gizmo; undefined if it cannot be picked now.
     ///
     /// # Errors
     /// An unknown name.
@@ -66,9 +65,8 @@ impl View {
         self.model().hold_gizmo(Vec2::new(x, y));
     }
 
-    /// Returns the displacement of what is held for a displacement `(dx, dy)` of the cursor: three
-    /// numbers, or undefined if there is none. `way` is `screen`, `horizontal`, `vertical`, or a
-    /// part of the gizmo.
+    /// Returns the displacement of what is held for one of `(dx, dy)` of the cursor: three numbers,
+    /// or undefined. `way` is `screen`, `horizontal`, `vertical`, or a part of the gizmo.
     ///
     /// # Errors
     /// Any other direction.
@@ -78,8 +76,7 @@ impl View {
         Ok(found.map(|by| by.as_dvec3().to_array().to_vec()))
     }
 
-    /// Returns the canvas position of what is held after a displacement; undefined while nothing is
-    /// held.
+    /// Returns the canvas position of what is held after a displacement; undefined without a hold.
     #[wasm_bindgen(js_name = heldPlace)]
     pub fn held_place(&self, x: f64, y: f64, z: f64) -> Option<Vec<f64>> {
         let place = self.pictures.model().held_place(DVec3::new(x, y, z).as_vec3())?;

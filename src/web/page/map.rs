@@ -9,12 +9,11 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl View {
-    /// Shows the flat map `uv` (#V by 2) of the mesh beside it, replacing an earlier one, and
-    /// outlines the faces that it flips.
+    /// Shows the flat map `uv` (#V by 2) beside the mesh, replacing an earlier one, and outlines
+    /// the faces that it flips.
     ///
     /// # Errors
-    /// A wrong number of points, one that is not finite, or a face that does not exist; nothing
-    /// changes then.
+    /// A wrong number of points, one that is not finite, or an unknown face; nothing changes then.
     #[wasm_bindgen(js_name = setMap)]
     pub fn set_map(&mut self, uv: &[f64], flipped: &[u32]) -> Result<(), JsValue> {
         self.pictures.set_map(uv, flipped).map_err(thrown)
@@ -26,12 +25,12 @@ impl View {
         self.pictures.clear_map();
     }
 
-    /// Draws a checkerboard with `squares` squares along the longer side of the map on the model,
-    /// on the map, or on both, and colours each face of the map by its value (#F), from `low` to
+    /// Draws a checkerboard with `squares` squares along the longer side of the map, on the model
+    /// or the map or both, and colours each face of the map by its value (#F), from `low` to
     /// `high`.
     ///
     /// # Errors
-    /// The number of values differs from the number of faces.
+    /// A wrong number of values.
     #[wasm_bindgen(js_name = setMapLooks)]
     pub fn set_map_looks(
         &mut self,
@@ -47,8 +46,8 @@ impl View {
         looks.map_err(thrown)
     }
 
-    /// Returns the region of the map on the canvas in CSS pixels: left, top, width, height;
-    /// undefined without a map.
+    /// Returns the region of the map in CSS pixels (left, top, width, height); undefined without
+    /// one.
     #[wasm_bindgen(js_name = mapRegion)]
     pub fn map_region(&self) -> Option<Vec<f32>> {
         let Region { at, size } = self.pictures.map_region()?;

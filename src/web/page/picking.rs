@@ -37,8 +37,8 @@ impl View {
         self.model().pick_edge(Vec2::new(x, y), radius)
     }
 
-    /// Returns the vertices inside a polygon on the screen (x and y of each corner); with
-    /// `through`, also hidden ones.
+    /// Returns the vertices inside a screen polygon (x and y of each corner); `through` adds hidden
+    /// ones.
     #[wasm_bindgen(js_name = verticesIn)]
     pub fn vertices_in(&mut self, corners: &[f32], through: bool) -> Vec<u32> {
         self.model().vertices_in(&outline(corners), through)
@@ -56,8 +56,7 @@ impl View {
         self.model().faces_in(&outline(corners), Taking { touching, through })
     }
 
-    /// Returns the canvas position of a vertex; undefined if it is hidden, outside, or does not
-    /// exist.
+    /// Returns the canvas position of a vertex; undefined if hidden, outside, or unknown.
     pub fn screen(&self, vertex: u32) -> Option<Vec<f64>> {
         self.pictures.model().screen(vertex).map(|at| vec![f64::from(at.x), f64::from(at.y)])
     }

@@ -1,5 +1,4 @@
-//! Display options beside the plain picture: projection, flights, ghost, ground, layer, bands,
-//! tape.
+//! Display options: projection, flights, occlusion, section, ghost, ground, layer, bands, tape.
 
 use super::view::View;
 use crate::view::appearance::{Bands, LineKind};
@@ -81,8 +80,7 @@ impl View {
         self.pictures.fly(part)
     }
 
-    /// Sets the positions of the mesh as it was opened, #V by 3, for the ghost, the ground and the
-    /// tape.
+    /// Sets the positions of the mesh as it was opened, #V by 3, for ghost, ground and tape.
     ///
     /// # Errors
     /// A wrong number of vertices, or a coordinate that is not finite.
@@ -112,8 +110,8 @@ impl View {
         self.model().set_layer(points, failed_edges, failed_vertices).map_err(thrown)
     }
 
-    /// Replaces the lines over the surface: polyline `k` goes through the points (#points by 3)
-    /// from `offsets[k]` to `offsets[k + 1]`. The first `count` lines follow the larger principal
+    /// Replaces the lines over the surface: polyline `k` has the points (#points by 3) from
+    /// `offsets[k]` to `offsets[k + 1]`. The first `count` lines follow the larger principal
     /// curvature.
     /// # Errors
     /// Arrays that do not fit together; the old lines stay.
@@ -129,8 +127,7 @@ impl View {
         Ok(())
     }
 
-    /// Returns the CSS colours of the lines along the larger and smaller principal curvature, for a
-    /// legend.
+    /// Returns CSS colours of the lines along larger and smaller principal curvature, for a legend.
     #[wasm_bindgen(js_name = lineColours)]
     pub fn line_colours(&self) -> Vec<String> {
         let model = self.pictures.model();
@@ -165,15 +162,15 @@ impl View {
     /// if the measure has no vertex values.
     ///
     /// # Errors
-    /// The number of values differs from the number of vertices.
+    /// A wrong number of values.
     #[wasm_bindgen(js_name = setCornerValues)]
     pub fn set_corner_values(&mut self, values: Option<Vec<f32>>) -> Result<(), JsValue> {
         self.model().set_corner_values(values).map_err(thrown)
     }
 
-    /// Returns the spacing of the band limits, in the unit of the values or of their logarithm to
-    /// base 10; undefined without bands. `side` selects the left (0) or right (1) of two pictures,
-    /// here and below.
+    /// Returns the spacing of the band limits, in the unit of the values or of their log10;
+    /// undefined without bands. `side` selects the left (0) or right (1) of two pictures, here and
+    /// below.
     #[wasm_bindgen(js_name = bandStep)]
     pub fn band_step(&self, side: Option<usize>) -> Option<f64> {
         self.bands(side).map(|bands| bands.step)
@@ -185,8 +182,7 @@ impl View {
         self.bands(side).map_or_else(Vec::new, |bands| bands.limits.clone())
     }
 
-    /// Returns the CSS colours of the range: one for each band, or evenly spaced samples of the
-    /// map.
+    /// Returns the CSS colours of the range: one per band, or evenly spaced samples of the map.
     #[wasm_bindgen(js_name = rampColours)]
     pub fn ramp_colours(&self, side: Option<usize>) -> Vec<String> {
         let appearance = self.pictures.appearance(side);
@@ -217,7 +213,7 @@ impl View {
     }
 
     /// Returns the canvas position of the middle of the tape, hidden or not; undefined without a
-    /// tape, or if it is behind the eye.
+    /// tape or behind the eye.
     #[wasm_bindgen(js_name = tapeMiddle)]
     pub fn tape_middle(&self) -> Option<Vec<f32>> {
         self.pictures.model().tape_middle().map(|at| at.to_array().to_vec())

@@ -41,7 +41,6 @@ impl Drop for View {
 
 const CONTEXT_LOST: &str = "webglcontextlost";
 
-/// The graphics backends of this module.
 const BACKENDS: &[&str] = &[
     #[cfg(feature = "view-webgpu")]
     "webgpu",
@@ -67,8 +66,7 @@ async fn open(
     }
 }
 
-/// Dispatches to the canvas, for WebGPU, the event that browsers dispatch for WebGL when the
-/// context is lost.
+/// Dispatches, on a loss of the WebGPU device, the event that browsers dispatch for WebGL.
 async fn tell_loss(loss: Arc<Loss>, canvas: HtmlCanvasElement) {
     loss.wait().await;
     if let Ok(event) = web_sys::Event::new(CONTEXT_LOST) {
@@ -79,8 +77,7 @@ async fn tell_loss(loss: Arc<Loss>, canvas: HtmlCanvasElement) {
 
 #[wasm_bindgen]
 impl View {
-    /// Opens a view on a canvas that has no context yet. `backend` is `webgpu` or `webgl2`, and
-    /// must be built into this module.
+    /// Opens a view on a canvas without a context. `backend` is `webgpu` or `webgl2`, as built in.
     ///
     /// # Errors
     /// Rejects without an adapter, with the reason.
@@ -167,12 +164,11 @@ impl View {
         self.model().set_positions(positions).map_err(thrown)
     }
 
-    /// Colours each face by its value, from `low` to `high`, on a linear or logarithmic scale. With
-    /// a tolerance, faces within it keep the material. NaN is grey; null restores the plain
-    /// material.
+    /// Colours each face by its value, from `low` to `high`, linearly or logarithmically; faces
+    /// within the tolerance keep the material. NaN is grey; null restores the plain material.
     ///
     /// # Errors
-    /// The number of values differs from the number of faces.
+    /// A wrong number of values.
     #[wasm_bindgen(js_name = setFaceValues)]
     pub fn set_face_values(
         &mut self,
@@ -205,8 +201,8 @@ impl View {
         self.model().set_ground(grey);
     }
 
-    /// Switches edges, dots on vertices, fitted shapes, outlines of projected shapes, and arrows to
-    /// projections on or off.
+    /// Switches edges, vertex dots, fitted shapes, outlines of projected shapes, and arrows on or
+    /// off.
     #[wasm_bindgen(js_name = setDisplay)]
     pub fn set_display(
         &mut self,
@@ -242,8 +238,7 @@ impl View {
         self.model().select(vertices, faces).map_err(thrown)
     }
 
-    /// Sets the edges that can be picked: two vertices each, numbered in this order. A new mesh has
-    /// none at first.
+    /// Sets the edges that can be picked, as pairs of vertices, in this order. A new mesh has none.
     ///
     /// # Errors
     /// A vertex that does not exist.
@@ -277,10 +272,9 @@ impl View {
         self.model().set_tint(vertices, faces, [red, green, blue]).map_err(thrown)
     }
 
-    /// Colours faces and vertices by the row of constraints that acts on them. Each entry per face
-    /// (#F) and per vertex (#V) is 0, or an index into the palette plus one; the palette has three
-    /// components from 0 to 1 per colour. Empty arrays remove all colours. Values of faces take
-    /// precedence over row colours.
+    /// Colours faces and vertices by the row of constraints that acts on them: per face (#F) and
+    /// per vertex (#V) 0, or an index into the palette plus one; three components from 0 to 1 per
+    /// colour. Empty arrays remove all colours. Values of faces take precedence over row colours.
     ///
     /// # Errors
     /// Arrays that do not fit together.
@@ -306,10 +300,9 @@ impl View {
         self.model().set_shapes(shapes).map_err(thrown)
     }
 
-    /// Sets the projections of the constraints: the vertex of each projected point, its
-    /// displacement from that vertex (#points by 3), the index of its colour in the palette plus
-    /// one, the outlines as pairs of points, and the palette, three components from 0 to 1 per
-    /// colour.
+    /// Sets the projections of the constraints: the vertex of each point, its displacement from
+    /// that vertex (#points by 3), the index of its colour in the palette plus one, the outlines as
+    /// pairs of points, and the palette, three components from 0 to 1 per colour.
     ///
     /// # Errors
     /// Arrays that do not fit together.
@@ -346,8 +339,7 @@ impl View {
         Ok(drawn)
     }
 
-    /// Returns whether the last computed occlusion still fits the current picture, so that showing
-    /// it costs nothing.
+    /// Returns whether the last computed occlusion fits the current picture, and so costs nothing.
     #[wasm_bindgen(js_name = occlusionFits)]
     pub fn occlusion_fits(&self) -> bool {
         let size = self.tile.map_or(self.renderer.device.size(), |tile| tile.size);
@@ -362,7 +354,6 @@ impl View {
 }
 
 impl View {
-    /// The view of the model.
     pub(super) fn model(&mut self) -> &mut ViewState {
         self.pictures.model_mut()
     }

@@ -15,8 +15,7 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 pub struct ExperimentRun {
     run: Run,
-    /// For each series: the number of samples already reported to the page, and whether its end
-    /// was.
+    /// For each series: the number of samples sent to the page, and whether its end was sent.
     sent: Vec<(usize, bool)>,
 }
 

@@ -27,8 +27,7 @@ impl Solver {
         plain(&self.open_mut()?.verdict(tolerance))
     }
 
-    /// Returns in words how far making panels of one shape will move the mesh; null if no such
-    /// shape is offered.
+    /// Returns in words how far making panels of one shape will move the mesh, or null.
     #[wasm_bindgen(unchecked_return_type = "string | null")]
     pub fn forecast(&self) -> Result<JsValue, JsValue> {
         plain(&self.open()?.forecast().map(|forecast| forecast.words()))

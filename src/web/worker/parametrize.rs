@@ -11,7 +11,6 @@ use wasm_bindgen::prelude::*;
 
 /// The colour range of a map is at least this wide: a difference of one per cent is hardly visible.
 const LEAST_RANGE: [f64; 2] = [1.0, 1.01];
-/// Number of bars in the histogram of errors.
 const BARS: usize = 24;
 
 #[wasm_bindgen]
@@ -23,8 +22,7 @@ impl Solver {
     ///   for a face without area; `mean` (weighted by area) and `max` of the error; its `histogram`
     ///   over the faces, from 1 to `high`,
     /// - the number of `flipped` triangles, and `flippedFaces`, the faces that contain them,
-    /// - the numbers of `parts`, `closedParts`, and `leftOut` faces (without area, or on the same
-    ///   vertices as another face),
+    /// - the numbers of `parts`, `closedParts`, and `leftOut` faces (without area, or duplicates),
     /// - `eigenvalue`, `seconds`, and their parts in `secondsOf`.
     ///
     /// `weights` and `norm` are the words of the command line.

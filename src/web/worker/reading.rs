@@ -12,8 +12,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Solver {
-    /// Returns the paths of the files that a scene names: its mesh, a reference surface, another
-    /// pose.
+    /// Returns the paths of the files that a scene names: mesh, reference surface, another pose.
     #[wasm_bindgen(js_name = sceneFiles)]
     pub fn scene_files(&self, bytes: &[u8]) -> Result<Vec<String>, JsValue> {
         let scene = OpenedFile::scene_in(bytes).map_err(thrown)?;
@@ -57,8 +56,8 @@ impl Solver {
         loaded
     }
 
-    /// Returns the summary of the current mesh, without a name, if the mesh has been replaced since
-    /// the last summary; else undefined.
+    /// Returns the summary of the current mesh, without a name, if it is not the mesh of the last
+    /// summary; else undefined.
     #[wasm_bindgen(unchecked_return_type = "Loaded | undefined")]
     pub fn remeshed(&mut self) -> Result<JsValue, JsValue> {
         let session = self.open()?;

@@ -1,5 +1,4 @@
-//! Undo history and unfinished work as bytes, for a restart of the worker, and the results that a
-//! student hands in.
+//! Undo history and unfinished work as bytes, for a restart, and the results of a student.
 
 use super::solver::Solver;
 use crate::fabricate::BUILD_NUMBERS;
@@ -8,7 +7,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Solver {
-    /// Returns the steps of undo and redo. They belong to the current scene or, during a run or
+    /// Returns the steps of undo and redo, which belong to the current scene or, during a run or
     /// drag, to the scene before it.
     #[wasm_bindgen(js_name = savedHistory)]
     pub fn saved_history(&self) -> Result<Vec<u8>, JsValue> {

@@ -25,9 +25,9 @@ impl Solver {
     }
 
     /// Returns the projections of the constraints at the current positions: the vertex of each
-    /// projected point (`vertices`), its displacement from that vertex (`ways`, `#points by 3`,
-    /// units of the mesh), and the index of its colour in `palette` plus one (`colours`);
-    /// `outlines` are pairs of points.
+    /// projected point (`vertices`), its displacement from there (`ways`, `#points by 3`, units of
+    /// the mesh), and the index of its colour in `palette` plus one (`colours`); `outlines` are
+    /// pairs of points.
     pub fn projections(&mut self) -> Result<JsValue, JsValue> {
         let session = self.open_mut()?;
         let rows = session.row_palette();

@@ -19,7 +19,6 @@ pub struct Solver {
     pub(super) weld: Option<Weld>,
     /// The generation of the mesh that was last reported to the page.
     pub(super) generation: u32,
-    /// Duration of the last step in milliseconds.
     pub(super) step_ms: f64,
     /// The trial of exactness in progress.
     pub(super) trial: Option<ExactTrial>,
@@ -78,8 +77,7 @@ impl Solver {
         Ok(step.ended)
     }
 
-    /// Does one iteration as a run of its own, which ends before hard constraints are met; returns
-    /// whether it has converged.
+    /// Does one iteration as a run, without meeting hard constraints; returns whether it converged.
     #[wasm_bindgen(js_name = singleStep)]
     pub fn single_step(&mut self) -> Result<bool, JsValue> {
         Ok(self.open_mut()?.single_step().map_err(thrown)?.ended)
@@ -133,7 +131,7 @@ impl Solver {
     }
 
     /// Returns the numbers of the current state. While `iterating`, planarity and circularity may
-    /// be up to half a second old.
+    /// be half a second old.
     #[wasm_bindgen(unchecked_return_type = "Frame")]
     pub fn frame(&mut self, iterating: bool) -> Result<JsValue, JsValue> {
         let step_ms = self.step_ms;
@@ -162,8 +160,7 @@ impl Solver {
         Ok(self.open()?.obj())
     }
 
-    /// Returns the current shape as OBJ, with the vertices and faces of the file from before
-    /// welding.
+    /// Returns the current shape as OBJ with the vertices and faces of the file before welding.
     #[wasm_bindgen(js_name = objAsItCame)]
     pub fn obj_as_it_came(&self) -> Result<String, JsValue> {
         let session = self.open()?;
@@ -171,8 +168,7 @@ impl Solver {
         Ok(weld.map_or_else(|| session.obj(), |weld| session.obj_as_it_came(weld)))
     }
 
-    /// Returns a table as CSV: `errors` of faces, energies of the iterations (`convergence`), or
-    /// `angles`.
+    /// Returns a table as CSV: `errors` of faces, energies (`convergence`), or `angles`.
     pub fn table(&mut self, what: &str) -> Result<String, JsValue> {
         let session = self.open_mut()?;
         match what {

@@ -23,7 +23,6 @@ pub struct Backdrop {
 struct Cell {
     /// Its corner, and its side length.
     place: [f32; 4],
-    /// The darkness at its corners.
     dark: [u8; 4],
 }
 

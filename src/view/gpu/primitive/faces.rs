@@ -16,8 +16,7 @@ pub struct Faces {
 }
 
 impl Faces {
-    /// Creates the pipelines, with nothing to draw; `occlusion` is the layout of the bind group of
-    /// the occlusion.
+    /// Creates the pipelines, with nothing to draw; `occlusion` is the layout of the second group.
     pub fn new(
         device: &wgpu::Device,
         tables: &GpuTables,

@@ -1,5 +1,5 @@
-//! Draws edges, polylines, selected edges, outlines of flipped faces, and pull lines from handles
-//! to targets: `shaders/lines.wgsl`.
+//! Draws edges, polylines, selected edges, outlines of flipped faces, and the lines from handles to
+//! targets: `shaders/lines.wgsl`.
 
 use crate::view::appearance::{LineKind, Seam, seams};
 use crate::view::gpu::{GpuTables, LINES, Layer, Recipe, VertexBuffer, build};
@@ -63,8 +63,7 @@ impl Lines {
         self.seams = seams(&mesh.faces);
     }
 
-    /// Returns the edges between faces in different bands of values, in the form of
-    /// [`Lines::draw_others`].
+    /// Returns the edges between faces in different bands, for [`Lines::draw_others`].
     pub fn between_bands(&self, state: &ViewState) -> Vec<[u32; 3]> {
         let appearance = state.appearance();
         let seams = self.seams.iter().filter(|_| appearance.bands().is_some());
@@ -123,8 +122,7 @@ impl Lines {
         draw(pass, &self.in_front, &self.flipped);
     }
 
-    /// Draws other lines where they are visible; the first `through` of them also dim where they
-    /// are hidden.
+    /// Draws other lines where visible; the first `through` of them also dim where hidden.
     pub fn draw_others(&self, pass: &mut wgpu::RenderPass<'_>, lines: &VertexBuffer, through: u32) {
         if through > 0 {
             pass.set_pipeline(&self.behind);
@@ -134,8 +132,7 @@ impl Lines {
         draw(pass, &self.in_front, lines);
     }
 
-    /// Draws selected edges and the tape: first dim where they are hidden, then where they are
-    /// visible.
+    /// Draws selected edges and the tape: first dim where hidden, then where visible.
     pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
         draw(pass, &self.behind, &self.selected);
         draw(pass, &self.in_front, &self.selected);

@@ -63,8 +63,8 @@ impl Points {
         draw(pass, &self.in_front, &self.vertices);
     }
 
-    /// Draws the visible members of constraints, then marks and handles: first the hidden ones dim,
-    /// then the visible ones.
+    /// Draws visible members of constraints, then marks and handles: first hidden ones dim, then
+    /// visible ones.
     pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
         draw(pass, &self.in_front, &self.members);
         draw(pass, &self.behind, &self.marks);

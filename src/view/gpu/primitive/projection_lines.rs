@@ -1,5 +1,4 @@
-//! Draws projected shapes, as outlines with a faint inside, and the arrows to projected points:
-//! `shaders/projections.wgsl`.
+//! Draws projected shapes as outlines with a faint inside, and arrows: `shaders/projections.wgsl`.
 
 use crate::view::appearance::LineKind;
 use crate::view::gpu::{GpuTables, Layer, PROJECTIONS, Recipe, VertexBuffer, build};
@@ -67,8 +66,7 @@ impl ProjectionLines {
         }
     }
 
-    /// Uploads the projections; their points come after vertices and targets in the table of
-    /// positions.
+    /// Uploads the projections; their points follow vertices and targets in the table of positions.
     pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
         let first = (state.counts().0 + state.handles().len()) as u32;
         let points = &state.projections().points;

@@ -27,8 +27,7 @@ impl SurroundingLines {
         SurroundingLines { tables: beside.beside(device, queue), lines, through: 0 }
     }
 
-    /// Uploads lines (those that show through the surface first) and points if they are new, for a
-    /// picture at `placement`.
+    /// Uploads lines, those that show through the surface first, and points, if they are new.
     pub fn update(
         &mut self,
         (device, queue): (&wgpu::Device, &wgpu::Queue),

@@ -169,8 +169,7 @@ fn lit(in: Corner) -> @location(0) vec4f {
         let dark = dark_part(in.place, pixel) * scene.check.a;
         colour = mix(colour, scene.check.rgb * modelled, dark);
     }
-    // Over values, marks are also hatched, in white or in dark ink: one of the two contrasts with
-    // any colour.
+    // Over values, marks are also hatched, in white or dark ink: one of the two is always visible.
     let hatch = select(0.0, 1.0, in.look.y > 0.375) * hatched(in.position.xy);
     colour = mix(colour, mix(scene.tint.rgb * modelled, HATCH_OF_TINT, hatch * in.look.w), in.look.w * mix(scene.tint.a, HATCH, hatch));
     colour = mix(colour, mix(scene.selected.rgb * modelled, HATCH_OF_SELECTED, hatch), in.look.z * mix(scene.selected.a, HATCH, hatch));
@@ -191,8 +190,7 @@ struct VeilCorner {
     @location(0) at: vec3f,
 }
 
-// Pushed back by this fraction of the distance, so that it does not stain a surface that has hardly
-// moved.
+// Pushed back by this fraction of the distance, so as not to stain a surface that hardly moved.
 const BACK: f32 = 0.0012;
 
 @vertex

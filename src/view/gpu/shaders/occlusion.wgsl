@@ -22,8 +22,7 @@ fn corner_of_depth(@location(0) ids: vec2u) -> Seen {
     return out;
 }
 
-// Depth, and the components of the normal to the right and up on the screen, turned towards the
-// eye.
+// Depth, and the normal's components to the right and up on the screen, turned towards the eye.
 @fragment
 fn depth_and_normal(in: Seen) -> @location(0) vec4f {
     let towards = select(-1.0, 1.0, dot(in.normal, to_eye_from(in.at)) >= 0.0);
@@ -126,8 +125,7 @@ fn smoothed(@builtin(position) position: vec4f) -> @location(0) vec4f {
         return here;
     }
     let last = vec2i(textureDimensions(found)) - 1;
-    // A steep surface changes its depth much from pixel to pixel; larger differences are another
-    // surface.
+    // The depth of a steep surface changes much per pixel; beyond this it is another surface.
     let allowed = 0.3 * scene.nearby.z / scene.nearby.y;
     var sum = 0.0;
     var weights = 0.0;

@@ -1,5 +1,5 @@
-// Projected shapes, as outlines with a faint inside, and arrows from vertices to their projections,
-// in the colours of the rows of constraints, with a light casing that separates them from what is
+// Projected shapes, as outlines with a faint inside, and arrows from vertices to projections, in
+// the colours of the rows of constraints, with a light casing that separates them from what is
 // below.
 
 struct Corner {

@@ -1,5 +1,4 @@
-// Lines of constant width on the screen: a quad around each segment, with round ends and a rim that
-// is antialiased over one pixel.
+// Lines of constant width on the screen: quads around segments, with round, antialiased ends.
 
 struct StrokeCorner {
     position: vec4f,
@@ -31,8 +30,7 @@ fn cut_stroke_corner(a: vec3f, b: vec3f, corner: u32, half_width: f32, lift: f32
     return stroke_corner(start, end, corner, half_width, lift);
 }
 
-// Returns corner 0 to 5 of the two triangles around the segment from a to b, lifted towards the
-// eye.
+// Corner 0 to 5 of the two triangles around the segment from a to b, lifted towards the eye.
 fn stroke_corner(a: vec3f, b: vec3f, corner: u32, half_width: f32, lift: f32) -> StrokeCorner {
     var from_clip = scene.clip_from_scene * vec4f(nearer(a, lift), 1.0);
     var to_clip = scene.clip_from_scene * vec4f(nearer(b, lift), 1.0);

@@ -28,7 +28,6 @@ pub(crate) struct Frame {
     worst: Vec<f64>,
     /// The share of each row in the total energy, from 0 to 1.
     shares: Vec<f64>,
-    /// The numbers of each goal of the lesson.
     goals: Vec<GoalNumbers>,
     /// How well hard constraints are met; none before they are.
     exact: Option<ExactReport>,
@@ -48,8 +47,7 @@ fn exact(session: &Session) -> Option<ExactReport> {
 }
 
 impl Frame {
-    /// Creates the frame of `session`, whose last step took `step_ms`; see
-    /// [`Session::recent_measures`].
+    /// Creates the frame of `session`, after a step of `step_ms`; see [`Session::recent_measures`].
     pub(crate) fn new(session: &mut Session, step_ms: f64, iterating: bool) -> Self {
         let goals = GoalNumbers::of(session);
         let measures = session.recent_measures(if iterating { RENEWED } else { 0.0 });

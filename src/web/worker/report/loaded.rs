@@ -34,8 +34,7 @@ pub(crate) struct Loaded {
     notes: Vec<String>,
 }
 
-/// The vertex counts of the file and of the mesh, and the distance within which vertices were
-/// merged.
+/// The vertex counts of file and mesh, and the distance within which vertices were merged.
 #[derive(Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 struct Welded {
@@ -65,8 +64,8 @@ struct Problem {
 }
 
 impl Loaded {
-    /// Creates the summary of the file `name`, opened as `session`; `read` has the messages of its
-    /// reader.
+    /// Creates the summary of the file `name`, opened as `session`; `read` has the reader's
+    /// messages.
     pub(crate) fn new(
         name: &str,
         session: &Session,

@@ -15,7 +15,6 @@ pub(crate) struct ElementWords {
     face_based: bool,
 }
 
-/// Returns all types of elements.
 pub(crate) fn elements() -> Vec<ElementWords> {
     let all = Element::ALL.iter();
     all.map(|&element| ElementWords {
@@ -37,7 +36,6 @@ pub(crate) struct KindWords {
     sketch: Sketch,
 }
 
-/// Returns all kinds.
 pub(crate) fn kinds() -> Vec<KindWords> {
     let all = KINDS.iter();
     all.map(|info| {
