@@ -19,8 +19,8 @@
 //! | `gpu` | pictures with wgpu |
 //!
 //! Positions arrive as `f64` in file coordinates. The view subtracts the centre of the first
-//! bounding box of the mesh before rounding to `f32`: site coordinates neither jitter nor lose
-//! digits.
+//! bounding box of the mesh before rounding to `f32`, so that a mesh at site coordinates neither
+//! jitters nor loses digits.
 
 pub mod appearance;
 pub mod camera;

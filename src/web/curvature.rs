@@ -40,8 +40,7 @@ impl SurfaceCurvature {
         SurfaceCurvature { field, size }
     }
 
-    /// Returns a line distance that shows the curvature without covering the surface, in mesh
-    /// units.
+    /// Returns a line distance that shows curvature without hiding the surface, in mesh units.
     pub fn distance(&self) -> f64 {
         (0.04 * self.size).max(1.5 * self.field.mean_edge())
     }

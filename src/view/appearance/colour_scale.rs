@@ -34,7 +34,7 @@ impl ColourScale {
         self.tolerance.is_some_and(|tolerance| value <= tolerance)
     }
 
-    /// Returns the ends of the range, as [`ColourScale::coordinate`].
+    /// Returns the ends of the range, in terms of [`ColourScale::coordinate`].
     pub fn ends(&self) -> [f64; 2] {
         [self.low, self.high].map(|end| self.along(exact(end)))
     }

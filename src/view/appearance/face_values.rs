@@ -1,6 +1,6 @@
 //! The appearance of a face: its value on the colour map, the colour of the row of constraints that
-//! acts on it, whether it is selected, and whether it is highlighted as a member. Four bytes per
-//! face.
+//! acts on it, whether it is selected, and whether it is a member of the highlighted constraint.
+//! Four bytes per face.
 
 use super::bands::Bands;
 use super::colour_map::{ColourMap, MapChoice, texel};
@@ -164,8 +164,7 @@ impl Appearance {
         self.values.is_some()
     }
 
-    /// Returns whether all faces have colours of values; with a tolerance only those beyond it
-    /// have.
+    /// Returns whether all faces have colours of values; with a tolerance, only those beyond it.
     pub fn has_full_map(&self) -> bool {
         self.has_values() && !matches!(self.map(), ColourMap::Beyond | ColourMap::AroundZero)
     }

@@ -51,7 +51,7 @@ impl RowColours {
         Ok(RowColours { faces, vertices, palette: palette.to_vec() })
     }
 
-    /// Returns the vertices that have a colour, with the index of it.
+    /// Returns the vertices that have a colour, each with its index.
     pub fn dots(&self) -> impl Iterator<Item = (u32, u8)> + '_ {
         (0..).zip(self.vertices.iter().copied()).filter(|&(_, place)| place > 0)
     }

@@ -21,8 +21,7 @@ impl Flight {
     }
 
     /// Moves the camera to a fraction `part` of the flight, from 0 to 1, with easing. Returns
-    /// whether the flight continues: it ends on arrival, or when the camera was moved by other
-    /// means.
+    /// whether the flight continues: it ends on arrival, or when something else moved the camera.
     pub fn go(&mut self, camera: &mut Camera, part: f32) -> bool {
         if pose(camera) != pose(&self.at) {
             return false;

@@ -244,8 +244,7 @@ impl Eye {
         self.parallel.unwrap_or(depth)
     }
 
-    /// Returns the screen position and depth of a point; only a positive depth has a valid
-    /// position.
+    /// Returns the screen position and depth of a point; the position is valid for positive depths.
     pub fn project(&self, point: Vec3) -> (Vec2, f32) {
         let from_eye = point - self.at;
         let depth = from_eye.dot(self.forward);

@@ -13,9 +13,8 @@ pub struct Section {
 }
 
 impl Section {
-    /// Creates a section across an axis of the file (0 to 2), at a fraction `part` of the box from
-    /// `low` to `high`. It keeps the side before the plane along the axis, or the other one if
-    /// `is_turned`.
+    /// Creates a section across an axis of the file (0 to 2), at a fraction `part` of the box. It
+    /// keeps the side before the plane along the axis, or the other one if `is_turned`.
     ///
     /// # Errors
     /// An axis that does not exist.

@@ -1,5 +1,6 @@
 //! Tables from which shaders read, with four numbers per vertex or face. They are textures because
-//! WebGL2 has no storage buffers. Each is written in one call, in whole rows: calls cost, not size.
+//! WebGL2 has no storage buffers. Each is written in one call, in whole rows, because the number of
+//! calls costs time, not their size.
 
 use super::globals::{NUMBERS, numbers};
 use super::placement::Placement;

@@ -156,10 +156,9 @@ impl Renderer {
         Ok(true)
     }
 
-    /// Draws everything of the model with the tables of `viewport`. `side` is given for a side of a
-    /// split picture, which has no shadow. It is true for the original, of which only the mesh and
-    /// its surroundings are drawn: handles, projections and fitted shapes belong to the current
-    /// shape.
+    /// Draws the model with the tables of `viewport`. `side` is given for a side of a split
+    /// picture, which has no shadow; it is true for the original, of which only mesh and
+    /// surroundings are drawn: handles, projections and fitted shapes belong to the current shape.
     fn draw_model(
         &self,
         pass: &mut wgpu::RenderPass<'_>,

@@ -80,12 +80,11 @@ impl fmt::Display for ViewError {
 impl std::error::Error for ViewError {}
 
 impl Lists {
-    /// Creates rows from `#rows + 1` offsets (or none, for no rows) and indices, each below
-    /// `count`.
+    /// Creates rows from `#rows + 1` offsets (empty for no rows) and indices, each below `count`.
     ///
     /// # Errors
-    /// Offsets that do not divide the indices into rows, or an index that is too large; `what`
-    /// names the rows.
+    /// Offsets that do not divide the indices into rows, or an index that is too large. `what`
+    /// names the rows in the message.
     pub fn new(
         what: &'static str,
         offsets: Vec<u32>,

@@ -9,8 +9,7 @@ use glam::Vec3;
 pub struct ProjectedFaces {
     /// Three projected points each.
     pub triangles: Vec<[u32; 3]>,
-    /// The largest displacement in the ring of each triangle, which bounds its distance from the
-    /// surface.
+    /// Largest displacement in the ring of each triangle: its maximum distance from the surface.
     pub beside: Vec<f32>,
 }
 

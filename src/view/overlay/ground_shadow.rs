@@ -103,8 +103,7 @@ impl GroundShadow {
         }
     }
 
-    /// Returns the visible cells: the first corner, and the darkness at the four corners, row by
-    /// row.
+    /// Returns the visible cells: first corner, and darkness at the four corners, row by row.
     pub fn cells(&self) -> impl Iterator<Item = (Vec3, [f32; 4])> + '_ {
         let rows = self.dark.len().checked_div(self.width).unwrap_or(0);
         let [right, away] = self.steps;

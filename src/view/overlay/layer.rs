@@ -1,5 +1,4 @@
-//! A layer beside the surface, joined to it by a post at every vertex, and where it cannot be
-//! built.
+//! A layer beside the surface, joined to it by posts at the vertices, and where it cannot be built.
 
 use glam::DVec3;
 

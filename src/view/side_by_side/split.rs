@@ -21,8 +21,7 @@ pub struct Split {
 pub struct Side {
     /// The mesh with the colours of this side.
     pub state: ViewState,
-    /// Whether it shows the original, without handles and projections, and does not follow the
-    /// mesh.
+    /// Whether it shows the original, which has no handles or projections and stays as it is.
     pub is_original: bool,
 }
 

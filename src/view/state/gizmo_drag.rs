@@ -6,8 +6,8 @@ use crate::view::model::{ViewError, check_indices};
 use glam::{DVec3, Vec2, Vec3};
 
 impl ViewState {
-    /// Returns the gizmo, at the mean target of the selected handles, if there are any and it is
-    /// on.
+    /// Returns the gizmo, at the mean target of the selected handles; none if it is switched off or
+    /// no handle is selected.
     pub fn gizmo(&self) -> Option<Gizmo> {
         let middle = self.middle_of_chosen().filter(|_| self.gizmo.shown)?;
         Gizmo::new(&self.viewpoint.camera, middle, self.gizmo.touch)
@@ -18,8 +18,8 @@ impl ViewState {
         &self.gizmo
     }
 
-    /// Returns the canvas position of what is held after a displacement `by`, in CSS pixels, if
-    /// any.
+    /// Returns the canvas position of what is held after a displacement `by`, in CSS pixels; none
+    /// if nothing is held.
     pub fn held_place(&self, by: Vec3) -> Option<Vec2> {
         Some(self.gizmo.grip?.place(by))
     }
@@ -51,7 +51,7 @@ impl ViewState {
             .map(|held| DragConstraint::new(&self.viewpoint.camera, held, from));
     }
 
-    /// Returns the displacement of what is held for one of the pointer; see
+    /// Returns the displacement of what is held if the pointer moves by `by` CSS pixels; see
     /// [`DragConstraint::way`].
     pub fn constrain_move(&self, way: DragDirection, by: Vec2) -> Option<Vec3> {
         self.gizmo.grip?.way(way, by)

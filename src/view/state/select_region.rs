@@ -129,8 +129,8 @@ impl ViewState {
         (0..count).filter(inside).collect()
     }
 
-    /// Returns the edges inside, by [`ViewState::set_edges`]. An edge is visible if its midpoint
-    /// is.
+    /// Returns the edges inside, in the order of [`ViewState::set_edges`]. An edge is visible if
+    /// its midpoint is.
     pub fn edges_in(&mut self, outline: &Outline, taking: Taking) -> Vec<u32> {
         let seen = Seen::new(self, taking.through);
         let inside = |&edge: &u32| {

@@ -60,8 +60,8 @@ impl ViewState {
         ghost.iter().map(|&point| self.content.mesh.relative(point)).chain(grid)
     }
 
-    /// Returns the lines of ghost and grid: two of [`ViewState::surrounding_points`], and
-    /// [`LineKind`].
+    /// Returns the lines of ghost and grid: their ends among [`ViewState::surrounding_points`], and
+    /// their [`LineKind`].
     pub fn surrounding_lines(&self) -> Vec<[u32; 3]> {
         let mut lines = Vec::new();
         let mut first = 0;

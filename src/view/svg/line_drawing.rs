@@ -32,7 +32,7 @@ const OUTLINE: u32 = 35;
 const EDGE: u32 = 18;
 const CIRCLE: u32 = 13;
 
-/// Draws the visible lines as an SVG file in millimetres, with one group per pen.
+/// Draws the visible lines as SVG in millimetres, with groups for circles, edges and outlines.
 pub fn line_drawing(state: &ViewState) -> String {
     let camera = state.camera();
     let [low, high] = frame(state);
@@ -203,8 +203,7 @@ impl Sight {
         }
     }
 
-    /// Returns the visibility at fraction `part` of a line, given the positions and depths of its
-    /// ends.
+    /// Returns the visibility at fraction `part` of a line with these end positions and depths.
     fn sees(
         &self,
         [(a, depth_a), (b, depth_b)]: [(Vec2, f32); 2],

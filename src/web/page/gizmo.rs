@@ -65,7 +65,7 @@ impl View {
         self.model().hold_gizmo(Vec2::new(x, y));
     }
 
-    /// Returns the displacement of what is held for one of `(dx, dy)` of the cursor: three numbers,
+    /// Returns the displacement of what is held if the cursor moves by `(dx, dy)`: three numbers,
     /// or undefined. `way` is `screen`, `horizontal`, `vertical`, or a part of the gizmo.
     ///
     /// # Errors

@@ -25,9 +25,8 @@ impl View {
         self.pictures.clear_map();
     }
 
-    /// Draws a checkerboard with `squares` squares along the longer side of the map, on the model
-    /// or the map or both, and colours each face of the map by its value (#F), from `low` to
-    /// `high`.
+    /// Draws a checkerboard, with `squares` along the longer side of the map, on the model, the
+    /// map, or both, and colours each face of the map by its value (#F), from `low` to `high`.
     ///
     /// # Errors
     /// A wrong number of values.
@@ -46,8 +45,7 @@ impl View {
         looks.map_err(thrown)
     }
 
-    /// Returns the region of the map in CSS pixels (left, top, width, height); undefined without
-    /// one.
+    /// Returns the map's region in CSS pixels: left, top, width, height; undefined without a map.
     #[wasm_bindgen(js_name = mapRegion)]
     pub fn map_region(&self) -> Option<Vec<f32>> {
         let Region { at, size } = self.pictures.map_region()?;

@@ -37,7 +37,7 @@ impl View {
         self.model().pick_edge(Vec2::new(x, y), radius)
     }
 
-    /// Returns the vertices inside a screen polygon (x and y of each corner); `through` adds hidden
+    /// Returns vertices inside a screen polygon (x, y per corner); with `through`, also hidden
     /// ones.
     #[wasm_bindgen(js_name = verticesIn)]
     pub fn vertices_in(&mut self, corners: &[f32], through: bool) -> Vec<u32> {

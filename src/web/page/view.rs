@@ -201,8 +201,7 @@ impl View {
         self.model().set_ground(grey);
     }
 
-    /// Switches edges, vertex dots, fitted shapes, outlines of projected shapes, and arrows on or
-    /// off.
+    /// Switches edges, vertex dots, fitted shapes, projected outlines, and arrows on or off.
     #[wasm_bindgen(js_name = setDisplay)]
     pub fn set_display(
         &mut self,

@@ -26,8 +26,7 @@ fn corner_of_circle(
     let end = select((piece + 1.0) / pieces * 6.283185307, 0.0, piece + 1.5 > pieces);
     let a = centre + u * cos(start) + v * sin(start);
     let b = centre + u * cos(end) + v * sin(end);
-    // Circles of a few pixels are thinner and fainter, down to nothing: many would merge into a
-    // patch.
+    // Circles of a few pixels are thinner and fainter, down to nothing, as many would be one patch.
     let depth = max(scale_depth(centre), 1e-12);
     // So are circles seen nearly edge-on, whose rows are as close as they are narrow.
     let facing = abs(dot(normal, to_eye_from(centre)));

@@ -19,7 +19,7 @@ fn corner_of_line(
     let stroke = scene.strokes[kind];
     let ratio = scene.canvas.z;
     let half_width = 0.5 * stroke.size.x * ratio;
-    // Lines over the surface cross faces, which are drawn as flat triangles: lifted further.
+    // Lines over the surface cross the flat triangles of faces, so they are lifted further.
     let lift = select(LIFT, 4.0 * LIFT, kind >= OVER);
     let from_point = position_of(ends.x);
     let to_point = position_of(ends.y);

@@ -1,6 +1,5 @@
 // Projected shapes, as outlines with a faint inside, and arrows from vertices to projections, in
-// the colours of the rows of constraints, with a light casing that separates them from what is
-// below.
+// the colours of the rows of constraints, with a light casing against what is below.
 
 struct Corner {
     @builtin(position) position: vec4f,

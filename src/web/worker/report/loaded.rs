@@ -64,8 +64,7 @@ struct Problem {
 }
 
 impl Loaded {
-    /// Creates the summary of the file `name`, opened as `session`; `read` has the reader's
-    /// messages.
+    /// Creates the summary of the file `name`, opened as `session`; `read` has its messages.
     pub(crate) fn new(
         name: &str,
         session: &Session,
