@@ -18,7 +18,7 @@ struct NewPlan {
 /// Returns the kinds of new meshes.
 ///
 /// # Errors
-/// None: the data is plain.
+/// None: plain data.
 #[wasm_bindgen(js_name = newKinds, unchecked_return_type = "NewKind[]")]
 pub fn new_kinds() -> Result<JsValue, JsValue> {
     log_panics();
@@ -92,7 +92,7 @@ impl NewSpans {
     /// Returns the polylines of the mesh, then the boundaries of its faces.
     ///
     /// # Errors
-    /// None: the data is plain.
+    /// None: plain data.
     #[wasm_bindgen(unchecked_return_type = "CurveWords[]")]
     pub fn curves(&self) -> Result<JsValue, JsValue> {
         plain(&SpanCurve::words(&self.curves))

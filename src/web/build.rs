@@ -34,7 +34,7 @@ struct ReportPage {
 /// Returns the presets and the defaults.
 ///
 /// # Errors
-/// None: the data is plain.
+/// None: plain data.
 #[wasm_bindgen(js_name = buildOffers)]
 pub fn build_offers() -> Result<JsValue, JsValue> {
     log_panics();
@@ -73,7 +73,7 @@ impl Builder {
     /// Returns all numbers, as in the report of the command line.
     ///
     /// # Errors
-    /// None: the data is plain.
+    /// None: plain data.
     pub fn report(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.report())
     }
@@ -81,7 +81,7 @@ impl Builder {
     /// Returns the numbers of the card, which is updated while the shape moves.
     ///
     /// # Errors
-    /// None: the data is plain.
+    /// None: plain data.
     pub fn card(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.card())
     }
@@ -89,7 +89,7 @@ impl Builder {
     /// Returns at most `count` sheets as pictures, starting with sheet `first`.
     ///
     /// # Errors
-    /// None: the data is plain.
+    /// None: plain data.
     pub fn sheets(&self, first: usize, count: usize) -> Result<JsValue, JsValue> {
         let drawings = self.build.drawings();
         let failed = self.build.failed_sides(&self.build.failed());
@@ -101,7 +101,7 @@ impl Builder {
     /// of the mesh. Numbers that do not apply are left out.
     ///
     /// # Errors
-    /// None: the data is plain.
+    /// None: plain data.
     pub fn numbers(&self) -> Result<JsValue, JsValue> {
         let known = BUILD_NUMBERS.iter().zip(self.build.numbers());
         plain(&known.filter_map(|(number, value)| Some((number.id, value?))).collect::<Vec<_>>())
@@ -145,7 +145,7 @@ impl Builder {
     /// Returns the errors of each kind of offset.
     ///
     /// # Errors
-    /// None: the data is plain.
+    /// None: plain data.
     pub fn choices(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.choices())
     }
@@ -158,7 +158,7 @@ impl Builder {
     /// Returns the build as objects on layers, for CAD programs; the up axis is z or y.
     ///
     /// # Errors
-    /// None: the data is plain.
+    /// None: plain data.
     #[wasm_bindgen(js_name = spatialParts)]
     pub fn spatial_parts(&self, z_up: bool) -> Result<JsValue, JsValue> {
         plain(&self.build.spatial_parts(z_up))
@@ -168,7 +168,7 @@ impl Builder {
     /// axis (z or y) and its downward tilt, in radians. An empty `link` is left out.
     ///
     /// # Errors
-    /// None: the data is plain.
+    /// None: plain data.
     #[wasm_bindgen(js_name = reportPage)]
     pub fn report_page(
         &self,
@@ -185,7 +185,7 @@ impl Builder {
     /// Returns all files: `name` and `text`.
     ///
     /// # Errors
-    /// None: the data is plain.
+    /// None: plain data.
     pub fn files(&self) -> Result<JsValue, JsValue> {
         let files = self.build.files().into_iter();
         plain(&files.map(|file| File { name: file.name, text: file.text }).collect::<Vec<_>>())

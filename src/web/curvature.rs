@@ -1,5 +1,4 @@
-//! Directions and lines of curvature for the page, in the build module, which is loaded on first
-//! use.
+//! Curvature directions and lines for the page, in the build module, which is loaded on first use.
 
 use super::{log_panics, mesh_of, thrown};
 use crate::mesh::{CurvatureField, CurvatureLine, Family, Point, SurfacePlace, Topology};

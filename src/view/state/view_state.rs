@@ -158,8 +158,7 @@ impl ViewState {
         self.content.projections = projections;
     }
 
-    /// Returns the projected points relative to the view's centre, and distances from their
-    /// vertices.
+    /// Returns the projected points relative to the view's centre; w: distance from their vertex.
     pub fn projected(&self) -> impl Iterator<Item = Vec4> + '_ {
         self.content.projections.points.iter().map(|point| {
             let at = self.content.mesh.positions[point.vertex as usize] + point.way;

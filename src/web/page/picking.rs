@@ -37,8 +37,7 @@ impl View {
         self.model().pick_edge(Vec2::new(x, y), radius)
     }
 
-    /// Returns vertices inside a screen polygon (x, y per corner); with `through`, also hidden
-    /// ones.
+    /// Returns vertices inside a screen polygon (x, y per corner); with `through`, hidden ones too.
     #[wasm_bindgen(js_name = verticesIn)]
     pub fn vertices_in(&mut self, corners: &[f32], through: bool) -> Vec<u32> {
         self.model().vertices_in(&outline(corners), through)

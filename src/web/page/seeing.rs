@@ -111,8 +111,7 @@ impl View {
     }
 
     /// Replaces the lines over the surface: polyline `k` has the points (#points by 3) from
-    /// `offsets[k]` to `offsets[k + 1]`. The first `count` lines follow the larger principal
-    /// curvature.
+    /// `offsets[k]` to `offsets[k + 1]`. The first `count` follow the larger principal curvature.
     ///
     /// # Errors
     /// Arrays that do not fit together; the old lines stay.
@@ -170,8 +169,7 @@ impl View {
     }
 
     /// Returns the spacing of the band limits, in the unit of the values or of their log10;
-    /// undefined without bands. `side` selects the left (0) or right (1) of two pictures, also
-    /// below.
+    /// undefined without bands. `side` (also below): the left (0) or right (1) of two pictures.
     #[wasm_bindgen(js_name = bandStep)]
     pub fn band_step(&self, side: Option<usize>) -> Option<f64> {
         self.bands(side).map(|bands| bands.step)

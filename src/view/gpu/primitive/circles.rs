@@ -14,7 +14,7 @@ pub struct Circles {
 }
 
 impl Circles {
-    /// Creates the pipeline, with nothing to draw.
+    /// Creates the pipeline.
     pub fn new(device: &wgpu::Device, tables: &GpuTables, format: wgpu::TextureFormat) -> Circles {
         let recipe = Recipe {
             label: "circles",

@@ -16,7 +16,7 @@ pub struct Faces {
 }
 
 impl Faces {
-    /// Creates the pipelines, with nothing to draw; `occlusion` is the layout of the second group.
+    /// Creates the pipelines; `occlusion` is the layout of the second group.
     pub fn new(
         device: &wgpu::Device,
         tables: &GpuTables,

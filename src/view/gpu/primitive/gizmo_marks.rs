@@ -14,7 +14,7 @@ pub struct GizmoMarks {
 }
 
 impl GizmoMarks {
-    /// Creates the pipeline, with nothing to draw.
+    /// Creates the pipeline.
     pub fn new(
         device: &wgpu::Device,
         tables: &GpuTables,

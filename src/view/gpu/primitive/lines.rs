@@ -24,7 +24,7 @@ pub struct Lines {
 }
 
 impl Lines {
-    /// Creates the pipelines, with nothing to draw.
+    /// Creates the pipelines.
     pub fn new(device: &wgpu::Device, tables: &GpuTables, format: wgpu::TextureFormat) -> Lines {
         let pipeline = |fragment: &str, layer: Layer| {
             let recipe = Recipe {

@@ -18,7 +18,7 @@ pub struct Points {
 }
 
 impl Points {
-    /// Creates the pipelines, with nothing to draw.
+    /// Creates the pipelines.
     pub fn new(device: &wgpu::Device, tables: &GpuTables, format: wgpu::TextureFormat) -> Points {
         let pipeline = |fragment: &str, layer: Layer| {
             let recipe = Recipe {

@@ -33,7 +33,7 @@ pub struct ProjectionLines {
 }
 
 impl ProjectionLines {
-    /// Creates the pipelines, with nothing to draw.
+    /// Creates the pipelines.
     pub fn new(
         device: &wgpu::Device,
         tables: &GpuTables,

@@ -13,7 +13,7 @@ pub struct Spheres {
 }
 
 impl Spheres {
-    /// Creates the pipeline, with nothing to draw.
+    /// Creates the pipeline.
     pub fn new(device: &wgpu::Device, tables: &GpuTables, format: wgpu::TextureFormat) -> Spheres {
         let recipe = Recipe {
             label: "spheres",
