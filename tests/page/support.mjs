@@ -34,10 +34,14 @@ function showAdvanced() {
 }
 
 /**
- * What says of a test that it looks at the picture. Where it does not, the picture has no pixels:
- * software takes more time for them than for all the rest.
+ * The tag of a test that looks at the picture. Software takes more time to fill pixels than for all
+ * the rest of a page: without the tag none are filled, and with it a quarter of them, as in a window
+ * that is zoomed out to half.
  */
 export const looks = { tag: '@looks' };
+
+/** Pixels of the screen per CSS pixel. */
+const HALF = 0.5;
 
 /**
  * Fails a test when the page throws, or when the console has an error or a warning. `advanced` is
@@ -45,6 +49,8 @@ export const looks = { tag: '@looks' };
  */
 export const test = base.extend({
   advanced: [true, { option: true }],
+  deviceScaleFactor: async ({ deviceScaleFactor }, use, { tags }) =>
+    use(tags.includes(looks.tag) ? HALF : deviceScaleFactor),
   context: async ({ context, advanced }, use, { tags }) => {
     if (!tags.includes(looks.tag)) await context.addInitScript(leaveOutPixels);
     if (advanced) await context.addInitScript(showAdvanced);

@@ -84,7 +84,8 @@ test('flat faces are not coloured by rounding', async ({ page }) => {
 async function bluerThanRed(page, picture, n, face) {
   const first = Math.floor(face / n) * (n + 1) + (face % n);
   const [a, b] = [await screenOf(page, first), await screenOf(page, first + n + 2)];
-  const [red, , blue] = colourAt(picture, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
+  const scale = picture.width / page.viewportSize().width;
+  const [red, , blue] = colourAt(picture, (scale * (a[0] + b[0])) / 2, (scale * (a[1] + b[1])) / 2);
   return blue - red;
 }
 
