@@ -1,15 +1,16 @@
-//! The bounding sphere: the smallest ball that holds all points; and how far out points may be.
+//! Smallest enclosing ball of a point set, and the limit on coordinates.
 //!
-//! Errors `e_p` and `e_c` are stated in the scale where its diameter is 1 (paper Fig. 5).
+//! The errors `e_p` and `e_c` are reported after scaling the diameter of the ball to 1 (paper
+//! Fig. 5).
 
 use super::Point;
 use crate::math::Vec3;
 
-/// Coordinates are at most this, of either sign, or there is nothing to be measured: sixth powers of
-/// lengths, the highest that are formed, stay finite.
+/// Largest absolute value of a coordinate. Up to it, sixth powers of lengths, the highest powers
+/// that are computed, stay finite.
 pub const FARTHEST: f64 = 1e50;
 
-/// The first position (of `#V by 3`) that is farther out than [`FARTHEST`], or not a number.
+/// Index of the first position (of `#V by 3`) with a coordinate beyond [`FARTHEST`] or NaN.
 pub fn too_far(positions: &[Point]) -> Option<usize> {
     positions.iter().position(|point| !point.iter().all(|x| x.abs() <= FARTHEST))
 }
@@ -17,20 +18,21 @@ pub fn too_far(positions: &[Point]) -> Option<usize> {
 /// A ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoundingSphere {
-    /// Its centre.
+    /// Centre.
     pub centre: Point,
-    /// Its radius; 0 around one point.
+    /// Radius; 0 for a single point.
     pub radius: f64,
 }
 
 impl BoundingSphere {
-    /// The smallest ball that holds the finite `points`, up to rounding; around no points, the
-    /// origin.
+    /// Returns the smallest ball that contains the finite `points`, up to rounding; without points,
+    /// radius 0 at the origin.
     ///
-    /// The ball is that of at most four of the points. Starting from one point, the farthest point
-    /// outside joins those that carry the ball, and the smallest ball of these at most five, which
-    /// is found by trying, replaces it. Each ball is greater than the one before, so this ends; it
-    /// takes about ten rounds (compare Gaertner, *Fast and robust smallest enclosing balls*, 1999).
+    /// At most four of the points, its support, determine the ball. Starting from one point, the
+    /// point farthest outside the ball is added to the support, and the smallest ball of these at
+    /// most five points, found by trying all subsets, becomes the new ball. Each ball is larger
+    /// than the one before, so the loop ends, after about ten rounds (compare Gaertner, *Fast and
+    /// robust smallest enclosing balls*, 1999).
     pub fn of(points: &[Point]) -> BoundingSphere {
         let Some(&first) = points.first() else {
             return BoundingSphere { centre: [0.0; 3], radius: 0.0 };
@@ -40,7 +42,7 @@ impl BoundingSphere {
         let mut ball = Ball { centre: Vec3::zero(), radius_squared: 0.0, carriers: vec![0] };
         let mut farthest = ball.farthest(points.len(), at);
         while !ball.carriers.contains(&farthest.0) && farthest.1 > ball.radius_squared {
-            // None is greater when only rounding is left to gain.
+            // No ball is larger when only a rounding error is left.
             let Some(greater) = ball.with(farthest.0, at) else { break };
             ball = greater;
             farthest = ball.farthest(points.len(), at);
@@ -58,12 +60,12 @@ impl BoundingSphere {
 struct Ball {
     centre: Vec3<f64>,
     radius_squared: f64,
-    /// The points on its surface that make it this great, at most four.
+    /// The support: at most four points on the surface that determine the ball.
     carriers: Vec<usize>,
 }
 
 impl Ball {
-    /// The first of the points that are farthest from the centre, and its squared distance.
+    /// Returns the first of the points farthest from the centre, and its squared distance.
     fn farthest(&self, n: usize, at: impl Fn(usize) -> Vec3<f64>) -> (usize, f64) {
         (0..n).fold((0, -1.0), |farthest, i| {
             let squared = (at(i) - self.centre).length_squared();
@@ -71,8 +73,8 @@ impl Ball {
         })
     }
 
-    /// The smallest ball of the carriers and one more point outside, which is on its surface; none
-    /// where that is not greater.
+    /// Returns the smallest ball of the carriers and of one point outside, which lies on its
+    /// surface; `None` if it is not larger than this ball.
     fn with(&self, outside: usize, at: impl Fn(usize) -> Vec3<f64>) -> Option<Ball> {
         let mut least: Option<Ball> = None;
         for subset in 0..1_usize << self.carriers.len() {
@@ -86,7 +88,7 @@ impl Ball {
                 carriers[1..].iter().map(|&i| at(i) - at(outside)).collect();
             let Some(to_centre) = circumcentre(&sides) else { continue };
             let (centre, radius_squared) = (at(outside) + to_centre, to_centre.length_squared());
-            // Rounding moves points on the surface out by a little.
+            // Points on the surface can lie slightly outside, by rounding.
             let holds =
                 |i: &usize| (at(*i) - centre).length_squared() <= radius_squared * (1.0 + 1e-12);
             if radius_squared > self.radius_squared
@@ -100,8 +102,8 @@ impl Ball {
     }
 }
 
-/// The point at the same distance from the origin and from all `points`, at most three, in the
-/// plane or line through them; none where they lie in one of lower dimension.
+/// Returns the circumcentre of the origin and of at most three `points`, in the point, line, plane
+/// or space that they span; `None` if they are affinely dependent.
 fn circumcentre(points: &[Vec3<f64>]) -> Option<Vec3<f64>> {
     let half = |p: Vec3<f64>| 0.5 * p.length_squared();
     let (sum, weight) = match *points {

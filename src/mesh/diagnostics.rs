@@ -4,7 +4,7 @@ use super::problem::{DiagnosticCounts, MeshProblem, ProblemKind};
 use super::{Mesh, Point};
 use crate::math::{argsort, key_of_number, key_of_pair, polygon_sides};
 
-/// The problems of a mesh that is not from a file, such as one inside a scene.
+/// Returns the problems of a mesh that was not read from a file, such as one inside a scene.
 pub fn diagnose(mesh: &Mesh) -> Vec<MeshProblem> {
     let mut counts = DiagnosticCounts::default();
     examine(mesh, &[], &[], &mut counts);
@@ -22,7 +22,7 @@ pub struct ElementsWithProblem {
     pub faces: Vec<u32>,
 }
 
-/// Which elements have the problem `kind`; none where it is one of a file and not of a mesh.
+/// Returns the elements that have the problem `kind`; empty for problems of the file only.
 pub fn elements_with_problem(mesh: &Mesh, kind: ProblemKind) -> ElementsWithProblem {
     let mut elements_with_problem = ElementsWithProblem::default();
     match kind {
@@ -44,7 +44,7 @@ pub fn elements_with_problem(mesh: &Mesh, kind: ProblemKind) -> ElementsWithProb
     elements_with_problem
 }
 
-/// The problem of an edge with these sides; none where it has none.
+/// Returns the problem of the edge with these half-edges, if any.
 fn problem_of(edge: &[HalfEdge]) -> Option<ProblemKind> {
     match edge {
         [a, b] if a.ascending == b.ascending => Some(ProblemKind::FlippedNeighbour),
@@ -53,8 +53,8 @@ fn problem_of(edge: &[HalfEdge]) -> Option<ProblemKind> {
     }
 }
 
-/// Counts the problems of a mesh whose vertices and faces are from these lines of a file, or from
-/// nowhere (no lines).
+/// Counts the problems of a mesh whose vertices and faces come from these lines of a file; the
+/// slices are empty for a mesh that does not come from a file.
 pub(super) fn examine(
     mesh: &Mesh,
     vertex_lines: &[u32],
@@ -75,7 +75,8 @@ pub(super) fn examine(
     }
 }
 
-/// The vertices of no element. A mesh without elements is a set of points, all of which are meant.
+/// Returns the vertices that no element uses. A mesh without elements is a point set, in which all
+/// vertices count as used.
 fn unused(mesh: &Mesh) -> Vec<usize> {
     let elements = [mesh.faces.indices(), mesh.curves.indices(), mesh.tets.as_flattened()];
     if elements.iter().all(|indices| indices.is_empty()) {
@@ -88,7 +89,7 @@ fn unused(mesh: &Mesh) -> Vec<usize> {
     (0..used.len()).filter(|&vertex| !used[vertex]).collect()
 }
 
-/// The faces on the same vertices as an earlier one, in whatever order.
+/// Returns the faces that have the same vertices, in any order, as an earlier face.
 fn duplicates(mesh: &Mesh) -> Vec<u32> {
     let mut sorted = mesh.faces.clone();
     sorted.sort_rows();
@@ -108,7 +109,7 @@ struct HalfEdge {
     ascending: bool,
 }
 
-/// All sides of all faces, those of one edge together, by face.
+/// Returns the half-edges of all faces, grouped by edge and sorted by face within each group.
 fn half_edges(mesh: &Mesh) -> Vec<HalfEdge> {
     let mut sides: Vec<HalfEdge> = Vec::with_capacity(mesh.faces.indices().len());
     for (face, corners) in mesh.faces.iter().enumerate() {
@@ -121,13 +122,14 @@ fn half_edges(mesh: &Mesh) -> Vec<HalfEdge> {
     order.into_iter().map(|side| sides[side as usize]).collect()
 }
 
-/// How many vertices lie exactly where an earlier one does, and the first of them.
+/// Returns the number of vertices at exactly the position of an earlier vertex, and the first of
+/// them.
 pub(super) fn coincident(positions: &[Point]) -> Option<(usize, usize)> {
     let is_number = |vertex: &usize| !positions[*vertex].iter().any(|x| x.is_nan());
     let mut vertices: Vec<usize> = (0..positions.len()).filter(is_number).collect();
-    // By x, then y, then z, then vertex: the first of these last, as equals keep their order.
+    // Stable sorts by z, then y, then x give the lexicographic order (x, y, z, vertex).
     for axis in (0..3).rev() {
-        // Adding zero makes one zero of the two.
+        // Adding zero turns -0 into +0.
         let keys = vertices.iter().map(|&vertex| key_of_number(positions[vertex][axis] + 0.0));
         vertices = argsort(keys).into_iter().map(|i| vertices[i as usize]).collect();
     }
@@ -140,7 +142,8 @@ pub(super) fn coincident(positions: &[Point]) -> Option<(usize, usize)> {
 mod tests {
     use super::*;
 
-    /// Problems of faces on `vertices` vertices somewhere: kinds with counts.
+    /// Problems, as kinds with counts, of these faces on `vertices` vertices at arbitrary
+    /// positions.
     fn problems(vertices: usize, faces: &[&[u32]]) -> Vec<(ProblemKind, usize)> {
         let positions = (0..vertices).map(|i| [i as f64, 0.0, 0.0]).collect();
         let mesh = Mesh { positions, faces: faces.iter().collect(), ..Mesh::default() };

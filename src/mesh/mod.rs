@@ -1,11 +1,11 @@
-//! Polygon meshes, curves and tetrahedra: what a file holds, and what can be computed of it.
+//! Polygon meshes, curves and tetrahedra: data, files, and computations on them.
 //!
 //! | file or folder | holds |
 //! |---|---|
 //! | `polygon_mesh` | positions, faces, curves, tetrahedra, groups |
 //! | `ragged` | lists of lists of vertex indices |
-//! | `bounds` | bounding sphere, and how far out positions may be |
-//! | `problem` | kinds of problems of a file or a mesh that are survived, and their counts |
+//! | `bounds` | bounding sphere, and the limit on coordinates |
+//! | `problem` | kinds and counts of the problems that do not stop reading a file |
 //! | `diagnostics` | the problems of a mesh as a whole: unused vertices, duplicate faces, non-manifold edges |
 //! | `io` | mesh files in and out |
 //! | `topology` | edges, neighbours, boundary loops, strips, components, curves on the mesh |
@@ -13,7 +13,7 @@
 //! | `closest` | closest points `c(v)` on a surface, Eq. 11, and on its boundary curves |
 //! | `measure` | planarity, circularity, angles, Gauss curvature, strips laid flat, distortion of flat maps |
 //! | `curvature` | principal curvatures, and the angles between them and the edges |
-//! | `edit` | meshes made from meshes: welding, subdivision, operations by hand |
+//! | `edit` | meshes made from meshes: welding, subdivision, editing operations |
 
 mod bounds;
 mod closest;

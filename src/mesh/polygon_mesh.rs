@@ -5,19 +5,21 @@ use super::ragged::Ragged;
 /// A position in space, in the units of the mesh.
 pub type Point = [f64; 3];
 
-/// A polygon mesh with its curves and tetrahedra, as a file gives it. The order of vertices, faces,
-/// curves and groups is the file's and never changes.
+/// A polygon mesh with curves and tetrahedra, as read from a file. Vertices, faces, curves and
+/// groups stay in the order of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// `#V by 3`, finite.
     pub positions: Vec<Point>,
     /// The corners of each face, at least three, as indices of vertices.
     pub faces: Ragged,
-    /// The vertices of each polyline, at least two; a closed one repeats its first vertex at the end.
+    /// The vertices of each polyline, at least two; a closed polyline repeats its first vertex at
+    /// the end.
     pub curves: Ragged,
     /// `#T by 4` indices of vertices.
     pub tets: Vec<[u32; 4]>,
-    /// Named sets of faces and curves, which may overlap; none is empty. From a file: by first member.
+    /// Named sets of faces and curves, which may overlap; none is empty. Those read from a file are
+    /// in the order of their first members.
     pub groups: Vec<Group>,
 }
 
@@ -26,7 +28,7 @@ pub struct Mesh {
 pub struct Group {
     /// The name in the file.
     pub name: String,
-    /// Which statement of an OBJ file named it.
+    /// The OBJ statement that named it.
     pub keyword: GroupKeyword,
     /// Indices of faces, ascending.
     pub faces: Vec<u32>,
@@ -34,7 +36,7 @@ pub struct Group {
     pub curves: Vec<u32>,
 }
 
-/// The statement of an OBJ file that opens a group.
+/// OBJ statement that opens a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum GroupKeyword {
     /// `o`
@@ -46,7 +48,7 @@ pub enum GroupKeyword {
 }
 
 impl GroupKeyword {
-    /// The word of each.
+    /// The keyword of each statement.
     pub const STATEMENTS: [(&str, GroupKeyword); 3] = [
         ("o", GroupKeyword::Object),
         ("g", GroupKeyword::Group),

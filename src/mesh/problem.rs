@@ -1,4 +1,5 @@
-//! Problems of a mesh or its file that do not stop reading: counted by kind, with the first line of each.
+//! Problems of a mesh or its file that do not stop reading, counted by kind with the line of the
+//! first.
 
 use std::fmt;
 
@@ -13,11 +14,11 @@ pub enum ElementKind {
     Tetrahedron,
 }
 
-/// One sort of problem. An element that is skipped is skipped whole.
+/// Kinds of problems. A skipped element is skipped as a whole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ProblemKind {
-    /// A coordinate is missing or not a number. The vertex keeps its number and takes the middle of
-    /// the extent of all vertices for that coordinate.
+    /// A coordinate is missing or not a number. The vertex keeps its number; the coordinate is set
+    /// to the middle of the extent of all vertices.
     MalformedCoordinate,
     /// A coordinate is infinite or not a number (`nan`). The vertex is kept in the same way.
     NonFiniteCoordinate,
@@ -27,30 +28,30 @@ pub enum ProblemKind {
     MalformedCorner(ElementKind),
     /// A corner is zero where vertices are counted from one; the element is skipped.
     CornerZero(ElementKind),
-    /// A corner names a vertex that the file does not have; the element is skipped.
+    /// A corner refers to a vertex that the file does not contain; the element is skipped.
     CornerOutOfRange(ElementKind),
-    /// Fewer than three different corners (faces), two (curves), four (tetrahedra); skipped.
+    /// Fewer than three (faces), two (curves) or four (tetrahedra) distinct corners; skipped.
     TooFewCorners(ElementKind),
     /// The same corner twice in a row; it is kept once.
     RepeatedCorner(ElementKind),
-    /// A face comes back to one of its corners; it is skipped.
+    /// A face visits one of its corners twice; it is skipped.
     SelfTouchingFace,
-    /// A statement that the format does not have; it is ignored.
+    /// A statement that is not part of the format; it is ignored.
     UnknownStatement,
-    /// More names in one `g` statement than are kept; the rest is ignored.
+    /// One `g` statement has more names than the limit; the rest is ignored.
     TooManyNames,
-    /// A vertex of no element.
+    /// A vertex that no element uses.
     UnusedVertex,
     /// A face on the same vertices as an earlier one.
     DuplicateFace,
     /// An edge of more than two faces.
     NonManifoldEdge,
-    /// An edge that its two faces run through in the same direction.
+    /// An edge that both its faces traverse in the same direction.
     FlippedNeighbour,
 }
 
 impl ProblemKind {
-    /// The element that is counted, as singular and plural, and its defect.
+    /// Returns the counted element, singular and plural, and its defect.
     fn words(self) -> (&'static str, &'static str, &'static str) {
         use ProblemKind::*;
         let (one, many) = match self {
@@ -101,13 +102,13 @@ impl ProblemKind {
 /// All problems of one kind in a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshProblem {
-    /// Which sort.
+    /// Kind of the problem.
     pub kind: ProblemKind,
-    /// How many, at least one.
+    /// Number of occurrences, at least one.
     pub count: usize,
-    /// Line of the first in the file, counted from one; none when the mesh is not from a file.
+    /// Line of the first occurrence, counted from one; `None` if the mesh was not read from a file.
     pub line: Option<usize>,
-    /// The text of that line, shortened; empty when there is no line.
+    /// The text of that line, shortened; empty without a line.
     pub text: String,
 }
 
@@ -123,17 +124,17 @@ impl fmt::Display for MeshProblem {
     }
 }
 
-/// `1 face`, `2 faces`.
+/// Formats a count with its noun: `1 face`, `2 faces`.
 pub fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
 
-/// Problems as they are met: of each kind how many, and the line of the first.
+/// Count and first line of each kind of problem found so far, sorted by kind.
 #[derive(Default)]
 pub(super) struct DiagnosticCounts(Vec<(ProblemKind, usize, Option<usize>)>);
 
 impl DiagnosticCounts {
-    /// Counts one problem. Problems of one kind come in the order of their lines.
+    /// Counts one problem. Problems of one kind must be added in the order of their lines.
     pub(super) fn add(&mut self, kind: ProblemKind, line: Option<usize>) {
         let place = self.0.partition_point(|&(other, ..)| other < kind);
         match self.0.get_mut(place) {
@@ -142,7 +143,7 @@ impl DiagnosticCounts {
         }
     }
 
-    /// The problems, by kind; `text` gives the text of a line.
+    /// Returns the problems by kind; `text` returns the text of a line.
     pub(super) fn problems(self, text: impl Fn(usize) -> String) -> Vec<MeshProblem> {
         let problems = self.0.into_iter();
         let text = |line: Option<usize>| line.map(&text).unwrap_or_default();

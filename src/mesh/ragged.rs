@@ -15,24 +15,24 @@ impl Default for Ragged {
 }
 
 impl Ragged {
-    /// No rows.
+    /// Returns a list without rows.
     pub fn new() -> Self {
         Self::default()
     }
-    /// Rows of these entries, where the offsets are `#rows + 1` and ascend from zero to the number of entries.
+    /// Builds rows from `#rows + 1` offsets that ascend from zero to the number of entries.
     pub(super) fn from_parts(offsets: Vec<u32>, indices: Vec<u32>) -> Self {
         assert_eq!(offsets.last().copied(), Some(indices.len() as u32), "the last row ends there");
         Ragged { offsets, indices }
     }
-    /// How many rows.
+    /// Number of rows.
     pub fn len(&self) -> usize {
         self.offsets.len() - 1
     }
-    /// Whether there is no row.
+    /// Whether there are no rows.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
-    /// Row `i`; panics when there is none.
+    /// Returns row `i`; panics if `i` is out of range.
     #[inline]
     pub fn row(&self, i: usize) -> &[u32] {
         &self.indices[self.offsets[i] as usize..self.offsets[i + 1] as usize]
@@ -42,7 +42,7 @@ impl Ragged {
         self.indices.extend_from_slice(row);
         self.offsets.push(self.indices.len() as u32);
     }
-    /// Gives back what pushing has reserved for more.
+    /// Releases unused capacity.
     pub fn shrink_to_fit(&mut self) {
         self.offsets.shrink_to_fit();
         self.indices.shrink_to_fit();
@@ -53,7 +53,7 @@ impl Ragged {
             self.indices[ends[0] as usize..ends[1] as usize].sort_unstable();
         }
     }
-    /// Calls every entry `v` `name[v]`.
+    /// Replaces every entry `v` by `name[v]`.
     pub fn rename(&mut self, name: &[u32]) {
         self.indices.iter_mut().for_each(|v| *v = name[*v as usize]);
     }

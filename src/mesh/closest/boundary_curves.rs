@@ -1,14 +1,14 @@
-//! The boundary of the rest shape as curves for vertices to glide on, with its corners (boundary
+//! The boundary of the rest shape as curves on which vertices glide, and its corners (boundary
 //! preservation, paper section 4).
 
 use crate::math::Vec3;
 use crate::mesh::{Mesh, Point, Ragged, Surface, Topology};
 
-/// The boundary loops of a mesh as curves, and the corners between them. Each boundary vertex is
-/// either a corner or on exactly one curve.
+/// The boundary loops of a mesh as curves, and their corners. Each boundary vertex is either a
+/// corner or on exactly one curve.
 #[derive(Clone, Debug)]
 pub struct BoundaryCurves {
-    /// One for each of [`Topology::boundary_loops`].
+    /// One curve per loop of [`Topology::boundary_loops`].
     pub curves: Vec<BoundaryCurve>,
     /// The corners, ascending.
     pub corners: Vec<u32>,
@@ -17,29 +17,29 @@ pub struct BoundaryCurves {
 /// One boundary loop.
 #[derive(Clone, Debug)]
 pub struct BoundaryCurve {
-    /// Its polyline, with the corners.
+    /// The polyline, including the corners.
     pub polyline: Surface,
-    /// Its vertices without the corners, along the loop.
+    /// The vertices along the loop, without the corners.
     pub vertices: Vec<u32>,
     /// The pieces between corners, in order.
     pub pieces: Vec<BoundaryPiece>,
 }
 
-/// A part of a boundary loop from corner to corner; all of it where it has none.
+/// A part of a boundary loop from corner to corner, or the whole loop if it has no corner.
 #[derive(Clone, Debug)]
 pub struct BoundaryPiece {
-    /// Its vertices with both ends; the first one again at the end where it is closed.
+    /// The vertices including both ends; a closed piece repeats its first vertex at the end.
     pub vertices: Vec<u32>,
-    /// Whether it is a loop without a corner.
+    /// Whether the piece is a loop without a corner.
     pub closed: bool,
 }
 
 impl BoundaryCurves {
-    /// The boundary of a mesh with its vertices at `positions` (`#V by 3`).
+    /// Extracts the boundary of a mesh with its vertices at `positions` (`#V by 3`).
     ///
-    /// A vertex is a corner where the boundary turns by more than the angle with the cosine
-    /// `corner_cosine`, where it is on several loops, and at the ends of a loop that is not closed.
-    /// An edge without length has no direction: the one beyond it counts.
+    /// A vertex is a corner if the boundary turns there by more than the angle with the cosine
+    /// `corner_cosine`, if it is on several loops, or if it is an end of a loop that is not closed.
+    /// Edges of zero length are skipped in measuring the turn.
     pub fn new(positions: &[Point], topology: &Topology, corner_cosine: f64) -> BoundaryCurves {
         let loops = topology.boundary_loops();
         let mut on_loops = vec![0_u32; positions.len()];
@@ -72,7 +72,7 @@ impl BoundaryCurves {
     }
 }
 
-/// The pieces of a loop between its corners.
+/// Splits a loop at its corners.
 fn pieces(one: &[u32], closed: bool, is_corner: &[bool]) -> Vec<BoundaryPiece> {
     let n = one.len();
     let corners: Vec<usize> = (0..n).filter(|&k| is_corner[one[k] as usize]).collect();
@@ -88,13 +88,14 @@ fn pieces(one: &[u32], closed: bool, is_corner: &[bool]) -> Vec<BoundaryPiece> {
     ends.windows(2).map(|ends| part(ends[0], ends[1], false)).collect()
 }
 
-/// Whether a row of the boundary loops comes back to its first vertex.
+/// Whether a row of the boundary loops is closed by an edge from its last to its first vertex.
 fn is_closed(one: &[u32], topology: &Topology) -> bool {
     let closing = topology.edge(one[0], one[one.len() - 1]);
     one.len() > 2 && closing.is_some_and(|e| topology.is_boundary_edge(e))
 }
 
-/// The cosine of the angle by which a loop turns at its vertex `k`; 1 where all is in one point.
+/// Returns the cosine of the turning angle of a loop at its vertex `k`; 1 if all its vertices
+/// coincide.
 fn turn_cosine(one: &[u32], k: usize, positions: &[Point]) -> f64 {
     let n = one.len();
     let at = |k: usize| Vec3::from(positions[one[k % n] as usize]);

@@ -1,24 +1,25 @@
-//! A bounding-volume tree over boxes, two children to a node, tested side by side in lanes.
+//! Binary bounding volume hierarchy over boxes; both children of a node are tested at once in SIMD
+//! lanes.
 
 use crate::math::{Lane, Pair, Vec3};
 use crate::mesh::Point;
 use std::ops::Range;
 
-/// Boxes in a leaf, at most.
+/// Maximum number of boxes in a leaf.
 const LEAF: usize = 4;
 
-/// Children that wait to be looked at, at most: halving 2^32 boxes takes 32 levels, and each leaves
-/// one child behind.
+/// Size of the traversal stack: halving 2^32 boxes takes 32 levels, and each leaves one child on
+/// the stack.
 const DEPTH: usize = 33;
 
-/// The tree. Its leaves are ranges of the order in which [`Bvh::new`] puts the boxes.
+/// The hierarchy. Its leaves are ranges of the order that [`Bvh::new`] returns.
 #[derive(Clone, Debug)]
 pub(crate) struct Bvh {
-    /// The root first; none over no boxes.
+    /// The root is first; empty without boxes.
     nodes: Vec<Node>,
 }
 
-/// The boxes of two children, one in each lane, and where the children are.
+/// The boxes of two children, one per lane, and references to the children.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 struct Node {
@@ -27,7 +28,7 @@ struct Node {
     children: [Child; 2],
 }
 
-/// A range of boxes, or a node where `count` is [`Child::NODE`].
+/// A leaf, as a range of boxes, or, if `count` is [`Child::NODE`], the index of a node.
 #[derive(Clone, Copy, Debug, Default)]
 struct Child {
     first: u32,
@@ -51,8 +52,8 @@ impl Child {
 }
 
 impl Bvh {
-    /// The tree over some boxes, and the order in which they are in its leaves: neighbours in space
-    /// become neighbours in the order.
+    /// Builds the hierarchy and returns it with the order of the boxes in its leaves, in which
+    /// neighbours in space are close to each other.
     pub(crate) fn new(boxes: &[Box3]) -> (Bvh, Vec<u32>) {
         let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
         let mut bvh = Bvh { nodes: Vec::new() };
@@ -62,8 +63,8 @@ impl Bvh {
         (bvh, order)
     }
 
-    /// Makes the node over the boxes of `order`, which become those from `first` on. They are
-    /// halved by their middles along the axis in which these spread most.
+    /// Builds the node over the boxes of `order`, whose final indices begin at `first`. Splits them
+    /// in halves by their centres along the axis of largest extent of the centres.
     fn build(&mut self, boxes: &[Box3], order: &mut [u32], first: u32) -> Child {
         let middles = order.iter().fold(Box3::EMPTY, |all, &b| {
             let middle = std::array::from_fn(|axis| boxes[b as usize].middle(axis));
@@ -98,7 +99,7 @@ impl Bvh {
     }
 
     /// Visits the leaves whose boxes are nearer to `p` (the same point in both lanes) than the
-    /// square root of `bound`, nearer ones first. A visit returns the new bound.
+    /// square root of `bound`, at each node the nearer child first. A visit returns the new bound.
     #[inline(always)]
     pub(crate) fn search(
         &self,
@@ -146,7 +147,7 @@ impl Bvh {
         }
     }
 
-    /// Visits the leaves whose boxes meet `around`, until a visit returns false.
+    /// Visits the leaves whose boxes intersect `around`, until a visit returns false.
     pub(crate) fn meeting(&self, around: &Box3, mut visit: impl FnMut(Range<usize>) -> bool) {
         if self.nodes.is_empty() {
             return;
@@ -173,10 +174,10 @@ impl Bvh {
 }
 
 impl Node {
-    /// Squared distances of a point (the same in both lanes) to the boxes of the two children.
+    /// Returns the squared distances of a point (the same in both lanes) to the two child boxes.
     #[inline(always)]
     fn distances_squared(&self, p: Vec3<Pair>) -> Pair {
-        // At most one of the two differences is positive. No maximum: in wasm it is a branch.
+        // At most one of the two differences is positive. `max` is avoided: in wasm it is a branch.
         let positive = |x: Pair| (x + x.abs()) * Pair::splat(0.5);
         let out = |low: Pair, p: Pair, high: Pair| positive(low - p) + positive(p - high);
         let x = out(self.low.x, p.x, self.high.x);
@@ -185,7 +186,7 @@ impl Node {
         x * x + y * y + z * z
     }
 
-    /// The box of one child.
+    /// Returns the box of one child.
     fn child_box(&self, side: usize) -> Box3 {
         Box3 { low: self.low.lane(side).into(), high: self.high.lane(side).into() }
     }
@@ -199,10 +200,10 @@ pub(crate) struct Box3 {
 }
 
 impl Box3 {
-    /// Holds nothing, and is at an infinite distance from everything.
+    /// The empty box, at infinite distance from every point.
     const EMPTY: Box3 = Box3 { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
 
-    /// The smallest box that holds these points.
+    /// Returns the smallest box that contains these points.
     pub(crate) fn around(points: &[Point]) -> Box3 {
         points.iter().fold(Box3::EMPTY, |b, &p| b.union(&Box3 { low: p, high: p }))
     }
@@ -214,28 +215,28 @@ impl Box3 {
         }
     }
 
-    /// Whether the two have a point in common.
+    /// Whether the boxes intersect.
     pub(crate) fn meets(&self, other: &Box3) -> bool {
         (0..3).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
     }
 
-    /// The middle; the origin of a box that holds nothing.
+    /// Returns the centre; the origin for an empty box.
     pub(crate) fn centre(&self) -> Vec3<f64> {
         let middle = |k: usize| self.low[k] + 0.5 * (self.high[k] - self.low[k]);
         if self.low[0] <= self.high[0] { [0, 1, 2].map(middle).into() } else { Vec3::zero() }
     }
 
-    /// The length of the diagonal.
+    /// Returns the length of the diagonal.
     pub(crate) fn diagonal(&self) -> f64 {
         (Vec3::from(self.high) - Vec3::from(self.low)).length()
     }
 
-    /// The box that reaches farther on all sides.
+    /// Returns the box extended by a margin on all sides.
     pub(crate) fn grown(&self, by: f64) -> Box3 {
         Box3 { low: self.low.map(|x| x - by), high: self.high.map(|x| x + by) }
     }
 
-    /// Twice the middle along one axis.
+    /// Returns twice the coordinate of the centre along one axis.
     fn middle(&self, axis: usize) -> f64 {
         self.low[axis] + self.high[axis]
     }

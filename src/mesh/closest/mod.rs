@@ -5,11 +5,11 @@
 //! | `surface` | the surface as triangles, and the search |
 //! | `bvh` | bounding volume hierarchy over the triangles |
 //! | `triangle` | the closest point of one triangle |
-//! | `neighbourhoods` | per triangle the region above and below it where it is closest |
-//! | `safe_region` | that region, bounded by the triangles around |
-//! | `point_cache` | per point the triangle that was closest last, and its region |
-//! | `boundary_curves` | the boundary loops as curves to glide on, with corners |
-//! | `polyline` | a polyline by its arc length |
+//! | `neighbourhoods` | nearby triangles and safe region of each triangle |
+//! | `safe_region` | region above and below a triangle in which no other triangle is closer |
+//! | `point_cache` | per point, the last closest triangle and its safe region |
+//! | `boundary_curves` | the boundary loops as curves to glide on, and their corners |
+//! | `polyline` | a polyline parametrised by arc length |
 
 mod boundary_curves;
 mod bvh;

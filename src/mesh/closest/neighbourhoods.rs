@@ -1,8 +1,8 @@
-//! Which triangles are near each triangle of a surface.
+//! Precomputed lists of the triangles near each triangle of a surface.
 //!
-//! If the closest point of one triangle is at distance `d` of `p`, whatever is nearer to `p` is
-//! within `2 d` of that triangle. So where `d` is short against the triangle, a short list made
-//! beforehand has all that can be nearer, and no tree needs to be searched.
+//! If a triangle is at distance `d` from `p`, every triangle nearer to `p` is within `2 d` of it.
+//! So if `d` is small relative to the triangle, a short precomputed list contains all candidates,
+//! and no search of the hierarchy is needed.
 
 use super::bvh::{Box3, Bvh};
 use super::safe_region::TriangleSafeRegion;
@@ -10,38 +10,39 @@ use super::triangle::{Corners, Planes};
 use crate::math::Lane;
 use crate::mesh::Ragged;
 
-/// How far the surroundings of a triangle reach, relative to the diagonal of its box.
+/// Distance up to which neighbours are listed, relative to the diagonal of the triangle's box.
 const REACH: f64 = 0.5;
 
-/// The same for what is close.
+/// The same for close neighbours, which come first in the list.
 const CLOSE_REACH: f64 = 0.125;
 
-/// A triangle with more surroundings than this has none listed, so that ten thousand triangles
-/// around one corner do not cost ten thousand squared.
+/// Triangles with more neighbours than this get no list, so that ten thousand triangles around one
+/// corner do not cost ten thousand squared.
 const MOST: usize = 64;
 
-/// The triangles near each triangle.
+/// Neighbour list and safe region of each triangle.
 #[derive(Clone, Debug)]
 pub(crate) struct TriangleNeighbourhoods {
     clearings: Vec<TriangleSafeRegion>,
-    /// For each triangle those in its reach, the close ones first.
+    /// Neighbours of each triangle, the close ones first.
     lists: Ragged,
     limits: Vec<Limits>,
 }
 
-/// For squared distances of a point to a triangle: how much of the list is needed.
+/// Squared distances of a point to a triangle up to which parts of the list suffice.
 #[derive(Clone, Debug)]
 struct Limits {
-    /// Up to this, the close ones.
+    /// Up to this, the close neighbours suffice.
     close: f64,
-    /// Up to this, the list.
+    /// Up to this, the whole list suffices.
     listed: f64,
-    /// How many of the list are close.
+    /// Number of close neighbours in the list.
     n_close: u32,
 }
 
 impl TriangleNeighbourhoods {
-    /// Lists the surroundings of all triangles. `boxes` are theirs, in the order of `tree`.
+    /// Lists the neighbours of all triangles. `boxes` are their bounding boxes; all slices are in
+    /// the order of `bvh`.
     pub(crate) fn new(
         bvh: &Bvh,
         boxes: &[Box3],
@@ -51,7 +52,7 @@ impl TriangleNeighbourhoods {
         let mut lists = Ragged::new();
         let count = boxes.len();
         let (mut limits, mut clearings) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        // A negative limit allows nothing.
+        // A negative limit, as below, admits no distance.
         let limit = |reach: f64| half(reach) * half(reach);
         let (mut close, mut others) = (Vec::new(), Vec::new());
         for t in 0..boxes.len() {
@@ -95,14 +96,14 @@ impl TriangleNeighbourhoods {
         TriangleNeighbourhoods { clearings, lists, limits }
     }
 
-    /// The clearing of triangle `t`.
+    /// Returns the safe region of triangle `t`.
     #[inline(always)]
     pub(crate) fn region(&self, t: usize) -> &TriangleSafeRegion {
         &self.clearings[t]
     }
 
-    /// The triangles that can be nearer to a point than triangle `t`, from which it is at this
-    /// squared distance; none when they are not listed.
+    /// Returns the triangles that can be nearer to a point than triangle `t`, given the squared
+    /// distance of the point to `t`; `None` if the list does not suffice.
     #[inline(always)]
     pub(crate) fn of(&self, t: usize, distance_squared: f64) -> Option<&[u32]> {
         let limits = &self.limits[t];
@@ -117,7 +118,7 @@ impl TriangleNeighbourhoods {
     }
 }
 
-/// A little less than half, which allows for rounding.
+/// Returns slightly less than half of `x`, as a margin for rounding.
 fn half(x: f64) -> f64 {
     (0.5 - 1e-9) * x
 }

@@ -1,13 +1,14 @@
-//! All that tells whether the triangle that was closest to a point still is.
+//! Per-point copy of the data that decides whether the last closest triangle is still closest.
 //!
-//! A surface has this for each of its triangles, and points ask for it in another order: on large
-//! surfaces waiting for memory takes longer than the arithmetic. Footings lie in the order of the points.
+//! A surface stores the same data per triangle, but points access it in another order, and on large
+//! surfaces the cache misses cost more than the arithmetic. The copies are in the order of the
+//! points.
 
 use super::safe_region::TriangleSafeRegion;
 use super::triangle::{Planes, splat};
 use crate::math::Vec3;
 
-/// The triangle that was closest to a point last, and the region in which it stays the closest.
+/// The last closest triangle of a point, and the region in which it remains the closest.
 #[derive(Clone, Debug)]
 pub struct ClosestPointCache {
     pub(crate) planes: Planes,
@@ -15,7 +16,7 @@ pub struct ClosestPointCache {
 }
 
 impl ClosestPointCache {
-    /// Nothing is known yet.
+    /// Returns a cache without a triangle.
     pub fn unknown() -> ClosestPointCache {
         ClosestPointCache {
             planes: Planes::new([Vec3::zero(); 3]),
@@ -23,7 +24,7 @@ impl ClosestPointCache {
         }
     }
 
-    /// The closest point to `p`, if that is known without a search.
+    /// Returns the closest point to `p` if `p` is in the cached region.
     #[inline(always)]
     pub(crate) fn foot(&self, p: Vec3<f64>) -> Option<Vec3<f64>> {
         let over = self.planes.over(splat(p));

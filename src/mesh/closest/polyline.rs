@@ -1,5 +1,4 @@
-//! A polyline by its arc length: where a length along it ends, which ways go on from there, and which length
-//! ends closest to a point.
+//! A polyline parametrised by arc length: points, tangents and closest points.
 
 use crate::math::Vec3;
 use crate::mesh::Point;
@@ -7,17 +6,18 @@ use crate::mesh::Point;
 /// A polyline, open or closed.
 #[derive(Clone, Debug)]
 pub struct Polyline {
-    /// Its vertices; the first one again at the end where it is closed.
+    /// The vertices; a closed polyline repeats its first vertex at the end.
     points: Vec<Vec3<f64>>,
-    /// The length from the first vertex to each.
+    /// Arc length from the first vertex to each vertex.
     lengths: Vec<f64>,
     closed: bool,
-    /// The length of its longest segment.
+    /// Length of the longest segment.
     longest: f64,
 }
 
 impl Polyline {
-    /// Through these vertices, of which there is at least one; `closed` where the last one is the first.
+    /// Builds the polyline through these vertices, at least one. If `closed`, the last vertex must
+    /// equal the first.
     pub fn new(points: impl IntoIterator<Item = Point>, closed: bool) -> Polyline {
         let points: Vec<Vec3<f64>> = points.into_iter().map(Vec3::from).collect();
         let (mut lengths, mut longest) = (vec![0.0], 0.0f64);
@@ -35,26 +35,28 @@ impl Polyline {
         self.lengths[self.lengths.len() - 1]
     }
 
-    /// The length from the first vertex to vertex `k`.
+    /// Returns the arc length from the first vertex to vertex `k`.
     pub fn length_to(&self, k: usize) -> f64 {
         self.lengths[k]
     }
 
-    /// The nearest length that is one of the curve: on a closed curve all are, and go on round after round.
+    /// Clamps an arc length to an open curve. On a closed curve every value is valid, modulo the
+    /// total length.
     pub fn bounded(&self, s: f64) -> f64 {
         if self.closed { s } else { s.clamp(0.0, self.length()) }
     }
 
-    /// The length in the first round, and the segment that it ends on or begins.
+    /// Returns `s` reduced to the first round, and the segment that it is on or begins.
     fn place(&self, s: f64) -> (f64, usize) {
         let whole = self.length();
         let s = if self.closed && whole > 0.0 { s.rem_euclid(whole) } else { self.bounded(s) };
-        // The last segment that begins there: one with a length, but at the end.
+        // The last segment that begins at or before `s`; it has non-zero length, except at the end.
         let after = self.lengths.partition_point(|&length| length <= s);
         (s, after.max(1) - 1)
     }
 
-    /// The point at the length `s`: to the last bit a vertex where that is the length to it.
+    /// Returns the point at arc length `s`; exactly the vertex if `s` is the arc length of a
+    /// vertex.
     pub fn point(&self, s: f64) -> Point {
         let (s, k) = self.place(s);
         let beyond = s - self.lengths[k];
@@ -67,8 +69,8 @@ impl Polyline {
         (a + (b - a) * (beyond / (self.lengths[k + 1] - self.lengths[k]))).into()
     }
 
-    /// The unit vectors of going back and of going on at the length `s`, both in the direction of the curve; none
-    /// beyond an end. They differ at vertices alone.
+    /// Returns the unit tangents before and after arc length `s`, both in the direction of the
+    /// curve; `None` beyond an end. They differ only at vertices.
     pub fn directions(&self, s: f64) -> [Option<Vec3<f64>>; 2] {
         let (s, k) = self.place(s);
         let n = self.points.len() - 1;
@@ -88,13 +90,13 @@ impl Polyline {
         [back.map(direction), on.map(direction)]
     }
 
-    /// The length whose point is closest to `p`, by a search that begins at the length `near`.
+    /// Returns the arc length of the point closest to `p`, by a search that starts at `near`.
     pub fn closest(&self, p: Point, near: f64) -> f64 {
         let p = Vec3::from(p);
         let (_, start) = self.place(near);
         let n = self.points.len() - 1;
         let mut best = (self.lengths[start], (p - self.points[start]).length());
-        // Gives how many segments further on cannot be nearer.
+        // Returns the number of following segments that cannot be nearer.
         let mut consider = |k: usize| {
             let (a, way) = (self.points[k], self.points[k + 1] - self.points[k]);
             let squared = way.length_squared();

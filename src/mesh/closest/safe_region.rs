@@ -1,25 +1,25 @@
-//! The space above and below a triangle in which nothing is nearer than the triangle itself.
+//! The region above and below a triangle in which no other triangle is nearer.
 //!
-//! Let `p` be at height `d` above a triangle, and its foot at least `a` inside one side. Let
-//! another triangle lie wholly beyond that side, and rise from it by an angle of at most `theta`
-//! towards `p`. It is not nearer than the triangle if `p` is below the plane that halves the angle
-//! between the two, `d tan(theta / 2) <= a`. What meets the triangle in a corner can lie beyond neither side
-//! of the corner, but beyond a line across it. On a surface of small folds all this together leaves
-//! few points for which other triangles must be looked at.
+//! Let `p` be at height `d` above a triangle, with its foot at least `a` inside one side. Let
+//! another triangle lie entirely beyond that side and rise from it towards `p` by an angle of at
+//! most `theta`. It is not nearer to `p` if `p` is below the bisecting plane of the two triangles:
+//! `d tan(theta / 2) <= a`. A triangle that shares only a corner may lie beyond neither side of
+//! that corner, but beyond a line across the corner. On a surface with small dihedral angles, few
+//! points lie outside this region.
 
 use super::triangle::{Corners, Over, Planes, splat};
 use crate::math::{Lane, Vec3};
 
-/// For the points above a triangle, and for those below it.
+/// Safe region of a triangle; index 0 is for points above it, index 1 for points below it.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(crate) struct TriangleSafeRegion {
-    /// `tan(theta / 2)` of all that is beyond the sides ab, bc, ca.
+    /// Largest `tan(theta / 2)` of the triangles beyond the sides ab, bc, ca.
     beyond_sides: [[f32; 3]; 2],
-    /// Of all that is beyond the corners a, b, c, times what the sum of the distances inside
-    /// their two sides is larger than the distance inside the line across.
+    /// The same for triangles beyond the corners a, b, c, multiplied by the ratio of the sum of the
+    /// distances inside both sides to the distance inside the line across the corner.
     beyond_corners: [[f32; 3]; 2],
-    /// The heights up to which this is all that there is. Negative where nothing is known.
+    /// Heights up to which the region is valid; negative if it is empty.
     heights: [f32; 2],
 }
 
@@ -27,15 +27,15 @@ pub(crate) struct TriangleSafeRegion {
 const MEETING: [[usize; 2]; 3] = [[2, 0], [0, 1], [1, 2]];
 
 impl TriangleSafeRegion {
-    /// With nothing else around, as far as that is known.
+    /// Returns the region of a triangle without neighbours, valid up to `height`.
     pub(crate) fn up_to(height: f64) -> TriangleSafeRegion {
         let nothing = [[0.0; 3]; 2];
         let heights = [rounded_down(height); 2];
         TriangleSafeRegion { beyond_sides: nothing, beyond_corners: nothing, heights }
     }
 
-    /// Shrinks by what the triangle `other` makes nearer to it than the triangle of this clearing,
-    /// which has these `planes` and `corners`. Below the height `far`, the other one does not matter.
+    /// Removes the points that are nearer to the triangle `other` than to the triangle of this
+    /// region, which has these `planes` and `corners`. Below the height `far`, there are none.
     pub(crate) fn clear_of(
         &mut self,
         planes: &Planes,
@@ -51,7 +51,7 @@ impl TriangleSafeRegion {
             if heights.iter().all(|&height| height <= 0.0) {
                 continue;
             }
-            // Beyond several of them, the one from which it rises least counts.
+            // Of the lines that `other` is beyond, take the one from which it rises least.
             let mut least = (f64::INFINITY, 0.0, &mut self.heights[side]);
             let lines = self.beyond_sides[side].iter_mut().chain(&mut self.beyond_corners[side]);
             for (k, known) in lines.enumerate() {
@@ -80,7 +80,7 @@ impl TriangleSafeRegion {
         }
     }
 
-    /// Whether a point that is `over` the triangle is in the clearing.
+    /// Whether the point with these distances to the planes of the triangle is in the region.
     #[inline(always)]
     pub(crate) fn holds(&self, over: Over) -> bool {
         let side = usize::from(over.height < 0.0);
@@ -99,7 +99,8 @@ impl TriangleSafeRegion {
     }
 }
 
-/// Where a corner of another triangle is; without rounding where it is a corner of both.
+/// Returns the distances of a corner of another triangle to the planes; exactly zero where the two
+/// triangles share the corner.
 fn over_exactly(planes: &Planes, corners: &Corners, corner: Vec3<f64>) -> Over {
     let mut over = planes.over(splat(corner));
     for k in (0..3).filter(|&k| corners.at[k] == corner) {
@@ -109,7 +110,7 @@ fn over_exactly(planes: &Planes, corners: &Corners, corner: Vec3<f64>) -> Over {
     over
 }
 
-/// `tan(theta / 2)` of the angle by which something this high and this far away rises.
+/// Returns `tan(theta / 2)` of the elevation angle of a point at this height and distance.
 fn half_tangent(height: f64, away: f64) -> f64 {
     if height > 0.0 { height / (away + (away * away + height * height).sqrt()) } else { 0.0 }
 }
@@ -118,7 +119,7 @@ fn rounded_up(x: f64) -> f32 {
     (x * (1.0 + 1e-6)) as f32
 }
 
-/// Of a height; none where there are no normal numbers of `f32` for it.
+/// Rounds a height down; -1 if it is not above the smallest normal `f32`.
 fn rounded_down(x: f64) -> f32 {
     let small = f64::from(f32::MIN_POSITIVE);
     if x > small { Lane::min(x * (1.0 - 1e-6), f64::from(f32::MAX)) as f32 } else { -1.0 }

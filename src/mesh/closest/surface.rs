@@ -1,8 +1,9 @@
 //! The closest point `c(v)` on the reference surface (paper section 4, Eq. 11).
 //!
-//! It is searched for every vertex in every iteration, so a search starts from what the last one of
-//! that vertex found. Near the surface, the short list of triangles around the last closest one has
-//! all that can be nearer; elsewhere its distance bounds the search of a tree. Both are exact.
+//! Every iteration searches it for every vertex, so a search starts from the last result for that
+//! vertex. Near the surface, the neighbour list of the last closest triangle contains all
+//! candidates; elsewhere the distance to that triangle bounds the search of the hierarchy. Both are
+//! exact.
 
 use super::bvh::{Box3, Bvh};
 use super::neighbourhoods::TriangleNeighbourhoods;
@@ -11,12 +12,12 @@ use super::triangle::{Corners, Hit, Planes, is_sliver, splat};
 use crate::math::{Pair, Vec3};
 use crate::mesh::{Mesh, Point};
 
-/// A surface that answers which of its points is closest.
+/// A surface with closest-point queries.
 #[derive(Clone, Debug)]
 pub struct Surface {
-    /// The origin of all that follows, so that coordinates far from zero do not cost digits.
+    /// Origin of the coordinates below, so that coordinates far from zero do not lose digits.
     centre: Vec3<f64>,
-    /// In the order of the tree, so that neighbours in space are neighbours in memory.
+    /// In the order of the hierarchy, so that neighbours in space are neighbours in memory.
     planes: Vec<Planes>,
     corners: Vec<Corners>,
     neighbourhoods: TriangleNeighbourhoods,
@@ -24,12 +25,12 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// No triangle is known yet: the value that `warm` starts from.
+    /// Initial value of `warm`: no triangle is known yet.
     pub const COLD: u32 = u32::MAX;
 
-    /// The surface of `mesh` at `positions` (`#V by 3`): its faces, triangulated as fans
-    /// `(f0, fk, fk+1)`; without faces the segments of its curves; without either its vertices.
-    /// A triangle thinner than 1e-8 of its length counts as its three sides.
+    /// Builds the surface of `mesh` at `positions` (`#V by 3`): its faces, triangulated as fans
+    /// `(f0, fk, fk+1)`; without faces, the segments of its curves; without both, its vertices.
+    /// A triangle thinner than 1e-8 of its length is replaced by its three sides.
     pub fn new(positions: &[Point], mesh: &Mesh) -> Surface {
         let at = |v: &u32| positions[*v as usize];
         let fans = mesh.faces.iter().map(|face| face.len().saturating_sub(2)).sum();
@@ -69,9 +70,10 @@ impl Surface {
         Surface { centre, planes, corners, neighbourhoods, bvh }
     }
 
-    /// The point of the surface that is closest to `p`; `p` itself when the surface is empty.
-    /// `warm` is what the last search for this point left, or [`Surface::COLD`]: the better it
-    /// fits, the faster the search. Where several points are equally close, it can decide which.
+    /// Returns the point of the surface closest to `p`; `p` itself if the surface is empty.
+    /// `warm` is the value that the last search for this point left, or [`Surface::COLD`]. A better
+    /// value makes the search faster; if several points are equally close, it can decide which is
+    /// returned.
     #[inline]
     pub fn closest(&self, p: Point, warm: &mut u32) -> Point {
         let p = Vec3::from(p) - self.centre;
@@ -84,8 +86,8 @@ impl Surface {
         (self.search(p, warm) + self.centre).into()
     }
 
-    /// As [`Surface::closest`], and as exact. `footing` is what the last search for this point left too,
-    /// or [`ClosestPointCache::unknown`].
+    /// Returns the same as [`Surface::closest`]. `cache` also comes from the last search for this
+    /// point, or is [`ClosestPointCache::unknown`].
     #[inline(always)]
     pub fn closest_from(&self, p: Point, warm: &mut u32, cache: &mut ClosestPointCache) -> Point {
         let p = Vec3::from(p) - self.centre;
@@ -108,7 +110,7 @@ impl Surface {
         found
     }
 
-    /// The closest point among the surroundings of the triangle `warm`, or of all.
+    /// Searches the neighbours of the triangle `warm` if they suffice, else the hierarchy.
     #[inline(never)]
     fn search(&self, p: Vec3<f64>, warm: &mut u32) -> Vec3<f64> {
         let lanes = splat(p);
@@ -132,7 +134,7 @@ impl Surface {
         best.point
     }
 
-    /// Takes the closest point of triangle `t` if it is nearer than the best one so far.
+    /// Replaces the best point by the closest point of triangle `t` if that is nearer.
     #[inline(always)]
     fn consider(&self, t: usize, p: Vec3<f64>, lanes: Vec3<Pair>, best: &mut Hit, warm: &mut u32) {
         let over = self.planes[t].over(lanes);

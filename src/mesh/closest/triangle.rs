@@ -1,37 +1,37 @@
-//! Closest point on a triangle, and a cheap bound that tells when it need not be found.
+//! Closest point on a triangle, and a cheap lower bound on its distance.
 //!
-//! The plane of a triangle and the three planes that stand on its sides give, without a branch, a
-//! distance below which the triangle cannot be. The bound is met wherever the closest point is
-//! inside or on a side, so that of all triangles around a point few are looked at twice.
+//! The plane of a triangle and the three planes perpendicular to it through its sides give a lower
+//! bound on the distance without a branch. The bound is sharp if the closest point is inside the
+//! triangle or on a side, so the exact distance is needed for few of the triangles around a point.
 
 use crate::math::{Lane, Pair, Vec3};
 use crate::mesh::Point;
 
-/// The plane of a triangle, and the planes through its sides that stand on it and look outwards.
-/// They are packed in pairs, as one multiplication takes two lanes.
+/// The plane of a triangle, and the planes perpendicular to it through its sides, with outward
+/// normals, packed in pairs for two-lane SIMD.
 ///
-/// A segment `ab` is the triangle `abb`; its planes stand on it at both ends. A point is the
-/// triangle `aaa`, which has none.
+/// A segment `ab` is the triangle `abb`; its planes are perpendicular to it at both ends. A point
+/// is the triangle `aaa`, which has no planes.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(crate) struct Planes {
-    /// Unit normals: of the triangle and side ab; of the sides bc and ca.
+    /// Unit normals of the triangle and side ab, and of the sides bc and ca.
     normals: [Vec3<Pair>; 2],
-    /// The offset of the plane along the normal.
+    /// Offsets of the planes: the term added to the inner product with the normal.
     offsets: [Pair; 2],
 }
 
-/// The signed distances of a point to the four planes.
+/// Signed distances of a point to the four planes.
 #[derive(Clone, Copy)]
 pub(crate) struct Over {
-    /// To that of the triangle.
+    /// To the plane of the triangle.
     pub(crate) height: f64,
-    /// To those of the sides ab, bc, ca; positive outside.
+    /// To the planes of the sides ab, bc, ca; positive outside.
     pub(crate) out: [f64; 3],
 }
 
 impl Planes {
-    /// The planes of the triangle with these corners.
+    /// Computes the planes of the triangle with these corners.
     pub(crate) fn new([a, b, c]: [Vec3<f64>; 3]) -> Planes {
         let normal = (b - a).cross(c - a);
         let area = normal.length();
@@ -41,7 +41,8 @@ impl Planes {
             let side = |from: Vec3<f64>, to: Vec3<f64>| plane(from, (to - from).cross(normal));
             [plane(a, normal), side(a, b), side(b, c), side(c, a)]
         } else {
-            // The side ca is the whole segment. A plane that everything is just outside of says so.
+            // Side ca is the whole segment: every point is just outside this pseudo-plane, so that
+            // `closest` always projects to that side.
             let whole = (Vec3::zero(), f64::MIN_POSITIVE);
             if a == b {
                 [nothing, nothing, nothing, whole]
@@ -61,7 +62,7 @@ impl Planes {
         planes
     }
 
-    /// Where the point `p`, the same in both lanes, is.
+    /// Returns the distances of the point `p`, given in both lanes, to the planes.
     #[inline(always)]
     pub(crate) fn over(&self, p: Vec3<Pair>) -> Over {
         let first = self.normals[0].dot(p) + self.offsets[0];
@@ -69,18 +70,18 @@ impl Planes {
         Over { height: first.lane(0), out: [first.lane(1), second.lane(0), second.lane(1)] }
     }
 
-    /// The point of the plane of the triangle below or above `p`, which is `over` it.
+    /// Projects `p`, whose distances are `over`, to the plane of the triangle.
     #[inline(always)]
     pub(crate) fn foot(&self, p: Vec3<f64>, over: Over) -> Vec3<f64> {
         p - self.normals[0].lane(0) * over.height
     }
 
-    /// The outward normals of the planes on the sides ab, bc, ca.
+    /// Returns the outward normals of the planes of the sides ab, bc, ca.
     pub(crate) fn side_normals(&self) -> [Vec3<f64>; 3] {
         [self.normals[0].lane(1), self.normals[1].lane(0), self.normals[1].lane(1)]
     }
 
-    /// At least this far apart are this triangle and another one.
+    /// Returns a lower bound on the distance between this triangle and another one.
     pub(crate) fn gap(&self, corners: &[Vec3<f64>; 3]) -> f64 {
         let [a, b, c] = *corners;
         let over = [self.over(splat(a)), self.over(splat(b)), self.over(splat(c))];
@@ -96,8 +97,8 @@ impl Planes {
 }
 
 impl Over {
-    /// Whether the triangle can be nearer than the square root of `bound`. Without a branch and
-    /// without a maximum, which WebAssembly engines make a branch of.
+    /// Whether the triangle can be nearer than the square root of `bound`. Branch-free; `max` is
+    /// avoided because WebAssembly engines compile it to a branch.
     #[inline(always)]
     pub(crate) fn within(&self, bound: f64) -> bool {
         let height_squared = self.height * self.height;
@@ -117,7 +118,7 @@ impl Over {
     }
 }
 
-/// A plane through a point: unit normal, and what is added to the inner product with it.
+/// Returns a plane through a point as unit normal and offset.
 fn plane(through: Vec3<f64>, direction: Vec3<f64>) -> (Vec3<f64>, f64) {
     let normal = direction * (1.0 / direction.length());
     (normal, -normal.dot(through))
@@ -127,7 +128,7 @@ fn pair(low: f64, high: f64) -> Pair {
     Pair::from_fn(|lane| if lane == 0 { low } else { high })
 }
 
-/// The same point in both lanes.
+/// Copies a point to both lanes.
 #[inline(always)]
 pub(crate) fn splat(p: Vec3<f64>) -> Vec3<Pair> {
     Vec3::new(Pair::splat(p.x), Pair::splat(p.y), Pair::splat(p.z))
@@ -137,11 +138,11 @@ pub(crate) fn splat(p: Vec3<f64>) -> Vec3<Pair> {
 #[derive(Clone, Debug)]
 pub(crate) struct Corners {
     pub(crate) at: [Vec3<f64>; 3],
-    /// One over the squared lengths of the sides ab, bc, ca; 0 where the ends coincide.
+    /// Reciprocals of the squared lengths of the sides ab, bc, ca; 0 where the ends coincide.
     inverse: [f64; 3],
 }
 
-/// A point of a surface and its squared distance to the point that was asked for.
+/// A point of a surface and its squared distance to the query point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hit {
     pub(crate) point: Vec3<f64>,
@@ -149,7 +150,8 @@ pub(crate) struct Hit {
 }
 
 impl Corners {
-    /// The triangle with these corners. It must not be a sliver, unless two corners are the same.
+    /// Builds the triangle with these corners. It must not be a sliver, unless two corners
+    /// coincide.
     pub(crate) fn new(at: [Vec3<f64>; 3]) -> Corners {
         let inverse = std::array::from_fn(|k| {
             let squared = (at[(k + 1) % 3] - at[k]).length_squared();
@@ -158,12 +160,12 @@ impl Corners {
         Corners { at, inverse }
     }
 
-    /// Whether the two have a corner in common.
+    /// Whether the triangles share a corner.
     pub(crate) fn touches(&self, other: &Corners) -> bool {
         self.at.iter().any(|corner| other.at.contains(corner))
     }
 
-    /// The point of the triangle that is closest to `p`, which is `over` its `planes`.
+    /// Returns the point of the triangle closest to `p`, whose distances to `planes` are `over`.
     #[inline(always)]
     pub(crate) fn closest(&self, planes: &Planes, p: Vec3<f64>, over: Over) -> Hit {
         if over.is_inside() {
@@ -187,8 +189,8 @@ impl Corners {
     }
 }
 
-/// Whether a triangle is so thin that rounding decides what is inside: its height is less than 1e-8
-/// of its longest side. Its three sides then stand for it.
+/// Whether a triangle is so thin that rounding decides what is inside: its height is at most 1e-8
+/// of its longest side. Its three sides then replace it.
 pub(crate) fn is_sliver(corners: [Point; 3]) -> bool {
     const THINNEST: f64 = 1e-8;
     let [a, b, c] = corners.map(Vec3::from);

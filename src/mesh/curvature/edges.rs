@@ -1,27 +1,28 @@
-//! The angles between the edges of a mesh and the lines of curvature of its surface.
+//! Angles between the edges of a mesh and the lines of curvature of its surface.
 //!
-//! The edges of quads with circumcircles tend to the lines of curvature as the quads become small (Bobenko and
-//! Suris 2008, Liu et al. 2006): where they lie otherwise, the mesh has to turn them to become circular.
+//! The edges of quads with circumcircles converge to the lines of curvature as the quads become
+//! small (Bobenko and Suris 2008, Liu et al. 2006). Where the edges deviate from them, the mesh has
+//! to rotate them to become circular.
 
 use super::principal::{Curvature, curvatures};
 use crate::math::{Vec3, angle, polygon_sides};
 use crate::mesh::{Point, Ragged, Topology};
 
-/// The difference of the principal curvatures as a part of the sum of their sizes below which they are taken to be
-/// equal: what is left then is the error of the fit.
+/// Principal curvatures count as equal if their difference is less than this fraction of the sum of
+/// their absolute values: it is then due to the error of the fit.
 pub(super) const UMBILIC: f64 = 0.2;
-/// An edge that turns by less than this over its length, in radians, is on a surface that is flat there.
+/// The surface counts as flat at an edge if it turns by less than this, in radians, over the edge.
 pub(super) const FLAT: f64 = 1e-3;
 
-/// The edges of faces against the principal directions of the surface.
+/// Alignment of the edges of faces with the principal directions of the surface.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CurvatureLines {
-    /// Per edge of [`Topology::edges`] its angle to the nearest principal direction, degrees from 0 to 45; not a
-    /// number where the surface has none (it is flat, or a sphere) or where it is not known.
+    /// Angle of each edge of [`Topology::edges`] to the nearest principal direction, in degrees
+    /// from 0 to 45; NaN where the surface has none (flat or spherical) or it is unknown.
     pub angles: Vec<f64>,
-    /// The mean of the angles by the lengths of their edges; none where no edge has an angle.
+    /// Mean of the angles, weighted by edge length; `None` if no edge has an angle.
     pub mean: Option<f64>,
-    /// The part of all edges, by length, that has an angle.
+    /// Fraction of the total length of the edges that has an angle.
     pub directed: f64,
 }
 
@@ -53,8 +54,8 @@ impl CurvatureLines {
         }
     }
 
-    /// The mean angle of the sides of each face, `#F`, of those that have one, in degrees from 0 to 45; not a number
-    /// where none has.
+    /// Returns for each face, `#F`, the mean angle of its sides that have one, in degrees from 0 to
+    /// 45; NaN if none has.
     pub fn of_faces(&self, faces: &Ragged, topology: &Topology) -> Vec<f64> {
         let mean = |face: &[u32]| {
             let sides = polygon_sides(face).filter_map(|[a, b]| topology.edge(a, b));
@@ -66,10 +67,11 @@ impl CurvatureLines {
     }
 }
 
-/// In degrees; none where the mean of the two second fundamental forms has no directions.
+/// Returns the angle of an edge to the nearest principal direction, in degrees; `None` if the mean
+/// of the second fundamental forms at its ends has no principal directions.
 fn angle_to_principal(along: Vec3<f64>, ends: [Option<Curvature>; 2]) -> Option<f64> {
     let [Some(a), Some(b)] = ends else { return None };
-    // Faces that turn the other way have the other normal, and curvatures of the other sign.
+    // Faces of opposite orientation have the opposite normal, and curvatures of opposite sign.
     let same = if a.normal.dot(b.normal) < 0.0 { -1.0 } else { 1.0 };
     let (_, normal) = (a.normal + b.normal * same).length_and_direction();
     let normal = normal?;

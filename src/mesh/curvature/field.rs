@@ -1,17 +1,17 @@
-//! The directions of principal curvature all over a surface: second fundamental forms at the corners of triangles,
-//! and what lies between them.
+//! Field of principal directions on a surface: second fundamental forms at the corners of
+//! triangles, interpolated linearly.
 
 use super::principal::{Curvature, curvatures};
 use crate::math::{Vec3, argsort, key_of_pair};
 use crate::mesh::{Mesh, Point, Topology};
 
-/// No triangle.
+/// Index that stands for no triangle.
 const NONE: u32 = u32::MAX;
 
 /// A symmetric tensor: xx, yy, zz, xy, xz, yz.
 type Tensor = [f64; 6];
 
-/// One of the two families of lines of curvature, at right angles to each other.
+/// One of the two orthogonal families of lines of curvature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// Along the larger principal curvature.
@@ -20,7 +20,7 @@ pub enum Family {
     Smaller = 1,
 }
 
-/// A place on the surface.
+/// A point on the surface, with its triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfacePlace {
     pub(super) triangle: u32,
@@ -28,25 +28,25 @@ pub struct SurfacePlace {
     pub(super) at: Vec3<f64>,
 }
 
-/// A surface of triangles with second fundamental forms at their corners. Faces of more than three corners are
-/// triangles around their centre. All triangles of a part turn the same way where that can be, so that each part
-/// bends towards its normals on the whole: the curvatures of a dome are positive.
+/// A triangulated surface with second fundamental forms at the corners. Faces of more than three
+/// corners are split into triangles around their centre. Each component is oriented consistently if
+/// possible, with a positive integral of mean curvature: the curvatures of a dome are positive.
 #[derive(Clone, Debug)]
 pub struct CurvatureField {
     points: Vec<Vec3<f64>>,
-    /// #points; none where the curvature is not known.
+    /// Second fundamental form and normal of each point, `#points`; `None` if unknown.
     forms: Vec<Option<(Tensor, Vec3<f64>)>>,
     triangles: Vec<[u32; 3]>,
-    /// The face that each triangle is a part of.
+    /// The face that each triangle belongs to.
     faces: Vec<u32>,
     normals: Vec<Vec3<f64>>,
-    /// Of each triangle those beyond its sides, the first of which is from corner 0 to corner 1.
+    /// The triangles across the three sides of each triangle; side 0 is from corner 0 to corner 1.
     beyond: Vec<[u32; 3]>,
     mean_edge: f64,
 }
 
 impl CurvatureField {
-    /// Of the faces of `mesh` at `positions`, `#V by 3`.
+    /// Builds the field of the faces of `mesh` at `positions`, `#V by 3`.
     pub fn new(positions: &[Point], mesh: &Mesh, topology: &Topology) -> CurvatureField {
         let mut points: Vec<Vec3<f64>> = positions.iter().map(|&p| Vec3::from(p)).collect();
         let known = curvatures(positions, &mesh.faces, topology);
@@ -83,12 +83,12 @@ impl CurvatureField {
         field
     }
 
-    /// The mean length of an edge of the mesh.
+    /// Mean edge length of the mesh.
     pub fn mean_edge(&self) -> f64 {
         self.mean_edge
     }
 
-    /// The middles of the faces, in their order; none of a face without area.
+    /// Returns the centres of the faces in order, without faces of zero area.
     pub fn middles(&self) -> impl Iterator<Item = SurfacePlace> + '_ {
         let of_face = self.faces.chunk_by(|a, b| a == b).scan(0, |next, same| {
             let first = *next;
@@ -98,7 +98,8 @@ impl CurvatureField {
         of_face.flatten()
     }
 
-    /// Of the face that the triangles from `first` are the pieces of, whose last corner is its centre.
+    /// Returns the centre of the face with `pieces` triangles from `first` on. If there are
+    /// several, their last corner is the centre.
     fn middle(&self, first: usize, pieces: usize) -> Option<SurfacePlace> {
         let triangle = first as u32;
         let [a, b, c] = self.corners(triangle);
@@ -107,26 +108,26 @@ impl CurvatureField {
         (self.normal(place) != Vec3::zero()).then_some(place)
     }
 
-    /// A place at a vertex; none without a face with an area there.
+    /// Returns the place at a vertex; `None` if its first triangle has no area or there is none.
     pub fn at_vertex(&self, vertex: u32) -> Option<SurfacePlace> {
         let with_it = self.triangles.iter().position(|corners| corners.contains(&vertex))?;
         let place = SurfacePlace { triangle: with_it as u32, at: self.points[vertex as usize] };
         (self.normal(place) != Vec3::zero()).then_some(place)
     }
 
-    /// The middle of a face; none without an area.
+    /// Returns the centre of a face; `None` if it has no area.
     pub fn at_face(&self, face: u32) -> Option<SurfacePlace> {
         let first = self.faces.partition_point(|&other| other < face);
         let pieces = self.faces[first..].iter().take_while(|&&other| other == face).count();
         (pieces > 0).then(|| self.middle(first, pieces)).flatten()
     }
 
-    /// The point of a place.
+    /// Returns the position of a place.
     pub fn point(&self, place: SurfacePlace) -> Point {
         place.at.into()
     }
 
-    /// The unit normal there.
+    /// Returns the unit normal of the triangle of a place; zero if it has no area.
     pub(super) fn normal(&self, place: SurfacePlace) -> Vec3<f64> {
         self.normals[place.triangle as usize]
     }
@@ -135,7 +136,8 @@ impl CurvatureField {
         self.triangles[triangle as usize].map(|v| self.points[v as usize])
     }
 
-    /// The triangle beyond a side, and which of its sides that is; none at the boundary.
+    /// Returns the triangle across a side and the index of the side in that triangle; `None` at the
+    /// boundary.
     pub(super) fn over(&self, triangle: u32, side: usize) -> Option<(u32, usize)> {
         let next = self.beyond[triangle as usize][side];
         let back = (0..3).find(|&k| {
@@ -151,7 +153,7 @@ impl CurvatureField {
         back.map(|k| (next, k))
     }
 
-    /// Barycentric coordinates in the triangle, of a point above or below it.
+    /// Returns the barycentric coordinates of a place in its triangle.
     fn weights(&self, SurfacePlace { triangle, at }: SurfacePlace) -> [f64; 3] {
         let corners = self.corners(triangle);
         let normal = self.normals[triangle as usize];
@@ -164,9 +166,9 @@ impl CurvatureField {
         parts.map(|part| part / sum)
     }
 
-    /// The unit direction of a family there. None where the curvature is not known, where the surface is flat over the
-    /// length of an edge, and where the difference of the principal curvatures is less than the part `umbilic` of the
-    /// sum of their sizes.
+    /// Returns the unit direction of a family at a place. `None` if the curvature is unknown, if
+    /// the surface is flat over the length of an edge, or if the difference of the principal
+    /// curvatures is at most the fraction `umbilic` of the sum of their absolute values.
     pub(super) fn direction(
         &self,
         place: SurfacePlace,
@@ -185,7 +187,7 @@ impl CurvatureField {
             tensor.iter_mut().zip(form).for_each(|(sum, part)| *sum += weight * part);
             up += normal_there * weight;
         }
-        // In the tangent plane of the smooth surface, which is not quite that of the triangle.
+        // Use the tangent plane of the smooth surface, which differs from that of the triangle.
         let (_, up) = up.length_and_direction();
         let up = up?;
         let x = up.across();
@@ -197,7 +199,7 @@ impl CurvatureField {
         if 2.0 * radius <= umbilic * size || size * self.mean_edge < super::edges::FLAT {
             return None;
         }
-        // Of the two equations of an eigenvector the one without cancellation.
+        // Of the two equations of an eigenvector, take the one without cancellation.
         let (u, v) = if half >= 0.0 { (radius + half, m) } else { (m, radius - half) };
         let larger = (x * u + y * v) * (1.0 / (u * u + v * v).sqrt());
         let way = match family {
@@ -208,7 +210,7 @@ impl CurvatureField {
         way
     }
 
-    /// Finds what lies beyond the sides: the other triangle, where there are two.
+    /// Connects triangles across sides that exactly two triangles share.
     fn join(&mut self) {
         let mut sides = Vec::new();
         for (t, corners) in (0..).zip(&self.triangles) {
@@ -227,8 +229,9 @@ impl CurvatureField {
         }
     }
 
-    /// Turns the triangles of each part the same way, and so that it bends towards its normals; nothing is beyond a side
-    /// where that cannot be.
+    /// Orients the triangles of each component consistently, with a positive integral of mean
+    /// curvature, and computes the normals. Across sides where the orientations disagree,
+    /// [`CurvatureField::over`] returns `None`.
     fn orient(&mut self) {
         let count = self.triangles.len();
         let mut is_seen = vec![false; count];
@@ -265,13 +268,14 @@ impl CurvatureField {
         }
     }
 
-    /// Makes a triangle turn the other way.
+    /// Reverses the orientation of a triangle.
     fn turn(&mut self, triangle: usize) {
         self.triangles[triangle].swap(0, 1);
         self.beyond[triangle].swap(1, 2);
     }
 
-    /// Twice the mean curvature towards the side from which the triangle turns counterclockwise, times its area.
+    /// Returns a positive multiple of the mean curvature times the area of a triangle. Its sign is
+    /// relative to the normal of the triangle.
     fn bend(&self, triangle: usize) -> f64 {
         let [a, b, c] = self.corners(triangle as u32);
         let area = (b - a).cross(c - a);
@@ -294,7 +298,7 @@ fn form_of(curvature: &Curvature) -> (Tensor, Vec3<f64>) {
     (tensor, curvature.normal)
 }
 
-/// The mean of forms, of the sign that the first normal gives; none where one is not known.
+/// Returns the mean of forms, with signs matched to the first normal; `None` if one is unknown.
 fn mean_form(
     forms: impl ExactSizeIterator<Item = Option<(Tensor, Vec3<f64>)>>,
 ) -> Option<(Tensor, Vec3<f64>)> {
@@ -310,7 +314,7 @@ fn mean_form(
     mean
 }
 
-/// The value of a tensor on two vectors.
+/// Evaluates a tensor on two vectors.
 fn on([xx, yy, zz, xy, xz, yz]: &Tensor, a: Vec3<f64>, b: Vec3<f64>) -> f64 {
     xx * a.x * b.x
         + yy * a.y * b.y

@@ -1,15 +1,15 @@
-//! How surfaces bend: principal curvatures, and how the edges of a mesh lie to the principal directions.
+//! Principal curvatures, lines of curvature, and the alignment of mesh edges with them.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `quadric` | the curvature of a quadric that is fitted to points around a vertex |
+//! | `quadric` | the curvature of a quadric fitted to points around a vertex |
 //! | `principal` | the principal curvatures and directions of each vertex |
-//! | `edges` | the angles between edges and lines of curvature, and what they say of circular panels |
-//! | `field` | the principal directions all over a surface of triangles |
-//! | `walk` | straight ways over it |
+//! | `edges` | the angles between edges and lines of curvature |
+//! | `field` | the field of principal directions on a triangulated surface |
+//! | `walk` | straight paths on that surface |
 //! | `trace` | the line of curvature through a place |
-//! | `spaced` | lines of curvature at an even distance |
-//! | `strokes` | short strokes along the directions |
+//! | `spaced` | evenly spaced lines of curvature |
+//! | `strokes` | short strokes along the principal directions |
 
 mod edges;
 mod field;

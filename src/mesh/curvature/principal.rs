@@ -4,33 +4,34 @@ use super::quadric::{SecondForm, fit};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Point, Ragged, Topology};
 
-/// So many rings of neighbours are fitted.
+/// Number of rings of neighbours in a fit.
 const RINGS: u32 = 2;
 
-/// The curvature of the surface at a vertex, in one over the unit of the mesh.
+/// Curvature of the surface at a vertex, in one over the unit of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curvature {
-    /// The larger and the smaller principal curvature. Positive ones bend towards the normal: a sphere whose
-    /// faces look outwards has negative ones.
+    /// The larger and the smaller principal curvature. Positive curvature bends towards the normal:
+    /// a sphere with outward normals has negative curvatures.
     pub principal: [f64; 2],
-    /// Their unit directions, at right angles; any two where the curvatures are equal.
+    /// The orthogonal unit principal directions; arbitrary if the curvatures are equal.
     pub directions: [Vec3<f64>; 2],
     /// The unit normal, on the side from which the faces at the vertex turn counterclockwise.
     pub normal: Vec3<f64>,
 }
 
 impl Curvature {
-    /// The product of the principal curvatures; [`crate::mesh::gauss_curvature`] has that of the faces themselves.
+    /// Gauss curvature, the product of the principal curvatures. [`crate::mesh::gauss_curvature`]
+    /// computes it from the angles of the faces instead.
     pub fn gauss(&self) -> f64 {
         self.principal[0] * self.principal[1]
     }
 
-    /// The mean of the principal curvatures; its sign is that of the normal.
+    /// Mean curvature, the mean of the principal curvatures; positive bends towards the normal.
     pub fn mean(&self) -> f64 {
         0.5 * (self.principal[0] + self.principal[1])
     }
 
-    /// The second fundamental form of two tangent vectors.
+    /// Evaluates the second fundamental form on two tangent vectors.
     pub fn form(&self, a: Vec3<f64>, b: Vec3<f64>) -> f64 {
         let along =
             |i: usize| self.principal[i] * self.directions[i].dot(a) * self.directions[i].dot(b);
@@ -40,7 +41,7 @@ impl Curvature {
     fn of(SecondForm { axes: [x, y], values: [l, m, n] }: SecondForm) -> Curvature {
         let (mean, half) = (0.5 * (l + n), 0.5 * (l - n));
         let radius = (half * half + m * m).sqrt();
-        // Of the two equations of an eigenvector the one without cancellation.
+        // Of the two equations of an eigenvector, take the one without cancellation.
         let (u, v) = if half >= 0.0 { (radius + half, m) } else { (m, radius - half) };
         let length = (u * u + v * v).sqrt();
         let first = if length > 0.0 { x * (u / length) + y * (v / length) } else { x };
@@ -53,9 +54,10 @@ impl Curvature {
     }
 }
 
-/// The curvature at each vertex, `#V`, of the quadric that fits its two rings of neighbours. On a smooth surface it
-/// tends to the true one with the length of the edges, and with its square where the neighbours lie
-/// symmetrically. None without faces, with fewer than five neighbours, and where they determine no quadric.
+/// Returns the curvature at each vertex, `#V`, of the quadric fitted to its two rings of
+/// neighbours. On a smooth surface the error is of first order in the edge length, and of second
+/// order if the neighbours lie symmetrically. `None` without faces, with fewer than five
+/// neighbours, or if the neighbours do not determine a quadric.
 pub fn curvatures(
     positions: &[Point],
     faces: &Ragged,
@@ -77,7 +79,8 @@ pub fn curvatures(
     (0..positions.len() as u32).map(of_vertex).collect()
 }
 
-/// A quantity of the curvature on each face, `#F`: the mean of its corners that have one; not a number where none has.
+/// Returns a quantity of the curvature on each face, `#F`: the mean over the corners with known
+/// curvature; NaN if there are none.
 pub fn face_curvatures(
     positions: &[Point],
     faces: &Ragged,

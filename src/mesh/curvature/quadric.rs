@@ -1,11 +1,12 @@
-//! The quadric through a point that is closest to the points around it, in least squares over their heights,
-//! and its second fundamental form there (Cazals and Pouget 2005, osculating jets of degree two).
+//! Least-squares fit of a quadric height function through a point to its neighbours, and the second
+//! fundamental form at that point (Cazals and Pouget 2005, osculating jets of degree two).
 
 use crate::math::Vec3;
 
-/// Unknowns: those of `h(x, y) = a x^2 + b x y + c y^2 + d x + e y`.
+/// Number of unknowns of `h(x, y) = a x^2 + b x y + c y^2 + d x + e y`.
 const N: usize = 5;
-/// Below this part of the largest pivot the points lie on a conic through the origin: they have many quadrics.
+/// Relative pivot threshold. Below it, the points lie on a conic through the origin, and the
+/// quadric is not unique.
 const SINGULAR: f64 = 1e-10;
 
 /// A symmetric second fundamental form in an orthonormal frame of the tangent plane.
@@ -13,13 +14,14 @@ const SINGULAR: f64 = 1e-10;
 pub(super) struct SecondForm {
     /// Orthonormal axes of the tangent plane; their cross product is the normal.
     pub(super) axes: [Vec3<f64>; 2],
-    /// The values on (first, first), (first, second) and (second, second) axis.
+    /// Values on the pairs of axes (first, first), (first, second) and (second, second).
     pub(super) values: [f64; 3],
 }
 
-/// The form of the quadric over the plane of the orthonormal `axes` that fits `around`, points relative to where
-/// it goes through. Positive curvature bends towards the normal, the cross product of the axes. None for fewer than
-/// five points, and where they do not determine a quadric.
+/// Fits a quadric over the plane of the orthonormal axes to `around`, which are relative to the
+/// point that the quadric interpolates, and returns its second fundamental form. Positive curvature
+/// bends towards the normal, the cross product of the axes. `None` for fewer than five points, or
+/// if they do not determine a quadric.
 pub(super) fn fit(around: &[Vec3<f64>], [x_axis, y_axis]: [Vec3<f64>; 2]) -> Option<SecondForm> {
     let normal = x_axis.cross(y_axis);
     let mean_square =
@@ -27,7 +29,7 @@ pub(super) fn fit(around: &[Vec3<f64>], [x_axis, y_axis]: [Vec3<f64>; 2]) -> Opt
     if around.len() < N || mean_square.is_nan() || mean_square <= 0.0 {
         return None;
     }
-    // In the unit of the mean distance all coefficients have the same size.
+    // Scaled by the root mean square distance, all coefficients are of the same magnitude.
     let unit = 1.0 / mean_square.sqrt();
     let mut normal_matrix = [[0.0; N + 1]; N];
     for &point in around {
@@ -45,7 +47,8 @@ pub(super) fn fit(around: &[Vec3<f64>], [x_axis, y_axis]: [Vec3<f64>; 2]) -> Opt
     let [l, m, n] = [2.0 * a, b, 2.0 * c].map(|value| value * unit / area);
     let (big_e, f) = (1.0 + d * d, d * e);
     let length = big_e.sqrt();
-    // The first axis along x on the surface, the second at right angles to it: (-F, E) / (sqrt(E) area).
+    // The first axis is along x on the surface, the second perpendicular to it:
+    // (-F, E) / (sqrt(E) area).
     let (u, v) = (-f / (length * area), length / area);
     let tangent_x = x_axis + normal * d;
     let tangent_y = y_axis + normal * e;
@@ -55,7 +58,8 @@ pub(super) fn fit(around: &[Vec3<f64>], [x_axis, y_axis]: [Vec3<f64>; 2]) -> Opt
     })
 }
 
-/// Elimination of a symmetric positive matrix with its right side, by the largest pivots on the diagonal.
+/// Solves a symmetric positive definite system by elimination with diagonal pivoting; `None` if it
+/// is singular.
 fn solve(mut rows: [[f64; N + 1]; N]) -> Option<[f64; N]> {
     let mut left: Vec<usize> = (0..N).collect();
     let mut order = Vec::with_capacity(N);

@@ -1,29 +1,30 @@
-//! Lines of curvature at an even distance from each other (Jobard and Lefer 1997): each line gives places for the next
-//! ones at both of its sides, and ends where it comes near another.
+//! Evenly spaced lines of curvature (Jobard and Lefer 1997): each line seeds the next ones on both
+//! sides, and ends where it comes close to another.
 
 use super::field::{CurvatureField, Family, SurfacePlace};
 use super::trace::{CurvatureLine, comes_back};
 use super::walk::Heading;
 use crate::math::Vec3;
 
-/// A line begins no nearer to others than this part of the distance, and ends at that one.
+/// Least distance to other lines at the beginning of a line, as a fraction of the spacing.
 const BEGIN: f64 = 0.9;
+/// Distance to other lines at which a line ends, as a fraction of the spacing.
 const END: f64 = 0.5;
-/// Shorter lines are not kept: so many distances.
+/// Length below which lines are dropped, as a fraction of the spacing.
 const SHORT: f64 = 0.75;
 
 impl CurvatureField {
-    /// Lines of one family, about `distance` apart, in the unit of the mesh, over the whole surface; those of the faces
-    /// that come first are first.
+    /// Traces lines of one family over the whole surface, about `distance` apart, in the unit of
+    /// the mesh, seeded from the faces in order.
     ///
     /// # Panics
-    /// When the distance is not positive.
+    /// If the distance is not positive.
     pub fn spaced_lines(&self, family: Family, distance: f64) -> Vec<CurvatureLine> {
         assert!(distance > 0.0, "lines have a distance");
         let mut lines: Vec<CurvatureLine> = Vec::new();
         let mut taken = Cells::new(distance);
         for middle in self.middles() {
-            // Those beside the lines that came last, then the next face.
+            // Seeds beside the newest lines come before the next face.
             let mut next = vec![middle];
             while let Some(place) = next.pop() {
                 let Some(line) = self.line_beside(place, family, distance, &taken) else {
@@ -37,8 +38,8 @@ impl CurvatureField {
         lines
     }
 
-    /// The line through a place until it comes near what is taken, or near an earlier part of itself; none where it
-    /// begins there, and where it is short.
+    /// Traces the line through a place until it comes near a taken point or an earlier part of
+    /// itself; `None` if it would begin near a taken point, or is too short.
     fn line_beside(
         &self,
         place: SurfacePlace,
@@ -58,7 +59,7 @@ impl CurvatureField {
         (line.closed || length >= SHORT * distance).then_some(line)
     }
 
-    /// Places at both sides of a line, so far from it.
+    /// Returns places on both sides of a line, at this distance from it.
     fn beside(&self, line: &CurvatureLine, distance: f64) -> Vec<SurfacePlace> {
         let mut found = Vec::new();
         let mut since = 0.0;
@@ -78,10 +79,10 @@ impl CurvatureField {
     }
 }
 
-/// Points by the cells of a grid whose sides are as long as the distance that is asked for.
+/// Hash grid of points.
 struct Cells {
     side: f64,
-    /// Cells that share a place in the table are told apart by the distance itself.
+    /// Cells with the same hash share an entry; the distance test sorts their points out.
     table: Vec<Vec<Vec3<f64>>>,
 }
 
@@ -97,7 +98,7 @@ impl Cells {
         self.table[Self::place(cell)].push(point);
     }
 
-    /// Whether a point is nearer than `distance`, at most the side of a cell.
+    /// Whether a stored point is nearer than `distance`, which is at most the side of a cell.
     fn is_near(&self, point: Vec3<f64>, distance: f64) -> bool {
         let [x, y, z] = self.cell(point);
         let around = |from: i64| from - 1..=from + 1;

@@ -3,12 +3,12 @@
 use super::field::{CurvatureField, Family};
 use crate::mesh::Point;
 
-/// Half the length of a stroke, as a part of the mean edge.
+/// Half the length of a stroke, as a fraction of the mean edge length.
 const HALF: f64 = 0.3;
 
 impl CurvatureField {
-    /// A stroke through the middle of each face along the directions of a family, by its ends; none where the surface
-    /// is flat or bends alike in all directions.
+    /// Returns the ends of a stroke through the centre of each face along the direction of a
+    /// family. Faces where the surface is flat or umbilic have no stroke.
     pub fn strokes(&self, family: Family) -> Vec<[Point; 2]> {
         let half = HALF * self.mean_edge();
         let middles = self.middles();

@@ -1,46 +1,47 @@
-//! Lines of curvature, traced by the midpoint method: each step goes straight on over the surface in the direction
-//! that is found halfway.
+//! Lines of curvature, traced by the midpoint method: each step is a straight path on the surface
+//! in the direction found at half the step.
 
 use super::field::{CurvatureField, Family, SurfacePlace};
 use super::walk::Heading;
 use crate::mesh::Point;
 
-/// Steps, as parts of the mean edge.
+/// Step length, as a fraction of the mean edge length.
 const STEP: f64 = 0.25;
-/// A line is closed where it comes back to where it began, up to this part of the mean edge.
+/// A line is closed if it returns to its beginning within this fraction of the mean edge length.
 const CLOSED: f64 = 0.5;
-/// It goes on until the curvatures differ by less than this part of the sum of their sizes; where it begins they
-/// differ by more.
+/// A line ends where the curvatures differ by at most this fraction of the sum of their absolute
+/// values. The threshold for beginning a line is larger.
 const UMBILIC: f64 = 0.04;
-/// So many steps at most, in each direction.
+/// Maximum number of steps in each direction.
 const MOST_STEPS: usize = 20_000;
 
 /// A line of curvature.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvatureLine {
-    /// Its family.
+    /// The family of the line.
     pub family: Family,
-    /// Its places, one after another; the last is the first one again where it is closed.
+    /// The places along the line; a closed line repeats its first place at the end.
     pub places: Vec<SurfacePlace>,
-    /// Whether it comes back to where it began.
+    /// Whether the line is closed.
     pub closed: bool,
 }
 
 impl CurvatureLine {
-    /// Its points, `#points by 3`.
+    /// Returns the positions of the places, `#places by 3`.
     pub fn points(&self) -> impl ExactSizeIterator<Item = Point> + '_ {
         self.places.iter().map(|place| Point::from(place.at))
     }
 }
 
 impl CurvatureField {
-    /// The line of curvature through a place, to both sides until it is closed, at the boundary, within an edge of an
-    /// earlier part of itself, or where the surface has no direction. None where it has none at the place.
+    /// Traces the line of curvature through a place in both directions until it closes, reaches the
+    /// boundary, comes within a mean edge length of an earlier part of itself, or reaches a point
+    /// without a principal direction. `None` if there is no direction at the place itself.
     pub fn line_through(&self, place: SurfacePlace, family: Family) -> Option<CurvatureLine> {
         self.line_until(place, family, |places| comes_back(places, self.mean_edge()))
     }
 
-    /// The same, until `is_end` of the places so far, the newest last.
+    /// Traces the line through a place until `is_end` of the places so far, the newest last.
     pub(super) fn line_until(
         &self,
         place: SurfacePlace,
@@ -58,7 +59,7 @@ impl CurvatureField {
         Some(CurvatureLine { family, places, closed })
     }
 
-    /// One side of a line, from its first place on; and whether it is closed.
+    /// Traces one side of a line from its first place; returns the places and whether it is closed.
     fn half(
         &self,
         begin: Heading,
@@ -76,7 +77,7 @@ impl CurvatureField {
             let away = (heading.place.at - begin.place.at).length();
             was_away |= away > 2.0 * near;
             let is_back = was_away && away < near && heading.way.dot(begin.way) > 0.5;
-            // Past the nearest point: what is left of the way there lies behind.
+            // The beginning is at most one step ahead, or behind.
             if is_back && (begin.place.at - heading.place.at).dot(heading.way) <= step {
                 places.extend([heading.place, begin.place]);
                 return (places, true);
@@ -89,7 +90,7 @@ impl CurvatureField {
         (places, false)
     }
 
-    /// One step; the direction of the heading only says to which side it goes.
+    /// Takes one step. The direction of `from` only selects the sign of the principal direction.
     fn step(&self, from: Heading, family: Family, length: f64) -> Option<Heading> {
         let along = |heading: Heading| {
             let way = self.direction(heading.place, family, UMBILIC)?;
@@ -98,7 +99,7 @@ impl CurvatureField {
         let way = along(from)?;
         let half = self.walk(Heading { way, ..from }, 0.5 * length)?;
         let there = along(half)?;
-        // How far the direction turns until there, and so from here.
+        // Apply the turn of the direction at half the step to the direction at the beginning.
         let (cosine, sine) =
             (half.way.dot(there), half.way.cross(there).dot(self.normal(half.place)));
         let turned = way * cosine + self.normal(from.place).cross(way) * sine;
@@ -106,14 +107,15 @@ impl CurvatureField {
     }
 }
 
-/// Whether the newest place is nearer than `distance` to one that came long before, and not where the line began.
+/// Whether the newest place is nearer than `distance` to an earlier part of the line, and away from
+/// its beginning.
 pub(super) fn comes_back(places: &[SurfacePlace], distance: f64) -> bool {
     let [first, .., last] = places else { return false };
     if (first.at - last.at).length() < 2.0 * distance {
         return false;
     }
     let near = |place: &SurfacePlace| (place.at - last.at).length() < distance;
-    // Those just before are near anyhow.
+    // Skip the most recent places, which are near in any case.
     let before = places.iter().rposition(|place| !near(place)).unwrap_or(0);
     places[..before].iter().any(near)
 }

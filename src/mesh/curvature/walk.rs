@@ -1,9 +1,9 @@
-//! Straight ways over a surface of triangles.
+//! Straight paths (geodesics) on a triangulated surface.
 
 use super::field::{CurvatureField, SurfacePlace};
 use crate::math::Vec3;
 
-/// A way that crosses so many triangles goes nowhere.
+/// Maximum number of triangles that a path crosses before it is given up.
 const MOST_CROSSINGS: usize = 10_000;
 
 /// A place and a unit direction in the plane of its triangle.
@@ -14,8 +14,8 @@ pub(super) struct Heading {
 }
 
 impl CurvatureField {
-    /// Goes straight on over `length`, unfolding one triangle into the plane of the one before; none where that leads
-    /// over the boundary.
+    /// Walks straight over `length`, unfolding each triangle into the plane of the one before;
+    /// `None` if the path leaves the surface.
     pub(super) fn walk(&self, from: Heading, length: f64) -> Option<Heading> {
         let Heading { mut place, mut way } = from;
         let mut left = length;

@@ -2,13 +2,13 @@
 //!
 //! | file or folder | holds |
 //! |---|---|
-//! | `weld` | vertices at one place made one, where faces have their own |
-//! | `origins` | where the parts of a mesh come from that was made from another one |
-//! | `sharp` | edges and corners that stay as they are |
-//! | `subdivide` | each face made several: Catmull-Clark, linear, Loop |
-//! | `rebuild` | a mesh while it is made from another one |
-//! | `size` | numbers that meshes are made or changed by |
-//! | `operation` | what one does to a mesh by hand: quads from triangles, dual, strips, holes |
+//! | `weld` | welding of coincident vertices in meshes whose faces do not share vertices |
+//! | `origins` | the map from the elements of a new mesh to those of the mesh it was made from |
+//! | `sharp` | sharp edges and fixed corners |
+//! | `subdivide` | subdivision: Catmull-Clark, linear, Loop |
+//! | `rebuild` | builder of a mesh made from another one |
+//! | `size` | numeric parameters of operations and of new meshes |
+//! | `operation` | editing operations: quads from triangles, dual, strips, holes |
 
 mod operation;
 mod origins;

@@ -1,25 +1,26 @@
-//! Where the parts of a mesh come from that was made from another one.
+//! The map from the elements of a new mesh to those of the mesh that it was made from.
 
 use crate::mesh::{Mesh, Point, Ragged};
 
-/// A mesh made from another one, with the map from that.
+/// A mesh made from another one, with the origins of its elements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edited {
     /// The new mesh.
     pub mesh: Mesh,
-    /// Where its parts come from.
+    /// The origins of its elements.
     pub origins: Origins,
 }
 
 impl Edited {
-    /// Where the new vertices are in another state of the old mesh than the one `from` that this was made of; all
-    /// three `#V by 3`.
+    /// Returns the positions of the new vertices for another state of the old mesh. `from` are the
+    /// old positions that this mesh was made from, `other` those of the other state; all are
+    /// `#V by 3`.
     pub fn in_other_state(&self, from: &[Point], other: &[Point]) -> Vec<Point> {
         let combined = [from, other].map(|points| self.origins.positions.apply(points));
         let [from, mut other] = combined;
         for ((other, from), to) in other.iter_mut().zip(from).zip(&self.mesh.positions) {
             for axis in 0..3 {
-                // What is a combination of old ones keeps every bit.
+                // Exact combinations of old vertices get no offset, so that no rounding is added.
                 if to[axis] != from[axis] {
                     other[axis] += to[axis] - from[axis];
                 }
@@ -29,22 +30,23 @@ impl Edited {
     }
 }
 
-/// Where the parts of a mesh come from. Old vertices that are left come first, in their order.
+/// The origins of the elements of a mesh. Remaining old vertices come first, in their order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Origins {
-    /// The new index of each old vertex: none where it is gone, the same where several became one.
+    /// The new index of each old vertex: `None` if it was removed, the same for merged vertices.
     pub vertices: Vec<Option<u32>>,
     /// The position of each new vertex as an affine combination of old ones.
     pub positions: Combinations,
-    /// The old vertices that each new vertex stands between, ascending: one for an old vertex, two for a vertex
-    /// on an old edge, the corners of a face for one inside it.
+    /// The old vertices that each new vertex lies between, ascending: one for an old vertex, two
+    /// for a vertex on an old edge, the corners of a face for a vertex inside it.
     pub between: Ragged,
-    /// The old faces that each new face is a part of, or was made of, ascending: none for one that closes a hole.
+    /// The old faces that each new face is a part of or was made from, ascending; empty for a face
+    /// that closes a hole.
     pub faces: Ragged,
 }
 
 impl Origins {
-    /// Those of a mesh that is unchanged.
+    /// Returns the origins of an unchanged mesh.
     pub(super) fn unchanged(mesh: &Mesh) -> Origins {
         let vertices = 0..mesh.positions.len() as u32;
         let mut positions = Combinations::default();
@@ -57,7 +59,7 @@ impl Origins {
         }
     }
 
-    /// From the mesh before these, where `next` leads on from here.
+    /// Composes these origins with those of a following edit, `next`.
     pub(super) fn then(&self, next: &Origins) -> Origins {
         let union = |olds: &Ragged, row: &[u32]| {
             let olds = row.iter().flat_map(|&i| olds.row(i as usize));
@@ -79,17 +81,18 @@ impl Origins {
 /// Points as affine combinations of other points: weighted sums whose weights add up to 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Combinations {
-    /// `#points + 1`: those of point `i` are `terms[offsets[i]..offsets[i + 1]]`.
+    /// `#points + 1`: point `i` has the terms `terms[offsets[i]..offsets[i + 1]]`.
     offsets: Vec<u32>,
-    /// Index of a point, and its weight.
+    /// Index and weight of a point.
     terms: Vec<(u32, f64)>,
 }
 
 impl Combinations {
-    /// The points, from others.
+    /// Evaluates the combinations of `points`.
     pub fn apply(&self, points: &[Point]) -> Vec<Point> {
         let sum = |terms: &[(u32, f64)]| {
-            // Relative to one of them: far from the origin no digits are lost, and what stays keeps every bit.
+            // Relative to the first point: no digits are lost far from the origin, and unchanged
+            // points stay bit-identical.
             let base = points[terms[0].0 as usize];
             let mut sum = [0.0; 3];
             for &(point, weight) in &terms[1..] {
@@ -102,12 +105,12 @@ impl Combinations {
         self.rows().map(sum).collect()
     }
 
-    /// The weighted points that each point is the sum of, at least one.
+    /// Returns the terms of each point, at least one.
     pub fn rows(&self) -> impl ExactSizeIterator<Item = &[(u32, f64)]> {
         self.offsets.windows(2).map(|ends| &self.terms[ends[0] as usize..ends[1] as usize])
     }
 
-    /// Combinations of points that are themselves `combined` from others.
+    /// Expands combinations of points that are themselves combinations, `combined`.
     fn of(&self, combined: &Combinations) -> Combinations {
         let row = |place: u32| {
             let ends = [place, place + 1].map(|i| combined.offsets[i as usize] as usize);
@@ -124,7 +127,7 @@ impl Combinations {
         expanded
     }
 
-    /// Appends a point: indices of old points with weights that add up to 1.
+    /// Appends a point, as indices and weights of old points; the weights add up to 1.
     pub(super) fn push(&mut self, terms: &[(u32, f64)]) {
         self.terms.extend_from_slice(terms);
         self.offsets.push(self.terms.len() as u32);
@@ -137,7 +140,7 @@ impl Default for Combinations {
     }
 }
 
-/// An affine combination while it is added up.
+/// Accumulator of an affine combination.
 #[derive(Default)]
 pub(super) struct Sum {
     pub(super) terms: Vec<(u32, f64)>,

@@ -1,22 +1,22 @@
-//! A mesh while it is rebuilt from another one, with the record of where its parts come from.
+//! Builder of a mesh made from another one, with the origins of its elements.
 
 use super::origins::{Combinations, Edited, Origins};
 use crate::math::polygon_sides;
 use crate::mesh::{Group, Mesh, Point, Ragged, Topology};
 use std::collections::BTreeMap;
 
-/// A mesh in the making. Old vertices keep their indices and new ones follow them until it is finished: then those
-/// that nothing uses any more go. It begins without faces.
+/// A mesh under construction, initially without faces. Until it is finished, old vertices keep
+/// their indices and new ones follow them; finishing removes the vertices that are no longer used.
 pub(super) struct Rebuild<'a> {
     mesh: &'a Mesh,
-    /// The new vertex of each old one.
+    /// The new index of each old vertex.
     names: Vec<u32>,
-    /// Old and new ones.
+    /// Old vertices, then new ones.
     vertices: Vec<Vertex>,
     faces: Ragged,
     /// See [`Origins::faces`].
     parents: Ragged,
-    /// The vertex on an old edge, from its smaller to its greater end.
+    /// The new vertex on an old edge; the key has the lower end first.
     on_edges: BTreeMap<[u32; 2], u32>,
 }
 
@@ -28,7 +28,7 @@ struct Vertex {
     between: Vec<u32>,
 }
 
-/// A face that would have a corner twice.
+/// Error: this face would visit a vertex twice.
 pub(super) struct Touching(pub(super) u32);
 
 impl<'a> Rebuild<'a> {
@@ -48,20 +48,21 @@ impl<'a> Rebuild<'a> {
         }
     }
 
-    /// A vertex in the mean of old ones.
+    /// Adds a vertex at the mean of old ones.
     pub(super) fn vertex(&mut self, between: &[u32]) -> u32 {
         let mean = mean(self.mesh, between);
         self.vertices.push(mean);
         self.vertices.len() as u32 - 1
     }
 
-    /// A vertex at `position`, which moves with the old vertex `with`.
+    /// Adds a vertex at `position` that moves with the old vertex `with`.
     pub(super) fn vertex_at(&mut self, position: Point, with: u32) -> u32 {
         self.vertices.push(Vertex { position, of: vec![(with, 1.0)], between: vec![with] });
         self.vertices.len() as u32 - 1
     }
 
-    /// The vertex in the middle of an old edge: the same one whenever it is asked for. Curves along the edge get it.
+    /// Returns the vertex at the midpoint of an old edge, adding it at the first call. Curves along
+    /// the edge pass through it.
     pub(super) fn middle(&mut self, [a, b]: [u32; 2]) -> u32 {
         let ends = [a.min(b), a.max(b)];
         if let Some(&middle) = self.on_edges.get(&ends) {
@@ -72,28 +73,28 @@ impl<'a> Rebuild<'a> {
         middle
     }
 
-    /// Puts an old vertex elsewhere.
+    /// Moves an old vertex.
     pub(super) fn place(&mut self, v: u32, position: Point) {
         self.vertices[v as usize].position = position;
     }
 
-    /// Makes old vertices one, which is the smallest of them, at the mean of `at`.
+    /// Merges old vertices into the one of lowest index, at the mean of `at`.
     pub(super) fn merge(&mut self, vertices: &[u32], at: &[u32]) {
         let Some(&first) = vertices.iter().min() else { return };
         self.vertices[first as usize] = mean(self.mesh, at);
         vertices.iter().for_each(|&v| self.names[v as usize] = first);
     }
 
-    /// A face with these corners, made of the old faces `parents`.
+    /// Adds a face with these corners, made from the old faces `parents`.
     pub(super) fn face(&mut self, corners: &[u32], parents: &[u32]) {
         self.faces.push(corners);
         self.parents.push(parents);
     }
 
-    /// Keeps old faces, with the names of their vertices; those that have fewer than three of them left go.
+    /// Adds old faces with their merged vertices; drops those with fewer than three corners left.
     ///
     /// # Errors
-    /// When one would have a corner twice.
+    /// If a face would visit a vertex twice.
     pub(super) fn keep(&mut self, faces: impl Iterator<Item = u32>) -> Result<(), Touching> {
         for face in faces {
             let old = self.mesh.faces.row(face as usize);
@@ -106,7 +107,7 @@ impl<'a> Rebuild<'a> {
             if corners.len() < 3 {
                 continue;
             }
-            // What the file has twice may stay so.
+            // Faces that already visited a vertex twice are accepted.
             if has_twice(&corners) && !has_twice(old) {
                 return Err(Touching(face));
             }
@@ -115,7 +116,7 @@ impl<'a> Rebuild<'a> {
         Ok(())
     }
 
-    /// The mesh, and where its parts come from. Groups have the faces that were made of theirs only.
+    /// Returns the mesh and its origins. A group keeps the faces made from its own faces only.
     pub(super) fn finish(self) -> Edited {
         let Rebuild { mesh, names, vertices, faces, parents, on_edges } = self;
         let rename = |curve: &[u32]| {
@@ -129,7 +130,7 @@ impl<'a> Rebuild<'a> {
             renamed
         };
         let curves: Vec<Vec<u32>> = mesh.curves.iter().map(rename).collect();
-        // A point of the file that is in nothing stays.
+        // Vertices that no old face or curve used are kept.
         let mut is_used = vec![false; vertices.len()];
         is_used[..names.len()].fill(true);
         let old = mesh.faces.indices().iter().chain(mesh.curves.indices());
@@ -163,7 +164,8 @@ impl<'a> Rebuild<'a> {
     }
 }
 
-/// A group with the faces that were made of its own and the curves that were `kept`; none where there are none.
+/// Returns a group with the faces made from its own and the curves that were `kept`; `None` if it
+/// is empty.
 fn rebuilt(group: &Group, parents: &Ragged, kept: &[bool]) -> Option<Group> {
     let is_in = |face: &u32| group.faces.binary_search(face).is_ok();
     let made = (0..).zip(parents.iter()).filter(|(_, of)| !of.is_empty() && of.iter().all(is_in));
@@ -186,13 +188,13 @@ fn mean(mesh: &Mesh, vertices: &[u32]) -> Vertex {
     Vertex { position: combination.apply(&mesh.positions)[0], of, between }
 }
 
-/// Whether a face has a corner twice.
+/// Whether a face visits a vertex twice.
 pub(super) fn has_twice(face: &[u32]) -> bool {
     (1..face.len()).any(|k| face[..k].contains(&face[k]))
 }
 
-/// The faces around a vertex in turn, as far as one gets from the first of them, and whether they close: none where
-/// more than two faces meet at an edge of it.
+/// Returns the faces around a vertex in cyclic order; `None` if they are not a single fan of
+/// consistently oriented faces.
 pub(super) fn around(mesh: &Mesh, topology: &Topology, v: u32) -> Option<Vec<Step>> {
     let faces = topology.vertex_faces().row(v as usize);
     let mut steps = Vec::with_capacity(faces.len());
@@ -203,7 +205,7 @@ pub(super) fn around(mesh: &Mesh, topology: &Topology, v: u32) -> Option<Vec<Ste
         Some(Step { face, out: corners[(at + 1) % n], back: corners[(at + n - 1) % n] })
     };
     let all: Vec<Step> = faces.iter().map(|&face| step(face)).collect::<Option<_>>()?;
-    // One begins where nothing leads to, or anywhere.
+    // Begin at the face without a predecessor, or anywhere if the fan is closed.
     let leads_to = |end: u32| all.iter().filter(|step| step.back == end).count();
     let first = all.iter().find(|step| leads_to(step.out) == 0).or(all.first())?;
     let mut at = *first;
@@ -220,7 +222,7 @@ pub(super) fn around(mesh: &Mesh, topology: &Topology, v: u32) -> Option<Vec<Ste
     (steps.len() == all.len()).then_some(steps)
 }
 
-/// A face at a vertex, and its two neighbours of the vertex in it.
+/// A face at a vertex, and the two neighbours of the vertex in the face.
 #[derive(Clone, Copy)]
 pub(super) struct Step {
     pub(super) face: u32,

@@ -1,19 +1,21 @@
-//! Edges and corners that a subdivision keeps: the boundary, creases, and where one of these turns sharply.
+//! Sharp edges and corners, which a subdivision keeps: the boundary, creases, and the vertices
+//! where these turn sharply.
 
 use crate::math::{Vec3, angle, polygon_sides, twice_vector_area};
 use crate::mesh::{Mesh, Topology};
 
 /// The sharp edges and the corners of a mesh.
 pub(super) struct Sharp {
-    /// `#E`: edges that are smoothed along themselves only.
+    /// `#E`: edges that are smoothed as curves only.
     pub(super) edges: Vec<bool>,
-    /// `#V`: vertices that stay where they are.
+    /// `#V`: vertices that stay fixed.
     pub(super) corners: Vec<bool>,
 }
 
 impl Sharp {
-    /// Edges without exactly two faces, and those whose faces meet at more than `degrees` from flat, are
-    /// sharp; vertices where two of them turn by more than that, or where more of them meet, are corners.
+    /// Marks as sharp the edges without exactly two faces and those with a fold of more than
+    /// `degrees`. Corners are the vertices where two sharp edges turn by more than `degrees`, where
+    /// more than two meet, and vertices without a face where fewer meet.
     pub(super) fn of(mesh: &Mesh, topology: &Topology, degrees: f64) -> Sharp {
         let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
         let most = degrees.to_radians();
@@ -30,7 +32,7 @@ impl Sharp {
         };
         let edges: Vec<bool> = ends.map(is_sharp).collect();
         let is_corner = |v: u32| match *sharp_neighbours(&edges, topology, v) {
-            // One ends inside the surface, if there is any.
+            // A sharp edge that ends inside the surface does not make a corner.
             [] | [_] => topology.vertex_faces().row(v as usize).is_empty(),
             [a, b] => turns(at(v) - at(a), at(b) - at(v), most),
             _ => true,
@@ -39,7 +41,8 @@ impl Sharp {
         Sharp { edges, corners }
     }
 
-    /// The same of a subdivided mesh, whose new vertex on edge `e` is `first + e`.
+    /// Returns the sharp edges and corners of the subdivided mesh, whose new vertex on edge `e` is
+    /// `first + e`.
     pub(super) fn subdivided(&self, before: &Topology, first: u32, after: &Topology) -> Sharp {
         let mut edges: Vec<bool> =
             after.edge_faces().iter().map(|faces| faces.len() != 2).collect();
@@ -54,7 +57,7 @@ impl Sharp {
         Sharp { edges, corners }
     }
 
-    /// The other ends of the sharp edges at `v`.
+    /// Returns the other ends of the sharp edges at `v`.
     pub(super) fn neighbours(&self, topology: &Topology, v: u32) -> Vec<u32> {
         sharp_neighbours(&self.edges, topology, v)
     }
@@ -65,12 +68,12 @@ fn sharp_neighbours(edges: &[bool], topology: &Topology, v: u32) -> Vec<u32> {
     sharp.map(|&e| topology.other_end(e, v)).collect()
 }
 
-/// Whether one direction turns by more than an angle in radians into the other; no direction does not.
+/// Whether the angle between two directions exceeds `most`, in radians; false for a zero vector.
 fn turns(a: Vec3<f64>, b: Vec3<f64>, most: f64) -> bool {
     angle(a.dot(b), a.cross(b).length()) > most
 }
 
-/// Whether a face runs along an edge from its first to its second end.
+/// Whether a face traverses an edge from its first to its second end.
 fn runs(face: &[u32], ends: &[u32; 2]) -> bool {
     polygon_sides(face).any(|side| side == *ends)
 }

@@ -1,4 +1,4 @@
-//! A number that a mesh is made by, or changed by: what it counts, and what is taken.
+//! Numeric parameters of new meshes and of operations: quantity, default and range.
 
 use serde::Serialize;
 use std::fmt;
@@ -8,43 +8,43 @@ use std::fmt;
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
 pub enum SizeOf {
-    /// In the unit of the mesh.
+    /// A length in the unit of the mesh.
     Length,
     /// A whole number.
     Count,
-    /// An angle.
+    /// An angle in degrees.
     Degrees,
 }
 
-/// A size, from `least` to `most`.
+/// A numeric parameter from `least` to `most`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Size {
-    /// The word for it.
+    /// Identifier.
     pub id: &'static str,
-    /// Its name.
+    /// Name shown to the user.
     pub label: &'static str,
     /// The quantity.
     pub of: SizeOf,
-    /// The default. Lengths are in metres for a new mesh, in mean edges for an edit.
+    /// The default. Lengths are in metres for a new mesh, in mean edge lengths for an edit.
     pub default: f64,
-    /// The smallest that is taken.
+    /// The least accepted value.
     pub least: f64,
-    /// The largest that is taken.
+    /// The largest accepted value.
     pub most: f64,
 }
 
-/// A size that is not taken.
+/// Reason why sizes are rejected.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SizeError {
-    /// Another number of sizes than there are.
+    /// The wrong number of sizes.
     Number {
-        /// How many there are.
+        /// Number of declared sizes.
         expected: usize,
-        /// How many were given.
+        /// Number of values given.
         found: usize,
     },
-    /// It is out of its limits, or is no whole number where it counts something.
+    /// A value is out of range, or is a count that is not a whole number.
     Outside {
         /// The size.
         size: Size,
@@ -74,10 +74,10 @@ impl fmt::Display for SizeError {
 impl std::error::Error for SizeError {}
 
 impl Size {
-    /// Refuses `values` that are not those of `sizes`.
+    /// Checks `values` against the declared `sizes`.
     ///
     /// # Errors
-    /// When one is missing, or out of its limits.
+    /// If their number is wrong, or a value is out of range.
     pub fn check(sizes: &[Size], values: &[f64]) -> Result<(), SizeError> {
         let (expected, found) = (sizes.len(), values.len());
         if expected != found {

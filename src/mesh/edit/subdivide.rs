@@ -1,7 +1,8 @@
-//! Subdivision: each face becomes several, and the surface smoother or as it was.
+//! Subdivision of polygon meshes, smooth or linear.
 //!
-//! Catmull and Clark 1978 for polygons, Loop 1987 with the weights of Warren 1995 for triangles; along sharp edges
-//! and the boundary the curve is a cubic B-spline, and corners stay (Hoppe et al. 1994).
+//! Catmull and Clark 1978 for polygons, Loop 1987 with the weights of Warren 1995 for triangles.
+//! Sharp edges and the boundary become cubic B-spline curves, and corners stay fixed (Hoppe et al.
+//! 1994).
 
 use super::origins::{Combinations, Edited, Origins, Sum};
 use super::sharp::Sharp;
@@ -9,36 +10,36 @@ use crate::math::polygon_corners;
 use crate::mesh::{Group, Mesh, Ragged, Topology, counted};
 use std::fmt;
 
-/// No mesh is subdivided more often at once.
+/// Maximum number of levels at once.
 const MOST_LEVELS: u32 = 6;
-/// No subdivided mesh has more vertices.
+/// Maximum number of vertices of a subdivided mesh.
 const MOST_VERTICES: usize = 4_000_000;
 
-/// A way to subdivide.
+/// Subdivision scheme.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scheme {
-    /// Quads from polygons, smooth.
+    /// Smooth; quads from polygons.
     #[default]
     CatmullClark,
-    /// The shape as it is: quads from polygons, or triangles where all faces are triangles.
+    /// Keeps the shape; quads from polygons, or triangles if all faces are triangles.
     Linear,
-    /// Triangles from triangles, smooth.
+    /// Smooth; triangles from triangles.
     Loop,
 }
 
-/// A subdivision: its scheme, how often, and what it keeps.
+/// Parameters of a subdivision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Subdivision {
     /// The scheme.
     pub scheme: Scheme,
-    /// How often, at least once.
+    /// Number of levels, at least one.
     pub levels: u32,
-    /// Creases, and corners of boundaries and creases, that turn by more than this stay sharp, in degrees.
+    /// Angle in degrees above which creases, and corners of boundaries and creases, stay sharp.
     pub keep: f64,
 }
 
-/// The least turn of a crease or of a corner that stays sharp, in degrees, where nobody says another: outlines
-/// of hexagons become round, those of quads keep their corners.
+/// Default of [`Subdivision::keep`], in degrees: outlines of hexagons become round, outlines of
+/// quads keep their corners.
 pub const KEPT_TURN: f64 = 75.0;
 
 /// The numbers of vertices and faces that a subdivision makes.
@@ -50,22 +51,22 @@ pub struct SubdividedCounts {
     pub faces: usize,
 }
 
-/// Why a mesh cannot be subdivided.
+/// Reason why a mesh cannot be subdivided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SubdivideError {
-    /// So many levels.
+    /// This number of levels is out of range.
     Levels(u32),
-    /// No angle from 0 to 180 degrees.
+    /// [`Subdivision::keep`] is not an angle from 0 to 180 degrees.
     Turn,
-    /// It has neither faces nor curves.
+    /// The mesh has neither faces nor curves.
     Nothing,
-    /// It has tetrahedra.
+    /// The mesh has tetrahedra.
     Tetrahedra,
-    /// Loop's scheme is for triangles only: so many faces are none.
+    /// Loop's scheme requires triangles; this many faces are not.
     NotTriangles(usize),
-    /// This face has a corner twice.
+    /// This face visits a vertex twice.
     Repeated(u32),
-    /// It would have so many vertices.
+    /// The result would have this many vertices.
     TooMany(usize),
 }
 
@@ -101,10 +102,10 @@ impl fmt::Display for SubdivideError {
 impl std::error::Error for SubdivideError {}
 
 impl Subdivision {
-    /// The numbers of vertices and faces that it makes of `mesh`.
+    /// Returns the numbers of vertices and faces of the subdivided `mesh`.
     ///
     /// # Errors
-    /// When the mesh cannot be subdivided so.
+    /// If the mesh cannot be subdivided with these parameters.
     pub fn counts(
         &self,
         mesh: &Mesh,
@@ -148,8 +149,9 @@ impl Subdivision {
         Ok(SubdividedCounts { vertices, faces })
     }
 
-    /// Subdivides `mesh`, whose topology is `topology`. The old vertices come first, then those on edges in the order
-    /// of [`Topology::edges`], then those in faces; the children of a face come one after the other.
+    /// Subdivides `mesh`, whose topology is `topology`. At each level the old vertices come first,
+    /// then the new ones on edges in the order of [`Topology::edges`], then those in faces; the
+    /// children of a face are consecutive.
     ///
     /// # Errors
     /// As [`Subdivision::counts`].
@@ -212,12 +214,14 @@ impl Subdivision {
     }
 }
 
-/// The weights of a scheme: of a smooth edge's vertex, and of a smooth vertex.
+/// Weights of a scheme at smooth edges and smooth vertices.
 #[derive(Clone, Copy)]
 struct Weights {
-    /// Of each end, and of the middle of each face (Catmull-Clark) or its third corner (Loop).
+    /// For the vertex on an edge: weight of each end, and of the centre of each face
+    /// (Catmull-Clark) or its third corner (Loop).
     edge: [f64; 2],
-    /// Of a vertex with `n` edges: its own, of all neighbours together, of all faces together.
+    /// For an old vertex with `n` edges: its own weight, that of all neighbours together, and that
+    /// of all faces together.
     vertex: fn(f64) -> [f64; 3],
 }
 
@@ -231,12 +235,13 @@ const LOOP: Weights = Weights {
     },
 };
 
-/// A mesh whose edges, and unless it stays triangles its faces, get a vertex each.
+/// One level of a subdivision: each edge gets a vertex, and each face too unless triangles are
+/// split into triangles.
 struct Split<'a> {
     mesh: &'a Mesh,
     topology: &'a Topology,
     triangles: bool,
-    /// The first vertex on an edge, and the first one in a face.
+    /// Index of the first vertex on an edge, and of the first in a face.
     first: [u32; 2],
 }
 
@@ -251,7 +256,7 @@ impl<'a> Split<'a> {
         self.first[0] + self.topology.edge(a, b).expect("every side of a face is an edge")
     }
 
-    /// The new faces, and the old one that each is a part of.
+    /// Returns the new faces, and the old face of each.
     fn faces(&self) -> (Ragged, Vec<u32>) {
         let (mut faces, mut parents) = (Ragged::new(), Vec::new());
         for (f, face) in (0..).zip(self.mesh.faces.iter()) {
@@ -273,11 +278,11 @@ impl<'a> Split<'a> {
         (faces, parents)
     }
 
-    /// A curve with the vertices on its edges.
+    /// Returns a curve with the vertices on its edges added.
     fn curve(&self, curve: &[u32]) -> Vec<u32> {
         let mut refined = vec![curve[0]];
         for ends in curve.windows(2) {
-            // A segment from a vertex to itself is no edge.
+            // A segment from a vertex to itself has no edge.
             if ends[0] != ends[1] {
                 refined.push(self.middle([ends[0], ends[1]]));
             }
@@ -297,8 +302,8 @@ impl<'a> Split<'a> {
         between
     }
 
-    /// Every vertex, as the scheme with these weights would have it; without weights old ones stay and the others are
-    /// means.
+    /// Returns the positions of all vertices under the scheme with these weights. Without weights,
+    /// old vertices stay and new ones are means.
     fn positions(&self, smooth: Option<Weights>, sharp: &Sharp) -> Combinations {
         let mut positions = Combinations::default();
         for v in 0..self.first[0] {
@@ -322,7 +327,7 @@ impl<'a> Split<'a> {
         positions
     }
 
-    /// The vertex on a smooth edge.
+    /// Returns the combination of the vertex on a smooth edge.
     fn on_edge(&self, e: u32, ends: [u32; 2], weights: Weights) -> Sum {
         let [end, beside] = weights.edge;
         let mut sum = Sum::default();
@@ -333,7 +338,7 @@ impl<'a> Split<'a> {
         sum
     }
 
-    /// An old vertex that is no corner.
+    /// Returns the combination of an old vertex that is not a corner.
     fn old(&self, v: u32, sharp: &Sharp, weights: Weights) -> Sum {
         let mut sum = Sum::default();
         match *sharp.neighbours(self.topology, v) {
@@ -363,7 +368,7 @@ impl<'a> Split<'a> {
         sum
     }
 
-    /// Adds the middle of a face, or its corner that is not one of the `ends` of an edge.
+    /// Adds the centre of a face or, if triangles are split, its corner that is not in `ends`.
     fn add_face(&self, sum: &mut Sum, face: u32, weight: f64, ends: &[u32]) {
         let corners = self.mesh.faces.row(face as usize);
         let others = corners.iter().filter(|v| !(self.triangles && ends.contains(v)));

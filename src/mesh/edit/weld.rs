@@ -1,32 +1,32 @@
-//! Welding: a mesh whose faces have their own vertices has no edges in common, and what its faces are
-//! asked would tear it apart. Vertices at one place become one.
+//! Welding of coincident vertices. In a mesh whose faces do not share vertices, faces have no
+//! common edges, and constraints on them would tear it apart.
 
 use super::rebuild::has_twice;
 use crate::math::{Vec3, argsort, key_of_number, polygon_sides};
 use crate::mesh::{GroupKeyword, Mesh, Point, ProblemKind, Read, diagnose, elements_with_problem};
 
-/// Vertices are at one place within this part of the diagonal of the bounding box,
+/// Upper bound on the welding distance, as a fraction of the diagonal of the bounding box.
 const TOLERANCE: f64 = 1e-6;
-/// and within this part of the shortest edge, so that no edge vanishes.
+/// Upper bound on it as a fraction of the shortest edge, so that no edge vanishes.
 const OF_SHORTEST_EDGE: f64 = 0.1;
-/// Where so many of the vertices of faces belong to one face only, faces have their own vertices:
+/// A mesh is unwelded if at least this fraction of the vertices of faces belongs to one face only.
 const OWN: f64 = 0.9;
-/// and where so many of these are at the place of another one, the faces belong together.
+/// It is welded only if at least this fraction of the vertices of faces merges into others.
 const SHARED: f64 = 0.25;
 
-/// A mesh whose vertices at one place were made one, and how it came.
+/// A welded mesh: its original, and the map to the merged vertices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weld {
-    /// The mesh as it came.
+    /// The mesh before welding.
     pub original: Mesh,
-    /// Of each vertex of the original the one of the welded mesh.
+    /// The vertex of the welded mesh for each vertex of the original.
     pub to: Vec<u32>,
-    /// Within which distance vertices are at one place, units of the mesh.
+    /// Largest distance at which vertices are welded, in the unit of the mesh.
     pub tolerance: f64,
 }
 
 impl Read {
-    /// Welds the mesh where its faces have their own vertices, and tells what is wrong with it then.
+    /// Welds the mesh if its faces do not share vertices, and updates its problems and notes.
     pub fn weld(&mut self) -> Option<Weld> {
         let weld = Weld::unwelded(&mut self.mesh)?;
         let of_mesh = diagnose(&weld.original);
@@ -42,9 +42,9 @@ impl Read {
 }
 
 impl Weld {
-    /// Welds `mesh` where its faces have their own vertices; `None`, and nothing has changed, where they
-    /// have them in common or nothing is at one place. Faces, curves and groups keep their order; vertices
-    /// are in the order in which the first at each place came.
+    /// Welds `mesh` if its faces do not share vertices. Returns `None` and leaves it unchanged if
+    /// they do, or if too few vertices coincide. Faces, curves and groups keep their order; merged
+    /// vertices are in the order of the first of each.
     pub fn unwelded(mesh: &mut Mesh) -> Option<Weld> {
         let uses = uses(mesh);
         let used = uses.iter().filter(|&&uses| uses > 0).count();
@@ -53,7 +53,7 @@ impl Weld {
             return None;
         }
         let tolerance = tolerance(mesh)?;
-        // Solids that touch have two faces at one place: these stay apart, each in its group.
+        // Solids that touch have two coincident faces: weld such solids within their groups only.
         let whole = vec![0; mesh.positions.len()];
         let parts = [whole, groups(mesh)];
         let (welded, to) = parts.iter().find_map(|parts| {
@@ -63,12 +63,12 @@ impl Weld {
         Some(Weld { original: std::mem::replace(mesh, welded), to, tolerance })
     }
 
-    /// The positions of the original, `#V by 3`, when the welded mesh went from `rest` to `now`: each moves
-    /// with the one that it was welded to.
+    /// Returns the positions of the original, `#V by 3`, after the welded mesh moved from `rest` to
+    /// `now`: each vertex moves with the vertex that it was welded to.
     pub fn as_it_came(&self, rest: &[Point], now: &[Point]) -> Vec<Point> {
         let moved = |(at, &to): (&Point, &u32)| -> Point {
             let (rest, now) = (rest[to as usize], now[to as usize]);
-            // Where nothing is apart every bit stays.
+            // Exactly coincident vertices stay bit-identical.
             std::array::from_fn(
                 |i| if at[i] == rest[i] { now[i] } else { at[i] + (now[i] - rest[i]) },
             )
@@ -77,8 +77,8 @@ impl Weld {
     }
 }
 
-/// `mesh` with one vertex for all that have the same `first`, and of each vertex the new one; none where
-/// fewer than `least` go, or faces come to lie on each other.
+/// Merges the vertices that have the same `first`; returns the mesh and the new index of each
+/// vertex. `None` if fewer than `least` vertices merge, or if faces degenerate or coincide.
 fn merged(mesh: &Mesh, first: &[u32], least: f64) -> Option<(Mesh, Vec<u32>)> {
     let merged = (0..).zip(first).filter(|(v, first)| *v != **first).count();
     if (merged as f64) < least {
@@ -104,7 +104,8 @@ fn merged(mesh: &Mesh, first: &[u32], least: f64) -> Option<(Mesh, Vec<u32>)> {
     is_sound.then_some((welded, to))
 }
 
-/// Of each vertex one more than the group of a face that has it, by objects and groups; 0 in none.
+/// Returns for each vertex the number, from 1, of a group (not a material) of one of its faces; 0
+/// if it is in none.
 fn groups(mesh: &Mesh) -> Vec<u32> {
     let mut of_vertex = vec![0; mesh.positions.len()];
     let named = mesh.groups.iter().filter(|group| group.keyword != GroupKeyword::Material);
@@ -116,14 +117,14 @@ fn groups(mesh: &Mesh) -> Vec<u32> {
     of_vertex
 }
 
-/// How many faces each vertex belongs to.
+/// Returns the number of faces of each vertex.
 fn uses(mesh: &Mesh) -> Vec<u32> {
     let mut uses = vec![0; mesh.positions.len()];
     mesh.faces.indices().iter().for_each(|&v| uses[v as usize] += 1);
     uses
 }
 
-/// Within which distance vertices of `mesh` are at one place; none where it has no extent.
+/// Returns the welding distance of `mesh`; `None` if no edge has a length.
 fn tolerance(mesh: &Mesh) -> Option<f64> {
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
     let sides = mesh.faces.iter().flat_map(polygon_sides);
@@ -137,10 +138,11 @@ fn tolerance(mesh: &Mesh) -> Option<f64> {
     Some((TOLERANCE * diagonal).min(OF_SHORTEST_EDGE * shortest))
 }
 
-/// Of each vertex the first one at its place and of its part, within `tolerance`.
+/// Returns for each vertex the first vertex of its part within `tolerance` that is not itself
+/// merged.
 pub(super) fn first_at_each_place(positions: &[Point], parts: &[u32], tolerance: f64) -> Vec<u32> {
-    // In cells of twice the tolerance what is near is in the same or in a neighbouring cell.
-    // Adding zero makes one zero of the two.
+    // With cells of twice the tolerance, all points within the tolerance are in at most 8 cells.
+    // Adding zero turns -0 into +0.
     let cell = |x: f64| (x / (2.0 * tolerance)).floor() + 0.0;
     let cell_of = |p: Point| p.map(cell);
     let by_cell = |a: [f64; 3], b: [f64; 3]| {
@@ -171,8 +173,7 @@ pub(super) fn first_at_each_place(positions: &[Point], parts: &[u32], tolerance:
     first
 }
 
-/// The indices of cells, ascending by x, then y, then z, then the index: as the least of these is sorted
-/// first and what is equal keeps its order.
+/// Returns the indices of cells sorted by (x, y, z, index), by stable sorts by z, then y, then x.
 fn sorted_by_cell(cells: Vec<[f64; 3]>) -> Vec<u32> {
     let mut order: Vec<u32> = (0..cells.len() as u32).collect();
     for axis in [2, 1, 0] {
@@ -187,7 +188,8 @@ mod tests {
     use super::*;
     use crate::mesh::{Topology, read};
 
-    /// A grid of `n * n` quads, each with vertices of its own, which are apart by up to `apart`.
+    /// A grid of `n * n` quads that do not share vertices; coincident corners differ by up to
+    /// `apart`.
     fn soup(n: u32, apart: f64, scale: f64) -> Mesh {
         let mut mesh = Mesh::default();
         for (i, j) in (0..n * n).map(|k| (k % n, k / n)) {
@@ -213,7 +215,7 @@ mod tests {
             assert_eq!(weld.original, came);
             assert!(weld.tolerance > 0.0 && weld.tolerance < 1e-4 * scale);
             assert_eq!(weld.as_it_came(&mesh.positions, &mesh.positions), came.positions);
-            // What belongs together moves together.
+            // Welded vertices move together.
             let mut now = mesh.positions.clone();
             now[weld.to[2] as usize][2] += scale;
             let out = weld.as_it_came(&mesh.positions, &now);

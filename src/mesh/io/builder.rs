@@ -1,4 +1,4 @@
-//! A mesh as a reader builds it: what every format does with a vertex, a corner and an element.
+//! Builder that the readers of all formats use to add vertices and elements.
 
 use super::lines::excerpt;
 use super::number::{Numbering, coordinate};
@@ -7,27 +7,28 @@ use crate::mesh::diagnostics::{coincident, examine};
 use crate::mesh::problem::DiagnosticCounts;
 use crate::mesh::{ElementKind, Mesh, Point, ProblemKind, counted};
 
-/// The mesh so far, with the lines that its parts are from.
+/// The mesh so far, with the source lines of its vertices and faces.
 #[derive(Default)]
 pub(crate) struct MeshBuilder {
     pub(crate) mesh: Mesh,
     pub(crate) counts: DiagnosticCounts,
     pub(crate) notes: Vec<String>,
-    /// `#V` and `#F`.
+    /// Source line of each vertex, `#V`.
     vertex_lines: Vec<u32>,
+    /// Source line of each face, `#F`.
     face_lines: Vec<u32>,
-    /// The kind of element, line and end in `deferred_corners` of the elements that wait for their vertices.
+    /// Elements deferred until all vertices are read: kind, line, and end in `deferred_corners`.
     deferred: Vec<(ElementKind, u32, u32)>,
     deferred_corners: Vec<Option<i32>>,
-    /// The corners of the element at hand.
+    /// The corners of the current element.
     row: Vec<u32>,
-    /// `#V`: the number of the last face that has this corner, counting from one.
+    /// `#V`: number, from one, of the last face or tetrahedron with this corner.
     visited: Vec<u32>,
     faces_seen: u32,
 }
 
 impl MeshBuilder {
-    /// Appends a vertex. Bad coordinates are not-a-number until [`MeshBuilder::finish`].
+    /// Appends a vertex. Bad coordinates are NaN until [`MeshBuilder::finish`].
     pub(crate) fn vertex(&mut self, words: [&str; 3], line: usize) {
         let [x, y, z] = words.map(coordinate);
         let mut problems = [x.1, y.1, z.1];
@@ -40,8 +41,8 @@ impl MeshBuilder {
         self.vertex_lines.push(line as u32);
     }
 
-    /// Appends an element on vertices that are there already and returns its index among those of
-    /// its sort, or counts why it is skipped.
+    /// Appends an element on existing vertices and returns its index among the elements of its
+    /// kind. If it has to be skipped, counts the problem and returns `None`.
     pub(crate) fn element(
         &mut self,
         element: ElementKind,
@@ -75,7 +76,7 @@ impl MeshBuilder {
         Some(index as u32 - 1)
     }
 
-    /// Puts the corners of an element into `row`; tells whether one was there twice in a row.
+    /// Writes the corners of an element to `row`; returns whether a repeated corner was dropped.
     fn resolve(
         &mut self,
         element: ElementKind,
@@ -117,22 +118,22 @@ impl MeshBuilder {
         Ok(row.len() < corners)
     }
 
-    /// Keeps a corner of the element that comes next: see [`MeshBuilder::settle`].
+    /// Stores a corner of the next deferred element: see [`MeshBuilder::settle`].
     pub(crate) fn defer_corner(&mut self, number: Option<i32>) {
         self.deferred_corners.push(number);
     }
 
-    /// Keeps an element of the corners since the last one.
+    /// Stores a deferred element whose corners are those stored since the last one.
     pub(crate) fn defer_element(&mut self, element: ElementKind, line: usize) {
         self.deferred.push((element, line as u32, self.deferred_corners.len() as u32));
     }
 
-    /// The vertex numbers at all corners that are kept.
+    /// Returns the vertex numbers of all deferred corners.
     pub(crate) fn deferred_corners(&self) -> impl Iterator<Item = i32> {
         self.deferred_corners.iter().copied().flatten()
     }
 
-    /// Appends the elements that were kept until all vertices are there.
+    /// Appends the deferred elements, once all vertices are read.
     pub(crate) fn settle(&mut self, numbering: Numbering) {
         let corners = std::mem::take(&mut self.deferred_corners);
         let mut begin = 0;
@@ -143,7 +144,7 @@ impl MeshBuilder {
         }
     }
 
-    /// The mesh, with what the whole of it has wrong, or why there is nothing to solve.
+    /// Returns the mesh with its problems and notes, or a fault if it has no usable vertices.
     pub(crate) fn finish(mut self, text: &str) -> Result<Read, ReadFault> {
         let positions = &mut self.mesh.positions;
         if positions.is_empty() {
@@ -168,8 +169,8 @@ impl MeshBuilder {
     }
 }
 
-/// Puts the middle of the extent in the place of every coordinate that is not a number, so that
-/// vertices keep their numbers and the mesh its size.
+/// Replaces every NaN coordinate by the middle of the extent, so that vertices keep their numbers
+/// and the mesh keeps its size.
 fn fill_in(positions: &mut [Point]) {
     for axis in 0..3 {
         let extent = positions.iter().map(|p| p[axis]).filter(|x| !x.is_nan());

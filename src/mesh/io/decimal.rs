@@ -1,9 +1,9 @@
-//! Numbers as text that reads back to the same bits.
+//! Formatting numbers as text that reads back to the same bits.
 
 use std::fmt;
 
-/// Displays the shortest decimal that reads back to the same bits: plain from 1e-5 to below 1e16, else
-/// with an exponent, since plain decimals of very large and very small numbers are mostly zeros.
+/// Displays the shortest decimal that reads back to the same bits: plain from 1e-5 to below 1e16,
+/// else with an exponent, to avoid long runs of zeros.
 #[derive(Clone, Copy)]
 pub struct Decimal(pub f64);
 

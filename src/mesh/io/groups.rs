@@ -1,26 +1,27 @@
-//! The named, overlapping groups of an OBJ file as its statements open and close them.
+//! The named, overlapping groups of an OBJ file.
 
 use std::collections::BTreeMap;
 
 use crate::math::{argsort, key_of_pair};
 use crate::mesh::{ElementKind, Group, GroupKeyword};
 
-/// How many names of one `g` statement are kept. Without a limit, a file could ask for memory in
-/// the square of its size.
+/// Maximum number of names kept of one `g` statement. Without a limit, memory could grow with the
+/// square of the file size.
 const MOST_NAMES: usize = 32;
 
-/// The groups so far.
+/// The groups read so far.
 #[derive(Default)]
 pub(crate) struct Groups {
     groups: Vec<Group>,
     by_name: BTreeMap<(GroupKeyword, String), usize>,
-    /// Indices in `groups` of those that elements now fall into, for each keyword.
+    /// For each keyword, the indices in `groups` of the open groups, to which elements are added.
     open: [Vec<usize>; GroupKeyword::STATEMENTS.len()],
 }
 
 impl Groups {
-    /// Reads the statement of `keyword` in the line `text`. A name that was there before continues
-    /// its group; no name closes what is open. Returns whether there are more names than are kept.
+    /// Reads the statement of `keyword` in the line `text`. A known name reopens its group; a
+    /// statement without a name closes the open groups. Returns whether there are more names than
+    /// the limit.
     pub(crate) fn open(&mut self, keyword: GroupKeyword, text: &str) -> bool {
         let open = &mut self.open[keyword as usize];
         open.clear();
@@ -44,7 +45,7 @@ impl Groups {
         words.next().is_some()
     }
 
-    /// Puts a face or a curve into the groups that are open.
+    /// Adds a face or a curve to the open groups.
     pub(crate) fn add(&mut self, element: ElementKind, index: u32) {
         for &group in self.open.iter().flatten() {
             match element {
@@ -55,8 +56,8 @@ impl Groups {
         }
     }
 
-    /// The groups that have members, by their first face, else their first curve, so that a file
-    /// written from them gives them in the same order.
+    /// Returns the non-empty groups by their first face, else their first curve, so that reading a
+    /// file written from them gives the same order.
     pub(crate) fn finish(self) -> Vec<Group> {
         let mut groups = self.groups;
         groups.retain(|group| !(group.faces.is_empty() && group.curves.is_empty()));

@@ -1,10 +1,10 @@
-//! The text of a mesh file as lines and words, whatever the encoding and the ends of its lines.
+//! The text of a mesh file as lines and words, for any encoding and line ending.
 
 use std::borrow::Cow;
 use std::str::SplitAsciiWhitespace;
 
-/// The text of a file: UTF-8, or UTF-16 where a byte order mark says so. Bytes that are not UTF-8,
-/// as older programs write them into names, are taken as Latin-1, so that different names stay
+/// Decodes the text of a file: UTF-16 if it has the byte order mark, else UTF-8. Bytes that are not
+/// UTF-8, which older programs write in names, are read as Latin-1, so that different names stay
 /// different.
 pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
     let utf16 = |bytes: &[u8], unit: fn([u8; 2]) -> u16| {
@@ -25,7 +25,8 @@ pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
     }
 }
 
-/// The lines of the file with their numbers from one, ended by LF, CR LF, CR or the end of the text.
+/// Returns the lines of the text, numbered from one; a line ends at LF, CR LF, CR or the end of the
+/// text.
 pub(crate) fn lines(text: &str) -> Lines<'_> {
     Lines { rest: text, number: 0 }
 }
@@ -52,8 +53,9 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-/// The lines of the file, those that end in a backslash joined with the next, numbered by their
-/// first. A comment is never continued: it may well end in the path of a folder.
+/// Returns the lines of the text with continuations joined: a line that ends in a backslash
+/// continues on the next, and the first gives the number. Comments are never continued, since they
+/// may end in a Windows folder path.
 pub(crate) fn joined_lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let continued = |line: &str| line.trim_ascii_end().strip_suffix('\\').map(str::len);
     let mut lines = lines(text);
@@ -76,7 +78,8 @@ pub(crate) fn joined_lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, s
     })
 }
 
-/// The words of a line up to a comment: a `#` that begins a word, unlike that of `1.#IND`.
+/// Returns the words of a line up to a comment. Only a `#` at the beginning of a word starts a
+/// comment, unlike in `1.#IND`.
 pub(crate) fn words(line: &str) -> SplitAsciiWhitespace<'_> {
     let begins =
         |&(at, _): &(usize, &str)| at == 0 || line.as_bytes()[at - 1].is_ascii_whitespace();
@@ -84,7 +87,7 @@ pub(crate) fn words(line: &str) -> SplitAsciiWhitespace<'_> {
     line[..end].split_ascii_whitespace()
 }
 
-/// The text of line `number`, shortened, for a message.
+/// Returns the text of line `number`, shortened, for a message.
 pub(crate) fn excerpt(text: &str, number: usize) -> String {
     const LONGEST: usize = 60;
     let line = lines(text).nth(number - 1).map_or("", |(_, line)| line.trim());

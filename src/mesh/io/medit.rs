@@ -1,6 +1,6 @@
-//! Medit's `.mesh` (INRIA Technical Report 0253), as text: named sections, each with the number of
-//! its rows. Vertices count from one; each row ends in a reference number, which is ignored.
-//! Triangles and quadrilaterals are read as faces, edges as curves.
+//! Reads Medit's `.mesh` (INRIA Technical Report 0253) in its text form: named sections, each with
+//! its number of rows. Vertices are numbered from one. The reference number at the end of each row
+//! is ignored. Triangles and quadrilaterals are read as faces, edges as curves.
 
 use super::builder::MeshBuilder;
 use super::number::Numbering;
@@ -44,7 +44,7 @@ pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
                 section = "";
                 continue;
             }
-            // A number in a section without a meaning here.
+            // A number in a section that is not read.
             _ if section.is_empty() => continue,
             _ => {
                 let message = format!("`{section}` has more rows than it says: found `{word}`");

@@ -1,13 +1,13 @@
-//! Writes Medit's `.mesh` (INRIA Technical Report 0253), the format here that has tetrahedra.
+//! Writes Medit's `.mesh` (INRIA Technical Report 0253), the only format here with tetrahedra.
 
 use crate::mesh::Mesh;
 use std::fmt::Write;
 
-/// The mesh as the text of a Medit file: vertices, then triangles, quadrilaterals and tetrahedra,
-/// each in their order, with the reference number 0. Numbers have the fewest digits that read back
-/// to the same `f64`.
+/// Returns the mesh as the text of a Medit file: vertices, then triangles, quadrilaterals and
+/// tetrahedra, each in order, with the reference number 0. Numbers have the fewest digits that read
+/// back to the same `f64`.
 ///
-/// Medit has neither faces of more corners nor groups: they are left out, and so are curves.
+/// Faces of more corners and groups, which Medit does not support, and curves are left out.
 pub fn write_medit(mesh: &Mesh) -> String {
     let mut out = String::with_capacity(64 * mesh.positions.len());
     out.push_str("MeshVersionFormatted 2\nDimension 3\n");
@@ -25,7 +25,7 @@ pub fn write_medit(mesh: &Mesh) -> String {
     out
 }
 
-/// A section with its rows, unless there are none.
+/// Appends a section with its rows, unless there are none.
 fn push_section(out: &mut String, name: &str, rows: impl Iterator<Item = String>) {
     let rows: Vec<_> = rows.collect();
     if rows.is_empty() {

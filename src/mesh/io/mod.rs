@@ -1,13 +1,13 @@
-//! Mesh files in and out: OBJ, OFF and Medit.
+//! Reading and writing mesh files: OBJ, OFF and Medit.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `read` | any known format in, told apart by name or content |
-//! | `obj`, `groups`, `off`, `medit` | one format each; the groups of OBJ |
+//! | `read` | reading any known format, recognised by name or content |
+//! | `obj`, `groups`, `off`, `medit` | one reader each; the groups of OBJ |
 //! | `lines`, `stream`, `number` | text, rows and numbers, for all formats |
-//! | `builder` | the mesh while it is read, with the problems met |
-//! | `outcome` | what reading gives: a mesh and what there is to say of it, or an error |
-//! | `obj_write`, `medit_write` | OBJ and Medit out |
+//! | `builder` | the mesh while it is read, with its problems |
+//! | `outcome` | the result of reading: a mesh with problems and notes, or an error |
+//! | `obj_write`, `medit_write` | writing OBJ and Medit |
 //! | `decimal` | numbers as text that reads back to the same bits |
 
 mod builder;

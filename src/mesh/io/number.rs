@@ -1,12 +1,12 @@
-//! Coordinates and vertex numbers as mesh files write them.
+//! Parsing coordinates and vertex numbers of mesh files.
 
 use crate::mesh::{ElementKind, ProblemKind};
 
-/// A coordinate, not-a-number where it is not finite, and what is wrong with it.
+/// Parses a coordinate; returns NaN if it is not a finite number, and the problem, if any.
 pub(crate) fn coordinate(word: &str) -> (f64, Option<ProblemKind>) {
     let (value, problem) = match word.parse::<f64>() {
         Ok(value) => (value, None),
-        // `1.#IND` and `-1.#INF` are what an older Windows run-time library prints for these.
+        // Older Windows runtime libraries print `1.#IND` and `-1.#INF` for non-finite numbers.
         Err(_) if word.contains('#') => (f64::NAN, None),
         Err(_) => match word.replacen(',', ".", 1).parse::<f64>() {
             Ok(value) => (value, Some(ProblemKind::DecimalComma)),
@@ -19,13 +19,14 @@ pub(crate) fn coordinate(word: &str) -> (f64, Option<ProblemKind>) {
     }
 }
 
-/// A vertex number as the file writes it. What is too big for the type is out of range anyhow.
+/// Parses a vertex number as written in the file. Numbers beyond the type are clamped; they are out
+/// of range in any case.
 pub(crate) fn whole(word: &str) -> Option<i32> {
     let number: i64 = word.parse().ok()?;
     Some(number.clamp(i32::MIN.into(), i32::MAX.into()) as i32)
 }
 
-/// How a format numbers its vertices.
+/// Vertex numbering of a format.
 #[derive(Clone, Copy)]
 pub(crate) enum Numbering {
     ZeroBased,
@@ -37,8 +38,8 @@ pub(crate) enum Numbering {
 }
 
 impl Numbering {
-    /// The index from zero, below `vertices`, of the vertex that `number` means as a corner of an
-    /// `element`.
+    /// Returns the zero-based index, less than `vertices`, of the vertex `number`, which is a
+    /// corner of an `element`.
     pub(crate) fn vertex(
         self,
         number: Option<i32>,

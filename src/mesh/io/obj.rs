@@ -1,7 +1,7 @@
-//! Wavefront OBJ (Appendix B1 of the Advanced Visualizer manual, <https://paulbourke.net/dataformats/obj/>):
-//! vertices, polygons, polylines and groups. Polylines are those of `l` and the free-form curves of
-//! degree one that Rhino writes. Texture, normals, points and true free-form geometry are counted
-//! and left out.
+//! Reads Wavefront OBJ (Appendix B1 of the Advanced Visualizer manual,
+//! <https://paulbourke.net/dataformats/obj/>): vertices, polygons, polylines and groups. Polylines
+//! are `l` statements and the free-form curves of degree one that Rhino writes. Texture
+//! coordinates, normals, points and other free-form geometry are counted and ignored.
 
 use super::builder::MeshBuilder;
 use super::groups::Groups;
@@ -9,14 +9,14 @@ use super::lines::{joined_lines, words};
 use super::number::{Numbering, whole};
 use crate::mesh::{ElementKind, GroupKeyword, ProblemKind, counted};
 
-/// Statements that say nothing of the shape, or only to a free-form element.
+/// Statements ignored without a message: they do not affect the shape, or only free-form elements.
 const SILENT: &str = "vt vn vp s mg mtllib maplib usemap parm trim hole scrv sp end con bmat step \
     ctech stech bevel c_interp d_interp lod shadow_obj trace_obj call csh";
 
 pub(crate) fn read(text: &str) -> MeshBuilder {
     let mut builder = MeshBuilder::default();
     let mut ignored = Ignored::default();
-    // Faces may come before their vertices: vertices are read first.
+    // Vertices are read first, since faces may precede their vertices.
     for (line, text) in joined_lines(text) {
         let mut words = words(&text);
         if words.next() == Some("v") {
@@ -41,7 +41,7 @@ pub(crate) fn read(text: &str) -> MeshBuilder {
             "f" | "fo" => ElementKind::Face,
             "l" => ElementKind::Curve,
             "curv" if degree == "1" && ["bspline", "bezier"].contains(&curve_type.as_str()) => {
-                // The extent of the parameter comes before the control points.
+                // The parameter range precedes the control points.
                 words.by_ref().take(2).for_each(drop);
                 ElementKind::Curve
             }
@@ -88,7 +88,7 @@ pub(crate) fn read(text: &str) -> MeshBuilder {
     builder
 }
 
-/// How much of the file was understood and left out.
+/// Counts of the ignored parts of the file.
 #[derive(Default)]
 struct Ignored {
     textures: usize,
@@ -100,7 +100,8 @@ struct Ignored {
 }
 
 impl Ignored {
-    /// The vertex number of a corner such as `3`, `3/1`, `3//2` or `3/1/2`.
+    /// Returns the vertex number of a corner such as `3`, `3/1`, `3//2` or `3/1/2`, and counts the
+    /// texture and normal indices.
     fn corner(&mut self, word: &str) -> Option<i32> {
         let mut parts = word.split('/');
         let number = parts.next().and_then(whole);

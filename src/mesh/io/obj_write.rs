@@ -4,17 +4,19 @@ use std::fmt::{Display, Write};
 
 use crate::mesh::{Decimal, Group, GroupKeyword, Mesh, Point};
 
-/// The mesh at other positions (`#V by 3`, finite) as the text of an OBJ file: vertices, faces,
-/// then polylines in their order, in their groups. Numbers have the fewest digits that read back
-/// to the same `f64`.
+/// Returns the mesh at other positions (`#V by 3`, finite) as the text of an OBJ file: vertices,
+/// faces, then polylines, each in order and with their groups. Numbers have the fewest digits that
+/// read back to the same `f64`.
 ///
-/// OBJ has no tetrahedra: they are left out. It has one `o` and one `usemtl` at a time: of two such
-/// groups on one element the first is written. White space in the name of a `g` becomes `_`.
+/// Tetrahedra, which OBJ does not support, are left out. OBJ allows one `o` and one `usemtl` at a
+/// time: if an element is in several such groups, the first is written. White space in the name of
+/// a `g` becomes `_`.
 pub fn write_obj(mesh: &Mesh, positions: &[Point]) -> String {
     write(mesh, positions, &[])
 }
 
-/// The same with a flat map `uv` (`#V by 2`) as texture coordinates, one `vt` for each vertex.
+/// Returns the same as [`write_obj`], with a flat map `uv` (`#V by 2`) as texture coordinates, one
+/// `vt` per vertex.
 pub fn write_obj_with_uv(mesh: &Mesh, positions: &[Point], uv: &[[f64; 2]]) -> String {
     assert_eq!(uv.len(), positions.len(), "one place in the map for each vertex");
     write(mesh, positions, uv)
@@ -52,7 +54,7 @@ fn write(mesh: &Mesh, positions: &[Point], uv: &[[f64; 2]]) -> String {
     out
 }
 
-/// A statement with its numbers.
+/// Appends a statement with its numbers.
 fn push_row(out: &mut String, statement: &str, numbers: &[f64]) {
     out.push_str(statement);
     for &x in numbers {
@@ -66,7 +68,7 @@ fn push(out: &mut String, value: impl Display) {
     write!(out, "{value}").expect("a string takes all that is written to it");
 }
 
-/// The kind of element, faces before curves, and group of every membership, ascending.
+/// Returns all memberships as pairs of element (faces, then curves) and group, ascending.
 fn members(mesh: &Mesh) -> Vec<(u32, u32)> {
     let first_curve = mesh.faces.len() as u32;
     let mut members = Vec::new();
@@ -78,7 +80,7 @@ fn members(mesh: &Mesh) -> Vec<(u32, u32)> {
     members
 }
 
-/// Writes the statements that lead from the groups of one element to those of the next.
+/// Appends the statements that change from the groups of one element to those of the next.
 fn push_groups(out: &mut String, groups: &[Group], open: &[(u32, u32)], now: &[(u32, u32)]) {
     for (statement, keyword) in GroupKeyword::STATEMENTS {
         let (most, gap) = match keyword {
@@ -99,7 +101,8 @@ fn push_groups(out: &mut String, groups: &[Group], open: &[(u32, u32)], now: &[(
     }
 }
 
-/// Writes a name without what would end it or its line, each gap in it as `gap`.
+/// Appends a name without control characters and trailing backslashes, with each run of white space
+/// replaced by `gap`.
 fn push_name(out: &mut String, name: &str, gap: char) {
     let parts = name.split(|c: char| c.is_ascii_whitespace() || c.is_control());
     let parts = parts.map(|part| part.trim_end_matches('\\')).filter(|part| !part.is_empty());

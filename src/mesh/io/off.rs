@@ -1,6 +1,6 @@
-//! OFF, the format of Geomview (<http://www.geomview.org/docs/html/OFF.html>): a header, the numbers
-//! of vertices, faces and edges, then the vertices and the faces. Its variants with colours (`COFF`),
-//! normals (`NOFF`) and texture coordinates (`STOFF`) are read without those.
+//! Reads OFF, the format of Geomview (<http://www.geomview.org/docs/html/OFF.html>): a header, the
+//! numbers of vertices, faces and edges, then the vertices and the faces. The colours, normals and
+//! texture coordinates of the variants `COFF`, `NOFF` and `STOFF` are ignored.
 
 use super::builder::MeshBuilder;
 use super::number::Numbering;
@@ -10,14 +10,14 @@ use crate::mesh::{ElementKind, counted};
 
 /// The first word of a file.
 pub(crate) struct Header<'a> {
-    /// The attributes of each vertex beside its position.
+    /// The vertex attributes besides the position.
     variant: &'a str,
-    /// The number of vertices, where it is glued to the word as in `OFF8`.
+    /// The number of vertices if it directly follows the word, as in `OFF8`; else empty.
     glued: &'a str,
 }
 
 impl<'a> Header<'a> {
-    /// The header that a word is, if it is one.
+    /// Parses a word as a header, if it is one.
     pub(crate) fn parse(word: &'a str) -> Option<Self> {
         let (variant, glued) = word.split_once("OFF")?;
         let is_header = variant.chars().all(|c| "STCN4n".contains(c))
@@ -88,7 +88,7 @@ fn vertex_count(stream: &mut Stream<'_>) -> Result<usize, ReadFault> {
     header.glued.parse().map_err(|_| stream.fault(format!("expected {WHAT}, found `{word}`")))
 }
 
-/// Whether some program has written its own numbering from one: vertex 0 is never used, and the
+/// Whether the faces number vertices from one, against the format: vertex 0 is never used, and the
 /// vertex past the end is.
 fn counts_from_one(builder: &MeshBuilder, vertices: usize) -> bool {
     let extent = builder

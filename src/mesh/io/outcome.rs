@@ -2,38 +2,38 @@
 
 use crate::mesh::{Mesh, MeshProblem};
 
-/// A mesh as it was read, and what there is to say of it.
+/// A mesh read from a file, with problems and notes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Read {
     /// The mesh.
     pub mesh: Mesh,
     /// Problems of the file or the mesh that did not stop reading.
     pub problems: Vec<MeshProblem>,
-    /// Notes, a sentence each: statements that were left out, guesses that were made.
+    /// Notes, a sentence each, such as ignored statements and assumptions made.
     pub notes: Vec<String>,
 }
 
-/// Why a file is refused; [`read`] adds the name of the file and the text of the line.
+/// Reason why a file is refused; [`read`] adds the name of the file and the text of the line.
 pub(crate) struct ReadFault {
     pub(crate) line: Option<usize>,
     pub(crate) message: String,
 }
 
 impl ReadFault {
-    /// A fault of no line in particular.
+    /// Returns a fault of the file as a whole.
     pub(crate) fn whole(message: impl Into<String>) -> Self {
         ReadFault { line: None, message: message.into() }
     }
 }
 
-/// Why a mesh file was refused.
+/// Reason why a mesh file was refused.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadError {
     /// Name of the file.
     pub file: String,
-    /// Line, counted from one; none when the file as a whole is at fault.
+    /// Line, counted from one; `None` if the file as a whole is at fault.
     pub line: Option<usize>,
-    /// The text of that line, shortened; empty when the file as a whole is at fault.
+    /// The text of that line, shortened; empty if the file as a whole is at fault.
     pub text: String,
     /// The fault, and what was expected instead.
     pub message: String,

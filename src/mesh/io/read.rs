@@ -1,16 +1,17 @@
-//! Reads a mesh file of any format known here.
+//! Reads mesh files of any known format.
 
 use super::outcome::{Read, ReadError, ReadFault};
 use super::{lines, medit, obj, off};
 
-/// Reads a mesh from the bytes of the file `name`: OBJ, OFF or Medit, by the extension of the name,
-/// else by content. Vertices keep their order and numbers; faces, curves and tetrahedra keep their
-/// order, without those that the problems of the result count as skipped. Takes time and memory in
-/// proportion to the size of the file, up to sorting.
+/// Reads a mesh from the bytes of the file `name`: OBJ, OFF or Medit, by the extension, else by
+/// content. Vertices keep their order and numbers; faces, curves and tetrahedra keep their order,
+/// without those reported as skipped in the problems. Time and memory are linear in the size of the
+/// file, up to sorting.
 ///
 /// # Errors
 ///
-/// The file is empty, not text, of no format known here, ends too early or holds no vertices.
+/// If the file is empty, larger than 4 GiB, not text, of an unknown format, truncated, or has no
+/// vertices.
 pub fn read(name: &str, bytes: &[u8]) -> Result<Read, ReadError> {
     let text = lines::decode(bytes);
     read_text(name, &text).map_err(|fault| ReadError {

@@ -1,4 +1,4 @@
-//! The rows of the formats that say how many follow: OFF and Medit.
+//! Word stream for the formats that give the number of rows: OFF and Medit.
 
 use std::fmt::Display;
 use std::str::SplitAsciiWhitespace;
@@ -9,7 +9,7 @@ use super::number::whole;
 use super::outcome::ReadFault;
 use crate::mesh::ElementKind;
 
-/// The words of a file across its lines.
+/// Stream of the words of a file, across lines.
 pub(crate) struct Stream<'a> {
     lines: Lines<'a>,
     words: SplitAsciiWhitespace<'a>,
@@ -21,7 +21,7 @@ impl<'a> Stream<'a> {
         Stream { lines: lines(text), words: words(""), line: 0 }
     }
 
-    /// The next word.
+    /// Returns the next word.
     pub(crate) fn word(&mut self) -> Option<&'a str> {
         loop {
             if let Some(word) = self.words.next() {
@@ -32,30 +32,30 @@ impl<'a> Stream<'a> {
         }
     }
 
-    /// The next word, which is to be `what`.
+    /// Returns the next word; `what` describes it in the error at the end of the file.
     pub(crate) fn expect(&mut self, what: impl Display) -> Result<&'a str, ReadFault> {
         let end = || ReadFault::whole(format!("the file ends where {what} was expected"));
         self.word().ok_or_else(end)
     }
 
-    /// The next word as a number of things.
+    /// Parses the next word as a count.
     pub(crate) fn count(&mut self, what: impl Display) -> Result<usize, ReadFault> {
         let word = self.expect(&what)?;
         word.parse().map_err(|_| self.fault(format!("expected {what}, found `{word}`")))
     }
 
-    /// A fault of the line at hand.
+    /// Returns a fault of the current line.
     pub(crate) fn fault(&self, message: String) -> ReadFault {
         ReadFault { line: Some(self.line), message }
     }
 
-    /// Leaves out the rest of the line; tells whether there was any.
+    /// Skips the rest of the line; returns whether it had any words.
     pub(crate) fn drop_line(&mut self) -> bool {
         std::mem::replace(&mut self.words, words("")).next().is_some()
     }
 
-    /// Appends `count` vertices of `dimension` coordinates (two or three), each with the rest of its
-    /// line left out; returns how many lines had a rest.
+    /// Appends `count` vertices of `dimension` coordinates (two or three), skipping the rest of
+    /// each line; returns the number of lines with a rest.
     pub(crate) fn vertices(
         &mut self,
         count: usize,
@@ -74,8 +74,8 @@ impl<'a> Stream<'a> {
         Ok(rests)
     }
 
-    /// Keeps an element of so many corners in the draft; `what` names it. It may run over lines;
-    /// the rest of its last line is left out. Tells whether there was any.
+    /// Defers an element with this number of corners; `what` describes it in errors. It may span
+    /// lines; the rest of its last line is skipped. Returns whether there was a rest.
     pub(crate) fn element(
         &mut self,
         element: ElementKind,

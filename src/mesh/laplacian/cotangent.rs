@@ -1,14 +1,13 @@
-//! Cotangents of angles, bounded.
+//! Clamped cotangents of angles.
 
 use crate::math::Vec3;
 use crate::mesh::Point;
 
-/// Cotangents beyond this count as this, which is the cotangent of 0.057 degrees. A triangle with a
-/// smaller angle, or with no area, so keeps finite weights; the bound is on a ratio of lengths, and
-/// the same at every scale.
+/// Bound to which cotangents are clamped, the cotangent of 0.057 degrees. Triangles with a smaller
+/// angle or without area then have finite weights. The bound is independent of scale.
 pub const LARGEST_COTANGENT: f64 = 1e3;
 
-/// The clamped cotangent of the angle at the first point.
+/// Returns the clamped cotangent of the angle at the first point.
 pub(super) fn cotangent([at, a, b]: [Point; 3]) -> f64 {
     let at = Vec3::from(at);
     let (u, v) = (Vec3::from(a) - at, Vec3::from(b) - at);

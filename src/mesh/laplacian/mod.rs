@@ -3,8 +3,8 @@
 //! | file | holds |
 //! |---|---|
 //! | `weights` | the weights of a mesh: uniform, cotangent, polygon |
-//! | `cotangent` | cotangents of angles, bounded |
-//! | `polygon_weights` | the weights that a polygon of any number of corners gives |
+//! | `cotangent` | clamped cotangents of angles |
+//! | `polygon_weights` | the weights of a polygon with any number of corners |
 
 mod cotangent;
 mod polygon_weights;

@@ -1,36 +1,40 @@
-//! The weights of Eq. 12 for polygons with any number of corners, planar or not: Alexa and Wardetzky,
-//! "Discrete Laplacians on General Polygonal Meshes", 2011.
+//! The weights of Eq. 12 for polygons with any number of corners, planar or not: Alexa and
+//! Wardetzky, "Discrete Laplacians on General Polygonal Meshes", 2011.
 //!
-//! With the differences `d` along the sides of a face, its Laplacian is `d^T (B B^T / |f| + U) d`: `B`
-//! has the midpoints of the sides, `|f|` is the length of the vector area, and `U` is a multiple of the
-//! orthogonal projection onto the differences that no linear function on the face has, the face seen
-//! along its vector area. On triangles there are none, and the rest is the cotangent formula.
+//! With `d` the differences along the sides of a face, its Laplacian is `d^T (B B^T / |f| + U) d`.
+//! The rows of `B` are the midpoints of the sides, and `|f|` is the length of the vector area. `U`
+//! is a multiple of the orthogonal projection onto the complement of the differences of linear
+//! functions, on the face projected along its vector area. On triangles that complement is zero,
+//! and the first term is the cotangent formula.
 
 use super::cotangent::LARGEST_COTANGENT;
 use crate::math::{PrincipalAxes, Vec3, twice_vector_area};
 use crate::mesh::Point;
 
-/// The factor of the projection in `U`, which the authors leave open: with this one the Laplacian of a
-/// square joins no corners across, and on a grid of squares all weights are one, as uniform weights are.
+/// Factor of the projection in `U`, a free parameter of the method. With this value opposite
+/// corners of a square have weight zero, and all weights on a grid of squares are one, as uniform
+/// weights.
 const STABILITY: f64 = 0.5;
 
-/// A face seen along its vector area has this many independent directions less where its extent in one
-/// of them is this part of the longest: that is rounding.
+/// Relative extent below which a direction of the projected face, or its vector area, counts as
+/// rounding error.
 const FLAT: f64 = 1e-10;
 
-/// The weights that one face after the other gives to the pairs of its corners.
+/// The weights of the pairs of corners of one face at a time.
 #[derive(Default)]
 pub(crate) struct PolygonWeights {
-    /// Per corner the rows of `d^T B / |f|^1/2`: half the way from the corner before to the one after.
+    /// The rows of `d^T B / |f|^1/2`, per corner: half the vector from the previous to the next
+    /// corner, scaled.
     across: Vec<Vec3<f64>>,
-    /// Per corner the rows of `d^T Q`, where `Q` is an orthonormal basis of the differences that linear
-    /// functions have.
+    /// The rows of `d^T Q`, per corner, where `Q` is an orthonormal basis of the differences of
+    /// linear functions.
     linear: Vec<Vec3<f64>>,
 }
 
 impl PolygonWeights {
-    /// Takes the face with these corners. The area counts as at least that with which no weight of its
-    /// first part exceeds [`LARGEST_COTANGENT`], so that the weights of a face without area are finite.
+    /// Computes the weights of the face with these corners. The area is bounded below so that no
+    /// entry of the first term exceeds [`LARGEST_COTANGENT`]: faces without area have finite
+    /// weights.
     pub(crate) fn take(&mut self, corners: &[Point]) {
         let n = corners.len();
         let at = |k: usize| Vec3::from(corners[k % n]);
@@ -66,7 +70,7 @@ impl PolygonWeights {
         self.linear.extend((0..n).map(|k| basis(k + n - 1) - basis(k)));
     }
 
-    /// The weight of the corners at the places `i` and `j` of the face, `i < j`.
+    /// Returns the weight of the corners `i` and `j` of the face, `i < j`.
     pub(crate) fn weight(&self, i: usize, j: usize) -> f64 {
         let are_neighbours = j - i == 1 || j - i + 1 == self.across.len();
         let beside_linear =

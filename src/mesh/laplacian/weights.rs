@@ -5,8 +5,8 @@ use super::polygon_weights::PolygonWeights;
 use crate::math::{argsort, key_of_pair};
 use crate::mesh::{Mesh, Point, Ragged, Topology};
 
-/// For each vertex `i` its neighbours `N(i)` and their weights `w_ij`. The Laplacian of `l` at `i`
-/// is `sum_j w_ij (l_j - l_i)`; a vertex without edges has none.
+/// The neighbours `N(i)` of each vertex `i` and their weights `w_ij`. The Laplacian of `l` at `i`
+/// is `sum_j w_ij (l_j - l_i)`; the row of a vertex without edges is empty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Laplacian {
     neighbours: Ragged,
@@ -15,26 +15,28 @@ pub struct Laplacian {
 }
 
 impl Laplacian {
-    /// `w_ij = 1` along every edge.
+    /// Returns uniform weights, `w_ij = 1` along every edge.
     pub fn uniform(topology: &Topology) -> Laplacian {
         let neighbours = topology.neighbours().clone();
         let weights = vec![1.0; neighbours.indices().len()];
         Laplacian { neighbours, weights }
     }
 
-    /// `w_ij = (cot a + cot b) / 2` on the rest mesh, where `a` and `b` are the angles opposite to
-    /// the edge. A boundary edge has one term, an edge with three or more faces one for each.
-    /// Cotangents are clamped to [`LARGEST_COTANGENT`](crate::mesh::LARGEST_COTANGENT); the angle at coincident points counts as a
-    /// right angle.
+    /// Returns cotangent weights, `w_ij = (cot a + cot b) / 2` on the rest mesh, where `a` and `b`
+    /// are the angles opposite to the edge. A boundary edge has one term, an edge with three or
+    /// more faces has one per face. Cotangents are clamped to
+    /// [`LARGEST_COTANGENT`](crate::mesh::LARGEST_COTANGENT); the angle at coincident points counts
+    /// as a right angle.
     ///
-    /// Panics when `topology` is not that of a triangle mesh: see [`Topology::is_triangle_mesh`].
+    /// # Panics
+    /// If `topology` is not that of a triangle mesh: see [`Topology::is_triangle_mesh`].
     pub fn cotangent(mesh: &Mesh, topology: &Topology) -> Laplacian {
         assert!(topology.is_triangle_mesh(), "cotangent weights need a triangle mesh");
         let mut of_edge = vec![0.0; topology.edges().len()];
         for face in mesh.faces.iter() {
             for k in 0..3 {
                 let [a, b, opposite] = [face[k], face[(k + 1) % 3], face[(k + 2) % 3]];
-                // A triangle that repeats a corner has sides that are no edges.
+                // A side from a repeated corner to itself has no edge.
                 if let Some(e) = topology.edge(a, b) {
                     let corner = [opposite, a, b].map(|v| mesh.positions[v as usize]);
                     of_edge[e as usize] += 0.5 * cotangent(corner);
@@ -46,13 +48,14 @@ impl Laplacian {
         Laplacian { neighbours: topology.neighbours().clone(), weights }
     }
 
-    /// The most corners of a face for [`Laplacian::polygon`], which joins all of them with each other.
+    /// Maximum number of corners of a face for [`Laplacian::polygon`], which couples all pairs of
+    /// corners.
     pub const MOST_CORNERS: usize = 500;
 
-    /// `w_ij` of Alexa and Wardetzky 2011 on the rest mesh, whose faces may have any number of corners
-    /// and need not be planar. The neighbours of a vertex are the corners of its faces. On triangles
-    /// these are the cotangent weights, and on planar faces linear functions have the Laplacian zero at
-    /// vertices inside. See `polygon_weights.rs`.
+    /// Returns the weights of Alexa and Wardetzky 2011 on the rest mesh, whose faces may have any
+    /// number of corners and need not be planar. The neighbours of a vertex are the corners of its
+    /// faces. On triangles these are the cotangent weights; on planar faces the Laplacian of linear
+    /// functions is zero at interior vertices. See `polygon_weights.rs`.
     pub fn polygon(mesh: &Mesh) -> Laplacian {
         let (mut pairs, mut of_pair) = (Vec::new(), Vec::new());
         let mut weights = PolygonWeights::default();
@@ -62,7 +65,7 @@ impl Laplacian {
             for j in 1..face.len() {
                 for i in (0..j).filter(|&i| face[i] != face[j]) {
                     let weight = match corners[..] {
-                        // Clamped as these are.
+                        // Clamped like the weights of `Laplacian::cotangent`.
                         [_, _, _] => 0.5 * cotangent([3 - i - j, i, j].map(|k| corners[k])),
                         _ => weights.weight(i, j),
                     };
@@ -82,15 +85,15 @@ impl Laplacian {
         Laplacian { neighbours: rows.iter().collect(), weights: sums }
     }
 
-    /// How many vertices.
+    /// Number of vertices.
     pub fn len(&self) -> usize {
         self.neighbours.len()
     }
-    /// Whether there is no vertex.
+    /// Whether there are no vertices.
     pub fn is_empty(&self) -> bool {
         self.neighbours.is_empty()
     }
-    /// The neighbours of vertex `i`, ascending, and their weights `w_ij`.
+    /// Returns the neighbours of vertex `i`, ascending, and their weights `w_ij`.
     pub fn row(&self, i: usize) -> (&[u32], &[f64]) {
         let offsets = self.neighbours.offsets();
         let range = offsets[i] as usize..offsets[i + 1] as usize;

@@ -1,13 +1,13 @@
-//! How many corners of faces have which angle (paper Fig. 7).
+//! Histogram of the corner angles of faces (paper Fig. 7).
 
 use crate::math::{Vec3, cosine, polygon_corners};
 use crate::mesh::{Point, Ragged};
 
-/// The corners of `faces` at `positions` (`#V by 3`), counted by their angles: `bins` of equal width
-/// from 0 to 180 degrees. An angle on the bound of two bins is in the upper one. A corner at a side
-/// without length has no angle, and is not counted.
+/// Counts the corners of `faces` at `positions` (`#V by 3`) by their angles, in `bins` of equal
+/// width from 0 to 180 degrees. An angle on the bound of two bins is in the upper one. Corners at a
+/// side of zero length have no angle and are not counted.
 pub fn angle_histogram(positions: &[Point], faces: &Ragged, bins: usize) -> Vec<u32> {
-    // Angles are compared by their cosines, which fall as angles grow.
+    // Angles are compared by their cosines, which decrease with the angle.
     let bound = |k: usize| cosine(0.5 * k as f64 / bins as f64);
     let bounds: Vec<f64> = (1..bins).map(bound).collect();
     let at = |v: u32| Vec3::from(positions[v as usize]);

@@ -1,19 +1,19 @@
-//! How far the corners of a face are from their least-squares plane and from the circle fitted in
-//! it (paper section 3.1).
+//! Distances of the corners of a face to their least-squares plane and to the circle fitted in it
+//! (paper section 3.1).
 
 use crate::math::{CircleFit, PrincipalCircle, Vec3, centre};
 use crate::mesh::Point;
 
-/// Fits planes and circles to one face after the other.
+/// Fits a plane and a circle to one face at a time.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct FaceFit {
-    /// The corners of the face at hand, seen from their mean.
+    /// The corners of the current face, relative to their mean.
     corners: Vec<Vec3<f64>>,
 }
 
 impl FaceFit {
-    /// The errors of the face with these corners. Corners on one line have that line for a circle,
-    /// and coincident ones have no error.
+    /// Returns the errors of the face with these corners. The fitted circle of collinear corners is
+    /// their line; coincident corners have no error.
     pub(crate) fn errors(&mut self, corners: impl Iterator<Item = Point>) -> FaceErrors {
         self.corners.clear();
         self.corners.extend(corners.map(Vec3::from));
@@ -27,8 +27,8 @@ impl FaceFit {
         }
     }
 
-    /// The errors, from the height of each corner over the plane and its step in the plane to the
-    /// circle.
+    /// Returns the errors, given the height of each corner over the plane and its displacement in
+    /// the plane to the circle.
     #[inline(always)]
     fn sum(&self, height_and_step: impl Fn(Vec3<f64>) -> (f64, Vec3<f64>)) -> FaceErrors {
         let share = 1.0 / self.corners.len() as f64;
@@ -42,14 +42,14 @@ impl FaceFit {
     }
 }
 
-/// How far the corners of a face are from their plane and their circle.
+/// Errors of a face against its plane and its circle.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct FaceErrors {
     pub(crate) plane: Errors,
     pub(crate) circle: Errors,
 }
 
-/// How far the corners of a face are from a fitted shape.
+/// Distances of the corners of a face to a fitted shape.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Errors {
     /// The largest squared distance.

@@ -1,11 +1,11 @@
-//! How planar and how circular the faces of a mesh are (paper Fig. 5).
+//! Planarity and circularity of the faces of a mesh (paper Fig. 5).
 
 use super::face_fit::FaceFit;
 use crate::math::Vec3;
 use crate::mesh::{Point, Ragged};
 use serde::Serialize;
 
-/// How planar the faces are.
+/// Planarity of the faces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Planarity {
@@ -23,7 +23,7 @@ pub struct Planarity {
     pub diagonal_ratio_max: f64,
 }
 
-/// How circular the faces are.
+/// Circularity of the faces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Circularity {
@@ -32,8 +32,9 @@ pub struct Circularity {
     /// The mean over faces of the largest distance of their vertices.
     pub mean_distance: f64,
     /// The largest `e_c` of a face, bounding sphere of diameter 1: the mean squared distance of its
-    /// vertices to the circle of Thomas and Chan in their least-squares plane. It is more than their share
-    /// of `E_shape` (Eq. 4), where the circle is moved until the closest points have their mean.
+    /// vertices to the circle of Thomas and Chan in their least-squares plane. It is more than
+    /// their share of `E_shape` (Eq. 4), which moves the circle so that the closest points have the
+    /// same mean as the vertices.
     pub e_c_max: f64,
     /// The mean `e_c`.
     pub e_c_mean: f64,
@@ -46,19 +47,19 @@ pub struct Measures {
     pub planarity: Planarity,
     /// Over all faces; zeros without faces.
     pub circularity: Circularity,
-    /// Per face the largest distance of its vertices to their plane, units of the mesh.
+    /// Largest distance of the vertices of each face to their plane, `#F`, units of the mesh.
     pub planarity_distances: Vec<f64>,
-    /// Per face the largest distance of its vertices to their circle, units of the mesh.
+    /// Largest distance of the vertices of each face to their circle, `#F`, units of the mesh.
     pub circularity_distances: Vec<f64>,
-    /// Per face its `e_p`.
+    /// `e_p` of each face, `#F`.
     pub e_p: Vec<f64>,
-    /// Per face its `e_c`.
+    /// `e_c` of each face, `#F`.
     pub e_c: Vec<f64>,
 }
 
 impl Measures {
-    /// Measures `faces` at `positions` (`#V by 3`). `diameter` is that of the bounding sphere of the
-    /// rest mesh; with 0, `e_p` and `e_c` are 0.
+    /// Measures `faces` at `positions` (`#V by 3`). `diameter` is the diameter of the bounding
+    /// sphere of the rest mesh; if it is 0, so are `e_p` and `e_c`.
     pub fn new(positions: &[Point], faces: &Ragged, diameter: f64) -> Measures {
         let mut all = Measures::default();
         let squares_scale = if diameter > 0.0 { 1.0 / diameter / diameter } else { 0.0 };
@@ -97,9 +98,9 @@ fn greater(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }
 
-/// The distance between the lines of the two diagonals of a quad, over their mean length; 0 where
-/// both have no length. Diagonals that are parallel up to rounding have the distance of one from
-/// an end of the other.
+/// Returns the distance between the lines of the two diagonals of a quad, relative to their mean
+/// length; 0 if both have no length. For diagonals parallel up to rounding, the distance is that of
+/// two parallel lines.
 pub fn diagonal_ratio(corners: [Point; 4]) -> f64 {
     const PARALLEL: f64 = 1e-12;
     let [a, b, c, d] = corners.map(Vec3::from);

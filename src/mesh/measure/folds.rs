@@ -1,18 +1,18 @@
-//! Faces that a change of shape has folded over.
+//! Faces that a deformation has folded over.
 
 use crate::math::{Vec3, polygon_sides, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged, Topology};
 
-/// The cosine of the least angle between the normals of two faces that are folded onto each other: 120 degrees.
+/// Cosine of the least angle between the normals of two faces folded onto each other: 120 degrees.
 const FOLDED: f64 = -0.5;
-/// The cosine of the greatest angle between them before: 80 degrees. Sharper edges are meant.
+/// Cosine of the greatest angle between them before: 80 degrees. Sharper edges are intended.
 const SMOOTH: f64 = 0.17;
-/// The sine of the turn of a corner that turns to one side, before and after.
+/// Least sine of the turn at a corner, before and after, for a change of its sign to count.
 const TURN: f64 = 0.1;
 
-/// The faces, ascending, that `now` (`#V by 3`) has folded over, where the mesh has not: those on both sides of an
-/// edge whose normals are more than 120 degrees apart, and those with a corner that turns the other way round, so
-/// that their outline crosses itself or is dented.
+/// Returns the faces, ascending, that are folded over at `now` (`#V by 3`) and not at the positions
+/// of the mesh: both faces of an edge whose normals are more than 120 degrees apart, and faces with
+/// a corner that turns the other way, so that the outline crosses itself or has a dent.
 pub fn folded_faces(mesh: &Mesh, topology: &Topology, now: &[Point]) -> Vec<u32> {
     let [before, after] = [&mesh.positions[..], now].map(|at| normals(&mesh.faces, at));
     let mut is_folded: Vec<bool> = (0..mesh.faces.len())
@@ -31,7 +31,7 @@ pub fn folded_faces(mesh: &Mesh, topology: &Topology, now: &[Point]) -> Vec<u32>
             polygon_sides(mesh.faces.row(face as usize))
                 .any(|[from, to]| [from, to] == [start, end])
         };
-        // Neighbours that run along the edge in the same direction have opposite sides up.
+        // Neighbours that traverse the edge in the same direction have opposite orientations.
         let sign = if runs(a) == runs(b) { -1.0 } else { 1.0 };
         let cosine = |normals: &[Vec3<f64>]| sign * normals[a as usize].dot(normals[b as usize]);
         if cosine(&before) > SMOOTH && cosine(&after) < FOLDED {
@@ -42,7 +42,7 @@ pub fn folded_faces(mesh: &Mesh, topology: &Topology, now: &[Point]) -> Vec<u32>
     (0..).zip(is_folded).filter(|(_, is_folded)| *is_folded).map(|(face, _)| face).collect()
 }
 
-/// The unit normal of each face; zero where it has no area.
+/// Returns the unit normal of each face; zero for a face without area.
 fn normals(faces: &Ragged, at: &[Point]) -> Vec<Vec3<f64>> {
     let normal = |face: &[u32]| {
         let area = twice_vector_area(face.iter().map(|&v| Vec3::from(at[v as usize])));
@@ -52,7 +52,8 @@ fn normals(faces: &Ragged, at: &[Point]) -> Vec<Vec3<f64>> {
     faces.iter().map(normal).collect()
 }
 
-/// The sine of the turn at each corner, positive where it turns to the left seen from the tip of the normal.
+/// Returns the sine of the turn at each corner, positive for a left turn seen from the tip of the
+/// normal.
 fn turns(corners: &[u32], at: &[Point], normal: Vec3<f64>) -> impl Iterator<Item = f64> {
     let n = corners.len();
     let place = move |k: usize| Vec3::from(at[corners[k % n] as usize]);

@@ -1,16 +1,17 @@
-//! Gauss curvature at vertices, by angle defects: zero inside a surface that can be laid flat.
+//! Gauss curvature at vertices by angle defects; zero inside a developable surface.
 
 use crate::math::{Vec3, angle, polygon_corners};
 use crate::mesh::{Mesh, Point, Topology};
 use std::f64::consts::TAU;
 
-/// The Gauss curvature at each vertex (`#V`) of the faces of `mesh` at `positions` (`#V by 3`), in one over squared
-/// length: what the angles around the vertex lack to a full turn, over its share of the area. Not a number where it is
-/// not defined: on the boundary, without faces, and beside edges without length.
+/// Returns the Gauss curvature at each vertex (`#V`) of `mesh` at `positions` (`#V by 3`), in one
+/// over squared length: the angle defect of the vertex divided by its share of the area. NaN where
+/// it is undefined: on the boundary, without faces, and at edges of zero length.
 ///
-/// A face of four or more corners counts as triangles around its centre, the mean of its corners, so that a face which
-/// is not flat has its curvature too; the corners share what the centre has, as they share the area, alike. Faces are
-/// meant to be convex. [`crate::mesh::curvatures`] has that of a smooth surface through the vertices.
+/// Faces of four or more corners count as triangles around the mean of the corners, so that the
+/// curvature of non-planar faces is included; the defect at that centre and the area are shared
+/// equally among the corners. Faces should be convex. [`crate::mesh::curvatures`] gives the
+/// curvature of a smooth surface through the vertices.
 pub fn gauss_curvature(positions: &[Point], mesh: &Mesh, topology: &Topology) -> Vec<f64> {
     let n = positions.len();
     let (mut defects, mut areas) = (vec![TAU; n], vec![0.0; n]);

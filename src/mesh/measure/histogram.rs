@@ -1,25 +1,25 @@
-//! How values are distributed, for a legend of colours that leave out the few that are far out.
+//! Histogram of values for colour legends, with a range that excludes the few outliers.
 
 use crate::math::{argsort, key_of_number};
 
-/// Of a hundred values, so many may lie beyond the upper end.
+/// Percentage of the values that may lie beyond the upper end.
 const BEYOND: usize = 1;
 
-/// Counts of values in bins of equal width; the last one also holds what lies beyond.
+/// Counts of values in bins of equal width; the first and last bins include the values beyond.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Histogram {
     /// The upper end of the last bin.
     pub high: f64,
-    /// Of each bin.
+    /// The count of each bin.
     pub counts: Vec<u32>,
 }
 
 impl Histogram {
-    /// Counts the values that are numbers, in `bins` from `low` up to what 99 of a hundred do not
-    /// exceed, and at least to `least_high`.
+    /// Counts the values that are not NaN in `bins` from `low` to the 99th percentile, and at least
+    /// to `least_high`.
     ///
     /// # Panics
-    /// Without bins, or when `least_high` is not greater than `low`.
+    /// If there are no bins, or `least_high` is not greater than `low`.
     pub fn new(values: &[f64], [low, least_high]: [f64; 2], bins: usize) -> Histogram {
         assert!(bins > 0 && least_high > low, "there is at least one bin, of some width");
         let numbers: Vec<f64> = values.iter().copied().filter(|v| !v.is_nan()).collect();
@@ -31,7 +31,7 @@ impl Histogram {
         let mut counts = vec![0; bins];
         for value in sorted {
             let part = (value - low) / (high - low) * bins as f64;
-            // A number that is too large or too small for an index becomes the nearest one.
+            // The conversion to an index saturates.
             counts[(part as usize).min(bins - 1)] += 1;
         }
         Histogram { high, counts }

@@ -1,15 +1,15 @@
-//! Numbers that describe a mesh.
+//! Measures of a mesh.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `face_measures` | planarity, circularity and diagonal ratio of faces |
 //! | `face_fit` | the least-squares plane and circle of a face |
-//! | `angle_histogram` | how many corners of faces have which angle |
-//! | `folds` | faces that a change of shape has folded over |
+//! | `angle_histogram` | histogram of the corner angles of faces |
+//! | `folds` | faces that a deformation has folded over |
 //! | `gauss_curvature` | Gauss curvature at vertices |
-//! | `histogram` | how errors are distributed, for legends |
-//! | `quasi_conformal` | how far a flat map is from keeping angles |
-//! | `unrolled` | strips of quads laid flat |
+//! | `histogram` | histogram of errors, for legends |
+//! | `quasi_conformal` | angle distortion of a flat map |
+//! | `unrolled` | strips of quads unrolled into the plane |
 
 mod angle_histogram;
 mod face_fit;

@@ -1,37 +1,38 @@
-//! How far a flat map of a surface is from keeping angles (Sander, Snyder, Gortler, Hoppe 2001).
+//! Angle distortion of a flat map of a surface (Sander, Snyder, Gortler, Hoppe 2001).
 
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{BoundingSphere, Point, Ragged};
 use serde::Serialize;
 
-/// The quasi-conformal error over the triangles of the fans `(f0, fk, fk+1)`: the ratio of the
-/// greater to the smaller stretch, one where angles are kept.
+/// Quasi-conformal error over the triangles of the fans `(f0, fk, fk+1)`: the ratio of the larger
+/// to the smaller singular value, 1 if the map preserves angles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct QuasiConformal {
     /// The mean, weighted by the areas on the surface.
     pub mean: f64,
-    /// The greatest; infinite where a triangle has collapsed.
+    /// The maximum; infinite if a triangle has collapsed.
     pub max: f64,
 }
 
-/// The distortion of the triangles of a surface by a flat map.
+/// Distortion of the triangles of a surface by a flat map.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MapErrors {
     /// Over all triangles.
     pub quasi_conformal: QuasiConformal,
-    /// Triangles that the map turns over against their face.
+    /// Number of triangles that the map flips relative to their face.
     pub flipped: usize,
-    /// The faces that have some of these, ascending.
+    /// The faces with flipped triangles, ascending.
     pub flipped_faces: Vec<u32>,
-    /// `#F`: the greatest error of the triangles of each face; not a number where none has an area.
+    /// `#F`: the largest error of the triangles of each face; NaN if none has an area.
     pub of_faces: Vec<f64>,
 }
 
-/// A triangle that is thinner than this part of the size of the mesh has no area but by rounding.
+/// Relative height of a triangle, against the size of the mesh, below which its area is rounding
+/// error.
 const ROUNDING: f64 = 1e-12;
 
-/// The errors of the map `uv` (`#V by 2`) of the surface (`#V by 3` positions). Triangles without
-/// area on the surface do not count, nor do the faces that are `left_out` of the map, ascending.
+/// Returns the errors of the map `uv` (`#V by 2`) of the surface (`#V by 3` positions). Triangles
+/// without area on the surface are ignored, and so are the faces `left_out` of the map, ascending.
 pub fn quasi_conformal(
     positions: &[Point],
     uv: &[[f64; 2]],
@@ -61,16 +62,16 @@ pub fn quasi_conformal(
             if twice_area <= least * longest {
                 continue;
             }
-            // Where a face is not convex, a triangle of the fan can be turned over on the surface.
+            // A triangle of the fan of a non-convex face can be flipped on the surface already.
             let is_reversed = normal.dot(upward) < 0.0;
-            // The triangle in its own plane: (0, 0), (base, 0), (foot, height).
+            // Corners of the triangle in its own plane: (0, 0), (base, 0), (foot, height).
             let (foot, height) = (along.dot(across) / base, twice_area / base);
             let [u0, u1, u2] = corners.map(|v| uv[v]);
             let (e, f) = ([u1[0] - u0[0], u1[1] - u0[1]], [u2[0] - u0[0], u2[1] - u0[1]]);
-            // The Jacobian: its columns are the images of the two axes.
+            // Columns of the Jacobian: the images of the two axes.
             let x = e.map(|e| e / base);
             let y = [0, 1].map(|i| (f[i] - x[i] * foot) / height);
-            // Twice the conformal and the anti-conformal part.
+            // Twice the norms of the conformal and the anti-conformal part.
             let length = |a: f64, b: f64| (a * a + b * b).sqrt();
             let (keeps, turns_over) =
                 (length(x[0] + y[1], x[1] - y[0]), length(x[0] - y[1], x[1] + y[0]));
@@ -83,7 +84,7 @@ pub fn quasi_conformal(
             let is_turned = if is_reversed { keeps > turns_over } else { keeps < turns_over };
             flipped += usize::from(is_turned);
             error.mean += twice_area * ratio;
-            // The greater of a number and none is the number.
+            // `f64::max` ignores NaN.
             worst = worst.max(ratio);
             area += twice_area;
         }

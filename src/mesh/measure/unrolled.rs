@@ -1,23 +1,24 @@
-//! Strips of quads laid flat.
+//! Unrolling strips of quads into the plane.
 
 use crate::math::Vec3;
 use crate::mesh::{Point, Topology};
 
-/// A strip of quads laid flat.
+/// A strip of quads unrolled into the plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnrolledStrip {
-    /// Its quads.
+    /// Number of quads.
     pub quads: usize,
-    /// Whether it goes round; it is cut open at its first edge then.
+    /// Whether the strip is closed; it is then cut open at its first edge.
     pub closed: bool,
-    /// Along its left side and back along its right one, counterclockwise or not.
+    /// Outline: along the left side and back along the right side, in either orientation.
     pub outline: Vec<[f64; 2]>,
 }
 
 impl UnrolledStrip {
-    /// A strip of the mesh (`l0 r0 l1 r1 ...`, as [`strips`](crate::mesh::strips) gives them), at `positions`
-    /// (`#V by 3`). Each quad is laid beside the one before, by the places of its corners over the edge that leads into
-    /// it: nothing is stretched where the quads are flat. None where an edge that it crosses has no length.
+    /// Unrolls a strip of the mesh (`l0 r0 l1 r1 ...`, as [`strips`](crate::mesh::strips) returns
+    /// it) at `positions` (`#V by 3`). Each quad is placed next to the previous one, by the
+    /// coordinates of its corners relative to the edge between them; planar quads are not
+    /// stretched. `None` if a crossed edge has no length.
     pub fn new(positions: &[Point], strip: &[u32], topology: &Topology) -> Option<UnrolledStrip> {
         let (edges, _) = strip.as_chunks::<2>();
         let (first, last) = (edges.first()?, edges.last()?);
@@ -26,7 +27,7 @@ impl UnrolledStrip {
         let at = |v: u32| Vec3::from(positions[v as usize]);
         let mut around = edges.to_vec();
         if closed {
-            // A band with a twist comes back the other way round.
+            // In a twisted band, the first edge comes back reversed.
             let twisted = topology.edge(first[0], last[0]).is_none();
             around.push(if twisted { [first[1], first[0]] } else { *first });
         }

@@ -1,7 +1,7 @@
-//! Adjacency of a mesh: edges, neighbours, faces around edges and vertices.
+//! Adjacency of a mesh: edges, neighbours, faces at edges and vertices.
 //!
-//! Everything is found by sorting, so the order of all lists depends on the mesh alone. A mesh need
-//! not be a manifold: an edge may have any number of faces, a vertex any number of fans.
+//! All lists are built by sorting, so their order depends on the mesh alone. The mesh need not be a
+//! manifold: an edge may have any number of faces, a vertex any number of fans.
 
 use crate::math::{Vec3, argsort, key_of_pair, polygon_sides};
 use crate::mesh::{Mesh, Point, Ragged};
@@ -21,8 +21,8 @@ pub struct Topology {
 }
 
 impl Topology {
-    /// Finds the adjacency of `mesh`. Its edges are the sides of faces, the segments of curves and
-    /// the edges of tetrahedra, each once; a side whose two ends are the same vertex is none.
+    /// Computes the adjacency of `mesh`. Its edges are the sides of faces, the segments of curves
+    /// and the edges of tetrahedra, each once; sides from a vertex to itself are excluded.
     pub fn new(mesh: &Mesh) -> Topology {
         let n_vertices = mesh.positions.len();
         let sides = sides(mesh);
@@ -40,11 +40,11 @@ impl Topology {
             });
             gather(n_vertices, ends)
         };
-        // Edges come in lexicographic order, so both lists of a vertex are in ascending order of its
+        // Edges are in lexicographic order, so both lists of a vertex are in ascending order of its
         // neighbours.
         let neighbours = by_vertex(|[a, b], _, first| if first { b } else { a });
         let vertex_edges = by_vertex(|_, e, _| e);
-        // A vertex that a face repeats still has that face once.
+        // List a face once even if it visits the vertex several times.
         let mut last_face = vec![None; n_vertices];
         let corners = mesh.faces.iter().zip(0..);
         let corners = corners.flat_map(|(face, f)| face.iter().map(move |&v| (v, f)));
@@ -68,15 +68,15 @@ impl Topology {
         }
     }
 
-    /// `#E by 2`: the ends of each edge, the smaller first, in lexicographic order.
+    /// `#E by 2`: the ends of each edge, the lower first, in lexicographic order.
     pub fn edges(&self) -> &[[u32; 2]] {
         &self.edges
     }
-    /// The edge between two vertices.
+    /// Returns the edge between two vertices.
     pub fn edge(&self, a: u32, b: u32) -> Option<u32> {
         self.edges.binary_search(&[a.min(b), a.max(b)]).ok().map(|e| e as u32)
     }
-    /// The end of edge `e` that is not `v`.
+    /// Returns the end of edge `e` that is not `v`.
     pub fn other_end(&self, e: u32, v: u32) -> u32 {
         let [a, b] = self.edges[e as usize];
         if a == v { b } else { a }
@@ -85,14 +85,14 @@ impl Topology {
     pub fn neighbours(&self) -> &Ragged {
         &self.neighbours
     }
-    /// `#V` rows: the edges at a vertex, each at the place of its other end in
+    /// `#V` rows: the edges at a vertex, each at the index of its other end in
     /// [`Topology::neighbours`].
     pub fn vertex_edges(&self) -> &Ragged {
         &self.vertex_edges
     }
-    /// `#E` rows: the faces that have an edge as a side, ascending. One face: the edge is on the
-    /// boundary. None: it is of curves or tetrahedra only. Three or more: it is not manifold. A
-    /// face that runs along the edge twice is there twice.
+    /// `#E` rows: the faces that have an edge as a side, ascending. An edge with one face is on the
+    /// boundary, an edge without faces belongs to curves or tetrahedra only, and an edge with three
+    /// or more is not manifold. A face that traverses the edge twice is listed twice.
     pub fn edge_faces(&self) -> &Ragged {
         &self.edge_faces
     }
@@ -112,15 +112,15 @@ impl Topology {
     pub fn vertex_faces(&self) -> &Ragged {
         &self.vertex_faces
     }
-    /// The boundary, as loops of vertices in order. Each boundary edge is in exactly one loop, no
-    /// vertex is twice in the same loop, and a loop does not repeat its first vertex at its end. It
-    /// runs as its faces do where they agree. Only where edges of three or more faces meet the
-    /// boundary, a row may be an open chain.
+    /// The boundary as loops of vertices. Each boundary edge is in exactly one loop, no vertex
+    /// occurs twice in the same loop, and the first vertex is not repeated at the end. A loop has
+    /// the direction of its faces if they agree. A row can be an open chain only where edges of
+    /// three or more faces meet the boundary.
     pub fn boundary_loops(&self) -> &Ragged {
         &self.boundary_loops
     }
-    /// Whether the mesh is triangles and nothing else: it has faces, all of them have three
-    /// corners, and every edge is a side of one.
+    /// Whether the mesh consists of triangles only: it has faces, all have three corners, and every
+    /// edge is a side of one.
     pub fn is_triangle_mesh(&self) -> bool {
         self.triangle_mesh
     }
@@ -129,21 +129,21 @@ impl Topology {
         self.quad_dominant
     }
 
-    /// The vertices within `radius` edges of `vertex`: itself first, then ring by ring, each ring
-    /// ascending.
+    /// Returns the vertices within `radius` edges of `vertex`: itself first, then ring by ring,
+    /// each ring ascending.
     pub fn ring(&self, vertex: u32, radius: u32) -> Vec<u32> {
         self.grow(&[vertex], radius)
     }
 
-    /// The vertices within `radius` edges of `seed`: the seed as it is (distinct vertices), then
-    /// ring by ring, each ring ascending.
+    /// Returns the vertices within `radius` edges of `seed` (distinct vertices): the seed
+    /// unchanged, then ring by ring, each ring ascending.
     pub fn grow(&self, seed: &[u32], radius: u32) -> Vec<u32> {
         let mut all = seed.to_vec();
         let mut inner: Vec<u32> = Vec::new();
         let mut ring = seed.to_vec();
         ring.sort_unstable();
         for _ in 0..radius {
-            // A neighbour of a ring is in it, in the ring before it or in the next one.
+            // A neighbour of a ring is in this, the previous or the next ring.
             let mut next: Vec<u32> =
                 ring.iter().flat_map(|&v| self.neighbours.row(v as usize)).copied().collect();
             next.sort_unstable();
@@ -162,13 +162,13 @@ impl Topology {
 /// One side of a face, one segment of a curve or one edge of a tetrahedron.
 #[derive(Clone, Copy)]
 struct Side {
-    /// The smaller first.
+    /// The lower vertex first.
     ends: [u32; 2],
-    /// None for curves and tetrahedra.
+    /// `None` for curves and tetrahedra.
     face: Option<u32>,
 }
 
-/// All sides, sorted by ends, then by face.
+/// Returns all sides, sorted by ends, then by face.
 fn sides(mesh: &Mesh) -> Vec<Side> {
     const TET_EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
     let of_faces = mesh
@@ -179,7 +179,8 @@ fn sides(mesh: &Mesh) -> Vec<Side> {
     let of_curves =
         mesh.curves.iter().flat_map(|curve| curve.windows(2).map(|ends| (ends[0], ends[1], None)));
     let of_tets = mesh.tets.iter().flat_map(|tet| TET_EDGES.map(|[a, b]| (tet[a], tet[b], None)));
-    // Faces last and in order, so that the sides of an edge are.
+    // Faces come last and in order, so that the stable sort keeps the sides of an edge in that
+    // order.
     let sides: Vec<Side> = of_curves
         .chain(of_tets)
         .chain(of_faces)
@@ -190,7 +191,7 @@ fn sides(mesh: &Mesh) -> Vec<Side> {
     order.into_iter().map(|side| sides[side as usize]).collect()
 }
 
-/// `n_rows` rows: row `i` has the values that come with key `i`, in the order in which they come.
+/// Groups values by key (a counting sort): row `i` has the values of key `i`, in their order.
 fn gather(n_rows: usize, pairs: impl Iterator<Item = (u32, u32)> + Clone) -> Ragged {
     let mut starts = vec![0_u32; n_rows + 1];
     for (key, _) in pairs.clone() {

@@ -1,9 +1,9 @@
 //! Boundary loops.
 //!
-//! The boundary edges form a graph. Where the mesh is a manifold, each vertex has none or two of
-//! them; where loops touch, it has four or more; where edges with three or more faces end, it can
-//! have an odd number. Walks through the graph are cut wherever they meet themselves, which leaves
-//! simple loops in every case.
+//! The boundary edges form a graph. A manifold vertex has none or two of them, a vertex where loops
+//! touch has four or more, and a vertex where edges with three or more faces end can have an odd
+//! number. Walks through the graph are cut wherever they meet themselves, which always gives simple
+//! loops.
 
 use crate::math::polygon_sides;
 use crate::mesh::{Mesh, Ragged};
@@ -19,14 +19,14 @@ pub(crate) fn boundary_loops(
     let mut walk = Walk {
         edges,
         vertex_edges,
-        // An edge that is not on the boundary counts as walked.
+        // Edges that are not on the boundary count as walked.
         walked: edge_faces.iter().map(|faces| faces.len() != 1).collect(),
         from_first: runs_from_first(mesh, edges, edge_faces),
         path: Vec::new(),
         place: vec![None; n_vertices],
         loops: Ragged::new(),
     };
-    // Open chains first: what they leave has an even number of edges at each vertex.
+    // Open chains first: afterwards every vertex has an even number of edges left.
     let odd: Vec<u32> = (0..n_vertices as u32).filter(|&v| walk.degree(v) % 2 == 1).collect();
     for start in odd.into_iter().chain(0..n_vertices as u32) {
         while walk.degree(start) > 0 {
@@ -36,10 +36,11 @@ pub(crate) fn boundary_loops(
     walk.loops
 }
 
-/// A side is searched for in the corners of a face with no more of them than this.
+/// In faces of at most this many corners, a side is found by linear search.
 const FEW_CORNERS: usize = 32;
 
-/// Of each edge whether it is on the boundary, and its face runs from the smaller end to the greater.
+/// Returns for each edge whether it is a boundary edge that its face traverses from the lower to
+/// the higher end.
 fn runs_from_first(mesh: &Mesh, edges: &[[u32; 2]], edge_faces: &Ragged) -> Vec<bool> {
     let only_face = |e: usize| match edge_faces.row(e) {
         &[face] => Some(mesh.faces.row(face as usize)),
@@ -65,21 +66,21 @@ struct Walk<'a> {
     edges: &'a [[u32; 2]],
     vertex_edges: &'a Ragged,
     walked: Vec<bool>,
-    /// Whether the face of a boundary edge runs from the smaller end to the greater.
+    /// Whether the face of a boundary edge traverses it from the lower to the higher end.
     from_first: Vec<bool>,
     path: Vec<u32>,
-    /// Where a vertex is on the path.
+    /// Index of each vertex on the path.
     place: Vec<Option<usize>>,
     loops: Ragged,
 }
 
 impl Walk<'_> {
-    /// How many boundary edges at `v` are still to be walked.
+    /// Returns the number of boundary edges at `v` still to be walked.
     fn degree(&self, v: u32) -> usize {
         self.vertex_edges.row(v as usize).iter().filter(|&&e| !self.walked[e as usize]).count()
     }
 
-    /// The next edge to walk at `v`: one whose face runs away from `v` if there is one.
+    /// Returns the next edge to walk at `v`, preferably one whose face traverses it away from `v`.
     fn leave(&self, v: u32) -> Option<u32> {
         self.vertex_edges
             .row(v as usize)
@@ -89,7 +90,7 @@ impl Walk<'_> {
             .min_by_key(|&e| self.from_first[e as usize] != (self.edges[e as usize][0] == v))
     }
 
-    /// Walks from `start` until there is no way on, and collects each loop that closes.
+    /// Walks from `start` until no edge is left, and collects each loop that closes.
     fn from(&mut self, start: u32) {
         self.push(start);
         let mut at = start;

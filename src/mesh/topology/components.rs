@@ -1,14 +1,14 @@
 //! Connected components.
 
-/// The connected component of each of `n_vertices` vertices, where the vertices of each clique are
-/// connected: edges, faces, or the vertices that a constraint acts on. Components are numbered from
-/// 0 in the order of their smallest vertices.
+/// Returns the connected component of each of `n_vertices` vertices. The vertices of a clique are
+/// connected: an edge, a face, or the vertices of a constraint. Components are numbered from 0 in
+/// the order of their lowest vertices.
 pub fn components<'a>(n_vertices: usize, cliques: impl Iterator<Item = &'a [u32]>) -> Vec<u32> {
     let mut parents: Vec<u32> = (0..n_vertices as u32).collect();
     for clique in cliques {
         for pair in clique.windows(2) {
             let (a, b) = (root(&mut parents, pair[0]), root(&mut parents, pair[1]));
-            // The root of a tree stays its smallest vertex.
+            // The root of a tree remains its lowest vertex.
             parents[a.max(b) as usize] = a.min(b);
         }
     }
@@ -26,7 +26,7 @@ pub fn components<'a>(n_vertices: usize, cliques: impl Iterator<Item = &'a [u32]
     labels
 }
 
-/// The root of the tree of `v`, halving the path to it.
+/// Returns the root of the tree of `v`, halving the path to it.
 fn root(parents: &mut [u32], mut v: u32) -> u32 {
     while parents[v as usize] != v {
         parents[v as usize] = parents[parents[v as usize] as usize];

@@ -1,19 +1,19 @@
-//! Curves that run along each other: polylines that somebody drew over the edge lines of a mesh.
+//! Curves that duplicate each other, such as polylines drawn along the edge lines of a mesh.
 
 use crate::mesh::{Ragged, Topology};
 
-/// Which curves run along another one, so that both together say no more than the longer does.
+/// The curves contained in another curve, which are therefore redundant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Repeated {
-    /// Per polyline whether all its segments are edges of one line, and there are more of these.
+    /// For each polyline, whether all its segments are edges of one line that has further edges.
     pub polylines: Vec<bool>,
-    /// Per line whether all its edges are segments of one polyline.
+    /// For each line, whether all its edges are segments of one polyline.
     pub lines: Vec<bool>,
 }
 
-/// Finds the polylines that run along one of the edge lines `lines`, and the lines that one of the
-/// polylines covers. Of two that are the same it is the line. Each edge is in one line at most, as
-/// [`crate::mesh::edge_lines`] makes them.
+/// Finds the polylines contained in one of the edge lines `lines`, and the lines contained in one
+/// of the polylines. If both have the same edges, the line counts as the contained one. Each edge
+/// must be in at most one line, as [`crate::mesh::edge_lines`] guarantees.
 pub fn repeated(polylines: &Ragged, lines: &Ragged, topology: &Topology) -> Repeated {
     let edges = |curve: &[u32]| {
         let edges = curve.windows(2).map(|ends| topology.edge(ends[0], ends[1]));
@@ -41,7 +41,7 @@ pub fn repeated(polylines: &Ragged, lines: &Ragged, topology: &Topology) -> Repe
         let first = own.first().and_then(line);
         let along = first.is_some() && own.iter().all(|edge| line(edge) == first);
         repeated.polylines[index] = along && !covers_one;
-        // As it was, for the next one.
+        // Reset the scratch arrays for the next polyline.
         own.iter().filter_map(line).for_each(|line| shared[line] = 0);
         own.iter().flatten().for_each(|&edge| walked[edge as usize] = false);
     }

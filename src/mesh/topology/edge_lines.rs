@@ -1,15 +1,15 @@
-//! Straight edge lines of quad-dominant meshes: the curves on a surface that can be made circular
-//! or planar as a whole (paper section 4.1, Fig. 6).
+//! Edge lines of quad-dominant meshes: the curves that can be made circular or planar as a whole
+//! (paper section 4.1, Fig. 6).
 
 use crate::mesh::{Ragged, Topology};
 
-/// The straight lines of edges of a quad-dominant mesh; no rows on other meshes. Each side of a
-/// face is in exactly one row.
+/// Returns the edge lines of a quad-dominant mesh; no rows for other meshes. Each side of a face is
+/// in exactly one row.
 ///
-/// A line goes on at a regular vertex: inside the mesh one with four edges and four faces, where it
-/// leaves by the opposite edge; on the boundary one with three edges and two faces, where it
-/// follows the boundary. It ends at every other vertex, and where it meets the boundary. A closed
-/// line repeats its first vertex at the end. Edges that are of curves only do not count.
+/// A line continues at regular vertices: at an interior vertex with four edges and four faces along
+/// the opposite edge, and at a boundary vertex with three edges and two faces along the boundary.
+/// It ends at all other vertices, and where it meets the boundary. A closed line repeats its first
+/// vertex at the end. Edges of curves only are ignored.
 pub fn edge_lines(topology: &Topology) -> Ragged {
     let mut lines = Ragged::new();
     if !topology.is_quad_dominant() {
@@ -35,9 +35,9 @@ pub fn edge_lines(topology: &Topology) -> Ragged {
     lines
 }
 
-/// The vertices of the line along edge `first` from its end `v` on, and whether it comes back to
-/// `first`. As going on is the same in both directions, it then does so at the other end, which
-/// is the last of the vertices.
+/// Returns the vertices of the line along edge `first` from its end `v` on, and whether the line
+/// returns to `first`. Since continuation is symmetric, it then returns at the other end, which is
+/// the last of the vertices.
 fn follow(topology: &Topology, first: u32, v: u32, walked: &mut [bool]) -> (Vec<u32>, bool) {
     let mut vertices = vec![v];
     let (mut edge, mut at) = (first, v);
@@ -52,7 +52,7 @@ fn follow(topology: &Topology, first: u32, v: u32, walked: &mut [bool]) -> (Vec<
     (vertices, false)
 }
 
-/// The edge that goes on from `edge` at its end `v`.
+/// Returns the edge that continues `edge` at its end `v`.
 fn straight_on(topology: &Topology, edge: u32, v: u32) -> Option<u32> {
     let faces = |e: u32| topology.edge_faces().row(e as usize);
     let around = || {

@@ -1,15 +1,15 @@
-//! Creases: the curves along which vertices may slide when the quality of a mesh is improved (paper
+//! Feature curves, along which vertices may slide when the quality of a mesh is improved (paper
 //! section 4.2).
 
 use crate::math::{Vec3, cosine, twice_vector_area};
 use crate::mesh::{Mesh, Ragged, Topology};
 
-/// The curves of edges where the surface turns by more than `degrees`, its boundary, and edges of
-/// more than two faces. Each such edge is in exactly one curve.
+/// Returns the curves of feature edges: edges where the surface turns by more than `degrees`,
+/// boundary edges, and edges of more than two faces. Each feature edge is in exactly one curve.
 ///
-/// A curve goes on through vertices where two such edges meet, and ends at all others, which are the
-/// corners. A closed one repeats its first vertex at the end. An edge at a face without area turns
-/// nowhere.
+/// A curve continues through vertices where two feature edges meet, and ends at all others, the
+/// corners. A closed curve repeats its first vertex at the end. An edge at a face without area is
+/// not a crease.
 pub fn feature_curves(mesh: &Mesh, topology: &Topology, degrees: f64) -> Ragged {
     let at = |&v: &u32| Vec3::from(mesh.positions[v as usize]);
     let normal = |face: &[u32]| twice_vector_area(face.iter().map(at));
@@ -23,7 +23,7 @@ pub fn feature_curves(mesh: &Mesh, topology: &Topology, degrees: f64) -> Ragged 
             [f, g] => {
                 let (a, b) = (normals[f as usize], normals[g as usize]);
                 let lengths = a.length() * b.length();
-                // Rounding makes no crease of a plane.
+                // The margin keeps rounding from making creases in a plane.
                 lengths > 0.0 && a.dot(b) < (least - 1e-12) * lengths
             }
             _ => true,
@@ -32,7 +32,7 @@ pub fn feature_curves(mesh: &Mesh, topology: &Topology, degrees: f64) -> Ragged 
     let mut creases = Creases { topology, walked: vec![false; is_feature.len()], is_feature };
     let vertices = 0..mesh.positions.len() as u32;
     let mut curves = Ragged::new();
-    // From the corners first: what is left then are closed curves.
+    // Curves from the corners first; closed curves are then left.
     for from_corners in [true, false] {
         for v in vertices.clone() {
             while let Some(edge) =
@@ -45,7 +45,7 @@ pub fn feature_curves(mesh: &Mesh, topology: &Topology, degrees: f64) -> Ragged 
     curves
 }
 
-/// The edges of creases, and which of them are in a curve already.
+/// The feature edges, and which of them are already in a curve.
 struct Creases<'a> {
     topology: &'a Topology,
     is_feature: Vec<bool>,
@@ -62,12 +62,12 @@ impl Creases<'_> {
         self.at(v).count() != 2
     }
 
-    /// An edge at a vertex that is in no curve yet.
+    /// Returns a feature edge at a vertex that is not yet in a curve.
     fn fresh(&self, v: u32) -> Option<u32> {
         self.at(v).find(|&e| !self.walked[e as usize])
     }
 
-    /// The curve that leaves a vertex along an edge.
+    /// Returns the curve that starts at a vertex along an edge.
     fn walk(&mut self, first: u32, start: u32) -> Vec<u32> {
         let mut curve = vec![start];
         let (mut next, mut v) = (Some(first), start);

@@ -1,10 +1,10 @@
-//! The small neighbourhoods that constraints on angles act on: corners of faces, stars of vertices,
-//! hinges between triangles.
+//! Local neighbourhoods for constraints: corners of faces, stars of vertices, hinges between
+//! triangles.
 
 use crate::math::polygon_corners;
 use crate::mesh::{Mesh, Ragged, Topology};
 
-/// Each corner of each face, with its face: the vertex before, the corner, the vertex after.
+/// Returns each corner of each face with its face: the vertex before, the corner, the vertex after.
 pub fn corners(mesh: &Mesh) -> impl Iterator<Item = (usize, [u32; 3])> {
     mesh.faces
         .iter()
@@ -12,12 +12,12 @@ pub fn corners(mesh: &Mesh) -> impl Iterator<Item = (usize, [u32; 3])> {
         .flat_map(|(f, face)| polygon_corners(face).map(move |corner| (f, corner)))
 }
 
-/// Each interior vertex that is surrounded by one fan of faces, then its neighbours around it, from
-/// the smallest one towards the smaller of the two next to that.
+/// Returns a row for each interior vertex surrounded by a single fan of faces: the vertex, then its
+/// neighbours in cyclic order, from the lowest one towards the lower of the two adjacent to it.
 pub fn stars(mesh: &Mesh, topology: &Topology) -> Ragged {
     let mut stars = Ragged::new();
     for v in 0..mesh.positions.len() as u32 {
-        // Two neighbours are next to each other where one face has a corner between them.
+        // Two neighbours are adjacent if a face has a corner between them.
         let mut next_to = Vec::new();
         for &f in topology.vertex_faces().row(v as usize) {
             let corners = polygon_corners(mesh.faces.row(f as usize));
@@ -51,7 +51,7 @@ pub fn stars(mesh: &Mesh, topology: &Topology) -> Ragged {
     stars
 }
 
-/// Each edge between exactly two triangles: its two ends, then the corners opposite to it.
+/// Returns for each edge between exactly two triangles its two ends, then the opposite corners.
 pub fn hinges(mesh: &Mesh, topology: &Topology) -> Vec<[u32; 4]> {
     let opposite = |f: u32, [a, b]: [u32; 2]| match *mesh.faces.row(f as usize) {
         [p, q, r] => [p, q, r].into_iter().find(|&corner| corner != a && corner != b),

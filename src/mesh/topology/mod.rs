@@ -1,13 +1,13 @@
-//! How vertices, edges and faces are connected, and lines and regions that follow from it.
+//! Connectivity of vertices, edges and faces, and curves and regions derived from it.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `adjacency` | edges, neighbours, rings, faces around edges and vertices |
+//! | `adjacency` | edges, neighbours, rings, faces at edges and vertices |
 //! | `boundary` | boundary loops |
 //! | `components` | connected components |
-//! | `curves` | polylines and edge lines that run along each other |
-//! | `edge_lines` | straight lines of edges through regular vertices |
-//! | `feature_curves` | creases: lines along which the surface turns sharply |
+//! | `curves` | polylines and edge lines that duplicate each other |
+//! | `edge_lines` | lines of edges through regular vertices |
+//! | `feature_curves` | creases, boundary and non-manifold edges as curves |
 //! | `local` | corners of faces, stars of vertices, hinges |
 //! | `strips` | strips of quads |
 

@@ -1,19 +1,19 @@
-//! Face strips of quad-dominant meshes: the faces that one crosses through opposite edges, such as
-//! the lamellas of a roof or the developable strips of a facade.
+//! Strips of quads, which continue across opposite edges, such as the lamellas of a roof or the
+//! developable strips of a facade.
 
 use crate::mesh::{Mesh, Ragged, Topology};
 
-/// The strips of quads of a quad-dominant mesh; no rows on other meshes. Each quad is crossed in
-/// both of its directions, so that it is in two strips, or twice in one.
+/// Returns the strips of quads of a quad-dominant mesh; no rows for other meshes. Each quad is
+/// crossed in both directions, so it is in two strips, or twice in one.
 ///
-/// A row has two vertices for each edge that the strip crosses, `l0 r0 l1 r1 ...`: along the strip,
-/// side by side, the left ones all on the same side of it. A strip ends at the boundary, at a face
-/// that is no quad, and at an edge with three or more faces. A closed strip does not repeat its
-/// first edge. A strip that meets itself repeats vertices.
+/// A row has two vertices per crossed edge, `l0 r0 l1 r1 ...`, with all left vertices on the same
+/// side of the strip. A strip ends at the boundary, at a face that is not a quad, and at an edge
+/// with three or more faces. A closed strip does not repeat its first edge. A strip that meets
+/// itself repeats vertices.
 ///
-/// Strips come in the order of their first faces in the mesh, of a face the one through its first
-/// side before the one through its second; they run as that side runs into that face. An open strip
-/// begins at its end, a closed one in that face.
+/// Strips are in the order of their first faces; for each face, the strip through its first side
+/// comes before the one through its second. The direction is through that side into that face. An
+/// open strip begins at its end, a closed one in that face.
 pub fn strips(mesh: &Mesh, topology: &Topology) -> Ragged {
     let mut strips = Ragged::new();
     if !topology.is_quad_dominant() {
@@ -37,7 +37,7 @@ pub fn strips(mesh: &Mesh, topology: &Topology) -> Ragged {
             edges.extend([into, out]);
             edges.extend(ahead);
             if closed {
-                // It came back to where it goes in.
+                // The last edge is the first one again.
                 edges.pop();
             }
             strips.push(edges.as_flattened());
@@ -49,13 +49,13 @@ pub fn strips(mesh: &Mesh, topology: &Topology) -> Ragged {
 struct Walk<'a> {
     mesh: &'a Mesh,
     topology: &'a Topology,
-    /// Of each quad: whether it was crossed through its first, and through its second side.
+    /// For each quad, whether it was crossed through its first and through its second side.
     crossed: &'a mut [[bool; 2]],
 }
 
 impl Walk<'_> {
-    /// The edges that a strip crosses after it left `face` through the edge `at`, and whether it
-    /// ended where a strip was already.
+    /// Returns the edges that a strip crosses after leaving `face` through the edge `at`, and
+    /// whether it ended in a quad already crossed in that direction.
     fn from(&mut self, mut face: u32, mut at: [u32; 2]) -> (Vec<[u32; 2]>, bool) {
         let mut edges = Vec::new();
         while let Some((next, side)) = self.beyond(face, at) {
@@ -70,7 +70,7 @@ impl Walk<'_> {
         (edges, false)
     }
 
-    /// The quad on the other side of an edge of `face`, and which of its sides the edge is.
+    /// Returns the quad across an edge of `face`, and the index of the edge among its sides.
     fn beyond(&self, face: u32, [l, r]: [u32; 2]) -> Option<(u32, usize)> {
         let faces = self.topology.edge_faces().row(self.topology.edge(l, r)? as usize);
         let next = match *faces {

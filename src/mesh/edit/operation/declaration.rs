@@ -7,81 +7,81 @@ use crate::mesh::{Mesh, Point, Topology, counted};
 use serde::Serialize;
 use std::fmt;
 
-/// An operation on a mesh. Hosts build their controls from it.
+/// Declaration of an operation on a mesh. Hosts build their controls from it.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct MeshOperation {
-    /// The word for it.
+    /// Identifier.
     pub id: &'static str,
-    /// Its name.
+    /// Name shown to the user.
     pub label: &'static str,
-    /// One sentence.
+    /// Description in one sentence.
     pub summary: &'static str,
-    /// The elements to select for it.
+    /// The elements that the user selects for it.
     pub picks: Picks,
-    /// The numbers that it takes, in the order of [`Task::sizes`].
+    /// Numeric parameters, in the order of [`Task::sizes`].
     pub sizes: &'static [Size],
     #[serde(skip)]
     pub(super) apply: fn(&Task<'_>) -> Result<Edited, OperationError>,
 }
 
-/// The elements that an operation takes.
+/// The elements that an operation acts on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
 pub enum Picks {
-    /// It is for the whole mesh.
+    /// The whole mesh.
     Nothing,
-    /// Some faces.
+    /// The picked faces, at least one.
     Faces,
-    /// Some vertices.
+    /// The picked vertices, at least one.
     Vertices,
-    /// Some vertices, or all of them where none are picked.
+    /// The picked vertices, or all vertices if none are picked.
     AnyVertices,
 }
 
 /// The input of an operation.
 #[derive(Clone, Copy, Debug)]
 pub struct Task<'a> {
-    /// The mesh as it is seen.
+    /// The mesh at its current positions.
     pub mesh: &'a Mesh,
-    /// That of the mesh.
+    /// The topology of the mesh.
     pub topology: &'a Topology,
     /// The direction that points up, a unit vector.
     pub up: Point,
-    /// Of each size of the operation its value.
+    /// The values of the sizes of the operation.
     pub sizes: &'a [f64],
-    /// The vertices that are picked.
+    /// The picked vertices.
     pub vertices: &'a [u32],
-    /// The faces that are picked.
+    /// The picked faces.
     pub faces: &'a [u32],
 }
 
-/// Why an operation is refused.
+/// Reason why an operation is refused.
 #[derive(Clone, Debug, PartialEq)]
 pub enum OperationError {
-    /// There is none of that name.
+    /// No operation has this id.
     Unknown(String),
-    /// A size is missing, or out of its limits.
+    /// A size is missing or out of range.
     Size(SizeError),
-    /// The mesh has so many tetrahedra.
+    /// The mesh has tetrahedra, this many.
     Tetrahedra(usize),
     /// The mesh has no faces.
     NoFaces,
-    /// Something that is picked is not there.
+    /// A picked element does not exist.
     NotThere {
         /// `face` or `vertex`.
         element: &'static str,
         /// Its index.
         index: u32,
     },
-    /// It needs something else.
+    /// The operation requires the described input.
     Expected(&'static str),
     /// This face would touch itself.
     Touching(u32),
-    /// More than two faces would meet at an edge, and none did.
+    /// More than two faces would meet at an edge of a mesh that has no such edge now.
     Joining,
-    /// Nothing of the mesh would be left.
+    /// The result would have no faces.
     NothingLeft,
 }
 
@@ -120,10 +120,11 @@ impl From<Touching> for OperationError {
 }
 
 impl MeshOperation {
-    /// The mesh that it makes.
+    /// Applies the operation and returns the new mesh with its origins.
     ///
     /// # Errors
-    /// When a size is out of its limits, what is picked is not there or does not fit, or the mesh is not one for it.
+    /// If a size is out of range, a picked element does not exist or does not fit, or the mesh is
+    /// not suitable.
     pub fn apply(&self, task: &Task<'_>) -> Result<Edited, OperationError> {
         Size::check(self.sizes, task.sizes).map_err(OperationError::Size)?;
         if !task.mesh.tets.is_empty() {
@@ -169,7 +170,7 @@ fn is_manifold(topology: &Topology) -> bool {
     topology.edge_faces().iter().all(|faces| faces.len() <= 2)
 }
 
-/// Whether vertices become one: where that is wanted, so are the edges that become one by it.
+/// Whether vertices were merged. Edges that coincide afterwards are then intended.
 fn merges(edited: &Edited) -> bool {
     let mut is_taken = vec![false; edited.mesh.positions.len()];
     let mut into = edited.origins.vertices.iter().flatten();
@@ -177,21 +178,21 @@ fn merges(edited: &Edited) -> bool {
 }
 
 impl Task<'_> {
-    /// Of each vertex whether it is picked; where none are, of all of them.
+    /// Returns for each vertex whether it is picked; true for all if none are picked.
     pub(super) fn picked_vertices(&self) -> Vec<bool> {
         let mut is_picked = vec![self.vertices.is_empty(); self.mesh.positions.len()];
         self.vertices.iter().for_each(|&v| is_picked[v as usize] = true);
         is_picked
     }
 
-    /// Of each face whether it is picked.
+    /// Returns for each face whether it is picked.
     pub(super) fn picked_faces(&self) -> Vec<bool> {
         let mut is_picked = vec![false; self.mesh.faces.len()];
         self.faces.iter().for_each(|&face| is_picked[face as usize] = true);
         is_picked
     }
 
-    /// All faces.
+    /// Returns the indices of all faces.
     pub(super) fn all_faces(&self) -> std::ops::Range<u32> {
         0..self.mesh.faces.len() as u32
     }

@@ -1,12 +1,12 @@
-//! The mesh of the diagonals: a quad for each edge.
+//! Diagonal mesh: a quad for each edge.
 
 use super::declaration::{OperationError, Task};
 use crate::math::polygon_sides;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 
-/// Each quad is between the ends of an edge and the middles of its two faces: Conway's join. An edge with one face
-/// has a triangle, one with three or more a triangle in each.
+/// Builds Conway's join: a quad between the ends of each edge and the centres of its two faces. An
+/// edge with one face, or with three or more, gets a triangle in each of its faces.
 pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     let Task { mesh, topology, .. } = task;
     let mut rebuild = Rebuild::new(mesh);
@@ -17,7 +17,7 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
             let [a, b] = side;
             match *topology.edge_faces().row(edge as usize) {
                 [first, second] if first != second => {
-                    // The face that comes first makes it.
+                    // Add the quad once, at the first of the two faces.
                     if first == f {
                         let corners = [a, middles[second as usize], b, middles[f as usize]];
                         rebuild.face(&corners, &[first, second]);

@@ -5,8 +5,9 @@ use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::{Rebuild, around};
 use crate::mesh::edit::sharp::Sharp;
 
-/// Corners are in the middles of faces. A vertex on the boundary has a face that ends at the middles of its two
-/// boundary edges, and at the vertex itself where the boundary turns there by more than the size.
+/// Builds the dual, with corners at the centres of faces. The face of a boundary vertex also has
+/// the midpoints of its two boundary edges as corners, and the vertex itself if the boundary turns
+/// there by more than the size.
 pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     let Task { mesh, topology, .. } = task;
     let sharp = Sharp::of(mesh, topology, task.sizes[0]);
@@ -25,7 +26,7 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
         if is_open {
             corners.insert(0, rebuild.middle([v, first.out]));
             corners.push(rebuild.middle([v, last.back]));
-            // A triangle at least.
+            // The vertex is also needed to have at least a triangle.
             if sharp.corners[v as usize] || corners.len() < 3 {
                 corners.push(v);
             }

@@ -6,17 +6,18 @@ use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 use std::collections::BTreeMap;
 
-/// A side of a face without a face beyond it.
+/// A boundary side of a face.
 struct Open {
     face: u32,
-    /// As it runs in the face.
+    /// In the direction of the face.
     ends: [u32; 2],
-    /// The direction in the plane of the face away from it, of unit length or zero.
+    /// Outward direction in the plane of the face, of unit length or zero.
     outward: Vec3<f64>,
 }
 
-/// Each vertex goes outward in the planes of the faces beside it by the first size, and up by the second; where the
-/// boundary turns, so far that the edges are as far away as they are meant to be.
+/// Adds a row of quads along the boundary. Each new vertex is offset outward, in the planes of the
+/// adjacent faces, by the first size, and up by the second. At corners the offset is mitred, so
+/// that the new edges are at the requested distance.
 pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     let [outward, up] = [task.sizes[0], task.sizes[1]];
     if outward == 0.0 && up == 0.0 {
@@ -26,7 +27,8 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     if sides.is_empty() {
         return Err(OperationError::Expected("an edge of the boundary, both ends selected"));
     }
-    // Where boundaries touch, each of them has a vertex of its own: of a vertex and the first face around it.
+    // Where boundaries touch in a vertex, each gets its own new vertex, keyed by the vertex and the
+    // first face of the fan around it.
     let mut places: BTreeMap<[u32; 2], u32> = BTreeMap::new();
     let mut away: Vec<(u32, Vec<Vec3<f64>>)> = Vec::new();
     let mut corners = Vec::with_capacity(sides.len());
@@ -56,7 +58,8 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(rebuild.finish())
 }
 
-/// The first of the faces at a vertex that one gets to from `face` across edges at that vertex.
+/// Returns the lowest index of the faces at vertex `v` that are connected to `face` across edges at
+/// `v`.
 fn first_around(task: &Task<'_>, v: u32, face: u32) -> u32 {
     let Task { mesh, topology, .. } = task;
     let mut reached = vec![face];
@@ -76,7 +79,8 @@ fn first_around(task: &Task<'_>, v: u32, face: u32) -> u32 {
     reached.into_iter().min().unwrap_or(face)
 }
 
-/// The way from a vertex at which it is one away from each of its sides, at most two long.
+/// Returns the mitre: the displacement to distance 1 from each side at a vertex, of length 2 at
+/// most.
 fn mitre(directions: &[Vec3<f64>]) -> Vec3<f64> {
     let mut sum = Vec3::zero();
     directions.iter().for_each(|&direction| sum += direction);

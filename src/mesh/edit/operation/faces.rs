@@ -1,11 +1,11 @@
-//! Faces deleted, merged, split.
+//! Deleting, merging and splitting faces.
 
 use super::declaration::{OperationError, Task};
 use crate::math::polygon_sides;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 
-/// Takes the picked faces away.
+/// Deletes the picked faces.
 pub(super) fn delete(task: &Task<'_>) -> Result<Edited, OperationError> {
     let is_picked = task.picked_faces();
     let mut rebuild = Rebuild::new(task.mesh);
@@ -13,7 +13,7 @@ pub(super) fn delete(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(rebuild.finish())
 }
 
-/// Makes one face of the picked ones, in the place of the first of them.
+/// Merges the picked faces into one face, at the index of the first of them.
 pub(super) fn merge(task: &Task<'_>) -> Result<Edited, OperationError> {
     let mut picked = task.faces.to_vec();
     picked.sort_unstable();
@@ -32,7 +32,7 @@ pub(super) fn merge(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(rebuild.finish())
 }
 
-/// The corners around faces, where they are one piece.
+/// Returns the corners around the union of faces; `None` unless the union has a single outline.
 fn outline(task: &Task<'_>, faces: &[u32]) -> Option<Vec<u32>> {
     let is_picked = task.picked_faces();
     let mut next = vec![u32::MAX; task.mesh.positions.len()];
@@ -43,7 +43,7 @@ fn outline(task: &Task<'_>, faces: &[u32]) -> Option<Vec<u32>> {
             let around = task.topology.edge_faces().row(edge as usize).iter();
             match around.filter(|&&other| is_picked[other as usize]).count() {
                 1 if next[a as usize] == u32::MAX => next[a as usize] = b,
-                // Between two of them.
+                // The edge is between two picked faces.
                 2 => continue,
                 _ => return None,
             }
@@ -66,7 +66,7 @@ fn outline(task: &Task<'_>, faces: &[u32]) -> Option<Vec<u32>> {
     (faces.len() > 1 && corners.len() == count && count > 2).then_some(corners)
 }
 
-/// Cuts the face that has both picked vertices, between which there is no edge.
+/// Splits the face that has both picked vertices, which no edge may connect.
 pub(super) fn split(task: &Task<'_>) -> Result<Edited, OperationError> {
     let wrong =
         OperationError::Expected("two selected corners of one face without an edge between them");

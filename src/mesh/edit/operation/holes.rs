@@ -1,11 +1,12 @@
-//! Holes closed with faces.
+//! Filling holes with faces.
 
 use super::declaration::{OperationError, Task};
 use crate::math::Vec3;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 
-/// Closes the boundaries that have a picked vertex; without one all but the longest, which is the outline.
+/// Closes the boundary loops that have a picked vertex; if no vertex is picked, all loops except
+/// the longest, which is the outline.
 pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     let Task { mesh, topology, .. } = task;
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
@@ -32,7 +33,7 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     let mut rebuild = Rebuild::new(mesh);
     rebuild.keep(task.all_faces())?;
     for corners in holes.into_iter().filter(|corners| corners.len() > 2) {
-        // Loops run as their faces do; a face beyond runs the other way.
+        // Boundary loops have the orientation of their faces, so the closing face is reversed.
         let closing: Vec<u32> = corners.iter().rev().copied().collect();
         rebuild.face(&closing, &[]);
     }

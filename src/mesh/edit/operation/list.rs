@@ -1,4 +1,4 @@
-//! The operations.
+//! The list of operations.
 
 use super::declaration::{MeshOperation, OperationError, Picks};
 use super::{
@@ -185,10 +185,10 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
 ];
 
 impl MeshOperation {
-    /// The operation with this id.
+    /// Returns the operation with this id.
     ///
     /// # Errors
-    /// When there is none.
+    /// If there is none.
     pub fn of(id: &str) -> Result<&'static MeshOperation, OperationError> {
         let found = MESH_OPERATIONS.iter().find(|operation| operation.id == id);
         found.ok_or_else(|| OperationError::Unknown(id.to_owned()))

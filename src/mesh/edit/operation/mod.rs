@@ -1,19 +1,19 @@
-//! Operations on a mesh: each makes another mesh of it and says where the parts of that come from.
+//! Editing operations: each makes a new mesh and records the origins of its elements.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `declaration` | what an operation says of itself, and what it refuses |
-//! | `list` | the operations |
+//! | `declaration` | declaration, input and errors of an operation |
+//! | `list` | the list of operations |
 //! | `triangle_pairs` | quads from triangles |
 //! | `triangles` | triangles from faces |
 //! | `diagonal` | a quad for each edge |
 //! | `dual` | a face for each vertex |
-//! | `strips` | strips of quads put in or taken out |
+//! | `strips` | inserting and removing strips of quads |
 //! | `extrude` | a row of quads along a boundary |
-//! | `holes` | holes closed |
-//! | `faces` | faces deleted, merged, split |
-//! | `vertices` | vertices welded, merged, snapped |
-//! | `orientation` | faces turned over |
+//! | `holes` | filling holes |
+//! | `faces` | deleting, merging and splitting faces |
+//! | `vertices` | welding, merging and snapping vertices |
+//! | `orientation` | flipping faces |
 
 mod declaration;
 mod diagonal;

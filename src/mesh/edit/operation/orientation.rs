@@ -1,16 +1,17 @@
-//! Faces turned over.
+//! Flipping faces.
 
 use super::declaration::{OperationError, Task};
 use crate::math::polygon_sides;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 
-/// Turns all faces over.
+/// Flips all faces.
 pub(super) fn flip(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(turned(task, &vec![true; task.mesh.faces.len()]))
 }
 
-/// Turns over the fewer of the faces of each piece, so that neighbours run along their edge in opposite directions.
+/// Orients each component consistently, so that neighbours traverse their common edge in opposite
+/// directions, by flipping as few faces as possible.
 pub(super) fn unify(task: &Task<'_>) -> Result<Edited, OperationError> {
     let Task { mesh, topology, .. } = task;
     let mut is_turned: Vec<Option<bool>> = vec![None; mesh.faces.len()];
@@ -55,7 +56,7 @@ pub(super) fn unify(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(turned(task, &is_turned))
 }
 
-/// A face that is turned over begins at the same corner.
+/// Flips the given faces; a flipped face still begins at the same corner.
 fn turned(task: &Task<'_>, is_turned: &[bool]) -> Edited {
     let mut rebuild = Rebuild::new(task.mesh);
     for ((f, face), turned) in (0..).zip(task.mesh.faces.iter()).zip(is_turned) {

@@ -1,4 +1,4 @@
-//! Strips of quads put in or taken out.
+//! Inserting and removing strips of quads.
 
 use super::declaration::{OperationError, Task};
 use crate::math::polygon_sides;
@@ -9,7 +9,7 @@ use crate::mesh::edit::subdivide::KEPT_TURN;
 
 const ENDS: &str = "an edge whose two ends are selected";
 
-/// Cuts the edges that the strips across the picked edges cross.
+/// Splits the strips of quads across the picked edges lengthwise, at the midpoints of their edges.
 pub(super) fn insert(task: &Task<'_>) -> Result<Edited, OperationError> {
     let is_cut = crossed(task)?;
     let cut =
@@ -43,7 +43,7 @@ pub(super) fn insert(task: &Task<'_>) -> Result<Edited, OperationError> {
                 }
             }
             _ => {
-                // A strip ends at this face.
+                // A strip ends at this face, which gets the new vertices as corners.
                 let mut corners = Vec::with_capacity(face.len() + 1);
                 for (&side, cut) in sides.iter().zip(cuts) {
                     corners.push(side[0]);
@@ -58,8 +58,8 @@ pub(super) fn insert(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(rebuild.finish())
 }
 
-/// Closes the edges that the strips across the picked edges cross, each to its middle, or to
-/// its end on the boundary or at a corner of that.
+/// Collapses the edges crossed by the strips across the picked edges: each to its midpoint, or to
+/// its end that is a corner or, failing that, on the boundary.
 pub(super) fn remove(task: &Task<'_>) -> Result<Edited, OperationError> {
     let topology = task.topology;
     let is_crossed = crossed(task)?;
@@ -98,7 +98,7 @@ pub(super) fn remove(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(rebuild.finish())
 }
 
-/// Of each edge whether it is one of a strip of quads across a picked edge.
+/// Returns for each edge whether a strip of quads across a picked edge crosses it.
 fn crossed(task: &Task<'_>) -> Result<Vec<bool>, OperationError> {
     let Task { mesh, topology, .. } = task;
     let is_picked = task.picked_vertices();

@@ -1,15 +1,17 @@
-//! Quads from triangles: pairs of neighbours, the best ones first, then as many as local changes can gain.
+//! Quads from triangles: neighbours are paired greedily by cost, then local exchanges add pairs
+//! while they can.
 
 use super::declaration::{OperationError, Task};
 use crate::math::{Vec3, angle, argsort, key_of_number, polygon_corners, twice_vector_area};
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 
-/// Two triangles that may become one quad.
+/// Two triangles that can become one quad.
 struct Pair {
     faces: [u32; 2],
     quad: [u32; 4],
-    /// How far it is from a flat rectangle: degrees of its corners from right angles and of the fold, added up.
+    /// Deviation from a flat rectangle: sum of the deviations of the corners from right angles and
+    /// of the fold angle, in degrees.
     cost: f64,
 }
 
@@ -32,7 +34,7 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(rebuild.finish())
 }
 
-/// All pairs whose quad has no corner of more than `most` degrees.
+/// Returns all pairs whose quad has no corner of more than `most` degrees.
 fn pairs(task: &Task<'_>, most: f64) -> Vec<Pair> {
     let Task { mesh, topology, .. } = task;
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
@@ -46,7 +48,7 @@ fn pairs(task: &Task<'_>, most: f64) -> Vec<Pair> {
         }) else {
             continue;
         };
-        // They face the same side.
+        // Skip triangles of opposite orientation, and two triangles on the same vertices.
         if a_too != a || c == d {
             continue;
         }
@@ -58,7 +60,8 @@ fn pairs(task: &Task<'_>, most: f64) -> Vec<Pair> {
         let corners: Vec<f64> = corners.collect();
         let normals = [[a, b, c], [b, a, d]].map(|t| twice_vector_area(t.map(at)));
         let fold = angle(normals[0].dot(normals[1]), normals[0].cross(normals[1]).length());
-        // Where the quad is not convex, its corners at the edge exceed a half turn.
+        // In a non-convex quad, a corner at the common edge exceeds 180 degrees, which `angle` does
+        // not show: add up the angles of the two triangles.
         let reach = |v: u32| {
             let part = |from: u32, to: u32| {
                 let [p, q] = [at(from) - at(v), at(to) - at(v)];
@@ -75,7 +78,8 @@ fn pairs(task: &Task<'_>, most: f64) -> Vec<Pair> {
     pairs
 }
 
-/// Of each face the pair that it is in. A face that is left over takes a neighbour whose partner finds another one.
+/// Returns the pair of each face, if any. A face left over by the greedy pass takes a neighbour
+/// whose partner can be paired with another face (an augmenting path).
 fn matched(pairs: &[Pair], faces: usize) -> Vec<Option<u32>> {
     let mut of_face: Vec<Vec<u32>> = vec![Vec::new(); faces];
     let mut chosen: Vec<Option<u32>> = vec![None; faces];

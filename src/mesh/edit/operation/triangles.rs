@@ -7,8 +7,8 @@ use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 
-/// Quads are cut along the shorter diagonal that lies inside and is no edge of the mesh already; where
-/// both are, and with more corners, a face becomes a fan around its middle.
+/// Cuts quads along the shorter diagonal that lies inside and is not yet an edge. If there is none,
+/// and for faces with more corners, adds a fan around the centre.
 pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     if task.topology.is_triangle_mesh() {
         return Err(OperationError::Expected("a face with more than three corners"));
@@ -35,7 +35,7 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
                     [false, true] => 0,
                     _ => usize::from(bd < ac),
                 };
-                // A second edge between the same vertices would join faces that are apart.
+                // A second edge between the same vertices would join separate faces.
                 let is_free = |&cut: &usize| {
                     let [p, q] = [[a, c], [b, d]][cut];
                     task.topology.edge(p, q).is_none() && diagonals.insert([p.min(q), p.max(q)])

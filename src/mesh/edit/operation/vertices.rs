@@ -1,14 +1,14 @@
-//! Vertices welded, merged, snapped.
+//! Welding, merging and snapping vertices.
 
 use super::declaration::{OperationError, Task};
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 use crate::mesh::edit::weld::first_at_each_place;
 
-/// Makes one vertex, at the first of them, of picked ones that are no farther away from it than the size.
+/// Welds each picked vertex to the first picked vertex whose distance is at most the size.
 pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
     let is_picked = task.picked_vertices();
-    // One that is not picked is in a part of its own.
+    // Each unpicked vertex is a part of its own, so that it is not welded.
     let parts: Vec<u32> =
         (1..).zip(is_picked).map(|(own, picked)| if picked { 0 } else { own }).collect();
     let first = first_at_each_place(&task.mesh.positions, &parts, task.sizes[0]);
@@ -25,7 +25,7 @@ pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(rebuild.finish())
 }
 
-/// Makes one vertex of the picked ones, in their middle.
+/// Merges the picked vertices into one at their mean.
 pub(super) fn merge(task: &Task<'_>) -> Result<Edited, OperationError> {
     if task.vertices.iter().all(|v| *v == task.vertices[0]) {
         return Err(OperationError::Expected("at least two selected vertices"));
