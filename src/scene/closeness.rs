@@ -1,4 +1,5 @@
-//! The closeness of vertices: to which points, and with which factors: `close = sum_v k_v |v - c(v)|^2` (Eq. 11).
+//! The closeness energy `close = sum_v k_v |v - c(v)|^2` (Eq. 11): its target points `c(v)` and
+//! factors `k_v`.
 
 use super::SceneError;
 use crate::constraint::{Selector, Sets, resolve};
@@ -7,30 +8,30 @@ use crate::solve::{BoundaryCloseness, ClosenessTo};
 use serde::Deserialize;
 use std::rc::Rc;
 
-/// The closeness of vertices: to which points, and the factor of each vertex.
+/// Closeness of vertices: target points and factors.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Closeness {
-    /// `c(v)`.
+    /// Definition of `c(v)`.
     pub to: ClosenessTo,
-    /// Another surface: that of [`ClosenessTo::Target`].
+    /// The other surface, for [`ClosenessTo::Target`].
     pub target: Option<Target>,
-    /// `k_v` where it is not 1; of a vertex that several entries select, the last one's.
+    /// Factors `k_v` other than 1; if several entries select a vertex, the last applies.
     pub weights: Vec<ClosenessWeight>,
-    /// Whether boundary vertices have the boundary curves for `c(v)`, whatever `to` is.
+    /// If given, boundary vertices are kept close to the boundary curves, whatever `to` is.
     pub boundary: Option<BoundaryCloseness>,
 }
 
-/// Another surface than that of the scene, in the same coordinates.
+/// A surface other than the mesh of the scene, in the same coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Target {
-    /// A mesh file beside the scene: path relative to it. It has to be read before the scene is opened.
+    /// Path of a mesh file relative to the scene. The file must be read before the scene is opened.
     File(String),
-    /// Its mesh.
+    /// The mesh of the surface.
     Mesh(Rc<Mesh>),
 }
 
 impl Target {
-    /// The mesh, if it was read.
+    /// Returns the mesh, if it was read.
     pub fn mesh(&self) -> Option<&Rc<Mesh>> {
         match self {
             Target::File(_) => None,
@@ -39,21 +40,21 @@ impl Target {
     }
 }
 
-/// How much more or less some vertices are kept close than the rest.
+/// Closeness factor of a selection of vertices.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ClosenessWeight {
-    /// Which: all vertices that it selects.
+    /// Selector; all selected vertices get the factor.
     pub on: Selector,
-    /// `k_v`, a factor of `weights.close`, not negative; at 0 nothing keeps them close.
+    /// Factor `k_v` of `weights.close`, not negative; 0 disables closeness.
     pub weight: f64,
 }
 
 impl Closeness {
-    /// `k_v` of each vertex, `#V`.
+    /// Returns `k_v` of each vertex, `#V`.
     ///
     /// # Errors
-    /// When an entry selects nothing or names what is not there, with its JSON path.
+    /// If an entry selects nothing or has an unknown name, with its JSON path.
     pub fn factors(
         &self,
         mesh: &Mesh,

@@ -1,4 +1,4 @@
-//! The scene as a value.
+//! Data types of the scene.
 
 use super::SceneError;
 use super::closeness::Closeness;
@@ -12,32 +12,34 @@ use crate::solve::{Hold, Require, Smoothness, SolverSettings, Weights};
 use serde::{Deserialize, Deserializer};
 use std::rc::Rc;
 
-/// A scene file, checked for form. Whether its indices and names fit the mesh is checked when a
+/// A scene file, checked for form. Its indices and names are checked against the mesh when a
 /// session opens it.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
-    /// Shown as the name of the model.
+    /// Name of the model.
     #[serde(default)]
     pub title: String,
-    /// Unit of length, such as `"m"`; empty when not known.
+    /// Unit of length, such as `"m"`; empty if unknown.
     #[serde(default)]
     pub units: String,
-    /// Which axis points up.
+    /// The axis that points up.
     #[serde(default)]
     pub up: Up,
     /// The rest shape.
     pub mesh: MeshSource,
-    /// Another pose of the mesh, from which the kinds that keep a rest shape take it; their own when absent.
+    /// Another pose of the mesh, which then gives the rest shapes of the kinds that keep one; the
+    /// mesh itself if absent.
     #[serde(default, deserialize_with = "present")]
     pub pose: Option<Pose>,
-    /// Where the iteration starts, `#V by 3`; at the design, or at rest, when absent.
+    /// Start positions of the iteration, `#V by 3`; if absent, the design of `variants`, else the
+    /// rest positions.
     #[serde(default, deserialize_with = "present")]
     pub current: Option<Vec<Point>>,
     /// Named sets.
     #[serde(default)]
     pub sets: Sets,
-    /// One entry of the list of constraints: a kind on a selector.
+    /// Constraints, each a kind on a selector.
     #[serde(default)]
     pub constraints: Vec<ConstraintSpec>,
     /// Handles.
@@ -52,25 +54,25 @@ pub struct Scene {
     /// The smoothness energy, Eq. 12.
     #[serde(default)]
     pub smoothness: Smoothness,
-    /// How it is solved.
+    /// Solver settings.
     #[serde(default)]
     pub solver: SolverSettings,
-    /// The exercise that it is.
+    /// Lesson, if the scene is an exercise.
     #[serde(default, deserialize_with = "present")]
     pub lesson: Option<Lesson>,
-    /// How the shape is to be built.
+    /// Settings for building the shape.
     #[serde(default, deserialize_with = "present")]
     pub build: Option<Box<BuildSettings>>,
-    /// Shapes that were kept.
+    /// Shapes that the user kept.
     #[serde(default)]
     pub variants: Variants,
-    /// The steps in which it is shown to others, [`Slide::MOST`] at most.
+    /// Steps of the presentation, [`Slide::MOST`] at most.
     #[serde(default)]
     pub steps: Vec<Slide>,
 }
 
 impl Scene {
-    /// A scene without constraints and with the default settings.
+    /// Returns a scene without constraints, with the default settings.
     pub fn new(mesh: MeshSource) -> Scene {
         Scene {
             title: String::new(),
@@ -94,33 +96,33 @@ impl Scene {
     }
 }
 
-/// Shapes that were kept, to compare them and to go back to them.
+/// Shapes that the user kept, to compare them and to return to them.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Variants {
-    /// In the order in which they were kept, [`Variants::MOST`] at most.
+    /// The shapes, oldest first, [`Variants::MOST`] at most.
     pub kept: Vec<Variant>,
-    /// The one that closeness and smoothness hold the shape to; none for the rest shape.
+    /// Index of the shape that closeness and smoothness refer to; `None` for the rest shape.
     #[serde(default, deserialize_with = "present")]
     pub design: Option<usize>,
 }
 
-/// A shape that was kept.
+/// A shape that the user kept.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Variant {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// `#V by 3`.
+    /// Positions, `#V by 3`.
     #[serde(deserialize_with = "shared")]
     pub positions: Rc<[Point]>,
 }
 
 impl Variants {
-    /// No more are kept.
+    /// Maximum number of kept shapes.
     pub const MOST: usize = 12;
 
-    /// The shape that is held to instead of the rest shape, `#V by 3`.
+    /// Returns the positions of the design, `#V by 3`; `None` if it is the rest shape.
     pub fn design_positions(&self) -> Option<&[Point]> {
         self.design.and_then(|index| self.kept.get(index)).map(|variant| &*variant.positions)
     }
@@ -130,7 +132,7 @@ fn shared<'de, D: Deserializer<'de>>(from: D) -> Result<Rc<[Point]>, D::Error> {
     Vec::deserialize(from).map(Rc::from)
 }
 
-/// Which axis points up.
+/// The axis that points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Up {
     /// y, as in most viewers.
@@ -141,7 +143,7 @@ pub enum Up {
 }
 
 impl Up {
-    /// The unit vector that points up.
+    /// Returns the unit vector that points up.
     pub fn direction(self) -> Point {
         match self {
             Up::Y => [0.0, 1.0, 0.0],
@@ -150,29 +152,31 @@ impl Up {
     }
 }
 
-/// Where the mesh of a scene comes from.
+/// Source of the mesh of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MeshSource {
-    /// A file beside the scene: path relative to it.
+    /// Path of a mesh file relative to the scene.
     File(String),
-    /// In the scene itself.
+    /// A mesh in the scene itself.
     Inline(Box<Mesh>),
 }
 
-/// Another pose of the mesh of a scene: other positions of its vertices (deformation transfer, paper section 6).
+/// Another pose of the mesh of a scene, given by other positions of its vertices (deformation
+/// transfer, paper section 6).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Pose {
-    /// A mesh file beside the scene, with the same faces. It has to be read before the scene is opened.
+    /// Path of a mesh file with the same faces, relative to the scene. The file must be read before
+    /// the scene is opened.
     File(String),
-    /// `#V by 3`.
+    /// Positions, `#V by 3`.
     Positions(Rc<[Point]>),
 }
 
 impl Pose {
-    /// That of the mesh in another file, whose faces have to be those of `mesh`.
+    /// Takes the pose from the mesh of another file, called `name`.
     ///
     /// # Errors
-    /// When they are not; `name` is that of the file.
+    /// If its faces differ from those of `mesh`.
     pub fn of(name: &str, mut posed: Read, mesh: &Mesh) -> Result<Pose, SceneError> {
         if posed.mesh.positions.len() != mesh.positions.len() {
             posed.weld();
@@ -194,7 +198,7 @@ impl Pose {
         Err(SceneError { path: "pose".to_owned(), message })
     }
 
-    /// `#V by 3`, if it was read.
+    /// Returns the positions, `#V by 3`, if they were read.
     pub fn positions(&self) -> Option<&[Point]> {
         match self {
             Pose::File(_) => None,
@@ -208,25 +212,26 @@ impl Pose {
 pub struct ConstraintSpec {
     /// The operator with its parameters.
     pub kind: Kind,
-    /// Which vertices.
+    /// Selector of the vertices.
     pub on: Selector,
-    /// `w_i` of Eq. 4, not negative.
+    /// Weight `w_i` of Eq. 4, not negative.
     pub weight: f64,
-    /// Whether it counts; a disabled one stays in the list.
+    /// Whether it is active; a disabled constraint stays in the list.
     pub enabled: bool,
-    /// Its name; empty for the label of its kind.
+    /// Name; empty for the label of its kind.
     pub name: String,
-    /// Whether it is weighed, or met.
+    /// Whether it is weighted (soft), or has to be met (hard).
     pub require: Require,
-    /// The faces of which less is required.
+    /// Faces with a larger tolerance.
     pub eased: Option<EasedFaces>,
 }
 
-/// Faces that are met within a larger length than the other ones of a row, as they would fold nearer.
+/// Faces of a constraint that have a larger tolerance than its other faces, since they would fold
+/// with a smaller one.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct EasedFaces {
-    /// The length, above zero, in the unit of the mesh.
+    /// The tolerance, above zero, in the unit of the mesh.
     pub within: f64,
     /// Indices of faces.
     #[serde(deserialize_with = "indices::deserialize")]
@@ -234,22 +239,22 @@ pub struct EasedFaces {
 }
 
 impl ConstraintSpec {
-    /// Its name, or the label of its kind where it has none.
+    /// Returns its name, or the label of its kind if the name is empty.
     pub fn label(&self) -> &str {
         if self.name.is_empty() { self.kind.info().label } else { &self.name }
     }
 }
 
-/// Vertices held at targets.
+/// A handle: vertices held at targets.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HandleSpec {
     /// Indices of vertices.
     pub vertices: Vec<u32>,
-    /// `#vertices by 3`; the rest positions when absent.
+    /// Targets, `#vertices by 3`; the rest positions if absent.
     pub targets: Option<Vec<Point>>,
-    /// How the targets are met.
+    /// Whether the targets are soft, with a weight, or fixed.
     pub hold: Hold,
 }
 
-/// The weight of a soft handle that does not say its own.
+/// Default weight of a soft handle.
 pub const HANDLE_WEIGHT: f64 = 100.0;

@@ -1,4 +1,4 @@
-//! Errors in a scene.
+//! Errors of scene files.
 
 use crate::constraint::{Element, KINDS};
 use crate::json::JsonError;
@@ -40,7 +40,7 @@ impl From<JsonError> for SceneError {
     }
 }
 
-/// The expected values of keys that are required, or are numbers of a kind.
+/// Describes the expected value of a key that is required or is a number in a range.
 fn expected_of(key: &str) -> Option<String> {
     let what = match key {
         "format" | "title" | "student" | "scene" | "time" | "name" | "id" => "a text",
@@ -63,7 +63,7 @@ fn expected_of(key: &str) -> Option<String> {
     Some(what.to_owned())
 }
 
-/// The forms of a selector.
+/// Describes the forms of a selector, for messages.
 pub(super) fn forms_of_selectors() -> String {
     let all = Element::ALL.into_iter().filter_map(Element::word_for_all);
     let all: Vec<_> = all.map(|word| format!("\"{word}\"")).collect();

@@ -1,25 +1,26 @@
-//! The unit and the vertical axis of a mesh file. The formats have neither: a comment may state them,
-//! and where none does they are guessed from the shape (the axis in `up_guess`). Coordinates are never touched.
+//! Unit and up axis of a mesh file. The formats define neither: they are read from comments, or
+//! else guessed from the shape (the axis in `up_guess`). Coordinates are never changed.
 
 use super::{NamedEnum, Up};
 use crate::mesh::{Mesh, Point};
 
-/// A size, the diagonal of the bounding box, from which on it is taken as a building in metres.
+/// Least diagonal of the bounding box of a mesh taken as a building in metres.
 const METRES_FROM: f64 = 3.0;
-/// A size from which on it is taken as one in millimetres.
+/// Least diagonal of the bounding box of a mesh taken as a building in millimetres.
 const MILLIMETRES_FROM: f64 = 500.0;
 
-/// The unit and the vertical axis, where they are known.
+/// Unit and up axis, if known.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct UnitsAndUp {
     /// Unit of length.
     pub units: Option<String>,
-    /// Which axis points up.
+    /// The axis that points up.
     pub up: Option<Up>,
 }
 
 impl UnitsAndUp {
-    /// Unit and up axis as stated by the comments at the beginning of a mesh file: `# units: m`, `# up: y`.
+    /// Reads unit and up axis from the comments at the beginning of a mesh file, such as
+    /// `# units: m` and `# up: y`.
     pub fn stated(file: &[u8]) -> UnitsAndUp {
         let mut frame = UnitsAndUp::default();
         for line in file.split(|&byte| byte == b'\n') {
@@ -34,13 +35,13 @@ impl UnitsAndUp {
         frame
     }
 
-    /// This, and where it is not known the other.
+    /// Fills in unknown values from `other`.
     pub fn or(self, other: UnitsAndUp) -> UnitsAndUp {
         UnitsAndUp { units: self.units.or(other.units), up: self.up.or(other.up) }
     }
 
-    /// The comments that state it, each a line of its own; nothing for what is not known and for z,
-    /// which is what files without a word are taken for.
+    /// Returns the comment lines that state unit and up axis. An empty unit gives no line, and
+    /// neither does z.
     pub fn comments(units: &str, up: Up) -> String {
         let mut text = String::new();
         let units: String = units.chars().filter(|c| !c.is_control()).collect();
@@ -53,7 +54,7 @@ impl UnitsAndUp {
         text
     }
 
-    /// The unit that a mesh of this size likely has; empty where there is no telling.
+    /// Guesses the unit of a mesh from its size; empty if it is not clear.
     pub fn guess_units(mesh: &Mesh) -> &'static str {
         let sides = [0, 1, 2].map(|axis| extent(&mesh.positions, axis).length());
         let size = (sides[0] * sides[0] + sides[1] * sides[1] + sides[2] * sides[2]).sqrt();
@@ -95,7 +96,7 @@ mod tests {
         Mesh { positions, faces: Ragged::default(), ..Mesh::default() }
     }
 
-    /// A box of these sides, with its corners and the middle of its top.
+    /// The corners of a box of these sides.
     fn block(sides: Point) -> Mesh {
         let corners = (0..8).map(|i| [0, 1, 2].map(|axis| sides[axis] * f64::from(i >> axis & 1)));
         points(corners.collect())

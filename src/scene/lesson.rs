@@ -1,54 +1,55 @@
-//! Lessons: a text, goals that a shape is to meet.
+//! Lessons: a task, and the goals that the shape has to meet.
 
 /// An exercise on the mesh of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lesson {
-    /// The task, in words; lines are kept.
+    /// Text of the task; line breaks are kept.
     pub text: String,
-    /// The goals, at least one; all of them have to be met.
+    /// The goals, at least one; all have to be met.
     pub goals: Vec<Goal>,
     /// The parts of the scene that students may not change; a session refuses edits of them.
     pub lock: Vec<Lock>,
 }
 
-/// A part of a scene that a lesson keeps as it is.
+/// A part of a scene that a lesson locks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lock {
-    /// The weights of the energies and of constraints, and what is kept close and smooth.
+    /// The weights of energies and constraints, and the closeness and smoothness settings.
     Weights,
-    /// The constraints, their parameters, and the sets that they are on.
+    /// The constraints, their parameters, and the sets that they refer to.
     Constraints,
     /// The handles.
     Handles,
-    /// The mesh, its unit and axis, and other meshes that it is fitted to or takes shapes from.
+    /// The mesh, its unit and up axis, and the meshes of the closeness target and the pose.
     Mesh,
 }
 
-/// Something that is to be at most so large.
+/// An upper bound on a quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Goal {
-    /// Of what.
+    /// The quantity.
     pub of: GoalOf,
-    /// How large it may be, not negative, in the unit of what is measured; of faces, how many. Zero asks a constraint to be met
-    /// exactly, up to [`crate::solve::exact_tolerance`].
+    /// The bound, not negative, in the unit of the quantity, or a number of faces. Zero requires a
+    /// constraint to be met exactly, up to [`crate::solve::exact_tolerance`].
     pub at_most: f64,
 }
 
 /// The quantity that a goal bounds.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GoalOf {
-    /// The worst face by the measure of this id.
+    /// The largest value over all faces of the measure with this id.
     Measure(String),
-    /// How many faces are beyond `tolerance`, in the unit of the measure of this id.
+    /// The number of faces whose value of a measure exceeds a tolerance.
     Beyond {
-        /// Its id.
+        /// Id of the measure.
         measure: String,
-        /// Not negative; a face at it is not beyond.
+        /// Tolerance in the unit of the measure, not negative; a face exactly at it does not count.
         tolerance: f64,
     },
-    /// The worst error of the enabled rows of constraints that are called so: by their name, or by
-    /// the label of their kind where they have none.
+    /// The largest error of the enabled constraints with this name, or, if they have no name, with
+    /// this label of their kind.
     Constraint(String),
-    /// A number of what is built of the shape with the settings of the scene, by its id; lengths in the unit of the mesh.
+    /// The value with this id of the build with the settings of the scene; lengths in the unit of
+    /// the mesh.
     Build(String),
 }

@@ -1,23 +1,23 @@
-//! The scene: a mesh, what its parts shall be, and how it is solved.
+//! The scene: a mesh, its constraints, and the solver settings.
 //!
 //! | file or folder | holds |
 //! |---|---|
-//! | `document` | the scene as a value: mesh, constraints, handles, settings |
-//! | `closeness` | what vertices are kept close to, and how much |
-//! | `lesson` | exercises: a text and goals |
-//! | `presentation` | the steps in which a scene is shown |
-//! | `results` | what a student hands in |
-//! | `error` | what is wrong with a scene, with its JSON path |
-//! | `json` | the scene file, version 1, in and out |
-//! | `validate` | the checks that need the mesh |
-//! | `words` | the words for choices, in files and everywhere else |
+//! | `document` | data types: mesh, constraints, handles, settings |
+//! | `closeness` | target and factors of the closeness energy |
+//! | `lesson` | lessons: a task and goals |
+//! | `presentation` | the steps of a presentation |
+//! | `results` | the results that a student hands in |
+//! | `error` | errors with their JSON path |
+//! | `json` | reading and writing the scene file, version 1 |
+//! | `validate` | checks of numbers, and of indices and names against the mesh |
+//! | `words` | the words of enumerations, in files and everywhere else |
 //! | `units` | the units of length |
-//! | `frame` | the unit and the vertical axis of a mesh file, stated or guessed |
-//! | `up_guess` | which axis of a mesh likely points up |
-//! | `opened` | the settings of a mesh file that somebody opens |
-//! | `panels` | the same shape for all panels, by one press, and how far that will move the mesh |
-//! | `presets` | settings that belong together |
-//! | `problem` | the problem that the solver is given |
+//! | `frame` | unit and up axis of a mesh file, stated or guessed |
+//! | `up_guess` | guess of the axis that points up |
+//! | `opened` | the settings of a mesh file that the user opens |
+//! | `panels` | one shape for all panels, and a forecast of how far the mesh will move |
+//! | `presets` | presets of weights, closeness and smoothness |
+//! | `problem` | the problem passed to the solver |
 
 mod closeness;
 mod document;

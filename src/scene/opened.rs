@@ -1,20 +1,21 @@
-//! The scene of a mesh file that somebody opens: settings that keep a real mesh whole.
+//! The scene of a mesh file that the user opens, with settings that keep a real mesh intact.
 //!
-//! With the defaults of a scene file (weights 1, 0, 0) constraints on single faces may shrink the mesh
-//! or fold it, and those on a region tear it from the rest. Here every vertex is held a little where it
-//! was, and what neighbours move is smooth; the weight of the shapes is so much greater that these are
-//! met all the same.
+//! With the defaults of a scene file (weights 1, 0, 0), constraints on single faces can shrink or
+//! fold the mesh, and constraints on a region can tear it from the rest. Here a weak closeness term
+//! keeps each vertex near its position, and the displacement is smoothed. The weight of the shapes
+//! is so much larger that they are met all the same.
 
 use super::{MeshSource, PRESETS, Scene};
 
-/// Where a run ends. On ten real meshes of 80 to 2400 vertices, with flat and with circular panels, the
-/// worst panel and the ways that vertices moved have then settled to three digits, after 80 to 950
-/// iterations; with a hundredth of the tolerance it takes half as many again, and nothing changes.
+/// Tolerance at which a run stops. On ten real meshes of 80 to 2400 vertices, with flat and with
+/// circular panels, the error of the worst panel and the displacements have then settled to three
+/// digits, after 80 to 950 iterations; a hundredth of it takes half as many again and changes
+/// nothing.
 const TOLERANCE: f64 = 1e-7;
 const ITERATIONS: u32 = 1000;
 
 impl Scene {
-    /// The scene of the mesh file `name`, which somebody opens.
+    /// Returns the scene of the mesh file `name` that the user opens.
     pub fn opened(name: &str) -> Scene {
         let mut scene = Scene::new(MeshSource::File(name.to_owned()));
         scene.keep_whole();
@@ -23,7 +24,7 @@ impl Scene {
         scene
     }
 
-    /// Sets the weights, and what is kept close and smooth, to those of a mesh that is opened.
+    /// Sets weights, closeness and smoothness to the defaults for opened mesh files.
     pub fn keep_whole(&mut self) {
         PRESETS[0].set(self);
     }

@@ -1,5 +1,5 @@
-//! Settings that belong together: weights, what is kept close to what, what is smoothed. Weights alone,
-//! taken from a figure of the paper, may shrink a mesh to a dot.
+//! Presets of weights, closeness and smoothness. They are set together, since the weights of a
+//! figure of the paper alone can shrink a mesh to a point.
 
 use super::{
     BoundaryCloseness, BoundaryRequire, ClosenessTo, Scene, Smoothness, SmoothnessOf, Weighting,
@@ -8,14 +8,14 @@ use super::{
 use crate::mesh::Topology;
 use serde::Serialize;
 
-/// Settings that belong together.
+/// A preset of weights, closeness and smoothness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Preset {
-    /// Its name in messages.
+    /// Identifier.
     pub id: &'static str,
-    /// Its name for people.
+    /// Name shown to the user.
     pub label: &'static str,
-    /// Its effect, and what it assumes of the mesh.
+    /// Its effect, and its assumptions about the mesh.
     pub assumes: &'static str,
     needs: Needs,
     weights: Weights,
@@ -24,17 +24,17 @@ pub struct Preset {
     smoothness: Smoothness,
 }
 
-/// The requirement for a preset to keep a mesh whole.
+/// Requirement for a preset to keep a mesh intact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Needs {
     Nothing,
-    /// A boundary that holds what is smoothed.
+    /// A boundary, which keeps smoothing from shrinking the mesh.
     Boundary,
     /// Handles that hold the mesh.
     Handles,
 }
 
-/// A preset as hosts offer it for a scene.
+/// A preset offered for a scene.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct PresetOffer {
@@ -44,7 +44,7 @@ pub struct PresetOffer {
     pub label: &'static str,
     /// See [`Preset::assumes`].
     pub assumes: &'static str,
-    /// The part of that which this scene lacks, and the consequence.
+    /// The unmet assumption of this scene and its consequence, if any.
     pub warning: Option<&'static str>,
 }
 
@@ -54,7 +54,7 @@ const OF_SURFACE: Smoothness = Smoothness { of: SmoothnessOf::Surface, weighting
 const ON_ITS_CURVE: Option<BoundaryCloseness> =
     Some(BoundaryCloseness { corners: 45.0, require: BoundaryRequire::Exact, weight: 1.0 });
 
-/// All presets, that of a mesh that is opened first.
+/// All presets; the first is the one for opened mesh files.
 pub const PRESETS: &[Preset] = &[
     Preset {
         id: "opened",
@@ -99,7 +99,7 @@ pub const PRESETS: &[Preset] = &[
 ];
 
 impl Preset {
-    /// Gives `scene` these settings.
+    /// Applies the preset to `scene`.
     pub fn set(&self, scene: &mut Scene) {
         scene.weights = self.weights;
         scene.closeness.to = self.to;
@@ -107,7 +107,7 @@ impl Preset {
         scene.smoothness = self.smoothness;
     }
 
-    /// The preset whose settings `scene` has.
+    /// Returns the preset whose settings `scene` has, if any.
     pub fn of(scene: &Scene) -> Option<&'static Preset> {
         let closeness = &scene.closeness;
         PRESETS.iter().find(|preset| {
@@ -118,7 +118,7 @@ impl Preset {
         })
     }
 
-    /// As it is offered for a mesh with this topology and so many handles.
+    /// Returns the offer for a mesh with this topology and this number of handles.
     pub fn offer(&self, topology: &Topology, handles: usize) -> PresetOffer {
         let warning = match self.needs {
             Needs::Boundary if topology.boundary_loops().is_empty() => {

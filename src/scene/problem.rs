@@ -1,4 +1,4 @@
-//! The problem that a scene poses to the solver.
+//! The problem of a scene, as passed to the solver.
 
 use super::closeness::Target;
 use super::document::{Pose, Scene};
@@ -6,8 +6,9 @@ use crate::mesh::{Mesh, Topology};
 use crate::solve::{Constraints, Problem};
 
 impl Scene {
-    /// The problem on `mesh`, which is what [`Scene::mesh`] stands for, with these `constraints`: its rows that
-    /// are enabled, resolved. `closeness_factors` are those of [`crate::scene::Closeness::factors`], `#V`.
+    /// Returns the problem on `mesh`, the mesh that [`Scene::mesh`] refers to. `constraints` are
+    /// the enabled constraints with resolved selectors, and `closeness_factors`, `#V`, the result
+    /// of [`crate::scene::Closeness::factors`].
     pub fn problem<'a>(
         &'a self,
         mesh: &'a Mesh,

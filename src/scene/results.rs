@@ -12,58 +12,59 @@ use serde_json::{Map, Value};
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Results {
-    /// Who made it, as the student typed it.
+    /// Name, as typed by the student.
     pub student: String,
     /// Title of the scene.
     pub title: String,
-    /// [`Scene::fingerprint`] of what it was made from.
+    /// [`Scene::fingerprint`] of the lesson.
     pub scene: String,
-    /// When it was saved, as the page says it; empty when not known.
+    /// Time of saving, as formatted by the page; empty if unknown.
     pub time: String,
-    /// Iterations from where the scene starts.
+    /// Number of iterations since the start of the scene.
     pub iterations: u32,
     /// Whether all goals were met.
     pub passed: bool,
     /// The value of each goal.
     pub goals: Vec<GoalResult>,
-    /// The rows of constraints at the end.
+    /// The constraints at the end.
     pub constraints: Vec<ConstraintSpec>,
     /// The handles at the end.
     pub handles: Vec<HandleSpec>,
-    /// The names of the steps that led here, as Undo says them; the first may be forgotten.
+    /// The names of the steps that led here, as shown by Undo; the oldest may be missing.
     #[serde(default)]
     pub steps: Vec<String>,
-    /// The weights of the energies at the end; none in files before they were kept.
+    /// The weights of the energies at the end; `None` in older files.
     #[serde(default, deserialize_with = "present")]
     pub weights: Option<Weights>,
     /// The declared settings at the end, by id.
     #[serde(default)]
     pub settings: Map<String, Value>,
-    /// How far a vertex is from where it was, at most, in the unit of the mesh.
+    /// Largest displacement of a vertex, in the unit of the mesh.
     #[serde(default, deserialize_with = "present")]
     pub moved: Option<f64>,
-    /// The largest distance of a vertex to the shape of a constraint, in that unit.
+    /// Largest distance of a vertex to the shape of a constraint, in the same unit.
     #[serde(default, deserialize_with = "present")]
     pub distance: Option<f64>,
     /// The shape, `#V by 3`.
     pub positions: Vec<Point>,
 }
 
-/// A goal, and what it was found to be.
+/// A goal and its value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GoalResult {
     /// The goal.
     pub goal: Goal,
-    /// The value; none where nothing has it.
+    /// The value; `None` if it is not defined.
     pub value: Option<f64>,
-    /// Whether it is small enough.
+    /// Whether the goal is met.
     pub met: bool,
 }
 
 impl Scene {
-    /// Which exercise this is: 16 hexadecimal digits that other meshes and other lessons do not share,
-    /// but for a chance of one in 2^64. Constraints, handles and weights are not in it: they are what
-    /// students change. It tells mistakes apart, and is no seal.
+    /// Returns the fingerprint of the exercise: 16 hexadecimal digits that depend on the mesh and
+    /// the lesson, with a chance of one in 2^64 of a collision. Constraints, handles and weights
+    /// are not included, since students change them. It detects mistakes, but is not secure against
+    /// forgery.
     pub fn fingerprint(&self, mesh: &Mesh) -> String {
         let mut exercise = Scene::new(MeshSource::Inline(Box::default()));
         exercise.lesson.clone_from(&self.lesson);
@@ -71,7 +72,7 @@ impl Scene {
     }
 }
 
-/// The hash of Fowler, Noll and Vo, variant 1a, 64 bits.
+/// Computes the Fowler-Noll-Vo hash, variant 1a, 64 bits.
 fn fnv1a(bytes: &[u8]) -> u64 {
     let step = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, step)

@@ -1,5 +1,5 @@
-//! Units of length. The coordinates of a mesh are never converted: a unit says how they are shown, and what
-//! is typed with a unit of its own is converted to that of the mesh.
+//! Units of length. The coordinates of a mesh are never converted: the unit determines how lengths
+//! are shown, and lengths that the user types with another unit are converted to that of the mesh.
 
 /// A unit of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,8 +16,8 @@ const fn unit(symbol: &'static str, metres: f64, rhino: &'static str) -> LengthU
     LengthUnit { symbol, metres, rhino }
 }
 
-/// The units that hosts offer, in their order. A scene may name others, which are shown as they are. The page
-/// has this table as `www/ui/units.js`.
+/// The units that hosts offer, in order. Scenes may use others, which are shown unchanged. A copy
+/// of this table for the page is in `www/ui/units.js`.
 pub const UNITS: [LengthUnit; 5] = [
     unit("m", 1.0, "Meters"),
     unit("cm", 0.01, "Centimeters"),

@@ -1,33 +1,36 @@
-//! Which axis of a mesh likely points up, from its extents and the normals of its faces.
+//! Guess of the axis of a mesh that points up, from its extents and the normals of its faces.
 //!
-//! A surface with a boundary is mostly a roof: what it covers, the area that a vertical light would
-//! draw, tells. What is closed stands on something flat, or is a figure, which is least wide across.
+//! A surface with a boundary is mostly a roof: the projected area that it covers along the axis
+//! decides. A closed shape stands on flat faces, or is a figure, which is narrowest from front to
+//! back.
 
 use super::{UnitsAndUp, Up};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point};
 
-/// The least area that a surface covers as seen along its axis, as a part of its own area.
+/// Least area that a roof covers along the up axis, as a fraction of its own area.
 const COVERS: f64 = 0.05;
-/// How many times as much as along the other axis.
+/// Least ratio of an area along one axis to that along the other that decides between them.
 const CLEARLY: f64 = 2.0;
-/// A face looks along an axis where this part of its area does.
+/// Least component of a unit normal along an axis for the face to be perpendicular to that axis.
 const ALONG: f64 = 0.9;
-/// Faces this near to the lowest point, as a part of the height, are on the ground.
+/// Largest height of a face on the ground, as a fraction of the total height.
 const GROUND: f64 = 0.03;
-/// The least area that a closed shape has on the ground, as a part of its own: so that it is built, or that it
-/// stands.
+/// Least area on the ground below z, as a fraction of the total area, for a closed shape to be a
+/// building with z up.
 const BUILT: f64 = 0.03;
+/// Least area on the ground below y, as a fraction of the total area, for a closed shape to stand
+/// with y up.
 const STANDS: f64 = 0.015;
-/// Vertices this near to the lowest one, as a part of the height, stand on the ground.
+/// Largest height of a vertex on the ground, as a fraction of the total height.
 const TOUCHES: f64 = 1e-3;
-/// A shape lies flat where its height is at most this part of both its other sides.
+/// A shape lies flat if its height is at most this fraction of both its other extents.
 const LYING: f64 = 0.5;
-/// A figure is less wide across than this part of both its other sides.
+/// A figure's extent from front to back is at most this fraction of both its other extents.
 const ACROSS: f64 = 0.8;
 
 impl UnitsAndUp {
-    /// The axis that likely points up: z, unless the mesh tells otherwise.
+    /// Guesses the axis that points up: z, unless the mesh suggests otherwise.
     pub fn guess_up(mesh: &Mesh) -> Up {
         let [x, y, z] = [0, 1, 2].map(|axis| Extent::of(mesh, axis));
         let surface = Areas::of(mesh, [&y, &z]);
@@ -68,9 +71,10 @@ impl UnitsAndUp {
 #[derive(Default)]
 struct Areas {
     total: f64,
-    /// Of all area vectors together: what the surface covers, 0 where it is closed.
+    /// Components of the sum of all area vectors: the area that the surface covers, 0 if it is
+    /// closed.
     net: [f64; 2],
-    /// Of faces that look along the axis, at the lower end of the extent.
+    /// Area of the faces perpendicular to the axis at the lower end of the extent.
     on_ground: [f64; 2],
 }
 
@@ -115,14 +119,14 @@ impl Extent {
     }
 }
 
-/// The corners of faces; all vertices where there are no faces.
+/// Returns the corners of faces; all vertices if there are no faces.
 fn points(mesh: &Mesh) -> impl Iterator<Item = Point> {
     let alone = if mesh.faces.is_empty() { &mesh.positions[..] } else { &[] };
     let corners = mesh.faces.indices().iter().map(|&v| mesh.positions[v as usize]);
     corners.chain(alone.iter().copied())
 }
 
-/// How many vertices stand on the ground when this axis points up.
+/// Returns the number of vertices on the ground if this axis points up.
 fn touching(mesh: &Mesh, axis: usize) -> usize {
     let extent = Extent::of(mesh, axis);
     let limit = extent.low + TOUCHES * extent.length();
@@ -163,7 +167,7 @@ mod tests {
 
     #[test]
     fn a_roof_covers_the_ground_and_a_solid_stands_on_it() {
-        // Five sides of a box: what is open is below.
+        // A box without one side, which is below.
         for (sides, open, up) in
             [([4.0, 4.0, 9.0], 0, Up::Z), ([9.0, 9.0, 4.0], 2, Up::Y), ([9.0, 4.0, 9.0], 2, Up::Y)]
         {
@@ -172,7 +176,7 @@ mod tests {
             let house = Mesh { faces: kept.map(|(_, face)| face).collect(), ..whole.clone() };
             assert_eq!(UnitsAndUp::guess_up(&house), up, "{sides:?} {open}");
         }
-        // Of a closed box there is no telling.
+        // A closed box is ambiguous: z is the default.
         for sides in [[20.0, 15.0, 9.0], [4.0, 4.0, 30.0], [1.0, 1.0, 1.0], [20.0, 15.0, 1.0]] {
             assert_eq!(UnitsAndUp::guess_up(&solid(sides)), Up::Z, "{sides:?}");
         }

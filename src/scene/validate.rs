@@ -1,4 +1,4 @@
-//! The checks of a scene beyond its form: numbers in range, and indices and names that the mesh has.
+//! Checks of a scene beyond its form: ranges of numbers, and indices and names against the mesh.
 
 use super::{
     ClosenessTo, ConstraintSpec, HandleSpec, Hold, NamedEnum, Scene, SceneError, Slide, Target,
@@ -11,14 +11,14 @@ use crate::mesh::{FARTHEST, Laplacian, Mesh, too_far};
 use crate::solve::Require;
 use std::collections::BTreeSet;
 
-/// Accelerators keep so many steps at most, each as large as the mesh.
+/// Maximum number of steps that accelerators store, each as large as the mesh.
 const MOST_WINDOW: u32 = 50;
 
 impl Scene {
-    /// Checks that everything in the scene fits `mesh`, the mesh that [`Scene::mesh`] stands for.
+    /// Checks the scene against `mesh`, the mesh that [`Scene::mesh`] refers to.
     ///
     /// # Errors
-    /// The first thing that does not: its JSON path, what is wrong and what was expected.
+    /// The first error: its JSON path, the fault and what was expected.
     pub fn validate(&self, mesh: &Mesh) -> Result<(), SceneError> {
         self.check_numbers()?;
         let vertices = mesh.positions.len();
@@ -75,7 +75,7 @@ impl Scene {
         }
     }
 
-    /// Checks that the steps of the presentation go to variants that there are, with weights that there can be.
+    /// Checks that the steps of the presentation refer to existing variants and have valid weights.
     pub(crate) fn check_steps(&self) -> Result<(), SceneError> {
         let (count, kept) = (self.steps.len(), self.variants.kept.len());
         if count > Slide::MOST {
@@ -143,7 +143,7 @@ impl Scene {
         }
     }
 
-    /// The checks that need no mesh: every number is finite and in its range.
+    /// Checks that every number is finite and in its range; needs no mesh.
     pub(super) fn check_numbers(&self) -> Result<(), SceneError> {
         for (i, spec) in self.constraints.iter().enumerate() {
             from_zero(&format!("constraints[{i}].weight"), spec.weight)?;
@@ -202,7 +202,7 @@ impl Scene {
         Ok(())
     }
 
-    /// No position is so far out that it cannot be measured.
+    /// Checks that all coordinates are within [`FARTHEST`].
     fn check_extent(&self, mesh: &Mesh) -> Result<(), SceneError> {
         let beyond =
             format!("is too far out, expected coordinates from -{FARTHEST:e} to {FARTHEST:e}");
@@ -221,7 +221,7 @@ impl Scene {
         Ok(())
     }
 
-    /// The faces are such that the Laplacian has weights.
+    /// Checks that the weighting of the Laplacian is defined on the faces.
     fn check_weighting(&self, mesh: &Mesh) -> Result<(), SceneError> {
         const MOST: usize = Laplacian::MOST_CORNERS;
         let (fits, needed, others): (fn(usize) -> bool, _, _) = match self.smoothness.weighting {
@@ -260,7 +260,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Every selector, of constraints and of closeness.
+    /// Checks the selectors of constraints and of closeness.
     fn check_selectors(&self, mesh: &Mesh) -> Result<(), SceneError> {
         let groups = mesh.groups.iter().map(|group| group.name.as_str());
         let mut names: BTreeSet<&str> = BTreeSet::new();
@@ -276,7 +276,7 @@ impl Scene {
     }
 
     fn check_handles(&self, vertices: usize) -> Result<(), SceneError> {
-        /// Of a vertex without a handle.
+        /// Marks a vertex without a handle.
         const FREE: u32 = u32::MAX;
         let mut held = vec![FREE; vertices];
         for (i, handle) in self.handles.iter().enumerate() {
@@ -297,7 +297,7 @@ impl Scene {
     }
 }
 
-/// Less is required of some faces only where single faces are met within a length.
+/// Checks the eased faces, which are allowed only on constraints on faces with a tolerance.
 fn check_eased(path: &str, spec: &ConstraintSpec, mesh: &Mesh) -> Result<(), SceneError> {
     let Some(eased) = &spec.eased else { return Ok(()) };
     let on_faces = matches!(spec.on, Selector::Each { element: Element::Face, radius: 0, .. });
@@ -307,7 +307,7 @@ fn check_eased(path: &str, spec: &ConstraintSpec, mesh: &Mesh) -> Result<(), Sce
     check_indices(&format!("{path}.faces"), "face", &eased.faces, mesh.faces.len())
 }
 
-/// The names and indices of a selector; `names` are those of sets and groups.
+/// Checks the names and indices of a selector; `names` are the names of sets and groups.
 fn check_selector(
     path: &str,
     on: &Selector,
@@ -360,7 +360,7 @@ fn check_handle_numbers(i: usize, handle: &HandleSpec) -> Result<(), SceneError>
     }
 }
 
-/// Every index is below `count`, and none is listed twice.
+/// Checks that every index is below `count`, and that none is listed twice.
 fn check_indices(path: &str, what: &str, indices: &[u32], count: usize) -> Result<(), SceneError> {
     if let Some(k) = indices.iter().position(|&index| index as usize >= count) {
         let index = indices[k];

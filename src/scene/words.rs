@@ -1,5 +1,5 @@
-//! The words for choices: one list for each, by which scene files, the command line and every host
-//! read and write them.
+//! The words of enumerations: one list for each, used by scene files, the command line and all
+//! hosts.
 
 use super::{
     Accelerator, BoundaryRequire, ClosenessTo, Factorization, Lock, SmoothnessOf, Up, Weighting,
@@ -11,23 +11,23 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Value;
 
-/// A choice between a few values that have a word each.
+/// An enumeration whose values each have a word.
 pub trait NamedEnum: Copy + PartialEq + 'static {
     /// Every value with its word, in the order in which hosts list them.
     const WORDS: &'static [(&'static str, Self)];
 
-    /// The word for it.
+    /// Returns the word of the value.
     fn word(self) -> &'static str {
         let found = Self::WORDS.iter().find(|(_, value)| *value == self);
         found.expect("every value has a word").0
     }
 
-    /// The value of a word; none for an unknown one.
+    /// Returns the value of a word; `None` if the word is unknown.
     fn of_word(word: &str) -> Option<Self> {
         Self::WORDS.iter().find(|(known, _)| *known == word).map(|(_, value)| *value)
     }
 
-    /// All words, with something `between` each two.
+    /// Returns all words, separated by `between`.
     fn list(between: &str) -> String {
         Self::WORDS.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(between)
     }

@@ -1,4 +1,5 @@
-//! "closeness": what vertices are kept close to, of which another surface is a mesh as the scene's own.
+//! "closeness": the target of the closeness energy. Another surface is written like the mesh of the
+//! scene.
 
 use super::text::{field, number, object, text};
 use super::{mesh as inline_mesh, selector};
@@ -32,7 +33,7 @@ struct TargetFile {
     mesh: MeshSource,
 }
 
-/// A mesh as that of the scene, or the path of its file alone.
+/// Reads a mesh as in "mesh" of the scene, or only the path of its file.
 fn mesh_or_path<'de, D: Deserializer<'de>>(from: D) -> Result<MeshSource, D::Error> {
     match Value::deserialize(from)? {
         Value::String(path) => Ok(MeshSource::File(path)),
@@ -70,7 +71,7 @@ impl<'de> Deserialize<'de> for To {
     }
 }
 
-/// The fields that are not the default.
+/// Returns the fields that are not at their defaults.
 pub(super) fn write(closeness: &Closeness) -> Vec<String> {
     let mut fields = Vec::new();
     match &closeness.target {
@@ -97,7 +98,7 @@ pub(super) fn write(closeness: &Closeness) -> Vec<String> {
         fields.push(field("weights", format!("[{}]", entries.join(", "))));
     }
     if let Some(boundary) = closeness.boundary {
-        // Also the default: it says what the corners are.
+        // Written even at the default, since it defines the corners.
         let mut entries = vec![field("corners", number(boundary.corners))];
         if boundary.require != BoundaryRequire::default() {
             entries.push(field("require", text(boundary.require.word())));

@@ -1,4 +1,4 @@
-//! One entry of the list of constraints: kind, selector, weight, and the parameters of the kind.
+//! One entry of the list of constraints: kind, selector, weight, and parameters of the kind.
 
 use super::file::from_json;
 use super::selector;
@@ -30,10 +30,10 @@ impl<'de> Deserialize<'de> for ConstraintSpec {
     }
 }
 
-/// The keys that every constraint has; all others are parameters of its kind.
+/// The keys common to all constraints; all others are parameters of the kind.
 const KEYS: [&str; 7] = ["kind", "on", "weight", "enabled", "name", "require", "eased"];
 
-/// The keys of every constraint.
+/// The values of the common keys.
 #[derive(serde::Deserialize)]
 struct Common {
     kind: String,
@@ -86,7 +86,7 @@ fn spec_of(entries: Map<String, Value>) -> Result<ConstraintSpec, JsonError> {
     Ok(ConstraintSpec { kind, on, weight, enabled, name, require, eased })
 }
 
-/// The value of a row that is met within a length.
+/// The `require` of a constraint with a tolerance.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Within {
@@ -107,7 +107,7 @@ impl<'de> Deserialize<'de> for Require {
     }
 }
 
-/// The keys of the parameters of a kind.
+/// Returns the parameter keys of a kind.
 fn parameter_keys(id: &str) -> Vec<String> {
     let declared = KINDS.iter().filter(|info| info.id == id).flat_map(|info| info.params);
     let mut keys: Vec<_> = declared.map(|param| param.id.to_owned()).collect();
@@ -119,7 +119,7 @@ fn parameter_keys(id: &str) -> Vec<String> {
     keys
 }
 
-/// The parameters that a kind has when the scene gives none; empty when some have no default.
+/// Returns the default parameters of a kind; empty if some have no default.
 fn default_params(id: &str) -> Map<String, Value> {
     match Kind::new(id, serde_json::json!({})).map(|kind| kind.params()) {
         Ok(Value::Object(params)) => params,
@@ -127,7 +127,7 @@ fn default_params(id: &str) -> Map<String, Value> {
     }
 }
 
-/// One line of the list.
+/// Returns the constraint as one line of the list.
 pub(super) fn write(spec: &ConstraintSpec) -> String {
     let id = spec.kind.info().id;
     let mut fields = vec![field("kind", text(id)), field("on", selector::write(&spec.on))];

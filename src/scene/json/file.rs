@@ -1,24 +1,24 @@
-//! Files: their format and version, before what is in them.
+//! Files: checks of format and version before their content is read.
 
 use crate::constraint::Set;
 use crate::json::{JsonError, Tree, found, indices, parse, read_tree};
 use crate::scene::{Results, Scene, SceneError};
 use serde::de::DeserializeOwned;
 
-/// The value of `format` in every scene file.
+/// The value of `format` in scene files.
 pub const FORMAT: &str = "shape-up-scene";
-/// The version of the scene file that is read and written.
+/// Version of the files that are read and written.
 pub const VERSION: u32 = 1;
 
-/// The value of `format` in every file of results.
+/// The value of `format` in files of results.
 pub(super) const RESULTS: &str = "shape-up-results";
 
 impl Scene {
     /// Reads a scene file.
     ///
     /// # Errors
-    /// When the text is not JSON (line and column), or not a scene of version 1 (the JSON path,
-    /// what was found there and what was expected).
+    /// If the text is not JSON (with line and column), or not a scene of version 1 (with the JSON
+    /// path, the value found and the value expected).
     pub fn from_json(text: &str) -> Result<Scene, SceneError> {
         let scene: Scene = read_file(text, "a scene: an object", FORMAT)?;
         let is_empty = |set: &Set| set.vertices.is_empty() && set.faces.is_empty();
@@ -47,8 +47,8 @@ pub(super) fn from_json<T: DeserializeOwned>(text: &str) -> Result<T, SceneError
     Ok(read_tree(&parse(text)?)?)
 }
 
-/// Reads the file of this `format`; `what` says what it would be. A later version is refused before its keys
-/// are looked at: some of them may be unknown here.
+/// Reads a file of this `format`; `what` describes it in errors. A later version is refused before
+/// its keys are read, since some may be unknown.
 fn read_file<T: DeserializeOwned>(text: &str, what: &str, format: &str) -> Result<T, JsonError> {
     if text.trim().is_empty() {
         return Err(JsonError::new("", "the file is empty, expected a scene"));

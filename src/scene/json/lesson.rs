@@ -1,4 +1,4 @@
-//! `lesson`: what is to be done, and the goals; and the results that are handed in.
+//! `lesson`: task and goals; and the results that students hand in.
 //!
 //! ```json
 //! { "text": "Make every panel flat.",
@@ -125,7 +125,7 @@ fn goal_of(file: GoalFile) -> Result<Goal, JsonError> {
     Ok(Goal { of, at_most: from_zero("at_most", at_most)? })
 }
 
-/// The lesson, each goal on a line.
+/// Returns the lesson with one goal per line.
 pub(super) fn write(lesson: &Lesson) -> String {
     let goals = lesson.goals.iter().map(|goal| object(goal_fields(goal))).collect();
     let mut fields =

@@ -1,9 +1,9 @@
-//! A mesh inside the scene file.
+//! Inline mesh of a scene file.
 //!
-//! Beyond the format's `"groups": {NAME: {"faces": LIST}}`, a group may have `"curves"` and the
-//! statement of an OBJ file that named it, `"keyword": "o" | "g" | "usemtl"` (`g` when absent); groups
-//! of one name under different statements are an array. So an OBJ that was saved in a scene comes
-//! out of it as it went in.
+//! In addition to `"groups": {NAME: {"faces": LIST}}`, a group may have `"curves"` and the OBJ
+//! statement that named it, `"keyword": "o" | "g" | "usemtl"` (`g` if absent). Groups with the same
+//! name but different statements form an array. This way the groups of an OBJ file survive saving
+//! and loading a scene.
 
 use super::text::{field, object, point, rows, text};
 use crate::json::{JsonError, indices, present, read};
@@ -41,7 +41,7 @@ struct GroupFile {
     keyword: Option<GroupKeyword>,
 }
 
-/// Named values in the order of the file.
+/// Reads named values in the order of the file.
 fn groups<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<(String, Value)>, D::Error> {
     struct InOrder;
 
@@ -68,7 +68,7 @@ impl<'de> Deserialize<'de> for MeshSource {
     }
 }
 
-/// As a mesh, of which the positions count.
+/// Reads a mesh and keeps its positions only.
 impl<'de> Deserialize<'de> for Pose {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Pose, D::Error> {
         Ok(match MeshSource::deserialize(from)? {
@@ -131,7 +131,7 @@ fn source_of(file: MeshFile) -> Result<MeshSource, JsonError> {
     Ok(MeshSource::Inline(Box::new(mesh)))
 }
 
-/// Lists of at least `least` vertices of a mesh that has `count`.
+/// Checks that each list has at least `least` vertices, all of a mesh with `count` vertices.
 fn ragged(
     key: &str,
     lists: Option<Vec<indices::Indices>>,
@@ -171,7 +171,7 @@ fn group_of(name: &str, value: &Value, mesh: &Mesh) -> Result<Group, JsonError> 
     Ok(Group { name: name.to_owned(), keyword, faces, curves })
 }
 
-/// The mesh as a JSON object whose lines are indented by `indent`.
+/// Returns the mesh as a JSON object with lines indented by `indent`.
 pub(super) fn write(mesh: &Mesh, indent: &str) -> String {
     let row = |row: &[u32]| {
         let items: Vec<_> = row.iter().map(u32::to_string).collect();

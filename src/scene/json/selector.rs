@@ -1,4 +1,4 @@
-//! The forms of `on`: which vertices a constraint acts on.
+//! The forms of `on`, the selector of the vertices of a constraint.
 
 use super::file::from_json;
 use super::text::{field, object, text};
@@ -10,7 +10,7 @@ use crate::scene::words::one_of;
 use serde::de::{Deserialize, Deserializer, Error};
 use serde_json::Value;
 
-/// The radius of an element that does not say its own.
+/// Returns the default, and least, radius of an element.
 fn default_radius(element: Element) -> u32 {
     if element == Element::Ring { 1 } else { 0 }
 }
@@ -89,7 +89,7 @@ fn selector_of(value: &Value) -> Result<Selector, JsonError> {
     Ok(Selector::Each { element, within, radius })
 }
 
-/// The shortest form that reads back to the selector.
+/// Returns the shortest form that reads back to the selector.
 pub(super) fn write(selector: &Selector) -> String {
     match selector {
         Selector::Set(name) => object(vec![field("set", text(name))]),

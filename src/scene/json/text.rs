@@ -1,4 +1,4 @@
-//! JSON as text: fields, objects, lists with one item per line.
+//! Formatting JSON: fields, objects, lists with one item per line.
 
 use crate::mesh::{Decimal, Point};
 
@@ -10,7 +10,7 @@ pub(super) fn object(fields: Vec<String>) -> String {
     format!("{{ {} }}", fields.join(", "))
 }
 
-/// One item per line.
+/// Formats a list with one item per line.
 pub(super) fn lines(open: char, items: Vec<String>, close: char) -> String {
     if items.is_empty() {
         return format!("{open}{close}");
@@ -18,7 +18,7 @@ pub(super) fn lines(open: char, items: Vec<String>, close: char) -> String {
     format!("{open}\n    {}\n  {close}", items.join(",\n    "))
 }
 
-/// Rows in as few lines as are good to read: what a scene holds is long, not deep.
+/// Formats rows with as many per line as are readable, since scenes have long flat lists.
 pub(super) fn rows(rows: impl Iterator<Item = String>, indent: &str) -> String {
     let mut text = String::from("[");
     let mut width = 0;
@@ -49,12 +49,12 @@ pub(super) fn point(point: &Point) -> String {
     format!("[{x}, {y}, {z}]")
 }
 
-/// The shortest decimal that reads back to the same bits.
+/// Formats a number as the shortest decimal that reads back to the same bits; `null` if not finite.
 pub(super) fn number(value: f64) -> String {
     if value.is_finite() { Decimal(value).to_string() } else { "null".to_owned() }
 }
 
-/// A JSON string.
+/// Formats a JSON string.
 pub(super) fn text(value: &str) -> String {
     serde_json::Value::from(value).to_string()
 }

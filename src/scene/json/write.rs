@@ -1,4 +1,5 @@
-//! The scene as JSON: one line per constraint, handle and set; only what is not the default.
+//! Writing the scene as JSON, with one line per constraint, handle and set, and without default
+//! values.
 
 use super::file::{FORMAT, VERSION};
 use super::text::{field, lines, number, object, point, rows, text};
@@ -11,9 +12,9 @@ use crate::scene::{MeshSource, NamedEnum, Pose, Scene, Slide, Up, Variants};
 use serde_json::{Map, Value};
 
 impl Scene {
-    /// Writes the scene as a file: `mesh` goes inline where [`Scene::mesh`] is inline. What has its
-    /// default value is left out. The same scene always gives the same text, and numbers read
-    /// back to the same bits.
+    /// Returns the scene as the text of a file; `mesh` is written inline if [`Scene::mesh`] is
+    /// inline. Default values are left out. The same scene always gives the same text, and numbers
+    /// read back to the same bits.
     pub fn to_json(&self, mesh: &Mesh) -> String {
         write(self, mesh)
     }
@@ -52,7 +53,7 @@ fn write(scene: &Scene, mesh: &Mesh) -> String {
             scene.sets.iter().map(|(name, set)| format!("{}: {}", text(name), write_set(set)));
         fields.push(field("sets", lines('{', sets.collect(), '}')));
     }
-    // Also when empty: the list is what a scene is about.
+    // Written even when empty, since constraints are the main content of a scene.
     fields.push(field(
         "constraints",
         lines('[', scene.constraints.iter().map(constraint::write).collect(), ']'),
@@ -122,7 +123,7 @@ fn write_variants(variants: &Variants) -> Vec<String> {
     fields
 }
 
-/// The settings of a build that are not the default.
+/// Returns the build settings that are not at their defaults.
 fn write_build(build: &BuildSettings) -> Vec<String> {
     let values = |settings: &BuildSettings| match serde_json::to_value(settings) {
         Ok(Value::Object(values)) => values,

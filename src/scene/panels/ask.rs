@@ -1,4 +1,4 @@
-//! The shapes that are offered for all panels, and the scene that asks for one.
+//! The shapes offered for all panels of a mesh, and the request for one of them.
 
 use crate::constraint::{Centring, Element, Info, KINDS, Kind, KindError, Selector};
 use crate::mesh::Mesh;
@@ -6,17 +6,17 @@ use crate::scene::{ConstraintSpec, Scene, SceneError};
 use crate::solve::Require;
 use serde::Serialize;
 
-/// Whether a kind is offered for all panels of a mesh.
+/// A kind offered for all panels, and whether it applies to a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct PanelOffer {
     /// The id of a kind with [`Info::panels`].
     pub kind: &'static str,
-    /// Why it is not.
+    /// Reason why the kind does not apply to the mesh, if so.
     pub reason: Option<String>,
 }
 
-/// The kinds that are offered for all panels, and whether each means something on `mesh`.
+/// Returns the kinds offered for all panels, and whether each applies to `mesh`.
 pub fn panel_offers(mesh: &Mesh) -> Vec<PanelOffer> {
     let offered = KINDS.iter().filter_map(|info| Some((info, info.panels?)));
     offered
@@ -27,7 +27,7 @@ pub fn panel_offers(mesh: &Mesh) -> Vec<PanelOffer> {
         .collect()
 }
 
-/// Why it means nothing on `mesh` to ask for panels that are so.
+/// Returns the reason why the kind does not apply to `mesh`, if so.
 fn against(info: &Info, adjective: &str, mesh: &Mesh) -> Option<String> {
     if mesh.faces.is_empty() {
         Some("There are no panels.".to_owned())
@@ -40,7 +40,7 @@ fn against(info: &Info, adjective: &str, mesh: &Mesh) -> Option<String> {
     }
 }
 
-/// How many faces can have a kind.
+/// Returns the number of faces whose number of corners suits a kind.
 fn fitting(info: &Info, mesh: &Mesh) -> usize {
     let size = |face: &[u32]| match info.centring {
         Centring::ByEdge => 2 * face.len(),
@@ -50,13 +50,14 @@ fn fitting(info: &Info, mesh: &Mesh) -> usize {
 }
 
 impl Scene {
-    /// Asks for the shape `kind` of every face of `mesh` that can have it, as is required. Such a row that is
-    /// there is switched on, instead of one more, and stays exact if it is. Between kinds that are offered for all panels it is a choice:
-    /// rows of the others on all faces are switched off. A scene whose weights would not keep the mesh
-    /// whole gets those of one that is opened. Gives the declaration of the kind.
+    /// Requests the shape `kind`, soft or hard as in `require`, for every suitable face of `mesh`,
+    /// and returns the declaration of the kind. An existing constraint of this kind on all faces is
+    /// enabled instead of adding another, and stays exact if it was. The kinds offered for all
+    /// panels exclude each other: constraints of the others on all faces are disabled. If the
+    /// weights of the scene would not keep the mesh intact, they are set by [`Scene::keep_whole`].
     ///
     /// # Errors
-    /// When there is no such kind, or no face can have it.
+    /// If there is no such kind, or no face suits it.
     pub fn ask_of_panels(
         &mut self,
         kind: &str,

@@ -1,4 +1,4 @@
-//! How far a mesh will move for panels of one shape, and why, before anything is solved.
+//! Forecast, before solving, of how far a mesh will move for panels of one shape, and why.
 
 use super::ask::panel_offers;
 use crate::constraint::{KINDS, Kind};
@@ -6,29 +6,31 @@ use crate::mesh::{Curvature, CurvatureLines, Mesh, Ragged, Topology, face_curvat
 use crate::solve::{Constraints, least_move};
 use serde::Serialize;
 
-/// Vertices move a lot from the first part of the mean edge on, by the estimate, and hardly below the second.
+/// Least estimated move, as a fraction of the mean edge length, of [`HowFar::Lot`].
 const A_LOT: f64 = 0.2;
+/// Least move of [`HowFar::Little`], as the same fraction.
 const A_LITTLE: f64 = 0.03;
-/// Panels are as asked where they need to move by less than this part.
+/// Least move of [`HowFar::Hardly`], as the same fraction.
 const NOTHING: f64 = 1e-6;
-/// Edges off the lines of curvature by fewer degrees are not why a mesh has to move.
+/// Least angle in degrees between edges and lines of curvature that is reported as the cause.
 const OFF: f64 = 10.0;
-/// A face is on a saddle where the product of the principal curvatures at its corners is below this part of the sum of
-/// their squares, on average; and it is told where more than such a part of the faces is.
+/// A face counts as on a saddle if the product of the principal curvatures, averaged over its
+/// corners, is below this fraction of the sum of their squares.
 const SADDLE: f64 = -0.02;
+/// Saddles are reported if more than this fraction of the faces is on them.
 const SOME: f64 = 0.05;
 
-/// How far vertices move, on average.
+/// Classes of the mean move of the vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum HowFar {
-    /// All panels are as asked.
+    /// All panels have the shape already.
     Nothing,
-    /// By a small part of an edge.
+    /// Less than 0.03 of the mean edge length.
     Hardly,
-    /// By less than a fifth of the mean edge.
+    /// Less than a fifth of the mean edge length.
     Little,
-    /// By a fifth of the mean edge or more.
+    /// A fifth of the mean edge length or more.
     Lot,
 }
 
@@ -37,33 +39,35 @@ pub enum HowFar {
 pub struct ForecastOfKind {
     /// The id of the kind.
     pub kind: &'static str,
-    /// The adjective for panels that are so.
+    /// Adjective for panels of this kind.
     #[serde(skip)]
     adjective: &'static str,
-    /// How far the vertices have to move on average, as a part of the mean edge, see [`least_move`]. Up to a third of
-    /// an edge it is within a third of what an exact shape costs, beyond that rather too much (`tests/scene/forecast.rs`).
+    /// Estimated mean move of the vertices, as a fraction of the mean edge length, see
+    /// [`least_move`]. Up to a third of an edge it is within a third of the move for an exact
+    /// shape; beyond that it tends to be too large (`tests/scene/forecast.rs`).
     pub least_move: f64,
-    /// The same in words.
+    /// Class of this move.
     pub how_far: HowFar,
 }
 
-/// The forecasts for all kinds that are offered for panels.
+/// The forecasts for all kinds offered for the panels of a mesh.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Forecast {
     /// In the order of [`KINDS`].
     pub kinds: Vec<ForecastOfKind>,
-    /// The mean angle of the edges to the lines of curvature, degrees; none where the surface has none, and where
-    /// most faces are no quads, whose edges need not follow them.
+    /// Mean angle between the edges and the lines of curvature, in degrees. `None` if the surface
+    /// has no lines of curvature, or if the mesh is not quad-dominant: the edges of other faces
+    /// need not follow them.
     #[serde(skip)]
     pub off_curvature_lines: Option<f64>,
-    /// How many faces with more than four corners are on saddles, and how many there are with known curvatures, where most
-    /// faces have so many corners; none where they have not.
+    /// Among the faces with more than four corners and known curvature, the number on saddles and
+    /// the total; `None` unless most faces have more than four corners.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub saddles: Option<[usize; 2]>,
 }
 
 impl Forecast {
-    /// Of the shapes that are offered for the panels of `mesh`; none where no shape is.
+    /// Makes the forecast for `mesh`; `None` if no kind is offered for its panels.
     pub fn of(mesh: &Mesh, topology: &Topology) -> Option<Forecast> {
         let edge = topology.mean_edge(&mesh.positions);
         let offers = panel_offers(mesh).into_iter().filter(|offer| offer.reason.is_none());
@@ -79,7 +83,7 @@ impl Forecast {
         })
     }
 
-    /// A sentence or a few: for what it will move how far, why, and what to do about it.
+    /// Describes the forecast in a few sentences: the move for each kind, its cause, and a remedy.
     pub fn words(&self) -> String {
         let mut words = String::from("This mesh will");
         let (mut farthest, mut joint) = (None, "");
@@ -141,7 +145,7 @@ impl HowFar {
 }
 
 impl ForecastOfKind {
-    /// Of the kind `id` on all faces that can have it; `edge` is the mean length of an edge.
+    /// Makes the forecast of the kind `id` on all suitable faces; `edge` is the mean edge length.
     fn of(id: &str, mesh: &Mesh, edge: f64) -> Option<ForecastOfKind> {
         let info = KINDS.iter().find(|info| info.id == id)?;
         let kind = Kind::new(id, serde_json::json!({})).ok()?;
@@ -164,7 +168,7 @@ fn has_large_faces(faces: &Ragged) -> bool {
     2 * faces.iter().filter(|face| face.len() > 4).count() > faces.len()
 }
 
-/// How many faces of more than four corners are on saddles, and how many there are where the curvature is known.
+/// Returns the two counts of [`Forecast::saddles`].
 fn saddles(mesh: &Mesh, topology: &Topology) -> [usize; 2] {
     let (faces, at) = (&mesh.faces, &mesh.positions);
     let product = face_curvatures(at, faces, topology, Curvature::gauss);

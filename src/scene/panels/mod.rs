@@ -1,9 +1,9 @@
-//! The same shape for all panels of a mesh.
+//! One shape for all panels of a mesh.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `ask` | which shapes are offered, and the scene that asks for one |
-//! | `forecast` | how far the mesh will move for it, said beforehand |
+//! | `ask` | the shapes on offer, and the request for one of them |
+//! | `forecast` | forecast of how far the mesh will move |
 
 mod ask;
 mod forecast;
