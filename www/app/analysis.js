@@ -1,5 +1,6 @@
 /**
- * The region of plots and tables: a tab for each. What a tab needs comes when it is first shown.
+ * The analysis region: a tab for each plot and table. The code of a tab is loaded when it is first
+ * shown.
  */
 
 import { itemByKey } from '../ui/controls/arrow-keys.js';
@@ -12,10 +13,10 @@ import { messageOf } from '../solver/messages.js';
  * @typedef {object} Tab
  * @property {string} id
  * @property {string} label
- * @property {(panel: HTMLElement, app: AppContext) => unknown} make fills its panel; called once
+ * @property {(panel: HTMLElement, app: AppContext) => unknown} make fills the panel; called once
  */
 
-/** In the order in which they are offered. @type {Tab[]} */
+/** The tabs in display order. @type {Tab[]} */
 const TABS = [
   {
     id: 'convergence',
@@ -46,7 +47,7 @@ const TABS = [
  * @param {HTMLElement} place
  * @param {AppContext} app
  * @returns {{ bring: (id: string) => void, show: (id: string) => void, shown: () => string }} `bring`
- *   shows a tab and brings the region into sight; `shown` is the tab that is shown
+ *   shows a tab and scrolls the region into view; `shown` returns the id of the current tab
  */
 export function analysisRegion(place, app) {
   const list = element('div', { role: 'tablist', 'aria-label': 'Analysis' });
@@ -108,7 +109,7 @@ export function analysisRegion(place, app) {
       const filled = show(id);
       app.store.set({ advanced: true });
       await null;
-      // In a narrow window the panel may be behind another, or closed.
+      // In a narrow window the panel may be behind another panel or closed.
       if (place.offsetParent === null) byId('tab-inspector').click();
       await filled;
       place.scrollIntoView({ block: 'nearest' });

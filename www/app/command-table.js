@@ -1,4 +1,4 @@
-/** The commands of the page: what each is called, its keys, and when there is something to do. */
+/** The table of commands: label, keys, action, and when each is enabled. */
 
 import { byId } from '../ui/dom.js';
 import { halfStepTitle } from '../store/half-step/half-step.js';

@@ -1,7 +1,4 @@
-/**
- * Everything that a button or a key does: one table. It binds the buttons (`data-command`), binds
- * the keys, and writes the help.
- */
+/** Binds buttons (`data-command`) and keys to the commands of `command-table.js`. */
 
 import { isEnabled, press } from '../store/press.js';
 import { setText } from '../ui/dom.js';
@@ -24,7 +21,8 @@ export function bindButtons(commands, store) {
     const shortcut = command.keys.length > 0 ? ` (${keyName(command.keys[0])})` : '';
     store.subscribe(store.steady, (state) => {
       const title = (command.title ? command.title(state) : command.label) + shortcut;
-      // Also what is set to what it was invalidates styles, and is news for who watches the bar.
+      // Assign changes only: assigning the same value also invalidates styles and notifies
+      // mutation observers.
       if (button.title !== title) button.title = title;
       const disabled = !isEnabled(command, state);
       if (button.disabled !== disabled) button.disabled = disabled;
@@ -46,20 +44,21 @@ export function bindKeys(commands, store) {
     const chord = chordOf(event);
     if (!chord.startsWith('Ctrl+') && chord !== 'Escape' && isTyping(event)) return;
     const digit = digitOf(event);
-    // With Shift, what is written on the key goes first: on some keyboards + is there.
+    // With Shift, the printed character has precedence: some keyboards have + on a digit key.
     const names = digit.startsWith('Shift') ? [chord, digit] : [digit, chord];
     const [command] = names.flatMap((name) => commands.filter(({ keys }) => keys.includes(name)));
     if (!command || isSwitchedOff(chord)) return;
-    // They have the keys to themselves, and Escape closes them.
+    // Modal dialogs and open popovers handle their own keys, and Escape closes them.
     if (document.querySelector('dialog:modal, :popover-open')) return;
-    // The browser's own meaning (open, save, print) never applies here, even when there is nothing to do.
+    // The browser's own shortcut (open, save, print) never applies, even if the command is
+    // disabled.
     if (chord !== 'Escape') event.preventDefault();
     press(command, store);
   });
 }
 
 /**
- * The one button that is Run and Pause.
+ * Binds the label and icon of the button that is both Run and Pause.
  * @param {HTMLButtonElement} button
  * @param {import("../store/state.js").Store} store
  */

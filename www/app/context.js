@@ -1,23 +1,23 @@
 /**
- * The types of what `main.js` gives to the rooms below. Only types: nothing here runs, so every room may
- * name them.
+ * Types of the objects that `main.js` passes to the other folders. There is no code here, so every
+ * folder may import them.
  */
 
 /**
  * @typedef {object} Command
- * @property {string} id what `data-command` names
+ * @property {string} id value of `data-command`
  * @property {string} group heading in the help
  * @property {string} label in the help
- * @property {string[]} keys such as "Ctrl+Shift+Z"; letters are what is written on the key
+ * @property {string[]} keys such as "Ctrl+Shift+Z"; letters are the characters printed on the keys
  * @property {() => void} action
- * @property {boolean} [needsModel] while the first model is on its way, a press waits for it
- * @property {(state: import("../store/state.js").State) => boolean} [enabled] always, when absent
- * @property {(state: import("../store/state.js").State) => boolean} [pressed] for buttons that are toggles
- * @property {(state: import("../store/state.js").State) => string} [title] instead of the label
+ * @property {boolean} [needsModel] whether a press waits until the first model is loaded
+ * @property {(state: import("../store/state.js").State) => boolean} [enabled] always, if absent
+ * @property {(state: import("../store/state.js").State) => boolean} [pressed] for toggle buttons
+ * @property {(state: import("../store/state.js").State) => string} [title] tooltip, else the label
  */
 
 /**
- * @typedef {object} AppContext what the parts of the page may use
+ * @typedef {object} AppContext objects shared by the parts of the page
  * @property {import("../store/state.js").Store} store
  * @property {import("../solver/solver-client.js").SolverClient} solver
  * @property {import("../viewport/viewport.js").Viewport} viewport
@@ -26,21 +26,21 @@
  * @property {import("../store/mesh-queries.js").Selecting} selecting
  * @property {import("../ui/controls/alerts.js").Alerts} alerts
  * @property {import("../features/hold-original.js").HoldOriginal} hold
- * @property {(choices: [import("../store/view-modes.js").Choice, import("../store/view-modes.js").Choice]) => Promise<void>} showSides two pictures, left and right
- * @property {ReturnType<typeof import("./script-api.js").scriptApi>} script the page for scripts
- * @property {Command[]} commands those that operations of selecting declare come later
+ * @property {(choices: [import("../store/view-modes.js").Choice, import("../store/view-modes.js").Choice]) => Promise<void>} showSides splits the view into left and right
+ * @property {ReturnType<typeof import("./script-api.js").scriptApi>} script the API for scripts
+ * @property {Command[]} commands commands of selection operations are added later
  */
 
 /**
- * What a folder of `features/` or `panels/` says of itself in its `feature.js`.
+ * Declaration of a folder of `features/` or `panels/`, exported by its `feature.js`.
  * @typedef {object} Feature
  * @property {(app: AppContext) => Command[]} [commands]
- * @property {Part[]} [parts] each comes when it is first needed
+ * @property {Part[]} [parts] each is loaded when it is first needed
  */
 
 /**
  * @typedef {object} Part
- * @property {(keyof import("../store/state.js").State)[]} keys what decides whether it is needed
+ * @property {(keyof import("../store/state.js").State)[]} keys the state that `isNeeded` depends on
  * @property {(state: Readonly<import("../store/state.js").State>) => boolean} isNeeded
  * @property {(app: AppContext) => Promise<unknown>} load
  */

@@ -1,6 +1,6 @@
 /**
- * The features of the page. Each registers itself, by a `feature.js` in its folder: nothing here knows
- * one of them.
+ * The features of the page. Each registers itself with a `feature.js` in its folder, so none is
+ * named here.
  */
 
 /** @type {Record<string, import("./context.js").Feature>} */
@@ -14,7 +14,7 @@ export const featureCommands = (app) =>
   Object.values(FEATURES).flatMap(({ commands }) => commands?.(app) ?? []);
 
 /**
- * Loads a part the first time that it is needed.
+ * Loads a part when it is first needed.
  * @param {import("./context.js").AppContext} app
  * @param {import("./context.js").Part} part
  */

@@ -1,6 +1,6 @@
 /**
- * The page: makes its parts and connects them. The solver's worker and the view's module start at
- * the same time and neither waits for the other.
+ * Entry point: creates the parts of the page and connects them. The solver worker and the view
+ * module start concurrently; neither waits for the other.
  */
 
 import { createActions } from '../store/actions.js';
@@ -119,7 +119,7 @@ arrangeForWidth(store);
 const fileInput = byId('file');
 fileInput.addEventListener('change', async () => {
   const chosen = [...(fileInput.files ?? [])];
-  // So that the same file can be opened again after it changed on disk.
+  // Allows the same file to be opened again after it changed on disk.
   fileInput.value = '';
   const opened = import('../documents/opening/chosen-files.js').then((it) =>
     it.openChosen(app, chosen),
@@ -136,7 +136,7 @@ bindButtons(commands, store);
 bindKeys(commands, store);
 bindRunButton(byId('run'), store);
 bindHalfStepSwitches(store);
-/** @type {Window & { earlyPresses?: string[] }} index.html gathers them */
+/** @type {Window & { earlyPresses?: string[] }} collected by a script in index.html */
 const early = window;
 runEarlyPresses(commands, store, early.earlyPresses ?? []);
 delete early.earlyPresses;
@@ -177,14 +177,14 @@ import('../panels/status-bar/environment-status.js').then((module) =>
   module.environmentStatus(byId('numbers'), app),
 );
 
-/** The legend comes when there is something to see. */
+/** Loads and shows the legend. */
 function showLegend() {
   const legend = import('../panels/legend/legend.js');
   actions.reportErrors(legend.then(({ legend }) => legend(byId('legend'), app, fit)));
 }
 
 /**
- * Takes the solver's news into the store.
+ * Writes the messages of the solver to the store.
  * @param {SolverClient} client
  */
 function bindSolver(client) {
@@ -193,7 +193,7 @@ function bindSolver(client) {
   );
   client.on('model', ({ loaded, positions }) =>
     store.set({
-      // In another worker it is looked at as before.
+      // A restarted worker keeps the view settings.
       ...(!client.restoring && {
         ...{ camera: null, views: [], measureChosen: false },
         ...{ tolerance: loaded.tolerance || null, tolerances: {} },
@@ -229,7 +229,7 @@ function bindSolver(client) {
   client.on('activity', ({ running, converged }) => {
     const before = store.get();
     store.set({ running, converged });
-    // A drag comes to rest as well, but whoever drags is told of the handle.
+    // A drag that converges keeps the status about its handle.
     if (running === before.running) return;
     const { iteration = 0 } = before.numbers ?? {};
     store.set({ status: running ? 'Running' : ended(converged, iteration) });

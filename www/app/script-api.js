@@ -1,11 +1,11 @@
 /**
- * `window.shapeUp`: the page for scripts, lessons and tests, in the words and units of the command
- * line's report.
+ * `window.shapeUp`: API of the page for scripts, lessons and tests, with the names and units of the
+ * report of the command line.
  */
 
 import { handlesNow } from '../store/state.js';
 
-/** So many moves of drags are kept. */
+/** Number of recent drag moves whose times are kept. */
 const DRAGS_KEPT = 1000;
 
 /**
@@ -23,7 +23,7 @@ export function scriptApi(store, solver, viewport, files) {
     drags.answer.push(answers[1]);
     for (const times of Object.values(drags)) times.splice(0, times.length - DRAGS_KEPT);
   });
-  /** @param {ArrayLike<number> | undefined} at on the view */
+  /** @param {ArrayLike<number> | undefined} at position in the view */
   const onPage = (at) => {
     const { left, top } = viewport.element.getBoundingClientRect();
     return at ? [left + at[0], top + at[1]] : null;
@@ -31,13 +31,14 @@ export function scriptApi(store, solver, viewport, files) {
 
   return {
     /**
-     * Everything at a glance. `energy` is of the current shape; `constraints` counts by kind;
-     * `handles` and `selection` name vertices and faces from 0.
+     * Summary of the state. `energy` is that of the current shape, `constraints` are counts by
+     * kind, and the indices in `handles` and `selection` count from 0.
      */
     state() {
       const state = store.get();
       const { document, numbers, running, converged, selection, renderer } = state;
-      // A mesh comes a message before its document: whoever sees one sees both.
+      // The mesh arrives one message before its document; report it only together with the
+      // document.
       const model = document && state.model;
       /** @type {Record<string, number>} */
       const constraints = {};
@@ -70,14 +71,14 @@ export function scriptApi(store, solver, viewport, files) {
       };
     },
 
-    /** Resolves when the solver has answered all that it was told so far. */
+    /** Resolves when the solver has processed all messages sent so far. */
     async settled() {
       await solver.request({ type: 'scene' });
     },
 
-    /** Resolves when the picture shows all that was asked for so far. */
+    /** Resolves when the picture shows the result of all requests made so far. */
     async drawn() {
-      // A frame may have waited for the picture before it.
+      // A frame may have been waiting for the previous picture.
       for (let turn = 0; turn < 2; turn++) {
         await solver.request({ type: 'scene' });
         await new Promise(requestAnimationFrame);
@@ -86,24 +87,24 @@ export function scriptApi(store, solver, viewport, files) {
       await new Promise(requestAnimationFrame);
     },
 
-    /** The scene as JSON (an object), as of the last edit or the end of the last run. */
+    /** The scene as a JSON object, at the last edit or the end of the last run. */
     scene() {
       return solver.sceneText === null ? null : JSON.parse(solver.sceneText);
     },
 
-    /** The kinds of constraint as they are declared: see `KindInfo` in `messages.js`. A copy. */
+    /** A copy of the declarations of the kinds of constraint: see `KindInfo` in `messages.js`. */
     kinds() {
       return structuredClone(store.get().kinds);
     },
 
-    /** The current shape, `#V by 3`, in file coordinates: a copy. */
+    /** A copy of the current positions, `#V by 3`, in file coordinates. */
     positions() {
       return solver.geometry?.positions.slice() ?? new Float64Array(0);
     },
 
     /**
-     * Where a vertex is on the page, [x, y] in CSS pixels; null when it is hidden or outside. The camera is where
-     * it is going to be.
+     * Position of a vertex on the page, [x, y] in CSS pixels; null if it is hidden or outside. A
+     * moving camera jumps to its destination first.
      * @param {number} vertex
      */
     screen(vertex) {
@@ -115,8 +116,8 @@ export function scriptApi(store, solver, viewport, files) {
     },
 
     /**
-     * Where a part of the gizmo is on the page: an axis `x`, `y`, `z`, or a plane `xy`, `yz`, `zx`; null
-     * while it cannot be taken.
+     * Position on the page of a part of the gizmo: an axis `x`, `y`, `z`, or a plane `xy`, `yz`,
+     * `zx`; null while it cannot be grabbed.
      * @param {string} part
      */
     gizmo(part) {
@@ -124,19 +125,20 @@ export function scriptApi(store, solver, viewport, files) {
     },
 
     /**
-     * Of the last moves of drags, in milliseconds: from the pointer to new positions (`latency`), and
-     * of that, from when the solver was told to when it answered (`answer`).
+     * Times of the last drag moves in milliseconds: from the pointer event to new positions
+     * (`latency`), and the part of it from the message to the solver to its answer (`answer`).
      */
     dragTimes() {
       return structuredClone(drags);
     },
 
     /**
-     * A picture of the view as a PNG: of a width in pixels up to 7680, in its proportions; on the ground of the
-     * view, on white or on nothing (transparent); with the legend or without.
-     * @param {{ width?: number, ground?: "view" | "white" | "none", legend?: boolean }} [options] the width of
-     *   the view, its ground, with the legend
-     * @returns {Promise<Blob>} rejects where nothing can draw
+     * A picture of the view as a PNG with the proportions of the view: its width in pixels, up to
+     * 7680; the background of the view, white or transparent (`"none"`); with or without the
+     * legend.
+     * @param {{ width?: number, ground?: "view" | "white" | "none", legend?: boolean }} [options]
+     *   default: the width and background of the view, with the legend
+     * @returns {Promise<Blob>} rejects if there is no renderer
      */
     async picture({ width, ground = 'view', legend = true } = {}) {
       const { pictureOf } = await import('../features/export/picture.js');
@@ -144,13 +146,13 @@ export function scriptApi(store, solver, viewport, files) {
       return pictureOf(viewport, store.get(), { scale, ground, legend });
     },
 
-    /** The lines that are seen, as the text of an SVG file for print; nothing where nothing can draw. */
+    /** The visible lines as the text of an SVG file for print; nothing if there is no renderer. */
     lineDrawing: () => viewport.lineDrawing(),
 
     /**
-     * A film (WebM) in which the model turns once.
-     * @param {number} [seconds] that it takes, 6 if none are given
-     * @returns {Promise<Blob>} rejects where the browser cannot record
+     * A video (WebM) of one turn of the model.
+     * @param {number} [seconds] duration, by default 6
+     * @returns {Promise<Blob>} rejects if the browser cannot record
      */
     async turntable(seconds) {
       const { turntableVideo } = await import('../features/export/turntable-video.js');
@@ -160,8 +162,8 @@ export function scriptApi(store, solver, viewport, files) {
     /**
      * Opens a mesh or a scene as the file input would.
      * @param {string | object} textOrScene the text of a file, or a scene as an object
-     * @param {string} [name] decides how the text is read
-     * @returns {Promise<import("../solver/messages.js").Loaded>} rejects when it is refused
+     * @param {string} [name] file name, whose extension gives the format
+     * @returns {Promise<import("../solver/messages.js").Loaded>} rejects if the file is refused
      */
     open(textOrScene, name) {
       const isText = typeof textOrScene === 'string';

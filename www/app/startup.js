@@ -1,6 +1,6 @@
 /**
- * What the page opens with, and what it keeps: a link, the work of last time, or the first example;
- * and the autosave beside it. All but the choice itself comes when it is needed.
+ * Opens the first document of the page (that of a link, the last work, or the first example) and
+ * starts autosave. All other code is loaded when it is needed.
  */
 
 import { messageOf } from '../solver/messages.js';
@@ -12,7 +12,7 @@ import { recall } from '../ui/safe-storage.js';
 
 export class Startup {
   #store;
-  #seen;
+  #viewContext;
   #solver;
   #files;
   #alerts;
@@ -23,17 +23,17 @@ export class Startup {
    * @param {import("../solver/solver-client.js").SolverClient} solver
    * @param {Files} files
    * @param {import("../ui/controls/alerts.js").Alerts} alerts
-   * @param {import("../viewport/saved-view.js").ViewContext} seen
+   * @param {import("../viewport/saved-view.js").ViewContext} viewContext
    */
-  constructor(solver, files, alerts, seen) {
-    this.#store = seen.store;
-    this.#seen = seen;
+  constructor(solver, files, alerts, viewContext) {
+    this.#store = viewContext.store;
+    this.#viewContext = viewContext;
     this.#solver = solver;
     this.#files = files;
     this.#alerts = alerts;
   }
 
-  /** Opens what the page is to begin with. */
+  /** Opens the first document. */
   async begin() {
     window.addEventListener('hashchange', () => this.#reportErrors(this.#openLink()));
     /** @type {unknown} */
@@ -41,10 +41,11 @@ export class Startup {
     try {
       if (await this.#restored()) return;
     } catch (error) {
-      // No reason to stay without a model.
+      // Continue, so that the page does not stay without a model.
       lost = error;
     }
-    // What somebody opens and changes as soon as there is a model is saved before the page can go.
+    // Start autosave before opening, so that the first edits are saved even if the page closes
+    // soon.
     this.#startAutosave();
     let problem = '';
     const linked = await this.#openLink().catch((error) => {
@@ -56,7 +57,7 @@ export class Startup {
     if (lost) this.#reportUnreadable(lost);
   }
 
-  /** The first example, or what to do without it. */
+  /** Opens the first example, or explains how to continue without it. */
   async #openFirst() {
     try {
       await this.startFresh();
@@ -70,18 +71,18 @@ export class Startup {
     }
   }
 
-  /** The model of somebody who comes for the first time. */
+  /** Opens the model that first-time visitors get. */
   async startFresh() {
     const [example] = await this.#files.examples();
     await this.#files.openExample(example, true);
   }
 
-  /** Everything that has not been saved yet is. */
+  /** Saves all unsaved changes. */
   async saveNow() {
     await (await this.#autosave)?.save();
   }
 
-  /** The works of this browser that can be opened again. */
+  /** Returns the works stored in this browser, except the current one. */
   async recent() {
     const { recentDocuments } = await import('../documents/recent-documents.js');
     const current = (await this.#autosave)?.id;
@@ -89,7 +90,7 @@ export class Startup {
   }
 
   /**
-   * Opens a work that somebody chose, or says why that cannot be done.
+   * Opens a work chosen by the user, or reports why it cannot be opened.
    * @param {import("../documents/recent-documents.js").Work} work
    */
   async openWork(work) {
@@ -108,7 +109,7 @@ export class Startup {
   }
 
   /**
-   * Says that a work cannot be opened, and offers what is there of it.
+   * Reports that a work cannot be opened, and offers to save its file.
    * @param {unknown} error
    */
   #reportUnreadable(error) {
@@ -129,20 +130,20 @@ export class Startup {
 
   #startAutosave() {
     if (isEmbedded) return;
-    const [solver, files, seen] = [this.#solver, this.#files, this.#seen];
+    const [solver, files, viewContext] = [this.#solver, this.#files, this.#viewContext];
     this.#autosave ??= import('../documents/autosave.js').then(
-      ({ Autosave }) => new Autosave(solver, files, seen),
+      ({ Autosave }) => new Autosave(solver, files, viewContext),
     );
     this.#autosave.catch(() => this.#store.set({ saved: 'Autosave is off: use Save scene' }));
   }
 
-  /** Goes on where this tab was, if it was anywhere. @returns {Promise<boolean>} */
+  /** Restores the last work of this tab, if any. @returns {Promise<boolean>} whether it did */
   async #restored() {
     if (!hasStoredWork()) return false;
     const { lastWork } = await import('../documents/autosave.js');
     const last = await lastWork();
     if (!last) return false;
-    // An edit may come, and the page go, as soon as the work is seen.
+    // Autosave must be running before the user can edit the work and close the page.
     this.#startAutosave();
     await this.#autosave;
     const { undoLost } = await this.#openWork(last);
@@ -172,11 +173,11 @@ export class Startup {
       throw new Unreadable(work, text, messageOf(error));
     });
     const { restoreView } = await import('../viewport/saved-view.js');
-    restoreView(work.view, this.#seen);
+    restoreView(work.view, this.#viewContext);
     return loaded;
   }
 
-  /** Opens what the address links to. @returns {Promise<boolean>} whether it links to anything */
+  /** Opens the document of the link, if any. @returns {Promise<boolean>} whether there is one */
   async #openLink() {
     if (location.hash.length < 2) return false;
     const { readLink } = await import('../documents/share-link.js');
@@ -191,7 +192,7 @@ export class Startup {
 
   /**
    * @param {string} id
-   * @param {string | null} edits the text of the scene instead of the example's own
+   * @param {string | null} edits text of a scene that replaces the scene of the example
    */
   async #openExample(id, edits) {
     const examples = await this.#files.examples();
@@ -201,7 +202,7 @@ export class Startup {
     if (!edits) return this.#files.openExample(example);
     const mesh = { name: example.mesh, bytes: await this.#files.exampleFile(example.mesh) };
     await this.#files.open([sceneFile(example.id, edits), mesh], { example });
-    // What differs from the example is in the link only.
+    // The edits are stored in the link only, not in a file.
     this.#files.original = null;
   }
 
@@ -228,5 +229,5 @@ function sceneFile(name, text) {
   return { name: `${name}.shapeup.json`, bytes: new TextEncoder().encode(text) };
 }
 
-/** Whether anything was ever kept in this browser. */
+/** Whether any work was ever stored in this browser. */
 const hasStoredWork = () => recall('shape-up.works') !== null;

@@ -1,8 +1,8 @@
-/** Light and dark: the system's choice until somebody makes one here. */
+/** Light or dark theme: follows the system until the user chooses one. */
 
 import { remember } from '../ui/safe-storage.js';
 
-/** Every page looks there before its first paint. */
+/** Storage key; every page reads it before its first paint. */
 const KEY = 'shape-up.theme';
 const system = matchMedia('(prefers-color-scheme: dark)');
 

@@ -1,8 +1,8 @@
-/** The essentials, or every control: a choice that is remembered. */
+/** Shows the essential controls or all of them, and stores the choice. */
 
 import { forget, remember } from '../../ui/safe-storage.js';
 
-/** `index.html` looks there before the first paint. */
+/** Storage key; `index.html` reads it before the first paint. */
 const KEY = 'shape-up.advanced';
 const { dataset } = document.documentElement;
 
@@ -19,6 +19,6 @@ export function followAdvanced(store) {
       forget(KEY);
     }
   });
-  // Its controls are there.
+  // The controls of the flat map are among the advanced ones.
   store.subscribe(['flatMap'], ({ flatMap }) => flatMap && store.set({ advanced: true }));
 }

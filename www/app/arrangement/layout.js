@@ -1,6 +1,6 @@
 /**
- * What style sheets cannot do for narrow windows: the tabs of the panels, the sheet at the bottom,
- * and where the groups of the toolbar are.
+ * The parts of the layout for narrow windows that style sheets cannot do: the tabs of the panels,
+ * the bottom sheet, and moving the groups of the toolbar.
  */
 
 import { itemByKey } from '../../ui/controls/arrow-keys.js';
@@ -8,7 +8,7 @@ import { byId, element, icon } from '../../ui/dom.js';
 import { placeMenu } from '../../ui/controls/menu.js';
 
 const PHONE = matchMedia('(max-width: 699px)');
-/** Where each group of the toolbar is on a phone; the others stay in the header. */
+/** Groups of the toolbar that move to the bottom bar or its menu on a phone; others stay. */
 const IN_BAR = ['group-run', 'group-file'];
 const IN_MORE = ['group-mode', 'group-scene', 'group-page'];
 
@@ -33,7 +33,7 @@ export function arrangeForWidth(store) {
     if (PHONE.matches) {
       moreButton.before(...IN_BAR.map(byId));
       more.append(...IN_MORE.map(byId));
-      // In a menu each is a stop of its own.
+      // In a menu each control is its own tab stop.
       for (const control of more.querySelectorAll('[tabindex]'))
         control.removeAttribute('tabindex');
     }
@@ -56,7 +56,8 @@ export function arrangeForWidth(store) {
 }
 
 /**
- * Two panels in one place: the model and the inspector. On a phone a tab also closes the sheet.
+ * Tabs of the model and inspector panels, which share one area. On a phone, pressing the current
+ * tab closes or opens the sheet.
  * @param {import("../../store/state.js").Store} store
  */
 function tabs(store) {

@@ -1,6 +1,7 @@
 /**
- * What comes next, for the style sheets, which make its button the one that is filled: `shape`, `run` or `build`;
- * and whether the model moves, while which nothing lies over it in small windows.
+ * Attributes of the body for the style sheets: `data-next` is the next step (`shape`, `run` or
+ * `build`), whose button is filled, and `data-moves` is whether the model moves, which hides the
+ * overlays in small windows.
  */
 
 import './next-step.css';
@@ -13,11 +14,11 @@ export function followNextStep(store) {
     ({ document: scene, model, running, converged, numbers, dragged }) => {
       const moves = String(running || dragged.length > 0);
       if (dataset.moves !== moves) dataset.moves = moves;
-      const asks = scene?.constraints.some(({ enabled }) => enabled) ?? false;
+      const isConstrained = scene?.constraints.some(({ enabled }) => enabled) ?? false;
       const isMet = converged && numbers?.exact?.met !== false;
       let next = 'run';
-      if (!asks && model?.panels.some(({ reason }) => !reason)) next = 'shape';
-      else if (!running && asks && isMet && model?.faces) next = 'build';
+      if (!isConstrained && model?.panels.some(({ reason }) => !reason)) next = 'shape';
+      else if (!running && isConstrained && isMet && model?.faces) next = 'build';
       if (dataset.next !== next) dataset.next = next;
     },
   );

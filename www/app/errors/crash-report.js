@@ -1,7 +1,7 @@
-/** What somebody who mends the solver wants to know when it has stopped. */
+/** Report of a failure, for the developers. */
 
 /**
- * @param {string} what happened
+ * @param {string} what the error message
  * @param {import("../../store/state.js").State} state
  */
 export function crashReport(what, { model, document, numbers, renderer }) {
@@ -25,7 +25,7 @@ export function crashReport(what, { model, document, numbers, renderer }) {
 }
 
 /**
- * Copies it, or shows it where copying is not allowed.
+ * Copies the report to the clipboard, or shows it if copying is not allowed.
  * @param {string} text
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../ui/controls/alerts.js").Alerts} alerts

@@ -1,8 +1,8 @@
-/** What nobody expected to go wrong is said, and can be reported. */
+/** Shows uncaught errors, and offers to copy a report. */
 
 import { messageOf } from '../../solver/messages.js';
 
-/** Browsers say so when a size changes twice before a picture; nothing is wrong. */
+/** Browsers report this if a size changes twice within a frame; it is not an error. */
 const HARMLESS = /^ResizeObserver loop/;
 
 /**
@@ -21,7 +21,7 @@ export function reportUncaughtErrors(alerts, store) {
 }
 
 /**
- * What can be done when something has stopped: copy what somebody who mends it wants to know.
+ * Returns the button of an error message that copies a report for the developers.
  * @param {string} message
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../ui/controls/alerts.js").Alerts} alerts

@@ -1,21 +1,22 @@
 /**
- * The page without a network: the service worker keeps the built files (`service-worker.js`). A new
- * version is fetched beside the old one and announced; it takes over when somebody says so. Of the
- * view's module it keeps the variant that this browser draws with. While the page is developed there
- * is no service worker.
+ * Offline use: the service worker (`service-worker.js`) caches the built files. A new version is
+ * fetched beside the old one and announced; it takes over when the user reloads. Of the view
+ * module, only the variant that this browser draws with is cached. There is no service worker in
+ * development.
  */
 
 import { isEmbedded } from '../../ui/embedded.js';
 
 /**
- * To be called after what the first picture needs, and again when another backend had to take over.
+ * Registers the service worker. Call this after the first picture is drawn, and again if the view
+ * has changed to another backend.
  * @param {import("../../ui/controls/alerts.js").Alerts} alerts
  * @param {import("../startup.js").Startup} startup
  * @param {import("../../viewport/viewport.js").Viewport} viewport
  */
 export function stayOffline(alerts, startup, viewport) {
   if (!import.meta.env.PROD || isEmbedded || !('serviceWorker' in navigator)) return;
-  // Whoever looks for a fault can do without.
+  // `?nosw` disables the service worker for debugging.
   if (new URLSearchParams(location.search).has('nosw')) {
     navigator.serviceWorker.getRegistration().then((registration) => registration?.unregister());
     return;
@@ -34,7 +35,7 @@ let registered = null;
 async function register(alerts, startup, viewport) {
   const { serviceWorker } = navigator;
   const isFirst = !registered;
-  // The first one of all is not a new version.
+  // Without a controller this is the first version, not a new one.
   const announce = (/** @type {ServiceWorker | null} */ worker) => {
     if (!worker || !serviceWorker.controller) return;
     alerts.notice('A new version of Shape-Up is here. Your work is kept.', {

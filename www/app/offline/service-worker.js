@@ -1,33 +1,33 @@
 /**
- * Keeps the built files, so that the page opens without a network. Each version has a cache of its
- * own, filled completely before it is used; which files there are, and a name for them together, the
- * build puts before this text as `SITE`. Of the view's module, which is compiled for each backend, the
- * page says which one it draws with. The pictures of the gallery are kept when it is opened. What is
- * fetched later, such as the parts for Rhino, is kept when it was used once.
+ * Service worker: caches the built files, so that the page opens without a network. Each version
+ * has its own cache, filled completely before it is used. The build prepends the list of files and
+ * their version as `SITE`. The view module is compiled for each backend; the page reports which one
+ * it draws with. The pictures of the gallery are cached when it is opened. Files fetched later,
+ * such as the parts for Rhino, are cached after their first use.
  */
 
 /* global SITE */
 
 const scope = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 /** @type {{ version: string, files: string[], views: Record<string, string[]>, pictures: string[] }} */
-// @ts-expect-error the build writes it above
+// @ts-expect-error the build prepends it
 const { version, files, views, pictures } = SITE;
-/** What the gallery asks for first. */
+/** The first file that the gallery requests. */
 const GALLERY = '/pictures/results.json';
 const PREFIX = 'shape-up ';
 const NAME = PREFIX + version;
-/** The version before, whose pages may still be open. */
+/** Number of versions kept: the previous one may still be open in other tabs. */
 const KEPT = 2;
 
 scope.addEventListener('install', (event) => event.waitUntil(fill()));
 scope.addEventListener('activate', (event) => event.waitUntil(tidy()));
-/** The view's module is being kept. */
+/** Resolves when the view module is cached. */
 let viewIsKept = Promise.resolve();
 scope.addEventListener('message', (event) => {
   const { data } = event;
   if (data === 'take over') scope.skipWaiting();
   if (data.drawsWith) {
-    // Whoever has no network keeps what is there.
+    // Without a network the cached files stay as they are.
     viewIsKept = keepMissing(views[data.drawsWith]).catch(() => {});
     event.waitUntil(viewIsKept);
   }
@@ -41,8 +41,8 @@ scope.addEventListener('fetch', (event) => {
 });
 
 /**
- * A host may let a browser keep old files for a while: those without a hash in their name must be of
- * this version.
+ * Bypasses the HTTP cache for files without a hash in the name, since a host may let browsers cache
+ * old versions of them.
  * @param {string} file
  */
 const request = (file) =>
@@ -69,7 +69,7 @@ async function tidy() {
 }
 
 /**
- * From this version, else from the one before, else from the network.
+ * Answers from the cache of this version, else of the previous one, else from the network.
  * @param {FetchEvent} event
  */
 async function answer(event) {
@@ -79,7 +79,7 @@ async function answer(event) {
   const response = await fetch(request);
   if (response.ok && response.type === 'basic') {
     const copy = response.clone();
-    // Storage that is full or switched off must not keep the answer of the network from the page.
+    // The response reaches the page even if storage is full or disabled.
     const keep = async () => (await caches.open(NAME)).put(request, copy);
     event.waitUntil(keep().catch(() => {}));
   }

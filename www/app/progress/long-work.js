@@ -1,4 +1,4 @@
-/** What the solver has worked on for a while can be stopped. Comes when that is so. */
+/** Offers to cancel long work of the solver. Loaded when such work occurs. */
 
 import '../../ui/styles/waiting.css';
 import { byId, element, leave } from '../../ui/dom.js';
@@ -15,7 +15,7 @@ export function offerCancel(busy, solver) {
   card = null;
   if (before) leave(before, () => before.remove());
   const messages = byId('messages');
-  // A large file that is opened says so itself.
+  // Opening a large file shows its own message.
   if (!busy || messages.querySelector('.import')) return;
   const bar = element('progress', { 'aria-label': 'The solver is working' });
   const words = element('div.import', element('p', 'Working …'), bar);

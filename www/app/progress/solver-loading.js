@@ -1,4 +1,4 @@
-/** How much of the solver is here, over the view, where it takes a while. */
+/** Progress of loading the solver, shown over the view if it takes a while. */
 
 import '../../ui/styles/waiting.css';
 import { byId, element } from '../../ui/dom.js';
@@ -9,8 +9,8 @@ let shown = null;
 
 /**
  * @param {import("../../store/state.js").Store} store
- * @param {number} bytes that are here
- * @param {number} all bytes
+ * @param {number} bytes loaded so far
+ * @param {number} all total bytes
  */
 export function showLoading(store, bytes, all) {
   shown ??= show(store);
@@ -25,7 +25,7 @@ function show(store) {
   const bar = element('progress', { max: 1, 'aria-label': 'Loading progress' });
   const card = element('div.card', { id: 'loading' }, text, bar);
   byId('main').append(card);
-  // What the solver declares comes with it, perhaps before this.
+  // The kinds arrive with the solver, possibly before this call.
   store.subscribe(['kinds'], ({ kinds }) => {
     if (kinds.length > 0) card.remove();
   });
