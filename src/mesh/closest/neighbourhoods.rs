@@ -23,7 +23,7 @@ const MOST: usize = 64;
 /// Neighbour list and safe region of each triangle.
 #[derive(Clone, Debug)]
 pub(crate) struct TriangleNeighbourhoods {
-    clearings: Vec<TriangleSafeRegion>,
+    regions: Vec<TriangleSafeRegion>,
     /// Neighbours of each triangle, the close ones first.
     lists: Ragged,
     limits: Vec<Limits>,
@@ -51,7 +51,7 @@ impl TriangleNeighbourhoods {
     ) -> TriangleNeighbourhoods {
         let mut lists = Ragged::new();
         let count = boxes.len();
-        let (mut limits, mut clearings) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let (mut limits, mut regions) = (Vec::with_capacity(count), Vec::with_capacity(count));
         // A negative limit, as below, admits no distance.
         let limit = |reach: f64| half(reach) * half(reach);
         let (mut close, mut others) = (Vec::new(), Vec::new());
@@ -84,22 +84,22 @@ impl TriangleNeighbourhoods {
             if close.len() > MOST || size == 0.0 {
                 limits.push(Limits { close: -1.0, listed: -1.0, n_close: 0 });
                 lists.push(&[]);
-                clearings.push(TriangleSafeRegion::up_to(-1.0));
+                regions.push(TriangleSafeRegion::up_to(-1.0));
             } else {
                 let (close_limit, listed) = (limit(CLOSE_REACH * size), limit(reach));
                 limits.push(Limits { close: close_limit, listed, n_close });
                 lists.push(&close);
-                clearings.push(region);
+                regions.push(region);
             }
         }
         lists.shrink_to_fit();
-        TriangleNeighbourhoods { clearings, lists, limits }
+        TriangleNeighbourhoods { regions, lists, limits }
     }
 
     /// Returns the safe region of triangle `t`.
     #[inline(always)]
     pub(crate) fn region(&self, t: usize) -> &TriangleSafeRegion {
-        &self.clearings[t]
+        &self.regions[t]
     }
 
     /// Returns the triangles that can be nearer to a point than triangle `t`, given the squared

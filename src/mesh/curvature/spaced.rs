@@ -95,7 +95,7 @@ impl Cells {
 
     fn add(&mut self, point: Vec3<f64>) {
         let cell = self.cell(point);
-        self.table[Self::place(cell)].push(point);
+        self.table[Self::bucket(cell)].push(point);
     }
 
     /// Whether a stored point is nearer than `distance`, which is at most the side of a cell.
@@ -106,7 +106,7 @@ impl Cells {
             around(y).any(|y| {
                 around(z).any(|z| {
                     let near = |other: &Vec3<f64>| (*other - point).length() < distance;
-                    self.table[Self::place([x, y, z])].iter().any(near)
+                    self.table[Self::bucket([x, y, z])].iter().any(near)
                 })
             })
         })
@@ -116,7 +116,7 @@ impl Cells {
         [point.x, point.y, point.z].map(|coordinate| (coordinate / self.side).floor() as i64)
     }
 
-    fn place([x, y, z]: [i64; 3]) -> usize {
+    fn bucket([x, y, z]: [i64; 3]) -> usize {
         let mixed = x
             .wrapping_mul(73_856_093)
             .wrapping_add(y.wrapping_mul(19_349_663))

@@ -23,7 +23,7 @@ pub(crate) fn boundary_loops(
         walked: edge_faces.iter().map(|faces| faces.len() != 1).collect(),
         from_first: runs_from_first(mesh, edges, edge_faces),
         path: Vec::new(),
-        place: vec![None; n_vertices],
+        path_index: vec![None; n_vertices],
         loops: Ragged::new(),
     };
     // Open chains first: afterwards every vertex has an even number of edges left.
@@ -70,7 +70,7 @@ struct Walk<'a> {
     from_first: Vec<bool>,
     path: Vec<u32>,
     /// Index of each vertex on the path.
-    place: Vec<Option<usize>>,
+    path_index: Vec<Option<usize>>,
     loops: Ragged,
 }
 
@@ -98,11 +98,11 @@ impl Walk<'_> {
             self.walked[e as usize] = true;
             let [a, b] = self.edges[e as usize];
             at = if at == a { b } else { a };
-            match self.place[at as usize] {
-                Some(place) => {
-                    self.loops.push(&self.path[place..]);
-                    for v in self.path.drain(place + 1..) {
-                        self.place[v as usize] = None;
+            match self.path_index[at as usize] {
+                Some(path_index) => {
+                    self.loops.push(&self.path[path_index..]);
+                    for v in self.path.drain(path_index + 1..) {
+                        self.path_index[v as usize] = None;
                     }
                 }
                 None => self.push(at),
@@ -112,12 +112,12 @@ impl Walk<'_> {
             self.loops.push(&self.path);
         }
         for v in self.path.drain(..) {
-            self.place[v as usize] = None;
+            self.path_index[v as usize] = None;
         }
     }
 
     fn push(&mut self, v: u32) {
-        self.place[v as usize] = Some(self.path.len());
+        self.path_index[v as usize] = Some(self.path.len());
         self.path.push(v);
     }
 }

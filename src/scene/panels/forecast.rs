@@ -18,7 +18,7 @@ const OFF: f64 = 10.0;
 /// corners, is below this fraction of the sum of their squares.
 const SADDLE: f64 = -0.02;
 /// Saddles are reported if more than this fraction of the faces is on them.
-const SOME: f64 = 0.05;
+const SADDLE_SHARE: f64 = 0.05;
 
 /// Classes of the mean move of the vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -110,7 +110,7 @@ impl Forecast {
             (Some(HowFar::Lot), None) => ". A larger tolerance needs less.".to_owned(),
             _ => ".".to_owned(),
         };
-        let some = |&[on_saddles, all]: &[usize; 2]| on_saddles as f64 > SOME * all as f64;
+        let some = |&[on_saddles, all]: &[usize; 2]| on_saddles as f64 > SADDLE_SHARE * all as f64;
         if let Some([on_saddles, all]) = self.saddles.filter(some) {
             words += &format!(
                 " {on_saddles} of {all} faces with more than four corners are where it is a saddle: flat panels \

@@ -133,15 +133,15 @@ impl MeshOperation {
         if task.mesh.faces.is_empty() {
             return Err(OperationError::NoFaces);
         }
-        let there = |element, picked: &[u32], count: usize| match picked
+        let check = |element, picked: &[u32], count: usize| match picked
             .iter()
             .find(|&&index| index as usize >= count)
         {
             Some(&index) => Err(OperationError::NotThere { element, index }),
             None => Ok(()),
         };
-        there("vertex", task.vertices, task.mesh.positions.len())?;
-        there("face", task.faces, task.mesh.faces.len())?;
+        check("vertex", task.vertices, task.mesh.positions.len())?;
+        check("face", task.faces, task.mesh.faces.len())?;
         match self.picks {
             Picks::Faces if task.faces.is_empty() => {
                 return Err(OperationError::Expected("selected faces"));
