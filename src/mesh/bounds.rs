@@ -1,13 +1,12 @@
 //! Smallest enclosing ball of a point set, and the limit on coordinates.
 //!
-//! The errors `e_p` and `e_c` are reported after scaling the diameter of the ball to 1 (paper
-//! Fig. 5).
+//! The errors `e_p` and `e_c` refer to a ball of diameter 1 (paper Fig. 5).
 
 use super::Point;
 use crate::math::Vec3;
 
-/// Largest absolute value of a coordinate. Up to it, sixth powers of lengths, the highest powers
-/// that are computed, stay finite.
+/// Largest absolute value of a coordinate: sixth powers of lengths, the highest that are computed,
+/// stay finite.
 pub const FARTHEST: f64 = 1e50;
 
 /// Index of the first position (of `#V by 3`) with a coordinate beyond [`FARTHEST`] or NaN.
@@ -29,10 +28,10 @@ impl BoundingSphere {
     /// radius 0 at the origin.
     ///
     /// At most four of the points, its support, determine the ball. Starting from one point, the
-    /// point farthest outside the ball is added to the support, and the smallest ball of these at
-    /// most five points, found by trying all subsets, becomes the new ball. Each ball is larger
-    /// than the one before, so the loop ends, after about ten rounds (compare Gaertner, *Fast and
-    /// robust smallest enclosing balls*, 1999).
+    /// farthest point outside is added to the support, and the smallest ball of these at most five
+    /// points, found by trying all subsets, is the next ball. Each ball is larger than the one
+    /// before, so this ends, after about ten rounds (compare Gaertner, *Fast and robust smallest
+    /// enclosing balls*, 1999).
     pub fn of(points: &[Point]) -> BoundingSphere {
         let Some(&first) = points.first() else {
             return BoundingSphere { centre: [0.0; 3], radius: 0.0 };
@@ -102,8 +101,8 @@ impl Ball {
     }
 }
 
-/// Returns the circumcentre of the origin and of at most three `points`, in the point, line, plane
-/// or space that they span; `None` if they are affinely dependent.
+/// Returns the circumcentre of the origin and at most three `points`, in the space that they span;
+/// `None` if they are linearly dependent.
 fn circumcentre(points: &[Vec3<f64>]) -> Option<Vec3<f64>> {
     let half = |p: Vec3<f64>| 0.5 * p.length_squared();
     let (sum, weight) = match *points {

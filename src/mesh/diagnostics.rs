@@ -11,7 +11,7 @@ pub fn diagnose(mesh: &Mesh) -> Vec<MeshProblem> {
     counts.problems(|_| String::new())
 }
 
-/// The elements of a mesh that have one of the problems of [`diagnose`].
+/// The elements of a mesh that have a given problem of [`diagnose`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ElementsWithProblem {
     /// Indices of vertices.
@@ -53,8 +53,8 @@ fn problem_of(edge: &[HalfEdge]) -> Option<ProblemKind> {
     }
 }
 
-/// Counts the problems of a mesh whose vertices and faces come from these lines of a file; the
-/// slices are empty for a mesh that does not come from a file.
+/// Counts the problems of a mesh whose vertices and faces are from these lines of a file; without a
+/// file, the slices are empty.
 pub(super) fn examine(
     mesh: &Mesh,
     vertex_lines: &[u32],
@@ -75,8 +75,7 @@ pub(super) fn examine(
     }
 }
 
-/// Returns the vertices that no element uses. A mesh without elements is a point set, in which all
-/// vertices count as used.
+/// Returns the vertices that no element uses; none in a mesh without elements, a point set.
 fn unused(mesh: &Mesh) -> Vec<usize> {
     let elements = [mesh.faces.indices(), mesh.curves.indices(), mesh.tets.as_flattened()];
     if elements.iter().all(|indices| indices.is_empty()) {
@@ -99,13 +98,12 @@ fn duplicates(mesh: &Mesh) -> Vec<u32> {
     faces.windows(2).filter(|pair| row(pair[0]) == row(pair[1])).map(|pair| pair[1]).collect()
 }
 
-/// The side of one face along one edge.
 #[derive(Clone, Copy)]
 struct HalfEdge {
     /// Lower vertex first.
     ends: [u32; 2],
     face: u32,
-    /// Whether the face runs from the lower to the higher vertex.
+    /// Whether the face traverses the edge from the lower to the higher vertex.
     ascending: bool,
 }
 
@@ -122,8 +120,7 @@ fn half_edges(mesh: &Mesh) -> Vec<HalfEdge> {
     order.into_iter().map(|side| sides[side as usize]).collect()
 }
 
-/// Returns the number of vertices at exactly the position of an earlier vertex, and the first of
-/// them.
+/// Counts the vertices exactly at an earlier one, and returns the first of them.
 pub(super) fn coincident(positions: &[Point]) -> Option<(usize, usize)> {
     let is_number = |vertex: &usize| !positions[*vertex].iter().any(|x| x.is_nan());
     let mut vertices: Vec<usize> = (0..positions.len()).filter(is_number).collect();
@@ -142,8 +139,7 @@ pub(super) fn coincident(positions: &[Point]) -> Option<(usize, usize)> {
 mod tests {
     use super::*;
 
-    /// Problems, as kinds with counts, of these faces on `vertices` vertices at arbitrary
-    /// positions.
+    /// Kinds and counts of the problems of these faces on `vertices` vertices.
     fn problems(vertices: usize, faces: &[&[u32]]) -> Vec<(ProblemKind, usize)> {
         let positions = (0..vertices).map(|i| [i as f64, 0.0, 0.0]).collect();
         let mesh = Mesh { positions, faces: faces.iter().collect(), ..Mesh::default() };

@@ -7,12 +7,12 @@
 //! | `bounds` | bounding sphere, and the limit on coordinates |
 //! | `problem` | kinds and counts of the problems that do not stop reading a file |
 //! | `diagnostics` | the problems of a mesh as a whole: unused vertices, duplicate faces, non-manifold edges |
-//! | `io` | mesh files in and out |
+//! | `io` | reading and writing mesh files |
 //! | `topology` | edges, neighbours, boundary loops, strips, components, curves on the mesh |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
 //! | `closest` | closest points `c(v)` on a surface, Eq. 11, and on its boundary curves |
-//! | `measure` | planarity, circularity, angles, Gauss curvature, strips laid flat, distortion of flat maps |
-//! | `curvature` | principal curvatures, and the angles between them and the edges |
+//! | `measure` | planarity, circularity, angles, Gauss curvature, unrolled strips, distortion of flat maps |
+//! | `curvature` | principal curvatures, lines of curvature, and the alignment of edges with them |
 //! | `edit` | meshes made from meshes: welding, subdivision, editing operations |
 
 mod bounds;

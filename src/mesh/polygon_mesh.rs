@@ -9,17 +9,17 @@ pub type Point = [f64; 3];
 /// groups stay in the order of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    /// `#V by 3`, finite.
+    /// Positions of the vertices, `#V by 3`, finite.
     pub positions: Vec<Point>,
     /// The corners of each face, at least three, as indices of vertices.
     pub faces: Ragged,
-    /// The vertices of each polyline, at least two; a closed polyline repeats its first vertex at
-    /// the end.
+    /// The vertices of each polyline, at least two; a closed one repeats its first vertex at the
+    /// end.
     pub curves: Ragged,
     /// `#T by 4` indices of vertices.
     pub tets: Vec<[u32; 4]>,
-    /// Named sets of faces and curves, which may overlap; none is empty. Those read from a file are
-    /// in the order of their first members.
+    /// Named sets of faces and curves, which may overlap; none is empty. From a file they are in
+    /// the order of their first members.
     pub groups: Vec<Group>,
 }
 

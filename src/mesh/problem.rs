@@ -1,5 +1,4 @@
-//! Problems of a mesh or its file that do not stop reading, counted by kind with the line of the
-//! first.
+//! Problems of a mesh or its file that do not stop reading, with counts and first lines by kind.
 
 use std::fmt;
 
@@ -17,10 +16,10 @@ pub enum ElementKind {
 /// Kinds of problems. A skipped element is skipped as a whole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ProblemKind {
-    /// A coordinate is missing or not a number. The vertex keeps its number; the coordinate is set
-    /// to the middle of the extent of all vertices.
+    /// A coordinate is missing or not a number. It is set to the middle of the extent of all
+    /// vertices, so that the vertex keeps its number.
     MalformedCoordinate,
-    /// A coordinate is infinite or not a number (`nan`). The vertex is kept in the same way.
+    /// A coordinate is infinite or NaN. It is replaced in the same way.
     NonFiniteCoordinate,
     /// A coordinate such as `0,046`, read as `0.046`.
     DecimalComma,
@@ -106,7 +105,7 @@ pub struct MeshProblem {
     pub kind: ProblemKind,
     /// Number of occurrences, at least one.
     pub count: usize,
-    /// Line of the first occurrence, counted from one; `None` if the mesh was not read from a file.
+    /// Line of the first in the file, counted from one; `None` if the mesh is not from a file.
     pub line: Option<usize>,
     /// The text of that line, shortened; empty without a line.
     pub text: String,

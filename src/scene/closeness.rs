@@ -24,7 +24,7 @@ pub struct Closeness {
 /// A surface other than the mesh of the scene, in the same coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Target {
-    /// Path of a mesh file relative to the scene. The file must be read before the scene is opened.
+    /// Path of a mesh file relative to the scene; to be read before the scene is opened.
     File(String),
     /// The mesh of the surface.
     Mesh(Rc<Mesh>),

@@ -28,12 +28,10 @@ pub struct Scene {
     pub up: Up,
     /// The rest shape.
     pub mesh: MeshSource,
-    /// Another pose of the mesh, which then gives the rest shapes of the kinds that keep one; the
-    /// mesh itself if absent.
+    /// Another pose, which gives the rest shapes of constraints; the mesh itself if absent.
     #[serde(default, deserialize_with = "present")]
     pub pose: Option<Pose>,
-    /// Start positions of the iteration, `#V by 3`; if absent, the design of `variants`, else the
-    /// rest positions.
+    /// Start positions, `#V by 3`; if absent, the design of `variants`, else the rest positions.
     #[serde(default, deserialize_with = "present")]
     pub current: Option<Vec<Point>>,
     /// Named sets.
@@ -161,12 +159,10 @@ pub enum MeshSource {
     Inline(Box<Mesh>),
 }
 
-/// Another pose of the mesh of a scene, given by other positions of its vertices (deformation
-/// transfer, paper section 6).
+/// Another pose of the mesh of a scene (deformation transfer, paper section 6).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Pose {
-    /// Path of a mesh file with the same faces, relative to the scene. The file must be read before
-    /// the scene is opened.
+    /// Path of a mesh file with the same faces, relative to the scene; to be read before opening.
     File(String),
     /// Positions, `#V by 3`.
     Positions(Rc<[Point]>),
@@ -226,8 +222,7 @@ pub struct ConstraintSpec {
     pub eased: Option<EasedFaces>,
 }
 
-/// Faces of a constraint that have a larger tolerance than its other faces, since they would fold
-/// with a smaller one.
+/// Faces with a larger tolerance than the others of a constraint, since they would fold otherwise.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct EasedFaces {

@@ -63,7 +63,6 @@ fn expected_of(key: &str) -> Option<String> {
     Some(what.to_owned())
 }
 
-/// Describes the forms of a selector, for messages.
 pub(super) fn forms_of_selectors() -> String {
     let all = Element::ALL.into_iter().filter_map(Element::word_for_all);
     let all: Vec<_> = all.map(|word| format!("\"{word}\"")).collect();

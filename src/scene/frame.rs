@@ -96,7 +96,6 @@ mod tests {
         Mesh { positions, faces: Ragged::default(), ..Mesh::default() }
     }
 
-    /// The corners of a box of these sides.
     fn block(sides: Point) -> Mesh {
         let corners = (0..8).map(|i| [0, 1, 2].map(|axis| sides[axis] * f64::from(i >> axis & 1)));
         points(corners.collect())

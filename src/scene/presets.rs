@@ -30,7 +30,7 @@ enum Needs {
     Nothing,
     /// A boundary, which keeps smoothing from shrinking the mesh.
     Boundary,
-    /// Handles that hold the mesh.
+    /// Handles, which keep the mesh in place.
     Handles,
 }
 

@@ -1,8 +1,7 @@
 //! Guess of the axis of a mesh that points up, from its extents and the normals of its faces.
 //!
-//! A surface with a boundary is mostly a roof: the projected area that it covers along the axis
-//! decides. A closed shape stands on flat faces, or is a figure, which is narrowest from front to
-//! back.
+//! A surface with a boundary is mostly a roof: the area that it covers along the axis decides. A
+//! closed shape stands on flat faces, or is a figure, which is narrowest from front to back.
 
 use super::{UnitsAndUp, Up};
 use crate::math::{Vec3, twice_vector_area};
@@ -10,17 +9,15 @@ use crate::mesh::{Mesh, Point};
 
 /// Least area that a roof covers along the up axis, as a fraction of its own area.
 const COVERS: f64 = 0.05;
-/// Least ratio of an area along one axis to that along the other that decides between them.
+/// Least ratio of the areas along the two axes that decides between them.
 const CLEARLY: f64 = 2.0;
-/// Least component of a unit normal along an axis for the face to be perpendicular to that axis.
+/// Least component of a unit normal for the face to be perpendicular to the axis.
 const ALONG: f64 = 0.9;
 /// Largest height of a face on the ground, as a fraction of the total height.
 const GROUND: f64 = 0.03;
-/// Least area on the ground below z, as a fraction of the total area, for a closed shape to be a
-/// building with z up.
+/// Least fraction of its area that a closed building has on the ground, with z up.
 const BUILT: f64 = 0.03;
-/// Least area on the ground below y, as a fraction of the total area, for a closed shape to stand
-/// with y up.
+/// The same for a closed shape that stands with y up.
 const STANDS: f64 = 0.015;
 /// Largest height of a vertex on the ground, as a fraction of the total height.
 const TOUCHES: f64 = 1e-3;
@@ -67,12 +64,10 @@ impl UnitsAndUp {
     }
 }
 
-/// Areas of faces along y and z.
 #[derive(Default)]
 struct Areas {
     total: f64,
-    /// Components of the sum of all area vectors: the area that the surface covers, 0 if it is
-    /// closed.
+    /// The area that the surface covers, signed; 0 if it is closed.
     net: [f64; 2],
     /// Area of the faces perpendicular to the axis at the lower end of the extent.
     on_ground: [f64; 2],
@@ -126,7 +121,7 @@ fn points(mesh: &Mesh) -> impl Iterator<Item = Point> {
     corners.chain(alone.iter().copied())
 }
 
-/// Returns the number of vertices on the ground if this axis points up.
+/// Counts the vertices on the ground if this axis points up.
 fn touching(mesh: &Mesh, axis: usize) -> usize {
     let extent = Extent::of(mesh, axis);
     let limit = extent.low + TOUCHES * extent.length();
@@ -141,12 +136,10 @@ mod tests {
         Mesh { positions, ..Mesh::default() }
     }
 
-    /// The corners of a box of these sides.
     fn corners(sides: Point) -> Vec<Point> {
         (0..8).map(|i| [0, 1, 2].map(|axis| sides[axis] * f64::from(i >> axis & 1))).collect()
     }
 
-    /// A closed box.
     fn solid(sides: Point) -> Mesh {
         let faces =
             [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];

@@ -202,7 +202,6 @@ impl Scene {
         Ok(())
     }
 
-    /// Checks that all coordinates are within [`FARTHEST`].
     fn check_extent(&self, mesh: &Mesh) -> Result<(), SceneError> {
         let beyond =
             format!("is too far out, expected coordinates from -{FARTHEST:e} to {FARTHEST:e}");
@@ -260,7 +259,6 @@ impl Scene {
         Ok(())
     }
 
-    /// Checks the selectors of constraints and of closeness.
     fn check_selectors(&self, mesh: &Mesh) -> Result<(), SceneError> {
         let groups = mesh.groups.iter().map(|group| group.name.as_str());
         let mut names: BTreeSet<&str> = BTreeSet::new();

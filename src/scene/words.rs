@@ -33,7 +33,6 @@ pub trait NamedEnum: Copy + PartialEq + 'static {
     }
 }
 
-/// Reads one of the words of `choices`.
 pub(super) fn one_of<'de, T: Copy, D: Deserializer<'de>>(
     from: D,
     choices: &[(&str, T)],

@@ -37,8 +37,7 @@ export function scriptApi(store, solver, viewport, files) {
     state() {
       const state = store.get();
       const { document, numbers, running, converged, selection, renderer } = state;
-      // The mesh arrives one message before its document; report it only together with the
-      // document.
+      // The mesh arrives one message before its document: report both together.
       const model = document && state.model;
       /** @type {Record<string, number>} */
       const constraints = {};
@@ -103,8 +102,8 @@ export function scriptApi(store, solver, viewport, files) {
     },
 
     /**
-     * Position of a vertex on the page, [x, y] in CSS pixels; null if it is hidden or outside. A
-     * moving camera jumps to its destination first.
+     * Position of a vertex on the page, [x, y] in CSS pixels; null if hidden or outside. A moving
+     * camera first jumps to its destination.
      * @param {number} vertex
      */
     screen(vertex) {
@@ -125,17 +124,16 @@ export function scriptApi(store, solver, viewport, files) {
     },
 
     /**
-     * Times of the last drag moves in milliseconds: from the pointer event to new positions
-     * (`latency`), and the part of it from the message to the solver to its answer (`answer`).
+     * Times of the last drag moves in milliseconds: from pointer to new positions (`latency`), and
+     * within it from the message to the solver to its answer (`answer`).
      */
     dragTimes() {
       return structuredClone(drags);
     },
 
     /**
-     * A picture of the view as a PNG with the proportions of the view: its width in pixels, up to
-     * 7680; the background of the view, white or transparent (`"none"`); with or without the
-     * legend.
+     * A picture of the view as a PNG, with the width in pixels, up to 7680, the background of the
+     * view, white or none (transparent), and with or without the legend.
      * @param {{ width?: number, ground?: "view" | "white" | "none", legend?: boolean }} [options]
      *   default: the width and background of the view, with the legend
      * @returns {Promise<Blob>} rejects if there is no renderer

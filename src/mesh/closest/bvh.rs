@@ -1,5 +1,4 @@
-//! Binary bounding volume hierarchy over boxes; both children of a node are tested at once in SIMD
-//! lanes.
+//! Binary bounding volume hierarchy over boxes; both children of a node are tested at once.
 
 use crate::math::{Lane, Pair, Vec3};
 use crate::mesh::Point;
@@ -63,8 +62,8 @@ impl Bvh {
         (bvh, order)
     }
 
-    /// Builds the node over the boxes of `order`, whose final indices begin at `first`. Splits them
-    /// in halves by their centres along the axis of largest extent of the centres.
+    /// Builds the node over the boxes of `order`, whose final indices begin at `first`, and halves
+    /// them by their centres along the axis in which these spread most.
     fn build(&mut self, boxes: &[Box3], order: &mut [u32], first: u32) -> Child {
         let middles = order.iter().fold(Box3::EMPTY, |all, &b| {
             let middle = std::array::from_fn(|axis| boxes[b as usize].middle(axis));
@@ -186,13 +185,11 @@ impl Node {
         x * x + y * y + z * z
     }
 
-    /// Returns the box of one child.
     fn child_box(&self, side: usize) -> Box3 {
         Box3 { low: self.low.lane(side).into(), high: self.high.lane(side).into() }
     }
 }
 
-/// An axis-aligned box.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Box3 {
     low: Point,
@@ -203,7 +200,6 @@ impl Box3 {
     /// The empty box, at infinite distance from every point.
     const EMPTY: Box3 = Box3 { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
 
-    /// Returns the smallest box that contains these points.
     pub(crate) fn around(points: &[Point]) -> Box3 {
         points.iter().fold(Box3::EMPTY, |b, &p| b.union(&Box3 { low: p, high: p }))
     }
@@ -215,7 +211,6 @@ impl Box3 {
         }
     }
 
-    /// Whether the boxes intersect.
     pub(crate) fn meets(&self, other: &Box3) -> bool {
         (0..3).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
     }
@@ -226,7 +221,6 @@ impl Box3 {
         if self.low[0] <= self.high[0] { [0, 1, 2].map(middle).into() } else { Vec3::zero() }
     }
 
-    /// Returns the length of the diagonal.
     pub(crate) fn diagonal(&self) -> f64 {
         (Vec3::from(self.high) - Vec3::from(self.low)).length()
     }

@@ -1,8 +1,7 @@
 //! Precomputed lists of the triangles near each triangle of a surface.
 //!
 //! If a triangle is at distance `d` from `p`, every triangle nearer to `p` is within `2 d` of it.
-//! So if `d` is small relative to the triangle, a short precomputed list contains all candidates,
-//! and no search of the hierarchy is needed.
+//! So if `d` is small, a short list has all candidates, and the hierarchy need not be searched.
 
 use super::bvh::{Box3, Bvh};
 use super::safe_region::TriangleSafeRegion;
@@ -52,7 +51,6 @@ impl TriangleNeighbourhoods {
         let mut lists = Ragged::new();
         let count = boxes.len();
         let (mut limits, mut regions) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        // A negative limit, as below, admits no distance.
         let limit = |reach: f64| half(reach) * half(reach);
         let (mut close, mut others) = (Vec::new(), Vec::new());
         for t in 0..boxes.len() {
@@ -82,6 +80,7 @@ impl TriangleNeighbourhoods {
             let n_close = close.len() as u32;
             close.append(&mut others);
             if close.len() > MOST || size == 0.0 {
+                // Negative limits admit no distance.
                 limits.push(Limits { close: -1.0, listed: -1.0, n_close: 0 });
                 lists.push(&[]);
                 regions.push(TriangleSafeRegion::up_to(-1.0));
@@ -96,7 +95,6 @@ impl TriangleNeighbourhoods {
         TriangleNeighbourhoods { regions, lists, limits }
     }
 
-    /// Returns the safe region of triangle `t`.
     #[inline(always)]
     pub(crate) fn region(&self, t: usize) -> &TriangleSafeRegion {
         &self.regions[t]

@@ -11,7 +11,6 @@ pub struct Polyline {
     /// Arc length from the first vertex to each vertex.
     lengths: Vec<f64>,
     closed: bool,
-    /// Length of the longest segment.
     longest: f64,
 }
 

@@ -34,8 +34,8 @@ impl TriangleSafeRegion {
         TriangleSafeRegion { beyond_sides: nothing, beyond_corners: nothing, heights }
     }
 
-    /// Removes the points that are nearer to the triangle `other` than to the triangle of this
-    /// region, which has these `planes` and `corners`. Below the height `far`, there are none.
+    /// Removes the points that are nearer to `other` than to the triangle of this region, which has
+    /// these `planes` and `corners`. Below the height `far`, there are none.
     pub(crate) fn clear_of(
         &mut self,
         planes: &Planes,
@@ -99,8 +99,7 @@ impl TriangleSafeRegion {
     }
 }
 
-/// Returns the distances of a corner of another triangle to the planes; exactly zero where the two
-/// triangles share the corner.
+/// Returns the distances of a corner of another triangle; exactly zero if it is a shared corner.
 fn over_exactly(planes: &Planes, corners: &Corners, corner: Vec3<f64>) -> Over {
     let mut over = planes.over(splat(corner));
     for k in (0..3).filter(|&k| corners.at[k] == corner) {

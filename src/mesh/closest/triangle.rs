@@ -31,7 +31,6 @@ pub(crate) struct Over {
 }
 
 impl Planes {
-    /// Computes the planes of the triangle with these corners.
     pub(crate) fn new([a, b, c]: [Vec3<f64>; 3]) -> Planes {
         let normal = (b - a).cross(c - a);
         let area = normal.length();
@@ -76,7 +75,6 @@ impl Planes {
         p - self.normals[0].lane(0) * over.height
     }
 
-    /// Returns the outward normals of the planes of the sides ab, bc, ca.
     pub(crate) fn side_normals(&self) -> [Vec3<f64>; 3] {
         [self.normals[0].lane(1), self.normals[1].lane(0), self.normals[1].lane(1)]
     }
@@ -97,8 +95,8 @@ impl Planes {
 }
 
 impl Over {
-    /// Whether the triangle can be nearer than the square root of `bound`. Branch-free; `max` is
-    /// avoided because WebAssembly engines compile it to a branch.
+    /// Whether the triangle can be nearer than the square root of `bound`. Branch-free, so without
+    /// `max`, which is a branch in wasm.
     #[inline(always)]
     pub(crate) fn within(&self, bound: f64) -> bool {
         let height_squared = self.height * self.height;
@@ -110,7 +108,7 @@ impl Over {
         (ab < bound) & (bc < bound) & (ca < bound)
     }
 
-    /// Whether the point is above or below the triangle.
+    /// Whether the point projects into the triangle.
     #[inline(always)]
     fn is_inside(&self) -> bool {
         let [ab, bc, ca] = self.out;
@@ -134,7 +132,6 @@ pub(crate) fn splat(p: Vec3<f64>) -> Vec3<Pair> {
     Vec3::new(Pair::splat(p.x), Pair::splat(p.y), Pair::splat(p.z))
 }
 
-/// The corners of a triangle.
 #[derive(Clone, Debug)]
 pub(crate) struct Corners {
     pub(crate) at: [Vec3<f64>; 3],
@@ -160,7 +157,6 @@ impl Corners {
         Corners { at, inverse }
     }
 
-    /// Whether the triangles share a corner.
     pub(crate) fn touches(&self, other: &Corners) -> bool {
         self.at.iter().any(|corner| other.at.contains(corner))
     }

@@ -8,8 +8,8 @@ use super::principal::{Curvature, curvatures};
 use crate::math::{Vec3, angle, polygon_sides};
 use crate::mesh::{Point, Ragged, Topology};
 
-/// Principal curvatures count as equal if their difference is less than this fraction of the sum of
-/// their absolute values: it is then due to the error of the fit.
+/// Principal curvatures count as equal, up to the error of the fit, if their difference is less
+/// than this fraction of the sum of their sizes.
 pub(super) const UMBILIC: f64 = 0.2;
 /// The surface counts as flat at an edge if it turns by less than this, in radians, over the edge.
 pub(super) const FLAT: f64 = 1e-3;
@@ -54,8 +54,8 @@ impl CurvatureLines {
         }
     }
 
-    /// Returns for each face, `#F`, the mean angle of its sides that have one, in degrees from 0 to
-    /// 45; NaN if none has.
+    /// Returns the mean angle of the sides of each face, `#F`, in degrees from 0 to 45; NaN if no
+    /// side has one.
     pub fn of_faces(&self, faces: &Ragged, topology: &Topology) -> Vec<f64> {
         let mean = |face: &[u32]| {
             let sides = polygon_sides(face).filter_map(|[a, b]| topology.edge(a, b));
@@ -67,8 +67,8 @@ impl CurvatureLines {
     }
 }
 
-/// Returns the angle of an edge to the nearest principal direction, in degrees; `None` if the mean
-/// of the second fundamental forms at its ends has no principal directions.
+/// Returns the angle in degrees; `None` if the mean of the second fundamental forms at the ends has
+/// no principal directions.
 fn angle_to_principal(along: Vec3<f64>, ends: [Option<Curvature>; 2]) -> Option<f64> {
     let [Some(a), Some(b)] = ends else { return None };
     // Faces of opposite orientation have the opposite normal, and curvatures of opposite sign.

@@ -5,7 +5,6 @@ use super::principal::{Curvature, curvatures};
 use crate::math::{Vec3, argsort, key_of_pair};
 use crate::mesh::{Mesh, Point, Topology};
 
-/// Index that stands for no triangle.
 const NONE: u32 = u32::MAX;
 
 /// A symmetric tensor: xx, yy, zz, xy, xz, yz.
@@ -29,8 +28,8 @@ pub struct SurfacePlace {
 }
 
 /// A triangulated surface with second fundamental forms at the corners. Faces of more than three
-/// corners are split into triangles around their centre. Each component is oriented consistently if
-/// possible, with a positive integral of mean curvature: the curvatures of a dome are positive.
+/// corners are split around their centre. Each component is oriented consistently if possible, with
+/// positive mean curvature on the whole: the curvatures of a dome are positive.
 #[derive(Clone, Debug)]
 pub struct CurvatureField {
     points: Vec<Vec3<f64>>,
@@ -40,7 +39,7 @@ pub struct CurvatureField {
     /// The face that each triangle belongs to.
     faces: Vec<u32>,
     normals: Vec<Vec3<f64>>,
-    /// The triangles across the three sides of each triangle; side 0 is from corner 0 to corner 1.
+    /// The triangles across the sides of each triangle; side 0 is from corner 0 to corner 1.
     beyond: Vec<[u32; 3]>,
     mean_edge: f64,
 }
@@ -98,8 +97,8 @@ impl CurvatureField {
         of_face.flatten()
     }
 
-    /// Returns the centre of the face with `pieces` triangles from `first` on. If there are
-    /// several, their last corner is the centre.
+    /// Returns the centre of the face of `pieces` triangles from `first` on. Of several, the last
+    /// corner is the centre.
     fn middle(&self, first: usize, pieces: usize) -> Option<SurfacePlace> {
         let triangle = first as u32;
         let [a, b, c] = self.corners(triangle);
@@ -229,9 +228,8 @@ impl CurvatureField {
         }
     }
 
-    /// Orients the triangles of each component consistently, with a positive integral of mean
-    /// curvature, and computes the normals. Across sides where the orientations disagree,
-    /// [`CurvatureField::over`] returns `None`.
+    /// Orients each component, see [`CurvatureField`], and computes the normals. Across sides where
+    /// orientations disagree, [`CurvatureField::over`] returns `None`.
     fn orient(&mut self) {
         let count = self.triangles.len();
         let mut is_seen = vec![false; count];
@@ -268,14 +266,12 @@ impl CurvatureField {
         }
     }
 
-    /// Reverses the orientation of a triangle.
     fn turn(&mut self, triangle: usize) {
         self.triangles[triangle].swap(0, 1);
         self.beyond[triangle].swap(1, 2);
     }
 
-    /// Returns a positive multiple of the mean curvature times the area of a triangle. Its sign is
-    /// relative to the normal of the triangle.
+    /// Returns a positive multiple of mean curvature times area, signed by the triangle's normal.
     fn bend(&self, triangle: usize) -> f64 {
         let [a, b, c] = self.corners(triangle as u32);
         let area = (b - a).cross(c - a);
@@ -314,7 +310,6 @@ fn mean_form(
     mean
 }
 
-/// Evaluates a tensor on two vectors.
 fn on([xx, yy, zz, xy, xz, yz]: &Tensor, a: Vec3<f64>, b: Vec3<f64>) -> f64 {
     xx * a.x * b.x
         + yy * a.y * b.y

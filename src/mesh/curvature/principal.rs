@@ -20,13 +20,12 @@ pub struct Curvature {
 }
 
 impl Curvature {
-    /// Gauss curvature, the product of the principal curvatures. [`crate::mesh::gauss_curvature`]
-    /// computes it from the angles of the faces instead.
+    /// Product of the principal curvatures; [`crate::mesh::gauss_curvature`] uses angles instead.
     pub fn gauss(&self) -> f64 {
         self.principal[0] * self.principal[1]
     }
 
-    /// Mean curvature, the mean of the principal curvatures; positive bends towards the normal.
+    /// Mean of the principal curvatures; positive if the surface bends towards the normal.
     pub fn mean(&self) -> f64 {
         0.5 * (self.principal[0] + self.principal[1])
     }
@@ -79,8 +78,7 @@ pub fn curvatures(
     (0..positions.len() as u32).map(of_vertex).collect()
 }
 
-/// Returns a quantity of the curvature on each face, `#F`: the mean over the corners with known
-/// curvature; NaN if there are none.
+/// Returns the mean of a quantity over the corners of each face, `#F`; NaN if all are unknown.
 pub fn face_curvatures(
     positions: &[Point],
     faces: &Ragged,

@@ -18,10 +18,9 @@ pub(super) struct SecondForm {
     pub(super) values: [f64; 3],
 }
 
-/// Fits a quadric over the plane of the orthonormal axes to `around`, which are relative to the
-/// point that the quadric interpolates, and returns its second fundamental form. Positive curvature
-/// bends towards the normal, the cross product of the axes. `None` for fewer than five points, or
-/// if they do not determine a quadric.
+/// Fits a quadric over the plane of the orthonormal axes to `around`, relative to the point that it
+/// interpolates, and returns its second fundamental form. Positive curvature bends towards the
+/// normal, the cross product of the axes. `None` if the points do not determine a quadric.
 pub(super) fn fit(around: &[Vec3<f64>], [x_axis, y_axis]: [Vec3<f64>; 2]) -> Option<SecondForm> {
     let normal = x_axis.cross(y_axis);
     let mean_square =
@@ -58,8 +57,7 @@ pub(super) fn fit(around: &[Vec3<f64>], [x_axis, y_axis]: [Vec3<f64>; 2]) -> Opt
     })
 }
 
-/// Solves a symmetric positive definite system by elimination with diagonal pivoting; `None` if it
-/// is singular.
+/// Solves a symmetric positive definite system with diagonal pivoting; `None` if it is singular.
 fn solve(mut rows: [[f64; N + 1]; N]) -> Option<[f64; N]> {
     let mut left: Vec<usize> = (0..N).collect();
     let mut order = Vec::with_capacity(N);

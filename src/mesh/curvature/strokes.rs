@@ -3,7 +3,7 @@
 use super::field::{CurvatureField, Family};
 use crate::mesh::Point;
 
-/// Half the length of a stroke, as a fraction of the mean edge length.
+/// Half the length of a stroke, as a fraction of the mean edge.
 const HALF: f64 = 0.3;
 
 impl CurvatureField {

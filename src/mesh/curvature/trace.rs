@@ -1,16 +1,16 @@
-//! Lines of curvature, traced by the midpoint method: each step is a straight path on the surface
-//! in the direction found at half the step.
+//! Lines of curvature, traced by the midpoint method: each step is straight on the surface, in the
+//! direction found halfway.
 
 use super::field::{CurvatureField, Family, SurfacePlace};
 use super::walk::Heading;
 use crate::mesh::Point;
 
-/// Step length, as a fraction of the mean edge length.
+/// Step length, as a fraction of the mean edge.
 const STEP: f64 = 0.25;
-/// A line is closed if it returns to its beginning within this fraction of the mean edge length.
+/// A line is closed if it returns to its beginning within this fraction of the mean edge.
 const CLOSED: f64 = 0.5;
-/// A line ends where the curvatures differ by at most this fraction of the sum of their absolute
-/// values. The threshold for beginning a line is larger.
+/// A line ends if the curvatures differ by at most this fraction of the sum of their sizes. The
+/// threshold for beginning one is larger.
 const UMBILIC: f64 = 0.04;
 /// Maximum number of steps in each direction.
 const MOST_STEPS: usize = 20_000;
@@ -34,9 +34,9 @@ impl CurvatureLine {
 }
 
 impl CurvatureField {
-    /// Traces the line of curvature through a place in both directions until it closes, reaches the
-    /// boundary, comes within a mean edge length of an earlier part of itself, or reaches a point
-    /// without a principal direction. `None` if there is no direction at the place itself.
+    /// Traces the line through a place to both sides until it closes, reaches the boundary or a
+    /// point without a direction, or is within an edge of an earlier part of itself. `None` without
+    /// a direction at the place.
     pub fn line_through(&self, place: SurfacePlace, family: Family) -> Option<CurvatureLine> {
         self.line_until(place, family, |places| comes_back(places, self.mean_edge()))
     }
@@ -59,7 +59,7 @@ impl CurvatureField {
         Some(CurvatureLine { family, places, closed })
     }
 
-    /// Traces one side of a line from its first place; returns the places and whether it is closed.
+    /// Traces one side of a line; returns its places and whether it is closed.
     fn half(
         &self,
         begin: Heading,
@@ -99,7 +99,7 @@ impl CurvatureField {
         let way = along(from)?;
         let half = self.walk(Heading { way, ..from }, 0.5 * length)?;
         let there = along(half)?;
-        // Apply the turn of the direction at half the step to the direction at the beginning.
+        // Apply the turn of the direction halfway to the direction at the beginning.
         let (cosine, sine) =
             (half.way.dot(there), half.way.cross(there).dot(self.normal(half.place)));
         let turned = way * cosine + self.normal(from.place).cross(way) * sine;
@@ -107,7 +107,7 @@ impl CurvatureField {
     }
 }
 
-/// Whether the newest place is nearer than `distance` to an earlier part of the line, and away from
+/// Whether the newest place is nearer than `distance` to an earlier part of the line, other than
 /// its beginning.
 pub(super) fn comes_back(places: &[SurfacePlace], distance: f64) -> bool {
     let [first, .., last] = places else { return false };

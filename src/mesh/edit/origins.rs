@@ -12,9 +12,8 @@ pub struct Edited {
 }
 
 impl Edited {
-    /// Returns the positions of the new vertices for another state of the old mesh. `from` are the
-    /// old positions that this mesh was made from, `other` those of the other state; all are
-    /// `#V by 3`.
+    /// Returns the new vertices for another state of the old mesh: `from` are the old positions
+    /// that this mesh was made from, `other` those of the other state; all are `#V by 3`.
     pub fn in_other_state(&self, from: &[Point], other: &[Point]) -> Vec<Point> {
         let combined = [from, other].map(|points| self.origins.positions.apply(points));
         let [from, mut other] = combined;
@@ -46,7 +45,6 @@ pub struct Origins {
 }
 
 impl Origins {
-    /// Returns the origins of an unchanged mesh.
     pub(super) fn unchanged(mesh: &Mesh) -> Origins {
         let vertices = 0..mesh.positions.len() as u32;
         let mut positions = Combinations::default();
@@ -91,8 +89,8 @@ impl Combinations {
     /// Evaluates the combinations of `points`.
     pub fn apply(&self, points: &[Point]) -> Vec<Point> {
         let sum = |terms: &[(u32, f64)]| {
-            // Relative to the first point: no digits are lost far from the origin, and unchanged
-            // points stay bit-identical.
+            // Relative to the first point: no digits are lost far from the origin, and points that
+            // stay keep every bit.
             let base = points[terms[0].0 as usize];
             let mut sum = [0.0; 3];
             for &(point, weight) in &terms[1..] {
@@ -140,7 +138,6 @@ impl Default for Combinations {
     }
 }
 
-/// Accumulator of an affine combination.
 #[derive(Default)]
 pub(super) struct Sum {
     pub(super) terms: Vec<(u32, f64)>,

@@ -73,7 +73,6 @@ impl<'a> Rebuild<'a> {
         middle
     }
 
-    /// Moves an old vertex.
     pub(super) fn place(&mut self, v: u32, position: Point) {
         self.vertices[v as usize].position = position;
     }

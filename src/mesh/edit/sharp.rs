@@ -1,10 +1,8 @@
-//! Sharp edges and corners, which a subdivision keeps: the boundary, creases, and the vertices
-//! where these turn sharply.
+//! Sharp edges (the boundary and creases) and corners, which a subdivision keeps.
 
 use crate::math::{Vec3, angle, polygon_sides, twice_vector_area};
 use crate::mesh::{Mesh, Topology};
 
-/// The sharp edges and the corners of a mesh.
 pub(super) struct Sharp {
     /// `#E`: edges that are smoothed as curves only.
     pub(super) edges: Vec<bool>,
@@ -41,8 +39,8 @@ impl Sharp {
         Sharp { edges, corners }
     }
 
-    /// Returns the sharp edges and corners of the subdivided mesh, whose new vertex on edge `e` is
-    /// `first + e`.
+    /// Returns the sharp edges and corners after a subdivision with the vertex `first + e` on edge
+    /// `e`.
     pub(super) fn subdivided(&self, before: &Topology, first: u32, after: &Topology) -> Sharp {
         let mut edges: Vec<bool> =
             after.edge_faces().iter().map(|faces| faces.len() != 2).collect();
@@ -57,7 +55,6 @@ impl Sharp {
         Sharp { edges, corners }
     }
 
-    /// Returns the other ends of the sharp edges at `v`.
     pub(super) fn neighbours(&self, topology: &Topology, v: u32) -> Vec<u32> {
         sharp_neighbours(&self.edges, topology, v)
     }

@@ -1,8 +1,7 @@
 //! Subdivision of polygon meshes, smooth or linear.
 //!
 //! Catmull and Clark 1978 for polygons, Loop 1987 with the weights of Warren 1995 for triangles.
-//! Sharp edges and the boundary become cubic B-spline curves, and corners stay fixed (Hoppe et al.
-//! 1994).
+//! Sharp edges and the boundary become cubic B-splines, corners stay fixed (Hoppe et al. 1994).
 
 use super::origins::{Combinations, Edited, Origins, Sum};
 use super::sharp::Sharp;
@@ -38,8 +37,7 @@ pub struct Subdivision {
     pub keep: f64,
 }
 
-/// Default of [`Subdivision::keep`], in degrees: outlines of hexagons become round, outlines of
-/// quads keep their corners.
+/// Default of [`Subdivision::keep`]: outlines of hexagons become round, quads keep their corners.
 pub const KEPT_TURN: f64 = 75.0;
 
 /// The numbers of vertices and faces that a subdivision makes.
@@ -149,9 +147,9 @@ impl Subdivision {
         Ok(SubdividedCounts { vertices, faces })
     }
 
-    /// Subdivides `mesh`, whose topology is `topology`. At each level the old vertices come first,
-    /// then the new ones on edges in the order of [`Topology::edges`], then those in faces; the
-    /// children of a face are consecutive.
+    /// Subdivides `mesh` with its `topology`. At each level the old vertices come first, then those
+    /// on edges in the order of [`Topology::edges`], then those in faces; the children of a face
+    /// are consecutive.
     ///
     /// # Errors
     /// As [`Subdivision::counts`].
@@ -217,11 +215,11 @@ impl Subdivision {
 /// Weights of a scheme at smooth edges and smooth vertices.
 #[derive(Clone, Copy)]
 struct Weights {
-    /// For the vertex on an edge: weight of each end, and of the centre of each face
-    /// (Catmull-Clark) or its third corner (Loop).
+    /// Of an edge vertex: weight of each end, and of each face's centre (Catmull-Clark) or third
+    /// corner (Loop).
     edge: [f64; 2],
-    /// For an old vertex with `n` edges: its own weight, that of all neighbours together, and that
-    /// of all faces together.
+    /// Of an old vertex with `n` edges: its own weight, total of the neighbours, total of the
+    /// faces.
     vertex: fn(f64) -> [f64; 3],
 }
 
@@ -235,8 +233,7 @@ const LOOP: Weights = Weights {
     },
 };
 
-/// One level of a subdivision: each edge gets a vertex, and each face too unless triangles are
-/// split into triangles.
+/// One level: each edge gets a vertex, and so does each face unless triangles stay triangles.
 struct Split<'a> {
     mesh: &'a Mesh,
     topology: &'a Topology,
@@ -302,8 +299,8 @@ impl<'a> Split<'a> {
         between
     }
 
-    /// Returns the positions of all vertices under the scheme with these weights. Without weights,
-    /// old vertices stay and new ones are means.
+    /// Returns all vertices by the scheme with these weights. Without weights, old vertices stay
+    /// and new ones are means.
     fn positions(&self, smooth: Option<Weights>, sharp: &Sharp) -> Combinations {
         let mut positions = Combinations::default();
         for v in 0..self.first[0] {

@@ -64,7 +64,7 @@ impl Weld {
     }
 
     /// Returns the positions of the original, `#V by 3`, after the welded mesh moved from `rest` to
-    /// `now`: each vertex moves with the vertex that it was welded to.
+    /// `now`: each vertex moves with its welded one.
     pub fn as_it_came(&self, rest: &[Point], now: &[Point]) -> Vec<Point> {
         let moved = |(at, &to): (&Point, &u32)| -> Point {
             let (rest, now) = (rest[to as usize], now[to as usize]);
@@ -104,8 +104,7 @@ fn merged(mesh: &Mesh, first: &[u32], least: f64) -> Option<(Mesh, Vec<u32>)> {
     is_sound.then_some((welded, to))
 }
 
-/// Returns for each vertex the number, from 1, of a group (not a material) of one of its faces; 0
-/// if it is in none.
+/// Returns for each vertex the number, from 1, of an object or group of its faces; 0 without one.
 fn groups(mesh: &Mesh) -> Vec<u32> {
     let mut of_vertex = vec![0; mesh.positions.len()];
     let named = mesh.groups.iter().filter(|group| group.keyword != GroupKeyword::Material);
@@ -117,7 +116,6 @@ fn groups(mesh: &Mesh) -> Vec<u32> {
     of_vertex
 }
 
-/// Returns the number of faces of each vertex.
 fn uses(mesh: &Mesh) -> Vec<u32> {
     let mut uses = vec![0; mesh.positions.len()];
     mesh.faces.indices().iter().for_each(|&v| uses[v as usize] += 1);

@@ -13,14 +13,11 @@ pub(crate) struct MeshBuilder {
     pub(crate) mesh: Mesh,
     pub(crate) counts: DiagnosticCounts,
     pub(crate) notes: Vec<String>,
-    /// Source line of each vertex, `#V`.
     vertex_lines: Vec<u32>,
-    /// Source line of each face, `#F`.
     face_lines: Vec<u32>,
     /// Elements deferred until all vertices are read: kind, line, and end in `deferred_corners`.
     deferred: Vec<(ElementKind, u32, u32)>,
     deferred_corners: Vec<Option<i32>>,
-    /// The corners of the current element.
     row: Vec<u32>,
     /// `#V`: number, from one, of the last face or tetrahedron with this corner.
     visited: Vec<u32>,
@@ -128,7 +125,6 @@ impl MeshBuilder {
         self.deferred.push((element, line as u32, self.deferred_corners.len() as u32));
     }
 
-    /// Returns the vertex numbers of all deferred corners.
     pub(crate) fn deferred_corners(&self) -> impl Iterator<Item = i32> {
         self.deferred_corners.iter().copied().flatten()
     }

@@ -9,7 +9,6 @@ use crate::mesh::{ElementKind, Group, GroupKeyword};
 /// square of the file size.
 const MOST_NAMES: usize = 32;
 
-/// The groups read so far.
 #[derive(Default)]
 pub(crate) struct Groups {
     groups: Vec<Group>,
@@ -45,7 +44,6 @@ impl Groups {
         words.next().is_some()
     }
 
-    /// Adds a face or a curve to the open groups.
     pub(crate) fn add(&mut self, element: ElementKind, index: u32) {
         for &group in self.open.iter().flatten() {
             match element {

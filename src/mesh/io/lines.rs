@@ -3,9 +3,8 @@
 use std::borrow::Cow;
 use std::str::SplitAsciiWhitespace;
 
-/// Decodes the text of a file: UTF-16 if it has the byte order mark, else UTF-8. Bytes that are not
-/// UTF-8, which older programs write in names, are read as Latin-1, so that different names stay
-/// different.
+/// Decodes a file: UTF-16 with a byte order mark, else UTF-8. Bytes that are not UTF-8, as in names
+/// by older programs, are read as Latin-1, so that different names stay different.
 pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
     let utf16 = |bytes: &[u8], unit: fn([u8; 2]) -> u16| {
         let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
@@ -25,13 +24,11 @@ pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
     }
 }
 
-/// Returns the lines of the text, numbered from one; a line ends at LF, CR LF, CR or the end of the
-/// text.
+/// Returns the lines with their numbers from one, ended by LF, CR LF, CR or the end of the text.
 pub(crate) fn lines(text: &str) -> Lines<'_> {
     Lines { rest: text, number: 0 }
 }
 
-/// See [`lines`].
 pub(crate) struct Lines<'a> {
     rest: &'a str,
     number: usize,
@@ -53,9 +50,8 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-/// Returns the lines of the text with continuations joined: a line that ends in a backslash
-/// continues on the next, and the first gives the number. Comments are never continued, since they
-/// may end in a Windows folder path.
+/// Returns the lines, joining those that end in a backslash with the next and numbered by the
+/// first. Comments are never continued, since they may end in a Windows folder path.
 pub(crate) fn joined_lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let continued = |line: &str| line.trim_ascii_end().strip_suffix('\\').map(str::len);
     let mut lines = lines(text);
@@ -78,8 +74,7 @@ pub(crate) fn joined_lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, s
     })
 }
 
-/// Returns the words of a line up to a comment. Only a `#` at the beginning of a word starts a
-/// comment, unlike in `1.#IND`.
+/// Returns the words of a line up to a comment: a `#` that begins a word, unlike in `1.#IND`.
 pub(crate) fn words(line: &str) -> SplitAsciiWhitespace<'_> {
     let begins =
         |&(at, _): &(usize, &str)| at == 0 || line.as_bytes()[at - 1].is_ascii_whitespace();

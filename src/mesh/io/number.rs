@@ -19,8 +19,7 @@ pub(crate) fn coordinate(word: &str) -> (f64, Option<ProblemKind>) {
     }
 }
 
-/// Parses a vertex number as written in the file. Numbers beyond the type are clamped; they are out
-/// of range in any case.
+/// Parses a vertex number. Numbers beyond the type are clamped, since they are out of range anyway.
 pub(crate) fn whole(word: &str) -> Option<i32> {
     let number: i64 = word.parse().ok()?;
     Some(number.clamp(i32::MIN.into(), i32::MAX.into()) as i32)
@@ -31,7 +30,7 @@ pub(crate) fn whole(word: &str) -> Option<i32> {
 pub(crate) enum Numbering {
     ZeroBased,
     OneBased,
-    /// One-based; negative numbers count back from the last of the vertices `read` so far.
+    /// One-based; negative numbers count back from the last of the vertices read so far.
     OneBasedOrBack {
         read: usize,
     },

@@ -100,8 +100,7 @@ struct Ignored {
 }
 
 impl Ignored {
-    /// Returns the vertex number of a corner such as `3`, `3/1`, `3//2` or `3/1/2`, and counts the
-    /// texture and normal indices.
+    /// Returns the vertex number of a corner such as `3`, `3/1`, `3//2` or `3/1/2`.
     fn corner(&mut self, word: &str) -> Option<i32> {
         let mut parts = word.split('/');
         let number = parts.next().and_then(whole);

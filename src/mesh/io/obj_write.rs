@@ -4,19 +4,17 @@ use std::fmt::{Display, Write};
 
 use crate::mesh::{Decimal, Group, GroupKeyword, Mesh, Point};
 
-/// Returns the mesh at other positions (`#V by 3`, finite) as the text of an OBJ file: vertices,
-/// faces, then polylines, each in order and with their groups. Numbers have the fewest digits that
-/// read back to the same `f64`.
+/// Returns the mesh at other positions (`#V by 3`, finite) as an OBJ file: vertices, faces, then
+/// polylines, in order and with their groups. Numbers have the fewest digits that read back to the
+/// same `f64`.
 ///
-/// Tetrahedra, which OBJ does not support, are left out. OBJ allows one `o` and one `usemtl` at a
-/// time: if an element is in several such groups, the first is written. White space in the name of
-/// a `g` becomes `_`.
+/// OBJ has no tetrahedra: they are left out. It has one `o` and one `usemtl` at a time: of several
+/// such groups of an element, the first is written. White space in the name of a `g` becomes `_`.
 pub fn write_obj(mesh: &Mesh, positions: &[Point]) -> String {
     write(mesh, positions, &[])
 }
 
-/// Returns the same as [`write_obj`], with a flat map `uv` (`#V by 2`) as texture coordinates, one
-/// `vt` per vertex.
+/// As [`write_obj`], with a flat map `uv` (`#V by 2`) as texture coordinates, one `vt` per vertex.
 pub fn write_obj_with_uv(mesh: &Mesh, positions: &[Point], uv: &[[f64; 2]]) -> String {
     assert_eq!(uv.len(), positions.len(), "one place in the map for each vertex");
     write(mesh, positions, uv)
@@ -54,7 +52,6 @@ fn write(mesh: &Mesh, positions: &[Point], uv: &[[f64; 2]]) -> String {
     out
 }
 
-/// Appends a statement with its numbers.
 fn push_row(out: &mut String, statement: &str, numbers: &[f64]) {
     out.push_str(statement);
     for &x in numbers {
@@ -101,8 +98,7 @@ fn push_groups(out: &mut String, groups: &[Group], open: &[(u32, u32)], now: &[(
     }
 }
 
-/// Appends a name without control characters and trailing backslashes, with each run of white space
-/// replaced by `gap`.
+/// Appends a name; replaces each run of white space and control characters by `gap`.
 fn push_name(out: &mut String, name: &str, gap: char) {
     let parts = name.split(|c: char| c.is_ascii_whitespace() || c.is_control());
     let parts = parts.map(|part| part.trim_end_matches('\\')).filter(|part| !part.is_empty());

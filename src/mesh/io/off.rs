@@ -17,7 +17,6 @@ pub(crate) struct Header<'a> {
 }
 
 impl<'a> Header<'a> {
-    /// Parses a word as a header, if it is one.
     pub(crate) fn parse(word: &'a str) -> Option<Self> {
         let (variant, glued) = word.split_once("OFF")?;
         let is_header = variant.chars().all(|c| "STCN4n".contains(c))

@@ -13,7 +13,7 @@ pub struct Read {
     pub notes: Vec<String>,
 }
 
-/// Reason why a file is refused; [`read`] adds the name of the file and the text of the line.
+/// Reason why a file is refused; `read` adds the name of the file and the text of the line.
 pub(crate) struct ReadFault {
     pub(crate) line: Option<usize>,
     pub(crate) message: String,

@@ -21,7 +21,6 @@ impl<'a> Stream<'a> {
         Stream { lines: lines(text), words: words(""), line: 0 }
     }
 
-    /// Returns the next word.
     pub(crate) fn word(&mut self) -> Option<&'a str> {
         loop {
             if let Some(word) = self.words.next() {
@@ -38,13 +37,11 @@ impl<'a> Stream<'a> {
         self.word().ok_or_else(end)
     }
 
-    /// Parses the next word as a count.
     pub(crate) fn count(&mut self, what: impl Display) -> Result<usize, ReadFault> {
         let word = self.expect(&what)?;
         word.parse().map_err(|_| self.fault(format!("expected {what}, found `{word}`")))
     }
 
-    /// Returns a fault of the current line.
     pub(crate) fn fault(&self, message: String) -> ReadFault {
         ReadFault { line: Some(self.line), message }
     }

@@ -22,9 +22,8 @@ impl Laplacian {
         Laplacian { neighbours, weights }
     }
 
-    /// Returns cotangent weights, `w_ij = (cot a + cot b) / 2` on the rest mesh, where `a` and `b`
-    /// are the angles opposite to the edge. A boundary edge has one term, an edge with three or
-    /// more faces has one per face. Cotangents are clamped to
+    /// Returns `w_ij = (cot a + cot b) / 2` on the rest mesh, with the angles `a` and `b` opposite
+    /// to the edge: one term per face of the edge. Cotangents are clamped to
     /// [`LARGEST_COTANGENT`](crate::mesh::LARGEST_COTANGENT); the angle at coincident points counts
     /// as a right angle.
     ///
@@ -48,8 +47,7 @@ impl Laplacian {
         Laplacian { neighbours: topology.neighbours().clone(), weights }
     }
 
-    /// Maximum number of corners of a face for [`Laplacian::polygon`], which couples all pairs of
-    /// corners.
+    /// Maximum number of corners of a face for [`Laplacian::polygon`], which couples all pairs.
     pub const MOST_CORNERS: usize = 500;
 
     /// Returns the weights of Alexa and Wardetzky 2011 on the rest mesh, whose faces may have any

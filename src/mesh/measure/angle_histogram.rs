@@ -45,7 +45,7 @@ mod tests {
         faces.push(&[0, 1, 2, 3]);
         faces.push(&[0, 1, 4]);
         faces.push(&[2, 2, 2]);
-        // Bins of 40 degrees around 20, 60, 100 and 140.
+        // Bins of 10 degrees.
         let counts = angle_histogram(&positions, &faces, 18);
         let mut expected = [0; 18];
         (expected[3], expected[6]) = (1, 1);

@@ -52,9 +52,7 @@ pub(crate) struct FaceErrors {
 /// Distances of the corners of a face to a fitted shape.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Errors {
-    /// The largest squared distance.
     pub(crate) largest_square: f64,
-    /// The mean squared distance.
     pub(crate) mean_square: f64,
 }
 

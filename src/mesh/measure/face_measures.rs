@@ -98,9 +98,8 @@ fn greater(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }
 
-/// Returns the distance between the lines of the two diagonals of a quad, relative to their mean
-/// length; 0 if both have no length. For diagonals parallel up to rounding, the distance is that of
-/// two parallel lines.
+/// Returns the distance between the lines of the diagonals of a quad, relative to their mean
+/// length; 0 if both have no length. Diagonals can be parallel, up to rounding.
 pub fn diagonal_ratio(corners: [Point; 4]) -> f64 {
     const PARALLEL: f64 = 1e-12;
     let [a, b, c, d] = corners.map(Vec3::from);

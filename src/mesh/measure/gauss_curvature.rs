@@ -8,10 +8,10 @@ use std::f64::consts::TAU;
 /// over squared length: the angle defect of the vertex divided by its share of the area. NaN where
 /// it is undefined: on the boundary, without faces, and at edges of zero length.
 ///
-/// Faces of four or more corners count as triangles around the mean of the corners, so that the
-/// curvature of non-planar faces is included; the defect at that centre and the area are shared
-/// equally among the corners. Faces should be convex. [`crate::mesh::curvatures`] gives the
-/// curvature of a smooth surface through the vertices.
+/// Faces of four or more corners count as triangles around the mean of the corners, which includes
+/// the curvature of non-planar faces; the corners share the defect at that centre and the area
+/// equally. Faces should be convex. [`crate::mesh::curvatures`] gives the curvature of a smooth
+/// surface through the vertices.
 pub fn gauss_curvature(positions: &[Point], mesh: &Mesh, topology: &Topology) -> Vec<f64> {
     let n = positions.len();
     let (mut defects, mut areas) = (vec![TAU; n], vec![0.0; n]);

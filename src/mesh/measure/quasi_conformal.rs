@@ -130,7 +130,7 @@ mod tests {
 
     #[test]
     fn faces_that_are_turned_over_are_named_and_those_that_are_not_convex_are_not_taken_for_such() {
-        // A quad with a corner that points inwards, and a triangle beside it.
+        // A quad with a reflex corner, and a triangle beside it.
         let positions = [[0.0, 0.0], [4.0, -3.0], [1.0, 0.0], [4.0, 3.0], [9.0, 0.0]];
         let positions = positions.map(|[x, y]| [x, y, 0.0]);
         let faces: Ragged = [vec![1, 2, 3, 0], vec![1, 4, 3]].into_iter().collect();
@@ -141,7 +141,7 @@ mod tests {
         };
         assert_eq!(of(&|x, y| [x, y]), (0, vec![]));
         assert_eq!(of(&|x, y| [y, x]), (3, vec![0, 1]));
-        // Folded along the side of the triangle: it alone lies on its back.
+        // Folded along the common side: only the triangle is flipped.
         assert_eq!(of(&|x, y| [if x > 4.0 { 8.0 - x } else { x }, y]), (1, vec![1]));
     }
 

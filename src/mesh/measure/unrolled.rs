@@ -15,10 +15,10 @@ pub struct UnrolledStrip {
 }
 
 impl UnrolledStrip {
-    /// Unrolls a strip of the mesh (`l0 r0 l1 r1 ...`, as [`strips`](crate::mesh::strips) returns
-    /// it) at `positions` (`#V by 3`). Each quad is placed next to the previous one, by the
-    /// coordinates of its corners relative to the edge between them; planar quads are not
-    /// stretched. `None` if a crossed edge has no length.
+    /// Unrolls a strip (`l0 r0 l1 r1 ...`, as from [`strips`](crate::mesh::strips)) at `positions`
+    /// (`#V by 3`). Each quad is placed beside the previous one, by the coordinates of its corners
+    /// relative to the edge between them; planar quads are not stretched. `None` if a crossed edge
+    /// has no length.
     pub fn new(positions: &[Point], strip: &[u32], topology: &Topology) -> Option<UnrolledStrip> {
         let (edges, _) = strip.as_chunks::<2>();
         let (first, last) = (edges.first()?, edges.last()?);

@@ -40,8 +40,7 @@ impl Topology {
             });
             gather(n_vertices, ends)
         };
-        // Edges are in lexicographic order, so both lists of a vertex are in ascending order of its
-        // neighbours.
+        // Edges are in lexicographic order, so both lists are in the order of the neighbours.
         let neighbours = by_vertex(|[a, b], _, first| if first { b } else { a });
         let vertex_edges = by_vertex(|_, e, _| e);
         // List a face once even if it visits the vertex several times.
@@ -112,10 +111,10 @@ impl Topology {
     pub fn vertex_faces(&self) -> &Ragged {
         &self.vertex_faces
     }
-    /// The boundary as loops of vertices. Each boundary edge is in exactly one loop, no vertex
-    /// occurs twice in the same loop, and the first vertex is not repeated at the end. A loop has
-    /// the direction of its faces if they agree. A row can be an open chain only where edges of
-    /// three or more faces meet the boundary.
+    /// The boundary as loops of vertices. Each boundary edge is in exactly one loop, no vertex is
+    /// twice in a loop, and the first is not repeated at the end. A loop has the direction of its
+    /// faces if they agree. Only where edges of three or more faces meet the boundary, a row can be
+    /// an open chain.
     pub fn boundary_loops(&self) -> &Ragged {
         &self.boundary_loops
     }
@@ -179,8 +178,7 @@ fn sides(mesh: &Mesh) -> Vec<Side> {
     let of_curves =
         mesh.curves.iter().flat_map(|curve| curve.windows(2).map(|ends| (ends[0], ends[1], None)));
     let of_tets = mesh.tets.iter().flat_map(|tet| TET_EDGES.map(|[a, b]| (tet[a], tet[b], None)));
-    // Faces come last and in order, so that the stable sort keeps the sides of an edge in that
-    // order.
+    // Faces come last and in order, and the sort is stable, so the sides of an edge are, too.
     let sides: Vec<Side> = of_curves
         .chain(of_tets)
         .chain(of_faces)

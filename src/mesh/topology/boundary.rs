@@ -69,13 +69,12 @@ struct Walk<'a> {
     /// Whether the face of a boundary edge traverses it from the lower to the higher end.
     from_first: Vec<bool>,
     path: Vec<u32>,
-    /// Index of each vertex on the path.
     path_index: Vec<Option<usize>>,
     loops: Ragged,
 }
 
 impl Walk<'_> {
-    /// Returns the number of boundary edges at `v` still to be walked.
+    /// Counts the boundary edges at `v` still to be walked.
     fn degree(&self, v: u32) -> usize {
         self.vertex_edges.row(v as usize).iter().filter(|&&e| !self.walked[e as usize]).count()
     }

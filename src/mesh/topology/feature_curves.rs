@@ -67,7 +67,6 @@ impl Creases<'_> {
         self.at(v).find(|&e| !self.walked[e as usize])
     }
 
-    /// Returns the curve that starts at a vertex along an edge.
     fn walk(&mut self, first: u32, start: u32) -> Vec<u32> {
         let mut curve = vec![start];
         let (mut next, mut v) = (Some(first), start);
@@ -95,7 +94,7 @@ mod tests {
         assert_eq!(curves.len(), 12);
         assert!(ends.chunks(3).all(|corner| corner[0] == corner[2]), "{ends:?}");
         assert_eq!(curves.iter().map(|c| c.len() - 1).sum::<usize>(), 4 * (3 + 2 + 4));
-        // A quarter turn is no more than a quarter turn.
+        // The threshold is exclusive.
         assert_eq!(feature_curves(&mesh, &Topology::new(&mesh), 90.0).len(), 0);
     }
 

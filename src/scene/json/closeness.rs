@@ -71,7 +71,6 @@ impl<'de> Deserialize<'de> for To {
     }
 }
 
-/// Returns the fields that are not at their defaults.
 pub(super) fn write(closeness: &Closeness) -> Vec<String> {
     let mut fields = Vec::new();
     match &closeness.target {

@@ -33,7 +33,6 @@ impl<'de> Deserialize<'de> for ConstraintSpec {
 /// The keys common to all constraints; all others are parameters of the kind.
 const KEYS: [&str; 7] = ["kind", "on", "weight", "enabled", "name", "require", "eased"];
 
-/// The values of the common keys.
 #[derive(serde::Deserialize)]
 struct Common {
     kind: String,
@@ -107,7 +106,6 @@ impl<'de> Deserialize<'de> for Require {
     }
 }
 
-/// Returns the parameter keys of a kind.
 fn parameter_keys(id: &str) -> Vec<String> {
     let declared = KINDS.iter().filter(|info| info.id == id).flat_map(|info| info.params);
     let mut keys: Vec<_> = declared.map(|param| param.id.to_owned()).collect();

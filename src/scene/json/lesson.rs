@@ -125,7 +125,6 @@ fn goal_of(file: GoalFile) -> Result<Goal, JsonError> {
     Ok(Goal { of, at_most: from_zero("at_most", at_most)? })
 }
 
-/// Returns the lesson with one goal per line.
 pub(super) fn write(lesson: &Lesson) -> String {
     let goals = lesson.goals.iter().map(|goal| object(goal_fields(goal))).collect();
     let mut fields =

@@ -41,7 +41,6 @@ struct GroupFile {
     keyword: Option<GroupKeyword>,
 }
 
-/// Reads named values in the order of the file.
 fn groups<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<(String, Value)>, D::Error> {
     struct InOrder;
 

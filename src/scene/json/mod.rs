@@ -19,7 +19,7 @@
 //! | "closeness" | `"to"`: `"surface"`, `"rest"`, `"none"`, or another surface, `{ "mesh": ... }` like the mesh of the scene or the path of its file; `"weights"`: factors of selections; `"boundary"`: closeness of boundary vertices to the boundary curves, `corners` (45 degrees), `require` (`"soft"` or `"exact"`), `weight` (1, if soft) |
 //! | "smoothness" | `"of"`: `"surface"` or `"displacement"`; `"weighting"`: `"auto"`, `"uniform"`, `"cotangent"` (triangles) or `"polygon"` (any faces) |
 //! | "solver" | `iterations`, `tolerance`, `accelerator` (`"quasi-newton"`, `"anderson"`, `"none"`), `window`, `mean_centring`, `monotone`, `factorization` (`"auto"`, `"supernodal"`, `"sprs-ldl"`), `shortest_edge` (0 to 1, or null) |
-//! | "lesson" | a text and goals |
+//! | "lesson" | a task, goals, and the parts of the scene that are locked |
 //! | "build" | settings of the parts to build: `kind`, `distance`, `follow`, `joint`, `scale`, `sheet`, ... ([`crate::fabricate::BuildSettings`]) |
 //! | "steps" | a presentation; each step has `title`, `text`, `notes` for the presenter, and what it shows: `camera`, `parallel`, `measure`, `original` (the rest shape) or `variant`, `weights`, `run` ([`crate::scene::Slide`]) |
 //! | "variants" | shapes that the user kept: `kept`, at most 12 of `{ "name", "positions" }`, and `design`, the index of the one that closeness and smoothness refer to instead of the rest shape |
@@ -35,7 +35,7 @@
 //! | "edge-lines" | each edge line of a quad-dominant mesh |
 //! | "curves" | each polyline and edge line; if one contains another, only the longer |
 //! | { "each": "face", "in": NAME } | each face in a set or group; "each": "group" is each group |
-//! | { "each": "ring", "radius": 2 } | each ring with this number of rings of neighbours |
+//! | { "each": "ring", "radius": 2 } | each vertex with two rings of neighbours |
 //! | { "set": NAME }, { "vertices": LIST } | all these vertices together |
 //!
 //! # The code

@@ -10,7 +10,6 @@ pub(super) fn object(fields: Vec<String>) -> String {
     format!("{{ {} }}", fields.join(", "))
 }
 
-/// Formats a list with one item per line.
 pub(super) fn lines(open: char, items: Vec<String>, close: char) -> String {
     if items.is_empty() {
         return format!("{open}{close}");
@@ -54,7 +53,6 @@ pub(super) fn number(value: f64) -> String {
     if value.is_finite() { Decimal(value).to_string() } else { "null".to_owned() }
 }
 
-/// Formats a JSON string.
 pub(super) fn text(value: &str) -> String {
     serde_json::Value::from(value).to_string()
 }

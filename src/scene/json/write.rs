@@ -1,5 +1,4 @@
-//! Writing the scene as JSON, with one line per constraint, handle and set, and without default
-//! values.
+//! Writing the scene as JSON: one line per constraint, handle and set, without default values.
 
 use super::file::{FORMAT, VERSION};
 use super::text::{field, lines, number, object, point, rows, text};

@@ -40,7 +40,7 @@ fn against(info: &Info, adjective: &str, mesh: &Mesh) -> Option<String> {
     }
 }
 
-/// Returns the number of faces whose number of corners suits a kind.
+/// Counts the faces whose number of corners suits a kind.
 fn fitting(info: &Info, mesh: &Mesh) -> usize {
     let size = |face: &[u32]| match info.centring {
         Centring::ByEdge => 2 * face.len(),
@@ -50,11 +50,10 @@ fn fitting(info: &Info, mesh: &Mesh) -> usize {
 }
 
 impl Scene {
-    /// Requests the shape `kind`, soft or hard as in `require`, for every suitable face of `mesh`,
-    /// and returns the declaration of the kind. An existing constraint of this kind on all faces is
-    /// enabled instead of adding another, and stays exact if it was. The kinds offered for all
-    /// panels exclude each other: constraints of the others on all faces are disabled. If the
-    /// weights of the scene would not keep the mesh intact, they are set by [`Scene::keep_whole`].
+    /// Requests the shape `kind`, as hard as `require`, for every suitable face of `mesh`, and
+    /// returns the declaration of the kind. An existing constraint of this kind on all faces is
+    /// enabled instead, and stays exact if it was. Constraints of other offered kinds on all faces
+    /// are disabled. Weights that would not keep the mesh intact are set by [`Scene::keep_whole`].
     ///
     /// # Errors
     /// If there is no such kind, or no face suits it.

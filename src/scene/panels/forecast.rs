@@ -6,7 +6,7 @@ use crate::mesh::{Curvature, CurvatureLines, Mesh, Ragged, Topology, face_curvat
 use crate::solve::{Constraints, least_move};
 use serde::Serialize;
 
-/// Least estimated move, as a fraction of the mean edge length, of [`HowFar::Lot`].
+/// Least estimated move, as a fraction of the mean edge, of [`HowFar::Lot`].
 const A_LOT: f64 = 0.2;
 /// Least move of [`HowFar::Little`], as the same fraction.
 const A_LITTLE: f64 = 0.03;
@@ -26,11 +26,11 @@ const SADDLE_SHARE: f64 = 0.05;
 pub enum HowFar {
     /// All panels have the shape already.
     Nothing,
-    /// Less than 0.03 of the mean edge length.
+    /// Less than 0.03 of the mean edge.
     Hardly,
-    /// Less than a fifth of the mean edge length.
+    /// Less than a fifth of the mean edge.
     Little,
-    /// A fifth of the mean edge length or more.
+    /// A fifth of the mean edge or more.
     Lot,
 }
 
@@ -42,7 +42,7 @@ pub struct ForecastOfKind {
     /// Adjective for panels of this kind.
     #[serde(skip)]
     adjective: &'static str,
-    /// Estimated mean move of the vertices, as a fraction of the mean edge length, see
+    /// Estimated mean move of the vertices, as a fraction of the mean edge, see
     /// [`least_move`]. Up to a third of an edge it is within a third of the move for an exact
     /// shape; beyond that it tends to be too large (`tests/scene/forecast.rs`).
     pub least_move: f64,
@@ -145,7 +145,7 @@ impl HowFar {
 }
 
 impl ForecastOfKind {
-    /// Makes the forecast of the kind `id` on all suitable faces; `edge` is the mean edge length.
+    /// Makes the forecast of the kind `id` on all suitable faces; `edge` is the mean edge.
     fn of(id: &str, mesh: &Mesh, edge: f64) -> Option<ForecastOfKind> {
         let info = KINDS.iter().find(|info| info.id == id)?;
         let kind = Kind::new(id, serde_json::json!({})).ok()?;
@@ -163,7 +163,6 @@ impl ForecastOfKind {
     }
 }
 
-/// Whether most faces have more than four corners.
 fn has_large_faces(faces: &Ragged) -> bool {
     2 * faces.iter().filter(|face| face.len() > 4).count() > faces.len()
 }

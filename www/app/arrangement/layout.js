@@ -56,8 +56,8 @@ export function arrangeForWidth(store) {
 }
 
 /**
- * Tabs of the model and inspector panels, which share one area. On a phone, pressing the current
- * tab closes or opens the sheet.
+ * Tabs of the model and the inspector, which share one area. On a phone, the current tab also opens
+ * and closes the sheet.
  * @param {import("../../store/state.js").Store} store
  */
 function tabs(store) {

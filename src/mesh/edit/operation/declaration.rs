@@ -123,8 +123,7 @@ impl MeshOperation {
     /// Applies the operation and returns the new mesh with its origins.
     ///
     /// # Errors
-    /// If a size is out of range, a picked element does not exist or does not fit, or the mesh is
-    /// not suitable.
+    /// If a size is out of range, or a picked element or the mesh is not suitable.
     pub fn apply(&self, task: &Task<'_>) -> Result<Edited, OperationError> {
         Size::check(self.sizes, task.sizes).map_err(OperationError::Size)?;
         if !task.mesh.tets.is_empty() {
@@ -165,12 +164,11 @@ impl MeshOperation {
     }
 }
 
-/// Whether at most two faces meet at every edge.
 fn is_manifold(topology: &Topology) -> bool {
     topology.edge_faces().iter().all(|faces| faces.len() <= 2)
 }
 
-/// Whether vertices were merged. Edges that coincide afterwards are then intended.
+/// Whether vertices were merged, so that coincident edges are intended.
 fn merges(edited: &Edited) -> bool {
     let mut is_taken = vec![false; edited.mesh.positions.len()];
     let mut into = edited.origins.vertices.iter().flatten();
@@ -185,14 +183,12 @@ impl Task<'_> {
         is_picked
     }
 
-    /// Returns for each face whether it is picked.
     pub(super) fn picked_faces(&self) -> Vec<bool> {
         let mut is_picked = vec![false; self.mesh.faces.len()];
         self.faces.iter().for_each(|&face| is_picked[face as usize] = true);
         is_picked
     }
 
-    /// Returns the indices of all faces.
     pub(super) fn all_faces(&self) -> std::ops::Range<u32> {
         0..self.mesh.faces.len() as u32
     }

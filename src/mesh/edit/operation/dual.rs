@@ -5,9 +5,9 @@ use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::{Rebuild, around};
 use crate::mesh::edit::sharp::Sharp;
 
-/// Builds the dual, with corners at the centres of faces. The face of a boundary vertex also has
-/// the midpoints of its two boundary edges as corners, and the vertex itself if the boundary turns
-/// there by more than the size.
+/// Builds the dual, with corners at face centres. The face of a boundary vertex also has the
+/// midpoints of its boundary edges as corners, and the vertex if the boundary turns there by more
+/// than the size.
 pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     let Task { mesh, topology, .. } = task;
     let sharp = Sharp::of(mesh, topology, task.sizes[0]);

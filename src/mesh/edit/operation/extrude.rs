@@ -15,9 +15,8 @@ struct Open {
     outward: Vec3<f64>,
 }
 
-/// Adds a row of quads along the boundary. Each new vertex is offset outward, in the planes of the
-/// adjacent faces, by the first size, and up by the second. At corners the offset is mitred, so
-/// that the new edges are at the requested distance.
+/// Offsets each vertex outward, in the planes of the adjacent faces, by the first size, and up by
+/// the second. Offsets at corners are mitred, so that the new edges have the requested distance.
 pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     let [outward, up] = [task.sizes[0], task.sizes[1]];
     if outward == 0.0 && up == 0.0 {
@@ -27,8 +26,8 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     if sides.is_empty() {
         return Err(OperationError::Expected("an edge of the boundary, both ends selected"));
     }
-    // Where boundaries touch in a vertex, each gets its own new vertex, keyed by the vertex and the
-    // first face of the fan around it.
+    // Where boundaries touch, each fan of faces gets its own vertex; the key is the vertex and the
+    // first face of the fan.
     let mut places: BTreeMap<[u32; 2], u32> = BTreeMap::new();
     let mut away: Vec<(u32, Vec<Vec3<f64>>)> = Vec::new();
     let mut corners = Vec::with_capacity(sides.len());
@@ -58,8 +57,7 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(rebuild.finish())
 }
 
-/// Returns the lowest index of the faces at vertex `v` that are connected to `face` across edges at
-/// `v`.
+/// Returns the first of the faces connected to `face` across edges at `v`.
 fn first_around(task: &Task<'_>, v: u32, face: u32) -> u32 {
     let Task { mesh, topology, .. } = task;
     let mut reached = vec![face];
@@ -79,8 +77,7 @@ fn first_around(task: &Task<'_>, v: u32, face: u32) -> u32 {
     reached.into_iter().min().unwrap_or(face)
 }
 
-/// Returns the mitre: the displacement to distance 1 from each side at a vertex, of length 2 at
-/// most.
+/// Returns the displacement to distance 1 from each side at a vertex, of length 2 at most.
 fn mitre(directions: &[Vec3<f64>]) -> Vec3<f64> {
     let mut sum = Vec3::zero();
     directions.iter().for_each(|&direction| sum += direction);

@@ -5,7 +5,6 @@ use crate::math::polygon_sides;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 
-/// Deletes the picked faces.
 pub(super) fn delete(task: &Task<'_>) -> Result<Edited, OperationError> {
     let is_picked = task.picked_faces();
     let mut rebuild = Rebuild::new(task.mesh);

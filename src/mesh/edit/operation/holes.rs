@@ -5,8 +5,7 @@ use crate::math::Vec3;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 
-/// Closes the boundary loops that have a picked vertex; if no vertex is picked, all loops except
-/// the longest, which is the outline.
+/// Closes the boundary loops with a picked vertex; without one, all but the longest, the outline.
 pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     let Task { mesh, topology, .. } = task;
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);

@@ -5,7 +5,6 @@ use crate::math::polygon_sides;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 
-/// Flips all faces.
 pub(super) fn flip(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(turned(task, &vec![true; task.mesh.faces.len()]))
 }

@@ -9,7 +9,7 @@ use crate::mesh::edit::subdivide::KEPT_TURN;
 
 const ENDS: &str = "an edge whose two ends are selected";
 
-/// Splits the strips of quads across the picked edges lengthwise, at the midpoints of their edges.
+/// Splits the strips of quads across the picked edges lengthwise.
 pub(super) fn insert(task: &Task<'_>) -> Result<Edited, OperationError> {
     let is_cut = crossed(task)?;
     let cut =
@@ -58,8 +58,8 @@ pub(super) fn insert(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(rebuild.finish())
 }
 
-/// Collapses the edges crossed by the strips across the picked edges: each to its midpoint, or to
-/// its end that is a corner or, failing that, on the boundary.
+/// Collapses the edges that the strips across the picked edges cross, each to its midpoint, or to
+/// an end that is a corner or else on the boundary.
 pub(super) fn remove(task: &Task<'_>) -> Result<Edited, OperationError> {
     let topology = task.topology;
     let is_crossed = crossed(task)?;

@@ -1,5 +1,4 @@
-//! Quads from triangles: neighbours are paired greedily by cost, then local exchanges add pairs
-//! while they can.
+//! Quads from triangles: neighbours are paired greedily by cost, then by local exchanges.
 
 use super::declaration::{OperationError, Task};
 use crate::math::{Vec3, angle, argsort, key_of_number, polygon_corners, twice_vector_area};
@@ -10,8 +9,7 @@ use crate::mesh::edit::rebuild::Rebuild;
 struct Pair {
     faces: [u32; 2],
     quad: [u32; 4],
-    /// Deviation from a flat rectangle: sum of the deviations of the corners from right angles and
-    /// of the fold angle, in degrees.
+    /// Sum of the deviations of the corners from right angles and of the fold angle, in degrees.
     cost: f64,
 }
 
@@ -48,7 +46,7 @@ fn pairs(task: &Task<'_>, most: f64) -> Vec<Pair> {
         }) else {
             continue;
         };
-        // Skip triangles of opposite orientation, and two triangles on the same vertices.
+        // Skip opposite orientations, and triangles on the same vertices.
         if a_too != a || c == d {
             continue;
         }
@@ -60,8 +58,7 @@ fn pairs(task: &Task<'_>, most: f64) -> Vec<Pair> {
         let corners: Vec<f64> = corners.collect();
         let normals = [[a, b, c], [b, a, d]].map(|t| twice_vector_area(t.map(at)));
         let fold = angle(normals[0].dot(normals[1]), normals[0].cross(normals[1]).length());
-        // In a non-convex quad, a corner at the common edge exceeds 180 degrees, which `angle` does
-        // not show: add up the angles of the two triangles.
+        // Sum of the angles of both triangles, which exceeds 180 degrees in a non-convex quad.
         let reach = |v: u32| {
             let part = |from: u32, to: u32| {
                 let [p, q] = [at(from) - at(v), at(to) - at(v)];
@@ -78,8 +75,8 @@ fn pairs(task: &Task<'_>, most: f64) -> Vec<Pair> {
     pairs
 }
 
-/// Returns the pair of each face, if any. A face left over by the greedy pass takes a neighbour
-/// whose partner can be paired with another face (an augmenting path).
+/// Returns the pair of each face. A face left over by the greedy pass takes a neighbour whose
+/// partner finds another one (an augmenting path).
 fn matched(pairs: &[Pair], faces: usize) -> Vec<Option<u32>> {
     let mut of_face: Vec<Vec<u32>> = vec![Vec::new(); faces];
     let mut chosen: Vec<Option<u32>> = vec![None; faces];

@@ -5,7 +5,7 @@ use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 use crate::mesh::edit::weld::first_at_each_place;
 
-/// Welds each picked vertex to the first picked vertex whose distance is at most the size.
+/// Welds each picked vertex to the first picked vertex within the size.
 pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
     let is_picked = task.picked_vertices();
     // Each unpicked vertex is a part of its own, so that it is not welded.
