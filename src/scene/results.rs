@@ -16,7 +16,7 @@ pub struct Results {
     pub student: String,
     /// Title of the scene.
     pub title: String,
-    /// [`Scene::fingerprint`] of the lesson.
+    /// [`Scene::fingerprint`] of the original scene.
     pub scene: String,
     /// Time of saving, as formatted by the page; empty if unknown.
     pub time: String,

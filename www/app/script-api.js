@@ -132,8 +132,8 @@ export function scriptApi(store, solver, viewport, files) {
     },
 
     /**
-     * A picture of the view as a PNG, with the width in pixels, up to 7680, the background of the
-     * view, white or none (transparent), and with or without the legend.
+     * A picture as a PNG, in the proportions of the view, with its width in pixels, up to 7680, the
+     * background of the view, white or none (transparent), and with or without the legend.
      * @param {{ width?: number, ground?: "view" | "white" | "none", legend?: boolean }} [options]
      *   default: the width and background of the view, with the legend
      * @returns {Promise<Blob>} rejects if there is no renderer

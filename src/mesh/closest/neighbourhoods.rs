@@ -1,7 +1,8 @@
 //! Precomputed lists of the triangles near each triangle of a surface.
 //!
 //! If a triangle is at distance `d` from `p`, every triangle nearer to `p` is within `2 d` of it.
-//! So if `d` is small, a short list has all candidates, and the hierarchy need not be searched.
+//! So if `d` is small relative to the triangle, a short list has all candidates, and the hierarchy
+//! need not be searched.
 
 use super::bvh::{Box3, Bvh};
 use super::safe_region::TriangleSafeRegion;

@@ -37,7 +37,8 @@ pub struct Subdivision {
     pub keep: f64,
 }
 
-/// Default of [`Subdivision::keep`]: outlines of hexagons become round, quads keep their corners.
+/// Default of [`Subdivision::keep`], in degrees: outlines of hexagons become round, those of quads
+/// keep their corners.
 pub const KEPT_TURN: f64 = 75.0;
 
 /// The numbers of vertices and faces that a subdivision makes.

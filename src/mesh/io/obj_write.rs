@@ -98,7 +98,8 @@ fn push_groups(out: &mut String, groups: &[Group], open: &[(u32, u32)], now: &[(
     }
 }
 
-/// Appends a name; replaces each run of white space and control characters by `gap`.
+/// Appends a name with each run of white space and control characters, and the backslashes before
+/// it, replaced by `gap`.
 fn push_name(out: &mut String, name: &str, gap: char) {
     let parts = name.split(|c: char| c.is_ascii_whitespace() || c.is_control());
     let parts = parts.map(|part| part.trim_end_matches('\\')).filter(|part| !part.is_empty());

@@ -50,7 +50,7 @@ fn fitting(info: &Info, mesh: &Mesh) -> usize {
 }
 
 impl Scene {
-    /// Requests the shape `kind`, as hard as `require`, for every suitable face of `mesh`, and
+    /// Requests the shape `kind`, soft or hard by `require`, for every suitable face of `mesh`, and
     /// returns the declaration of the kind. An existing constraint of this kind on all faces is
     /// enabled instead, and stays exact if it was. Constraints of other offered kinds on all faces
     /// are disabled. Weights that would not keep the mesh intact are set by [`Scene::keep_whole`].

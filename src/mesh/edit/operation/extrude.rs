@@ -15,7 +15,7 @@ struct Open {
     outward: Vec3<f64>,
 }
 
-/// Offsets each vertex outward, in the planes of the adjacent faces, by the first size, and up by
+/// Offsets the boundary outward, in the planes of the adjacent faces, by the first size, and up by
 /// the second. Offsets at corners are mitred, so that the new edges have the requested distance.
 pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     let [outward, up] = [task.sizes[0], task.sizes[1]];
