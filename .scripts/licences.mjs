@@ -161,7 +161,7 @@ export function textsOf(component) {
 export const shipped = () => [standardLibrary(), ...shippedCrates(), ...shippedPackages()];
 
 /** Rejects a bundled module whose package is not among the shipped ones. */
-export function assertTold(id) {
+export function assertLicensed(id) {
   const [, name] = /.*\/node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(id) ?? [];
   if (!name || shippedPackages().some((one) => one.name === name)) return;
   throw new Problem(`${name} is bundled, but no dependency: package.json has to name it as one`);

@@ -5,7 +5,7 @@ import { cpSync, readFileSync, statSync } from 'node:fs';
 import { minify } from 'vite';
 import { firstPicture } from './examples.mjs';
 import { licenceTexts } from './licences-page.mjs';
-import { assertTold } from './licences.mjs';
+import { assertLicensed } from './licences.mjs';
 import { writeOfflineParts } from './offline.mjs';
 import { lockPages } from './policy.mjs';
 import { at } from './project.mjs';
@@ -76,7 +76,7 @@ const licences = {
 };
 const told = () => ({
   name: 'told',
-  moduleParsed: ({ id }) => assertTold(id),
+  moduleParsed: ({ id }) => assertLicensed(id),
 });
 
 /**

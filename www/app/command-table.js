@@ -20,7 +20,7 @@ export function commandTable(app, pointer, fileInput) {
   const { store, viewport, files, actions, alerts } = app;
 
   function fitSelection() {
-    const vertices = actions.chosenVertices();
+    const vertices = actions.selectedVertices();
     fly(viewport, (view) =>
       vertices.length > 0 ? view.fitVertices(Uint32Array.from(vertices)) : view.fit(),
     );
@@ -109,7 +109,7 @@ export function commandTable(app, pointer, fileInput) {
       group: 'Edit',
       label: 'Make the selected vertices handles',
       keys: ['H'],
-      action: () => actions.addHandles(actions.chosenVertices(), false),
+      action: () => actions.addHandles(actions.selectedVertices(), false),
       needsModel: true,
     },
     {
@@ -117,7 +117,7 @@ export function commandTable(app, pointer, fileInput) {
       group: 'Edit',
       label: 'Remove the selected handles',
       keys: ['Shift+H', 'Delete'],
-      action: () => actions.removeHandles(actions.chosenVertices()),
+      action: () => actions.removeHandles(actions.selectedVertices()),
       needsModel: true,
     },
     {

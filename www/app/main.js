@@ -12,7 +12,7 @@ import { bindButtons, bindKeys, bindRunButton } from './commands.js';
 import { byId } from '../ui/dom.js';
 import { acceptDrops } from '../documents/opening/drop-zone.js';
 import { Files } from '../documents/files.js';
-import { animateFirstPicture } from '../viewport/placeholder/placeholder-scene.js';
+import { animatePlaceholder } from '../viewport/placeholder/placeholder-scene.js';
 import { ended } from '../ui/format.js';
 import { loadFeatures, loadWhenNeeded } from './features.js';
 import { firstHints } from '../features/hints.js';
@@ -52,7 +52,7 @@ reportUncaughtErrors(alerts, store);
 const solver = new SolverClient();
 bindSolver(solver);
 
-animateFirstPicture(store, solver);
+animatePlaceholder(store, solver);
 const actions = createActions(store, solver, alerts);
 const viewport = new Viewport(byId('viewport'), store, solver, actions);
 const files = new Files(store, solver, alerts, actions);
@@ -60,7 +60,7 @@ const region = new RegionSelection(store, viewport, actions);
 const selecting = new Selecting(store, solver, actions);
 const pointer = new PointerInput(store, solver, viewport, region, actions, {
   addHandles: (vertices) => actions.addHandles(vertices, false),
-  chosenHandles: actions.chosenHandles,
+  selectedHandles: actions.selectedHandles,
   showMenu: (at) =>
     actions.reportErrors(
       import('../features/selecting/context-menu.js').then((it) => it.showContextMenu(at, app)),
@@ -124,7 +124,7 @@ fileInput.addEventListener('change', async () => {
   const opened = import('../documents/opening/chosen-files.js').then((it) =>
     it.openChosen(app, chosen),
   );
-  await actions.reportErrors(app.files.expect(opened));
+  await actions.reportErrors(app.files.trackOpening(opened));
 });
 acceptDrops(byId('drop-overlay'), app);
 

@@ -6,7 +6,7 @@
 import { messageOf } from '../solver/messages.js';
 import { saveFile } from '../ui/save-file.js';
 import { isEmbedded } from '../ui/embedded.js';
-import { recall } from '../ui/safe-storage.js';
+import { getItem } from '../ui/safe-storage.js';
 
 /** @typedef {import("../documents/files.js").Files} Files */
 
@@ -230,4 +230,4 @@ function sceneFile(name, text) {
 }
 
 /** Whether any work was ever stored in this browser. */
-const hasStoredWork = () => recall('shape-up.works') !== null;
+const hasStoredWork = () => getItem('shape-up.works') !== null;

@@ -1,6 +1,6 @@
 /** Light or dark theme: follows the system until the user chooses one. */
 
-import { remember } from '../ui/safe-storage.js';
+import { setItem } from '../ui/safe-storage.js';
 
 /** Storage key; every page reads it before its first paint. */
 const KEY = 'shape-up.theme';
@@ -17,7 +17,7 @@ export function followTheme(store) {
 export function toggleTheme(store) {
   const theme = isDark() ? 'light' : 'dark';
   document.documentElement.dataset.theme = theme;
-  remember(KEY, theme);
+  setItem(KEY, theme);
   store.set({ dark: theme === 'dark' });
 }
 

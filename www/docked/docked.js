@@ -1,7 +1,7 @@
 /** The area below the view, which shows one docked panel at a time. */
 
 import './docked.css';
-import { byId, leave } from '../ui/dom.js';
+import { byId, removeKeepingFocus } from '../ui/dom.js';
 
 /** Closes the open panel. @type {(() => void) | null} */
 let closeOpen = null;
@@ -15,7 +15,7 @@ let closeOpen = null;
 export function docked(panel, { opened, closed }) {
   function close() {
     closeOpen = null;
-    leave(panel, () => (panel.hidden = true));
+    removeKeepingFocus(panel, () => (panel.hidden = true));
     delete document.body.dataset.docked;
     closed();
   }

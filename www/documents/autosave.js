@@ -7,7 +7,7 @@
  */
 
 import { viewOf } from '../viewport/saved-view.js';
-import { recall, remember } from '../ui/safe-storage.js';
+import { getItem, setItem } from '../ui/safe-storage.js';
 import { recoverUnsaved, forgetUnsaved, storeUnsaved } from './last-moment.js';
 import { contentsOf, pruneOldest, keep, recentDocuments } from './recent-documents.js';
 
@@ -87,7 +87,7 @@ export class Autosave {
     this.#confirmed = this.#kept;
     this.#id = id;
     this.#seen.actions.describeFile({ saved: '' });
-    remember(OWN_KEY, id, 'sessionStorage');
+    setItem(OWN_KEY, id, 'sessionStorage');
     this.#release();
     // A resumed work was claimed before it was opened.
     this.#release = claims.get(id) ?? (await claim(id)) ?? (() => {});
@@ -110,7 +110,7 @@ export class Autosave {
         await keep(...next);
         this.#confirmed = kept;
         if (kept === this.#kept) forgetUnsaved(next[0].id);
-        remember(ANY_KEY, 'yes');
+        setItem(ANY_KEY, 'yes');
         this.#seen.actions.describeFile({
           saved: `Saved in this browser ${timeOf(next[0].savedAt)}`,
         });
@@ -129,7 +129,7 @@ export class Autosave {
     const next = this.#unsaved(true, confirmed);
     if (!next) return;
     const kept = this.#kept;
-    remember(ANY_KEY, 'yes');
+    setItem(ANY_KEY, 'yes');
     if (kept.text !== confirmed.text || kept.progress !== confirmed.progress) storeUnsaved(...next);
     const done = () => {
       this.#confirmed = kept;
@@ -225,9 +225,9 @@ export class Unreadable extends Error {
  * @returns {Promise<Taken | null>} rejects with {@link Unreadable}
  */
 export async function lastWork() {
-  if (!recall(ANY_KEY)) return null;
+  if (!getItem(ANY_KEY)) return null;
   await recoverUnsaved().catch(() => {});
-  const mine = recall(OWN_KEY, 'sessionStorage');
+  const mine = getItem(OWN_KEY, 'sessionStorage');
   const list = await recentDocuments();
   const own = list.find(({ id, hash }) => id === mine && hash === location.hash);
   if (own) {

@@ -2,7 +2,7 @@
 
 import { count, ended, groupDigits, length } from '../ui/format.js';
 import { exampleFile, listOfExamples } from '../solver/examples.js';
-import { removeFirstPicture } from '../viewport/placeholder/placeholder-scene.js';
+import { removePlaceholder } from '../viewport/placeholder/placeholder-scene.js';
 import { Emitter } from '../solver/emitter.js';
 import { messageOf } from '../solver/messages.js';
 import { isReadable, mainOf } from '../solver/opened-files.js';
@@ -70,7 +70,7 @@ export class Files extends Emitter {
    * @param {Promise<T>} opening
    * @returns {Promise<T>}
    */
-  expect(opening) {
+  trackOpening(opening) {
     const coming = opening.finally(() => {
       if (this.coming === coming) this.coming = null;
     });
@@ -112,7 +112,7 @@ export class Files extends Emitter {
       this.origin = origin;
       this.original = origin.work ? null : this.#solver.sceneText;
       this.#alerts.clear();
-      if (!origin.first) removeFirstPicture();
+      if (!origin.first) removePlaceholder();
       this.#actions.describeFile({
         firstExample: Boolean(origin.first),
         fileName: origin.title ?? main.name,

@@ -3,7 +3,7 @@
  * moment. The data is written to local storage at once, and to the database on the next visit.
  */
 
-import { forget, keysOf, recall, remember } from '../ui/safe-storage.js';
+import { getItem, keysOf, removeItem, setItem } from '../ui/safe-storage.js';
 import { keep, recentDocuments } from './recent-documents.js';
 
 /** @typedef {import("./recent-documents.js").Work} Work */
@@ -18,24 +18,24 @@ const MOST_BYTES = 1_000_000;
 export function storeUnsaved(work, contents) {
   const write = (/** @type {string} */ _, /** @type {unknown} */ value) =>
     value instanceof Uint8Array ? lettersOf(value) : value;
-  remember(KEY + work.id, JSON.stringify({ work, contents }, write));
+  setItem(KEY + work.id, JSON.stringify({ work, contents }, write));
 }
 
 /** Deletes the fallback copy once the database has all of the work. @param {string} id */
 export function forgetUnsaved(id) {
-  forget(KEY + id);
+  removeItem(KEY + id);
 }
 
 /** Moves the fallback copies into the database, unless its record is newer. */
 export async function recoverUnsaved() {
   for (const key of keysOf(KEY)) {
-    const { work, contents } = JSON.parse(recall(key) ?? '{}');
+    const { work, contents } = JSON.parse(getItem(key) ?? '{}');
     if (!work) continue;
     for (const part of ['history', 'progress'])
       if (contents[part]) contents[part] = bytesOf(contents[part]);
     const known = (await recentDocuments()).find(({ id }) => id === work.id);
     if (!known || known.savedAt < work.savedAt) await keep(work, contents);
-    forget(key);
+    removeItem(key);
   }
 }
 

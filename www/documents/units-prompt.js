@@ -3,8 +3,8 @@
  * guessed and remember the choice by file name. The coordinates never change.
  */
 
-import { element, leave, setText } from '../ui/dom.js';
-import { recall, remember } from '../ui/safe-storage.js';
+import { element, removeKeepingFocus, setText } from '../ui/dom.js';
+import { getItem, setItem } from '../ui/safe-storage.js';
 import { UNITS } from '../ui/units.js';
 
 /** @typedef {import("../store/state.js").Store} Store */
@@ -22,7 +22,7 @@ const MOST_FILES = 40;
 /** @returns {[string, Frame][]} newest last */
 function remembered() {
   try {
-    return JSON.parse(recall(KEY) ?? '[]');
+    return JSON.parse(getItem(KEY) ?? '[]');
   } catch {
     // Other code has written to this key.
     return [];
@@ -42,7 +42,7 @@ export function rememberedFrame(name) {
 function rememberFrame(name, frame) {
   const others = remembered().filter(([known]) => known !== name);
   const all = [...others, [name, frame]].slice(-MOST_FILES);
-  remember(KEY, JSON.stringify(all));
+  setItem(KEY, JSON.stringify(all));
 }
 
 /**
@@ -92,7 +92,7 @@ export function frameFields(store, actions) {
     element(
       'button.small.bordered',
       // Confirms the guess: nothing changes, but the file is remembered.
-      { onclick: () => leave(note, () => change({})) },
+      { onclick: () => removeKeepingFocus(note, () => change({})) },
       'Looks right',
     ),
   );

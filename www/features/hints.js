@@ -5,7 +5,7 @@
  */
 
 import { closeButton } from '../ui/controls/fields.js';
-import { RENEW_MS, byId, element, leave, setText, throttled } from '../ui/dom.js';
+import { RENEW_MS, byId, element, removeKeepingFocus, setText, throttled } from '../ui/dom.js';
 import {
   declared,
   measureOfScene,
@@ -14,7 +14,7 @@ import {
   valueInWords,
   worstOf,
 } from '../store/colours/measures.js';
-import { recall, remember } from '../ui/safe-storage.js';
+import { getItem, setItem } from '../ui/safe-storage.js';
 
 const KEY = 'shape-up.hints';
 const START = 'This is the original. Press Run.';
@@ -32,7 +32,7 @@ const hints = (now) => [
  */
 export function firstHints(card, store) {
   // index.html hides the card in this case.
-  if (recall(KEY) === 'done') return;
+  if (getItem(KEY) === 'done') return;
   const text = element('p.step');
   const close = closeButton('Dismiss hint', () => finish());
   byId('claim').after(text, close);
@@ -74,13 +74,13 @@ export function firstHints(card, store) {
     runs = running && (runs || isStart);
     if (at === 1 && hasRun) at = 2;
     // The hints are done once the last one is shown.
-    if (at === 2) remember(KEY, 'done');
+    if (at === 2) setItem(KEY, 'done');
     update();
   });
 
   function finish() {
     done = true;
-    leave(card, () => (card.hidden = true));
-    remember(KEY, 'done');
+    removeKeepingFocus(card, () => (card.hidden = true));
+    setItem(KEY, 'done');
   }
 }

@@ -6,7 +6,7 @@
 import { count, ended } from '../ui/format.js';
 import { messageOf } from '../solver/messages.js';
 import { createQueries } from './queries.js';
-import { selectedVertices } from './selection.js';
+import { verticesOf } from './selection.js';
 import { createViewActions } from './view-actions.js';
 
 /**
@@ -69,16 +69,16 @@ export function createActions(store, solver, alerts) {
     }
   }
 
-  /** Returns the selected vertices, including the corners of selected faces. */
-  function chosenVertices() {
+  /** Returns the selected vertices, ends of selected edges and corners of selected faces. */
+  function selectedVertices() {
     const { geometry } = solver;
-    return geometry ? selectedVertices(store.get().selection, geometry.connectivity) : [];
+    return geometry ? verticesOf(store.get().selection, geometry.connectivity) : [];
   }
 
   const connectivity = () => solver.geometry?.connectivity;
 
   /** Returns the selected vertices that are handles. */
-  function chosenHandles() {
+  function selectedHandles() {
     const { selection, document } = store.get();
     return (document?.handles ?? [])
       .map((handle) => handle.vertex)
@@ -111,8 +111,8 @@ export function createActions(store, solver, alerts) {
     makePanels,
     reportErrors,
     connectivity,
-    chosenVertices,
-    chosenHandles,
+    selectedVertices,
+    selectedHandles,
     addHandles,
     removeHandles,
 

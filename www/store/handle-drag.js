@@ -9,13 +9,13 @@ const AXES = ['x', 'y', 'z'];
 
 /**
  * Returns the displacement of the held handle for one of the pointer in pixels; undefined if none.
- * @typedef {(way: string, dx: number, dy: number) => Float64Array | undefined} Hold
+ * @typedef {(way: string, dx: number, dy: number) => Float64Array | undefined} MoveConstraint
  */
 
 export class HandleDrag {
   #store;
   #solver;
-  #hold;
+  #constrain;
   #vertices;
   /** Targets of the handles at the start, `#vertices by 3`. */
   #from;
@@ -32,15 +32,15 @@ export class HandleDrag {
   /**
    * @param {import("./state.js").Store} store
    * @param {import("../solver/solver-client.js").SolverClient} solver
-   * @param {Hold} hold
+   * @param {MoveConstraint} constrain
    * @param {number} vertex the handle under the pointer, or one of those at the gizmo
    * @param {string} [part] of the gizmo
    * @param {boolean} [begun] whether the solver has already begun a drag
    */
-  constructor(store, solver, hold, vertex, part, begun = false) {
+  constructor(store, solver, constrain, vertex, part, begun = false) {
     this.#store = store;
     this.#solver = solver;
-    this.#hold = hold;
+    this.#constrain = constrain;
     this.#part = part;
     const { document, selection } = store.get();
     const together = (document?.handles ?? []).filter((handle) =>
@@ -64,7 +64,7 @@ export class HandleDrag {
   move(dx, dy, time = performance.now()) {
     this.#by = [dx, dy];
     const way = this.#axis !== null ? AXES[this.#axis] : (this.#part ?? this.#plane);
-    const moved = this.#hold(way, dx, dy);
+    const moved = this.#constrain(way, dx, dy);
     // Near the horizon of the plane a pixel is arbitrarily far: the handle stays.
     if (!moved) return;
     this.#targets = this.#from.map((value, i) => value + moved[i % 3]);
@@ -74,7 +74,7 @@ export class HandleDrag {
   }
 
   /** Sets the plane of the drag. @param {"screen" | "horizontal" | "vertical"} plane */
-  hold(plane) {
+  setPlane(plane) {
     this.#plane = plane;
   }
 

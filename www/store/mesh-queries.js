@@ -66,7 +66,7 @@ export class Selecting {
   }
 
   /** As {@link apply}, but reports errors in an alert. @type {Selecting["apply"]} */
-  async applyOrTell(operation, options) {
+  async applyOrReport(operation, options) {
     return (await this.#actions.reportErrors(this.apply(operation, options))) ?? false;
   }
 
@@ -81,7 +81,7 @@ export class Selecting {
     const operation = operations.find(({ doubleClick }) => doubleClick === mode);
     if (!operation) return;
     this.#store.set({ mode });
-    this.applyOrTell(operation, { from: { [mode]: [item] }, combine: combineOf(event) });
+    this.applyOrReport(operation, { from: { [mode]: [item] }, combine: combineOf(event) });
   }
 
   /**
@@ -100,7 +100,7 @@ export class Selecting {
           group: 'Select',
           label: `Selection: ${label.toLowerCase()}`,
           keys,
-          action: () => this.applyOrTell(operation),
+          action: () => this.applyOrReport(operation),
           needsModel: true,
           enabled: () => this.canApply(operation),
         });

@@ -47,7 +47,7 @@ export function sizeOfSelection({ vertices, edges, faces }) {
  * @param {import("../solver/messages.js").Connectivity} connectivity
  * @returns {number[]}
  */
-export function selectedVertices(selection, { faceOffsets, faceIndices, edges }) {
+export function verticesOf(selection, { faceOffsets, faceIndices, edges }) {
   const vertices = new Set(selection.vertices);
   for (const edge of selection.edges) vertices.add(edges[2 * edge]).add(edges[2 * edge + 1]);
   for (const face of selection.faces) {

@@ -60,13 +60,13 @@ export function byId(id) {
 }
 
 /**
- * Runs `take`, which removes an element or its content, and moves focus from inside to the view.
+ * Runs `remove`, which removes or hides an element or its content; focus inside goes to the view.
  * @param {HTMLElement} place
- * @param {() => void} take
+ * @param {() => void} remove
  */
-export function leave(place, take) {
+export function removeKeepingFocus(place, remove) {
   const hadFocus = place.contains(document.activeElement);
-  take();
+  remove();
   if (hadFocus) byId('viewport').focus({ preventScroll: true });
 }
 

@@ -28,7 +28,7 @@ export function sizeOf(positions) {
  * @param {number} value a length, in units of the mesh
  * @param {number} size of the mesh
  */
-export function lengthOrNothing(value, size) {
+export function lengthOrZero(value, size) {
   return value < ROUNDING * size ? 0 : value;
 }
 
@@ -36,6 +36,6 @@ export function lengthOrNothing(value, size) {
  * @param {number} value an energy, in square units of the mesh
  * @param {number} size of the mesh
  */
-export function energyOrNothing(value, size) {
+export function energyOrZero(value, size) {
   return value < (ROUNDING * size) ** 2 ? 0 : value;
 }

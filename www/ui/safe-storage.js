@@ -16,7 +16,7 @@ function storage(name) {
  * @param {"localStorage" | "sessionStorage"} [where] the browser, or the tab
  * @returns {string | null}
  */
-export function recall(key, where = 'localStorage') {
+export function getItem(key, where = 'localStorage') {
   try {
     return storage(where).getItem(key);
   } catch {
@@ -29,7 +29,7 @@ export function recall(key, where = 'localStorage') {
  * @param {string} value
  * @param {"localStorage" | "sessionStorage"} [where]
  */
-export function remember(key, value, where = 'localStorage') {
+export function setItem(key, value, where = 'localStorage') {
   try {
     storage(where).setItem(key, value);
   } catch {
@@ -38,7 +38,7 @@ export function remember(key, value, where = 'localStorage') {
 }
 
 /** @param {string} key in this browser */
-export function forget(key) {
+export function removeItem(key) {
   try {
     storage('localStorage').removeItem(key);
   } catch {

@@ -3,7 +3,7 @@
  * with a tremor, trigger them by accident. The switch is in the help.
  */
 
-import { recall, remember } from './safe-storage.js';
+import { getItem, setItem } from './safe-storage.js';
 
 const KEY = 'shape-up.single-keys';
 
@@ -11,10 +11,10 @@ const KEY = 'shape-up.single-keys';
 export const isSwitchedOff = (chord) => !singleKeys.on && /^(Shift\+)?[^ ]$/u.test(chord);
 
 export const singleKeys = {
-  on: recall(KEY) !== 'off',
+  on: getItem(KEY) !== 'off',
   /** @param {boolean} on */
   set(on) {
     singleKeys.on = on;
-    remember(KEY, on ? 'on' : 'off');
+    setItem(KEY, on ? 'on' : 'off');
   },
 };

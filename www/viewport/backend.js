@@ -4,7 +4,7 @@
  * support is tested before either is loaded, and WebGPU is not retried after a failure.
  */
 
-import { recall, remember } from '../ui/safe-storage.js';
+import { getItem, setItem } from '../ui/safe-storage.js';
 
 /** @typedef {"webgpu" | "webgl2"} Name */
 
@@ -27,7 +27,7 @@ function demanded() {
 }
 
 /** Offline, only the module used before is available. */
-const remembered = () => (navigator.onLine ? null : nameOf(recall(KEY)));
+const remembered = () => (navigator.onLine ? null : nameOf(getItem(KEY)));
 
 async function timeout() {
   for (let i = 0; i < WAITS; i++) await new Promise((done) => setTimeout(done, WAIT));
@@ -78,7 +78,7 @@ export async function openView(canvas, name) {
       : await import('../pkg/view-webgl2/shape_up.js');
   await init();
   const view = await View.create(canvas, name);
-  remember(KEY, name);
+  setItem(KEY, name);
   return view;
 }
 

@@ -46,11 +46,11 @@ export class Refinement {
   #begins = false;
   /** Whether the next picture shows motion. */
   #isMoved = false;
-  #ask;
+  #requestPicture;
 
-  /** @param {() => void} ask requests a picture */
-  constructor(ask) {
-    this.#ask = ask;
+  /** @param {() => void} requestPicture */
+  constructor(requestPicture) {
+    this.#requestPicture = requestPicture;
   }
 
   /**
@@ -75,7 +75,7 @@ export class Refinement {
     this.#begins = false;
     if (this.#step !== null) {
       this.#step = this.#step + 1 < STEPS.length ? this.#step + 1 : null;
-      if (this.#step !== null) this.#ask();
+      if (this.#step !== null) this.#requestPicture();
     } else if (this.#isMoved) {
       const began = performance.now();
       requestAnimationFrame(() => this.#budget.took(performance.now() - began));
@@ -94,6 +94,6 @@ export class Refinement {
   #begin(step) {
     this.#step = step;
     this.#begins = true;
-    this.#ask();
+    this.#requestPicture();
   }
 }

@@ -5,7 +5,7 @@
  */
 
 import { Backend, isBlank, openView } from './backend.js';
-import { removeFirstPicture } from './placeholder/placeholder-scene.js';
+import { removePlaceholder } from './placeholder/placeholder-scene.js';
 import { Refinement } from './refinement.js';
 import { ShapeTransition } from './shape-transition.js';
 import { Emitter } from '../solver/emitter.js';
@@ -58,7 +58,7 @@ export class Viewport extends Emitter {
   #newFrame = false;
   /** @type {{ shapes: ShapeTransition, arrived: () => void } | null} */
   #transition = null;
-  #refinement = new Refinement(() => this.ask());
+  #refinement = new Refinement(() => this.requestPicture());
 
   /**
    * @param {HTMLElement} element
@@ -79,7 +79,7 @@ export class Viewport extends Emitter {
   }
 
   /** Requests a picture for the next animation frame. */
-  ask() {
+  requestPicture() {
     if (this.#asked) return;
     this.#asked = true;
     requestAnimationFrame(() => {
@@ -110,7 +110,7 @@ export class Viewport extends Emitter {
   unmeasured(action) {
     if (!this.view) return undefined;
     this.#handOver();
-    this.ask();
+    this.requestPicture();
     return action(this.view);
   }
 
@@ -133,10 +133,10 @@ export class Viewport extends Emitter {
     this.#transition = null;
   }
 
-  /** Displacement of the held handle. @type {import("../store/handle-drag.js").Hold} */
+  /** Displacement of the held handle. @type {import("../store/handle-drag.js").MoveConstraint} */
   constrainMove = (way, dx, dy) => this.view?.constrainMove(way, dx, dy);
   /** Position on the screen of the held handle after a displacement. @param {number[]} by */
-  heldPlace = (by) => this.view?.heldPlace(by[0], by[1], by[2]);
+  heldPosition = (by) => this.view?.heldPlace(by[0], by[1], by[2]);
 
   /** Width in CSS pixels as last measured, without a new layout. */
   get width() {
@@ -253,7 +253,7 @@ export class Viewport extends Emitter {
     this.view = null;
     this.#canvas = null;
     this.element.replaceChildren();
-    removeFirstPicture();
+    removePlaceholder();
     this.#actions.look({ renderer: 'none' });
     this.emit('none', reason);
   }
@@ -283,18 +283,18 @@ export class Viewport extends Emitter {
     const exact = pixels?.every((side, i) => Math.abs(side - rounded[i]) <= 1) ? pixels : rounded;
     // The ratio for which the view's CSS pixels equal the page's.
     this.view.resize(exact[0], exact[1], exact[0] / width);
-    this.ask();
+    this.requestPicture();
   }
 
   #watchSolver() {
     this.#solver.on('model', () => {
       this.#newMesh = true;
       this.endTransition();
-      this.ask();
+      this.requestPicture();
     });
     this.#solver.on('frame', () => {
       this.#newFrame = true;
-      this.ask();
+      this.requestPicture();
     });
   }
 
@@ -302,7 +302,7 @@ export class Viewport extends Emitter {
     const { subscribe } = this.#store;
     subscribe(['heldOriginal'], () => {
       this.#newFrame = true;
-      this.ask();
+      this.requestPicture();
     });
     for (const [keys, show] of LAYERS) {
       subscribe(keys, (state) => {
@@ -327,7 +327,7 @@ export class Viewport extends Emitter {
     if (this.#transition) {
       // During a transition the next picture differs even without a new frame.
       this.#newFrame = true;
-      this.ask();
+      this.requestPicture();
     }
     return heldOriginal?.positions ?? positions;
   }
@@ -382,7 +382,7 @@ export class Viewport extends Emitter {
       this.#attempts = 0;
       this.#refinement.drawn();
       // Wait for the colours: the view replaces the placeholder with its colours at once.
-      if (this.#store.get().spread) removeFirstPicture();
+      if (this.#store.get().spread) removePlaceholder();
       this.#storeCamera(this.view.camera());
       this.emit('drawn', undefined);
     } catch (thrown) {

@@ -2,13 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import {
-  NOTHING,
-  combineOf,
-  describe,
-  select,
-  selectedVertices,
-} from '../../../www/store/selection.js';
+import { NOTHING, combineOf, describe, select, verticesOf } from '../../../www/store/selection.js';
 
 test('Shift adds, Ctrl removes, and a plain click replaces', () => {
   assert.equal(combineOf({ shiftKey: true }), 'add');
@@ -28,6 +22,6 @@ test('a selected face or edge stands for its vertices, each once', () => {
     edges: Uint32Array.of(2, 9),
   };
   const selection = { vertices: new Set([3]), edges: new Set([0]), faces: new Set([0]) };
-  assert.deepEqual(selectedVertices(selection, square), [0, 1, 2, 3, 9]);
+  assert.deepEqual(verticesOf(selection, square), [0, 1, 2, 3, 9]);
   assert.equal(describe(selection), '1 vertex, 1 edge, 1 face');
 });

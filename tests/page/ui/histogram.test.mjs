@@ -3,16 +3,16 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { BINS, countsOf, greatestOf, spreadOf } from '../../../www/ui/plot/histogram.js';
-import { axisOf, placeOn, roundUp, valueAt } from '../../../www/ui/plot/value-axis.js';
+import { axisOf, positionOf, roundUp, valueAt } from '../../../www/ui/plot/value-axis.js';
 
 test('a place on an axis and its value are each other’s inverse, evenly and by the logarithm', () => {
   for (const axis of [axisOf(0, 8, false), axisOf(0.001, 8, true)])
     for (const value of [0.001, 0.5, 8]) {
-      const there = valueAt(axis, placeOn(axis, value));
+      const there = valueAt(axis, positionOf(axis, value));
       assert.ok(Math.abs(there - value) < 1e-12, `${value} is at ${there}`);
     }
-  assert.equal(placeOn(axisOf(0, 8, false), 9), 1);
-  assert.equal(placeOn(axisOf(3, 3, false), 3), 0);
+  assert.equal(positionOf(axisOf(0, 8, false), 9), 1);
+  assert.equal(positionOf(axisOf(3, 3, false), 3), 0);
 });
 
 test('ends are round, and never below what they hold', () => {

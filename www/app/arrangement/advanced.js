@@ -1,6 +1,6 @@
 /** Shows the essential controls or all of them, and stores the choice. */
 
-import { forget, remember } from '../../ui/safe-storage.js';
+import { removeItem, setItem } from '../../ui/safe-storage.js';
 
 /** Storage key; `index.html` reads it before the first paint. */
 const KEY = 'shape-up.advanced';
@@ -13,10 +13,10 @@ export function followAdvanced(store) {
     if (advanced === (dataset.advanced !== undefined)) return;
     if (advanced) {
       dataset.advanced = '';
-      remember(KEY, 'shown');
+      setItem(KEY, 'shown');
     } else {
       delete dataset.advanced;
-      forget(KEY);
+      removeItem(KEY);
     }
   });
   // The controls of the flat map are among the advanced ones.

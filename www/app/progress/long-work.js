@@ -1,7 +1,7 @@
 /** Offers to cancel long work of the solver. Loaded when such work occurs. */
 
 import '../../ui/styles/waiting.css';
-import { byId, element, leave } from '../../ui/dom.js';
+import { byId, element, removeKeepingFocus } from '../../ui/dom.js';
 
 /** @type {HTMLElement | null} */
 let card = null;
@@ -13,7 +13,7 @@ let card = null;
 export function offerCancel(busy, solver) {
   const before = card;
   card = null;
-  if (before) leave(before, () => before.remove());
+  if (before) removeKeepingFocus(before, () => before.remove());
   const messages = byId('messages');
   // Opening a large file shows its own message.
   if (!busy || messages.querySelector('.import')) return;

@@ -37,6 +37,6 @@ export function acceptDrops(overlay, app) {
       .flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));
     const chosen = [...files].filter(({ name }) => !folders.includes(name));
     const opened = import('./chosen-files.js').then((it) => it.openChosen(app, chosen, folders));
-    actions.reportErrors(app.files.expect(opened));
+    actions.reportErrors(app.files.trackOpening(opened));
   });
 }

@@ -5,7 +5,7 @@
 
 import '../../ui/styles/waiting.css';
 import { button } from '../../ui/controls/fields.js';
-import { byId, element, leave, setText } from '../../ui/dom.js';
+import { byId, element, removeKeepingFocus, setText } from '../../ui/dom.js';
 import { groupDigits } from '../../ui/format.js';
 import { messageOf } from '../../solver/messages.js';
 
@@ -184,6 +184,6 @@ class Card {
   }
 
   remove() {
-    leave(this.#element, () => this.#element.remove());
+    removeKeepingFocus(this.#element, () => this.#element.remove());
   }
 }

@@ -56,7 +56,7 @@ export function codePositions(coder, faces, positions, inPlanes) {
       planeLength = (planeLength + bitsOff) / 2;
     }
     learn();
-    predictor.know(vertex);
+    predictor.add(vertex);
   };
   for (const face of predictor.around.order())
     for (let next = predictor.next(faces[face]); next >= 0; next = predictor.next(faces[face]))

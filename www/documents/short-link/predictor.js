@@ -33,7 +33,7 @@ export class Predictor {
   }
 
   /** @param {number} vertex */
-  know(vertex) {
+  add(vertex) {
     this.isKnown[vertex] = 1;
     this.#last = this.#sum([1, vertex]);
   }

@@ -127,7 +127,7 @@ class AddConstraintDialog {
   /** All selectors, whether a kind fits them or not. @returns {Place[]} */
   #allPlaces() {
     const { elements, selection } = this.#store.get();
-    const vertices = this.#actions.chosenVertices();
+    const vertices = this.#actions.selectedVertices();
     const faces = [...selection.faces];
     /** @type {Place[]} */
     const places = [];

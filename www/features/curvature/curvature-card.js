@@ -80,7 +80,7 @@ function curvatureCard(app) {
       return {
         draw,
         distance: draw === 'lines' && distance.valueAsNumber > 0 ? distance.valueAsNumber : null,
-        vertices: through && mode !== 'faces' ? Uint32Array.from(actions.chosenVertices()) : NONE,
+        vertices: through && mode !== 'faces' ? Uint32Array.from(actions.selectedVertices()) : NONE,
         faces: through && mode === 'faces' ? Uint32Array.from(selection.faces) : NONE,
       };
     },

@@ -6,7 +6,7 @@ import { colourOf } from '../../ui/dom.js';
 import { groupDigits } from '../../ui/format.js';
 import { declared, toleranceOf, valueInWords } from '../../store/colours/measures.js';
 import { spreadOf } from '../../ui/plot/histogram.js';
-import { axisOf, placeOn } from '../../ui/plot/value-axis.js';
+import { axisOf, positionOf } from '../../ui/plot/value-axis.js';
 
 /** The background; transparent for `none`. @typedef {"view" | "white" | "none"} Ground */
 
@@ -135,12 +135,12 @@ function drawLegend(context, state, stops, size, onLight) {
     context.fillRect(left + i * bar, foot - height, bar - 1, height);
   });
   const ramp = context.createLinearGradient(left, 0, left + width, 0);
-  const [from, to] = range.map((value) => placeOn(axis, value));
+  const [from, to] = range.map((value) => positionOf(axis, value));
   for (const [at, colour] of stops) ramp.addColorStop(from + (to - from) * at, colour);
   context.fillStyle = ramp;
   context.fillRect(left, foot, width, 10);
   if (tolerance === null) return;
-  const limit = left + placeOn(axis, tolerance) * width;
+  const limit = left + positionOf(axis, tolerance) * width;
   if (!display.full) {
     context.fillStyle = onLight ? '#f1efea' : colourOf(document.body, '--material');
     context.fillRect(left, foot, limit - left, 10);

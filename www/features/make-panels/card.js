@@ -5,7 +5,7 @@
 
 import './make-panels.css';
 import { button, closeButton } from '../../ui/controls/fields.js';
-import { RENEW_MS, byId, element, leave, setText, throttled } from '../../ui/dom.js';
+import { RENEW_MS, byId, element, removeKeepingFocus, setText, throttled } from '../../ui/dom.js';
 import { cover } from '../../viewport/covered.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 import { panelButtons } from './buttons.js';
@@ -184,7 +184,7 @@ export class MakePanels {
       this.#card.classList.remove('warning');
       this.#card.replaceChildren();
     };
-    leave(this.#card, show);
+    removeKeepingFocus(this.#card, show);
     if (what !== 'verdict') return;
     setText(this.#text, '');
     const hold = button('Hold to see the original', () => {});

@@ -17,7 +17,7 @@ export async function openEdit({ store, solver, actions, alerts }) {
   const mesh = meshActions(store, solver, actions);
   const operations = await mesh.operations();
   const { selection, document: scene } = store.get();
-  const picked = { vertices: actions.chosenVertices(), faces: [...selection.faces] };
+  const picked = { vertices: actions.selectedVertices(), faces: [...selection.faces] };
   /** Number of the latest preview request. */
   let asked = 0;
 

@@ -5,7 +5,7 @@ import { button, checkbox, choice } from '../../ui/controls/fields.js';
 import { sizeField } from '../../ui/controls/size-field.js';
 import { element, setText } from '../../ui/dom.js';
 import { planDrawing } from './plan-drawing.js';
-import { recall, remember as keep } from '../../ui/safe-storage.js';
+import { getItem, setItem } from '../../ui/safe-storage.js';
 import { clamped, loopThrough, sideOf } from './plan-geometry.js';
 
 /** @typedef {Required<import("../../pkg/build/shape_up.js").Plan>} Plan */
@@ -51,7 +51,7 @@ const LAST = 'shape-up.plan';
 /** The plan kept last, or null. @param {number} metre in the unit @returns {Plan | null} */
 function lastPlan(metre) {
   try {
-    const plan = JSON.parse(recall(LAST) ?? 'null');
+    const plan = JSON.parse(getItem(LAST) ?? 'null');
     return plan && scaled(plan, metre);
   } catch {
     return null;
@@ -371,7 +371,7 @@ export function planForm({ unit, metre, onchange, make }) {
       }
     },
     /** Stores the plan as the start of the next one. */
-    kept: () => keep(LAST, JSON.stringify(scaled(plan, 1 / metre))),
+    kept: () => setItem(LAST, JSON.stringify(scaled(plan, 1 / metre))),
     /**
      * Converts the plan to another unit.
      * @param {string} symbol

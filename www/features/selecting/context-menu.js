@@ -77,7 +77,7 @@ export function showContextMenu(at, app) {
 function sectionsOf({ store, actions, selecting, commands }) {
   const state = store.get();
   const { document, operations } = state;
-  const vertices = actions.chosenVertices();
+  const vertices = actions.selectedVertices();
   const held = new Map(document?.handles.map((handle) => [handle.vertex, handle.fixed]));
   const some = (/** @type {boolean | undefined} */ as) =>
     vertices.some((vertex) => held.get(vertex) === as);
@@ -92,7 +92,7 @@ function sectionsOf({ store, actions, selecting, commands }) {
     .filter((operation) => selecting.canApply(operation))
     .map(
       (operation) =>
-        /** @type {Item} */ ([operation.label, () => void selecting.applyOrTell(operation)]),
+        /** @type {Item} */ ([operation.label, () => void selecting.applyOrReport(operation)]),
     );
   /** @type {[string, [boolean, ...Item][]][]} */
   const sections = [

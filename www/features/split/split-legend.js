@@ -16,7 +16,7 @@ import {
 } from '../../store/colours/measures.js';
 import { bars, drawBars, drawOutline, outline } from '../../ui/plot/histogram-svg.js';
 import { countsOf, greatestOf } from '../../ui/plot/histogram.js';
-import { axisOf, placeOn } from '../../ui/plot/value-axis.js';
+import { axisOf, positionOf } from '../../ui/plot/value-axis.js';
 
 /** @typedef {import("../../store/view-modes.js").Choice} Choice */
 
@@ -97,7 +97,7 @@ export class SplitLegend {
     drawBars(this.#bars, countsOf(side.values, axis));
     const before = side.original || !original ? null : countsOf(original, axis);
     drawOutline(this.#before, before, Math.max(...(before ?? [])));
-    const from = about.signed ? 0 : 100 * placeOn(axis, side.tolerance ?? 0);
+    const from = about.signed ? 0 : 100 * positionOf(axis, side.tolerance ?? 0);
     const ends = /** @type {[number, number]} */ ([from, 100]);
     this.#ramp.style.background = rampOf(this.#viewport, ends, {
       side: this.#side,

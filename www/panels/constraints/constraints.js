@@ -8,7 +8,7 @@ import { RENEW_MS, element, icon, setAttribute, setText, throttled } from '../..
 import { groupDigits, length, limit, part } from '../../ui/format.js';
 import { movedInWords } from '../../store/colours/measures.js';
 import { valueInWords } from '../../ui/kinds/parameter-forms.js';
-import { energyOrNothing, lengthOrNothing } from '../../ui/rounding.js';
+import { energyOrZero, lengthOrZero } from '../../ui/rounding.js';
 
 /** @typedef {import("../../solver/messages.js").ConstraintRow} ConstraintRow */
 
@@ -191,13 +191,13 @@ export function constraintsPanel(place, { store, actions, solver }) {
       const { worst, within, share } = cells[i];
       const known = row.enabled && value !== undefined;
       const words = (/** @type {number} */ far) => length(far, document.units, tolerance ?? far);
-      setText(worst, known ? `worst ${words(lengthOrNothing(value, size))}` : '');
+      setText(worst, known ? `worst ${words(lengthOrZero(value, size))}` : '');
       const isWithin = known && tolerance !== null && value <= tolerance;
       const allowed = limit(tolerance ?? 0, document.units);
       const side = isWithin ? 'within' : 'beyond';
       setText(within, known && tolerance !== null ? `${side} ${allowed}` : '');
       setAttribute(within, 'class', isWithin ? 'within met' : 'within');
-      const some = known && numbers && energyOrNothing(numbers.energy.total, size) > 0;
+      const some = known && numbers && energyOrZero(numbers.energy.total, size) > 0;
       setText(share, some ? `${part(numbers.shares[i])} of energy` : '');
     });
   });

@@ -5,7 +5,7 @@
 
 import { element, throttled } from '../../ui/dom.js';
 import { TRACE_WIDTH, messageOf } from '../../solver/messages.js';
-import { energyOrNothing } from '../../ui/rounding.js';
+import { energyOrZero } from '../../ui/rounding.js';
 
 /** @typedef {import("../../ui/plot/plot.js").EnergyPlot} EnergyPlot */
 
@@ -73,7 +73,7 @@ export class Convergence {
     return Array.from({ length: TRACE_WIDTH }, (_, column) =>
       Array.from({ length: rows }, (_, row) => {
         const value = trace[row * TRACE_WIDTH + column];
-        return column === 0 ? value : energyOrNothing(value, size);
+        return column === 0 ? value : energyOrZero(value, size);
       }),
     );
   }

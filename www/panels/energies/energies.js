@@ -3,7 +3,7 @@
 import { amountField } from '../../ui/controls/fields.js';
 import { RENEW_MS, element, setText, throttled } from '../../ui/dom.js';
 import { number } from '../../ui/format.js';
-import { energyOrNothing } from '../../ui/rounding.js';
+import { energyOrZero } from '../../ui/rounding.js';
 import { weightPresets } from './weight-presets.js';
 
 /** @typedef {import("../../solver/messages.js").SceneDocument} SceneDocument */
@@ -63,7 +63,7 @@ export function energiesPanel(place, { store, actions }) {
       const { numbers, size } = store.get();
       if (!numbers) return;
       const words = (/** @type {keyof import("../../solver/messages.js").Energy} */ id) =>
-        number(energyOrNothing(numbers.energy[id], size));
+        number(energyOrZero(numbers.energy[id], size));
       rows.forEach((row) => row.setEnergy(words(row.id)));
       setText(handles, words('handles'));
       setText(total, words('total'));

@@ -130,7 +130,7 @@ function poseRow(store, actions) {
 function holdRow(store, actions) {
   const note = element('p.quiet');
   const hold = async (/** @type {typeof HOLDS[number]} */ { label, weight }) => {
-    const vertices = actions.chosenVertices();
+    const vertices = actions.selectedVertices();
     if ((await actions.edit({ type: 'holdClose', vertices, weight })) === undefined) return;
     const whose = count(vertices.length, 'vertex', 'vertices');
     actions.setStatus(`Closeness of ${whose}: ${label.toLowerCase()}`);

@@ -4,7 +4,7 @@
  */
 
 import { button, choice, setOptions } from '../../ui/controls/fields.js';
-import { element, leave } from '../../ui/dom.js';
+import { element, removeKeepingFocus } from '../../ui/dom.js';
 
 /** @typedef {import("../../solver/messages.js").Preset} Preset */
 
@@ -35,7 +35,7 @@ export function weightPresets(actions) {
     if (!preset.warning) return void apply(preset);
     // The preset is not applied yet.
     showChosen();
-    const close = () => leave(warning, () => (warning.hidden = true));
+    const close = () => removeKeepingFocus(warning, () => (warning.hidden = true));
     const useAnyway = () => {
       close();
       apply(preset);

@@ -154,7 +154,7 @@ export function handleDetails(store, actions) {
   }
 
   function show() {
-    const selected = new Set(actions.chosenVertices());
+    const selected = new Set(actions.selectedVertices());
     chosen = handlesNow(store.get())
       .filter(({ vertex }) => selected.has(vertex))
       .map((handle) => ({ ...handle, target: ahead.get(handle.vertex) ?? handle.target }));

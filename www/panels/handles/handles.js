@@ -14,7 +14,7 @@ export function handlesPanel(place, { store, actions }) {
     /** @type {string} */ label,
     /** @type {string} */ title,
     /** @type {(vertices: number[]) => void} */ act,
-  ) => element('button', { title, onclick: () => act(actions.chosenVertices()) }, label);
+  ) => element('button', { title, onclick: () => act(actions.selectedVertices()) }, label);
   const add = button('Make handle', 'Make the selected vertices handles (H)', (vertices) =>
     actions.addHandles(vertices, false),
   );
@@ -37,7 +37,7 @@ export function handlesPanel(place, { store, actions }) {
       summary.textContent += ` ${count(pinned, 'vertex is', 'vertices are')} fixed automatically, because nothing else holds that part. Add a handle to hold it where you want.`;
     }
     add.disabled = fix.disabled = !chosen;
-    const vertices = new Set(actions.chosenVertices());
+    const vertices = new Set(actions.selectedVertices());
     remove.disabled = !handles.some(({ vertex }) => vertices.has(vertex));
     // Hidden if no button could do anything.
     row.hidden = !chosen && handles.length === 0;

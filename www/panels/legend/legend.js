@@ -19,7 +19,7 @@ import {
 } from '../../store/colours/measures.js';
 import { bars, drawBars, drawOutline, outline } from '../../ui/plot/histogram-svg.js';
 import { isDrawn } from '../../store/state.js';
-import { placeOn } from '../../ui/plot/value-axis.js';
+import { positionOf } from '../../ui/plot/value-axis.js';
 import { rangeEnd } from './range-end.js';
 
 /** @typedef {import("../../store/state.js").State} State */
@@ -168,8 +168,8 @@ export function legend(place, { store, viewport, actions }, fit) {
     }
 
     const { axis } = spread;
-    const [from, to] = range.map((value) => 100 * placeOn(axis, value));
-    const neutral = allowed === null || display.full ? 0 : 100 * placeOn(axis, allowed);
+    const [from, to] = range.map((value) => 100 * positionOf(axis, value));
+    const neutral = allowed === null || display.full ? 0 : 100 * positionOf(axis, allowed);
     ramp.style.background = rampOf(viewport, [from, to], { neutral });
     const rounding = roundingOf(about, state.size);
     const words = (/** @type {number} */ value) =>
@@ -177,7 +177,7 @@ export function legend(place, { store, viewport, actions }, fit) {
     ends.forEach((end, i) => end.show(axis, range, words(range[i]), i === 0 && about.signed));
     drawBars(now, spread.counts);
     tick.hidden = allowed === null || allowed > axis.high;
-    if (allowed !== null) tick.style.left = `${100 * placeOn(axis, allowed)}%`;
+    if (allowed !== null) tick.style.left = `${100 * positionOf(axis, allowed)}%`;
 
     const worst = words(spread.greatest);
     const was = spread.original && words(spread.original.greatest);

@@ -2,7 +2,7 @@
 
 import { element } from '../../ui/dom.js';
 import { followTrack, placeOnTrack } from '../../ui/controls/track.js';
-import { placeOn, valueAt } from '../../ui/plot/value-axis.js';
+import { positionOf, valueAt } from '../../ui/plot/value-axis.js';
 
 /** @typedef {import("../../ui/plot/value-axis.js").Axis} Axis */
 
@@ -33,11 +33,11 @@ export function rangeEnd(end, ramp, actions) {
 
   followTrack(handle, {
     track: () => ramp,
-    at: () => shown && placeOn(shown.axis, shown.range[isLow ? 0 : 1]),
+    at: () => shown && positionOf(shown.axis, shown.range[isLow ? 0 : 1]),
     moveTo(place) {
       if (!shown) return;
       const { axis, range } = shown;
-      const other = placeOn(axis, range[isLow ? 1 : 0]);
+      const other = positionOf(axis, range[isLow ? 1 : 0]);
       const value = isLow
         ? Math.max(0, Math.min(place, other - APART))
         : Math.min(1, Math.max(place, other + APART));
@@ -52,7 +52,7 @@ export function rangeEnd(end, ramp, actions) {
     show(axis, range, words, follows) {
       handle.hidden = follows;
       shown = { axis, range };
-      placeOnTrack(handle, placeOn(axis, range[isLow ? 0 : 1]), words);
+      placeOnTrack(handle, positionOf(axis, range[isLow ? 0 : 1]), words);
     },
   };
 }

@@ -8,7 +8,7 @@ import { element } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
 import { keyName } from '../../ui/keys.js';
 import { Parameters } from '../../ui/kinds/parameters.js';
-import { combineOf, selectedVertices, sizeOfSelection } from '../../store/selection.js';
+import { combineOf, sizeOfSelection, verticesOf } from '../../store/selection.js';
 
 /** @typedef {import("../../solver/messages.js").Operation} Operation */
 
@@ -33,7 +33,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
         onclick: async (/** @type {MouseEvent} */ event) => {
           if (asks) return show(form(operation));
           close();
-          await selecting.applyOrTell(operation, { combine: combineWith(operation, event) });
+          await selecting.applyOrReport(operation, { combine: combineWith(operation, event) });
         },
       },
       element('span', asks ? `${operation.label}…` : operation.label),
@@ -83,7 +83,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
     if (!operation) return [];
     const pick = (/** @type {string} */ name) => async (/** @type {MouseEvent} */ event) => {
       close();
-      await selecting.applyOrTell(operation, {
+      await selecting.applyOrReport(operation, {
         params: { name },
         combine: combineWith(operation, event),
       });
@@ -162,7 +162,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
     const connectivity = actions.connectivity();
     if (edges.size === 0 || !connectivity) return [];
     const only = { vertices: new Set(), edges, faces: new Set() };
-    return selectedVertices(/** @type {typeof selection} */ (only), connectivity);
+    return verticesOf(/** @type {typeof selection} */ (only), connectivity);
   }
 
   /** @param {HTMLElement} content */

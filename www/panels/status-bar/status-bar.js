@@ -11,7 +11,7 @@ import {
   valueInWords,
   worstOf,
 } from '../../store/colours/measures.js';
-import { energyOrNothing } from '../../ui/rounding.js';
+import { energyOrZero } from '../../ui/rounding.js';
 import { sizeOfSelection } from '../../store/selection.js';
 
 const RENDERERS = { webgpu: 'WebGPU', webgl2: 'WebGL2', none: 'no 3D', starting: '' };
@@ -54,7 +54,7 @@ export function statusBar(places, store) {
     if (!numbers) return;
     const units = document?.units ?? '';
     set('iteration', groupDigits(numbers.iteration));
-    set('energy', number(energyOrNothing(numbers.energy.total, size)));
+    set('energy', number(energyOrZero(numbers.energy.total, size)));
     const about = declared(state, measure);
     if (about && model?.faces) {
       const worst = worstOf(state, about.id);

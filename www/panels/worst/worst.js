@@ -16,7 +16,7 @@ import {
   toleranceOf,
   valueInWords,
 } from '../../store/colours/measures.js';
-import { lengthOrNothing } from '../../ui/rounding.js';
+import { lengthOrZero } from '../../ui/rounding.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 
 /** @typedef {import("../../solver/messages.js").WorstElement} WorstElement */
@@ -132,7 +132,7 @@ export function worstElements(panel, app) {
             units,
             tolerance,
           )
-        : length(lengthOrNothing(worst.value, size), units, tolerance ?? worst.value);
+        : length(lengthOrZero(worst.value, size), units, tolerance ?? worst.value);
       setText(button, worst.element);
       setText(value, text);
       setText(constraint, [worst.constraint, ...worst.groups].filter(Boolean).join(' · ') || '–');

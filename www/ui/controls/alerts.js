@@ -1,6 +1,6 @@
 /** Important messages: errors and notices, in the page's only `role="alert"`. */
 
-import { element, leave } from '../dom.js';
+import { element, removeKeepingFocus } from '../dom.js';
 import { button, closeButton } from './fields.js';
 
 /** A button of a message. @typedef {{ label: string, action: () => void }} Offer */
@@ -76,7 +76,7 @@ export class Alerts {
 
   #clear() {
     this.#isFatal = false;
-    leave(this.#place, () => this.#place.replaceChildren());
+    removeKeepingFocus(this.#place, () => this.#place.replaceChildren());
   }
 
   /**

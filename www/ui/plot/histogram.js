@@ -1,6 +1,6 @@
 /** Distribution of the values of the faces, for the legend. */
 
-import { placeOn } from './value-axis.js';
+import { positionOf } from './value-axis.js';
 
 /** The number of bars of the histogram. */
 export const BINS = 36;
@@ -58,7 +58,7 @@ export function countsOf(values, axis) {
   // Values equal to the end may have been rounded up.
   const end = Math.fround(axis.high) * (1 + 1e-6);
   for (const value of values) {
-    if (value <= end) counts[Math.min(BINS - 1, Math.floor(placeOn(axis, value) * BINS))] += 1;
+    if (value <= end) counts[Math.min(BINS - 1, Math.floor(positionOf(axis, value) * BINS))] += 1;
   }
   return counts;
 }

@@ -27,7 +27,7 @@ export function axisOf(low, high, log) {
  * @param {Axis} axis
  * @param {number} value
  */
-export function placeOn({ low, high, log }, value) {
+export function positionOf({ low, high, log }, value) {
   if (!(high > low)) return 0;
   const part = log
     ? Math.log(Math.max(value, low) / low) / Math.log(high / low)
@@ -38,10 +38,10 @@ export function placeOn({ low, high, log }, value) {
 /**
  * Returns the value at a position from 0 to 1.
  * @param {Axis} axis
- * @param {number} place
+ * @param {number} position
  */
-export function valueAt({ low, high, log }, place) {
-  return log ? low * (high / low) ** place : low + place * (high - low);
+export function valueAt({ low, high, log }, position) {
+  return log ? low * (high / low) ** position : low + position * (high - low);
 }
 
 /**

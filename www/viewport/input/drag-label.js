@@ -17,14 +17,14 @@ export function showMoved(viewport, store) {
   };
   const writeSoon = throttled(RENEW_MS, write);
   store.subscribe(['moved'], ({ moved }) => {
-    const place = moved && viewport.heldPlace(moved.by);
+    const position = moved && viewport.heldPosition(moved.by);
     const wasHidden = label.hidden;
-    label.hidden = !place;
-    if (!place) return;
+    label.hidden = !position;
+    if (!position) return;
     if (wasHidden) write();
     else writeSoon();
     // On the side with more room, without measuring the label: that would force a layout.
-    const [x, y] = place;
+    const [x, y] = position;
     label.style.translate =
       x > viewport.width / 2 ? `calc(${x - 22}px - 100%) ${y + 18}px` : `${x + 22}px ${y + 18}px`;
   });

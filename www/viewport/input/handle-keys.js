@@ -31,7 +31,7 @@ export function bindHandleKeys(viewport, store, solver, actions) {
   let at = [0, 0];
 
   function grab() {
-    const [vertex] = actions.chosenHandles();
+    const [vertex] = actions.selectedHandles();
     if (vertex === undefined || !viewport.view || store.get().dragged.length > 0) return false;
     viewport.view.holdVertex(vertex);
     drag = new HandleDrag(store, solver, viewport.constrainMove, vertex);
@@ -58,7 +58,7 @@ export function bindHandleKeys(viewport, store, solver, actions) {
     const way = MOVES[key];
     if (way) {
       at = [at[0] + way[0], at[1] + way[1]];
-      drag.hold(shiftKey ? 'horizontal' : 'screen');
+      drag.setPlane(shiftKey ? 'horizontal' : 'screen');
       drag.move(at[0], at[1]);
     }
     return axis >= 0 || way !== undefined;

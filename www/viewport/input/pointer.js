@@ -15,7 +15,7 @@
  * | touch | one finger as left, two pan and zoom | same |
  */
 
-import { isFirstPictureThere } from '../placeholder/placeholder-scene.js';
+import { isPlaceholderShown } from '../placeholder/placeholder-scene.js';
 import { HandleDrag, leaveHandle, makeHandle } from '../../store/handle-drag.js';
 import { near, clickTolerance } from './hit-tolerance.js';
 import { combineOf, select } from '../../store/selection.js';
@@ -63,7 +63,7 @@ export class PointerInput {
    * @param {import("../viewport.js").Viewport} viewport
    * @param {import("./region-selection.js").RegionSelection} region
    * @param {import("../../store/actions.js").Actions} actions
-   * @param {{ addHandles: (vertices: number[]) => Promise<void>, fitAll: () => void, chosenHandles: () => number[],
+   * @param {{ addHandles: (vertices: number[]) => Promise<void>, fitAll: () => void, selectedHandles: () => number[],
    *   showMenu: (at: [number, number]) => void,
    *   doubleClick: (mode: import("../../store/state.js").Mode, item: number, event: MouseEvent) => void }} commands
    */
@@ -120,7 +120,7 @@ export class PointerInput {
 
   /** @param {PointerEvent} event */
   #press(event) {
-    if (!this.#viewport.view || isFirstPictureThere()) return;
+    if (!this.#viewport.view || isPlaceholderShown()) return;
     const at = this.#at(event);
     this.#element.focus({ preventScroll: true });
     this.#element.setPointerCapture(event.pointerId);
@@ -189,7 +189,7 @@ export class PointerInput {
     this.#gizmoPart = this.#viewport.with((view) => view.pickGizmo(...at));
     this.#handle = this.#handleAt(at, this.#gizmoPart ? ON_HANDLE : near(event));
     if (this.#handle !== undefined) this.#gizmoPart = undefined;
-    else if (this.#gizmoPart) [this.#handle] = this.#commands.chosenHandles();
+    else if (this.#gizmoPart) [this.#handle] = this.#commands.selectedHandles();
   }
 
   /**
@@ -260,7 +260,7 @@ export class PointerInput {
     const [dx, dy] = [at[0] - last[0], at[1] - last[1]];
     switch (this.#gesture?.kind) {
       case 'handle':
-        this.#gesture.drag.hold(planeOf(event));
+        this.#gesture.drag.setPlane(planeOf(event));
         return this.#drag(event, at);
       case 'orbit':
         return void this.#viewport.with((view) => view.turn(dx, dy));

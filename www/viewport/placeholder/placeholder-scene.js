@@ -29,9 +29,9 @@ const CORNERS = 20;
 const find = () => document.getElementById('first-picture');
 
 /** While the placeholder is shown, the view ignores presses. */
-export const isFirstPictureThere = () => find() !== null;
+export const isPlaceholderShown = () => find() !== null;
 
-export function removeFirstPicture() {
+export function removePlaceholder() {
   find()?.remove();
 }
 
@@ -42,7 +42,7 @@ const numbersOf = (text) => (text ?? '').split(' ').map(Number);
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../solver/solver-client.js").SolverClient} solver
  */
-export function animateFirstPicture(store, solver) {
+export function animatePlaceholder(store, solver) {
   solver.on('frame', () => {
     const picture = find();
     if (picture && solver.geometry) draw(picture, solver.geometry);
@@ -176,7 +176,7 @@ function takeOverDrags(store, solver) {
  * Returns the displacement of a handle for a pointer displacement, like the view's `constrainMove`.
  * @param {number[]} right displacement per pixel
  * @param {number[]} down
- * @returns {import("../../store/handle-drag.js").Hold}
+ * @returns {import("../../store/handle-drag.js").MoveConstraint}
  */
 const planeOf = (right, down) => (_, dx, dy) =>
   Float64Array.from(right, (value, axis) => value * dx + down[axis] * dy);
