@@ -435,10 +435,10 @@ export const walks = {
   ],
   'what went wrong': [
     {
-      name: 'a link that was cut',
+      name: 'a truncated link',
       reach: async (page) => {
         await page.goto('./#scene=bVLLbt');
-        await expect(page.getByRole('alert')).toContainText('probably cut');
+        await expect(page.getByRole('alert')).toContainText('probably truncated');
       },
     },
     {

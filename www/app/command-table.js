@@ -107,7 +107,7 @@ export function commandTable(app, pointer, fileInput) {
     {
       id: 'add-handles',
       group: 'Edit',
-      label: 'Make the selected vertices handles',
+      label: 'Turn the selected vertices into handles',
       keys: ['H'],
       action: () => actions.addHandles(actions.selectedVertices(), false),
       needsModel: true,
@@ -171,7 +171,7 @@ export function commandTable(app, pointer, fileInput) {
     {
       id: 'nothing',
       group: 'Tools',
-      label: 'Cancel the drag, close, clear the selection',
+      label: 'Cancel a drag, close a panel, or clear the selection',
       keys: ['Escape'],
       action: escape,
     },
@@ -235,7 +235,7 @@ export function commandTable(app, pointer, fileInput) {
     {
       id: 'advanced',
       group: 'Page',
-      label: 'Every control, or the essentials',
+      label: 'Show all controls or only the essentials',
       keys: [],
       action: () => store.set({ advanced: !store.get().advanced }),
       pressed: ({ advanced }) => advanced,

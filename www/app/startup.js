@@ -121,7 +121,7 @@ export class Startup {
       error.work
     );
     const text = typeof raw === 'string' ? raw : (JSON.stringify(raw) ?? '');
-    const words = `${title} is kept in this browser, but cannot be opened: ${messageOf(error)}.`;
+    const words = `${title} is saved in this browser, but cannot be opened: ${messageOf(error)}.`;
     this.#alerts.error(words.replace(/\.\.$/, '.'), {
       label: 'Save its file',
       action: () => saveFile(`${name}.shapeup.json`, text, 'application/json'),
@@ -198,7 +198,7 @@ export class Startup {
     const examples = await this.#files.examples();
     const example = examples.find((one) => one.id === id);
     if (!example)
-      throw new Error(`There is no example called ${id}: the link is an old one or wrong.`);
+      throw new Error(`There is no example called ${id}. The link is outdated or mistyped.`);
     if (!edits) return this.#files.openExample(example);
     const mesh = { name: example.mesh, bytes: await this.#files.exampleFile(example.mesh) };
     await this.#files.open([sceneFile(example.id, edits), mesh], { example });

@@ -18,13 +18,13 @@ export function reportCollapse({ alerts, actions }, collapse) {
     text,
     { label: 'Undo', action: () => actions.undo() },
     {
-      label: 'Hold closer',
+      label: 'Increase closeness',
       action: async () => {
         await actions.undo();
         if ((await actions.edit({ type: 'holdCloser' })) !== undefined) actions.run();
       },
     },
-    { label: 'Go on', action: () => actions.run(true) },
+    { label: 'Continue anyway', action: () => actions.run(true) },
   );
 }
 

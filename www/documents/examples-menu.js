@@ -22,10 +22,7 @@ export async function examplesMenu(menu, { files, alerts, commands }) {
           begin?.action();
         },
       },
-      entry(
-        'New mesh',
-        'A grid, a vault, a dome, hexagons and others, in the sizes that you give.',
-      ),
+      entry('New mesh', 'A grid, a vault, a dome, hexagons and others, in sizes of your choice.'),
     ),
     element(
       'a',

@@ -177,7 +177,7 @@ export class Files extends Emitter {
    * @param {string} units
    */
   #reportWelded({ before, after, tolerance }, units) {
-    const words = `${groupDigits(before)} vertices welded into ${groupDigits(after)}: those within ${length(tolerance, units)} of each other.`;
+    const words = `Welded ${groupDigits(before)} vertices into ${groupDigits(after)} (distance up to ${length(tolerance, units)}).`;
     const asItCame = () =>
       this.open(this.#given, { ...this.origin, asItCame: true }).catch(() => {});
     this.#alerts.notice(words, { label: 'Undo', action: asItCame });

@@ -20,7 +20,7 @@ export function showNothingOpen(files, again) {
     { id: 'nothing-open' },
     element('p.with-drop', `Drop ${FILES} here.`),
     element('p.without-drop', `Open ${FILES}.`),
-    element('button.bordered', { onclick: again }, 'Open a sample'),
+    element('button.bordered', { onclick: again }, 'Open an example'),
   );
   byId('main').append(card);
   files.once('opened', () => card.remove());

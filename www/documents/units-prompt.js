@@ -111,7 +111,7 @@ export function frameFields(store, actions) {
     units.value = document.units;
     up.value = document.up;
   });
-  const title = 'What the numbers of the file mean. They stay as they are.';
+  const title = 'Unit and vertical axis of the coordinates. The coordinates do not change.';
   return element(
     'div.frame-fields',
     { title },

@@ -311,7 +311,7 @@ export class SolverClient extends Emitter {
     } catch (error) {
       if (this.#worker)
         this.#notice(
-          `The solver was restarted, but could not take up the scene: ${messageOf(error)}`,
+          `The solver was restarted, but could not reopen the scene: ${messageOf(error)}`,
         );
     } finally {
       this.#restoring = false;

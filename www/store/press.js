@@ -18,7 +18,7 @@ export const isEnabled = ({ enabled }, state) => !enabled || enabled(state);
 export function press(command, store) {
   const state = store.get();
   if (command.needsModel && !state.document) {
-    if (waiting.size === 0) store.set({ status: 'Starts when the model is here' });
+    if (waiting.size === 0) store.set({ status: 'Starts when the model is loaded' });
     waiting.add(command);
   } else if (isEnabled(command, state)) {
     command.action();

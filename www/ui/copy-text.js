@@ -1,6 +1,6 @@
 /** Copying of text to the clipboard. */
 
-const NOT_COPIED = 'This browser does not let the page copy: select it and copy it yourself.';
+const NOT_COPIED = 'The browser did not allow copying. Select the text and copy it.';
 
 /**
  * Copies a text and returns the message to show.

@@ -3,11 +3,9 @@
 import { byId, element } from '../ui/dom.js';
 
 const NEVER =
-  'this browser draws neither with WebGPU nor with WebGL2, or it is switched off in its settings.';
-const GONE =
-  'the graphics card took it away again and again. Reloading the page may bring it back.';
-const NOT_HERE =
-  'the part that draws could not be fetched. Check the network, then reload the page.';
+  'this browser supports neither WebGPU nor WebGL2, or they are switched off in its settings.';
+const GONE = 'the graphics context was lost repeatedly. Reloading the page may restore it.';
+const NOT_HERE = 'the drawing module could not be loaded. Check the network, then reload the page.';
 
 /** @param {string} reason error message of the browser */
 export function explainNoPicture(reason) {

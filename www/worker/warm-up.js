@@ -43,7 +43,7 @@ export function mostFaces() {
     while (work.goOn());
     finish(work);
   }
-  if (most === undefined) throw new Error('how fast this machine is could not be measured');
+  if (most === undefined) throw new Error('the speed of this computer could not be measured');
   return most;
 }
 

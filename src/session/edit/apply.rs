@@ -139,7 +139,7 @@ pub(crate) fn apply(
                 draft.put_positions(Rc::clone(start.positions()));
                 moment.iteration = start.iteration();
             }
-            "Hold closer".to_owned()
+            "Increase closeness".to_owned()
         }
         Edit::WeighHandles { vertices, weight } => {
             if !(weight.is_finite() && weight > 0.0) {

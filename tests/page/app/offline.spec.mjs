@@ -119,7 +119,7 @@ hosted('a new version is announced and waits until it is wanted', async ({ page,
   const next = readFileSync(worker, 'utf8').replace(/"version":"\w+"/, '"version":"next"');
   writeFileSync(worker, next);
   await open();
-  const news = page.getByRole('alert').getByText('A new version of Shape-Up is here');
+  const news = page.getByRole('alert').getByText('A new version of Shape-Up is available');
   await expect(news).toBeVisible();
   const versions = () =>
     page.evaluate(async () => (await caches.keys()).filter((name) => name.startsWith('shape-up')));

@@ -229,7 +229,7 @@ test.describe('with a finger', () => {
 
     const raised = wavyGrid(3).replace(/^(v .*) \S+$/gm, '$1 2');
     await choose('Take the pose of another file', file('raised.obj', raised));
-    await expect(status).toHaveText('Shapes are those of raised.obj');
+    await expect(status).toHaveText('Shapes are taken from raised.obj');
     const { pose } = await scene();
     expect(pose.positions.map(([, , z]) => z)).toEqual(Array(16).fill(2));
     const leave = page.getByRole('button', { name: 'Leave the other pose' });

@@ -57,7 +57,7 @@ test('a view that could not be fetched is not taken for a browser that cannot dr
 }) => {
   await page.route('**/assets/view-web*.wasm', (route) => route.fulfill({ status: 404 }));
   await page.goto('./');
-  await expect(page.getByText('the part that draws could not be fetched')).toBeVisible();
+  await expect(page.getByText('the drawing module could not be loaded')).toBeVisible();
   await expect(page.getByText(REMEDY)).toBeVisible();
   expect(complaints.filter((text) => !/404/.test(text))).toEqual([]);
   complaints.length = 0;

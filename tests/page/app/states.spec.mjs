@@ -94,7 +94,7 @@ test('where no example can be fetched, the page says what can be opened', async 
   await showPanel(page, 'Model');
   await expect(page.getByText('Nothing is open.')).toBeVisible();
   await page.unroute('**/examples/*');
-  await page.getByRole('button', { name: 'Open a sample' }).click();
+  await page.getByRole('button', { name: 'Open an example' }).click();
   await waitForState(page, (now) => now.vertices > 0);
   await expect(page.getByText('Drop a mesh (.obj, .off, .mesh, .3dm) or a scene')).toBeHidden();
   // The browser complains of what was held back, and of nothing else.

@@ -313,7 +313,7 @@ test('a work that cannot be read is told of and given out, and saving goes on', 
 
   await visit(page);
   const alert = page.getByRole('alert');
-  await expect(alert).toContainText('roof.obj is kept in this browser, but cannot be opened');
+  await expect(alert).toContainText('roof.obj is saved in this browser, but cannot be opened');
   const file = await downloaded(page, () =>
     alert.getByRole('button', { name: 'Save its file' }).click(),
   );

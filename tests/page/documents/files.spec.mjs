@@ -128,7 +128,7 @@ test('a second file is fitted to: dropped at the bottom of the window, or chosen
   await expect(page.getByRole('alert')).toContainText('neither faces nor curves');
   await input.setInputFiles(file('raised.obj', raised));
   await expect.poll(closeness).toBe(4);
-  await expect(page.getByText('come to lie on the other surface')).toBeVisible();
+  await expect(page.getByText('lie on the other surface')).toBeVisible();
 });
 
 test('of what is dropped together one model is taken, and it is said what is not', async ({
@@ -235,7 +235,9 @@ test('faces with vertices of their own are welded at once, can be opened as they
   }
   const text = [...vertices, ...faces, ''].join('\n');
   await openText(page, 'loose.obj', text, 16);
-  const message = page.getByRole('alert').getByText(/^36 vertices welded into 16: those within /);
+  const message = page
+    .getByRole('alert')
+    .getByText(/^Welded 36 vertices into 16 \(distance up to /);
   await expect(message).toBeVisible();
   await addConstraint(page, 'Plane', 'each face');
   await runToTheEnd(page);
@@ -287,7 +289,7 @@ test('a scene asks for the file that it names, and a pose is taken from another 
   await pose.setInputFiles(file('house.obj', wavyGrid(3)));
   await expect(alert).toContainText('house.obj is no pose of the model');
   await pose.setInputFiles(file('raised.obj', raised));
-  await expect(page.getByRole('status')).toHaveText('Shapes are those of raised.obj');
+  await expect(page.getByRole('status')).toHaveText('Shapes are taken from raised.obj');
   const { pose: taken } = await page.evaluate(() => window.shapeUp.scene());
   expect(taken.positions.map(([, , z]) => z)).toEqual(Array(25).fill(2));
   await page.getByRole('button', { name: 'Leave the other pose' }).click();

@@ -202,7 +202,7 @@ test(
     expect(differing(bare, await picture(page), [0, 1])).toBeGreaterThan(1000);
 
     await tool(page, 'Half step');
-    await expect(status).toHaveText(/^Global step done: moved to the least-squares answer/);
+    await expect(status).toHaveText(/^Global step done: moved to the least-squares solution/);
     expect(await positionOf(page, 100)).toEqual(stepped);
     expect((await state(page)).iteration).toBe(1);
     await tool(page, 'Undo');

@@ -236,7 +236,7 @@ test('a file of Rhino with nothing that can be read says so', async ({ page }) =
   const buffer = Buffer.from(written.toByteArray());
   const given = { name: 'points.3dm', mimeType: 'application/octet-stream', buffer };
   await input.setInputFiles(given);
-  await expect(page.getByRole('alert')).toContainText('no mesh and no polyline');
+  await expect(page.getByRole('alert')).toContainText('no mesh or polyline');
 });
 
 test(

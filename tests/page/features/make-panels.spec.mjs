@@ -77,7 +77,7 @@ test('panels that would fold are within a larger tolerance, and it is said why',
   const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
   await row.getByRole('button', { name: /parameters/ }).click();
   await expect(
-    row.getByText(/^\d+ panels within .+ only: nearer, they would fold\.$/),
+    row.getByText(/^\d+ panels only within .+: any closer, they would fold\.$/),
   ).toBeVisible();
   // It is one step of undo.
   await tool(page, 'Undo');
@@ -214,14 +214,14 @@ test('a run that takes the mesh apart is stopped, and can be undone, held closer
   await expect.poll(positions).toEqual(original);
 
   await run();
-  await alert.getByRole('button', { name: 'Hold closer' }).click();
+  await alert.getByRole('button', { name: 'Increase closeness' }).click();
   await waitForState(page, (now) => now.converged && now.iteration > 0);
   await expect(alert).toBeEmpty();
 
   await tool(page, 'Undo');
   await tool(page, 'Undo');
   await run();
-  await alert.getByRole('button', { name: 'Go on' }).click();
+  await alert.getByRole('button', { name: 'Continue anyway' }).click();
   await waitForState(page, (now) => !now.running && now.iteration > 0);
   await expect(alert).toBeEmpty();
 });

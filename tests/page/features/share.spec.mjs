@@ -106,9 +106,9 @@ test('what may not be copied unasked is copied by the button, or it is said', as
   });
   await openPage(page);
   await linkOf(page);
-  await expect(dialogOf(page).getByText('does not let the page copy')).toBeHidden();
+  await expect(dialogOf(page).getByText('did not allow copying')).toBeHidden();
   await dialogOf(page).getByRole('button', { name: 'Copy link' }).click();
-  await expect(dialogOf(page).getByText('does not let the page copy')).toBeVisible();
+  await expect(dialogOf(page).getByText('did not allow copying')).toBeVisible();
 });
 
 test('a link that is long says what becomes of it', async ({ page }) => {

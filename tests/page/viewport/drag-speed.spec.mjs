@@ -100,7 +100,7 @@ test('a drag on 2500 vertices is answered quickly and costs the page less', asyn
   expect(work, said).toBeLessThan(FRAME_BUDGET * unit);
   expect(answers, said).toBeLessThan(ANSWER_BUDGET * unit);
   // Told to whom asks for it.
-  const told = page.getByTitle('From the pointer to new positions');
+  const told = page.getByTitle('Time from a pointer movement to new positions');
   await expect(told).toBeHidden();
   await showPanel(page, 'Energies and display');
   await page.getByLabel('Timings').check();

@@ -107,10 +107,10 @@ test('presses count before anything is there to act on', looks, async ({ page })
   releaseScript();
   if (!early) await run.click();
   const said = page.getByRole('status');
-  await expect(said).toHaveText('Starts when the model is here');
+  await expect(said).toHaveText('Starts when the model is loaded');
   // Also when the example is here, and only the solver is not.
   await (await mesh).finished();
-  await expect(said).toHaveText('Starts when the model is here');
+  await expect(said).toHaveText('Starts when the model is loaded');
   releaseModules();
   // Of what is exact already there is nothing to do.
   const undo = page.getByRole('button', { name: 'Undo' });

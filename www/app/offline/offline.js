@@ -38,7 +38,7 @@ async function register(alerts, startup, viewport) {
   // Without a controller this is the first version, not a new one.
   const announce = (/** @type {ServiceWorker | null} */ worker) => {
     if (!worker || !serviceWorker.controller) return;
-    alerts.notice('A new version of Shape-Up is here. Your work is kept.', {
+    alerts.notice('A new version of Shape-Up is available. Your work is kept.', {
       label: 'Reload',
       action: async () => {
         await startup.saveNow().catch(() => {});

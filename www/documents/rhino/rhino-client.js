@@ -19,9 +19,9 @@ export async function askRhino(request, cancelled) {
         'refused' in data ? reject(new Error(data.refused)) : resolve(data.value);
       worker.onerror = (event) => {
         event.preventDefault();
-        reject(new Error('The part for .3dm files could not be fetched. Check the network.'));
+        reject(new Error('The .3dm converter could not be loaded. Check the network.'));
       };
-      cancelled?.addEventListener('abort', () => reject(new Error('It was cancelled.')));
+      cancelled?.addEventListener('abort', () => reject(new Error('Cancelled.')));
       worker.postMessage(request);
     });
   } finally {

@@ -20,14 +20,14 @@ const SAME = 1e-6;
 export async function meshFromRhino({ name, bytes }) {
   const api = await rhino();
   const file = api.File3dm.fromByteArray(bytes);
-  if (!file) throw new Error(`${name}: this is not a file of Rhino, or it is damaged.`);
+  if (!file) throw new Error(`${name}: this is not a Rhino file, or it is damaged.`);
   try {
     const { faces, curves, others } = objectsOf(file);
     if (faces.length + curves.length === 0) {
       throw new Error(
         others > 0
-          ? `${name} holds ${others} objects, but no mesh and no polyline. Surfaces become one in Rhino with the command Mesh.`
-          : `${name} holds no mesh and no polyline.`,
+          ? `${name} contains ${others} ${others === 1 ? 'object' : 'objects'} but no mesh or polyline. Convert surfaces with Rhino’s Mesh command.`
+          : `${name} contains no mesh or polyline.`,
       );
     }
     const system = file.settings().modelUnitSystem;

@@ -10,7 +10,7 @@ import { UNITS } from '../../ui/units.js';
 /** @returns {Promise<typeof import("rhino3dm")["RhinoModule"] | any>} */
 export function rhino() {
   return open({ locateFile: () => module }).catch((/** @type {unknown} */ error) => {
-    throw new Error('The part for .3dm files could not be loaded. Check the network.', {
+    throw new Error('The .3dm converter could not be loaded. Check the network.', {
       cause: error,
     });
   });

@@ -11,7 +11,7 @@ const FORMAT = 'deflate-raw';
 /** Returns the error for a truncated or altered link. */
 export const damaged = () =>
   new Error(
-    'The link is incomplete or damaged: it was probably cut when it was sent. Ask for it again, or for the scene as a file.',
+    'The link is incomplete or damaged: it was probably truncated. Ask the sender for the link again, or for the scene file.',
   );
 
 /** @param {string} text */
@@ -43,7 +43,7 @@ export async function inflate(bytes) {
     throw damaged();
   }
   const most = MOST_BYTES >> 20;
-  throw new Error(`The link unpacks to more than ${most} MB. Ask for the scene as a file.`);
+  throw new Error(`The link unpacks to more than ${most} MB. Ask the sender for the scene file.`);
 }
 
 /** Decompresses the base64url text of a link of an earlier version. @param {string} code */

@@ -73,7 +73,7 @@ export async function unpackScene(code) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   const holds = view.getUint8(0);
   if (holds > (RUN | HAS_MESH | IN_PLANES))
-    throw new Error('The link is one of a later version of this page: reload it, or update it.');
+    throw new Error('The link was made by a newer version of this page. Reload the page.');
   const run = (holds & RUN) !== 0;
   if (!(holds & HAS_MESH)) {
     const { scene, example = null } = JSON.parse(await inflate(bytes.subarray(1)));

@@ -116,7 +116,7 @@ export class MakePanels {
   async #nextTakes(id) {
     const { store, actions, files } = this.#app;
     const { model: before } = store.get();
-    actions.setStatus('Starts when the model is here');
+    actions.setStatus('Starts when the model is loaded');
     await files.coming?.catch(() => {});
     const { model } = store.get();
     const offered = model?.panels.find(({ kind }) => kind === id);

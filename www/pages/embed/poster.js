@@ -44,7 +44,7 @@ async function showExample(id, pose) {
   try {
     const example = (await listOfExamples()).find((one) => one.id === id);
     if (!example)
-      throw new Error(`There is no example called ${id}: the link is an old one or wrong.`);
+      throw new Error(`There is no example called ${id}. The link is outdated or mistyped.`);
     setText(byId('title'), example.title);
     const picture = /** @type {HTMLImageElement} */ (byId('picture'));
     picture.src = `pictures/${example.id}-${pose}.svg`;

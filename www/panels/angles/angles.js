@@ -45,7 +45,7 @@ export function anglesPanel(panel, { store, solver, files, actions }) {
     readout,
     save,
   );
-  const nothing = element('p.quiet', 'There are no faces, and so no angles.');
+  const nothing = element('p.quiet', 'The model has no faces, so there are no angles.');
   panel.replaceChildren(plot, nothing);
 
   /** @type {{ original: number[], now: number[] } | null} */

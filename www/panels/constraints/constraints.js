@@ -25,7 +25,9 @@ export function constraintsPanel(place, { store, actions, solver }) {
    * @type {{ worst: HTMLElement, within: HTMLElement, share: HTMLElement }[]}
    */
   let cells = [];
-  const moved = element('p.quiet', { title: 'How far the vertices are from where they were' });
+  const moved = element('p.quiet', {
+    title: 'Distance of the vertices from their original positions',
+  });
   /** The row that was just renamed and gets the focus back. @type {number | null} */
   let renamed = null;
   /** The displayed rows, serialised. */
@@ -83,9 +85,9 @@ export function constraintsPanel(place, { store, actions, solver }) {
       actions.edit({ type: 'removeConstraint', index: row.index });
     };
     const worst = element('span.worst.figure', {
-      title: 'The largest distance of a vertex to the shape of this constraint',
+      title: 'The largest distance of a vertex from the shape of this constraint',
     });
-    const share = element('span.share.figure', { title: 'Its part of the total energy' });
+    const share = element('span.share.figure', { title: 'Its share of the total energy' });
     const within = element('span');
     cells.push({ worst, within, share });
     const skipped = row.skipped > 0 ? `, ${groupDigits(row.skipped)} skipped` : '';

@@ -7,9 +7,9 @@ import { count, length as lengthText, lengthUnit } from '../../ui/format.js';
 /** @typedef {import("../../solver/messages.js").Require} Require */
 
 const OPTIONS = [
-  ['soft', 'Soft', 'Weighed against all else'],
-  ['within', 'Within', 'No vertex is farther from the shape than this'],
-  ['exact', 'Exact', 'Met to the last digit, as near to the original as can be'],
+  ['soft', 'Soft', 'Balanced against the other goals by its weight'],
+  ['within', 'Within', 'No vertex is farther from the shape than this length'],
+  ['exact', 'Exact', 'Met exactly, as close to the original as possible'],
 ];
 
 /**
@@ -45,7 +45,9 @@ export function requirementOf({ index, require }, name, store, actions) {
     'Required',
     select,
     ...(required === 'within' ? [within.field, element('span', unit)] : []),
-    ...(isTooLarge ? [element('small', 'Too large to be exact: Within can be met.')] : []),
+    ...(isTooLarge
+      ? [element('small', 'The mesh is too large for Exact. Within is possible.')]
+      : []),
   );
 }
 
@@ -57,6 +59,6 @@ export function requirementOf({ index, require }, name, store, actions) {
 export function easedOf(eased, units) {
   if (!eased) return [];
   const within = lengthText(eased.within, units);
-  const words = `${count(eased.panels, 'panel')} within ${within} only: nearer, they would fold.`;
+  const words = `${count(eased.panels, 'panel')} only within ${within}: any closer, they would fold.`;
   return [element('p.quiet', words)];
 }

@@ -26,7 +26,7 @@ const CLOSENESS = {
   surface: 'stay near the original',
   rest: 'stay where each vertex was',
   none: 'not used in this scene',
-  target: 'come to lie on the other surface',
+  target: 'lie on the other surface',
 };
 const SMOOTHNESS = { surface: 'keep it smooth', displacement: 'keep the change smooth' };
 

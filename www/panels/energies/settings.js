@@ -11,7 +11,7 @@ import { sizeOfSelection } from '../../store/selection.js';
 const FIT = {
   label: 'Fit to another surface',
   type: /** @type {const} */ ('fitTo'),
-  words: 'A second file in the same coordinates: the mesh comes to lie on its surface.',
+  words: 'A second file in the same coordinates: the vertices are pulled onto its surface.',
   done: (/** @type {string} */ name) => `Vertices stay near ${name}`,
 };
 /** Rest shapes from another pose. */
@@ -19,8 +19,8 @@ const POSE = {
   label: 'Take the pose of another file',
   type: /** @type {const} */ ('takePose'),
   words:
-    'A second file with the same faces: rigid and similar constraints keep the shapes that it has.',
-  done: (/** @type {string} */ name) => `Shapes are those of ${name}`,
+    'A second file with the same faces: rigid and similar constraints keep the shapes in that file.',
+  done: (/** @type {string} */ name) => `Shapes are taken from ${name}`,
 };
 
 /** Closeness buttons for the selected vertices, with factors of the weight of closeness. */

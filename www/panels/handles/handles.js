@@ -15,13 +15,13 @@ export function handlesPanel(place, { store, actions }) {
     /** @type {string} */ title,
     /** @type {(vertices: number[]) => void} */ act,
   ) => element('button', { title, onclick: () => act(actions.selectedVertices()) }, label);
-  const add = button('Make handle', 'Make the selected vertices handles (H)', (vertices) =>
+  const add = button('Make handle', 'Turn the selected vertices into handles (H)', (vertices) =>
     actions.addHandles(vertices, false),
   );
   const fix = button('Fix', 'Fix the selected vertices where they are', (vertices) =>
     actions.addHandles(vertices, true),
   );
-  const remove = button('Remove', 'Release the selected handles (Shift+H)', actions.removeHandles);
+  const remove = button('Remove', 'Remove the selected handles (Shift+H)', actions.removeHandles);
   const row = element('div.handles-row', add, fix, remove);
   place.replaceChildren(summary, row);
   let asked = false;
@@ -56,7 +56,7 @@ export function handlesPanel(place, { store, actions }) {
  * @param {number} fixed number of fixed handles
  */
 function wordsFor(all, fixed) {
-  if (all === 0) return 'No handle yet. Double-click a vertex to make one, then drag it.';
+  if (all === 0) return 'No handles yet. Double-click a vertex to make one, then drag it.';
   const share = fixed === all ? ', fixed' : fixed > 0 ? `, ${fixed} of them fixed` : '';
   return `${count(all, 'handle')}${share}. Drag the blue handles in the view.`;
 }

@@ -28,10 +28,10 @@ import { rangeEnd } from './range-end.js';
 const BEYOND = 'beyond';
 /** Id, label and tooltip of each colour map. @type {[string, string, string][]} */
 const MAPS = [
-  [BEYOND, 'Beyond tolerance', 'Only what is beyond the tolerance has colours'],
-  ['viridis', 'Viridis', 'All values have colours'],
+  [BEYOND, 'Beyond tolerance', 'Only faces beyond the tolerance are coloured'],
+  ['viridis', 'Viridis', 'All faces are coloured'],
   ['diverging', 'Diverging', 'Blue within the tolerance, red beyond it'],
-  ['grey', 'Grey', 'All values, for print'],
+  ['grey', 'Grey', 'All faces in shades of grey, for print'],
 ];
 
 /** On a phone in landscape orientation the legend is a strip below the model. */
@@ -69,7 +69,7 @@ export function legend(place, { store, viewport, actions }, fit) {
   });
   tolerance.placeholder = 'none';
   const log = checkbox('Log scale', (checked) => actions.display({ log: checked }), {
-    title: 'Equal factors are equal steps',
+    title: 'Equal ratios have equal lengths on the scale',
   });
   const map = choice({ 'aria-label': 'Colour map' }, (name) =>
     actions.display(
@@ -84,7 +84,7 @@ export function legend(place, { store, viewport, actions }, fit) {
       title,
       element(
         'button',
-        { title: 'End the range at the worst face of the shape as it is', onclick: fit },
+        { title: 'End the range at the worst face of the current shape', onclick: fit },
         'Fit range',
       ),
     ),

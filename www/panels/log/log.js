@@ -33,7 +33,7 @@ export function logOf(panel, app) {
     if (!found) return;
     const some = found.vertices.length + found.edges.length + found.faces.length;
     if (some > 0) showElements(app, found);
-    else actions.setStatus('None left');
+    else actions.setStatus('No elements with this problem are left');
   }
 
   store.subscribe(['model', 'document'], ({ model, document }) => {
@@ -92,7 +92,7 @@ export function logOf(panel, app) {
     ];
     const done = await navigator.clipboard.writeText(`${lines.join('\n')}\n`).then(
       () => 'Copied',
-      () => 'This browser does not let the page copy',
+      () => 'The browser did not allow copying',
     );
     setText(copyResult, done);
   }
@@ -119,7 +119,7 @@ function factsOf(model, units, up) {
   const problems = model.problems.length;
   return [
     `${model.name}: ${parts.join(', ')}`,
-    `Unit: ${units || 'not known'}${guessed(model.guessed.units)} · ${FORMATS[up]}${guessed(model.guessed.up)}`,
-    problems > 0 ? count(problems, 'kind of problem', 'kinds of problems') : 'No problems',
+    `Unit: ${units || 'unknown'}${guessed(model.guessed.units)} · ${FORMATS[up]}${guessed(model.guessed.up)}`,
+    problems > 0 ? count(problems, 'kind of problem', 'kinds of problem') : 'No problems',
   ];
 }

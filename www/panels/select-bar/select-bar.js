@@ -18,10 +18,10 @@ const SHAPES = [
     id: 'box',
     label: 'Box',
     key: 'B',
-    title: 'To the right: what is inside. To the left: also what it touches',
+    title: 'Drag right to select what is inside, left to select also what it touches',
   },
-  { id: 'lasso', label: 'Lasso', key: 'L', title: 'Draw around what you want' },
-  { id: 'paint', label: 'Paint', key: 'P', title: 'Brush over what you want' },
+  { id: 'lasso', label: 'Lasso', key: 'L', title: 'Draw around what to select' },
+  { id: 'paint', label: 'Paint', key: 'P', title: 'Brush over what to select' },
 ];
 
 /**

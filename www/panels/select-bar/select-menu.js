@@ -150,7 +150,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
       heading('Save as a set'),
       element(
         'p.quiet',
-        'The selection gets a name, and can be selected or constrained again by it.',
+        'Gives the selection a name, by which you can select or constrain it later.',
       ),
       name,
       element('div.verbs', element('button.primary', { type: 'submit' }, 'Save set')),

@@ -5,8 +5,7 @@ import { isDrawn } from '../../store/state.js';
 
 /** Names of software renderers. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
-const SLOW =
-  'Software rendering, which is slow: turn on graphics acceleration in the settings of the browser.';
+const SLOW = 'Software rendering is slow. Turn on graphics acceleration in the browser settings.';
 
 /**
  * @param {HTMLElement} numbers the list of the status bar

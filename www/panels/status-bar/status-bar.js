@@ -45,7 +45,7 @@ export function statusBar(places, store) {
     const isEmpty = text === '';
     if (row.hidden !== isEmpty) row.hidden = isEmpty;
   };
-  cells.get('drag').row.title = 'From the pointer to new positions';
+  cells.get('drag').row.title = 'Time from a pointer movement to new positions';
 
   const showNumbers = throttled(RENEW_MS, () => {
     const state = store.get();
@@ -120,13 +120,13 @@ function hintOf(state) {
   if (document.constraints.length === 0)
     return model.panels.some(({ reason }) => !reason)
       ? 'Next: make its panels circular or flat, or add another constraint'
-      : 'Next: add a constraint that says what shape its parts should take';
+      : 'Next: add a constraint to say what shape its parts should have';
   if (document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
-    return 'Drag the handle, an arrow or a square · Enter moves it by arrow keys';
+    return 'Drag the handle, an arrow or a square · Enter, then arrow keys, moves it';
   if (sizeOfSelection(selection) > 0) {
     return 'H makes handles of the selection · Add constraint can use it · Esc clears the selection';
   }
-  if (renderer === 'none') return 'Run, Export and the panels work without the picture';
+  if (renderer === 'none') return 'Run, Export and the panels work without the 3D view';
   if (tool === 'select')
     return `${SHAPES[shape]} over ${mode} · Shift adds, Ctrl removes · V goes back to Drag`;
   if (!running && !converged) return 'Next: Run, or drag a blue handle · drag elsewhere to orbit';

@@ -49,7 +49,7 @@ export function worstElements(panel, app) {
       element(
         'tr',
         element('th', { scope: 'col' }, 'Element'),
-        element('th', { scope: 'col' }, 'Asked by'),
+        element('th', { scope: 'col' }, 'Constraint'),
         heading,
       ),
     ),
@@ -116,8 +116,8 @@ export function worstElements(panel, app) {
     const tolerance = about ? toleranceOf(state, about) : state.tolerance;
     const moved = movedInWords(state);
     shown = found;
-    const what = about?.words ?? 'largest distance of a vertex to the shape of its constraint';
-    const nothing = 'No constraints, or nothing has a value.';
+    const what = about?.words ?? 'largest distance of a vertex from the shape of its constraint';
+    const nothing = 'No constraints, or no values.';
     const said = `The ${what}.${moved && ` Moved ${moved}.`}`;
     setText(words, found.length === 0 ? nothing : said);
     table.hidden = found.length === 0;

@@ -19,5 +19,5 @@ export function halfStepWords(done) {
   const where = done.accelerated ? 'beyond the' : 'to the';
   const why = done.accelerated ? ', because steps are accelerated' : '';
   const next = done.converged ? 'converged' : 'next: local step';
-  return `Global step done: moved ${where} least-squares answer${why}; ${next}`;
+  return `Global step done: moved ${where} least-squares solution${why}; ${next}`;
 }

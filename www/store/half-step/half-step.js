@@ -3,7 +3,7 @@
 /** @param {{ halfway: boolean }} state */
 export function halfStepTitle({ halfway }) {
   return halfway
-    ? 'Global step: move all vertices to the least-squares answer'
+    ? 'Global step: move all vertices to the least-squares solution'
     : 'Local step: fit a shape to each constraint; nothing moves yet';
 }
 

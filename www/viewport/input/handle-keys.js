@@ -36,7 +36,7 @@ export function bindHandleKeys(viewport, store, solver, actions) {
     viewport.view.holdVertex(vertex);
     drag = new HandleDrag(store, solver, viewport.constrainMove, vertex);
     at = [0, 0];
-    actions.setStatus('Moving the handle by arrow keys: Enter accepts, Esc cancels');
+    actions.setStatus('Moving the handle with the arrow keys: Enter accepts, Esc cancels');
     return true;
   }
 
