@@ -125,8 +125,11 @@ export class Files extends Emitter {
       return loaded;
     } catch (error) {
       this.#actions.setStatus('');
-      const { offersToChoose } = await import('./opening/missing-files.js');
-      const offers = await offersToChoose(given, this.#actions, this, origin);
+      // Without the offers the error is still shown.
+      const offers = await import('./opening/missing-files.js').then(
+        (it) => it.offersToChoose(given, this.#actions, this, origin),
+        () => [],
+      );
       this.#alerts.error(messageOf(error), ...offers);
       throw error;
     }

@@ -34,12 +34,12 @@ export function createActions(store, solver, alerts) {
   }
 
   /**
-   * @param {import("../solver/messages.js").Edit} edit
+   * @param {import("../solver/messages.js").Edit} change
    * @param {(error: unknown) => boolean} [showError] shows an error at its field; false if there is none
    * @returns {Promise<null | undefined>}
    */
-  function edit(edit, showError = () => false) {
-    return attempt({ type: 'edit', edit }, showError);
+  function edit(change, showError = () => false) {
+    return attempt({ type: 'edit', edit: change }, showError);
   }
 
   /**
@@ -139,9 +139,9 @@ export function createActions(store, solver, alerts) {
 
     /** Performs the local step, or the global step after it. */
     async halfStep() {
-      const words = import('./half-step/half-step-words.js');
+      const words = reportErrors(import('./half-step/half-step-words.js'));
       const done = await reportErrors(solver.request({ type: 'halfStep' }));
-      const loaded = await reportErrors(words);
+      const loaded = await words;
       if (done && loaded) setStatus(loaded.halfStepWords(done));
     },
 

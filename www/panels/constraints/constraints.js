@@ -114,13 +114,14 @@ export function constraintsPanel(place, { store, actions, solver }) {
       opener.setAttribute('aria-expanded', String(open.has(key)));
       if (open.has(key)) actions.reportErrors(show());
     };
-    const rename = async () => {
+    const openRename = async () => {
       const { editName } = await renaming();
       editName(opener, row.name, kind?.label ?? '', (name) => {
         renamed = row.index;
         actions.edit({ type: 'renameConstraint', index: row.index, name });
       });
     };
+    const rename = () => actions.reportErrors(openRename());
     const opener = element(
       'button.name',
       {
@@ -146,8 +147,8 @@ export function constraintsPanel(place, { store, actions, solver }) {
         onpointerleave: untint,
         onfocusin: () => {
           tint(row);
-          // Preloaded, so that it is ready before the user types.
-          renaming();
+          // Preloaded, so that it is ready before the user types; renaming reports errors.
+          renaming().catch(() => {});
         },
         onfocusout: untint,
       },

@@ -15,7 +15,7 @@ import { energyOrZero } from '../../ui/rounding.js';
 const PLOT_EVERY_MS = 250;
 
 export class Convergence {
-  /** @type {Promise<EnergyPlot> | null} */
+  /** Null without iterations; of null if it could not be loaded. @type {Promise<EnergyPlot | null> | null} */
   #plot = null;
   #place;
   #store;
@@ -39,12 +39,12 @@ export class Convergence {
     }).observe(place);
     solver.on('model', () => this.#showNone());
     solver.on('frame', () => this.#draw());
-    store.subscribe(['dark'], () => this.#plot?.then((plot) => plot.restyle()));
+    store.subscribe(['dark'], () => this.#plot?.then((plot) => plot?.restyle()));
   }
 
   /** Removes the plot: there are no iterations. */
   #showNone() {
-    this.#plot?.then((plot) => plot.destroy());
+    this.#plot?.then((plot) => plot?.destroy());
     this.#plot = null;
     this.#place.replaceChildren(element('p.quiet', 'The energies of each iteration appear here.'));
   }
@@ -58,7 +58,7 @@ export class Convergence {
     const loading = (this.#plot ??= this.#load());
     const { document } = this.#store.get();
     const units = document?.units ? `${document.units}²` : '';
-    const plot = await loading.catch(() => null);
+    const plot = await loading;
     // Another model may be open by now.
     if (loading === this.#plot) plot?.show(this.#columnsOf(trace), units);
   }
@@ -87,7 +87,7 @@ export class Convergence {
       this.#place.replaceChildren(
         element('p', `The plot could not be loaded: ${messageOf(error)}`),
       );
-      throw error;
+      return null;
     }
   }
 }

@@ -78,13 +78,15 @@ export function energiesPanel(place, { store, actions }) {
  */
 function moreSettings(store, actions) {
   const inside = element('div.settings');
+  const fill = async () => {
+    const { settingsPanel } = await import('./settings.js');
+    if (!inside.hasChildNodes()) settingsPanel(inside, store, actions);
+  };
   const details = element(
     'details.more-settings',
     {
-      ontoggle: async () => {
-        if (!details.open || inside.hasChildNodes()) return;
-        const { settingsPanel } = await import('./settings.js');
-        if (!inside.hasChildNodes()) settingsPanel(inside, store, actions);
+      ontoggle: () => {
+        if (details.open && !inside.hasChildNodes()) actions.reportErrors(fill());
       },
     },
     element('summary', 'More settings'),

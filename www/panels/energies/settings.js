@@ -90,17 +90,19 @@ function settingRow(setting, store, actions) {
  * @param {...HTMLElement} more elements beside the button
  */
 function fileRow({ label, type, words, done }, actions, ...more) {
+  const read = async (/** @type {File} */ file) => {
+    const text = await file.text();
+    input.value = '';
+    const edited = await actions.edit({ type, name: file.name, text });
+    if (edited !== undefined) actions.setStatus(done(file.name));
+  };
   const input = element('input', {
     type: 'file',
     accept: '.obj,.off,.mesh',
     'aria-label': label,
-    onchange: async () => {
+    onchange: () => {
       const [file] = input.files ?? [];
-      if (!file) return;
-      const text = await file.text();
-      input.value = '';
-      const edited = await actions.edit({ type, name: file.name, text });
-      if (edited !== undefined) actions.setStatus(done(file.name));
+      if (file) actions.reportErrors(read(file));
     },
   });
   return element(

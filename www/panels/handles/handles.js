@@ -24,7 +24,14 @@ export function handlesPanel(place, { store, actions }) {
   const remove = button('Remove', 'Remove the selected handles (Shift+H)', actions.removeHandles);
   const row = element('div.handles-row', add, fix, remove);
   place.replaceChildren(summary, row);
-  let asked = false;
+  /** The fields for the selected handles, once loaded. @type {HTMLElement | null} */
+  let details = null;
+  /** The selection for which they were last requested. @type {object | null} */
+  let requestedFor = null;
+  const loadDetails = async () => {
+    const { handleDetails } = await import('./handle-details.js');
+    if (!details) place.append((details = handleDetails(store, actions)));
+  };
 
   store.subscribe(['document', 'selection'], ({ document, selection }) => {
     const handles = document?.handles ?? [];
@@ -41,13 +48,10 @@ export function handlesPanel(place, { store, actions }) {
     remove.disabled = !handles.some(({ vertex }) => vertices.has(vertex));
     // Hidden if no button could do anything.
     row.hidden = !chosen && handles.length === 0;
-    if (remove.disabled || asked) return;
-    asked = true;
-    actions.reportErrors(
-      import('./handle-details.js').then(({ handleDetails }) =>
-        place.append(handleDetails(store, actions)),
-      ),
-    );
+    // If loading fails, the next selection tries again.
+    if (remove.disabled || details || selection === requestedFor) return;
+    requestedFor = selection;
+    actions.reportErrors(loadDetails());
   });
 }
 

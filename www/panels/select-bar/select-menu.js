@@ -161,8 +161,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
   function edgeEnds(edges) {
     const connectivity = actions.connectivity();
     if (edges.size === 0 || !connectivity) return [];
-    const only = { vertices: new Set(), edges, faces: new Set() };
-    return verticesOf(/** @type {typeof selection} */ (only), connectivity);
+    return verticesOf({ vertices: [], edges, faces: [] }, connectivity);
   }
 
   /** @param {HTMLElement} content */
