@@ -1,10 +1,7 @@
 // Targets in the browser on a quiet machine with two cores, one of which is used.
 
 import { exactTargets } from './exact/tables.mjs';
-import { growth } from './statistics.mjs';
-
-/** Meshes are square grids: 173 by 173 counts as 30,000. */
-const near = (vertices, size) => Math.abs(vertices / size - 1) < 0.05;
+import { growth, isOfSize } from './statistics.mjs';
 
 const inBrowser = (rows, problem, size, accelerator = 'quasi-newton') =>
   rows?.find(
@@ -12,13 +9,13 @@ const inBrowser = (rows, problem, size, accelerator = 'quasi-newton') =>
       row.where === 'browser' &&
       row.problem === problem &&
       row.accelerator === accelerator &&
-      near(row.vertices, size),
+      isOfSize(row.vertices, size),
   );
 
 const plainAt30000 = (rows, problem, place) =>
   rows?.find(
     ({ where, problem: letter, accelerator, vertices }) =>
-      where === place && letter === problem && accelerator === 'none' && near(vertices, 30_000),
+      where === place && letter === problem && accelerator === 'none' && isOfSize(vertices, 30_000),
   );
 
 const perIteration = (problem, size, most) => ({
@@ -39,7 +36,7 @@ const firstMap = (vertices, most) => ({
   most,
   find: ({ maps }) => {
     const isIt = (row) => row.problem === 'D' && row.where === 'browser';
-    const ms = maps?.find((row) => isIt(row) && near(row.vertices, vertices))?.cold;
+    const ms = maps?.find((row) => isIt(row) && isOfSize(row.vertices, vertices))?.cold;
     return ms === undefined ? undefined : ms / 1e3;
   },
 });

@@ -42,18 +42,27 @@ export function sizeOfSelection({ vertices, edges, faces }) {
 }
 
 /**
- * Returns the selected vertices, ends of selected edges and corners of selected faces, ascending.
- * @param {Selection} selection
+ * Returns the vertices, the ends of the edges and the corners of the faces, ascending.
+ * @param {Record<Mode, Iterable<number>>} elements
  * @param {import("../solver/messages.js").Connectivity} connectivity
  * @returns {number[]}
  */
-export function verticesOf(selection, { faceOffsets, faceIndices, edges }) {
-  const vertices = new Set(selection.vertices);
-  for (const edge of selection.edges) vertices.add(edges[2 * edge]).add(edges[2 * edge + 1]);
-  for (const face of selection.faces) {
-    for (let i = faceOffsets[face]; i < faceOffsets[face + 1]; i++) vertices.add(faceIndices[i]);
-  }
+export function verticesOf(elements, connectivity) {
+  const { edges } = connectivity;
+  const vertices = new Set(elements.vertices);
+  for (const edge of elements.edges) vertices.add(edges[2 * edge]).add(edges[2 * edge + 1]);
+  for (const face of elements.faces)
+    for (const vertex of cornersOf(connectivity, face)) vertices.add(vertex);
   return [...vertices].sort((a, b) => a - b);
+}
+
+/**
+ * Returns the corners of a face.
+ * @param {import("../solver/messages.js").Connectivity} connectivity
+ * @param {number} face
+ */
+export function cornersOf({ faceOffsets, faceIndices }, face) {
+  return faceIndices.subarray(faceOffsets[face], faceOffsets[face + 1]);
 }
 
 /** Describes the selection; empty if nothing is selected. @param {Selection} selection */

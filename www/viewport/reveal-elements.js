@@ -1,5 +1,7 @@
 /** Reveals listed elements: selects them and moves the camera to them. */
 
+import { cornersOf, verticesOf } from '../store/selection.js';
+
 /** @typedef {{ vertices: ArrayLike<number>, edges?: ArrayLike<number>, faces: ArrayLike<number> }} Elements */
 
 /** Rings of faces around the elements to include in the picture, for orientation. */
@@ -13,20 +15,16 @@ export function showElements({ actions, solver, viewport }, { vertices, edges = 
   const { geometry } = solver;
   if (!geometry) return;
   const { connectivity } = geometry;
-  const all = [vertices, edges, faces].map((elements) => Array.from(elements));
-  actions.select({ vertices: all[0], edges: all[1], faces: all[2] });
-  let around = new Set(Array.from(vertices));
-  for (const edge of Array.from(edges)) {
-    around.add(connectivity.edges[2 * edge]).add(connectivity.edges[2 * edge + 1]);
-  }
-  for (const face of Array.from(faces)) corners(connectivity, face).forEach((v) => around.add(v));
+  const all = {
+    vertices: Array.from(vertices),
+    edges: Array.from(edges),
+    faces: Array.from(faces),
+  };
+  actions.select(all);
+  let around = new Set(verticesOf(all, connectivity));
   for (let ring = 0; ring < RINGS; ring++) around = withNeighbours(connectivity, around);
   if (around.size > 0) viewport.with((view) => view.fitVertices(Uint32Array.from(around)));
 }
-
-/** @param {import("../solver/messages.js").Connectivity} connectivity @param {number} face */
-const corners = ({ faceOffsets, faceIndices }, face) =>
-  faceIndices.subarray(faceOffsets[face], faceOffsets[face + 1]);
 
 /**
  * Returns the vertices together with those of all faces incident to them.
@@ -36,7 +34,7 @@ const corners = ({ faceOffsets, faceIndices }, face) =>
 function withNeighbours(connectivity, vertices) {
   const all = new Set(vertices);
   for (let face = 0; face + 1 < connectivity.faceOffsets.length; face++) {
-    const own = corners(connectivity, face);
+    const own = cornersOf(connectivity, face);
     if (own.some((vertex) => vertices.has(vertex))) own.forEach((vertex) => all.add(vertex));
   }
   return all;

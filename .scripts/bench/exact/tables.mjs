@@ -1,7 +1,7 @@
 // Tables and target numbers of hard constraints.
 
 import { megabytes, missing, number, table } from '../cells.mjs';
-import { median } from '../statistics.mjs';
+import { isOfSize, median } from '../statistics.mjs';
 import { titleOf } from './problems.mjs';
 
 const tiny = (value) => (value === null || value === undefined ? missing : value.toExponential(0));
@@ -67,7 +67,6 @@ const SECONDS = {
   net: { 2500: 0.3, 10_000: 1, 30_000: 4 },
   rough: { 2500: 1.2, 10_000: 5, 30_000: 20 },
 };
-const near = (vertices, size) => Math.abs(vertices / size - 1) < 0.05;
 const inBrowser = (rows, surface, kind, within, size) =>
   rows?.find(
     (row) =>
@@ -75,7 +74,7 @@ const inBrowser = (rows, surface, kind, within, size) =>
       row.surface === surface &&
       row.kind === kind &&
       (row.within === null) === (within === null) &&
-      near(row.vertices, size),
+      isOfSize(row.vertices, size),
   );
 
 const title = (surface, size) => `${titleOf(surface)}, ${number(Number(size))} vertices`;

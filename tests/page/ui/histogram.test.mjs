@@ -3,7 +3,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { BINS, countsOf, greatestOf, spreadOf } from '../../../www/ui/plot/histogram.js';
-import { axisOf, positionOf, roundUp, valueAt } from '../../../www/ui/plot/value-axis.js';
+import {
+  axisOf,
+  positionOf,
+  roundUp,
+  tickExponents,
+  valueAt,
+} from '../../../www/ui/plot/value-axis.js';
 
 test('a place on an axis and its value are each other’s inverse, evenly and by the logarithm', () => {
   for (const axis of [axisOf(0, 8, false), axisOf(0.001, 8, true)])
@@ -13,6 +19,12 @@ test('a place on an axis and its value are each other’s inverse, evenly and by
     }
   assert.equal(positionOf(axisOf(0, 8, false), 9), 1);
   assert.equal(positionOf(axisOf(3, 3, false), 3), 0);
+});
+
+test('the ticks of a logarithmic axis are whole powers, at equal distances, at most seven', () => {
+  assert.deepEqual(tickExponents(-2, 1), [-2, -1, 0, 1]);
+  assert.deepEqual(tickExponents(-14, 0), [-14, -11, -8, -5, -2]);
+  assert.deepEqual(tickExponents(1, 0), []);
 });
 
 test('ends are round, and never below what they hold', () => {

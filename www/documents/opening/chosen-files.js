@@ -2,6 +2,7 @@
 
 import { messageOf } from '../../solver/messages.js';
 import { isReadable, worthReading } from '../../solver/opened-files.js';
+import { namedBytes } from './named-bytes.js';
 
 /** Size in bytes from which a progress display is shown. */
 const LARGE = 2_000_000;
@@ -43,11 +44,7 @@ async function read({ actions, solver, files, alerts }, chosen) {
     return openLarge(chosen, { actions, solver, alerts, open });
   }
   try {
-    const bytesOf = async (/** @type {File} */ file) => ({
-      name: file.name,
-      bytes: new Uint8Array(await file.arrayBuffer()),
-    });
-    return await open(await Promise.all(chosen.map(bytesOf)));
+    return await open(await Promise.all(chosen.map((file) => namedBytes(file))));
   } catch (error) {
     const names = chosen.map(({ name }) => name).join(' and ');
     alerts.error(`${names} could not be read from the disk (${messageOf(error)}).`);

@@ -1,6 +1,7 @@
 /** Requests the files that a scene names but that were not given: mesh, surface or other pose. */
 
 import { element } from '../../ui/dom.js';
+import { namedBytes } from './named-bytes.js';
 
 /** @typedef {import("../../solver/messages.js").NamedBytes} NamedBytes */
 
@@ -18,19 +19,13 @@ export async function offersToChoose(given, actions, files, origin) {
   const action = async () => {
     const chosen = await choose(missing.length > 1);
     // A single chosen file is taken for the missing one, whatever its name.
-    const found = chosen.map((file, i) =>
-      missing.length === 1 ? [missing[i], file] : [file.name, file],
+    const name = missing.length === 1 ? missing[0].split('/').pop() : undefined;
+    const found = await actions.reportErrors(
+      Promise.all(chosen.map((file) => namedBytes(file, name))),
     );
-    if (found.length > 0)
-      files.open([...given, ...(await Promise.all(found.map(read)))], origin).catch(() => {});
+    if (found?.length) files.open([...given, ...found], origin).catch(() => {});
   };
   return [{ label: `Choose ${missing.join(' and ')} …`, action }];
-}
-
-/** @param {(string | File)[]} named @returns {Promise<NamedBytes>} */
-async function read([path, file]) {
-  const name = String(path).split('/').pop() ?? '';
-  return { name, bytes: new Uint8Array(await /** @type {File} */ (file).arrayBuffer()) };
 }
 
 /** @param {boolean} multiple @returns {Promise<File[]>} empty if cancelled */

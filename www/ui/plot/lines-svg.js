@@ -1,5 +1,7 @@
 /** Line plots with a logarithmic scale, as SVG on white. */
 
+import { tickExponents } from './value-axis.js';
+
 const SIZE = { width: 640, height: 400, left: 76, right: 128, top: 24, bottom: 48 };
 /** Decades below the greatest value that are on the scale. */
 const DECADES = 14;
@@ -49,7 +51,7 @@ export function linesSvg(given, words) {
     .filter(({ end }) => end !== undefined);
 
   const parts = [
-    ...decades(low, high).map((exponent) => {
+    ...tickExponents(low, high).map((exponent) => {
       const at = round(y(10 ** exponent));
       return (
         `<line x1="${left}" x2="${width - right}" y1="${at}" y2="${at}" stroke="#d9dad6"/>` +
@@ -93,17 +95,6 @@ function apart(lines) {
       free = end + LEAST_GAP;
       return { ...line, end };
     });
-}
-
-/**
- * @param {number} low
- * @param {number} high
- */
-function decades(low, high) {
-  const stride = Math.ceil((high - low) / MOST_TICKS);
-  const found = [];
-  for (let exponent = high; exponent >= low; exponent -= stride) found.push(exponent);
-  return found;
 }
 
 /** Returns round numbers up to `last`. @param {number} last */

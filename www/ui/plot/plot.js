@@ -4,6 +4,7 @@ import uPlot from 'uplot';
 import { colourOf, element, setText } from '../dom.js';
 import { groupDigits, number } from '../format.js';
 import { axesOf } from './axes.js';
+import { tickExponents } from './value-axis.js';
 
 /** In the order of the columns. */
 const SERIES = [
@@ -168,10 +169,7 @@ export class EnergyPlot {
 export function decades(least, most) {
   const first = Math.ceil(Math.log10(least) - 1e-9);
   const last = Math.floor(Math.log10(most) + 1e-9);
-  const stride = Math.max(1, Math.ceil((last - first) / 6));
-  const ticks = [];
-  for (let exponent = first; exponent <= last; exponent += stride) ticks.push(10 ** exponent);
-  return ticks;
+  return tickExponents(first, last).map((exponent) => 10 ** exponent);
 }
 
 /** @param {number} value */

@@ -44,6 +44,21 @@ export function valueAt({ low, high, log }, position) {
   return log ? low * (high / low) ** position : low + position * (high - low);
 }
 
+/** The most steps between the ticks of a logarithmic axis. */
+const MOST_STEPS = 6;
+
+/**
+ * Returns equally spaced exponents for the ticks of a logarithmic axis, ascending.
+ * @param {number} first
+ * @param {number} last
+ */
+export function tickExponents(first, last) {
+  const stride = Math.max(1, Math.ceil((last - first) / MOST_STEPS));
+  const exponents = [];
+  for (let exponent = first; exponent <= last; exponent += stride) exponents.push(exponent);
+  return exponents;
+}
+
 /**
  * Returns the next round number, so that the end of an axis changes seldom.
  * @param {number} value
