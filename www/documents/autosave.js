@@ -104,7 +104,7 @@ export class Autosave {
   }
 
   async #saveAll() {
-    for (let next = this.#unsaved(); next; next = this.#unsaved()) {
+    for (let next = this.#takeUnsaved(); next; next = this.#takeUnsaved()) {
       const kept = this.#kept;
       try {
         await keep(...next);
@@ -126,7 +126,7 @@ export class Autosave {
   /** Saves before the page may be closed, including the view. */
   #saveAtOnce() {
     const confirmed = this.#confirmed;
-    const next = this.#unsaved(true, confirmed);
+    const next = this.#takeUnsaved(true, confirmed);
     if (!next) return;
     const kept = this.#kept;
     setItem(ANY_KEY, 'yes');
@@ -146,7 +146,7 @@ export class Autosave {
    * @param {typeof NOTHING} [kept]
    * @returns {[Work, Partial<Contents>] | null}
    */
-  #unsaved(withView = false, kept = this.#kept) {
+  #takeUnsaved(withView = false, kept = this.#kept) {
     const { sceneText: text, saved } = this.#solver;
     const { origin, original, name } = this.#files;
     const { model } = this.#store.get();
