@@ -65,7 +65,8 @@ export function shippedCrates() {
 /** Returns the output of a Cargo command on the locked dependencies. */
 function cargo(command, ...options) {
   const output = outputOf('cargo', [command, '--locked', ...options]);
-  if (output === null) throw new Problem(`cargo ${command} fails: what is shipped is not known`);
+  if (output === null)
+    throw new Problem(`cargo ${command} failed, so the shipped crates are unknown`);
   return output;
 }
 
@@ -133,7 +134,7 @@ export function licencesOf({ name, version, expression }) {
   );
   if (possible.length === 0) {
     throw new Problem(
-      `${name} ${version} is under "${expression}": allowed are ${allowed.join(', ')}. Do without it, or allow it in .scripts/licences.mjs and do what its licence asks for.`,
+      `${name} ${version} is under "${expression}": allowed are ${allowed.join(', ')}. Remove it, or allow its licence in .scripts/licences.mjs and meet its terms.`,
     );
   }
   return possible.sort((a, b) => cost(a) - cost(b))[0];
@@ -152,7 +153,9 @@ export function textsOf(component) {
     const [shortest] = own.sort((a, b) => a.text.length - b.text.length);
     if (shortest) return shortest.text.split('\n# Licenses of bundled dependencies')[0];
     if (id === 'MIT') return MIT(authors);
-    throw new Problem(`${name} is under ${id}, and its text is not in ${folder}`);
+    throw new Problem(
+      `${name} is under ${id}, but ${folder} does not contain the text of that licence`,
+    );
   });
   return [...found, ...notices.map(({ text }) => text)];
 }
@@ -164,5 +167,7 @@ export const shipped = () => [standardLibrary(), ...shippedCrates(), ...shippedP
 export function assertLicensed(id) {
   const [, name] = /.*\/node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(id) ?? [];
   if (!name || shippedPackages().some((one) => one.name === name)) return;
-  throw new Problem(`${name} is bundled, but no dependency: package.json has to name it as one`);
+  throw new Problem(
+    `${name} is bundled but is no dependency: add it to the dependencies in package.json`,
+  );
 }

@@ -22,7 +22,7 @@ export async function setUpBindgen() {
     await run('cargo', [...args, '--force', '--locked']);
   } catch {
     // A registry mirror can lag behind the versions in the tool's own lock file.
-    say('its own lock file cannot be met here: building with the newest matching versions');
+    say('its lock file does not work here: building with the newest matching versions');
     await run('cargo', [...args, '--force']);
   }
   if (outputOf(wasmBindgen, ['--version']) === null) {

@@ -52,7 +52,7 @@ const steps = [
     run: [tool('eslint'), ['--config', '.scripts/eslint.config.mjs', '--max-warnings', '0', '.']],
   },
   {
-    title: 'tests of the scripts, and of what of the page needs no browser',
+    title: 'tests of the scripts, and of the page without a browser',
     run: ['node', ['--test', '--test-reporter=tap', ...nodeTests]],
     count: 'node',
   },
@@ -92,7 +92,7 @@ const steps = [
   { title: 'build of the site', run: ['node', ['.scripts/build.mjs']] },
   {
     // After the build, which it measures.
-    title: 'the benchmark on its smallest size',
+    title: 'benchmark at its smallest size',
     run: ['node', ['--test', '--test-reporter=tap', 'tests/bench/bench.test.mjs']],
     count: 'node',
   },
@@ -103,7 +103,7 @@ const steps = [
   },
   {
     // Before the others: it measures time, and needs the machine for itself.
-    title: 'how fast a drag is answered',
+    title: 'response time of drags',
     run: [tool('playwright'), pageTests('alone')],
     count: 'playwright',
   },

@@ -99,7 +99,7 @@ const layers = {
   transform(code, id) {
     if (!/\.css($|\?)/.test(id)) return null;
     const room = /\/www\/(\w+)\//.exec(id)?.[1] ?? 'library';
-    if (!LAYERS.includes(room)) throw new Error(`${id}: no layer is that of ${room}/`);
+    if (!LAYERS.includes(room)) throw new Error(`${id}: ${room}/ belongs to no layer`);
     // Whichever style sheet comes first declares the order of the layers.
     const plain = code.replace(/var\((--[\w-]+)\)/g, (use, name) => constants[name] ?? use);
     return `@layer ${LAYERS.join(', ')};\n@layer ${room} {\n${plain}\n}`;

@@ -58,7 +58,7 @@ async function runTests(address) {
     // A page that crashed has no text.
     const text = await output.textContent({ timeout: 5000 }).catch(() => '');
     const ok = ended && text.includes('test result: ok');
-    if (!ended) console.log('The tests did not come to an end.');
+    if (!ended) console.log('The tests did not finish.');
     if (!ok) console.log(`Console of the browser:\n${messages.join('\n')}\n`);
     console.log(text);
     return ended ? ok : null;

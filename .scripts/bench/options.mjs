@@ -32,7 +32,7 @@ export const usage = `npm run bench -- [options]
   --peers          the other libraries too, which pip puts under target/
   --full           all sizes and parts, and longer
   --limit SECONDS  for one run until it has converged (default 3; --full 20)
-  --trial          whether it works: a quick build, no limits in the browser, and other files
+  --trial          check that it works: a quick build, no limits in the browser, other files
   --readme         write the tables of the README from what was measured
   --from FILE      make the tables from an earlier target/bench/bench.json, without measuring
 

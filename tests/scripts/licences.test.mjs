@@ -41,7 +41,10 @@ test('a newcomer under another licence, or under none, is refused', () => {
   for (const expression of ['GPL-3.0-only', 'LGPL-2.1', 'MIT AND GPL-2.0', '', 'SEE LICENSE'])
     assert.throws(() => licencesOf(component(expression)), /newcomer 1\.0\.0 is under/, expression);
   assert.throws(() => licencesOf(component('GPL-3.0', 'sprs-ldl')), /sprs-ldl/);
-  assert.throws(() => textsOf(component('Apache-2.0')), /its text is not in/);
+  assert.throws(
+    () => textsOf(component('Apache-2.0')),
+    /does not contain the text of that licence/,
+  );
   assert.throws(
     () => assertLicensed(at('node_modules', 'axe-core', 'axe.js')),
     /axe-core is bundled/,
