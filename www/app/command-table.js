@@ -230,7 +230,7 @@ export function commandTable(app, pointer, fileInput) {
       action: () => files.exportMesh(),
       needsModel: true,
       title: ({ flatMap }) =>
-        `Save the shape as it is now${flatMap ? ', with its flat map,' : ''} as OBJ`,
+        `Save the current shape${flatMap ? ', with its flat map,' : ''} as OBJ`,
     },
     {
       id: 'advanced',

@@ -13,7 +13,7 @@ export function explainNoPicture(reason) {
   const notice = byId('no-picture');
   notice.replaceChildren(
     element('p', `No 3D view: ${cause} Everything else works: the panels, Run, and Export.`),
-    element('details', element('summary', 'Message of the browser'), element('p', reason)),
+    element('details', element('summary', 'Browser message'), element('p', reason)),
   );
   notice.hidden = false;
   byId('view-buttons').hidden = true;

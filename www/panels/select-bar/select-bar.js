@@ -68,7 +68,7 @@ export function selectBar(bar, menu, { store, actions, selecting, alerts }) {
     title: 'Clear the selection (Esc)',
   });
   bar.append(
-    element('div.segmented', { role: 'group', 'aria-label': 'Shape of a drag' }, ...shapes),
+    element('div.segmented', { role: 'group', 'aria-label': 'Shape of the selection' }, ...shapes),
     through,
     brush,
     opener,

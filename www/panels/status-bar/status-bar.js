@@ -124,7 +124,7 @@ function hintOf(state) {
   if (document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
     return 'Drag the handle, an arrow or a square · Enter, then arrow keys, moves it';
   if (sizeOfSelection(selection) > 0) {
-    return 'H makes handles of the selection · Add constraint can use it · Esc clears the selection';
+    return 'H turns the selection into handles · Add constraint can use it · Esc clears the selection';
   }
   if (renderer === 'none') return 'Run, Export and the panels work without the 3D view';
   if (tool === 'select')
