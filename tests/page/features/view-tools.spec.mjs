@@ -1,4 +1,4 @@
-// Ways of seeing: views and projection, the ghost of the original and the ground, values in bands, and
+// View tools: views and projection, the ghost of the original and the ground, values in bands, and
 // the measuring tape.
 
 import {

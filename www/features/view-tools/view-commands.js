@@ -24,12 +24,12 @@ const load = () => import('./view-tools.js');
  */
 export function viewCommands(app) {
   const { store, actions } = app;
-  const see = async () => (await load()).Seeing.of(app);
+  const tools = async () => (await load()).ViewTools.of(app);
   const enabled = (/** @type {import("../../store/state.js").State} */ { renderer }) =>
     renderer !== 'none';
   store.subscribe(['display', 'parallel', 'tape', 'section'], (state) => {
     const { display, parallel, tape, section } = state;
-    if (display.ghost || display.ground || parallel || tape || section) actions.reportErrors(see());
+    if (display.ghost || display.ground || parallel || tape || section) actions.reportErrors(tools());
   });
   return [
     ...VIEWS.map(([name, ...keys], i) => ({
@@ -37,7 +37,7 @@ export function viewCommands(app) {
       group: 'View',
       label: `View: ${name}`,
       keys: [`Shift+${i + 1}`, ...keys],
-      action: () => void actions.reportErrors(see().then((seeing) => seeing.flyTo(name))),
+      action: () => void actions.reportErrors(tools().then((it) => it.flyTo(name))),
       enabled,
     })),
     {

@@ -15,10 +15,10 @@ export { buildViewMenu } from './view-menu.js';
 
 /** Maximum length of the scale bar in CSS pixels. */
 const BAR = 120;
-/** @type {Seeing | null} */
+/** @type {ViewTools | null} */
 let only = null;
 
-export class Seeing {
+export class ViewTools {
   #store;
   #actions;
   #viewport;
@@ -36,7 +36,7 @@ export class Seeing {
    * @param {import("../../app/context.js").AppContext} app
    */
   static of(app) {
-    only ??= new Seeing(app);
+    only ??= new ViewTools(app);
     return only;
   }
 
