@@ -10,7 +10,7 @@ export default {
       keys: ['U'],
       action: () =>
         app.actions.reportErrors(
-          import('./uv-controller.js').then((it) => it.Parametrize.of(app).toggle()),
+          import('./flat-map-controller.js').then((it) => it.FlatMapController.of(app).toggle()),
         ),
       needsModel: true,
       enabled: ({ model }) => Boolean(model?.faces),

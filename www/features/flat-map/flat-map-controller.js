@@ -1,13 +1,13 @@
 /**
- * Parametrisation: requests a flat map of the model with the last chosen options, and owns the
+ * The flat map: requests a flat map of the model with the last chosen options, and owns the
  * panel and the region of the canvas for it. Loaded on first use.
  */
 
 import './flat-map.css';
 import { byId } from '../../ui/dom.js';
 import { duration } from '../../ui/format.js';
-import { MapRegion } from './uv-view.js';
-import { flatMapPanel } from './uv-panel.js';
+import { FlatMapRegion } from './flat-map-region.js';
+import { flatMapPanel } from './flat-map-panel.js';
 
 /** @typedef {import("../../store/view-modes.js").FlatMap} FlatMap */
 
@@ -16,10 +16,10 @@ const QUICK = 0.3;
 
 /** @typedef {Pick<FlatMap, "weights" | "norm" | "onModel" | "onMap" | "squares">} Choices */
 
-/** @type {Parametrize | null} */
+/** @type {FlatMapController | null} */
 let only = null;
 
-export class Parametrize {
+export class FlatMapController {
   #store;
   #viewport;
   #actions;
@@ -37,7 +37,7 @@ export class Parametrize {
    * @param {import("../../app/context.js").AppContext} app
    */
   static of(app) {
-    only ??= new Parametrize(app);
+    only ??= new FlatMapController(app);
     return only;
   }
 
@@ -47,7 +47,7 @@ export class Parametrize {
     this.#viewport = viewport;
     this.#actions = actions;
     flatMapPanel(byId('flat-map-section'), store, this);
-    new MapRegion(byId('flat-map'), store, viewport);
+    new FlatMapRegion(byId('flat-map'), store, viewport);
   }
 
   async toggle() {

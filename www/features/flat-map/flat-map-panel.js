@@ -22,7 +22,7 @@ const SQUARES = { least: 8, most: 96, step: 4 };
 /**
  * @param {HTMLElement} place
  * @param {import("../../store/state.js").Store} store
- * @param {import("./uv-controller.js").Parametrize} control
+ * @param {import("./flat-map-controller.js").FlatMapController} control
  */
 export function flatMapPanel(place, store, control) {
   const facts = element('dl.facts');
@@ -108,7 +108,7 @@ export function flatMapPanel(place, store, control) {
 /**
  * The settings that flip fewer triangles, with a button to apply them, or to look for them.
  * @param {FlatMap} flatMap
- * @param {import("./uv-controller.js").Parametrize} control
+ * @param {import("./flat-map-controller.js").FlatMapController} control
  */
 function fewerParts({ fewer, found }, control) {
   // No setting helps for a surface without boundary.

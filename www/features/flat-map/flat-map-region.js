@@ -21,7 +21,7 @@ const SLIDES = {
 /** @type {Record<string, number>} */
 const ZOOMS = { PageUp: KEY_ZOOM, PageDown: 1 / KEY_ZOOM };
 
-export class MapRegion {
+export class FlatMapRegion {
   #place;
   #store;
   #viewport;
