@@ -11,7 +11,7 @@
  * @property {import("../solver/messages.js").MapWeights} weights of the computation
  * @property {import("../solver/messages.js").MapNorm} norm of the computation
  * @property {number} iteration of the shape that was flattened
- * @property {import("../solver/messages.js").FewerFlips | "searching" | "none" | null} fewer
+ * @property {import("../solver/messages.js").FewerFlips | "searching" | "none" | null} fewerFlips
  *   settings with fewer flipped triangles; null if not searched
  * @property {Look} onModel
  * @property {Look} onMap

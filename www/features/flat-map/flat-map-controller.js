@@ -80,21 +80,21 @@ export class FlatMapController {
   }
 
   /** Looks for settings that flip fewer triangles of the current shape. */
-  async lookForFewer() {
+  async findFewerFlips() {
     const { flatMap } = this.#store.get();
     if (!flatMap) return;
     const { found } = flatMap;
-    /** @param {FlatMap["fewer"]} fewer */
-    const show = (fewer) => {
+    /** @param {FlatMap["fewerFlips"]} fewerFlips */
+    const show = (fewerFlips) => {
       const now = this.#store.get().flatMap;
-      if (now?.found === found) this.#actions.look({ flatMap: { ...now, fewer } });
+      if (now?.found === found) this.#actions.look({ flatMap: { ...now, fewerFlips } });
     };
     show('searching');
-    const fewer = this.#actions.fewerFlips(found.flipped).catch((error) => {
+    const search = this.#actions.fewerFlips(found.flipped).catch((error) => {
       show(null);
       throw error;
     });
-    await this.#actions.reportErrors(fewer.then((better) => show(better ?? 'none')));
+    await this.#actions.reportErrors(search.then((better) => show(better ?? 'none')));
   }
 
   /** Computes the map of the current shape. */
@@ -109,12 +109,12 @@ export class FlatMapController {
       if (now !== model || !isNewest) return;
       const iteration = numbers?.iteration ?? 0;
       this.#actions.look({
-        flatMap: { found, iteration, fewer: null, ...this.#choices },
+        flatMap: { found, iteration, fewerFlips: null, ...this.#choices },
         status: `Flattened in ${duration(1000 * found.seconds)}`,
       });
       // Every map of a surface without boundary folds over itself.
       const isOpen = found.closedParts < found.parts;
-      if (found.flipped > 0 && isOpen && found.seconds < QUICK) await this.lookForFewer();
+      if (found.flipped > 0 && isOpen && found.seconds < QUICK) await this.findFewerFlips();
     } catch (error) {
       this.#actions.setStatus('');
       await this.#actions.reportErrors(Promise.reject(error));

@@ -33,11 +33,11 @@ export function flatMapPanel(place, store, control) {
     'Show flipped faces',
   );
   showFlipped.title = 'Select them on the model, and zoom to them on both';
-  const fewer = element('div', { 'aria-live': 'polite' });
+  const fewerFlips = element('div', { 'aria-live': 'polite' });
   flipped.append(
     element('p.quiet', 'Outlined in red on the map: there it folds over itself.'),
     showFlipped,
-    fewer,
+    fewerFlips,
   );
   const notice = element('p.notice');
   const again = element('button.small', { onclick: () => control.flatten() }, 'Flatten again');
@@ -89,7 +89,7 @@ export function flatMapPanel(place, store, control) {
     const isStale = state.numbers?.iteration !== flatMap.iteration;
     showFacts(facts, found);
     flipped.hidden = found.flipped === 0;
-    fewer.replaceChildren(...fewerParts(flatMap, control));
+    fewerFlips.replaceChildren(...fewerFlipsParts(flatMap, control));
     setText(notice, [isStale ? STALE : '', closedWords(found)].filter(Boolean).join(' '));
     notice.hidden = !notice.textContent;
     again.hidden = !isStale;
@@ -110,20 +110,20 @@ export function flatMapPanel(place, store, control) {
  * @param {FlatMap} flatMap
  * @param {import("./flat-map-controller.js").FlatMapController} control
  */
-function fewerParts({ fewer, found }, control) {
+function fewerFlipsParts({ fewerFlips, found }, control) {
   // No setting helps for a surface without boundary.
   if (found.flipped === 0 || found.closedParts === found.parts) return [];
   const small = (/** @type {string} */ label, /** @type {() => void} */ onclick) =>
     element('button.small.bordered', { onclick }, label);
-  if (fewer === null) {
-    return [small('Look for settings that turn fewer over', () => control.lookForFewer())];
+  if (fewerFlips === null) {
+    return [small('Look for settings that turn fewer over', () => control.findFewerFlips())];
   }
-  if (fewer === 'searching') return [element('p.quiet', 'Trying the other settings …')];
-  if (fewer === 'none') {
+  if (fewerFlips === 'searching') return [element('p.quiet', 'Trying the other settings …')];
+  if (fewerFlips === 'none') {
     const words = 'No other setting turns fewer over. Cut the surface open, or into parts.';
     return [element('p.quiet', words)];
   }
-  const { weights, norm, flipped, mean } = fewer;
+  const { weights, norm, flipped, mean } = fewerFlips;
   const [weight, over] = [WEIGHTS[weights][0], NORMS[norm][0]];
   const turned = flipped === 0 ? 'none' : groupDigits(flipped);
   return [
