@@ -12,7 +12,7 @@ struct NewPlan {
     /// The text of an OBJ file.
     text: String,
     /// The vertices that the surface stands on, if those are only its corners; else empty.
-    feet: Vec<u32>,
+    supports: Vec<u32>,
 }
 
 /// Returns the kinds of new meshes.
@@ -47,7 +47,7 @@ pub fn new_plan(
 ) -> Result<JsValue, JsValue> {
     let plan: Plan = serde_wasm_bindgen::from_value(plan).map_err(thrown)?;
     let surface = plan.surface().map_err(|why| refused(&why))?;
-    plain(&NewPlan { text: obj(&surface.mesh, units, "z"), feet: surface.feet })
+    plain(&NewPlan { text: obj(&surface.mesh, units, "z"), supports: surface.feet })
 }
 
 fn refused(why: &PlanError) -> JsValue {

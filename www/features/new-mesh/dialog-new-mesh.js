@@ -129,13 +129,13 @@ export async function newMesh({ store, solver, files, actions, alerts }) {
     }
     const { label } = chosen();
     try {
-      const { text, feet } = form.made(units.value);
+      const { text, supports } = form.made(units.value);
       const bytes = new TextEncoder().encode(text);
       const origin = { work, title: label, before };
       const loaded = await files.open([{ name: `${label}.obj`, bytes }], origin);
       const vertices = count(loaded.vertices, 'vertex', 'vertices');
       setText(said, `${count(loaded.faces, 'face')}, ${vertices}.`);
-      held = feet;
+      held = supports;
       keep.disabled = false;
     } catch (error) {
       setText(said, messageOf(error));

@@ -97,7 +97,7 @@ function lengthField(name, onchange) {
  * @param {string} given.unit
  * @param {number} given.metre in that unit
  * @param {() => void} given.onchange
- * @param {(plan: Plan, units: string) => { text: string, feet: number[] }} given.make
+ * @param {(plan: Plan, units: string) => { text: string, supports: number[] }} given.make
  */
 export function planForm({ unit, metre, onchange, make }) {
   let plan = lastPlan(metre) ?? firstPlan(metre);

@@ -23,10 +23,10 @@ export function sizesForm(kind, { unit, metre, onchange, make }) {
   return {
     element: element('div.kind', element('p.quiet', kind.summary), sizes),
     show() {},
-    /** @param {string} units @returns {{ text: string, feet: number[] }} */
+    /** @param {string} units @returns {{ text: string, supports: number[] }} */
     made(units) {
       const sizes = fields().map((field) => field.valueAsNumber);
-      return { text: make(sizes, units), feet: [] };
+      return { text: make(sizes, units), supports: [] };
     },
     /**
      * Converts the sizes to another unit.

@@ -70,7 +70,7 @@ export function spanForm(open, onchange) {
       if (curves.length < 2) how.value = 'inside';
       offer();
     },
-    /** @returns {{ text: string, feet: number[] }} */
+    /** @returns {{ text: string, supports: number[] }} */
     made() {
       if (!spans || curves.length === 0)
         throw new Error(
@@ -80,7 +80,7 @@ export function spanForm(open, onchange) {
       if (!first.value) throw new Error('None of the curves is closed.');
       const panel = /** @type {HTMLInputElement} */ (size.querySelector('input')).valueAsNumber;
       const other = isInside ? undefined : Number(second.value);
-      return { text: spans.mesh(Number(first.value), other, panel), feet: [] };
+      return { text: spans.mesh(Number(first.value), other, panel), supports: [] };
     },
     /** The mesh keeps the unit of the open document. */
     convert() {},
