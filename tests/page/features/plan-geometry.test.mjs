@@ -33,12 +33,12 @@ test('an arc rises outward in either direction of the loop', () => {
 });
 
 test('the path of a half circle has its radius and leaves its chord on the outer side', () => {
-  const onto = ([x, y]) => [10 * x, -10 * y];
+  const toPixels = ([x, y]) => [10 * x, -10 * y];
   const points = SQUARE.map((at, k) => ({ at, bulge: k === 0 ? 1 : 0 }));
   // Below the square, from left to right: in a drawing whose y points down that is counterclockwise, sweep 0.
-  assert.match(pathOf(points, onto, 10), /^M0 -?0A20 20 0 0 0 40 -?0L40 -40L0 -40L0 -?0Z$/);
+  assert.match(pathOf(points, toPixels, 10), /^M0 -?0A20 20 0 0 0 40 -?0L40 -40L0 -40L0 -?0Z$/);
   const inward = SQUARE.map((at, k) => ({ at, bulge: k === 0 ? -1 : 0 }));
-  assert.match(pathOf(inward, onto, 10), /A20 20 0 0 1 40/);
+  assert.match(pathOf(inward, toPixels, 10), /A20 20 0 0 1 40/);
 });
 
 test('a drawn loop is counterclockwise, and its sharp turns outward are corners', () => {

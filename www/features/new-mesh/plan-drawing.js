@@ -60,7 +60,7 @@ export function planDrawing(on) {
   let pointer = null;
 
   /** @param {Place} at @returns {Place} */
-  const onto = ([x, y]) => [
+  const toPixels = ([x, y]) => [
     picture.clientWidth / 2 + view.scale * (x - view.middle[0]),
     picture.clientHeight / 2 - view.scale * (y - view.middle[1]),
   ];
@@ -114,9 +114,9 @@ export function planDrawing(on) {
       view.middle[1] - height / 2 / view.scale,
     ];
     for (let x = first(left); x < left + width / view.scale; x += step)
-      lines.push(`M${onto([x, 0])[0]} 0V${height}`);
+      lines.push(`M${toPixels([x, 0])[0]} 0V${height}`);
     for (let y = first(bottom); y < bottom + height / view.scale; y += step)
-      lines.push(`M0 ${onto([0, y])[1]}H${width}`);
+      lines.push(`M0 ${toPixels([0, y])[1]}H${width}`);
     return svg('path', { class: 'grid', d: lines.join('') });
   }
 
@@ -134,7 +134,7 @@ export function planDrawing(on) {
       'aria-pressed': String(isSelected),
       'aria-label': `Point ${spot.point + 1} of ${loopName(spot)}, ${where} ${unit}${corner ? ', corner' : ''}`,
       'data-key': keyOf(spot, false),
-      transform: `translate(${onto(at).join(' ')})`,
+      transform: `translate(${toPixels(at).join(' ')})`,
     });
     handle.append(svg('circle', { class: 'reach', r: 14 }));
     handle.append(
@@ -151,7 +151,7 @@ export function planDrawing(on) {
     const handle = svg('g', {
       class: 'arc',
       'data-key': keyOf(spot, true),
-      transform: `translate(${onto(middle).join(' ')})`,
+      transform: `translate(${toPixels(middle).join(' ')})`,
     });
     handle.append(svg('circle', { class: 'reach', r: 12 }), svg('circle', { class: 'dot', r: 3 }));
     return handle;
@@ -159,9 +159,9 @@ export function planDrawing(on) {
 
   function sketch() {
     if (!drawing) return [];
-    const all = [...drawing, ...(pointer ? [pointer] : [])].map((at) => onto(at).join(' '));
+    const all = [...drawing, ...(pointer ? [pointer] : [])].map((at) => toPixels(at).join(' '));
     const dots = drawing.map((at) => {
-      const [cx, cy] = onto(at);
+      const [cx, cy] = toPixels(at);
       return svg('circle', { class: 'drawn', cx, cy, r: 5 });
     });
     return all.length ? [svg('path', { class: 'drawn', d: `M${all.join('L')}` }), ...dots] : [];
@@ -169,7 +169,7 @@ export function planDrawing(on) {
 
   function draw() {
     const focused = document.activeElement?.closest('[data-key]')?.getAttribute('data-key');
-    const shape = loops.map((points) => pathOf(points, onto, view.scale)).join('');
+    const shape = loops.map((points) => pathOf(points, toPixels, view.scale)).join('');
     const handles = loops.flatMap((points, loop) => [
       ...points.map((_, point) => arcHandle(points, { loop, point })),
       ...points.map((one, point) => pointHandle(one, { loop, point })),
@@ -183,7 +183,7 @@ export function planDrawing(on) {
         .map(({ loop, point }) =>
           svg('path', {
             class: 'crossing',
-            d: sidePathOf(loops[loop], point, onto, view.scale),
+            d: sidePathOf(loops[loop], point, toPixels, view.scale),
           }),
         ),
       ...(drawing ? [] : handles),

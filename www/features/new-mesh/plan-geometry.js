@@ -55,38 +55,38 @@ export function bulgeThrough(points, k, through) {
 export const clamped = (bulge) => Math.min(Math.max(bulge, -1), 1);
 
 /**
- * A loop as SVG path data, mapped to pixels by `onto`, whose `y` axis points down.
+ * A loop as SVG path data, mapped to pixels by `toPixels`, whose `y` axis points down.
  * @param {PlanPoint[]} points
- * @param {(place: Place) => Place} onto
- * @param {number} scale of `onto`
+ * @param {(place: Place) => Place} toPixels
+ * @param {number} scale of `toPixels`
  */
-export function pathOf(points, onto, scale) {
-  const drawn = points.map((_, k) => lineTo(points, k, onto, scale));
-  return `M${onto(points[0].at).join(' ')}${drawn.join('')}Z`;
+export function pathOf(points, toPixels, scale) {
+  const drawn = points.map((_, k) => lineTo(points, k, toPixels, scale));
+  return `M${toPixels(points[0].at).join(' ')}${drawn.join('')}Z`;
 }
 
 /**
  * The side from a point to the next one as SVG path data.
  * @param {PlanPoint[]} points
  * @param {number} k
- * @param {(place: Place) => Place} onto
- * @param {number} scale of `onto`
+ * @param {(place: Place) => Place} toPixels
+ * @param {number} scale of `toPixels`
  */
-export function sidePathOf(points, k, onto, scale) {
-  return `M${onto(points[k].at).join(' ')}${lineTo(points, k, onto, scale)}`;
+export function sidePathOf(points, k, toPixels, scale) {
+  return `M${toPixels(points[k].at).join(' ')}${lineTo(points, k, toPixels, scale)}`;
 }
 
 /**
  * The same, from the current point of the path.
  * @param {PlanPoint[]} points
  * @param {number} k
- * @param {(place: Place) => Place} onto
- * @param {number} scale of `onto`
+ * @param {(place: Place) => Place} toPixels
+ * @param {number} scale of `toPixels`
  */
-function lineTo(points, k, onto, scale) {
+function lineTo(points, k, toPixels, scale) {
   const { bulge = 0 } = points[k];
   const { to, chord } = sideOf(points, k);
-  const end = onto(to).join(' ');
+  const end = toPixels(to).join(' ');
   if (Math.abs(bulge) < 1e-6) return `L${end}`;
   const radius = (scale * chord * (1 + bulge * bulge)) / (4 * Math.abs(bulge));
   // The downward y axis reverses the orientation.
