@@ -33,7 +33,7 @@ const UNMET = [214, 40, 57];
  * @param {App} app
  * @param {Output} output
  */
-export async function showExact(app, output) {
+export async function showExactVerdict(app, output) {
   const { store } = app;
   const { numbers, document: scene } = store.get();
   if (!numbers?.exact || !scene) return;

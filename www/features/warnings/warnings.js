@@ -58,8 +58,8 @@ export function watchConditions(app) {
     if (!scene || !numbers || !model) return;
     const allowed = tolerance ?? model.tolerance;
     if (numbers.exact && scene.constraints.some(isHard)) {
-      const { showExact } = await import('./exact-verdict.js');
-      return showExact(app, {
+      const { showExactVerdict } = await import('./exact-verdict.js');
+      return showExactVerdict(app, {
         showMessage,
         offer,
         hasCard: () => cardOfPanels() !== null,
