@@ -29,7 +29,8 @@ export function viewCommands(app) {
     renderer !== 'none';
   store.subscribe(['display', 'parallel', 'tape', 'section'], (state) => {
     const { display, parallel, tape, section } = state;
-    if (display.ghost || display.ground || parallel || tape || section) actions.reportErrors(tools());
+    if (display.ghost || display.ground || parallel || tape || section)
+      actions.reportErrors(tools());
   });
   return [
     ...VIEWS.map(([name, ...keys], i) => ({
