@@ -4,11 +4,12 @@ import './build-panel.css';
 import { docked } from '../../docked/docked.js';
 import { button, closeButton } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
+import { latestOnly } from '../../store/latest-only.js';
+import { MOST_LIVE_VERTICES } from '../../store/live-shape.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 import { checkCard, sheetsInWords, warnings } from './check-card.js';
 import { showReport } from './report/dialog-report.js';
-import { LiveBuild, MOST_LIVE_VERTICES, MOST_SHEETS } from './live-build.js';
-import { newest } from './newest.js';
+import { LiveBuild, MOST_SHEETS } from './live-build.js';
 import { offsetLayer } from './offset-layer.js';
 import { settingsForm } from './settings-form.js';
 import { panelUnderPointer } from './sheets/panel-under-pointer.js';
@@ -42,7 +43,7 @@ async function buildPanel(app) {
   const thickness = thicknessForm({ tryDistance: (distance) => tried.ask(distance), change });
   const types = typesCurve(change);
   const layer = offsetLayer(app);
-  const tried = newest((/** @type {number} */ distance) =>
+  const tried = latestOnly((/** @type {number} */ distance) =>
     actions.reportErrors(live.moveLayer(distance).then(showOffset)),
   );
   const pictures = sheetPictures({

@@ -1,6 +1,8 @@
 /** Keeps the parts up to date with the shape: one request at a time, for the newest state. */
 
 import { messageOf } from '../../solver/messages.js';
+import { latestOnly } from '../../store/latest-only.js';
+import { MOST_LIVE_VERTICES, checksum } from '../../store/live-shape.js';
 import { UNITS } from '../../ui/units.js';
 import { BuildClient } from './build-client.js';
 
@@ -8,8 +10,6 @@ import { BuildClient } from './build-client.js';
 /** @typedef {import("../../solver/messages.js").BuildReplies["reshape"]} Reshaped */
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
 
-/** Larger meshes are built only at rest. */
-export const MOST_LIVE_VERTICES = 3000;
 /** Longest build, in ms, for which the sheets follow a moving shape; the offset always follows. */
 const LIVE_MS = 100;
 /** Maximum number of sheets drawn. */
@@ -18,8 +18,7 @@ export const MOST_SHEETS = 24;
 export class LiveBuild {
   #app;
   #client = new BuildClient();
-  #isAsking = false;
-  #isStale = false;
+  #builds = latestOnly(() => this.#once());
   /** State of the last build. */
   #key = '';
   /** That state without the positions. @type {{ mesh: object, settings: string } | null} */
@@ -75,15 +74,8 @@ export class LiveBuild {
   }
 
   /** Builds what has changed; during a build, once more after it. */
-  async update() {
-    this.#isStale = true;
-    if (this.#isAsking) return;
-    this.#isAsking = true;
-    while (this.#isStale) {
-      this.#isStale = false;
-      await this.#once();
-    }
-    this.#isAsking = false;
+  update() {
+    return this.#builds.ask();
   }
 
   async #once() {
@@ -104,7 +96,7 @@ export class LiveBuild {
     const { connectivity: mesh } = geometry;
     const positions = geometry.positions.slice();
     const unmoved = { mesh, settings: [symbol, JSON.stringify(settings)].join() };
-    const key = [numbers?.iteration, sum(positions), unmoved.settings].join();
+    const key = [numbers?.iteration, checksum(positions), unmoved.settings].join();
     if (key === this.#key) return;
     const { mesh: before, settings: agreed } = this.#unmoved ?? {};
     const isOther = before !== mesh || agreed !== unmoved.settings;
@@ -163,11 +155,4 @@ export class LiveBuild {
   #isZUp() {
     return this.#app.store.get().document?.up === 'z';
   }
-}
-
-/** A checksum that changes when the shape moves. @param {Float64Array} positions */
-function sum(positions) {
-  let sum = 0;
-  for (let i = 0; i < positions.length; i++) sum += positions[i] * ((i % 7) + 1);
-  return sum;
 }

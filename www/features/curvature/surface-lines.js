@@ -1,10 +1,10 @@
-/** Draws lines on the current shape: one request at a time, always for the newest state. */
+/** Draws lines on the current shape: one request at a time, always for the latest state. */
+
+import { latestOnly } from '../../store/latest-only.js';
+import { MOST_LIVE_VERTICES, checksum } from '../../store/live-shape.js';
 
 /** @typedef {import("./curvature-worker.js").Question} Question */
 /** @typedef {import("./curvature-worker.js").Answer} Answer */
-
-/** Lines on larger meshes are updated only at rest. */
-const MOST_LIVE_VERTICES = 3000;
 
 /**
  * @param {import("../../app/context.js").AppContext} app
@@ -16,8 +16,6 @@ export function surfaceLines({ store, solver, viewport }, wanted, show) {
     type: 'module',
     name: 'curvature',
   });
-  let isAsking = false;
-  let isStale = false;
   /** Checksums of the shape that the worker has. */
   let known = '';
   /** The last question. */
@@ -53,7 +51,7 @@ export function surfaceLines({ store, solver, viewport }, wanted, show) {
     if (running && model.vertices > MOST_LIVE_VERTICES) return;
     const { positions, connectivity } = geometry;
     const { faceOffsets: offsets, faceIndices: indices } = connectivity;
-    const shape = `${sum(positions)} ${offsets.length} ${sum(indices)}`;
+    const shape = `${checksum(positions)} ${offsets.length} ${checksum(indices)}`;
     const question = JSON.stringify([
       shape,
       how.draw,
@@ -77,24 +75,9 @@ export function surfaceLines({ store, solver, viewport }, wanted, show) {
   }
 
   viewport.on('ready', draw);
+  const updates = latestOnly(once);
   return {
     /** Draws what has changed; during an update, once more after it. */
-    async update() {
-      isStale = true;
-      if (isAsking) return;
-      isAsking = true;
-      while (isStale) {
-        isStale = false;
-        await once();
-      }
-      isAsking = false;
-    },
+    update: () => updates.ask(),
   };
-}
-
-/** A checksum that changes with the numbers. @param {Float64Array | Uint32Array} numbers */
-function sum(numbers) {
-  let sum = 0;
-  for (let i = 0; i < numbers.length; i++) sum += numbers[i] * ((i % 7) + 1);
-  return sum;
 }

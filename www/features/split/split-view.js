@@ -6,6 +6,7 @@
 import { closeButton } from '../../ui/controls/fields.js';
 import { byId } from '../../ui/dom.js';
 import { declared, measureOfScene, roundingOf, toleranceOf } from '../../store/colours/measures.js';
+import { latestOnly } from '../../store/latest-only.js';
 import { splitDivider } from './split-divider.js';
 import { SplitLegend } from './split-legend.js';
 import { greatestOf } from '../../ui/plot/histogram.js';
@@ -31,8 +32,9 @@ export class SplitView {
   #originalValues = new Map();
   /** Upper ends of the ranges, by measure: the same on both sides. @type {Map<string, number>} */
   #tops = new Map();
-  #isBusy = false;
-  #isDue = false;
+  #updates = latestOnly(async () => {
+    if (this.#store.get().split) await this.#actions.reportErrors(this.#fetch());
+  });
 
   /**
    * The only instance of the page.
@@ -127,21 +129,8 @@ export class SplitView {
   }
 
   /** Updates both sides; during an update, once more after it. */
-  async #update() {
-    if (!this.#store.get().split) return;
-    this.#isDue = true;
-    if (this.#isBusy) return;
-    this.#isBusy = true;
-    try {
-      while (this.#isDue && this.#store.get().split) {
-        this.#isDue = false;
-        await this.#fetch();
-      }
-    } catch (error) {
-      await this.#actions.reportErrors(Promise.reject(error));
-    } finally {
-      this.#isBusy = false;
-    }
+  #update() {
+    if (this.#store.get().split) this.#updates.ask();
   }
 
   async #fetch() {

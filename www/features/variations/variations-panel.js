@@ -4,6 +4,7 @@ import './variations.css';
 import { docked } from '../../docked/docked.js';
 import { button, closeButton } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
+import { latestOnly } from '../../store/latest-only.js';
 import { variationActions } from '../../store/actions/variation-actions.js';
 import { keptStrip } from './kept-strip.js';
 import { variationCard } from './variation-card.js';
@@ -30,9 +31,6 @@ function variationsPanel(app) {
   let cards = [];
   /** Number of the current search; a new number ends it. */
   let search = 0;
-  /** Whether the slider positions are not shown yet. */
-  let isDue = false;
-  let isBusy = false;
   /** Whether the slider was released, so that the shape is made exact again. */
   let isReleased = false;
   /** The document and theme for which the variations were computed. @type {unknown[]} */
@@ -90,11 +88,14 @@ function variationsPanel(app) {
       cards.forEach((card, k) => card.showRange(progress.ranges[k]));
       if (!progress.more) break;
       // Slider moves take priority.
-      while (isBusy && mine === search) await new Promise((resolve) => setTimeout(resolve, 50));
+      while (updates.isBusy() && mine === search) await new Promise((resolve) => setTimeout(resolve, 50));
       if (mine === search) progress = await variations.advance();
     }
   }
 
+  /** Shows the shape of the sliders, or makes it exact. @returns {Promise<unknown>} */
+  const follow = () => (isReleased ? reach() : variations.show(coefficients()));
+  const updates = latestOnly(() => actions.reportErrors(follow()));
   const coefficients = () => Float64Array.from(cards, (card) => card.value());
   const isMoved = () => cards.some((card) => card.value() !== 0);
 
@@ -111,29 +112,16 @@ function variationsPanel(app) {
   }
 
   /** Shows the shape of the sliders; during an update, once more after it. */
-  async function update() {
-    isDue = true;
+  function update() {
     keep.disabled = true;
     back.disabled = !isMoved();
-    if (isBusy) return;
-    isBusy = true;
-    try {
-      while (isDue) {
-        isDue = false;
-        if (isReleased) await reach();
-        else await variations.show(coefficients());
-      }
-    } catch (error) {
-      await actions.reportErrors(Promise.reject(error));
-    } finally {
-      isBusy = false;
-    }
+    updates.ask();
   }
 
   async function reach() {
     const asked = coefficients();
     const part = await variations.reach(asked);
-    if (part === null || isDue) return;
+    if (part === null || updates.hasNext()) return;
     if (part < 1) cards.forEach((card, k) => card.set(part * asked[k]));
     setText(words, part < 1 ? 'As far as it is possible: beyond, it is not exact.' : HINT);
     back.disabled = keep.disabled = !isMoved();

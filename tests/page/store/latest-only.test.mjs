@@ -1,0 +1,54 @@
+// One question at a time, and then the latest one.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { latestOnly } from '../../../www/store/latest-only.js';
+
+/** Questions are answered when the test says so. */
+function held() {
+  const asked = [];
+  const questions = latestOnly(
+    (question) => new Promise((answer, fail) => asked.push({ question, answer, fail })),
+  );
+  return { asked, questions };
+}
+
+const turn = () => new Promise((done) => setTimeout(done));
+const names = (asked) => asked.map(({ question }) => question);
+
+test('questions that are out of date are dropped', async () => {
+  const { asked, questions } = held();
+  const first = questions.ask('a');
+  questions.ask('b');
+  questions.ask('c');
+  assert.deepEqual(names(asked), ['a']);
+  assert.equal(questions.hasNext(), true);
+  asked[0].answer();
+  await turn();
+  assert.deepEqual(names(asked), ['a', 'c']);
+  assert.equal(questions.hasNext(), false);
+  assert.equal(questions.isBusy(), true);
+  asked[1].answer();
+  await first;
+  assert.equal(questions.isBusy(), false);
+});
+
+test('after an answer that fails, later questions are answered', async () => {
+  const { asked, questions } = held();
+  const first = questions.ask('a');
+  asked[0].fail(new Error('no network'));
+  await assert.rejects(first, /no network/);
+  questions.ask('b');
+  assert.deepEqual(names(asked), ['a', 'b']);
+});
+
+test('a question that waits is answered although the one before fails', async () => {
+  const { asked, questions } = held();
+  const first = questions.ask('a');
+  questions.ask('b');
+  asked[0].fail(new Error('no network'));
+  await turn();
+  assert.deepEqual(names(asked), ['a', 'b']);
+  asked[1].answer();
+  await assert.rejects(first, /no network/);
+});
