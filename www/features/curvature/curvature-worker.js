@@ -27,6 +27,8 @@ function answer({ shape, draw, distance, vertices, faces }) {
   if (shape || !surface) {
     const { positions, offsets, indices } = /** @type {NonNullable<typeof shape>} */ (shape);
     surface?.free();
+    // The constructor may throw.
+    surface = null;
     surface = new SurfaceCurvature(positions, offsets, indices);
   }
   const apart = distance ?? surface.distance();

@@ -62,11 +62,12 @@ export function surfaceLines({ store, solver, viewport }, wanted, show) {
     if (question === asked) return;
     asked = question;
     const isNew = shape !== known;
-    known = shape;
     const { value, refused } = await ask({
       ...how,
       ...(isNew && { shape: { positions: positions.slice(), offsets, indices } }),
     });
+    // A worker that refuses may not have taken the shape.
+    known = value ? shape : '';
     // Another mesh may have been opened since.
     if (store.get().model !== model || !wanted()) return;
     drawn = value ?? null;

@@ -88,7 +88,8 @@ function variationsPanel(app) {
       cards.forEach((card, k) => card.showRange(progress.ranges[k]));
       if (!progress.more) break;
       // Slider moves take priority.
-      while (updates.isBusy() && mine === search) await new Promise((resolve) => setTimeout(resolve, 50));
+      while (updates.isBusy() && mine === search)
+        await new Promise((resolve) => setTimeout(resolve, 50));
       if (mine === search) progress = await variations.advance();
     }
   }
