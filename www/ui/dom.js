@@ -1,5 +1,7 @@
 /** Helpers to build and update elements. */
 
+import { svgElement } from './svg.js';
+
 /** @typedef {HTMLElementTagNameMap} Tags */
 /** @typedef {Record<string, string | number | boolean | ((event: any) => void)>} Attributes */
 /** Falsy children are skipped. @typedef {Node | string | false | null | undefined} Child */
@@ -37,14 +39,8 @@ export function element(name, ...parts) {
  * @param {string} name
  */
 export function icon(name) {
-  const space = 'http://www.w3.org/2000/svg';
-  const svg = document.createElementNS(space, 'svg');
-  svg.setAttribute('class', 'icon');
-  svg.setAttribute('aria-hidden', 'true');
-  const use = document.createElementNS(space, 'use');
-  use.setAttribute('href', `#icon-${name}`);
-  svg.append(use);
-  return svg;
+  const use = svgElement('use', { href: `#icon-${name}` });
+  return svgElement('svg', { class: 'icon', 'aria-hidden': 'true' }, use);
 }
 
 /**

@@ -1,6 +1,7 @@
 /** The drawing of a plan: points to drag, arcs to pull out of sides, and loops to draw. */
 
 import { element } from '../../ui/dom.js';
+import { svgElement } from '../../ui/svg.js';
 import { bulgeThrough, extentOf, pathOf, roundStep, sideOf, sidePathOf } from './plan-geometry.js';
 
 /** @typedef {import("../../pkg/build/shape_up.js").PlanPoint} PlanPoint */
@@ -13,19 +14,6 @@ const STEPS = 24;
 const MARGIN = 0.14;
 /** Snapping distance in pixels. */
 const NEAR = 8;
-const SPACE = 'http://www.w3.org/2000/svg';
-
-/**
- * @template {keyof SVGElementTagNameMap} Tag
- * @param {Tag} tag
- * @param {Record<string, string | number>} attributes
- * @returns {SVGElementTagNameMap[Tag]}
- */
-function svg(tag, attributes) {
-  const made = document.createElementNS(SPACE, tag);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
-  return made;
-}
 
 /** @param {Spot} spot */
 const loopName = ({ loop }) => (loop ? `hole ${loop}` : 'the outline');
@@ -40,7 +28,7 @@ const loopName = ({ loop }) => (loop ? `hole ${loop}` : 'the outline');
  * @param {(hint: string) => void} on.hint
  */
 export function planDrawing(on) {
-  const picture = svg('svg', { role: 'group', 'aria-label': 'Plan' });
+  const picture = svgElement('svg', { role: 'group', 'aria-label': 'Plan' });
   const place = element('div.plan-drawing', picture);
   /** @type {PlanPoint[][]} */
   let loops = [];
@@ -117,7 +105,7 @@ export function planDrawing(on) {
       lines.push(`M${toPixels([x, 0])[0]} 0V${height}`);
     for (let y = first(bottom); y < bottom + height / view.scale; y += step)
       lines.push(`M0 ${toPixels([0, y])[1]}H${width}`);
-    return svg('path', { class: 'grid', d: lines.join('') });
+    return svgElement('path', { class: 'grid', d: lines.join('') });
   }
 
   /** @param {Spot} spot @param {boolean} arc */
@@ -127,7 +115,7 @@ export function planDrawing(on) {
   function pointHandle({ at, corner }, spot) {
     const isSelected = spot.loop === selected.loop && spot.point === selected.point;
     const where = at.map((x) => Number(x.toPrecision(6))).join(', ');
-    const handle = svg('g', {
+    const handle = svgElement('g', {
       class: `point${corner ? ' corner' : ''}`,
       role: 'button',
       tabindex: isSelected ? 0 : -1,
@@ -136,11 +124,11 @@ export function planDrawing(on) {
       'data-key': keyOf(spot, false),
       transform: `translate(${toPixels(at).join(' ')})`,
     });
-    handle.append(svg('circle', { class: 'reach', r: 14 }));
+    handle.append(svgElement('circle', { class: 'reach', r: 14 }));
     handle.append(
       corner
-        ? svg('rect', { class: 'dot', x: -5, y: -5, width: 10, height: 10 })
-        : svg('circle', { class: 'dot', r: 5 }),
+        ? svgElement('rect', { class: 'dot', x: -5, y: -5, width: 10, height: 10 })
+        : svgElement('circle', { class: 'dot', r: 5 }),
     );
     return handle;
   }
@@ -148,12 +136,15 @@ export function planDrawing(on) {
   /** @param {PlanPoint[]} points @param {Spot} spot */
   function arcHandle(points, spot) {
     const { middle } = sideOf(points, spot.point);
-    const handle = svg('g', {
+    const handle = svgElement('g', {
       class: 'arc',
       'data-key': keyOf(spot, true),
       transform: `translate(${toPixels(middle).join(' ')})`,
     });
-    handle.append(svg('circle', { class: 'reach', r: 12 }), svg('circle', { class: 'dot', r: 3 }));
+    handle.append(
+      svgElement('circle', { class: 'reach', r: 12 }),
+      svgElement('circle', { class: 'dot', r: 3 }),
+    );
     return handle;
   }
 
@@ -162,9 +153,11 @@ export function planDrawing(on) {
     const all = [...drawing, ...(pointer ? [pointer] : [])].map((at) => toPixels(at).join(' '));
     const dots = drawing.map((at) => {
       const [cx, cy] = toPixels(at);
-      return svg('circle', { class: 'drawn', cx, cy, r: 5 });
+      return svgElement('circle', { class: 'drawn', cx, cy, r: 5 });
     });
-    return all.length ? [svg('path', { class: 'drawn', d: `M${all.join('L')}` }), ...dots] : [];
+    return all.length
+      ? [svgElement('path', { class: 'drawn', d: `M${all.join('L')}` }), ...dots]
+      : [];
   }
 
   function draw() {
@@ -177,11 +170,11 @@ export function planDrawing(on) {
     picture.classList.toggle('drawing', Boolean(drawing));
     picture.replaceChildren(
       grid(),
-      svg('path', { class: 'shape', d: shape, 'fill-rule': 'evenodd' }),
+      svgElement('path', { class: 'shape', d: shape, 'fill-rule': 'evenodd' }),
       ...crossing
         .filter(({ loop, point }) => loops[loop]?.[point])
         .map(({ loop, point }) =>
-          svg('path', {
+          svgElement('path', {
             class: 'crossing',
             d: sidePathOf(loops[loop], point, toPixels, view.scale),
           }),

@@ -1,8 +1,8 @@
 /** Histograms of the corner angles before and after (paper Fig. 7). */
 
 import { element } from '../../ui/dom.js';
+import { svgElement } from '../../ui/svg.js';
 
-const SPACE = 'http://www.w3.org/2000/svg';
 const [WIDTH, HEIGHT] = [180, 46];
 
 /**
@@ -29,19 +29,19 @@ function histogram(title, counts, most) {
   // Bins whose centre is within 10 degrees of a right angle.
   const right = counts.filter((_, k) => Math.abs((k + 0.5) * width - 90) < 10);
   const share = Math.round((100 * right.reduce((sum, count) => sum + count, 0)) / total);
-  const svg = document.createElementNS(SPACE, 'svg');
-  svg.setAttribute('viewBox', `0 0 ${WIDTH} ${HEIGHT}`);
-  svg.setAttribute('role', 'img');
-  svg.setAttribute('aria-label', `${title}: ${share} per cent are within 10 degrees of 90 degrees`);
-  counts.forEach((count, k) => {
-    const bar = document.createElementNS(SPACE, 'rect');
+  const bars = counts.map((count, k) => {
     const height = (HEIGHT * count) / most;
-    bar.setAttribute('x', String((k * WIDTH) / counts.length));
-    bar.setAttribute('y', String(HEIGHT - height));
-    bar.setAttribute('width', String(WIDTH / counts.length - 0.6));
-    bar.setAttribute('height', String(height));
-    svg.append(bar);
+    const x = (k * WIDTH) / counts.length;
+    return svgElement('rect', {
+      x,
+      y: HEIGHT - height,
+      width: WIDTH / counts.length - 0.6,
+      height,
+    });
   });
+  const words = `${title}: ${share} per cent are within 10 degrees of 90 degrees`;
+  const attributes = { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img', 'aria-label': words };
+  const svg = svgElement('svg', attributes, ...bars);
   const ends = ['0°', '90°', '180°'].map((text) => element('span', text));
   return element(
     'figure',

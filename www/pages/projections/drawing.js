@@ -1,23 +1,11 @@
 /** The SVG drawings of the page about projections, in view box coordinates. */
 
+import { svgElement } from '../../ui/svg.js';
 import { sum } from './sets.js';
 
 /** @typedef {import("./sets.js").Point} Point */
 
-const SPACE = 'http://www.w3.org/2000/svg';
 const CURVE_REACH = 60;
-
-/**
- * @param {string} tag
- * @param {Record<string, string | number>} attributes
- * @param {...Node} children
- */
-function shape(tag, attributes, ...children) {
-  const made = document.createElementNS(SPACE, tag);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
-  made.append(...children);
-  return made;
-}
 
 /**
  * Draws the plane with the sets, the point and its projections.
@@ -26,23 +14,21 @@ function shape(tag, attributes, ...children) {
  * @param {{ move: (to: Point) => void, key: (event: KeyboardEvent) => void }} input
  */
 export function drawPlane(svg, names, input) {
-  const curves = shape('g', { 'aria-hidden': 'true' });
-  const trail = shape('path', { class: 'trail', 'aria-hidden': 'true' });
+  const curves = svgElement('g', { 'aria-hidden': 'true' });
+  const trail = svgElement('path', { class: 'trail', 'aria-hidden': 'true' });
   const feet = names.map((_, i) =>
-    shape(
+    svgElement(
       'g',
       { class: `foot set-${i}`, 'aria-hidden': 'true' },
-      shape('line', {}),
-      shape('circle', { r: 0.7 }),
+      svgElement('line', {}),
+      svgElement('circle', { r: 0.7 }),
     ),
   );
-  const point = /** @type {SVGGElement} */ (
-    shape(
-      'g',
-      { class: 'point', tabindex: 0, role: 'button', 'aria-roledescription': 'movable point' },
-      shape('circle', { class: 'grip', r: 6 }),
-      shape('circle', { class: 'dot', r: 1.2 }),
-    )
+  const point = svgElement(
+    'g',
+    { class: 'point', tabindex: 0, role: 'button', 'aria-roledescription': 'movable point' },
+    svgElement('circle', { class: 'grip', r: 6 }),
+    svgElement('circle', { class: 'dot', r: 1.2 }),
   );
   svg.replaceChildren(curves, trail, ...feet, point);
 
@@ -69,11 +55,11 @@ export function drawPlane(svg, names, input) {
     /** @param {import("./sets.js").ConstraintSet[]} sets */
     showSets(sets) {
       const drawn = sets.map((set, i) =>
-        shape('path', { class: `curve set-${i}`, d: outline(set) }),
+        svgElement('path', { class: `curve set-${i}`, d: outline(set) }),
       );
       const labels = sets.map((set, i) => {
         const [x, y] = labelAt(set);
-        const label = shape('text', { class: `label set-${i}`, x, y });
+        const label = svgElement('text', { class: `label set-${i}`, x, y });
         label.textContent = names[i];
         return label;
       });
@@ -157,7 +143,7 @@ export function drawBars(svg, bars) {
     const parts = errors.map((error, i) => {
       const tall = ((height - foot - 4) * error) / most;
       top -= tall;
-      return shape('rect', {
+      return svgElement('rect', {
         class: `part set-${i}`,
         x: k * gap + 2,
         y: top,
@@ -165,11 +151,11 @@ export function drawBars(svg, bars) {
         height: tall,
       });
     });
-    const text = shape('text', { class: 'tick', x: k * gap + 2 + wide / 2, y: height - 4 });
+    const text = svgElement('text', { class: 'tick', x: k * gap + 2 + wide / 2, y: height - 4 });
     text.textContent = label.split(',')[0];
     return [...parts, text];
   });
-  const ground = shape('line', {
+  const ground = svgElement('line', {
     class: 'ground',
     x1: 0,
     x2: width,

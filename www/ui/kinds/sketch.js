@@ -1,6 +1,7 @@
 /** The small drawing of a kind: the sample points, faint, and their projection. */
 
-const SPACE = 'http://www.w3.org/2000/svg';
+import { svgElement } from '../svg.js';
+
 /** Room around the unit square for dots and strokes. */
 const MARGIN = 0.08;
 const DOT = 0.045;
@@ -10,7 +11,7 @@ const DOT = 0.045;
  * @param {import("../../solver/messages.js").Sketch} drawing
  */
 export function sketch({ points, projected, lines, outlines }) {
-  const svg = shape('svg', { class: 'sketch', 'aria-hidden': 'true' });
+  const svg = svgElement('svg', { class: 'sketch', 'aria-hidden': 'true' });
   const size = 1 + 2 * MARGIN;
   svg.setAttribute('viewBox', `${-MARGIN} ${-MARGIN} ${size} ${size}`);
   outlines.forEach((outline, i) => {
@@ -18,7 +19,7 @@ export function sketch({ points, projected, lines, outlines }) {
       .map(at)
       .reduce((path, point) => `${path}L${point}`, '')
       .replace('L', 'M')}Z`;
-    svg.append(shape('path', { d, class: i === 0 ? 'outline filled' : 'outline' }));
+    svg.append(svgElement('path', { d, class: i === 0 ? 'outline filled' : 'outline' }));
   });
   svg.append(figure(points, lines, 'given'), figure(projected, lines, 'found'));
   return svg;
@@ -31,24 +32,14 @@ export function sketch({ points, projected, lines, outlines }) {
  * @param {string} name
  */
 function figure(points, lines, name) {
-  const group = shape('g', { class: name });
+  const group = svgElement('g', { class: name });
   const d = lines.map(([from, to]) => `M${at(points[from])}L${at(points[to])}`).join('');
-  group.append(shape('path', { d }));
-  for (const [x, y] of points) group.append(shape('circle', { cx: x, cy: y, r: DOT }));
+  group.append(svgElement('path', { d }));
+  for (const [x, y] of points) group.append(svgElement('circle', { cx: x, cy: y, r: DOT }));
   return group;
 }
 
 /** @param {[number, number]} point */
 function at([x, y]) {
   return `${x.toFixed(4)} ${y.toFixed(4)}`;
-}
-
-/**
- * @param {string} tag
- * @param {Record<string, string | number>} attributes
- */
-function shape(tag, attributes) {
-  const made = document.createElementNS(SPACE, tag);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
-  return made;
 }

@@ -1,19 +1,15 @@
 /** Histograms as SVG: bars, or an outline drawn over them. */
 
 import { setAttribute } from '../dom.js';
+import { svgElement } from '../svg.js';
 
-const SPACE = 'http://www.w3.org/2000/svg';
 /** The least relative height of a non-empty bar: one outlier among thousands must be visible. */
 const LEAST = 1 / 15;
 
 /** @param {"outline" | "bars"} look */
 function drawing(look) {
-  const svg = document.createElementNS(SPACE, 'svg');
-  svg.setAttribute('class', look);
-  svg.setAttribute('aria-hidden', 'true');
-  svg.setAttribute('preserveAspectRatio', 'none');
-  svg.append(document.createElementNS(SPACE, 'path'));
-  return svg;
+  const attributes = { class: look, 'aria-hidden': 'true', preserveAspectRatio: 'none' };
+  return svgElement('svg', attributes, svgElement('path'));
 }
 
 /** Makes an empty drawing for `drawOutline`. */

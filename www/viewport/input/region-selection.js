@@ -9,6 +9,7 @@
  */
 
 import { NOTHING, select } from '../../store/selection.js';
+import { svgElement } from '../../ui/svg.js';
 
 /** @typedef {[number, number]} Point CSS pixels within the viewport */
 /** @typedef {import("../../store/selection.js").Combine} Combine */
@@ -17,15 +18,14 @@ import { NOTHING, select } from '../../store/selection.js';
 const BRUSH_CORNERS = 20;
 /** Minimal distance of lasso corners, in CSS pixels. */
 const LASSO_STEP = 3;
-const SPACE = 'http://www.w3.org/2000/svg';
 
 export class RegionSelection {
   #store;
   #viewport;
   #actions;
-  #overlay = document.createElementNS(SPACE, 'svg');
-  #outline = document.createElementNS(SPACE, 'polygon');
-  #brush = document.createElementNS(SPACE, 'circle');
+  #overlay = svgElement('svg');
+  #outline = svgElement('polygon');
+  #brush = svgElement('circle');
   /** Pointer positions since the press. @type {Point[]} */
   #path = [];
   /** @type {Combine} */

@@ -4,6 +4,7 @@
  */
 
 import { element, setAttribute, setText } from '../../../ui/dom.js';
+import { svgElement } from '../../../ui/svg.js';
 
 /** @typedef {import("../../../solver/messages.js").SheetPicture} SheetPicture */
 /**
@@ -11,22 +12,17 @@ import { element, setAttribute, setText } from '../../../ui/dom.js';
  * @typedef {"failed" | "chosen" | "pointed"} Mark
  */
 
-const SPACE = 'http://www.w3.org/2000/svg';
 /** Paths above the layers, from bottom to top. `failed-sides` are the sides whose beams fail. */
 const OVER = /** @type {const} */ (['failed', 'chosen', 'failed-sides', 'pointed']);
 const ruler = document.createElement('canvas').getContext('2d');
 
 /** @param {string} kind @param {string} d @param {string} [stroke] */
 function path(kind, d, stroke) {
-  const made = document.createElementNS(SPACE, 'path');
-  made.setAttribute('class', kind);
-  made.setAttribute('d', d);
-  if (stroke) made.setAttribute('stroke', stroke);
-  return made;
+  return svgElement('path', { class: kind, d, ...(stroke && { stroke }) });
 }
 
 export class SheetFigure {
-  #svg = document.createElementNS(SPACE, 'svg');
+  #svg = svgElement('svg', { role: 'img' });
   #caption = element('figcaption');
   figure = element('figure', this.#svg, this.#caption);
   #over = OVER.map((kind) => path(kind, ''));
@@ -34,10 +30,6 @@ export class SheetFigure {
   #sheet = null;
   /** The outlines for hit testing, created on first use. @type {Path2D[] | null} */
   #outlines = null;
-
-  constructor() {
-    this.#svg.setAttribute('role', 'img');
-  }
 
   /** Assigns a sheet and shows its size and name; `draw` follows. @param {SheetPicture} sheet */
   take(sheet) {
