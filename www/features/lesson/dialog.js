@@ -163,7 +163,7 @@ export async function write(app) {
     });
     if (kept === undefined) return;
     dialog.close();
-    actions.setStatus('The scene is a lesson');
+    actions.setStatus('Lesson saved in the scene');
     then?.();
   }
 
@@ -194,7 +194,7 @@ export async function write(app) {
     unsolved.label,
     element(
       'p.quiet',
-      'Students see the text and whether each goal is met while they work. What is locked is shown as locked, and refused. Take a lock off by undoing this step. A constraint at most 0 is to be exact.',
+      'Students see the text and whether each goal is met while they work. Locked controls are disabled. Undo this step to remove a lock. A constraint with limit 0 must be exact.',
     ),
     error,
     element(

@@ -21,11 +21,11 @@ export function handIn({ store, files, actions }) {
     element('label.line', 'Your name', name),
     element(
       'p',
-      `${met} of ${goals.length} goals are met now. The file holds the shape, the goals with their values, what you changed, step by step, and the time.`,
+      `${met} of ${goals.length} goals are met now. The file contains the shape, the goals with their values, each step that you made, and the time.`,
     ),
     element(
       'p.quiet',
-      'It is only saved on this computer: send it as you send other work. The recipient can measure the shape again.',
+      'The file is saved only on this computer: send it in as you send other work. The recipient can measure the shape again.',
     ),
     element('div.dialog-buttons', element('button.primary', { type: 'submit' }, 'Save the file')),
   );

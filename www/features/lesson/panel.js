@@ -68,8 +68,8 @@ export function lessonPanel(app) {
       const words =
         value === null
           ? goals[index].build
-            ? 'told when the shape is at rest'
-            : 'nothing has it'
+            ? 'measured when the shape is at rest'
+            : 'no such constraint or value'
           : nowInWords(goals[index], value, { units: document.units, size });
       row.className = met ? 'goal-met' : 'goal-missed';
       setText(mark, met ? MARKS.met : MARKS.missed);

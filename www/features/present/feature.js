@@ -8,7 +8,7 @@ export default {
     {
       id: 'present',
       group: 'View',
-      label: 'Present: steps of views on the whole screen',
+      label: 'Present: a full-screen sequence of views',
       keys: [],
       needsModel: true,
       action: () =>

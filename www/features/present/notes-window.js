@@ -14,7 +14,7 @@ export function openNotes(press) {
   const beside = open('', 'shape-up-notes', 'popup,width=560,height=480');
   if (!beside) return null;
   const { document: page } = beside;
-  page.title = 'Notes of the presentation';
+  page.title = 'Presentation notes';
   page.documentElement.dataset.theme = document.documentElement.dataset.theme ?? '';
   const styles = document.querySelectorAll('link[rel="stylesheet"], style');
   page.head.replaceChildren(...[...styles].map((style) => page.importNode(style, true)));

@@ -41,7 +41,7 @@ async function fillScreen() {
 export async function present(app, withNotes) {
   const notes = withNotes ? openNotes(press) : null;
   if (withNotes && !notes)
-    throw new Error('The browser refused the window of the notes: allow windows of this page.');
+    throw new Error('The browser blocked the window for the notes: allow pop-ups for this page.');
   const { store, actions } = app;
   const slides = presentActions(store, actions);
   const title = element('h2');

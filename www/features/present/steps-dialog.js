@@ -20,7 +20,7 @@ export function openSteps(app) {
   const said = element('p.quiet', { 'aria-live': 'polite' });
   const start = button('Start', () => begin(false), { class: 'primary' });
   const withNotes = button('Start with notes', () => begin(true), {
-    title: 'Your notes are in a window of their own: put it on a screen that nobody else sees',
+    title: 'Your notes open in a separate window: put it on a screen that only you see',
   });
   const add = button('Add this view', () => {
     const steps = stepsNow();
@@ -75,7 +75,7 @@ export function openSteps(app) {
     const text = element('textarea', {
       rows: 2,
       'aria-label': `Text of step ${number}`,
-      placeholder: 'What is said beside it',
+      placeholder: 'Text shown beside the model',
       onchange: () => say(index, { text: text.value }),
     });
     text.value = step.text ?? '';
@@ -87,7 +87,7 @@ export function openSteps(app) {
     });
     notes.value = step.notes ?? '';
     const run = checkbox('Run', (run) => change(changed(index, { run })), {
-      title: 'Iterates from there',
+      title: 'Runs the solver from this step',
     });
     run.box.checked = step.run ?? false;
     return element(
@@ -135,7 +135,7 @@ export function openSteps(app) {
         change(steps);
       },
       [
-        ['', 'Shape as it is then'],
+        ['', 'Current shape'],
         ['original', 'The original'],
         ...variants.map((name, i) => [String(i), name]),
       ],
