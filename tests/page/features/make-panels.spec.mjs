@@ -67,7 +67,7 @@ test('panels that would fold are within a larger tolerance, and it is said why',
   expect(exact.eased.folded).toBeGreaterThan(0);
   expect(exact.tolerance).toBeGreaterThan(exact.eased.asked);
   const words =
-    /^(\d+) of 144 panels are flat within 1 mm\. The other (\d+) would fold: within [\d.]+ m+\./;
+    /^(\d+) of 144 panels are flat within 1 mm\. The other (\d+) would fold, so they are within [\d.]+ m+\./;
   await expect(offer(page).getByText(words)).toBeVisible();
   await expect(page.getByRole('status')).toHaveText(words);
   await expect(offer(page).getByText(/folded or dented/)).toBeHidden();

@@ -26,10 +26,10 @@ test('a mesh is refined as the dialog says, with its scene, and back by one step
   // Nothing is asked yet: there is nothing to solve.
   await expect(dialog.getByRole('button', { name: 'Refine and solve' })).toBeHidden();
   // Each choice says the panels that it leads to.
-  await expect(dialog.getByLabel('How often').locator('option').nth(2)).toHaveText(
+  await expect(dialog.getByLabel('How many times').locator('option').nth(2)).toHaveText(
     /^Three times: 1024 faces of about 0\.1\d+( m)?$/,
   );
-  await dialog.getByLabel('How often').selectOption('2');
+  await dialog.getByLabel('How many times').selectOption('2');
   await dialog.getByLabel('New faces').selectOption('linear');
   await expect(dialog.getByText('256 faces, with 289 vertices')).toBeVisible();
   await dialog.getByRole('button', { name: 'Refine now' }).click();
@@ -53,7 +53,7 @@ test('level by level it is solved, and undo goes back level by level', async ({ 
   await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
   const dialog = await openRefine(page);
-  await dialog.getByLabel('How often').selectOption('2');
+  await dialog.getByLabel('How many times').selectOption('2');
   const closeTo = dialog.getByLabel('Each level stays close to');
   await closeTo.selectOption({ label: 'The original: nearer to it' });
   await expect(dialog.getByText('“Moved” is measured from the refined original.')).toBeVisible();
@@ -78,7 +78,7 @@ test('each solved level is the original of the next one, and undo brings the fir
   const solved = await waitForState(page, (now) => !now.running && now.exact?.met);
   const dialog = await openRefine(page);
   await expect(dialog.getByText('from the last level that was solved')).toBeVisible();
-  await dialog.getByLabel('How often').selectOption('2');
+  await dialog.getByLabel('How many times').selectOption('2');
   await dialog.getByRole('button', { name: 'Refine and solve' }).click();
   const fine = await waitForState(
     page,
@@ -99,7 +99,7 @@ test('Pause ends it between two levels too', async ({ page }) => {
   await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
   const dialog = await openRefine(page);
-  await dialog.getByLabel('How often').selectOption('4');
+  await dialog.getByLabel('How many times').selectOption('4');
   // Pressed in the page as soon as a level is told of: nothing runs then.
   await page.evaluate(() => {
     const status = document.querySelector('[role=status]');

@@ -41,7 +41,7 @@ export class MakePanels {
     'div.folds',
     button('Show the folds', () => this.#showFolded()),
     button('Avoid them', () => this.#avoidFolds(), {
-      title: 'Makes the panels anew from the original, smoother or within a larger tolerance',
+      title: 'Makes the panels again from the original, smoother or within a larger tolerance',
     }),
   );
   /** The id of the kind of the verdict. */

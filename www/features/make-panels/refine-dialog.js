@@ -50,7 +50,7 @@ export function openRefine({ store, solver, actions, alerts }) {
   });
   const solve = button('Refine and solve', () => start(true), {
     class: 'primary',
-    title: 'Solves, refines and solves again, level by level; Pause ends it',
+    title: 'Solves, refines and solves again, level by level; Pause stops it',
     hidden: !hasRows,
   });
   const how = () => ({
@@ -114,13 +114,13 @@ export function openRefine({ store, solver, actions, alerts }) {
     element(
       'div.dialog-body',
       element('label', element('span', 'New faces'), scheme),
-      element('label', element('span', 'How often'), levels),
-      element('label', element('span', 'Keep turns above, in degrees'), keep),
+      element('label', element('span', 'How many times'), levels),
+      element('label', element('span', 'Keep creases above, in degrees'), keep),
       element('label', { hidden: !hasRows }, element('span', 'Each level stays close to'), closeTo),
       said,
       element(
         'p.quiet',
-        'The boundary stays a curve of its own; creases and corners that turn by more stay sharp. Sets, constraints and handles go along. ',
+        'The boundary is refined as a curve of its own; creases and corners that turn by more than this angle stay sharp. Sets, constraints and handles are carried over. ',
         from,
       ),
       element('div.dialog-buttons', solve, refine),

@@ -93,7 +93,7 @@ export async function openEdit({ store, solver, actions, alerts }) {
       lost,
       element(
         'p.quiet',
-        'The mesh is changed as it is seen; sets, constraints and handles go along. One step of undo.',
+        'The operation changes the shape as it is now. Sets, constraints and handles are carried over. It is one step of undo.',
       ),
       element('div.dialog-buttons', apply),
     ),

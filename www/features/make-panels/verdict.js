@@ -40,8 +40,9 @@ function reachedWords(verdict, units) {
     const all = progressWords({ ...verdict, within: panels, tolerance: eased.within }, units);
     return `${all} Within ${about(tolerance, units)}, faces would fold.`;
   }
-  const others = panels - within === 1 ? 'The other one' : `The other ${panels - within}`;
-  return `${progressWords(verdict, units)} ${others} would fold: within ${about(eased.within, units)}.`;
+  const one = panels - within === 1;
+  const others = one ? 'The other one' : `The other ${panels - within}`;
+  return `${progressWords(verdict, units)} ${others} would fold, so ${one ? 'it is' : 'they are'} within ${about(eased.within, units)}.`;
 }
 
 /**

@@ -15,7 +15,7 @@ import { clamped, loopThrough, sideOf } from './plan-geometry.js';
 
 const HINT = 'Drag points; pull the middle of a side to make it an arc. Hold Alt to move freely.';
 const DRAW_HINT =
-  'Press where the points shall be, and on the first one again to close. Undo takes the last one back.';
+  'Click or tap to place points, and the first one again to close the loop. Undo removes the last point.';
 /** Maximum number of undo steps. */
 const MOST_STEPS = 100;
 const DIGITS = 6;
@@ -240,7 +240,7 @@ export function planForm({ unit, metre, onchange, make }) {
     (value) => step(() => (plan.layout = /** @type {Plan["layout"]} */ (value))),
     [
       ['follow', 'Along the outline'],
-      ['cut', 'A grid, cut'],
+      ['cut', 'A grid, cut to the outline'],
     ],
   );
   const stands = choice(

@@ -62,7 +62,7 @@ export function spanForm(open, onchange) {
       'div.kind',
       element(
         'p.quiet',
-        'From the curves of what was open: its polylines, and the boundaries of its faces.',
+        'Uses the curves of the model that was open: its polylines and the boundaries of its faces.',
       ),
       curves.length > 0 ? sizes : '',
     ),
@@ -74,7 +74,7 @@ export function spanForm(open, onchange) {
     made() {
       if (!spans || curves.length === 0)
         throw new Error(
-          'What was open has no curves: open a file with polylines, or a mesh with a boundary, first.',
+          'The model that was open has no curves. First open a file with polylines or a mesh with a boundary.',
         );
       const isInside = how.value === 'inside';
       if (!first.value) throw new Error('None of the curves is closed.');
