@@ -20,10 +20,10 @@ test('panels within a tolerance are made exact at a price, and a drag keeps them
   await waitForState(page, (now) => !now.running && now.exact?.met);
   // It moves on by more than the tolerance, so somebody decides; or by less, and it is done.
   const make = verdict(page).getByRole('button', { name: 'Make exact' });
-  const made = verdict(page).getByText(/Made exact as well/);
+  const made = verdict(page).getByText(/Also made exact/);
   await expect(make.or(made)).toBeVisible();
   if (await make.isVisible()) {
-    await expect(page.getByRole('table', { name: 'What exact would cost' })).toBeVisible();
+    await expect(page.getByRole('table', { name: 'Cost of exactness' })).toBeVisible();
     await make.click();
   }
   await waitForState(page, (now) => now.exact?.met && now.exact.max_distance < 1e-8);
@@ -95,7 +95,7 @@ test('an exact shape is improved, which says what it gained and can be undone', 
       .getByText(/^Improved: /)
       .count()) > 0
   ) {
-    await expect(page.getByRole('table', { name: 'What was gained' })).toBeVisible();
+    await expect(page.getByRole('table', { name: 'Improvement' })).toBeVisible();
     await expect(undo).toHaveAttribute('title', /Improve/);
   }
 });

@@ -23,7 +23,7 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
   await waitForState(page, (now) => !now.running && now.exact?.met);
   const verdict = page.getByRole('group', { name: 'Verdict' });
   const make = verdict.getByRole('button', { name: 'Make exact' });
-  await expect(make.or(verdict.getByText(/Made exact as well/))).toBeVisible();
+  await expect(make.or(verdict.getByText(/Also made exact/))).toBeVisible();
   if (await make.isVisible()) await make.click();
   await waitForState(page, (now) => now.exact?.met && now.exact.tolerance < 1e-8);
 

@@ -15,7 +15,7 @@ export function offerVariations(app) {
     open.hidden = !isHard && !scene?.variants.length;
     open.disabled = running || !(numbers?.exact?.met || scene?.variants.length);
     open.title = open.disabled
-      ? 'Once all constraints that have to be met are met'
+      ? 'Available once the exact constraints are met'
       : 'Other shapes that are as exact as this one';
   });
 }

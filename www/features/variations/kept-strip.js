@@ -28,7 +28,10 @@ export function keptStrip(app) {
     ),
     body,
   );
-  const empty = element('p.quiet', 'What you keep is shown here, to compare and to go back to.');
+  const empty = element(
+    'p.quiet',
+    'The shapes that you keep appear here, to compare and to return to.',
+  );
   const place = element('div.kept', element('h3', 'Kept'), empty, strip, table);
   let asked = 0;
 
@@ -61,7 +64,7 @@ export function keptStrip(app) {
     const go = element(
       'button.kept-picture',
       {
-        title: isCurrent ? 'This one is open' : `Go to ${name}`,
+        title: isCurrent ? 'This shape is open' : `Go to ${name}`,
         onclick: () => actions.edit({ type: 'goToVariant', index }),
       },
       canvas,
@@ -79,7 +82,7 @@ export function keptStrip(app) {
       'Beside',
     );
     const remove = closeButton(
-      `Take ${name} away`,
+      `Remove ${name}`,
       () => actions.edit({ type: 'removeVariant', index }),
       { hidden: isDesign },
     );
@@ -102,8 +105,8 @@ export function keptStrip(app) {
 /** Headings and tooltips of the table. */
 const COLUMNS = [
   ['', ''],
-  ['Farthest', 'The greatest distance of a vertex to what has to be met'],
-  ['Moved', 'At most, from the model that was opened'],
+  ['Farthest', 'The greatest distance of a vertex from its exact constraints'],
+  ['Moved', 'The greatest distance from the model as it was opened'],
   ['Area', 'Of all faces'],
   ['Beyond', 'Panels beyond the tolerance'],
 ];

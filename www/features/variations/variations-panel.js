@@ -10,7 +10,7 @@ import { keptStrip } from './kept-strip.js';
 import { variationCard } from './variation-card.js';
 
 const NONE = 'The shape is not exact: there is nothing to vary.';
-const HINT = 'Move a slider; several add up. The line under it shows how far it can go.';
+const HINT = 'Move the sliders; their effects add up. The line under each shows how far it can go.';
 
 /** @type {{ toggle: () => void } | null} */
 let only = null;
@@ -38,7 +38,7 @@ function variationsPanel(app) {
 
   const words = element('p', { 'aria-live': 'polite' });
   const grid = element('div.variation-cards');
-  const back = button('Back', leave, { title: 'All sliders to the middle', disabled: true });
+  const back = button('Back', leave, { title: 'Moves all sliders to the middle', disabled: true });
   const keep = button('Keep', keepIt, {
     class: 'primary',
     title: 'Makes this the design',
@@ -65,7 +65,7 @@ function variationsPanel(app) {
     const { connectivity } = solver.geometry ?? {};
     cards = [];
     grid.replaceChildren();
-    setText(words, 'Looking for ways to change the shape …');
+    setText(words, 'Looking for variations of the shape …');
     searched = [store.get().document, store.get().dark];
     if (!connectivity || !(await variations.find())) {
       if (mine === search) setText(words, NONE);
@@ -83,7 +83,7 @@ function variationsPanel(app) {
       grid.append(card.place);
       card.draw(connectivity, shape, way, store.get().document?.up ?? 'z');
     }
-    setText(words, cards.length > 0 ? HINT : 'There is no way to change it and stay exact.');
+    setText(words, cards.length > 0 ? HINT : 'The shape cannot change and stay exact.');
     while (mine === search) {
       cards.forEach((card, k) => card.showRange(progress.ranges[k]));
       if (!progress.more) break;
@@ -124,7 +124,7 @@ function variationsPanel(app) {
     const part = await variations.reach(asked);
     if (part === null || updates.hasNext()) return;
     if (part < 1) cards.forEach((card, k) => card.set(part * asked[k]));
-    setText(words, part < 1 ? 'As far as it is possible: beyond, it is not exact.' : HINT);
+    setText(words, part < 1 ? 'This is as far as the shape can go and stay exact.' : HINT);
     back.disabled = keep.disabled = !isMoved();
   }
 

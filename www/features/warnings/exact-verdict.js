@@ -52,7 +52,7 @@ function showMet(app, output, { max_distance, on_guard, shortest_edge }) {
   const units = scene.units;
   const guarded =
     on_guard > 0
-      ? ` ${count(on_guard, 'edge')} as short as allowed, ${number(shortest_edge ?? 0)} of the length before.`
+      ? ` ${count(on_guard, 'edge is', 'edges are')} as short as allowed, ${number(shortest_edge ?? 0)} of the original length.`
       : '';
   const { max, mean } = numbers.moved;
   const moved = hasCard()
@@ -67,7 +67,7 @@ const improveButton = (app, output) =>
   output.offer(
     'Improve',
     () => improve(app, output),
-    'Looks for a shape that is as exact and costs less energy',
+    'Looks for an equally exact shape with less energy',
   );
 
 /** Improves the shape until stopped; reports the gain. @param {App} app @param {Output} output */
@@ -76,14 +76,16 @@ async function improve(app, output) {
   const { showMessage, offer } = output;
   const exact = exactActions(solver, actions);
   const units = store.get().document?.units ?? '';
-  const stop = offer('Stop', () => exact.endTrial(), 'Keeps what was gained until then');
-  showMessage('Improving: looking for a shape as exact that costs less …', stop);
+  const stop = offer('Stop', () => exact.endTrial(), 'Keeps the improvement so far');
+  showMessage('Improving: looking for an equally exact shape with less energy …', stop);
   const found = await actions.reportErrors(exact.improve());
   if (!found) return;
   const { before, after, moved, maxDistance } = found;
   const gained = 1 - after.energy / before.energy;
   if (!(gained > LEAST_GAIN)) {
-    showMessage(`There is no better exact shape near: the energy stays ${number(before.energy)}.`);
+    showMessage(
+      `There is no better exact shape nearby: the energy stays ${number(before.energy)}.`,
+    );
     return;
   }
   const distance = store.get().numbers?.exact?.max_distance ?? maxDistance;
@@ -103,24 +105,24 @@ async function showCost(app, output) {
   const met = hasCard()
     ? ''
     : `All constraints are met within ${limit(numbers.exact.tolerance, units)}. `;
-  const group = showMessage(`${met}Looking at what exact would cost …`);
+  const group = showMessage(`${met}Computing the cost of exactness …`);
   const cost = await exact.offer().catch(() => null);
   if (!group.isConnected || !cost) return group.remove();
   const allowed = tolerance ?? model.tolerance;
   if (cost.met && cost.moved.max <= allowed && cost.folded === 0) {
     if (await exact.accept(true)) {
-      const words = `${met}Made exact as well: farthest ${length(cost.maxDistance, units)}.`;
+      const words = `${met}Also made exact: farthest ${length(cost.maxDistance, units)}.`;
       showMessage(words, improveButton(app, output));
     }
     return;
   }
   if (cost.tooLarge) {
-    showMessage(`${met}The mesh is too large to be exact; within a length it can be met.`);
+    showMessage(`${met}The mesh is too large for exact constraints; a tolerance can be met.`);
     return;
   }
   if (!cost.met) {
     const constraints = count(cost.misses, 'constraint');
-    showMessage(`${met}Exactly, ${constraints} could not be met together.`);
+    showMessage(`${met}${constraints} cannot be exact at the same time as the others.`);
     return;
   }
   const folds = cost.folded > 0 ? `, and ${count(cost.folded, 'face')} would fold` : '';
@@ -130,8 +132,8 @@ async function showCost(app, output) {
     if (report) showMet(app, output, report);
   };
   showMessage(
-    `${met}Exact, it would move by up to ${length(cost.moved.max, units)} more${folds}.`,
-    offer('Make exact', take, 'Takes the shape in the right column'),
+    `${met}If made exact, the shape would move by up to ${length(cost.moved.max, units)} more${folds}.`,
+    offer('Make exact', take, 'Uses the shape in the right column'),
   ).append(table(cost, numbers.exact.max_distance, units, 'Exact'));
 }
 
@@ -161,7 +163,7 @@ function table({ before, after, maxDistance }, distance, units, then) {
   );
   return element(
     'table.cost',
-    { 'aria-label': then === 'Exact' ? 'What exact would cost' : 'What was gained' },
+    { 'aria-label': then === 'Exact' ? 'Cost of exactness' : 'Improvement' },
     element('thead', element('tr', element('td'), ...heads)),
     element('tbody', ...rows.map(row)),
   );

@@ -42,6 +42,6 @@ function sentence({ label, on, paired }) {
   const what = `${label} on ${on}`;
   const all = groupDigits(of);
   return vertices === 0
-    ? `${what}: none of the ${all} vertices has an image among the others, so it does nothing. See the direction of its mirror or axis.`
+    ? `${what}: none of the ${all} vertices has an image among the others, so it does nothing. Check the direction of its mirror or axis.`
     : `${what}: ${groupDigits(vertices)} of ${all} vertices have an image; the others are free.`;
 }

@@ -91,7 +91,7 @@ export function watchConditions(app) {
       cardOfPanels() ? 'Solved as far as possible.' : `Solved as far as possible. ${what}${cost}`,
       offer('Show it', () => showElements(app, worst)),
     );
-    const waiting = element('p.quiet', 'Looking for what would help …');
+    const waiting = element('p.quiet', 'Looking for changes that help …');
     group.append(waiting);
     const remedies = await actions.remedies().catch(() => []);
     const helping = remedies
@@ -100,10 +100,10 @@ export function watchConditions(app) {
         offer(
           `${label}: ${length(worst, scene.units, allowed)}`,
           () => take(edit),
-          'The worst distance when this was tried',
+          'The largest distance after this change',
         ),
       );
-    if (helping.length === 0) setText(waiting, 'No change that was tried lowers it.');
+    if (helping.length === 0) setText(waiting, 'None of the changes that were tried lowers it.');
     else waiting.replaceWith(...helping);
   }
 
