@@ -5,7 +5,7 @@
 
 import { messageOf } from '../solver/messages.js';
 
-const STATUS = 'The original, while held';
+const STATUS = 'Showing the original while held';
 /** A button with a click action shows the original if held at least this long, in milliseconds. */
 const LONG_PRESS_MS = 300;
 

@@ -47,19 +47,19 @@ test(
     const before = await tinted(page);
     const card = await openCurvature(page);
     await expect(card.getByText(/edges are \d+° off the lines of curvature/)).toBeVisible();
-    await card.getByLabel('Coloured by').selectOption({ label: 'Something else' });
+    await card.getByLabel('Coloured by').selectOption({ label: 'Another measure' });
     await expect(async () => {
       const now = await tinted(page);
       expect(now.red).toBeGreaterThan(before.red + 300);
       expect(now.blue).toBeGreaterThan(before.blue + 300);
     }).toPass();
     await card.getByLabel('Lines', { exact: true }).selectOption('Lines of curvature');
-    await expect(card.getByLabel('Distance of the lines')).toHaveAttribute('placeholder', /\d/);
-    await card.getByLabel('Distance of the lines').fill('0.0001');
-    await card.getByLabel('Distance of the lines').press('Enter');
+    await expect(card.getByLabel('Distance between lines')).toHaveAttribute('placeholder', /\d/);
+    await card.getByLabel('Distance between lines').fill('0.0001');
+    await card.getByLabel('Distance between lines').press('Enter');
     await expect(card.getByText('expected a distance from')).toBeVisible();
-    await card.getByLabel('Distance of the lines').fill('1.5');
-    await card.getByLabel('Distance of the lines').press('Enter');
+    await card.getByLabel('Distance between lines').fill('1.5');
+    await card.getByLabel('Distance between lines').press('Enter');
     await expect(card.getByText('expected a distance from')).toBeHidden();
     await card.getByLabel('Lines', { exact: true }).selectOption('Lines through the selection');
     await expect(card.getByText('Select vertices or faces')).toBeVisible();

@@ -195,7 +195,7 @@ test('a map that folds offers the settings that fold less', async ({ page }) => 
   await openText(page, 'tube.obj', tube(), 60);
   await parametrize(page);
   await expect(value(page, 'Flipped triangles')).not.toHaveText('0');
-  await expect(page.getByText(/^Weight .* turns none over, mean error/)).toBeVisible();
+  await expect(page.getByText(/^Weight .* flips none, mean error/)).toBeVisible();
   await page.getByRole('button', { name: 'Use these settings' }).click();
   await expect(value(page, 'Flipped triangles')).toHaveText('0');
   await expect(page.getByLabel('Weight of a polygon')).toHaveValue('one');

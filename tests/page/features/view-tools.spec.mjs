@@ -218,8 +218,8 @@ test(
     await expect(tape(page)).toContainText('Vertices 0 and 6, in m');
     const row = (name) => tape(page).getByRole('row', { name });
     await expect(row('now')).toHaveText('now6.16445.00002.00003.0000');
-    await expect(row('at rest')).toHaveText('at rest6.16445.00002.00003.0000');
-    await expect(page.getByRole('status')).toHaveText('Distance 6.1644 m, at rest 6.1644 m');
+    await expect(row('original')).toHaveText('original6.16445.00002.00003.0000');
+    await expect(page.getByRole('status')).toHaveText('Distance 6.1644 m, originally 6.1644 m');
     // Nothing was selected by that.
     expect((await state(page)).selection.vertices).toEqual([]);
 
@@ -227,7 +227,7 @@ test(
     const { bytes } = await exported(page, 'PNG');
     expect(pixelsOf(bytes, TAPE)).toBeGreaterThan(20);
 
-    // It follows a drag; what it was at rest stays.
+    // It follows a drag; the original distance stays.
     await page.keyboard.press('Shift+Digit1');
     await page.mouse.dblclick(...(await screenOf(page, 6)));
     expect((await state(page)).handles).toEqual([]);
@@ -258,8 +258,8 @@ test('the tape by keyboard alone: two selected vertices', async ({ page }) => {
   await expect(tape(page).getByRole('row', { name: 'now' })).not.toHaveText(
     'now500.00300.00400.000.00',
   );
-  await expect(tape(page).getByRole('row', { name: 'at rest' })).toHaveText(
-    'at rest500.00300.00400.000.00',
+  await expect(tape(page).getByRole('row', { name: 'original' })).toHaveText(
+    'original500.00300.00400.000.00',
   );
   await page.getByRole('button', { name: 'End measuring' }).click();
   await expect(tape(page)).toBeHidden();
@@ -282,7 +282,7 @@ test(
     });
     await expect(page.locator('[role="application"] canvas[data-lost]')).toHaveCount(0);
     await expect.poll(() => coloursOfView(page)).toBeGreaterThan(20);
-    await expect(tape(page).getByRole('row', { name: 'at rest' })).toContainText('6.1644');
+    await expect(tape(page).getByRole('row', { name: 'original' })).toContainText('6.1644');
     await page.keyboard.press('Shift+Digit1');
     const ratio = async () => (await seenLength(page, 4, 5)) / (await seenLength(page, 0, 1));
     await expect.poll(ratio).toBeCloseTo(1, 3);
@@ -302,11 +302,11 @@ test('the original is shown for as long as a key, or the Reset button, is held',
   const seen = () => page.evaluate((v) => window.shapeUp.screen(v), vertex);
   const status = page.getByRole('status');
   const isShown = async () => {
-    await expect(status).toHaveText('The original, while held');
+    await expect(status).toHaveText('Showing the original while held');
     expect(await seen()).not.toEqual(now);
   };
   const isOver = async () => {
-    await expect(status).not.toHaveText('The original, while held');
+    await expect(status).not.toHaveText('Showing the original while held');
     expect(await seen()).toEqual(now);
   };
 
@@ -347,7 +347,7 @@ test('a section plane cuts the model open', looks, async ({ page }) => {
   await expect.poll(() => seen(5)).not.toBeNull();
   expect(await seen(0)).toBeNull();
   await card.getByLabel('Section across').selectOption('z');
-  await card.getByRole('slider', { name: 'Place of the section' }).fill('0');
+  await card.getByRole('slider', { name: 'Position of the section' }).fill('0');
   await expect.poll(() => seen(0)).not.toBeNull();
   await card.getByRole('button', { name: 'End the section' }).click();
   await expect(card).toBeHidden();

@@ -38,11 +38,11 @@ function curvatureCard(app) {
     type: 'number',
     min: '0',
     step: 'any',
-    'aria-label': 'Distance of the lines',
+    'aria-label': 'Distance between lines',
     onchange: update,
   });
   const unit = element('span.unit');
-  const apart = element('label.apart', element('span', 'Apart'), distance, unit);
+  const apart = element('label.apart', element('span', 'Spacing'), distance, unit);
   const colours = choice({ 'aria-label': 'Coloured by' }, () =>
     actions.colourBy(colours.value || null),
   );
@@ -94,11 +94,11 @@ function curvatureCard(app) {
   function wordsOf(answer) {
     const found = (answer?.offsets.length ?? 1) - 1;
     if (lines.value === 'strokes')
-      return found ? '' : 'No directions: it is flat, or bends alike to all sides.';
+      return found ? '' : 'No directions: the surface is flat or equally curved in all directions.';
     if (found) return '';
     return lines.value === 'through'
-      ? 'Select vertices or faces: the lines through them are drawn.'
-      : 'No lines of curvature: it is flat, or bends alike to all sides.';
+      ? 'Select vertices or faces to draw the lines through them.'
+      : 'No lines of curvature: the surface is flat or equally curved in all directions.';
   }
 
   function update() {
@@ -156,7 +156,7 @@ function curvatureCard(app) {
         const { unit: sign } = unitOf(about, 1, units);
         return element('option', { value: about.id }, `${about.label}${sign && ` (${sign})`}`);
       }),
-      element('option', { value: '' }, 'Something else'),
+      element('option', { value: '' }, 'Another measure'),
     );
     colours.value = own.some(({ id }) => id === state.measure) ? (state.measure ?? '') : '';
   });

@@ -34,7 +34,9 @@ export function surfaceLines({ store, solver, viewport }, wanted, show) {
       worker.onmessage = ({ data }) => answered(data);
       worker.onerror = (event) => {
         event.preventDefault();
-        answered({ refused: 'The part that finds curvature could not be fetched.' });
+        answered({
+          refused: 'The curvature module could not be loaded. Check the network connection.',
+        });
       };
       worker.postMessage(question);
     });

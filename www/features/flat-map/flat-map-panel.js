@@ -9,12 +9,12 @@ import { duration, groupDigits, ratio } from '../../ui/format.js';
 const WEIGHTS = {
   'inverse-area': ['1 / area', 'A small polygon counts as much as a large one.'],
   one: ['1', 'Large polygons count more than small ones.'],
-  lscm: ['|z|² / area', 'On triangles, the map of least-squares conformal maps.'],
+  lscm: ['|z|² / area', 'On triangles, this is the least-squares conformal map.'],
 };
 /** Norms that keep the map from shrinking: label and tooltip. */
 const NORMS = {
   boundary: ['the boundary', 'The boundary is kept from shrinking; the inside follows.'],
-  vertices: ['all vertices', 'All vertices are kept from shrinking, each as much as another.'],
+  vertices: ['all vertices', 'All vertices are kept from shrinking, each equally.'],
 };
 const LOOKS = { checks: ['Checkerboard', ''], errors: ['Error', ''] };
 const SQUARES = { least: 8, most: 96, step: 4 };
@@ -32,10 +32,10 @@ export function flatMapPanel(place, store, control) {
     { onclick: () => control.showFlipped() },
     'Show flipped faces',
   );
-  showFlipped.title = 'Select them on the model, and zoom to them on both';
+  showFlipped.title = 'Selects them on the model, and zooms to them in both pictures';
   const fewerFlips = element('div', { 'aria-live': 'polite' });
   flipped.append(
-    element('p.quiet', 'Outlined in red on the map: there it folds over itself.'),
+    element('p.quiet', 'Outlined in red where the map folds over itself.'),
     showFlipped,
     fewerFlips,
   );
@@ -116,20 +116,20 @@ function fewerFlipsParts({ fewerFlips, found }, control) {
   const small = (/** @type {string} */ label, /** @type {() => void} */ onclick) =>
     element('button.small.bordered', { onclick }, label);
   if (fewerFlips === null) {
-    return [small('Look for settings that turn fewer over', () => control.findFewerFlips())];
+    return [small('Look for settings that flip fewer', () => control.findFewerFlips())];
   }
   if (fewerFlips === 'searching') return [element('p.quiet', 'Trying the other settings …')];
   if (fewerFlips === 'none') {
-    const words = 'No other setting turns fewer over. Cut the surface open, or into parts.';
+    const words = 'No other setting flips fewer. Cut the surface open, or into parts.';
     return [element('p.quiet', words)];
   }
   const { weights, norm, flipped, mean } = fewerFlips;
   const [weight, over] = [WEIGHTS[weights][0], NORMS[norm][0]];
-  const turned = flipped === 0 ? 'none' : groupDigits(flipped);
+  const number = flipped === 0 ? 'none' : groupDigits(flipped);
   return [
     element(
       'p.quiet',
-      `Weight ${weight} with the norm over ${over} turns ${turned} over, mean error ${ratio(mean)}.`,
+      `Weight ${weight} with the norm over ${over} flips ${number}, mean error ${ratio(mean)}.`,
     ),
     small('Use these settings', () => control.choose({ weights, norm })),
   ];
@@ -154,8 +154,8 @@ function showFacts(list, found) {
   const rows = [
     ['Mean error', ratio(found.mean), 'Quasi-conformal error, weighted by area: 1 keeps angles'],
     ['Worst error', ratio(found.max), 'The greatest quasi-conformal error of a triangle'],
-    ['Flipped triangles', groupDigits(found.flipped), 'Triangles that the map turns over'],
-    ['Time', duration(1000 * found.seconds), 'In the solver’s worker'],
+    ['Flipped triangles', groupDigits(found.flipped), 'Triangles that are upside down on the map'],
+    ['Time', duration(1000 * found.seconds), 'Computation time in the solver'],
   ];
   if (found.parts > 1) rows.push(['Parts', groupDigits(found.parts), 'Each has its own map']);
   if (found.leftOut > 0) rows.push(['Left out', groupDigits(found.leftOut), LEFT_OUT]);

@@ -153,7 +153,7 @@ function histogram({ histogram: counts, high, max }, stops) {
   });
   const title = element('span.title');
   setText(title, 'Quasi-conformal error');
-  title.title = 'The greater over the smaller stretch of each face: 1 where angles are kept';
+  title.title = 'The greater stretch of each face divided by the smaller: 1 where angles are kept';
   const label = `Histogram of the error of ${total} faces, from 1 to ${ratio(high)}`;
   return [
     title,

@@ -57,9 +57,9 @@ export class SplitView {
     const divider = splitDivider(app, () => this.#choices?.map((choice) => this.#words(choice)));
     this.#legends[1].element.firstElementChild?.append(
       closeButton(
-        'Back to one picture',
-        () => actions.look({ split: null, status: 'One picture' }),
-        { title: 'Back to one picture (Esc)' },
+        'Close the split view',
+        () => actions.look({ split: null, status: 'Split view closed' }),
+        { title: 'Close the split view (Esc)' },
       ),
     );
     byId('legend').after(divider, ...this.#legends.map((legend) => legend.element));

@@ -10,7 +10,7 @@
  * @param {import("../../app/context.js").AppContext} app
  */
 export function toggleSplit(app) {
-  if (app.store.get().split) app.actions.look({ split: null, status: 'One picture' });
+  if (app.store.get().split) app.actions.look({ split: null, status: 'Split view closed' });
   else splitInto(app);
 }
 

@@ -32,7 +32,7 @@ export class SectionCard {
     );
     this.#at = element('input', {
       ...{ type: 'range', min: '0', max: '1', step: '0.005' },
-      'aria-label': 'Place of the section',
+      'aria-label': 'Position of the section',
       oninput: () => set({ at: this.#at.valueAsNumber }),
     });
     this.#turn = button('Other side', () => set({ turned: !store.get().section?.turned }));

@@ -22,7 +22,7 @@ export class Tape {
   #table = element(
     'table',
     element('tr', element('td'), ...NAMES.map((name) => element('th', { scope: 'col' }, name))),
-    ...['now', 'at rest'].map((name, i) =>
+    ...['now', 'original'].map((name, i) =>
       element('tr', element('th', { scope: 'row' }, name), ...this.#cells[i]),
     ),
   );
@@ -74,7 +74,7 @@ export class Tape {
     this.#said = about;
     const unitOf = document?.units ? ` ${unit}` : '';
     this.#actions.setStatus(
-      `Distance ${write(now[0])}${unitOf}, at rest ${write(rest[0])}${unitOf}`,
+      `Distance ${write(now[0])}${unitOf}, originally ${write(rest[0])}${unitOf}`,
     );
   }
 

@@ -64,7 +64,7 @@ export function viewCommands(app) {
     {
       id: 'tape',
       group: 'View',
-      label: 'Measure the distance of two vertices',
+      label: 'Measure the distance between two vertices',
       keys: ['D'],
       action: () => {
         const { tape, selection } = store.get();
