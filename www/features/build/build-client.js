@@ -24,7 +24,7 @@ export class BuildClient {
     this.#worker.onerror = (event) => {
       event.preventDefault();
       const error = new Error(
-        'The part that makes sheets could not be fetched. Is there a network?',
+        'The sheet module could not be loaded. Check the network connection.',
       );
       for (const { reject } of this.#waiting.values()) reject(error);
       this.#waiting.clear();

@@ -71,7 +71,7 @@ function checkRow({ label, value, limit, unit, met, worst, failed }, show) {
   const inWords = (/** @type {number} */ size) =>
     unit === 'deg' ? `${mm(size)}°` : millimetres(size);
   const state = met === null ? 'none' : met ? 'met' : 'missed';
-  const figure = value === null ? 'not offered' : inWords(value);
+  const figure = value === null ? 'not available' : inWords(value);
   const bound = limit === null ? 'no limit' : `≤ ${inWords(limit)}`;
   const parts = [
     element('span.mark', { 'aria-hidden': 'true' }, { none: '–', met: '✓', missed: '✗' }[state]),
@@ -118,15 +118,16 @@ export function warnings({
       ? `${names.slice(0, 6).join(', ')} and ${names.length - 6} more`
       : names.join(', ');
   return [
-    large.length > 0 && `Larger than the sheet: ${some(large)}. They are left out, never scaled.`,
+    large.length > 0 && `Larger than the sheet: ${some(large)}. They are left out, not scaled.`,
     uncut.length > 0 && `Not cut: ${some(uncut)}.`,
-    dropped > 0 && `${groupDigits(dropped)} names of neighbours have no room.`,
+    dropped > 0 && `No room for ${count(dropped, 'name')} of neighbours.`,
     unnamed.length > 0 &&
       `${count(unnamed.length, NOUNS[product])} ${unnamed.length > 1 ? 'have' : 'has'} no room for a name: ${some(unnamed)}.`,
-    small > 0 && `${count(small, 'part')} with a name smaller than 2 mm.`,
-    undrilled > 0 && `${count(undrilled, 'hole')} without room.`,
+    small > 0 && `${count(small, 'part has', 'parts have')} a name smaller than 2 mm.`,
+    undrilled > 0 && `No room for ${count(undrilled, 'hole')}.`,
     bare.length > 0 && `No room for a tab between ${some(bare)}.`,
-    creased > 0 && `${count(creased, 'panel')} not flat, creased along a diagonal.`,
+    creased > 0 &&
+      `${count(creased, 'panel is', 'panels are')} not flat and creased along a diagonal.`,
   ].filter((line) => line !== false);
 }
 

@@ -29,13 +29,13 @@ const PIECES = [
   ['across', 'Strips, other way'],
 ];
 const PAGES = [
-  ['sheet', 'As the sheet'],
+  ['sheet', 'Sheet size'],
   ['a4', 'A4'],
   ['a3', 'A3'],
 ];
 const ORDERS = [
   ['size', 'Fewest sheets'],
-  ['names', 'As they are named'],
+  ['names', 'By name'],
 ];
 const NAMES = [
   ['index', 'P0, P1, P2 ...'],

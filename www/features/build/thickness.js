@@ -18,7 +18,7 @@ const KINDS = [
     title: 'Nodes keep their distance: exact on circular panels',
   },
   { kind: 'face', label: 'Panels', title: 'Planes of panels keep their distance: one thickness' },
-  { kind: 'edge', label: 'Beams', title: 'Beams are all equally high' },
+  { kind: 'edge', label: 'Beams', title: 'All beams are equally high' },
 ];
 /** Range of the slider in mean edge lengths, if nothing else limits it. */
 const FAR = 2;
@@ -100,8 +100,8 @@ export function thicknessForm({ tryDistance, change }) {
       slider.setAttribute('aria-valuetext', figure.textContent ?? '');
       if (!slider.matches(':active')) slider.value = String(offset.distance_mm / scale);
       const side = (/** @type {number | null} */ limit, /** @type {string} */ way) =>
-        limit === null ? `any distance ${way}` : `${millimetres(Math.abs(limit))} ${way}`;
-      setText(ends, `Safe up to ${side(inwards, 'inwards')}, ${side(outwards, 'outwards')}.`);
+        limit === null ? `at any distance ${way}` : `up to ${millimetres(Math.abs(limit))} ${way}`;
+      setText(ends, `Safe ${side(inwards, 'inwards')}, ${side(outwards, 'outwards')}.`);
       for (const { kind, one } of buttons) {
         one.ariaPressed = String(kind === settings.kind);
         one.classList.toggle('proposed', settings.kind === null && kind === offset.kind);

@@ -96,7 +96,7 @@ export function typesCurve(change) {
       joint.hidden = product !== 'panels' || settings.thickness === 0;
       setText(
         joint,
-        `Least joint on the sheet at ${millimetres(settings.thickness)}: ${outside} for panels outside of the surface, ${inside} inside.`,
+        `Smallest joint on the sheet at ${millimetres(settings.thickness)}: ${outside} for panels outside the surface, ${inside} inside.`,
       );
     },
   };

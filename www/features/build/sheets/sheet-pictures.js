@@ -62,7 +62,7 @@ export function sheetPictures({ point, choose }) {
 
   /** @param {{ sheet: SheetFigure, parts: number[] }[]} found */
   function whereAre(found) {
-    if (found.length === 0) return 'This panel is on no sheet that is shown.';
+    if (found.length === 0) return 'This panel is on none of the sheets shown.';
     const isFar = !found.some(({ sheet }) => sheet.isInSight('pointed', place));
     const all = found.map(({ sheet, parts }) => whereIs(sheet, parts)).join(', ');
     return isFar ? `${all}: click the panel to see it` : all;
