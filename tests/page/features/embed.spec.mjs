@@ -148,7 +148,7 @@ test('Share gives the line that embeds the model, and a code that says the link'
   await tool(page, 'Share');
   const dialog = page.getByRole('dialog', { name: 'Share' });
   const link = await dialog.getByRole('textbox', { name: 'Link' }).inputValue();
-  const picture = await dialog.getByRole('img', { name: 'Code to scan' }).screenshot();
+  const picture = await dialog.getByRole('img', { name: 'QR code' }).screenshot();
   const { pixels, width, height, channels } = decodePng(picture);
   const opaque = Uint8ClampedArray.from({ length: 4 * width * height }, (_, i) =>
     i % 4 === 3 ? 255 : pixels[channels * (i >> 2) + (i % 4)],

@@ -72,7 +72,7 @@ async function answer(call, app) {
       return script.positions();
     default: {
       const { name } = /** @type {{ name: unknown }} */ (call);
-      throw new Error(`the view knows no call ${JSON.stringify(name)}`);
+      throw new Error(`There is no call ${JSON.stringify(name)}: see embedding.html.`);
     }
   }
 }

@@ -79,7 +79,7 @@ function bar(app) {
  * @param {boolean} isPressed whether the view was started by a press
  */
 function takeTurns(view, isPressed) {
-  const hint = element('p', { id: 'embed-hint', hidden: true }, 'Click the view to zoom in it');
+  const hint = element('p', { id: 'embed-hint', hidden: true }, 'Click the view to zoom');
   byId('main').append(hint);
   const activate = (/** @type {boolean} */ isActive) => {
     view.dataset.active = String(isActive);

@@ -15,7 +15,7 @@ export default {
       title: ({ document }) =>
         document?.constraints.length
           ? 'How fast each of several methods lowers the energy'
-          : 'There is nothing to compare before there are constraints',
+          : 'Add a constraint first: without one there is nothing to compare',
     },
   ],
 };

@@ -117,7 +117,7 @@ export class ExperimentDialog {
     );
     this.#progress.hidden = true;
     this.#fillTable();
-    const on = this.#subject.of ? 'on the example as it came' : 'from the original shape';
+    const on = this.#subject.of ? 'on the original example' : 'from the original shape';
     setText(this.#status, `Runs in this browser, ${on}. Nothing is stored.`);
   }
 

@@ -77,8 +77,10 @@ export function showExport(app) {
           () => files.exportMesh(),
         ),
         model?.welded &&
-          format('OBJ as it came', 'With the vertices of the file, before they were welded', () =>
-            files.exportAsItCame(),
+          format(
+            'OBJ as it came',
+            'With the vertices of the file, before coincident ones were joined',
+            () => files.exportAsItCame(),
           ),
         format('3DM', 'For Rhino, with a layer for each group', () => saveForRhino(app)),
         format('Scene', 'The mesh with its constraints, handles and weights', () =>
@@ -98,7 +100,7 @@ export function showExport(app) {
         ),
         format(
           'Angles',
-          'CSV: corners of faces by their angles, originally and now',
+          'CSV: the corner angles of the faces, originally and now',
           () => saveTable('angles'),
           !curvesOnly,
         ),
@@ -108,7 +110,7 @@ export function showExport(app) {
         pictureOptions(viewport),
         format(
           'PNG',
-          canDraw ? 'The view as it is now' : 'There is no picture in this browser',
+          canDraw ? 'The view as it is now' : 'This browser cannot draw the view',
           async () => {
             const blob = await pictureOf(viewport, store.get(), picture);
             files.save('.png', blob, 'image/png');
@@ -118,7 +120,7 @@ export function showExport(app) {
         canRecord() &&
           format(
             'WebM',
-            'A film of 6 seconds, in which the model turns once',
+            'A 6-second video in which the model turns once',
             async () => {
               files.save('.webm', await turntableVideo(viewport), 'video/webm');
             },
@@ -126,10 +128,10 @@ export function showExport(app) {
           ),
         format(
           'Line drawing',
-          'SVG: the lines that are seen, in ink on A4',
+          'SVG: the visible lines, in ink on A4',
           async () => {
             const drawing = viewport.lineDrawing();
-            if (!drawing) throw new Error('There is no view to draw from.');
+            if (!drawing) throw new Error('This browser cannot draw the view.');
             files.save('-drawing.svg', drawing, 'image/svg+xml');
           },
           canDraw,

@@ -37,7 +37,8 @@ export async function pictureOf(viewport, state, { scale, legend, ground }) {
     const canvas = document.createElement('canvas');
     [canvas.width, canvas.height] = [size.width, size.height];
     const context = canvas.getContext('2d', { willReadFrequently: ground === 'none' });
-    if (!context) throw new Error('This browser gives the page no canvas to draw the picture on.');
+    if (!context)
+      throw new Error('This browser gave the page no canvas for the picture: try a smaller one.');
     const drawn = viewport.still(size, grey, (tile, left, top) => {
       context.drawImage(tile, left, top);
     });

@@ -19,14 +19,14 @@ export const canRecord = () =>
  */
 export async function turntableVideo(viewport, seconds = SECONDS) {
   const stream = canRecord() ? viewport.stream() : undefined;
-  if (!stream) throw new Error('This browser cannot record what it draws.');
+  if (!stream) throw new Error('This browser cannot record a video of the view.');
   const recorder = new MediaRecorder(stream, { mimeType: kind(), videoBitsPerSecond: BITS });
   /** @type {Blob[]} */
   const parts = [];
   recorder.ondataavailable = ({ data }) => parts.push(data);
   const stopped = new Promise((done, failed) => {
     recorder.onstop = done;
-    recorder.onerror = () => failed(new Error('The browser could not record the film.'));
+    recorder.onerror = () => failed(new Error('The browser could not record the video.'));
   });
   const camera = viewport.with((view) => {
     view.arrive();

@@ -31,8 +31,8 @@ export function showCitation() {
     { id: 'cite', title: 'Cite', light: true },
     element(
       'div.dialog-body',
-      entry('The paper, whose method this is', PAPER),
-      entry('This program, whose numbers and pictures you show', program(address)),
+      entry('The paper, for the method', PAPER),
+      entry('This program, for numbers and pictures made with it', program(address)),
     ),
   );
 }

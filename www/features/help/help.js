@@ -9,26 +9,29 @@ import { singleKeys } from '../../ui/single-keys.js';
 /** Actions of the pointer; see `pointer.js`. @type {[string, string][]} */
 const POINTER = [
   ['Drag a handle', 'move it, parallel to the screen'],
-  ['Drag an arrow', 'of the selected handles: move them along it; a square: in its plane'],
-  ['Drag elsewhere', 'orbit; with Select, a box, a lasso or a brush'],
-  ['Box to the right', 'what is inside'],
-  ['Box to the left', 'what it touches'],
+  ['Drag an arrow', 'move the selected handles along it; a square: in its plane'],
+  ['Drag elsewhere', 'orbit; with Select: a box, a lasso or a brush'],
+  ['Box to the right', 'select what is inside'],
+  ['Box to the left', 'select what it touches'],
   ['Click', 'select; Shift adds, Ctrl removes'],
-  ['Double-click', 'a vertex: a handle; an edge: its loop; a face: its flat patch'],
-  ['Right drag', 'orbit; a click, or a long press: the menu'],
-  ['Middle drag', 'pan, as Shift + right drag'],
+  [
+    'Double-click',
+    'a vertex: make a handle; an edge: select its loop; a face: select its flat patch',
+  ],
+  ['Right drag', 'orbit; a right click or a long press opens the menu'],
+  ['Middle drag', 'pan; so does Shift + right drag'],
   ['Wheel, pinch', 'zoom to the cursor'],
   ['Two fingers', 'pan and zoom'],
-  ['Hold Reset', 'the original, as long as it is held'],
+  ['Hold Reset', 'show the original as long as it is held'],
 ];
 /** Keys of the view itself; see `view-keys.js`, `handle-keys.js` and `pointer.js`. @type {[string, string][]} */
 const VIEW_KEYS = [
-  ['Arrows', 'orbit, when the view has the focus'],
+  ['Arrows', 'orbit, while the view has the focus'],
   ['PgUp PgDn', 'zoom'],
-  ['Enter', 'move the selected handles by arrow keys; Enter accepts, Esc cancels'],
-  ['X Y Z', 'while a handle is dragged: along that axis'],
-  ['Shift Ctrl', 'while a handle is dragged: at its height, above its place'],
-  ['Alt + drag', 'a vertex: make it a handle and move it'],
+  ['Enter', 'move the selected handles with the arrow keys; Enter accepts, Esc cancels'],
+  ['X Y Z', 'while a handle is dragged: move along that axis'],
+  ['Shift Ctrl', 'while a handle is dragged: Shift keeps its height, Ctrl moves it vertically'],
+  ['Alt + drag', 'on a vertex: make it a handle and move it'],
 ];
 
 /**

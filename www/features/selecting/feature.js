@@ -44,7 +44,7 @@ function commands({ store, actions }) {
     {
       id: 'through',
       group: 'Select',
-      label: 'Also what the surface hides',
+      label: 'Also select hidden elements',
       keys: ['T'],
       action: () => actions.useTool({ through: !store.get().through }),
     },

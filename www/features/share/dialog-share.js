@@ -43,7 +43,7 @@ export async function share(app) {
   const loss =
     rounded === null
       ? ''
-      : `So that it is short, positions are rounded to ${limit(rounded, scene?.units ?? '')}, a hundredth of the tolerance at most. A scene file is exact.`;
+      : `To keep the link short, positions are rounded to ${limit(rounded, scene?.units ?? '')}, at most a hundredth of the tolerance. A scene file is exact.`;
   const dialog = open({ link, found, title, loss }, () => {
     dialog.close();
     files.saveScene();
@@ -76,7 +76,7 @@ function open({ link, found, title, loss }, save) {
       'div.dialog-body',
       element(
         'p',
-        'Whoever opens this link gets the mesh with its constraints and handles, and their browser solves it again. The link holds all of it: nothing is uploaded.',
+        'Whoever opens this link gets the mesh with its constraints and handles, and their browser solves it again. The link contains everything: nothing is uploaded.',
       ),
       found
         ? element('textarea', {
@@ -126,8 +126,8 @@ function others(link, title) {
   return element(
     'div.share-others',
     link.length <= MOST_SCANNED
-      ? qrCode(link, 'Code to scan: the link')
-      : element('p.quiet.no-code', 'Too long for a code to scan: save the scene instead.'),
+      ? qrCode(link, 'QR code of the link')
+      : element('p.quiet.no-code', 'The link is too long for a QR code: save the scene instead.'),
     element(
       'div.embed',
       element('label', { for: 'share-line' }, 'To embed it in a page of your own'),
@@ -138,7 +138,7 @@ function others(link, title) {
         element(
           'a',
           { href: './embedding.html', target: '_blank', rel: 'noopener' },
-          'Options, and how a page drives it',
+          'Options, and how a page controls it',
         ),
       ),
       element('button.bordered', { onclick: copyLine }, 'Copy line'),
