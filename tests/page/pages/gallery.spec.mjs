@@ -70,7 +70,7 @@ test('words, figures and constraints find their examples', async ({ page }) => {
 
   await search.fill('no such thing');
   await expect(found).toHaveCount(0);
-  await expect(page.getByRole('status')).toContainText('No example fits');
+  await expect(page.getByRole('status')).toContainText('No example matches');
   await expect(page.getByRole('heading', { level: 2 })).toHaveCount(0);
 
   await search.fill('');

@@ -16,9 +16,9 @@ test('steps never raise the sum, and say what they do', async ({ page }) => {
   const said = page.getByRole('status');
   await expect(said).toContainText('The point is at proximity');
   await step.click();
-  await expect(said).toContainText('Step I, iteration 1: the nearest places.');
+  await expect(said).toContainText('Step I, iteration 1: the nearest place on each set.');
   await step.click();
-  await expect(said).toContainText('Step II, iteration 1: to their weighted mean.');
+  await expect(said).toContainText('Step II, iteration 1: the point moves to their weighted mean.');
   for (let k = 0; k < 8; k++) await step.click();
   const sums = await proximities(page);
   expect(sums).toHaveLength(10);

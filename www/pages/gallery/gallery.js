@@ -38,7 +38,10 @@ try {
 /** @returns {Promise<import("./card.js").Result[]>} */
 async function measured() {
   const response = await fetch(RESULTS);
-  if (!response.ok) throw new Error(`The measurements could not be fetched (${response.status}).`);
+  if (!response.ok)
+    throw new Error(
+      `The measurements of the gallery could not be loaded (HTTP ${response.status}).`,
+    );
   return response.json();
 }
 
@@ -105,7 +108,7 @@ function show(entries) {
   }
   const found = entries.filter((entry) => !entry.card.hidden).length;
   byId('found').textContent =
-    found > 0 ? count(found, 'example') : 'No example fits. Take out a word or choose All.';
+    found > 0 ? count(found, 'example') : 'No example matches. Remove a word or choose All.';
 }
 
 /**

@@ -130,7 +130,7 @@ function step() {
     state.targets = project(sets, state.x);
     state.iteration += 1;
     log(`I, ${state.iteration}`);
-    announce(`Step I, iteration ${state.iteration}: the nearest places. ${summary()}`);
+    announce(`Step I, iteration ${state.iteration}: the nearest place on each set. ${summary()}`);
   } else {
     const before = state.x;
     const old = errors(before, state.targets, weights);
@@ -140,12 +140,12 @@ function step() {
     const now = errors(state.x, state.targets, weights);
     const risen = NAMES.filter((_, i) => now[i] > old[i] + 1e-6 * sum(old));
     const but = risen.length
-      ? ` The part of the ${risen.join(' and the ').toLowerCase()} grew, φ did not.`
+      ? ` The part of the ${risen.join(' and of the ').toLowerCase()} grew, φ did not.`
       : '';
     const arrived = Math.hypot(state.x[0] - before[0], state.x[1] - before[1]) < ARRIVED;
     const end = arrived ? ' The point has arrived.' : '';
     announce(
-      `Step II, iteration ${state.iteration}: to their weighted mean. ${summary()}${but}${end}`,
+      `Step II, iteration ${state.iteration}: the point moves to their weighted mean. ${summary()}${but}${end}`,
     );
     if (arrived) pause();
     show(true);
