@@ -26,4 +26,7 @@ test('a symmetry says how many vertices have an image', async ({ page }) => {
   await expect(notice).toContainText('4 of 5 vertices have an image; the others are free.');
   await notice.getByRole('button', { name: 'Close' }).click();
   await expect(notice).toBeHidden();
+  // Another model is told of again, in the same words.
+  await open([1, 0, 0]);
+  await expect(notice).toContainText('4 of 5 vertices have an image; the others are free.');
 });
