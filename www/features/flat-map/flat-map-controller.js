@@ -1,6 +1,6 @@
 /**
- * The flat map: requests a flat map of the model with the last chosen options, and owns the
- * panel and the region of the canvas for it. Loaded on first use.
+ * Requests a flat map of the model with the last chosen options, and owns its panel and its region
+ * of the canvas. Loaded on first use.
  */
 
 import './flat-map.css';

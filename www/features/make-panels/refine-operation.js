@@ -67,7 +67,7 @@ export async function openEdit({ store, solver, actions, alerts }) {
       lost.replaceChildren(...made.lost.map((words) => element('li', words)));
       apply.disabled = false;
     } catch (error) {
-      if (question === asked) setText(said, `Not yet: ${messageOf(error)}.`);
+      if (question === asked) setText(said, `Not possible yet: ${messageOf(error)}.`);
     }
   }
 
