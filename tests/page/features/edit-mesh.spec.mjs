@@ -23,7 +23,9 @@ test('the dialog says what each operation makes, and undo goes back step by step
   // It begins with what can be done with quads. There is nothing to pair: what that needs is said.
   await expect(dialog.getByLabel('Operation')).toHaveValue('dual');
   await dialog.getByLabel('Operation').selectOption('Triangles to quads');
-  await expect(dialog.getByText('Not possible yet: expected two triangles side by side')).toBeVisible();
+  await expect(
+    dialog.getByText('Not possible yet: expected two triangles side by side'),
+  ).toBeVisible();
   await expect(dialog.getByRole('button', { name: 'Apply' })).toBeDisabled();
   await dialog.getByLabel('Operation').selectOption('Dual');
   await expect(dialog.getByText('16 faces become 25 quads, with 36 vertices.')).toBeVisible();
