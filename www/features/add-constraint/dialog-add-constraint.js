@@ -98,7 +98,7 @@ class AddConstraintDialog {
           'div.weight-row',
           element('label', { for: 'new-weight' }, 'Weight'),
           this.#weight,
-          element('span.quiet', 'relative to the other constraints'),
+          element('span.quiet', 'against the other constraints'),
         ),
         element('div.dialog-foot', this.#preview, this.#add, this.#addAndRun),
       ),
