@@ -240,7 +240,7 @@ export function planForm({ unit, metre, onchange, make }) {
     (value) => step(() => (plan.layout = /** @type {Plan["layout"]} */ (value))),
     [
       ['follow', 'Along the outline'],
-      ['cut', 'A grid, cut to the outline'],
+      ['cut', 'A grid, cut to fit'],
     ],
   );
   const stands = choice(
