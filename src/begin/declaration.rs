@@ -1,11 +1,9 @@
 //! Declaration of a kind of new mesh, and the errors in its sizes.
 
+use super::face_count::TooManyFaces;
 use crate::mesh::{Mesh, Size, SizeError};
 use serde::Serialize;
 use std::fmt;
-
-/// Largest number of faces of a new mesh: it starts coarse and is refined later.
-pub(super) const MOST_FACES: f64 = 100_000.0;
 
 /// A kind of new mesh. Hosts build their controls from it.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -33,8 +31,8 @@ pub enum NewMeshError {
         /// The condition that they violate.
         expected: &'static str,
     },
-    /// Too many faces; holds their number.
-    TooMany(f64),
+    /// Too many faces.
+    TooManyFaces(TooManyFaces),
 }
 
 impl fmt::Display for NewMeshError {
@@ -42,9 +40,7 @@ impl fmt::Display for NewMeshError {
         match self {
             NewMeshError::Size(why) => why.fmt(f),
             NewMeshError::Together { expected } => write!(f, "expected {expected}"),
-            NewMeshError::TooMany(faces) => {
-                write!(f, "that would be {faces:.0} faces, expected at most {MOST_FACES}")
-            }
+            NewMeshError::TooManyFaces(why) => why.fmt(f),
         }
     }
 }
@@ -68,7 +64,8 @@ impl NewKind {
     }
 }
 
-/// Fails if there would be too many faces.
-pub(super) fn few(faces: f64) -> Result<(), NewMeshError> {
-    if faces > MOST_FACES { Err(NewMeshError::TooMany(faces)) } else { Ok(()) }
+/// The values of all sizes, as many as expected.
+pub(super) fn exactly<const N: usize>(sizes: &[f64]) -> Result<[f64; N], NewMeshError> {
+    let number = || SizeError::Number { expected: N, found: sizes.len() };
+    sizes.try_into().map_err(|_| NewMeshError::Size(number()))
 }

@@ -1,14 +1,15 @@
 //! Meshes of revolution about the `z` axis: rows of quads, and triangles around an apex.
 
-use super::declaration::{NewMeshError, few};
+use super::declaration::{NewMeshError, exactly};
+use super::face_count::check_face_count;
 use crate::example::model::Rings;
 use crate::math::{angle, cosine, sine};
-use crate::mesh::{Mesh, SizeError};
+use crate::mesh::Mesh;
 use std::f64::consts::TAU;
 
 /// A cap of a sphere, in equal steps along its meridians.
 pub(super) fn dome(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let &[diameter, rise, opening, around, rows] = sizes else { return Err(wrong(sizes, 5)) };
+    let [diameter, rise, opening, around, rows] = exactly(sizes)?;
     let (eaves, hole) = (0.5 * diameter, 0.5 * opening);
     let radius = (eaves * eaves + rise * rise) / (2.0 * rise);
     if hole >= eaves {
@@ -26,13 +27,13 @@ pub(super) fn dome(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
 }
 
 pub(super) fn cone(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let &[diameter, top, height, around, rows] = sizes else { return Err(wrong(sizes, 5)) };
+    let [diameter, top, height, around, rows] = exactly(sizes)?;
     revolved(around, rows, &|up| [0.5 * (diameter + up * (top - diameter)), up * height])
 }
 
 /// A quarter of an ellipse revolved about the axis: vertical at the neck, horizontal at the rim.
 pub(super) fn funnel(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let &[rim, neck, height, around, rows] = sizes else { return Err(wrong(sizes, 5)) };
+    let [rim, neck, height, around, rows] = exactly(sizes)?;
     if neck >= rim {
         let expected = "a neck that is narrower than the rim";
         return Err(NewMeshError::Together { expected });
@@ -44,7 +45,7 @@ pub(super) fn funnel(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
 }
 
 pub(super) fn tube(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let &[diameter, height, around, rows] = sizes else { return Err(wrong(sizes, 4)) };
+    let [diameter, height, around, rows] = exactly(sizes)?;
     revolved(around, rows, &|up| [0.5 * diameter, up * height])
 }
 
@@ -55,7 +56,7 @@ fn revolved(
     rows: f64,
     profile: &dyn Fn(f64) -> [f64; 2],
 ) -> Result<Mesh, NewMeshError> {
-    few(around * rows)?;
+    check_face_count(around * rows).map_err(NewMeshError::TooManyFaces)?;
     let (meridians, rows) = (around as u32, rows as u32);
     let top = profile(1.0);
     let pointed = top[0] == 0.0;
@@ -74,8 +75,4 @@ fn revolved(
         }
     }
     Ok(Mesh { positions, faces, ..Mesh::default() })
-}
-
-fn wrong(sizes: &[f64], expected: usize) -> NewMeshError {
-    NewMeshError::Size(SizeError::Number { expected, found: sizes.len() })
 }

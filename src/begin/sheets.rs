@@ -1,19 +1,20 @@
 //! Sheets over a piece of the ground: quads, triangles and hexagons, counterclockwise from above.
 
-use super::declaration::{NewMeshError, few};
+use super::declaration::{NewMeshError, exactly};
+use super::face_count::check_face_count;
 use crate::example::model::{grid, honeycomb, triangle_rows};
 use crate::math::{angle, cosine, sine};
-use crate::mesh::{Mesh, Point, SizeError};
+use crate::mesh::{Mesh, Point};
 use std::f64::consts::TAU;
 
 pub(super) fn flat(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let &[length, width, along, across] = sizes else { return Err(wrong(sizes, 4)) };
+    let [length, width, along, across] = exactly(sizes)?;
     quads(along, across, &|x, y| [0.5 * length * x, 0.5 * width * y, 0.0])
 }
 
 /// A piece of a cylinder, in equal steps along its arcs.
 pub(super) fn barrel(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let &[length, span, rise, along, across] = sizes else { return Err(wrong(sizes, 5)) };
+    let [length, span, rise, along, across] = exactly(sizes)?;
     let half = 0.5 * span;
     let radius = (half * half + rise * rise) / (2.0 * rise);
     let turns = angle(radius - rise, half) / TAU;
@@ -25,7 +26,7 @@ pub(super) fn barrel(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
 
 /// The upper half of a torus around the `z` axis.
 pub(super) fn torus(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let &[radius, section, turn, along, across] = sizes else { return Err(wrong(sizes, 5)) };
+    let [radius, section, turn, along, across] = exactly(sizes)?;
     if section >= radius {
         let expected = "a section whose radius is smaller than that of the arc";
         return Err(NewMeshError::Together { expected });
@@ -38,7 +39,7 @@ pub(super) fn torus(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
 }
 
 pub(super) fn hypar(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let &[span, height, panels] = sizes else { return Err(wrong(sizes, 3)) };
+    let [span, height, panels] = exactly(sizes)?;
     quads(panels, panels, &|x, y| [0.5 * span * x, 0.5 * span * y, 0.5 * height * (1.0 + x * y)])
 }
 
@@ -61,13 +62,13 @@ pub(super) fn triangles(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
 /// The number of rows of triangle corners along the length, their number per row, and a paraboloid
 /// over the rectangle, level at its corners.
 fn cap(sizes: &[f64]) -> Result<(usize, usize, impl Fn(f64, f64) -> Point), NewMeshError> {
-    let &[length, width, rise, size] = sizes else { return Err(wrong(sizes, 4)) };
+    let [length, width, rise, size] = exactly(sizes)?;
     if size > length || size > width {
         let expected = "panels that are smaller than length and width";
         return Err(NewMeshError::Together { expected });
     }
     let (rows, across) = ((length / (0.75_f64.sqrt() * size)).round(), (width / size).round());
-    few(2.0 * rows * across)?;
+    check_face_count(2.0 * rows * across).map_err(NewMeshError::TooManyFaces)?;
     let point = move |x: f64, y: f64| {
         [0.5 * length * x, 0.5 * width * y, rise * (1.0 - 0.5 * (x * x + y * y))]
     };
@@ -76,10 +77,6 @@ fn cap(sizes: &[f64]) -> Result<(usize, usize, impl Fn(f64, f64) -> Point), NewM
 
 /// A grid of quads mapped from the square from -1 to 1; `dyn`, to compile this once for all kinds.
 fn quads(along: f64, across: f64, point: &dyn Fn(f64, f64) -> Point) -> Result<Mesh, NewMeshError> {
-    few(along * across)?;
+    check_face_count(along * across).map_err(NewMeshError::TooManyFaces)?;
     Ok(grid([along as usize, across as usize], point))
-}
-
-fn wrong(sizes: &[f64], expected: usize) -> NewMeshError {
-    NewMeshError::Size(SizeError::Number { expected, found: sizes.len() })
 }

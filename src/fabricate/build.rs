@@ -5,11 +5,12 @@ use super::beam::Frame;
 use super::fault::Fault;
 use super::file::{Drawing, places};
 use super::offset::{Axes, Choice, OffsetCheck, OffsetKind, axes_of, check};
-use super::panel::{FlatPanel, Point2, lay_flat, panel_names, panel_types};
+use super::panel::{FlatPanel, lay_flat, panel_names, panel_types};
 use super::paper::PaperModel;
 use super::settings::BuildSettings;
 use super::sheet::{CutPart, Layout};
 use super::surface::PanelSurface;
+use crate::math::plane::Point2;
 use crate::mesh::Mesh;
 
 /// The unit of the mesh.

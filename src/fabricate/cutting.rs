@@ -4,12 +4,13 @@
 use super::beam::{Frame, FrameSize};
 use super::build::{Build, CutPanel, NotCut, beam_name, node_name};
 use super::fault::Fault;
-use super::panel::{Point2, inset, is_simple, rotated, smallest_box};
+use super::panel::{inset, is_simple, smallest_box};
 use super::paper::{PaperModel, PaperSize, Unnamed, drawn, write_names};
 use super::settings::{BuildSettings, Product};
 use super::sheet::{
     CutPart, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
 };
+use crate::math::plane::{Point2, rotated};
 
 /// The name of what lies beyond each side of a part.
 type Beside = Vec<Option<String>>;

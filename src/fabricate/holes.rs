@@ -2,9 +2,10 @@
 //! other, or one at each end of a fin.
 
 use super::build::Build;
-use super::panel::{Point2, direction_of, distance_to_outline, is_inside};
+use super::panel::{direction_of, distance_to_outline};
 use super::settings::Product;
 use super::sheet::{CutPart, Hole};
+use crate::math::plane::{Point2, is_inside};
 
 /// Distance of the centre of a hole from its edge, in diameters.
 const FROM_EDGE: f64 = 1.5;

@@ -4,8 +4,8 @@
 use super::build::{Build, all_flat};
 use super::check_card::Failed;
 use super::offset::check;
-use super::panel::Point2;
 use super::sheet::Sheet;
+use crate::math::plane::Point2;
 
 impl Build {
     /// The vertices of the offset (`#V by 3`), in the coordinates of the mesh; vertices of no panel

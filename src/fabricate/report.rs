@@ -6,12 +6,13 @@ use super::build::Build;
 use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
 use super::offset::{Choice, OffsetCheck, OffsetKind};
-use super::panel::{area, panel_types, perimeter};
+use super::panel::{panel_types, perimeter};
 use super::paper::{Glue, Joint, PaperModel};
 use super::settings::Product;
 use super::sheet::{CutPart, NamePlace};
 use super::surface::distinct;
 use super::tighten::Tighten;
+use crate::math::plane::area;
 use serde::Serialize;
 
 /// The beams and the nodes between them.

@@ -7,6 +7,7 @@
 //! | `eigen` | eigenvectors, principal axes and singular values of 3x3 matrices |
 //! | `fit` | closest rotations, fitted circles and spheres, numbers with a given product |
 //! | `polygon` | sides and corners of polygons, regular polygons |
+//! | `plane` | points and vectors of the plane, area of a polygon |
 //! | `angle`, `turns` | angles between directions; sine and cosine |
 //! | `cube_root` | the cube root |
 //! | `cubic` | a segment of a cubic curve, and its closest point |
@@ -18,6 +19,7 @@ mod cube_root;
 mod cubic;
 mod eigen;
 mod fit;
+pub mod plane;
 mod polygon;
 mod turns;
 mod vector;

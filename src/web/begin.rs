@@ -93,9 +93,9 @@ impl NewSpans {
     ///
     /// # Errors
     /// None: plain data.
-    #[wasm_bindgen(unchecked_return_type = "CurveWords[]")]
+    #[wasm_bindgen(unchecked_return_type = "CurveLabel[]")]
     pub fn curves(&self) -> Result<JsValue, JsValue> {
-        plain(&SpanCurve::words(&self.curves))
+        plain(&SpanCurve::labels(&self.curves))
     }
 
     /// Returns the surface between two curves, or inside the first if there is no second, with

@@ -4,10 +4,10 @@ use super::grid::grid;
 use super::identities::revolution;
 use super::{build, dxf};
 use shape_up::fabricate::beam::{cut_back, node_types};
-use shape_up::fabricate::panel::area;
 use shape_up::fabricate::sheet::{Inscription, label};
 use shape_up::fabricate::{Build, BuildSettings, OffsetKind, Product};
 use shape_up::math::Vec3;
+use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
 
 fn settings() -> BuildSettings {

@@ -4,9 +4,9 @@ use super::grid::grid;
 use super::identities::revolution;
 use super::{build, dxf, metres};
 use shape_up::fabricate::file::{self, svg};
-use shape_up::fabricate::panel::area;
 use shape_up::fabricate::sheet::{Inscription, Order, Place, label};
 use shape_up::fabricate::{Build, BuildSettings, Dxf, Pieces, Product};
+use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
 
 /// A vault in metres, 1:10 on several sheets.

@@ -3,8 +3,9 @@
 use super::grid::grid;
 use super::{build, shared};
 use shape_up::fabricate::offset::{check, closing, exact, fit};
-use shape_up::fabricate::panel::{area, lay_flat};
+use shape_up::fabricate::panel::lay_flat;
 use shape_up::fabricate::{BuildSettings, OffsetKind, PanelSurface};
+use shape_up::math::plane::area;
 use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::{Mesh, Ragged};
 

@@ -3,9 +3,9 @@
 use super::grid::grid;
 use super::identities::revolution;
 use super::{build, shared};
-use shape_up::fabricate::panel::{Point2, area};
 use shape_up::fabricate::paper::{Glue, PaperModel};
 use shape_up::fabricate::{Build, BuildSettings, Page, Pieces, Product};
+use shape_up::math::plane::{Point2, area};
 use shape_up::mesh::Mesh;
 
 pub(super) fn settings(pieces: Pieces) -> BuildSettings {

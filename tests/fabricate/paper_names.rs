@@ -5,10 +5,10 @@ use super::build;
 use super::grid::grid;
 use super::identities::revolution;
 use super::paper::{cases, model, scale, settings};
-use shape_up::fabricate::panel::Point2;
 use shape_up::fabricate::paper::write_names;
 use shape_up::fabricate::sheet::Place;
 use shape_up::fabricate::{BuildSettings, Pieces};
+use shape_up::math::plane::Point2;
 
 fn contains(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
     let crosses = |&k: &usize| {

@@ -2,8 +2,8 @@
 
 use super::build;
 use super::identities::revolution;
-use shape_up::fabricate::panel::area;
 use shape_up::fabricate::{Build, BuildSettings, Product, SpatialPart};
+use shape_up::math::plane::area;
 
 fn made() -> Build {
     let own = BuildSettings { product: Product::Fins, thickness: 3.0, ..BuildSettings::default() };

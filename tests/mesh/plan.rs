@@ -1,7 +1,7 @@
 //! Meshes from plans: sound, inside their outline, as high as they were asked to be, and refused where they are wrong.
 
 use proptest::prelude::*;
-use shape_up::begin::{Plan, PlanError, PlanLayout, PlanPoint, PlanSurface, Standing};
+use shape_up::begin::{Plan, PlanError, PlanLayout, PlanPoint, PlanSurface, Support};
 use shape_up::math::{Vec3, cosine, sine, twice_vector_area};
 use shape_up::mesh::{Mesh, Topology, diagnose};
 use std::collections::BTreeSet;
@@ -23,7 +23,7 @@ fn plan(outline: Vec<PlanPoint>, layout: PlanLayout) -> Plan {
         size: 1.0,
         turn: 0.0,
         height: 3.0,
-        stands: Standing::Outline,
+        support: Support::Outline,
     }
 }
 
@@ -94,7 +94,7 @@ fn a_grid_follows_arcs_and_points_between_corners() {
     let mut outline = points(&[[0.0, 0.0], [10.0, -1.0], [20.0, 0.0], [20.0, 12.0], [0.0, 12.0]]);
     outline[1].corner = false;
     outline[2].bulge = 0.3;
-    let plan = Plan { stands: Standing::Corners, ..plan(outline, PlanLayout::Follow) };
+    let plan = Plan { support: Support::Corners, ..plan(outline, PlanLayout::Follow) };
     let PlanSurface { mesh, feet } = plan.surface().unwrap();
     assert_sound(&mesh);
     let at = |x: f64, y: f64| mesh.positions.iter().filter(|p| p[0] == x && p[1] == y).count();
@@ -152,7 +152,7 @@ fn what_is_wrong_is_said() {
         }),
         PlanError::TooCoarse(Some(0))
     );
-    assert!(matches!(of(|plan| plan.size = 1e-3), PlanError::TooMany(_)));
+    assert!(matches!(of(|plan| plan.size = 1e-3), PlanError::TooManyFaces(_)));
     let text = r#"{"outline":[{"at":[0,0],"bulge":"x"}],"layout":"cut","size":1,"height":1,"stands":"outline"}"#;
     let error = Plan::from_json(text).unwrap_err().to_string();
     assert!(error.starts_with("outline[0].bulge: found \"x\", expected a number"), "{error}");

@@ -151,7 +151,7 @@ fn a_filled_boundary_is_a_surface_with_that_boundary() {
     // The boundary of a mesh is a curve as well, after its polylines.
     let grid = crate::grid::grid(6, 4, |i, j| [f64::from(i), f64::from(j), 0.0]);
     let curves = SpanCurve::all(&grid);
-    let words = SpanCurve::words(&curves);
+    let words = SpanCurve::labels(&curves);
     assert_eq!(
         (words[0].label.as_str(), words[0].length, words[0].closed),
         ("Boundary 1", 20.0, true)
@@ -172,9 +172,9 @@ fn what_cannot_be_is_refused_with_the_reason() {
     assert_eq!(loft(&known[0], &known[2], 0.5), Err(SpanError::OneClosed));
     assert_eq!(loft(&known[0], &known[0], 0.5), Err(SpanError::Same));
     assert_eq!(loft(&known[0], &known[1], 0.0), Err(SpanError::Size(0.0)));
-    assert!(matches!(loft(&known[0], &known[1], 1e-4), Err(SpanError::TooMany(_))));
+    assert!(matches!(loft(&known[0], &known[1], 1e-4), Err(SpanError::TooManyFaces(_))));
     assert_eq!(fill(&known[0], 0.5), Err(SpanError::Open));
-    assert!(matches!(fill(&known[2], 1e-4), Err(SpanError::TooMany(_))));
+    assert!(matches!(fill(&known[2], 1e-4), Err(SpanError::TooManyFaces(_))));
     assert_eq!(SpanCurve::of(&known, 3), Err(SpanError::NoLength));
     assert_eq!(SpanCurve::of(&known, 9), Err(SpanError::Missing { asked: 9, found: 4 }));
     // A star whose arms lie across Coons' patch.

@@ -3,7 +3,7 @@
 
 use crate::grid::grid;
 use serde_json::{Value, json};
-use shape_up::begin::{Plan, PlanLayout, PlanPoint, Standing};
+use shape_up::begin::{Plan, PlanLayout, PlanPoint, Support};
 use shape_up::mesh::{BoundingSphere, Mesh, folded_faces};
 use shape_up::scene::Scene;
 use shape_up::session::{Session, Verdict};
@@ -233,7 +233,7 @@ fn exact_panels_are_those_near_the_shape_where_others_crumple() {
         size: 1.25,
         turn: 0.0,
         height: 6.0,
-        stands: Standing::Corners,
+        support: Support::Corners,
     };
     let surface = plan.surface().expect("it is a plan");
     let feet: Vec<Value> = surface.feet.iter().map(|&foot| json!(foot)).collect();

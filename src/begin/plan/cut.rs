@@ -1,19 +1,14 @@
 //! A straight grid cut to the outline and its holes.
 //!
-//! Grid vertices near a loop are moved onto it, one to each of its corners; edges that a loop still
-//! crosses get a vertex there. The part of each cell inside is a face: whole cells stay squares,
-//! and no face is a sliver.
-//!
 //! Grid vertices near a loop are moved onto it, one of them to each of its corners. Each grid edge
 //! that a loop still crosses gets a vertex at the crossing. The part of each cell inside the
 //! outline is a face: whole cells stay squares, and no face is a sliver.
 
 use super::declaration::PlanError;
-use super::outline::{
-    Loop, Place, along, closest, cross, dot, is_inside, minus, turned, twice_area,
-};
+use super::outline::{Loop, along, closest};
 use super::raise::Ground;
-use crate::begin::declaration::MOST_FACES;
+use crate::begin::face_count::check_face_count;
+use crate::math::plane::{Point2, area, bounds, cross, dot, is_inside, minus, rotated};
 use crate::math::{cosine_and_sine_of_degrees, polygon_sides};
 use crate::mesh::{Mesh, Ragged};
 use std::collections::BTreeMap;
@@ -39,9 +34,9 @@ struct Cells {
     /// Number of cells in each direction.
     count: [usize; 2],
     /// The loops, the outline first.
-    polygons: Vec<Vec<Place>>,
+    polygons: Vec<Vec<Point2>>,
     /// Positions of the grid vertices, then of the crossings.
-    places: Vec<Place>,
+    places: Vec<Point2>,
     lies: Vec<Lies>,
     /// The vertex on each grid edge that a loop crosses.
     crossings: BTreeMap<[u32; 2], u32>,
@@ -50,23 +45,16 @@ struct Cells {
 /// The surface inside the first loop and outside the others.
 pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, PlanError> {
     let [c, s] = cosine_and_sine_of_degrees(turn);
-    let flattened: Vec<Vec<(Place, usize)>> =
+    let flattened: Vec<Vec<(Point2, usize)>> =
         loops.iter().map(|one| one.flattened(FLAT * size)).collect();
-    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for (place, _) in &flattened[0] {
-        let place = turned(*place, [c, -s]);
-        low = [low[0].min(place[0]), low[1].min(place[1])];
-        high = [high[0].max(place[0]), high[1].max(place[1])];
-    }
+    let [low, high] = bounds(flattened[0].iter().map(|&(place, _)| rotated(place, [c, -s])));
     let extent = minus(high, low);
     let count = extent.map(|length| (length / size).round().max(1.0));
-    if count[0] * count[1] > MOST_FACES {
-        return Err(PlanError::TooMany(count[0] * count[1]));
-    }
+    check_face_count(count[0] * count[1]).map_err(PlanError::TooManyFaces)?;
     // Stretched a little, so that a whole number of cells fits.
     let step = [extent[0] / count[0], extent[1] / count[1]];
-    let to_grid = |place: Place| {
-        let place = minus(turned(place, [c, -s]), low);
+    let to_grid = |place: Point2| {
+        let place = minus(rotated(place, [c, -s]), low);
         [place[0] / step[0], place[1] / step[1]]
     };
     let polygons =
@@ -74,8 +62,8 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
     let mut cells = Cells::new(count.map(|n| n as usize), polygons.collect());
     let mut corners = Vec::new();
     for (l, one) in loops.iter().enumerate() {
-        let sharp = one.sharp();
-        for (side, _) in one.sides.iter().zip(sharp).filter(|(_, is_sharp)| *is_sharp) {
+        let flags = one.corner_flags();
+        for (side, _) in one.sides.iter().zip(flags).filter(|(_, is_sharp)| *is_sharp) {
             match cells.corner(to_grid(side.at(0.0)), l) {
                 Some(v) if side.is_corner => corners.push(v),
                 None if side.is_corner => return Err(PlanError::TooCoarse(l.checked_sub(1))),
@@ -87,7 +75,7 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
     cells.cross();
     let faces = cells.faces();
     // A piece of the outline that is narrower than a cell can turn a face over.
-    if faces.iter().any(|face| cells.twice_area(face) <= 0.0) {
+    if faces.iter().any(|face| cells.area(face) <= 0.0) {
         return Err(PlanError::TooCoarse(None));
     }
     for l in 0..loops.len() {
@@ -95,9 +83,9 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
             return Err(PlanError::TooCoarse(l.checked_sub(1)));
         }
     }
-    let from_grid = |place: &Place| {
+    let from_grid = |place: &Point2| {
         let place = [low[0] + place[0] * step[0], low[1] + place[1] * step[1]];
-        turned(place, [c, s])
+        rotated(place, [c, s])
     };
     let mut ground = cells.compact(&faces, &corners, from_grid);
     ground.corners.retain(|&v| v != u32::MAX);
@@ -105,11 +93,11 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
 }
 
 impl Cells {
-    fn new(count: [usize; 2], polygons: Vec<Vec<Place>>) -> Cells {
+    fn new(count: [usize; 2], polygons: Vec<Vec<Point2>>) -> Cells {
         let [nx, ny] = count;
-        let places: Vec<Place> =
+        let places: Vec<Point2> =
             (0..=ny).flat_map(|j| (0..=nx).map(move |i| [i as f64, j as f64])).collect();
-        let is_in = |place: &Place| {
+        let is_in = |place: &Point2| {
             is_inside(&polygons[0], *place)
                 && !polygons[1..].iter().any(|hole| is_inside(hole, *place))
         };
@@ -125,7 +113,7 @@ impl Cells {
     }
 
     /// The grid vertices at most `steps` from the cell that contains `place`.
-    fn around(&self, place: Place, steps: f64) -> impl Iterator<Item = u32> + use<> {
+    fn around(&self, place: Point2, steps: f64) -> impl Iterator<Item = u32> + use<> {
         let [nx, ny] = self.count;
         let range = |x: f64, n: usize| {
             let low = (x.floor() - steps).max(0.0) as usize;
@@ -139,7 +127,7 @@ impl Cells {
     /// Moves a grid vertex to a corner of the loop `on`: the nearest free one of its cell if it is
     /// near, else preferably one outside, whose faces are cut anyway. None if other corners use
     /// them all.
-    fn corner(&mut self, place: Place, on: usize) -> Option<u32> {
+    fn corner(&mut self, place: Point2, on: usize) -> Option<u32> {
         let far = |&v: &u32| {
             let by = minus(self.places[v as usize], place);
             let is_kept = self.lies[v as usize] != Lies::Outside;
@@ -156,7 +144,7 @@ impl Cells {
 
     /// Moves vertices that are near a loop onto it.
     fn snap(&mut self) {
-        let mut nearest: BTreeMap<u32, (f64, Place, usize)> = BTreeMap::new();
+        let mut nearest: BTreeMap<u32, (f64, Point2, usize)> = BTreeMap::new();
         for (l, polygon) in self.polygons.iter().enumerate() {
             for [a, b] in polygon_sides(polygon) {
                 let by = minus(b, a);
@@ -206,7 +194,7 @@ impl Cells {
     }
 
     /// The crossing of a loop with an edge nearest to its inner end, and the loop.
-    fn crossing(&self, ends: [u32; 2]) -> (Place, usize) {
+    fn crossing(&self, ends: [u32; 2]) -> (Point2, usize) {
         let is_turned = self.lies[ends[0] as usize] == Lies::Outside;
         let [p, q] = ends.map(|v| self.places[v as usize]);
         let [p, q] = if is_turned { [q, p] } else { [p, q] };
@@ -251,9 +239,9 @@ impl Cells {
         faces
     }
 
-    fn twice_area(&self, face: &[u32]) -> f64 {
-        let places: Vec<Place> = face.iter().map(|&v| self.places[v as usize]).collect();
-        twice_area(&places)
+    fn area(&self, face: &[u32]) -> f64 {
+        let places: Vec<Point2> = face.iter().map(|&v| self.places[v as usize]).collect();
+        area(&places)
     }
 
     /// Adds the face of a cell: none if it lies outside, two if only two opposite corners are
@@ -267,7 +255,7 @@ impl Cells {
         let inner: Vec<usize> =
             (0..face.len()).filter(|&k| self.lies[face[k] as usize] == Lies::Inside).collect();
         if inner.is_empty() {
-            if is_middle_in && self.twice_area(&face) > 2.0 * SLIVER {
+            if is_middle_in && self.area(&face) > SLIVER {
                 faces.push(face);
             }
         } else if face.len() == 6 && inner.len() == 2 && !is_middle_in {
@@ -283,7 +271,7 @@ impl Cells {
         &self,
         faces: &[Vec<u32>],
         corners: &[u32],
-        from_grid: impl Fn(&Place) -> Place,
+        from_grid: impl Fn(&Point2) -> Point2,
     ) -> Ground {
         let mut name = vec![u32::MAX; self.places.len()];
         faces.iter().flatten().for_each(|&v| name[v as usize] = 0);

@@ -1,6 +1,6 @@
 //! The description of a plan, and its errors.
 
-use crate::begin::declaration::MOST_FACES;
+use crate::begin::face_count::TooManyFaces;
 use serde::Deserialize;
 use std::fmt;
 
@@ -27,7 +27,8 @@ pub struct Plan {
     /// The height of the highest vertex.
     pub height: f64,
     /// The part of the surface that stays on the ground.
-    pub stands: Standing,
+    #[serde(rename = "stands")]
+    pub support: Support,
 }
 
 /// A point of an outline, with the side from it to the next one.
@@ -61,7 +62,7 @@ pub enum PlanLayout {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
-pub enum Standing {
+pub enum Support {
     /// The whole outline.
     Outline,
     /// Only the corners.
@@ -113,9 +114,9 @@ pub enum PlanError {
     /// A hole, or the outline if none, is smaller than a panel.
     TooCoarse(Option<usize>),
     /// A connected piece of the surface has no support.
-    Apart,
-    /// Too many faces; holds their number.
-    TooMany(f64),
+    NoSupport,
+    /// Too many faces.
+    TooManyFaces(TooManyFaces),
 }
 
 impl fmt::Display for PlanError {
@@ -134,13 +135,16 @@ impl fmt::Display for PlanError {
                 "expected four corners for panels along the outline, found {marked}: mark four, or cut a grid"
             ),
             PlanError::NoCorners(marked) => {
-                write!(f, "expected at least three corners to stand on, found {marked}")
+                write!(
+                    f,
+                    "expected at least three corners to stand on, found {marked}: mark more, or let it stand on the outline"
+                )
             }
-            PlanError::Holes => {
-                f.write_str("panels along the outline leave no holes: remove them, or cut a grid")
-            }
+            PlanError::Holes => f.write_str(
+                "panels along the outline cannot have holes: remove the holes, or cut a grid",
+            ),
             PlanError::Folded => f.write_str(
-                "panels along this outline would lie over each other: choose other corners, or cut a grid",
+                "panels along this outline would overlap: choose other corners, or cut a grid",
             ),
             PlanError::TooCoarse(Some(hole)) => write!(
                 f,
@@ -150,12 +154,10 @@ impl fmt::Display for PlanError {
             PlanError::TooCoarse(None) => {
                 f.write_str("the outline is too small for these panels: make them smaller")
             }
-            PlanError::Apart => {
-                f.write_str("a piece of the surface stands nowhere: mark a corner on it")
+            PlanError::NoSupport => {
+                f.write_str("a piece of the surface has no support: mark a corner on it")
             }
-            PlanError::TooMany(faces) => {
-                write!(f, "that would be {faces:.0} faces, expected at most {MOST_FACES}")
-            }
+            PlanError::TooManyFaces(why) => why.fmt(f),
         }
     }
 }
@@ -199,7 +201,7 @@ pub(super) fn check(points: &[PlanPoint], path: &str) -> Result<(), PlanError> {
             return at("expected a bulge from -1 to 1");
         }
         if point.at == points[(k + 1) % points.len()].at {
-            return at("expected another place than that of the next point");
+            return at("expected a point different from the next one");
         }
     }
     Ok(())

@@ -1,10 +1,13 @@
 //! A grid whose four sides follow the outline.
 
 use super::declaration::PlanError;
-use super::outline::{Loop, Place, Side, along, cross, dot, minus};
+use super::outline::{Loop, Side, along};
 use super::raise::Ground;
-use crate::begin::declaration::MOST_FACES;
+use crate::begin::coons_patch::coons_patch;
+use crate::begin::even_steps::even_steps;
+use crate::begin::face_count::check_face_count;
 use crate::example::model::grid;
+use crate::math::plane::{Point2, cross, dot, minus};
 
 /// Limit of vertex updates in all smoothing sweeps together: the largest grids take a second.
 const MOST_MOVES: usize = 40_000_000;
@@ -19,13 +22,11 @@ pub(super) fn mesh(outline: &Loop, size: f64) -> Result<Ground, PlanError> {
     let count =
         |one: usize, other: usize| (0.5 * (lengths[one] + lengths[other]) / size).round().max(1.0);
     let panels = [count(0, 2), count(1, 3)];
-    if panels[0] * panels[1] > MOST_FACES {
-        return Err(PlanError::TooMany(panels[0] * panels[1]));
-    }
+    check_face_count(panels[0] * panels[1]).map_err(PlanError::TooManyFaces)?;
     let [nx, ny] = panels.map(|n| n as usize);
     let [south, east, north, west] =
         [0, 1, 2, 3].map(|k| places(&pieces[k], if k % 2 == 0 { nx } else { ny }));
-    let mut places = blended(&south, &east, &north, &west);
+    let mut places = coons_patch(&south, &east, &north, &west);
     smooth(&mut places, nx + 1);
     let mut mesh = grid([nx, ny], |_, _| [0.0; 3]);
     for (position, [x, y]) in mesh.positions.iter_mut().zip(&places) {
@@ -58,59 +59,15 @@ fn piece(outline: &Loop, from: usize, to: usize) -> Vec<Side> {
 
 /// `n + 1` points in equal steps along some sides. The corners between sides replace the nearest of
 /// them, as far as there are enough.
-fn places(sides: &[Side], n: usize) -> Vec<Place> {
+fn places(sides: &[Side], n: usize) -> Vec<Point2> {
     let mut ends = vec![0.0];
     sides.iter().for_each(|side| ends.push(ends[ends.len() - 1] + side.length()));
-    let whole = ends[sides.len()];
-    let mut at: Vec<f64> = (0..=n).map(|k| whole * k as f64 / n as f64).collect();
-    let mut last = 0;
-    for &end in &ends[1..sides.len()] {
-        let nearest = ((end / whole * n as f64).round() as usize).max(last + 1);
-        if nearest < n {
-            at[nearest] = end;
-            last = nearest;
-        }
-    }
-    let place = |&s: &f64| {
-        let k = ends[1..sides.len()].partition_point(|&end| end <= s);
-        sides[k].at(((s - ends[k]) / sides[k].length()).min(1.0))
-    };
-    at.iter().map(place).collect()
-}
-
-/// Coons patch between four sides, each of them counterclockwise around it.
-fn blended(south: &[Place], east: &[Place], north: &[Place], west: &[Place]) -> Vec<Place> {
-    let (nx, ny) = (south.len() - 1, east.len() - 1);
-    let mut places = Vec::with_capacity((nx + 1) * (ny + 1));
-    for j in 0..=ny {
-        for i in 0..=nx {
-            let (u, v) = (i as f64 / nx as f64, j as f64 / ny as f64);
-            let terms = [
-                (1.0 - v, south[i]),
-                (v, north[nx - i]),
-                (1.0 - u, west[ny - j]),
-                (u, east[j]),
-                (-(1.0 - u) * (1.0 - v), south[0]),
-                (-u * (1.0 - v), south[nx]),
-                (-u * v, north[0]),
-                (-(1.0 - u) * v, north[nx]),
-            ];
-            // Boundary points are copied, to avoid rounding.
-            places.push(match (i, j) {
-                (_, 0) => south[i],
-                (_, j) if j == ny => north[nx - i],
-                (0, _) => west[ny - j],
-                (i, _) if i == nx => east[j],
-                _ => terms.iter().fold([0.0; 2], |sum, &(t, place)| along(sum, t, place)),
-            });
-        }
-    }
-    places
+    even_steps(&ends, 1..sides.len(), n).map(|(k, part)| sides[k].at(part)).collect()
 }
 
 /// Winslow's smoothing (1966): a map from the square whose inverse is harmonic, so that it does not
 /// fold. Solved by Gauss-Seidel sweeps over finite differences.
-fn smooth(places: &mut [Place], row: usize) {
+fn smooth(places: &mut [Point2], row: usize) {
     let inner = (row - 2) * (places.len() / row).saturating_sub(2);
     let extent = places.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
     let sweeps = (MOST_MOVES / inner.max(1)).min(4 * row * row);

@@ -16,5 +16,5 @@ mod outline;
 mod raise;
 mod surface;
 
-pub use declaration::{Plan, PlanError, PlanLayout, PlanPoint, PlanSide, Standing};
+pub use declaration::{Plan, PlanError, PlanLayout, PlanPoint, PlanSide, Support};
 pub use raise::PlanSurface;

@@ -1,11 +1,9 @@
 //! Closed loops of straight and arc sides.
 
 use super::declaration::{PlanError, PlanPoint, PlanSide, check};
+use crate::math::plane::{Point2, area, cross, dot, is_inside, length, minus, rotated};
 use crate::math::{angle, cosine, sine};
 use std::f64::consts::TAU;
-
-/// A point on the ground.
-pub(super) type Place = [f64; 2];
 
 /// Sides with a smaller bulge are straight.
 const STRAIGHT: f64 = 1e-9;
@@ -15,8 +13,8 @@ const SHARP: f64 = 0.939_692_620_785_908_4;
 /// A side: straight, or an arc.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side {
-    from: Place,
-    to: Place,
+    from: Point2,
+    to: Point2,
     bulge: f64,
     /// The index of its first point in the given order.
     pub(super) point: usize,
@@ -31,40 +29,13 @@ pub(super) struct Loop {
     hole: Option<usize>,
 }
 
-pub(super) fn minus(a: Place, b: Place) -> Place {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
 /// `a + t b`.
-pub(super) fn along(a: Place, t: f64, b: Place) -> Place {
+pub(super) fn along(a: Point2, t: f64, b: Point2) -> Point2 {
     [a[0] + t * b[0], a[1] + t * b[1]]
 }
 
-pub(super) fn dot(a: Place, b: Place) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-pub(super) fn cross(a: Place, b: Place) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
-pub(super) fn length(a: Place) -> f64 {
-    dot(a, a).sqrt()
-}
-
-/// Twice the area of a polygon, positive if it is counterclockwise.
-pub(super) fn twice_area(points: &[Place]) -> f64 {
-    let first = points[0];
-    points.windows(2).map(|w| cross(minus(w[0], first), minus(w[1], first))).sum()
-}
-
-/// A point rotated about the origin by the angle with this cosine and sine.
-pub(super) fn turned([x, y]: Place, [c, s]: [f64; 2]) -> Place {
-    [c * x - s * y, s * x + c * y]
-}
-
 /// The point of a segment that is nearest to `to`.
-pub(super) fn closest([a, b]: [Place; 2], to: Place) -> Place {
+pub(super) fn closest([a, b]: [Point2; 2], to: Point2) -> Point2 {
     let by = minus(b, a);
     let t = dot(minus(to, a), by) / dot(by, by);
     if t > 0.0 { along(a, t.min(1.0), by) } else { a }
@@ -93,7 +64,7 @@ impl Side {
     }
 
     /// The point at the fraction `t` of its length.
-    pub(super) fn at(&self, t: f64) -> Place {
+    pub(super) fn at(&self, t: f64) -> Point2 {
         let chord = minus(self.to, self.from);
         if self.is_straight() || t == 0.0 || t == 1.0 {
             return if t == 1.0 { self.to } else { along(self.from, t, chord) };
@@ -109,15 +80,15 @@ impl Side {
     }
 
     /// The unit tangents at its start and its end.
-    fn ends(&self) -> [Place; 2] {
+    fn ends(&self) -> [Point2; 2] {
         let chord = minus(self.to, self.from);
         let direction = chord.map(|c| c / length(chord));
         let half = if self.is_straight() { 0.0 } else { 0.5 * self.turns() };
-        [-half, half].map(|by| turned(direction, [cosine(by), sine(by)]))
+        [-half, half].map(|by| rotated(direction, [cosine(by), sine(by)]))
     }
 
     /// Points of a polyline within `tolerance` of the side, without its end.
-    fn flattened(&self, tolerance: f64) -> impl Iterator<Item = Place> + '_ {
+    fn flattened(&self, tolerance: f64) -> impl Iterator<Item = Point2> + '_ {
         let pieces = if self.is_straight() {
             1.0
         } else {
@@ -133,9 +104,9 @@ impl Loop {
     pub(super) fn of(points: &[PlanPoint], hole: Option<usize>) -> Result<Loop, PlanError> {
         check(points, &hole.map_or("outline".into(), |hole| format!("holes[{hole}]")))?;
         let n = points.len();
-        let places: Vec<Place> = points.iter().map(|point| point.at).collect();
+        let places: Vec<Point2> = points.iter().map(|point| point.at).collect();
         // A loop of two arcs has no area here; its direction does not matter.
-        let is_clockwise = twice_area(&places) < 0.0;
+        let is_clockwise = area(&places) < 0.0;
         let side = |k: usize| {
             let (from, to, arc) = match is_clockwise {
                 false => (k, (k + 1) % n, k),
@@ -154,7 +125,7 @@ impl Loop {
     }
 
     /// For each side, whether the loop has a corner at its start: a marked one, or a sharp turn.
-    pub(super) fn sharp(&self) -> Vec<bool> {
+    pub(super) fn corner_flags(&self) -> Vec<bool> {
         let n = self.sides.len();
         let is_sharp = |k: usize| {
             let [before, here] = [&self.sides[(k + n - 1) % n], &self.sides[k]];
@@ -164,7 +135,7 @@ impl Loop {
     }
 
     /// Points of a polyline along the loop, each with its side.
-    pub(super) fn flattened(&self, tolerance: f64) -> Vec<(Place, usize)> {
+    pub(super) fn flattened(&self, tolerance: f64) -> Vec<(Point2, usize)> {
         let of = |(k, side): (usize, &Side)| -> Vec<_> {
             side.flattened(tolerance).map(|place| (place, k)).collect()
         };
@@ -173,7 +144,7 @@ impl Loop {
 
     /// Fails if loops (the outline first) cross themselves or each other, or a hole is outside the
     /// outline.
-    pub(super) fn apart(loops: &[&Loop]) -> Result<(), PlanError> {
+    pub(super) fn check_disjoint(loops: &[&Loop]) -> Result<(), PlanError> {
         let size = loops[0].sides.iter().map(Side::length).sum::<f64>();
         let mut segments = Vec::new();
         for (l, one) in loops.iter().enumerate() {
@@ -196,7 +167,7 @@ impl Loop {
             }
         }
         for (hole, inner) in loops[1..].iter().enumerate() {
-            let outer: Vec<Place> =
+            let outer: Vec<Point2> =
                 loops[0].flattened(1e-4 * size).into_iter().map(|(place, _)| place).collect();
             if !is_inside(&outer, inner.sides[0].from) {
                 return Err(PlanError::Outside(hole));
@@ -207,23 +178,11 @@ impl Loop {
 }
 
 /// Whether two segments have a common point.
-fn meet([a, b]: [Place; 2], [c, d]: [Place; 2]) -> bool {
+fn meet([a, b]: [Point2; 2], [c, d]: [Point2; 2]) -> bool {
     let apart = |k: usize| a[k].max(b[k]) < c[k].min(d[k]) || c[k].max(d[k]) < a[k].min(b[k]);
     if apart(0) || apart(1) {
         return false;
     }
-    let side = |p: Place, q: Place, r: Place| cross(minus(q, p), minus(r, p));
+    let side = |p: Point2, q: Point2, r: Point2| cross(minus(q, p), minus(r, p));
     side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) <= 0.0
-}
-
-/// Whether a point lies inside a polygon: a ray from it crosses an odd number of sides.
-pub(super) fn is_inside(polygon: &[Place], [x, y]: Place) -> bool {
-    let mut inside = false;
-    for (k, a) in polygon.iter().enumerate() {
-        let b = polygon[(k + 1) % polygon.len()];
-        if (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) * (b[0] - a[0]) / (b[1] - a[1]) {
-            inside = !inside;
-        }
-    }
-    inside
 }

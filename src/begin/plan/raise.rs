@@ -1,6 +1,6 @@
 //! The height of every vertex: a net hanging under its own weight, turned upside down.
 
-use super::declaration::{PlanError, Standing};
+use super::declaration::{PlanError, Support};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Topology};
 use crate::sparse::{BlockMatrix, SymbolicAnalysis};
@@ -31,14 +31,14 @@ pub struct PlanSurface {
 /// density, loads are the areas around vertices (Schek 1974), and supported vertices stay at zero.
 pub(super) fn raised(
     ground: Ground,
-    stands: Standing,
+    support: Support,
     height: f64,
 ) -> Result<PlanSurface, PlanError> {
     let Ground { mut mesh, outline, corners } = ground;
-    let (held, feet) = match stands {
-        Standing::Corners if corners.len() < 3 => return Err(PlanError::NoCorners(corners.len())),
-        Standing::Corners => (corners.clone(), corners),
-        Standing::Outline => (outline, Vec::new()),
+    let (held, feet) = match support {
+        Support::Corners if corners.len() < 3 => return Err(PlanError::NoCorners(corners.len())),
+        Support::Corners => (corners.clone(), corners),
+        Support::Outline => (outline, Vec::new()),
     };
     let n = mesh.positions.len();
     let topology = Topology::new(&mesh);
@@ -72,13 +72,13 @@ pub(super) fn raised(
     }
     // The height of a piece without support is undetermined.
     let components = analysis.components();
-    let mut stands = vec![false; n];
-    (0..n).filter(|&k| fixed[k]).for_each(|k| stands[components[k] as usize] = true);
-    if components.iter().any(|&part| !stands[part as usize]) {
-        return Err(PlanError::Apart);
+    let mut is_held = vec![false; n];
+    (0..n).filter(|&k| fixed[k]).for_each(|k| is_held[components[k] as usize] = true);
+    if components.iter().any(|&part| !is_held[part as usize]) {
+        return Err(PlanError::NoSupport);
     }
     // Every piece has a support, so the matrix is not singular.
-    matrix.factor(&fixed).map_err(|_| PlanError::Apart)?;
+    matrix.factor(&fixed).map_err(|_| PlanError::NoSupport)?;
     matrix.solve(&mut loads);
     let top = loads.iter().map(|load| load[0]).fold(0.0, f64::max);
     if top > 0.0 {

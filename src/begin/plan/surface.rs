@@ -25,13 +25,13 @@ impl Plan {
         let holes = (0..).zip(&self.holes).map(|(k, hole)| Loop::of(hole, Some(k)));
         let holes = holes.collect::<Result<Vec<_>, _>>()?;
         let loops: Vec<&Loop> = std::iter::once(&outline).chain(&holes).collect();
-        Loop::apart(&loops)?;
+        Loop::check_disjoint(&loops)?;
         let ground = match self.layout {
             PlanLayout::Follow if !holes.is_empty() => return Err(PlanError::Holes),
             PlanLayout::Follow => follow::mesh(&outline, size)?,
             PlanLayout::Cut => cut::mesh(&loops, size, turn)?,
         };
-        raise::raised(ground, self.stands, height)
+        raise::raised(ground, self.support, height)
     }
 
     /// The mesh of the surface, without its supports.

@@ -1,6 +1,7 @@
 //! The curves of a file, and points in equal steps along them.
 
 use super::error::SpanError;
+use crate::begin::even_steps::even_steps;
 use crate::math::{Vec3, angle};
 use crate::mesh::{Mesh, Topology};
 use serde::Serialize;
@@ -21,7 +22,7 @@ pub struct SpanCurve {
 /// A curve as hosts list it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub struct CurveWords {
+pub struct CurveLabel {
     /// Label, such as "Curve 1" or "Boundary 2".
     pub label: String,
     /// Length in the unit of the mesh.
@@ -49,16 +50,16 @@ impl SpanCurve {
     }
 
     /// The labels and lengths of curves, for hosts to list.
-    pub fn words(curves: &[SpanCurve]) -> Vec<CurveWords> {
+    pub fn labels(curves: &[SpanCurve]) -> Vec<CurveLabel> {
         let mut counts = [0; 2];
-        let word = |curve: &SpanCurve| {
+        let label = |curve: &SpanCurve| {
             let count = &mut counts[usize::from(curve.is_boundary)];
             *count += 1;
             let name = if curve.is_boundary { "Boundary" } else { "Curve" };
             let length = length_of(&curve.ring());
-            CurveWords { label: format!("{name} {count}"), length, closed: curve.closed }
+            CurveLabel { label: format!("{name} {count}"), length, closed: curve.closed }
         };
-        curves.iter().map(word).collect()
+        curves.iter().map(label).collect()
     }
 
     /// The curve with this index.
@@ -98,29 +99,15 @@ pub(super) fn length_of(points: &[Vec3<f64>]) -> f64 {
 
 /// `n + 1` points in equal steps along a polyline from end to end. The points in `corners` replace
 /// the nearest of them, as far as there are enough.
-pub(super) fn even_steps(points: &[Vec3<f64>], corners: &[usize], n: usize) -> Vec<Vec3<f64>> {
+pub(super) fn evenly(points: &[Vec3<f64>], corners: &[usize], n: usize) -> Vec<Vec3<f64>> {
     let mut ends = vec![0.0];
     for pair in points.windows(2) {
         ends.push(ends[ends.len() - 1] + (pair[1] - pair[0]).length());
     }
-    let whole = ends[ends.len() - 1];
-    let mut at: Vec<f64> = (0..=n).map(|k| whole * k as f64 / n as f64).collect();
-    let mut last = 0;
-    for &corner in corners {
-        let nearest = ((ends[corner] / whole * n as f64).round() as usize).max(last + 1);
-        if nearest < n {
-            at[nearest] = ends[corner];
-            last = nearest;
-        }
-    }
-    let point = |&s: &f64| {
-        let k = ends[1..points.len() - 1].partition_point(|&end| end <= s);
-        let part = ((s - ends[k]) / (ends[k + 1] - ends[k])).clamp(0.0, 1.0);
-        match part {
-            0.0 => points[k],
-            1.0 => points[k + 1],
-            _ => points[k] + (points[k + 1] - points[k]) * part,
-        }
+    let point = |(k, part): (usize, f64)| match part {
+        0.0 => points[k],
+        1.0 => points[k + 1],
+        _ => points[k] + (points[k + 1] - points[k]) * part,
     };
-    at.iter().map(point).collect()
+    even_steps(&ends, corners.iter().copied(), n).map(point).collect()
 }

@@ -1,6 +1,6 @@
 //! Why there is no surface between curves.
 
-use crate::begin::declaration::MOST_FACES;
+use crate::begin::face_count::TooManyFaces;
 use std::fmt;
 
 /// Why there is no surface between curves.
@@ -23,8 +23,8 @@ pub enum SpanError {
     Same,
     /// A size of panels that is not a positive length.
     Size(f64),
-    /// Too many faces; holds their number.
-    TooMany(f64),
+    /// Too many faces.
+    TooManyFaces(TooManyFaces),
     /// The surface inside the curve would be folded.
     Folded,
 }
@@ -34,18 +34,16 @@ impl fmt::Display for SpanError {
         match *self {
             SpanError::Missing { asked, found } => write!(
                 f,
-                "there is no curve {asked}: polylines and boundaries are {found}, counted from 0"
+                "there is no curve {asked}: the file has {found} polylines and boundaries, counted from 0"
             ),
-            SpanError::NoLength => f.write_str("a curve without length has nothing beside it"),
-            SpanError::OneClosed => {
-                f.write_str("one curve is closed and the other is not: expected both alike")
-            }
+            SpanError::NoLength => f.write_str("the curve has no length"),
+            SpanError::OneClosed => f.write_str(
+                "one curve is closed and the other is open: expected both closed or both open",
+            ),
             SpanError::Open => f.write_str("expected a closed curve or a boundary"),
             SpanError::Same => f.write_str("expected two different curves"),
-            SpanError::Size(found) => write!(f, "expected a size of panels above 0, found {found}"),
-            SpanError::TooMany(faces) => {
-                write!(f, "that would be {faces:.0} faces, expected at most {MOST_FACES}")
-            }
+            SpanError::Size(found) => write!(f, "expected a panel size above 0, found {found}"),
+            SpanError::TooManyFaces(why) => why.fmt(f),
             SpanError::Folded => f.write_str(
                 "the surface would be folded: the curve turns back between its four corners",
             ),

@@ -1,8 +1,10 @@
 //! The surface inside a closed curve: a Coons patch between four corners.
 
-use super::curve::{SpanCurve, even_steps, length_of};
+use super::curve::{SpanCurve, evenly, length_of};
 use super::error::SpanError;
-use super::loft::{few, quads, turn_up};
+use super::loft::{quads, turn_up};
+use crate::begin::coons_patch::coons_patch;
+use crate::begin::face_count::check_face_count;
 use crate::math::{Vec3, argsort, key_of_number, twice_vector_area};
 use crate::mesh::{Mesh, Point, Topology};
 
@@ -23,32 +25,15 @@ pub fn fill(curve: &SpanCurve, size: f64) -> Result<Mesh, SpanError> {
     let lengths = sides.each_ref().map(|side| length_of(&side.0));
     let count = |a: f64, b: f64| (0.5 * (a + b) / size).round().max(1.0);
     let [along, across] = [count(lengths[0], lengths[2]), count(lengths[1], lengths[3])];
-    few(along * across)?;
+    check_face_count(along * across).map_err(SpanError::TooManyFaces)?;
     let counts = [along as usize, across as usize];
     let [south, east, north, west] = [0, 1, 2, 3].map(|k| {
         let (points, corners) = &sides[k];
-        even_steps(points, corners, counts[k % 2])
+        let points = evenly(points, corners, counts[k % 2]);
+        points.into_iter().map(Point::from).collect::<Vec<_>>()
     });
-    let [nx, ny] = counts;
-    let mut mesh = Mesh { faces: quads(counts, false), ..Mesh::default() };
-    for j in 0..=ny {
-        for i in 0..=nx {
-            let (u, v) = (i as f64 / nx as f64, j as f64 / ny as f64);
-            mesh.positions.push(Point::from(match (i, j) {
-                (_, 0) => south[i],
-                (_, j) if j == ny => north[nx - i],
-                (0, _) => west[ny - j],
-                (i, _) if i == nx => east[j],
-                _ => {
-                    let sides = south[i] * (1.0 - v) + north[nx - i] * v;
-                    let others = west[ny - j] * (1.0 - u) + east[j] * u;
-                    let low = south[0] * (1.0 - u) + south[nx] * u;
-                    let high = north[nx] * (1.0 - u) + north[0] * u;
-                    sides + others - low * (1.0 - v) - high * v
-                }
-            }));
-        }
-    }
+    let positions = coons_patch(&south, &east, &north, &west);
+    let mut mesh = Mesh { positions, faces: quads(counts, false), ..Mesh::default() };
     turn_up(&mut mesh);
     if is_folded(&mesh) { Err(SpanError::Folded) } else { Ok(mesh) }
 }
@@ -72,7 +57,7 @@ fn four_sides(curve: &SpanCurve) -> [(Vec<Vec3<f64>>, Vec<usize>); 4] {
         // At least as many points as before, with the quarters among them.
         let quarter = n.div_ceil(4);
         let inner: Vec<usize> = corners.iter().copied().filter(|&k| k > 0).collect();
-        points = even_steps(&ring, &inner, 4 * quarter);
+        points = evenly(&ring, &inner, 4 * quarter);
         points.pop();
         corners.clear();
         ends = (0..4).map(|k| k * quarter).collect();

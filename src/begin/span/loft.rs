@@ -1,8 +1,8 @@
 //! The surface between two curves: straight lines from each point of one to a point of the other.
 
-use super::curve::{SpanCurve, even_steps, length_of};
+use super::curve::{SpanCurve, evenly, length_of};
 use super::error::SpanError;
-use crate::begin::declaration::MOST_FACES;
+use crate::begin::face_count::check_face_count;
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged};
 
@@ -33,10 +33,10 @@ pub fn loft(first: &SpanCurve, second: &SpanCurve, size: f64) -> Result<Mesh, Sp
             ((mean / size).round() as usize).max(if closed { 3 } else { 1 })
         }
     };
-    few(along as f64)?;
+    check_face_count(along as f64).map_err(SpanError::TooManyFaces)?;
     let sides = [(first, &rings[0]), (second, &rings[1])].map(|(curve, ring)| {
         let corners: Vec<usize> = curve.corners().into_iter().map(|(k, _)| k).collect();
-        let mut points = if same { ring.clone() } else { even_steps(ring, &corners, along) };
+        let mut points = if same { ring.clone() } else { evenly(ring, &corners, along) };
         points.truncate(along + usize::from(!closed));
         points
     });
@@ -44,7 +44,7 @@ pub fn loft(first: &SpanCurve, second: &SpanCurve, size: f64) -> Result<Mesh, Sp
     let distances = sides[0].iter().zip(&other).map(|(&a, &b)| (b - a).length());
     let mean = distances.sum::<f64>() / other.len() as f64;
     let across = (mean / size).round().max(1.0);
-    few(along as f64 * across)?;
+    check_face_count(along as f64 * across).map_err(SpanError::TooManyFaces)?;
     let rows = across as usize;
     let mut mesh = Mesh::default();
     for row in 0..=rows {
@@ -97,9 +97,4 @@ pub(super) fn turn_up(mesh: &mut Mesh) {
         let turned = mesh.faces.iter().map(|face| face.iter().rev().copied().collect::<Vec<_>>());
         mesh.faces = turned.collect();
     }
-}
-
-/// Fails if there would be too many faces.
-pub(super) fn few(faces: f64) -> Result<(), SpanError> {
-    if faces > MOST_FACES { Err(SpanError::TooMany(faces)) } else { Ok(()) }
 }

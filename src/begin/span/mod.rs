@@ -12,7 +12,7 @@ mod error;
 mod fill;
 mod loft;
 
-pub use curve::{CurveWords, SpanCurve};
+pub use curve::{CurveLabel, SpanCurve};
 pub use error::SpanError;
 pub use fill::fill;
 pub use loft::loft;

@@ -4,8 +4,9 @@
 
 use super::node::Node;
 use crate::fabricate::offset::across_edge;
-use crate::fabricate::panel::{Point2, is_simple};
+use crate::fabricate::panel::is_simple;
 use crate::fabricate::surface::{PanelSurface, unit};
+use crate::math::plane::Point2;
 use crate::math::{Vec3, cosine_and_sine_of_degrees};
 
 /// A fin laid flat, in the unit of the mesh.

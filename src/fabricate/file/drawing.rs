@@ -1,7 +1,7 @@
 //! A sheet as lines with roles: the input of all file formats.
 
-use crate::fabricate::panel::Point2;
 use crate::fabricate::sheet::{CutPart, Hole, Role, Sheet, strokes, text_width};
+use crate::math::plane::Point2;
 
 /// A polyline of a sheet.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,8 +5,8 @@ use super::drawing::{Drawing, DrawnLine};
 use super::number::places;
 use super::pdf_objects::{POINTS, assembled, stream};
 use super::tiles::{FREE, OVERLAP, Tile, tiles};
-use crate::fabricate::panel::Point2;
 use crate::fabricate::sheet::{Role, strokes, text_width};
+use crate::math::plane::Point2;
 
 /// Height of text beside the ruler, in mm.
 const TEXT_HEIGHT: f64 = 2.0;

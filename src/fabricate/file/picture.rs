@@ -2,8 +2,8 @@
 //! hundredths of a millimetre to be short and quick to parse. Saved files are exact: see `svg`.
 
 use super::drawing::{Drawing, DrawnLine};
-use crate::fabricate::panel::Point2;
 use crate::fabricate::sheet::Role;
+use crate::math::plane::Point2;
 use serde::Serialize;
 
 /// Steps per millimetre.

@@ -4,8 +4,8 @@
 
 use super::drawing::{Drawing, DrawnLine};
 use super::number::places;
-use crate::fabricate::panel::Point2;
 use crate::fabricate::sheet::Role;
+use crate::math::plane::Point2;
 
 /// Writes a sheet.
 pub fn svg(drawing: &Drawing) -> String {

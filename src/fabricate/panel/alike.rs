@@ -3,8 +3,9 @@
 //! mirror images. It is zero exactly for congruent panels, and needs no fitting.
 
 use super::flat::FlatPanel;
-use super::polygon::{length, minus, perimeter};
+use super::polygon::perimeter;
 use crate::fabricate::alike::{Alike, Types};
+use crate::math::plane::{length, minus};
 
 /// Distances between the corners of a panel, and its perimeter.
 struct Shape {

@@ -1,9 +1,9 @@
 //! A panel laid flat: its corners in its least-squares plane, counterclockwise seen from outside.
 
 use super::plane::Plane;
-use super::polygon::Point2;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
+use crate::math::plane::Point2;
 
 /// A panel in its plane. All lengths are in the unit of the mesh.
 #[derive(Clone, Debug)]

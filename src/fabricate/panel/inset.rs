@@ -2,7 +2,8 @@
 //! lines are intersected. The area of a convex panel becomes
 //! `A - (g/2) L + (g/2)^2 sum cot(angle/2)`.
 
-use super::polygon::{Point2, area, cross, direction_of, dot, is_simple, minus};
+use super::polygon::{direction_of, is_simple};
+use crate::math::plane::{Point2, area, cross, dot, minus};
 
 /// Lines are parallel if the sine of their angle is smaller than this.
 const PARALLEL: f64 = 1e-9;

@@ -3,7 +3,7 @@
 //! | file | holds |
 //! |---|---|
 //! | `plane` | least-squares planes |
-//! | `polygon` | polygons in the plane: area, hull, the roomiest point for a label |
+//! | `polygon` | polygons in the plane: perimeter, hull, the roomiest point for a label |
 //! | `flat` | a panel laid flat, with its errors |
 //! | `inset` | subtraction of the joint |
 //! | `name` | short, stable names of panels |
@@ -21,5 +21,5 @@ pub use flat::{FlatPanel, lay_flat};
 pub use inset::inset;
 pub use name::{Names, panel_names};
 pub(super) use plane::plane_distance;
-pub use polygon::{Point2, area, hull, is_simple, perimeter, roomiest_point, smallest_box};
-pub(super) use polygon::{direction_of, distance_to_outline, dot, is_inside, rotated, sides};
+pub(super) use polygon::{direction_of, distance_to_outline, sides};
+pub use polygon::{hull, is_simple, perimeter, roomiest_point, smallest_box};

@@ -1,42 +1,16 @@
 //! Polygons in the plane, counterclockwise.
 
+use crate::math::plane::{Point2, bounds, cross, distance, dot, is_inside, length, minus, rotated};
 use crate::math::{key_of_number, sort_by_number};
-
-/// A point of the plane.
-pub type Point2 = [f64; 2];
-
-pub(super) fn minus([a, b]: Point2, [c, d]: Point2) -> Point2 {
-    [a - c, b - d]
-}
-
-pub(super) fn cross([a, b]: Point2, [c, d]: Point2) -> f64 {
-    a * d - b * c
-}
-
-pub(in crate::fabricate) fn dot([a, b]: Point2, [c, d]: Point2) -> f64 {
-    a * c + b * d
-}
-
-pub(super) fn length([a, b]: Point2) -> f64 {
-    (a * a + b * b).sqrt()
-}
 
 /// The sides of a polygon.
 pub(in crate::fabricate) fn sides(polygon: &[Point2]) -> impl Iterator<Item = [Point2; 2]> + '_ {
     crate::math::polygon_sides(polygon)
 }
 
-/// The signed area, positive if counterclockwise.
-pub fn area(polygon: &[Point2]) -> f64 {
-    let Some(&first) = polygon.first() else { return 0.0 };
-    // Relative to a corner: far from the origin the products would lose digits.
-    let twice: f64 = sides(polygon).map(|[p, q]| cross(minus(p, first), minus(q, first))).sum();
-    0.5 * twice
-}
-
 /// The length of the outline.
 pub fn perimeter(polygon: &[Point2]) -> f64 {
-    sides(polygon).map(|[p, q]| length(minus(q, p))).sum()
+    sides(polygon).map(|[p, q]| distance(p, q)).sum()
 }
 
 /// The unit vector from one point to another; the x direction if they coincide.
@@ -44,11 +18,6 @@ pub(in crate::fabricate) fn direction_of(from: Point2, to: Point2) -> Point2 {
     let step = minus(to, from);
     let l = length(step);
     if l > 0.0 { [step[0] / l, step[1] / l] } else { [1.0, 0.0] }
-}
-
-/// A point rotated by the angle whose cosine and sine are given.
-pub(in crate::fabricate) fn rotated([x, y]: Point2, [c, s]: Point2) -> Point2 {
-    [c * x - s * y, s * x + c * y]
 }
 
 /// Whether no two sides cross or touch, except neighbours at their corner. Sides without length are
@@ -128,7 +97,8 @@ pub fn smallest_box(polygon: &[Point2]) -> (Point2, [f64; 2]) {
     for [p, q] in sides(&hull) {
         let [c, s] = direction_of(p, q);
         let turn = [c, -s];
-        let [width, height] = extent(&hull, turn);
+        let [low, high] = bounds(hull.iter().map(|&point| rotated(point, turn)));
+        let [width, height] = minus(high, low);
         let (turn, size) = match width >= height {
             true => (turn, [width, height]),
             false => ([s, c], [height, width]),
@@ -139,26 +109,6 @@ pub fn smallest_box(polygon: &[Point2]) -> (Point2, [f64; 2]) {
         }
     }
     best.map_or(([1.0, 0.0], [0.0; 2]), |(_, turn, size)| (turn, size))
-}
-
-fn extent(points: &[Point2], turn: Point2) -> [f64; 2] {
-    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for point in points {
-        let point = rotated(*point, turn);
-        for k in 0..2 {
-            low[k] = low[k].min(point[k]);
-            high[k] = high[k].max(point[k]);
-        }
-    }
-    [high[0] - low[0], high[1] - low[1]]
-}
-
-/// Whether a point is inside, by the crossings of a ray.
-pub(in crate::fabricate) fn is_inside(polygon: &[Point2], [x, y]: Point2) -> bool {
-    let crosses = |&[p, q]: &[Point2; 2]| {
-        (p[1] > y) != (q[1] > y) && x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])
-    };
-    sides(polygon).filter(crosses).count() % 2 == 1
 }
 
 /// The distance of a point from the outline.
@@ -176,13 +126,7 @@ pub(in crate::fabricate) fn distance_to_outline(polygon: &[Point2], point: Point
 /// best point. For labels a hundredth is accurate enough.
 pub fn roomiest_point(polygon: &[Point2]) -> (Point2, f64) {
     const STEPS: i32 = 4;
-    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for point in polygon {
-        for k in 0..2 {
-            low[k] = low[k].min(point[k]);
-            high[k] = high[k].max(point[k]);
-        }
-    }
+    let [low, high] = bounds(polygon.iter().copied());
     let mut centre = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
     let mut half = [0.5 * (high[0] - low[0]), 0.5 * (high[1] - low[1])];
     let room = |point: Point2| match is_inside(polygon, point) {
@@ -211,6 +155,7 @@ pub fn roomiest_point(polygon: &[Point2]) -> (Point2, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::plane::area;
 
     const NOTCHED: [Point2; 5] = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [2.0, 1.0], [0.0, 3.0]];
 

@@ -3,8 +3,9 @@
 use super::model::{Glue, PaperModel};
 use super::net::OutlineSide;
 use super::tab_name::place_on_tab;
-use crate::fabricate::panel::{Point2, direction_of, rotated, smallest_box};
+use crate::fabricate::panel::{direction_of, smallest_box};
 use crate::fabricate::sheet::{CutPart, Inscription, label, strokes, upright};
+use crate::math::plane::{Point2, rotated};
 use crate::math::sort_by_number;
 
 /// Length of the dashes of a valley fold in mm.

@@ -2,9 +2,10 @@
 //! which preserves all lengths. Facets are connected by joints, which are folded or glued.
 
 use super::triangles::{triangles, turn};
-use crate::fabricate::panel::{FlatPanel, Point2, is_simple};
+use crate::fabricate::panel::{FlatPanel, is_simple};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::Vec3;
+use crate::math::plane::Point2;
 
 /// Panels are creased if laying them flat would change a distance between corners by more, in mm on
 /// the sheet.

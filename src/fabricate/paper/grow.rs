@@ -3,9 +3,10 @@
 
 use super::motion::Motion;
 use super::net::{OutlineSide, PaperNet};
-use super::overlap::{SAME, meet};
+use super::overlap::{is_same_corner, overlaps};
 use super::tab::tab;
-use crate::fabricate::panel::{Point2, smallest_box};
+use crate::fabricate::panel::smallest_box;
+use crate::math::plane::Point2;
 
 impl PaperNet {
     /// Folds a joint if possible: the pieces on its two sides become one. `room` is the largest
@@ -61,9 +62,7 @@ impl PaperNet {
                     continue;
                 }
                 let ([p, q], [r, s]) = (self.ends((f, k)), self.ends(there));
-                let near =
-                    |p: Point2, q: Point2| (p[0] - q[0]).abs() < SAME && (p[1] - q[1]).abs() < SAME;
-                if near(p, s) && near(q, r) {
+                if is_same_corner(p, s) && is_same_corner(q, r) {
                     found.push(other);
                 }
             }
@@ -81,7 +80,7 @@ impl PaperNet {
 
     fn overlap(&self, [a, b]: [u32; 2]) -> bool {
         let (own, other) = (self.convex(a), self.convex(b));
-        own.iter().any(|p| other.iter().any(|q| meet(p, q)))
+        own.iter().any(|p| other.iter().any(|q| overlaps(p, q)))
     }
 
     /// Whether the outline of a piece is one closed line, and every cut edge with both sides on the

@@ -6,7 +6,7 @@
 //! | `triangles` | a polygon as triangles, shortest diagonals first |
 //! | `facet` | flat facets in mm and the joints between them; a panel that is not flat is creased |
 //! | `strip` | the order in which joints are folded: along strips, or by their fold angle |
-//! | `overlap` | whether convex polygons meet |
+//! | `overlap` | whether convex polygons overlap |
 //! | `motion` | motions of the plane |
 //! | `net` | facets placed in the plane, piece by piece |
 //! | `tab` | hidden tabs, where they have room |

@@ -4,8 +4,9 @@ use super::facet::facets;
 use super::net::PaperNet;
 use super::strip::{Foldable, Pieces, foldable};
 use super::tab::{Tab, tab};
-use crate::fabricate::panel::{FlatPanel, Point2};
+use crate::fabricate::panel::FlatPanel;
 use crate::fabricate::surface::PanelSurface;
+use crate::math::plane::Point2;
 use crate::math::sort_by_number;
 
 /// Sizes in mm.

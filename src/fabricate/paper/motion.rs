@@ -1,6 +1,7 @@
 //! Rigid motions of the plane.
 
-use crate::fabricate::panel::{Point2, direction_of, rotated};
+use crate::fabricate::panel::direction_of;
+use crate::math::plane::{Point2, rotated};
 
 /// A rotation about the origin, followed by a translation.
 #[derive(Clone, Copy, Debug)]

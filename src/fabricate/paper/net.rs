@@ -2,7 +2,7 @@
 
 use super::facet::{Facet, Joint};
 use super::motion::Motion;
-use crate::fabricate::panel::Point2;
+use crate::math::plane::Point2;
 
 /// A side of the outline of a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,16 +1,22 @@
 //! Intersection test of convex polygons, by separating axes.
 
-use crate::fabricate::panel::{Point2, direction_of};
+use crate::fabricate::panel::direction_of;
+use crate::math::plane::{Point2, minus};
 
 /// Gap between parts of a piece without a common corner, in mm: room for scissors.
 const CLEARANCE: f64 = 0.5;
 /// Corners closer than this are the same, in mm.
-pub(super) const SAME: f64 = 0.05;
+const SAME: f64 = 0.05;
 /// Permitted overlap of parts with a common corner, in mm: the error of panels that count as flat.
 const ROUNDING: f64 = 0.02;
 
+/// Whether two corners are the same but for rounding.
+pub(super) fn is_same_corner(p: Point2, q: Point2) -> bool {
+    minus(p, q).iter().all(|x| x.abs() < SAME)
+}
+
 /// Whether two convex counterclockwise polygons overlap, or are too close without a common corner.
-pub(super) fn meet(a: &[Point2], b: &[Point2]) -> bool {
+pub(super) fn overlaps(a: &[Point2], b: &[Point2]) -> bool {
     let boxes = [a, b].map(|polygon| {
         let range = |k: usize| {
             let values = polygon.iter().map(|point| point[k]);
@@ -24,8 +30,7 @@ pub(super) fn meet(a: &[Point2], b: &[Point2]) -> bool {
     if is_far {
         return false;
     }
-    let near = |p: Point2, q: Point2| (p[0] - q[0]).abs() < SAME && (p[1] - q[1]).abs() < SAME;
-    let share = a.iter().any(|&p| b.iter().any(|&q| near(p, q)));
+    let share = a.iter().any(|&p| b.iter().any(|&q| is_same_corner(p, q)));
     let allowed = if share { ROUNDING } else { -CLEARANCE };
     deepest(a, b) > allowed && deepest(b, a) > allowed
 }

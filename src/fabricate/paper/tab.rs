@@ -3,9 +3,10 @@
 
 use super::motion::Motion;
 use super::net::{OutlineSide, PaperNet};
-use super::overlap::meet;
-use crate::fabricate::panel::{Point2, direction_of, distance_to_outline, is_inside};
+use super::overlap::overlaps;
+use crate::fabricate::panel::{direction_of, distance_to_outline};
 use crate::math::cosine_and_sine_of_degrees;
+use crate::math::plane::{Point2, distance, is_inside};
 
 /// Smallest useful height of a tab, in mm.
 const LEAST: f64 = 2.0;
@@ -81,7 +82,7 @@ pub(super) fn tab(
             is_inside(&neighbour, corner) && distance_to_outline(&neighbour, corner) >= HIDDEN
         });
         let is_whole = !(0..m).any(|c| c != i && c != j && is_inside(&corners, neighbour[c]));
-        if is_hidden && is_whole && !taken.iter().any(|other| meet(&corners, other)) {
+        if is_hidden && is_whole && !taken.iter().any(|other| overlaps(&corners, other)) {
             return Some(Tab { side, corners, height });
         }
         height *= 0.85;
@@ -95,8 +96,4 @@ fn angle(at: Point2, from: Point2, to: Point2) -> f64 {
     let ([a, b], [c, d]) = (direction_of(at, from), direction_of(at, to));
     let degrees = libm::atan2(a * d - b * c, a * c + b * d).to_degrees();
     if degrees < 0.0 { degrees + 360.0 } else { degrees }
-}
-
-fn distance([a, b]: Point2, [c, d]: Point2) -> f64 {
-    ((a - c) * (a - c) + (b - d) * (b - d)).sqrt()
 }

@@ -2,8 +2,9 @@
 //! the piece.
 
 use super::tab::Tab;
-use crate::fabricate::panel::{Point2, direction_of, rotated};
+use crate::fabricate::panel::direction_of;
 use crate::fabricate::sheet::text_width;
+use crate::math::plane::{Point2, rotated};
 
 /// Largest height of names on tabs, in mm.
 const TALLEST: f64 = 3.5;
@@ -52,8 +53,9 @@ pub(super) fn place_on_tab(tab: &Tab, name: &str) -> Option<(f64, Point2)> {
 mod tests {
     use super::super::net::OutlineSide;
     use super::*;
-    use crate::fabricate::panel::{distance_to_outline, is_inside};
+    use crate::fabricate::panel::distance_to_outline;
     use crate::fabricate::sheet::strokes;
+    use crate::math::plane::is_inside;
 
     #[test]
     fn letters_keep_clear_of_the_sides_of_their_tab_however_it_leans() {

@@ -1,6 +1,6 @@
 //! A polygon as triangles.
 
-use crate::fabricate::panel::Point2;
+use crate::math::plane::Point2;
 
 /// Cuts off ears, the one with the shortest diagonal first: triangles as corners, counterclockwise.
 pub(super) fn triangles(polygon: &[Point2]) -> Vec<[usize; 3]> {

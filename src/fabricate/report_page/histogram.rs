@@ -2,7 +2,7 @@
 
 use super::mark::{GREY, Mark, PALE, RED, block, line, text, text_to};
 use super::words::with_unit;
-use crate::fabricate::panel::Point2;
+use crate::math::plane::Point2;
 
 /// Number of bars.
 const BARS: usize = 30;

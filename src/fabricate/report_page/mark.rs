@@ -1,7 +1,7 @@
 //! The marks on a page, in mm from its lower left corner, y upwards.
 
 use super::helvetica::width;
-use crate::fabricate::panel::Point2;
+use crate::math::plane::Point2;
 
 /// Red, green and blue.
 pub(super) type Colour = [u8; 3];

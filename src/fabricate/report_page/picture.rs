@@ -5,7 +5,8 @@ use super::helvetica::width;
 use super::mark::{BLACK, Colour, GREY, Mark, RED, Shape, text};
 use crate::fabricate::build::Build;
 use crate::fabricate::check_card::Failed;
-use crate::fabricate::panel::{Point2, roomiest_point};
+use crate::fabricate::panel::roomiest_point;
+use crate::math::plane::Point2;
 use crate::math::{self, Vec3, argsort, key_of_number};
 
 /// Names are shown on the plan if this fraction of them has room.

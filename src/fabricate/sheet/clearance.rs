@@ -1,6 +1,7 @@
 //! Clearance between two convex parts.
 
-use crate::fabricate::panel::{Point2, direction_of, dot, sides};
+use crate::fabricate::panel::{direction_of, sides};
+use crate::math::plane::{Point2, dot};
 
 /// Directions with a smaller x are vertical.
 const VERTICAL: f64 = 1e-12;

@@ -5,9 +5,8 @@
 
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
-use crate::fabricate::panel::{
-    Point2, direction_of, distance_to_outline, is_inside, roomiest_point, rotated, sides,
-};
+use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point, sides};
+use crate::math::plane::{Point2, distance, is_inside, rotated};
 
 /// Largest height of neighbours' names, in mm.
 const TALLEST: f64 = 8.0;
@@ -319,11 +318,6 @@ fn middle(outline: &[Point2]) -> Point2 {
         whole += length;
     }
     sum.map(|sum| sum / whole)
-}
-
-fn distance([a, b]: Point2, [c, d]: Point2) -> f64 {
-    let [x, y] = [a - c, b - d];
-    (x * x + y * y).sqrt()
 }
 
 #[cfg(test)]

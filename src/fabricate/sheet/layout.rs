@@ -3,7 +3,7 @@
 use super::part::CutPart;
 use super::place::{Order, Place, SheetSize};
 use super::shelf::{Resting, Shelves, resting};
-use crate::fabricate::panel::rotated;
+use crate::math::plane::rotated;
 use crate::math::{key_of_number, sort_by_number};
 
 /// A sheet with parts.

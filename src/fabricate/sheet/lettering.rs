@@ -1,7 +1,7 @@
 //! Single-line letters on a grid of 4 by 6: machines engrave the outlines of a font twice, and
 //! cutting services do not accept text.
 
-use crate::fabricate::panel::{Point2, rotated};
+use crate::math::plane::{Point2, rotated};
 
 /// Grid units from one letter to the next.
 const ADVANCE: f64 = 6.0;

@@ -1,6 +1,6 @@
 //! A part to be cut from a sheet.
 
-use crate::fabricate::panel::Point2;
+use crate::math::plane::Point2;
 use crate::math::{cosine, sine};
 
 /// The purpose of a line: its layer and its colour in every file.

@@ -1,6 +1,6 @@
 //! Position of a part on its sheet, and order of parts.
 
-use crate::fabricate::panel::{Point2, rotated};
+use crate::math::plane::{Point2, rotated};
 use serde::{Deserialize, Serialize};
 
 /// The order in which parts are laid out.

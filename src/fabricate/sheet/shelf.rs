@@ -4,7 +4,8 @@
 use super::clearance::least_shift;
 use super::part::CutPart;
 use super::place::{Order, Place};
-use crate::fabricate::panel::{Point2, area, hull, rotated, sides, smallest_box};
+use crate::fabricate::panel::{hull, sides, smallest_box};
+use crate::math::plane::{Point2, area, bounds, rotated};
 
 /// Step of the heights of shelves, in mm.
 const STEP: f64 = 0.01;
@@ -31,7 +32,7 @@ pub(super) struct Resting {
 
 impl Resting {
     fn new(part: usize, turn: Point2, turned: Vec<Vec<Point2>>) -> Resting {
-        let [low, high] = extent(turned.iter().flatten());
+        let [low, high] = bounds(turned.iter().flatten().copied());
         let moved = low.map(|x| -x);
         let put = |polygon: Vec<Point2>| polygon.into_iter().map(|p| plus(p, moved)).collect();
         let cover = turned.into_iter().map(put).collect();
@@ -77,7 +78,7 @@ fn cover(outline: &[Point2]) -> Vec<Vec<Point2>> {
     if area(&whole) <= LARGER * area(outline) {
         return vec![whole];
     }
-    let [low, high] = extent(outline.iter());
+    let [low, high] = bounds(outline.iter().copied());
     let at = |k: u32| low[0] + f64::from(k) / f64::from(SLICES) * (high[0] - low[0]);
     let slice = |k: u32| {
         let [from, to] = [at(k), at(k + 1)];
@@ -93,13 +94,6 @@ fn cover(outline: &[Point2]) -> Vec<Vec<Point2>> {
         hull(&points)
     };
     (0..SLICES).map(slice).filter(|own| own.len() > 2).collect()
-}
-
-/// The lower left and the upper right corner of the box of some points.
-pub(super) fn extent<'a>(points: impl Iterator<Item = &'a Point2>) -> [Point2; 2] {
-    points.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], point| {
-        [[0, 1].map(|x| low[x].min(point[x])), [0, 1].map(|x| high[x].max(point[x]))]
-    })
 }
 
 fn plus([a, b]: Point2, [c, d]: Point2) -> Point2 {

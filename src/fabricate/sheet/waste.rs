@@ -1,8 +1,8 @@
 //! Names beside parts that have no room for them: on the waste, next to the outline.
 
 use super::lettering::text_width;
-use super::shelf::extent;
-use crate::fabricate::panel::{Point2, direction_of, is_inside, sides};
+use crate::fabricate::panel::{direction_of, sides};
+use crate::math::plane::{Point2, bounds, is_inside};
 
 /// Heights of such a name in mm, the best first.
 const HEIGHTS: [f64; 3] = [3.5, 2.7, 2.0];
@@ -30,7 +30,7 @@ impl Waste {
     /// Makes a sheet of this size with the outlines of its parts, all in mm.
     pub fn new(size: [f64; 2], margin: f64, outlines: Vec<Vec<Point2>>) -> Waste {
         let within = |outline: Vec<Point2>| {
-            let within = extent(outline.iter());
+            let within = bounds(outline.iter().copied());
             (outline, within)
         };
         let room = [[margin; 2], size.map(|size| size - margin)];

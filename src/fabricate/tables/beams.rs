@@ -3,7 +3,7 @@
 use crate::fabricate::beam::Frame;
 use crate::fabricate::build::{Build, beam_name, node_name};
 use crate::fabricate::file::{Cell, Table};
-use crate::fabricate::panel::area;
+use crate::math::plane::area;
 
 /// All tables, with the names of their files.
 pub(super) fn all(build: &Build, frame: &Frame) -> Vec<(&'static str, String)> {

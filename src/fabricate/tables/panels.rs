@@ -2,7 +2,8 @@
 
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
-use crate::fabricate::panel::{area, perimeter, rotated};
+use crate::fabricate::panel::perimeter;
+use crate::math::plane::{area, rotated};
 
 /// The name of a type of panels.
 fn type_name(number: u32) -> String {

@@ -2,8 +2,8 @@
 
 use crate::fabricate::build::{Build, beam_name};
 use crate::fabricate::file::{Cell, Table};
-use crate::fabricate::panel::area;
 use crate::fabricate::paper::{Glue, PaperModel};
+use crate::math::plane::area;
 
 /// Both tables, with the names of their files.
 pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {

@@ -146,7 +146,7 @@ fn mesh(from: &From) -> Result<Mesh, Failure> {
         }
         From::Span(Span { file, curves, size }) => {
             let known = SpanCurve::all(&input::read_mesh(file)?.mesh);
-            let lengths = SpanCurve::words(&known);
+            let lengths = SpanCurve::labels(&known);
             let made = curves.iter().map(|&number| SpanCurve::of(&known, number));
             let made = made.collect::<Result<Vec<_>, _>>().and_then(|asked| {
                 let size = size.unwrap_or_else(|| PANEL * lengths[curves[0]].length);
