@@ -1,5 +1,6 @@
 //! Blocks of cubes: their surfaces as quads, and tetrahedra.
 
+use super::lattice::{grid_points, linear_index};
 use crate::mesh::{Mesh, Point, Ragged};
 
 /// Unit cubes of a grid, each filled or empty. No two may touch only along an edge or in a corner,
@@ -105,7 +106,7 @@ impl Blocks {
     fn numbers<'a>(&self, used: impl Iterator<Item = &'a [u32; 3]>) -> Numbers {
         let corners = self.size.map(|n| n + 1);
         let mut numbers = vec![0; corners.iter().product::<u32>() as usize];
-        used.for_each(|&corner| numbers[linear_index(corner, corners)] = 1);
+        used.for_each(|&corner| numbers[linear_index(corner, corners) as usize] = 1);
         let mut positions: Vec<Point> = Vec::new();
         for (number, at) in numbers.iter_mut().zip(grid_points(corners)) {
             if *number == 1 {
@@ -126,17 +127,8 @@ struct Numbers {
 
 impl Numbers {
     fn of(&self, corner: [u32; 3]) -> u32 {
-        self.numbers[linear_index(corner, self.corners)]
+        self.numbers[linear_index(corner, self.corners) as usize]
     }
-}
-
-fn linear_index([x, y, z]: [u32; 3], [nx, ny, _]: [u32; 3]) -> usize {
-    ((z * ny + y) * nx + x) as usize
-}
-
-/// All points of a grid, by z, then y, then x.
-fn grid_points([nx, ny, nz]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
-    (0..nx * ny * nz).map(move |k| [k % nx, k / nx % ny, k / (nx * ny)])
 }
 
 /// The triangles that belong to only one tetrahedron, counterclockwise from outside, in the order

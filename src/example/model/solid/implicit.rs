@@ -1,6 +1,7 @@
 //! Zero level set of a function of space as triangles: marching tetrahedra on a body-centred cubic
 //! lattice, whose tetrahedra are congruent and nearly regular.
 
+use super::lattice::{grid_points, linear_index};
 use crate::math::Vec3;
 use crate::mesh::{Mesh, Point, Ragged};
 use std::collections::BTreeMap;
@@ -113,13 +114,4 @@ impl Triangles<'_> {
         self.on_edges.insert(ends, vertex);
         vertex
     }
-}
-
-fn linear_index([x, y, z]: [u32; 3], [nx, ny, _]: [u32; 3]) -> u32 {
-    (z * ny + y) * nx + x
-}
-
-/// All points of a grid, by z, then y, then x.
-fn grid_points([nx, ny, nz]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
-    (0..nx * ny * nz).map(move |k| [k % nx, k / nx % ny, k / (nx * ny)])
 }
