@@ -68,7 +68,7 @@ mod tests {
     use crate::session::FACE_MEASURES;
 
     #[test]
-    fn examples_offer_measures_that_there_are() {
+    fn examples_offer_known_measures() {
         let mut offered = 0;
         for example in EXAMPLES {
             for suggestion in suggestions(example.id) {

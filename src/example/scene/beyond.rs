@@ -14,8 +14,8 @@ use crate::scene::{
 pub(super) const CHOICE: Example = Example {
     id: "limits-choice",
     title: "Two vertices exchanged",
-    summary: "Drag the two handles alike: every line across is an arc of its own vertices, but on the right two neighbouring lines have exchanged one, and the surface answers otherwise.",
-    statement: "Both halves start as mirror images and are pulled alike; with two vertices exchanged between two constraints they end up to 1.5 m from that, and without the exchange to a millimetre.",
+    summary: "Drag the two handles by the same amount: every line across the sheet is to become an arc, but on the right two neighbouring lines have exchanged one vertex, and the surface responds differently.",
+    statement: "Both halves start as mirror images and are pulled by the same amount; with two vertices exchanged between two constraints they end up to 1.5 m from mirror images, and without the exchange within a millimetre.",
     ending: "obj",
     make: choice,
 };
@@ -23,7 +23,7 @@ pub(super) const CHOICE: Example = Example {
 pub(super) const FIT: Example = Example {
     id: "other-registration",
     title: "Panels fitted to another surface",
-    summary: "Rough panels near a surface that is not their own, of triangles: run, and they come to lie on it and become flat.",
+    summary: "The rough panels are near another surface, made of triangles: run, and they settle on it and become flat.",
     statement: "Vertices that are up to 3 m from the other surface come within 3 cm of it, and the mean planarity error e_p falls below 2e-8.",
     ending: "obj",
     make: fit,
@@ -32,8 +32,8 @@ pub(super) const FIT: Example = Example {
 pub(super) const TRANSFER: Example = Example {
     id: "other-transfer",
     title: "A tower takes the pose of another",
-    summary: "The upright tower is asked for the shapes of one that leans, ring by ring: they turn and grow as they like, and so the pose goes over.",
-    statement: "Rings that are up to 83 cm from the shapes of the other pose come within 1 cm of them.",
+    summary: "Each ring of the upright tower takes the shape of the same ring of a leaning tower; the rings may turn and grow freely, and so the whole tower takes the pose.",
+    statement: "Rings that are up to 83 cm from their shapes in the other pose come within 1 cm of them.",
     ending: "obj",
     make: transfer,
 };
@@ -41,8 +41,8 @@ pub(super) const TRANSFER: Example = Example {
 pub(super) const SPLINE: Example = Example {
     id: "other-spline",
     title: "Rim that glides on a spline",
-    summary: "The corners around the court crowd on one side and spread until they are equally far apart: they glide on the smooth curve through their first places, not on its straight edges.",
-    statement: "The longest edge of the rim is 6 times as long as the shortest one before and at most 2 % longer after; the rim stays within 1 cm of the curve, and leaves its first edges by more than 10 cm.",
+    summary: "The corners around the court are crowded on one side, and spread until they are equally far apart: they glide along the smooth curve through their original positions, not along the straight edges.",
+    statement: "The longest edge of the rim is 6 times as long as the shortest one before, and at most 2 % longer after; the rim stays within 1 cm of the curve, and moves more than 10 cm away from its original edges.",
     ending: "obj",
     make: spline,
 };
@@ -50,8 +50,8 @@ pub(super) const SPLINE: Example = Example {
 pub(super) const STRIPS: Example = Example {
     id: "other-strips",
     title: "Strips that unroll",
-    summary: "Long rows of panels, each exactly flat: every row unrolls into a strip of sheet metal or paper without stretch, though the whole surface does not. Build, Paper model, Strips lays them out.",
-    statement: "Panels that are up to 2 cm warped become flat, and each of the eight rows unrolls into a strip at most 29 m long and 3.6 m wide; the surface keeps a Gauss curvature of up to 0.04 per square metre, so that as one piece it would not.",
+    summary: "Long rows of panels, each exactly flat: every row unrolls into a strip of sheet metal or paper without stretching, though the whole surface does not. To lay them out, choose Build, Paper model, Strips.",
+    statement: "Panels that are warped by up to 2 cm become flat, and each of the eight rows unrolls into a strip at most 29 m long and 3.6 m wide; the surface keeps a Gauss curvature of up to 0.04 per square metre, so it would not unroll as one piece.",
     ending: "obj",
     make: strips,
 };

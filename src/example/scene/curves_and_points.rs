@@ -10,7 +10,7 @@ use crate::scene::{ClosenessTo, Scene, Smoothness, SmoothnessOf, Weighting, Weig
 pub(super) const SLABS: Example = Example {
     id: "curves-slabs",
     title: "Tower of flat slabs and round ribs",
-    summary: "Every second line around the wavy tower becomes flat, as a floor slab needs it, and the lines between them become circles; the panels follow.",
+    summary: "Every second line around the wavy tower becomes flat, as a floor slab has to be, and the lines between become circles; the panels follow.",
     statement: "Slabs that are up to 57 cm from a plane come within 2 mm of one; ribs that are up to 1 m from a circle come within 5 mm of one.",
     ending: "obj",
     make: slabs,
@@ -19,7 +19,7 @@ pub(super) const SLABS: Example = Example {
 pub(super) const POINTS: Example = Example {
     id: "points-pavilion",
     title: "Pavilion of points, surveyed and set right",
-    summary: "There are no faces here, only points with errors, in groups: those of the dome settle on a sphere, those of floor and wall on planes, those of each column on a line.",
+    summary: "There are no faces here, only groups of inaccurate points: those of the dome settle on a sphere, those of floor and wall on planes, those of each column on a line.",
     statement: "Points that are up to 35 cm from the sphere, plane or line of their group come within 5 mm of it.",
     ending: "obj",
     make: points,

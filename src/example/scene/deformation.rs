@@ -12,7 +12,7 @@ pub(super) const PROTRUSIONS: Example = Example {
     id: "fig-08-protrusions",
     title: "Plate with pegs",
     summary: "The plate bends as its right end is turned, and the pegs turn with it and keep their shape, because every polygon is rigid.",
-    statement: "No corner of a panel is further than 5 cm from where the rigid panel would have it; the plate is 34 m long.",
+    statement: "No corner of a panel is further than 5 cm from its place on a rigid copy of the panel; the plate is 34 m long.",
     ending: "obj",
     make: protrusions,
 };
@@ -21,16 +21,16 @@ pub(super) const RINGS: [Example; 3] = [
     Example {
         id: "fig-08-similar-1",
         title: "Stretched sheet, elements of one ring",
-        summary: "Each vertex with its neighbours may turn and grow but not shear: such small elements let the sheet swell most at its middle, and neck at its held ends.",
-        statement: "Stretched from 30 m to 42 m, the sheet of 18 m becomes more than 31 m wide at its middle.",
+        summary: "Each vertex with its neighbours may turn and grow but not shear: with such small elements the sheet swells most at its middle, and narrows towards its fixed ends.",
+        statement: "Stretched from 30 m to 42 m, the sheet, 18 m wide at first, becomes more than 31 m wide at its middle.",
         ending: "obj",
         make: |scene| sheet(scene, 1),
     },
     Example {
         id: "fig-08-similar-2",
         title: "Stretched sheet, elements of two rings",
-        summary: "Larger elements overlap more and spread the growth: the middle swells less than with one ring, and the ends neck less.",
-        statement: "Stretched from 30 m to 42 m, the sheet of 18 m becomes between 29 m and 30 m wide at its middle.",
+        summary: "Larger elements overlap more and spread the growth: the middle swells less than with one ring, and the ends narrow less.",
+        statement: "Stretched from 30 m to 42 m, the sheet, 18 m wide at first, becomes between 29 m and 30 m wide at its middle.",
         ending: "obj",
         make: |scene| sheet(scene, 2),
     },
@@ -38,7 +38,7 @@ pub(super) const RINGS: [Example; 3] = [
         id: "fig-08-similar-3",
         title: "Stretched sheet, elements of three rings",
         summary: "Elements of three rings spread the growth widest: the middle swells least of the three sheets.",
-        statement: "Stretched from 30 m to 42 m, the sheet of 18 m becomes less than 29 m wide at its middle.",
+        statement: "Stretched from 30 m to 42 m, the sheet, 18 m wide at first, becomes less than 29 m wide at its middle.",
         ending: "obj",
         make: |scene| sheet(scene, 3),
     },
@@ -47,8 +47,8 @@ pub(super) const RINGS: [Example; 3] = [
 pub(super) const BLOCKS: Example = Example {
     id: "fig-08-similar-blocks",
     title: "Stretched sheet, elements of blocks",
-    summary: "Blocks of six by six panels that overlap by two: each may turn and grow but not shear, and so the whole sheet grows almost evenly.",
-    statement: "Stretched from 30 m to 42 m, the sheet of 18 m becomes less than 27 m wide at its middle.",
+    summary: "Blocks of six by six panels that overlap by two: each may turn and grow but not shear, so the whole sheet grows almost evenly.",
+    statement: "Stretched from 30 m to 42 m, the sheet, 18 m wide at first, becomes less than 27 m wide at its middle.",
     ending: "obj",
     make: blocks,
 };
@@ -65,7 +65,7 @@ pub(super) const BAR_POLYGONS: Example = Example {
 pub(super) const BAR_RINGS: Example = Example {
     id: "fig-08-bar-rings",
     title: "Bent bar of rigid rings",
-    summary: "Rigid vertices with their neighbours overlap, which makes a stiff shell of the same surface: it bends more evenly, with a dent inside the bend.",
+    summary: "Each vertex with its neighbours is rigid, and these rings overlap, which makes a stiff shell of the same surface: it bends more evenly, with a dent inside the bend.",
     statement: "The bar keeps between 85 and 93 per cent of its volume.",
     ending: "obj",
     make: |scene| bar(scene, Blocks::surface, Element::Ring, 1),

@@ -13,15 +13,15 @@ use crate::scene::{
 pub(super) const GLASS_ROOF: Example = Example {
     id: "lesson-glass-roof",
     title: "Lesson: a glass roof of flat panes",
-    summary: "An exercise to hand in: every pane is to be flat to a millimetre, and the roof is to stay where the architect drew it. Run alone does not do it; the right weights do.",
-    statement: "The worst pane, 9 mm from flat, comes within 3 mm, and the roof leaves its place by up to 6 cm: both goals are missed, and there are weights that meet both.",
+    summary: "An exercise to hand in: make every pane flat to a millimetre, and keep the roof where the architect drew it. Run alone is not enough; the right weights are.",
+    statement: "The worst pane, 9 mm from flat, comes within 3 mm, and the roof moves by up to 6 cm: both goals are missed, but some weights meet both.",
     ending: "obj",
     make: glass_roof,
 };
 
-const TEXT: &str = "Each pane of this roof is to be one sheet of flat glass.
+const TEXT: &str = "Each pane of this roof will be one flat sheet of glass.
 Make every pane flat to a millimetre, and keep the roof within 5 cm of where it was drawn.
-Run it and see which goal is missed. Then change the weights of the energies until both are met, and hand in your results.";
+Press Run and see which goals are missed. Then change the weights of the energies until both are met, and hand in your results.";
 
 /// A roof on four fixed feet, with two conflicting goals.
 fn glass_roof(scene: &mut Scene) -> Mesh {
@@ -51,17 +51,17 @@ fn glass_roof(scene: &mut Scene) -> Mesh {
 pub(super) const OFFSETS: Example = Example {
     id: "lesson-circles-and-offsets",
     title: "Lesson: circles and offsets, why circular",
-    summary: "An exercise to hand in: a roof whose panels have their corners on circles, exactly, because only then do its nodes have axes.",
-    statement: "The corners of a panel, up to 155 mm from a circle, come within 1 mm, and one goal is missed: near is not exact.",
+    summary: "An exercise to hand in: put the corners of every panel of a roof exactly on a circle, because only then do its nodes have axes.",
+    statement: "The corners of a panel, up to 155 mm from a circle, come within 1 mm, and one goal is missed: close is not exact.",
     ending: "obj",
     make: offsets,
 };
 
-const OFFSETS_TEXT: &str = "A roof has thickness: a second layer, everywhere as far away as the first, with edges parallel to its edges. Where the corners of every panel lie on a circle, there is one whose nodes are all equally far from those below. Each beam is then a flat strip, and beams meet in the axis of their node, without twist.
+const OFFSETS_TEXT: &str = "A roof has thickness: a second layer runs at a constant distance from the first, with parallel edges. If the corners of every panel lie on a circle, there is a second layer whose nodes are all equally far from those below. Each beam is then a flat strip, and beams meet in the axis of their node, without twist.
 
-1. Press Run. The corners come near to circles, and the first goal is missed: near leaves every node a little twisted.
-2. Under Constraints open Circle, and set Required to Exact. The roof goes there at once.
-3. Look at Moved. Circular panels are dear where edges are far from the lines of curvature.";
+1. Press Run. The corners come close to circles, but the first goal is missed: close leaves every node a little twisted.
+2. Under Constraints open Circle, and set Required to Exact. The corners move onto their circles at once.
+3. Look at Moved. Circular panels move the roof most where edges are far from the lines of curvature.";
 
 fn offsets(scene: &mut Scene) -> Mesh {
     let roof = Canopy {
@@ -86,18 +86,18 @@ fn offsets(scene: &mut Scene) -> Mesh {
 pub(super) const CURVATURE: Example = Example {
     id: "lesson-curvature-and-panels",
     title: "Lesson: curvature and panels",
-    summary: "An exercise to hand in: two vaults of one shape, with edges along the lines of curvature on the left and across them on the right. Both get flat panels, and only one has to move.",
+    summary: "An exercise to hand in: two vaults of the same shape, with edges along the lines of curvature on the left and across them on the right. Both get flat panels, but only one has to move.",
     statement: "The left vault is flat from the start and stays; the panels of the right one, up to 7.6 mm from flat, come within 2 mm, and one goal is missed.",
     ending: "obj",
     make: curvature,
 };
 
-const CURVATURE_TEXT: &str = "Two vaults of the same shape. On the left the edges follow the directions in which it bends most and least, on the right they cross them.
+const CURVATURE_TEXT: &str = "Two vaults of the same shape. On the left the edges follow the directions in which the vault bends most and least; on the right they cross them.
 
 1. Under Display colour by Off the lines of curvature. Which vault follows them?
-2. Colour by Planarity. On the left all panels are flat, though nobody asked for it.
+2. Colour by Planarity. On the left all panels are flat, though no constraint has acted yet.
 3. Under Constraints open Plane, and set Required to Within. All panels come within 1 mm of flat.
-4. Colour by Moved. The left vault has not moved, the right one has paid for its flat panels. Exact costs more: try it, and see which goal is missed.";
+4. Colour by Moved. The left vault has not moved; the right one had to, for its panels to become flat. Exact moves it further: try it, and see which goal is missed.";
 
 fn curvature(scene: &mut Scene) -> Mesh {
     scene.constraints = vec![constraint("plane", each(Element::Face), 1.0)];
@@ -132,17 +132,17 @@ fn vault(turn: f64, along: f64) -> Mesh {
 pub(super) const HEXAGONS: Example = Example {
     id: "lesson-stiffness-of-hexagons",
     title: "Lesson: the stiffness of hexagons",
-    summary: "An exercise to hand in: a shell of hexagonal plates, which is stiff where its frame would fold, once every plate is exactly flat.",
-    statement: "The plates, up to 7.7 mm from flat, come within 1 mm, and one goal is missed: near is not exact.",
+    summary: "An exercise to hand in: a shell of hexagonal plates. Its frame alone would fold; its plates make it stiff, once every one is exactly flat.",
+    statement: "The plates, up to 7.7 mm from flat, come within 1 mm, and one goal is missed: close is not exact.",
     ending: "obj",
     make: hexagons,
 };
 
-const HEXAGONS_TEXT: &str = "Three bars meet in each node of this shell. As a frame with hinges it folds: n nodes can move in 3 n ways, and there are only 1.5 n bars. Make the hexagons plates and it stands, because three planes have one point in common. So shells of bars are made of triangles, and shells of plates of hexagons. But a plate has to be flat.
+const HEXAGONS_TEXT: &str = "Three bars meet in each node of this shell. As a frame with hinges it folds: n nodes can move in 3 n ways, and there are only 1.5 n bars. If the hexagons are plates, it stands, because three planes have one point in common. That is why shells of bars are made of triangles, and shells of plates of hexagons. But a plate has to be flat.
 
-1. Under Display colour by Planarity, and press Run. The plates come near to flat, and the first goal is missed.
-2. Under Constraints open Plane, and set Required to Exact. The shell goes there at once.
-3. Look at the shapes: where it bends more in one direction, flat hexagons become narrow in the other.";
+1. Under Display colour by Planarity, and press Run. The plates become nearly flat, but the first goal is missed.
+2. Under Constraints open Plane, and set Required to Exact. The plates become flat at once.
+3. Look at the shapes: where the shell bends more in one direction, flat hexagons become narrow in the other.";
 
 fn hexagons(scene: &mut Scene) -> Mesh {
     scene.constraints = vec![constraint("plane", each(Element::Face), 1.0)];

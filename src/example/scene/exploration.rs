@@ -10,7 +10,7 @@ use crate::scene::{ClosenessTo, Scene};
 pub(super) const LANTERN: Example = Example {
     id: "fig-06-exploration",
     title: "Lantern, pulled out of the round",
-    summary: "The rim is lifted, widened and tilted: the panels change their sizes and places, but keep circles through their corners.",
+    summary: "The rim is lifted, widened and tilted: the panels change in size and position, but their corners stay on circles.",
     statement: "All corners stay within 2 cm of the circles of their panels, with a mean circularity error e_c of less than 5e-8.",
     ending: "obj",
     make: lantern,
@@ -20,7 +20,7 @@ pub(super) const WEB: Example = Example {
     id: "fig-06-web",
     title: "Web of circular arcs",
     summary: "Every line of edges, in both directions, bends to one circular arc while the handles pull, and the panels keep their proportions.",
-    statement: "The lines, up to 6 m from circles when the handles have moved, come within 10 cm of them.",
+    statement: "The lines, up to 6 m from circles once the handles have moved, come within 10 cm of them.",
     ending: "obj",
     make: web,
 };

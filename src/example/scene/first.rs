@@ -31,7 +31,7 @@ pub(super) const DOME: Example = Example {
 pub(super) const HYPAR: Example = Example {
     id: "hypar",
     title: "Hypar of straight beams",
-    summary: "Every line of edges becomes straight, and on a saddle of straight lines no panel can be flat: planarity stops falling above zero.",
+    summary: "Every line of edges becomes straight, and on a saddle of straight lines no panel can be flat: the planarity error stops falling before it reaches zero.",
     statement: "Lines that are up to 1 m from straight come within 2 cm, and the mean planarity error e_p stays above 2e-7.",
     ending: "obj",
     make: hypar,

@@ -10,7 +10,7 @@ use crate::scene::{ClosenessTo, Scene, Smoothness, SmoothnessOf, Weighting, Weig
 pub(super) const OVERVIEW: Example = Example {
     id: "fig-01-overview",
     title: "Circles, a rigid area and a sphere together",
-    summary: "Every polygon becomes circular and the top of the wide mound settles on a sphere, while a handle pulls up the narrow one, whose top stays rigid.",
+    summary: "Every polygon becomes circular and the top of the wide mound settles on a sphere, while a handle pulls up the narrow mound, whose top stays rigid.",
     statement: "The mean circularity error e_c falls from 2e-6 to less than 5e-7; the crown, up to 50 cm from a sphere, comes within 2 cm of one; the rigid area keeps its shape within 3 cm.",
     ending: "obj",
     make: overview,

@@ -29,7 +29,7 @@ pub(super) const CIRCULAR: Example = Example {
 pub(super) const MIXED: Example = Example {
     id: "fig-05-mixed",
     title: "Hall of hexagons and other polygons",
-    summary: "Nothing here is made for quads: hexagons, pentagons, heptagons and the pieces along the border all come nearer to circles by the same rule.",
+    summary: "Nothing here is limited to quads: hexagons, pentagons, heptagons and the pieces along the border all come closer to circles by the same rule.",
     statement: "With the paper's weights the mean circularity error e_c falls from 8e-6 to less than 5e-7.",
     ending: "obj",
     make: mixed,

@@ -10,8 +10,8 @@ use crate::scene::{Scene, Weights};
 pub(super) const ARCHWAY: Example = Example {
     id: "fig-07-quality",
     title: "Gatehouse of better quads",
-    summary: "Uneven panels come nearer to squares: corners of panels glide over the surface, those on a crease only along it, and those where creases meet stay.",
-    statement: "Of all corners of panels, 30 per cent have an angle within 10 degrees of a right one before, and more than 90 per cent after; what is on a crease stays within 5 mm of it.",
+    summary: "Uneven panels become more like squares: corners of panels glide over the surface, those on a crease only along it, and those where creases meet stay in place.",
+    statement: "Of all corners of panels, 30 per cent are within 10 degrees of a right angle before, and more than 90 per cent after; vertices on a crease stay within 5 mm of it.",
     ending: "obj",
     make: archway,
 };

@@ -10,8 +10,8 @@ use crate::scene::{ClosenessTo, Scene};
 pub(super) const COLLAPSE: Example = Example {
     id: "fig-10-collapse",
     title: "Animal, pressed flat, recovers",
-    summary: "All vertices start in one plane; that each ring of neighbours is rigid is enough to raise the animal again.",
-    statement: "With the quasi-Newton accelerator the energy falls to a millionth of that at the start in fewer than 60 iterations, and the animal has all of its volume again.",
+    summary: "All vertices start in one plane; rigid rings of neighbours are enough to raise the animal again.",
+    statement: "With the quasi-Newton accelerator the energy falls to a millionth of that at the start in fewer than 60 iterations, and the animal regains all of its volume.",
     ending: "obj",
     make: collapse,
 };
@@ -19,8 +19,8 @@ pub(super) const COLLAPSE: Example = Example {
 pub(super) const RANDOM: Example = Example {
     id: "fig-10-random",
     title: "Animal, scattered, recovers",
-    summary: "All vertices start at random places in a box: nothing of the animal is left but who is whose neighbour, and the shape of each piece.",
-    statement: "With the quasi-Newton accelerator the energy falls to a billionth of that at the start in fewer than 400 iterations, and the animal has all of its volume again.",
+    summary: "All vertices start at random positions in a box: all that is left of the animal is which vertices are neighbours, and the shape of each piece.",
+    statement: "With the quasi-Newton accelerator the energy falls to a billionth of that at the start in fewer than 400 iterations, and the animal regains all of its volume.",
     ending: "obj",
     make: random,
 };

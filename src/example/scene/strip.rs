@@ -10,7 +10,7 @@ use crate::scene::{ClosenessTo, Scene, Weights};
 pub(super) const STRIP: Example = Example {
     id: "fig-11-strip",
     title: "Strip with collapsing edges",
-    summary: "Both long sides stay, and circles and fairness disagree on what is between: where they cannot both have their way, edges shrink to almost nothing.",
+    summary: "Both long sides are fixed, and circular panels and fairness conflict in between: where both cannot be satisfied, edges shrink to almost nothing.",
     statement: "The mean circularity error e_c falls from 3.5e-6 to less than 6e-8, and the shortest edge from 24 cm to less than 2 cm.",
     ending: "obj",
     make: strip,
