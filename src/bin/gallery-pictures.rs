@@ -22,7 +22,7 @@ const BINS: usize = 36;
 
 /// The measurements of an example.
 #[derive(Serialize)]
-struct Result {
+struct Measurements {
     id: &'static str,
     iterations: u32,
     /// The total energy at the start and at the end; none without constraints.
@@ -34,22 +34,20 @@ struct Result {
     angles: Option<[Vec<u32>; 2]>,
 }
 
-fn main() -> std::result::Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Box<dyn Error>> {
     let [_, folder] = <[String; 2]>::try_from(std::env::args().collect::<Vec<_>>())
         .map_err(|_| "usage: gallery-pictures FOLDER")?;
     let folder = Path::new(&folder);
     std::fs::create_dir_all(folder)?;
-    let results = EXAMPLES
-        .iter()
-        .map(|example| picture(example, folder))
-        .collect::<std::result::Result<Vec<_>, _>>()?;
+    let results =
+        EXAMPLES.iter().map(|example| picture(example, folder)).collect::<Result<Vec<_>, _>>()?;
     let results = serde_json::to_string(&results)?;
     Ok(std::fs::write(folder.join("results.json"), results + "\n")?)
 }
 
 /// Solves an example and draws its start and end with the same camera. For an example without
 /// constraints, made to be flattened, the end is its flat map, seen from above.
-fn picture(example: &Example, folder: &Path) -> std::result::Result<Result, Box<dyn Error>> {
+fn picture(example: &Example, folder: &Path) -> Result<Measurements, Box<dyn Error>> {
     let (scene, mesh) = example.build();
     let mut session = Session::open(scene, mesh)?;
     let mut state = pictures::state(&session)?;
@@ -81,7 +79,7 @@ fn picture(example: &Example, folder: &Path) -> std::result::Result<Result, Box<
     let report = session.report();
     let squares = session.rows().iter().any(|row| row.constraints.kind.info().id == "square");
     let histogram = |positions| angle_histogram(positions, &session.mesh().faces, BINS);
-    Ok(Result {
+    Ok(Measurements {
         id: example.id,
         iterations: report.iterations,
         energy: (!is_map).then_some([report.energy.initial.total, report.energy.last.total]),
@@ -90,7 +88,7 @@ fn picture(example: &Example, folder: &Path) -> std::result::Result<Result, Box<
 }
 
 /// Returns the vertices on the flat map, with the default settings of the page.
-fn flat_map(session: &Session) -> std::result::Result<Vec<Point>, SolveError> {
+fn flat_map(session: &Session) -> Result<Vec<Point>, SolveError> {
     let (weights, norm) = (ConformalWeights::default(), ConformalNorm::default());
     let map = Parametrization::new(session.mesh(), session.topology(), weights, norm)?;
     Ok(map.uv.iter().map(|&[u, v]| [u, v, 0.0]).collect())
