@@ -77,6 +77,21 @@ fn the_direction_of_the_points_does_not_matter() {
 }
 
 #[test]
+fn inward_arcs_can_turn_an_outline_around() {
+    // The arc of the first side passes over the other three: they are the inner side of an arch.
+    let mut outline = points(&[[0.0, 0.0], [20.0, 0.0], [18.0, 1.0], [2.0, 1.0]]);
+    outline[0].bulge = -1.0;
+    outline[2].bulge = 0.4;
+    let mesh = plan(outline, PlanLayout::Follow).mesh().unwrap();
+    assert_sound(&mesh);
+    let angle = 4.0 * 0.4_f64.atan();
+    let inner = 18.0 + 0.5 * 11.6 * 11.6 * (angle - angle.sin());
+    let expected = 50.0 * std::f64::consts::PI - inner;
+    let area: f64 = areas(&mesh).iter().sum();
+    assert!((area / expected - 1.0).abs() < 0.02, "{area} of {expected}");
+}
+
+#[test]
 fn a_circle_is_as_large_as_it_is() {
     let mesh = plan(circle([3.0, -2.0], 8.0), PlanLayout::Cut).mesh().unwrap();
     assert_sound(&mesh);

@@ -2,7 +2,7 @@
 
 use super::declaration::{PlanError, PlanPoint, PlanSide, check};
 use crate::math::plane::{Point2, area, cross, dot, is_inside, length, minus, rotated};
-use crate::math::{angle, cosine, sine};
+use crate::math::{angle, cosine, polygon_sides, sine};
 use std::f64::consts::TAU;
 
 /// Sides with a smaller bulge are straight.
@@ -63,6 +63,15 @@ impl Side {
         self.radius() * self.turns() * TAU
     }
 
+    /// The area between the arc and its chord; negative if it bulges inwards.
+    fn segment_area(&self) -> f64 {
+        if self.is_straight() {
+            return 0.0;
+        }
+        let (radius, turns) = (self.radius(), self.turns());
+        0.5 * radius * radius * (turns * TAU - sine(turns))
+    }
+
     /// The point at the fraction `t` of its length.
     pub(super) fn at(&self, t: f64) -> Point2 {
         let chord = minus(self.to, self.from);
@@ -105,8 +114,13 @@ impl Loop {
         check(points, &hole.map_or("outline".into(), |hole| format!("holes[{hole}]")))?;
         let n = points.len();
         let places: Vec<Point2> = points.iter().map(|point| point.at).collect();
-        // A loop of two arcs has no area here; its direction does not matter.
-        let is_clockwise = area(&places) < 0.0;
+        let chords = area(&places);
+        let arcs = points.iter().zip(polygon_sides(&places)).map(|(point, [from, to])| {
+            Side { from, to, bulge: point.bulge, point: 0, is_corner: false }.segment_area()
+        });
+        // Bulges are outward of the polygon of the points. Large inward arcs turn the loop around.
+        let is_turned = chords.abs() + arcs.sum::<f64>() < 0.0;
+        let is_clockwise = (chords < 0.0) != is_turned;
         let side = |k: usize| {
             let (from, to, arc) = match is_clockwise {
                 false => (k, (k + 1) % n, k),
@@ -116,7 +130,7 @@ impl Loop {
             Side {
                 from: from_point.at,
                 to: to_point.at,
-                bulge: points[arc].bulge,
+                bulge: if is_turned { -points[arc].bulge } else { points[arc].bulge },
                 point: arc,
                 is_corner: from_point.corner,
             }
