@@ -142,13 +142,13 @@ impl Build {
     }
 
     /// Millimetres of the building per unit of the mesh.
-    pub fn building(&self) -> f64 {
+    pub fn mm_of_building(&self) -> f64 {
         1000.0 * self.unit.metres
     }
 
     /// Millimetres of the sheet per unit of the mesh.
-    pub fn model(&self) -> f64 {
-        self.building() / self.settings.scale
+    pub fn mm_of_sheet(&self) -> f64 {
+        self.mm_of_building() / self.settings.scale
     }
 
     /// The distance of the offset and the depth of beams, in the unit of the mesh.
@@ -180,7 +180,7 @@ impl Build {
             None => &[OffsetKind::Face, OffsetKind::Corner],
         };
         let tried = self.offsets_of(kinds);
-        let building = self.building();
+        let building = self.mm_of_building();
         self.tried = tried.iter().map(|(axes, check)| Choice::of(axes, check, building)).collect();
         self.offset =
             tried.into_iter().min_by(|(_, a), (_, b)| a.worst_error().total_cmp(&b.worst_error()));
@@ -190,7 +190,7 @@ impl Build {
     pub(super) fn offsets_of(&self, kinds: &[OffsetKind]) -> Vec<(Axes, OffsetCheck)> {
         let distance = self.distance();
         let limits = self.settings.limits;
-        let tolerance = 0.1 * limits.warp.min(limits.distance) / self.building();
+        let tolerance = 0.1 * limits.warp.min(limits.distance) / self.mm_of_building();
         let axes = axes_of(&self.surface, kinds, self.settings.follow, distance, tolerance);
         let checked = |axes: Axes| {
             let found = check(&self.surface, &axes.axes, axes.kind, distance);

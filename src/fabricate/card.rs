@@ -4,6 +4,7 @@ use super::build::Build;
 use super::check_card::CheckRow;
 use super::offset::{Closing, OffsetKind, closing};
 use super::tighten::Tighten;
+use crate::mesh::counted;
 use serde::Serialize;
 
 /// Numbers of the offset.
@@ -65,7 +66,7 @@ impl Build {
     pub fn card(&self) -> BuildCard {
         let check = self.check_rows();
         BuildCard {
-            mean_edge_mm: self.surface.mean_edge() * self.building(),
+            mean_edge_mm: self.surface.mean_edge() * self.mm_of_building(),
             offset: self.offset_report(),
             tighten: self.tighten(&check),
             check,
@@ -75,7 +76,7 @@ impl Build {
 
     fn offset_report(&self) -> Option<OffsetReport> {
         let (axes, check) = self.offset.as_ref()?;
-        let building = self.building();
+        let building = self.mm_of_building();
         let closing = closing(&self.surface);
         let why_not = if axes.exact { String::new() } else { self.why_not(axes.kind, &closing) };
         Some(OffsetReport {
@@ -102,8 +103,8 @@ impl Build {
         const CLOSED: f64 = 0.01;
         match kind {
             OffsetKind::Corner if closing.odd_panels > 0 => format!(
-                "{} panels have an odd number of edges and do not close",
-                closing.odd_panels
+                "the axes do not close around {}, with an odd number of edges",
+                counted(closing.odd_panels, "panel", "panels")
             ),
             OffsetKind::Corner if closing.panel_deg > CLOSED => format!(
                 "around panel {} an axis is turned by {:.2} degrees: its corners are not on a circle",
@@ -112,20 +113,47 @@ impl Build {
             OffsetKind::Corner => {
                 let turns = closing.rims_deg.iter().flatten();
                 let worst = turns.copied().fold(0.0, f64::max);
-                if closing.rims_deg.contains(&None) || worst > CLOSED {
+                if closing.rims_deg.contains(&None) {
+                    "a rim has an odd number of edges: axes close around it only in special shapes"
+                        .to_owned()
+                } else if worst > CLOSED {
                     format!(
-                        "around a hole an axis is turned by {worst:.2} degrees, so that no axes close around all holes"
+                        "around a rim an axis is turned by {worst:.2} degrees, so the axes do not close"
                     )
                 } else {
                     "the exact axes lean too far".to_owned()
                 }
             }
             OffsetKind::Face => {
-                "around some vertex the planes of the panels touch no common cone".to_owned()
+                "the planes of the panels around some vertex touch no common cone".to_owned()
             }
             OffsetKind::Edge => {
                 "the shape is not parallel to one whose edges touch a sphere".to_owned()
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fabricate::{BuildSettings, LengthInMetres};
+    use crate::mesh::Mesh;
+
+    #[test]
+    fn an_odd_rim_is_the_reason_rather_than_a_turn_of_zero() {
+        let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+        let faces = [[0, 1, 2, 3]].into_iter().collect();
+        let mesh = Mesh { positions, faces, ..Mesh::default() };
+        let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
+        let build = Build::new(&mesh, &BuildSettings::default(), unit).unwrap();
+        let why = |rims_deg: [Option<f64>; 2]| {
+            let closing = Closing { rims_deg: rims_deg.to_vec(), ..Closing::default() };
+            build.why_not(OffsetKind::Corner, &closing)
+        };
+        let odd = why([None, Some(0.0)]);
+        assert!(odd.contains("odd number of edges") && !odd.contains("degrees"), "{odd}");
+        let turned = why([Some(0.0), Some(1.5)]);
+        assert!(turned.contains("turned by 1.50 degrees"), "{turned}");
     }
 }

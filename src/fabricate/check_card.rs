@@ -141,7 +141,7 @@ impl Build {
     }
 
     fn warp(&self) -> Checked {
-        let building = self.building();
+        let building = self.mm_of_building();
         self.of_beams(self.settings.limits.warp, |beam| beam.warp * building)
     }
 
@@ -152,7 +152,7 @@ impl Build {
     }
 
     fn distance_error(&self) -> Checked {
-        let building = self.building();
+        let building = self.mm_of_building();
         self.of_nodes(self.settings.limits.distance, |node| node.distance_error * building)
     }
 
@@ -162,14 +162,14 @@ impl Build {
     }
 
     fn flatness(&self) -> Checked {
-        let building = self.building();
+        let building = self.mm_of_building();
         let flatness = self.flat.iter().map(|flat| Some(flat.as_ref()?.flatness * building));
         Checked { values: flatness.collect(), limit: self.settings.limits.flatness }
     }
 
     /// The row of the offset distance, with its limit on the side of the offset.
     fn safe_distance_row(&self, beam: impl Fn(u32) -> Worst) -> CheckRow {
-        let building = self.building();
+        let building = self.mm_of_building();
         let side = usize::from(self.distance() > 0.0);
         let check = self.offset.as_ref().map(|(_, check)| check);
         let limit = check.and_then(|check| check.safe_distance[side]).map(|limit| limit * building);

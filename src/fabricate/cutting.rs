@@ -5,7 +5,7 @@ use super::beam::{Frame, FrameSize};
 use super::build::{Build, CutPanel, NotCut, beam_name, node_name};
 use super::fault::Fault;
 use super::panel::{inset, is_simple, smallest_box};
-use super::paper::{PaperModel, PaperSize, Unnamed, drawn, write_names};
+use super::paper::{MissingNames, PaperModel, PaperSize, drawn, write_names};
 use super::settings::{BuildSettings, Product};
 use super::sheet::{
     CutPart, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
@@ -32,7 +32,7 @@ impl Build {
     }
 
     fn cut_panels(&mut self) -> Vec<Beside> {
-        let model = self.model();
+        let model = self.mm_of_sheet();
         let by = 0.5 * (self.settings.joint * model - self.settings.kerf);
         let mut all = Vec::new();
         for f in 0..self.flat.len() {
@@ -86,7 +86,7 @@ impl Build {
 
     fn cut_fins(&mut self) -> Vec<Beside> {
         let Some((axes, _)) = &self.offset else { return Vec::new() };
-        let model = self.model();
+        let model = self.mm_of_sheet();
         let size = FrameSize {
             height: self.distance(),
             width: self.beam_width(),
@@ -122,7 +122,7 @@ impl Build {
     fn cut_paper(&mut self) -> Vec<Beside> {
         let BuildSettings { sheet, margin, pieces, tab, print_inside, .. } = self.settings;
         let room = sheet.map(|side| side - 2.0 * margin);
-        let size = PaperSize { model: self.model(), room, tab };
+        let size = PaperSize { model: self.mm_of_sheet(), room, tab };
         let model = PaperModel::new(&self.surface, &self.flat, pieces, size);
         self.parts = (0..model.pieces.len()).map(|k| drawn(&model, k, print_inside)).collect();
         for &(panel, why) in &model.without {
@@ -152,7 +152,7 @@ impl Build {
                     let own = Inscription { outline, name, neighbours, with_arrow, turn, holes };
                     let Labels { lines, texts, dropped, small } = label(own);
                     part.engraved = lines;
-                    Unnamed { dropped, small: usize::from(small), piece: texts.is_empty() }
+                    MissingNames { dropped, small: usize::from(small), piece: texts.is_empty() }
                 }
             };
             part.named = if missing.piece { NamePlace::Nowhere } else { NamePlace::OnPart };
@@ -173,14 +173,15 @@ impl Build {
                 continue;
             }
             let outline = |place: &Place| {
-                self.parts[place.part].outline.iter().map(|&point| place.put(point)).collect()
+                self.parts[place.part].outline.iter().map(|&point| place.to_sheet(point)).collect()
             };
             let mut waste = Waste::new(size, margin, sheet.places.iter().map(outline).collect());
             for (k, place) in sheet.places.iter().enumerate().filter(|(_, place)| asks(place)) {
                 let part = &mut self.parts[place.part];
                 let Some((height, centre)) = waste.write(k, &part.name) else { continue };
-                let on_part =
-                    |line: Vec<Point2>| line.into_iter().map(|point| place.back(point)).collect();
+                let on_part = |line: Vec<Point2>| {
+                    line.into_iter().map(|point| place.to_part(point)).collect()
+                };
                 let lines = strokes(&part.name, height, centre, [1.0, 0.0]);
                 part.engraved.extend(lines.into_iter().map(on_part));
                 part.named = NamePlace::BesidePart;

@@ -19,14 +19,14 @@ impl Fault {
     pub(super) fn no_panels(has_curves: bool) -> Fault {
         let what = if has_curves { "curves" } else { "points" };
         Fault(format!(
-            "the model has {what} and no faces, expected a surface of panels: there is nothing to cut"
+            "the model has {what} but no faces: there is nothing to cut, expected a surface of panels"
         ))
     }
 
     /// The surface has only one side, such as a Moebius strip.
     pub(super) fn one_sided([a, b]: [u32; 2]) -> Fault {
         Fault(format!(
-            "the surface has one side only (seen at the edge of vertices {a} and {b}), so that it has no outside: panels can be cut and folded, offsets and beams are not offered"
+            "the surface has only one side (seen at the edge of vertices {a} and {b}), so it has no outside: panels can still be cut and folded; offsets and beams are not available"
         ))
     }
 
@@ -37,14 +37,14 @@ impl Fault {
             many => format!("{many} edges have"),
         };
         Fault(format!(
-            "{edges} more than two panels, so that the surface has no outside there: panels can be cut and folded, offsets and beams are not offered"
+            "{edges} more than two panels, so the surface has no outside there: panels can still be cut and folded; offsets and beams are not available"
         ))
     }
 
     /// There are no quads for strips to follow.
     pub(super) fn no_strips() -> Fault {
         Fault(
-            "the surface has no panels of four edges, which strips follow: nets are made instead"
+            "strips need panels with four edges, and there are none: nets are made instead"
                 .to_owned(),
         )
     }
@@ -52,14 +52,18 @@ impl Fault {
     /// Panels that are folded over.
     pub(super) fn folded_over(panels: &[u32]) -> Fault {
         let what = match panels {
-            [one] => format!("panel {one} is folded over, its outside"),
+            [one] => {
+                format!("panel {one} is folded over: it faces the opposite way to its neighbours")
+            }
             many => {
                 let (count, first) = (many.len(), many[0]);
-                format!("{count} panels are folded over (the first is {first}), their outside")
+                format!(
+                    "{count} panels are folded over (the first is {first}): they face the opposite way to their neighbours"
+                )
             }
         };
         Fault(format!(
-            "{what} is turned against the shape around: panels can be cut and folded, offsets and beams are not offered"
+            "{what}, so panels can still be cut and folded; offsets and beams are not available"
         ))
     }
 }

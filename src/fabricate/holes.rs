@@ -30,7 +30,7 @@ impl Build {
     }
 
     fn drill_panels(&mut self, diameter: f64) {
-        let joint = 0.5 * self.settings.joint * self.model();
+        let joint = 0.5 * self.settings.joint * self.mm_of_sheet();
         for (edge, e) in self.surface.edges.iter().zip(0..) {
             let [Some(f), Some(g)] = edge.panels else { continue };
             let cut = [f, g].map(|f| self.cut[f as usize].as_ref().map(|cut| (f, cut)));

@@ -57,7 +57,7 @@ impl Build {
                 let f = panel as usize;
                 // Empty for other products than panels.
                 let Some(Some(cut)) = self.cut.get(f) else { continue };
-                let corner = |k: usize| place.put(cut.whole[k % cut.whole.len()]);
+                let corner = |k: usize| place.to_sheet(cut.whole[k % cut.whole.len()]);
                 let sides = self.surface.sides.row(f).iter().enumerate();
                 let failed = sides.filter(|(_, e)| edges[**e as usize]);
                 found.extend(failed.map(|(k, _)| vec![corner(k), corner(k + 1)]));

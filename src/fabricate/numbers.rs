@@ -25,8 +25,8 @@ pub struct BuildNumber {
     pub id: &'static str,
     /// Display name.
     pub label: &'static str,
-    /// Description.
-    pub words: &'static str,
+    /// What it measures.
+    pub description: &'static str,
     /// Its unit.
     pub unit: NumberUnit,
 }
@@ -36,37 +36,37 @@ pub const BUILD_NUMBERS: [BuildNumber; 6] = [
     BuildNumber {
         id: "beam_warp",
         label: "Beam warp",
-        words: "largest distance of a beam's corners to its plane",
+        description: "largest distance of a beam's corners to its plane",
         unit: NumberUnit::Length,
     },
     BuildNumber {
         id: "distance_error",
         label: "Distance error",
-        words: "largest difference of the offset from its distance",
+        description: "largest difference of the offset from its distance",
         unit: NumberUnit::Length,
     },
     BuildNumber {
         id: "lean",
         label: "Lean",
-        words: "largest angle between an inner node axis and the surface normal",
+        description: "largest angle between an inner node axis and the surface normal",
         unit: NumberUnit::Degrees,
     },
     BuildNumber {
         id: "panel_flatness",
         label: "Panel flatness",
-        words: "largest distance of a panel's corners to its plane",
+        description: "largest distance of a panel's corners to its plane",
         unit: NumberUnit::Length,
     },
     BuildNumber {
         id: "types",
         label: "Types of panels",
-        words: "number of types of panels that are alike within the tolerance of the build",
+        description: "number of types of panels that are alike within the tolerance of the build",
         unit: NumberUnit::Count,
     },
     BuildNumber {
         id: "sheets",
         label: "Sheets",
-        words: "number of sheets that the parts take",
+        description: "number of sheets needed for all parts",
         unit: NumberUnit::Count,
     },
 ];
@@ -84,7 +84,7 @@ impl Build {
             id => {
                 let value = rows.iter().find(|row| row.id == id)?.value?;
                 let is_length = number.unit == NumberUnit::Length;
-                Some(if is_length { value / self.building() } else { value })
+                Some(if is_length { value / self.mm_of_building() } else { value })
             }
         })
     }

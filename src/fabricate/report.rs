@@ -7,7 +7,7 @@ use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
 use super::offset::{Choice, OffsetCheck, OffsetKind};
 use super::panel::{panel_types, perimeter};
-use super::paper::{Glue, Joint, PaperModel};
+use super::paper::{Joint, JointKind, PaperModel};
 use super::settings::Product;
 use super::sheet::{CutPart, NamePlace};
 use super::surface::distinct;
@@ -159,7 +159,7 @@ impl OffsetCheck {
 impl Build {
     /// All numbers.
     pub fn report(&self) -> BuildReport {
-        let building = self.building();
+        let building = self.mm_of_building();
         let on_sheets: Vec<usize> = self
             .layout
             .sheets
@@ -206,7 +206,7 @@ impl Build {
             not_cut: self.not_cut.iter().map(|not| format!("{}: {}", not.part, not.why)).collect(),
             cut_area_mm2,
             cut_length_mm: sum(perimeter),
-            joint_mm: self.settings.joint * self.model(),
+            joint_mm: self.settings.joint * self.mm_of_sheet(),
             least_joint_mm: [1.0, -1.0].map(|side| self.least_joint(side)),
             dropped_names: self.dropped_names,
             small_names: self.small_names,
@@ -243,7 +243,7 @@ impl Build {
         let is_new = |kind: &OffsetKind| self.tried.iter().all(|choice| choice.kind != *kind);
         let others: Vec<_> = OffsetKind::ALL.into_iter().filter(is_new).collect();
         let others = self.offsets_of(&others);
-        let building = self.building();
+        let building = self.mm_of_building();
         let others = others.iter().map(|(axes, check)| Choice::of(axes, check, building));
         let mut all: Vec<_> = self.tried.iter().cloned().chain(others).collect();
         all.sort_by_key(|choice| OffsetKind::ALL.iter().position(|kind| *kind == choice.kind));
@@ -273,17 +273,17 @@ impl Build {
             node_types_curve: curve(&ALIKE_DEG, frame.nodes.len(), |tolerance| {
                 node_types(&frame.nodes, tolerance, self.settings.mirror)
             }),
-            cut_back_mm: largest(&mut fins().flat_map(|fin| fin.cut_back)) * self.model(),
+            cut_back_mm: largest(&mut fins().flat_map(|fin| fin.cut_back)) * self.mm_of_sheet(),
             flattening_error_mm: largest(&mut fins().map(|fin| fin.flattening_error))
-                * self.building(),
-            node_step_mm: step * self.building(),
+                * self.mm_of_building(),
+            node_step_mm: step * self.mm_of_building(),
             node_step_vertex,
             without_prism: frame.prisms.iter().filter(|prism| prism.is_none()).count(),
         })
     }
 
     fn paper_report(&self) -> Option<PaperReport> {
-        let PaperModel { net, glue, .. } = self.paper.as_ref()?;
+        let PaperModel { net, joint_kinds, .. } = self.paper.as_ref()?;
         let folds = || {
             let joints = net.joints.iter().zip(&net.folded);
             joints.filter(|(_, folded)| **folded).map(|(joint, _)| joint.fold)
@@ -291,14 +291,14 @@ impl Build {
         let creases = net.joints.iter().filter(|joint| joint.edge.is_none());
         let creased = distinct(creases.map(|joint| net.facets[joint.sides[0].0 as usize].panel));
         let without_tab =
-            net.joints.iter().zip(glue).filter(|(_, glue)| matches!(glue, Glue::Bare));
+            net.joints.iter().zip(joint_kinds).filter(|(_, kind)| matches!(kind, JointKind::Bare));
         let panels = |joint: &Joint| {
             joint.sides.map(|(f, _)| &*self.names[net.facets[f as usize].panel as usize]).join("/")
         };
         Some(PaperReport {
             ridges: folds().filter(|fold| *fold > 0.0).count(),
             valleys: folds().filter(|fold| *fold < 0.0).count(),
-            tabs: glue.iter().filter(|glue| matches!(glue, Glue::Tab(_))).count(),
+            tabs: joint_kinds.iter().filter(|kind| matches!(kind, JointKind::Tab(_))).count(),
             without_tab: without_tab.map(|(joint, _)| panels(joint)).collect(),
             creased: creased.len(),
         })

@@ -87,7 +87,7 @@ impl Product {
     pub const ALL: [Product; 3] = [Product::Panels, Product::Fins, Product::Paper];
 
     /// Its identifier in files and on the command line.
-    pub fn word(self) -> &'static str {
+    pub fn id(self) -> &'static str {
         match self {
             Product::Panels => "panels",
             Product::Fins => "fins",
@@ -127,7 +127,7 @@ impl Page {
     pub const ALL: [Page; 3] = [Page::Sheet, Page::A4, Page::A3];
 
     /// Its identifier in files and on the command line.
-    pub fn word(self) -> &'static str {
+    pub fn id(self) -> &'static str {
         match self {
             Page::Sheet => "sheet",
             Page::A4 => "a4",
@@ -301,7 +301,7 @@ impl BuildSettings {
             let [width, height] = self.sheet;
             let margin = self.margin;
             let message = format!(
-                "found {margin}, which leaves nothing of a sheet of {width} x {height} mm, expected less than half of it"
+                "found {margin}, expected less than half of each side of the sheet ({width} x {height} mm)"
             );
             return Err(("margin", message));
         }

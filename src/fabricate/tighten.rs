@@ -31,16 +31,15 @@ pub struct Tighten {
 impl Build {
     /// Finds remedies for the numbers of the check that exceed their limits.
     pub(super) fn tighten(&self, rows: &[CheckRow]) -> Tighten {
-        let limit = |id: &str| {
-            let row = rows.iter().find(|row| row.id == id && row.met == Some(false));
-            row.and_then(|row| row.limit)
-        };
-        let is_missed = |id: &str| rows.iter().any(|row| row.id == id && row.met == Some(false));
+        let missed = |id: &str| rows.iter().find(|row| row.id == id && row.met == Some(false));
+        let limit = |id: &str| missed(id).and_then(|row| row.limit);
         let flatness = limit("panel_flatness");
         let of_offset = [limit("beam_warp"), limit("distance_error")].into_iter().flatten();
         let of_offset = of_offset.reduce(f64::min);
-        let remedy =
-            |constraint, within: f64| PanelRemedy { constraint, within: within / self.building() };
+        let remedy = |constraint, within: f64| PanelRemedy {
+            constraint,
+            within: within / self.mm_of_building(),
+        };
         let corners = self.settings.kind.is_none_or(|kind| kind == OffsetKind::Corner);
         let mut remedies = Vec::new();
         if let Some(of_offset) = of_offset.filter(|_| corners) {
@@ -50,11 +49,11 @@ impl Build {
         }
         remedies.extend(flatness.map(|flatness| remedy("plane", flatness)));
         let otherwise = if of_offset.is_some() && !corners {
-            "Let corners keep the distance: circular panels make their offset exact."
-        } else if is_missed("safe_distance") {
-            "A smaller distance keeps edges from turning round."
-        } else if is_missed("lean") {
-            "Axes that follow the surface more lean less."
+            "Let corners keep the distance: circular panels then make the offset exact."
+        } else if missed("safe_distance").is_some() {
+            "A smaller distance keeps edges from flipping."
+        } else if missed("lean").is_some() {
+            "Axes that follow the surface more closely lean less."
         } else if rows.iter().all(|row| row.met != Some(false)) {
             "Every number is within its limit."
         } else {

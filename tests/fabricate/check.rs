@@ -128,7 +128,7 @@ fn sides_that_fail_are_on_the_sheet_with_their_panel() {
             .places
             .iter()
             .flat_map(|place| {
-                made.cut[place.part].as_ref().unwrap().whole.iter().map(|&p| place.put(p))
+                made.cut[place.part].as_ref().unwrap().whole.iter().map(|&p| place.to_sheet(p))
             })
             .collect();
         let near = |p: &[f64; 2]| {

@@ -139,7 +139,7 @@ fn node_axes_and_the_build_check_agree() {
         let follow = number(&expected["inputs"]["follow"]);
         for kind in OffsetKind::ALL {
             for way in ["exact", "fit"] {
-                let own = &expected["axes"][format!("{way}_{}", kind.word())];
+                let own = &expected["axes"][format!("{way}_{}", kind.id())];
                 // On a mesh without exact axes what the proximal steps leave is no target.
                 if own.is_null() || (way == "exact" && name == "halftunnel") {
                     continue;
@@ -148,7 +148,7 @@ fn node_axes_and_the_build_check_agree() {
                     "exact" => exact(&surface, kind),
                     _ => fit(&surface, kind, follow),
                 };
-                let what = format!("{name}, {way} {}", kind.word());
+                let what = format!("{name}, {way} {}", kind.id());
                 let per_axis = match (name, way) {
                     ("dodecahedron", _) => 1e-5,
                     (_, "exact") => 1e-7,

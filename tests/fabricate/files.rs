@@ -209,7 +209,7 @@ fn names_stand_on_their_feet_on_the_sheet_though_parts_do_not() {
     // A name begins with a P, whose first stroke goes up.
     let upwards = |place: &&Place| {
         let stem = &made.parts[place.part].engraved[0];
-        let [[x, y], [u, v]] = [stem[0], stem[1]].map(|point| place.put(point));
+        let [[x, y], [u, v]] = [stem[0], stem[1]].map(|point| place.to_sheet(point));
         let length = crate::length([u - x, v - y]);
         [(u - x) / length, (v - y) / length]
     };
@@ -249,7 +249,9 @@ fn parts_lie_on_their_sheet_and_keep_the_gap() {
             let outlines: Vec<Vec<[f64; 2]>> = sheet
                 .places
                 .iter()
-                .map(|place| made.parts[place.part].outline.iter().map(|&p| place.put(p)).collect())
+                .map(|place| {
+                    made.parts[place.part].outline.iter().map(|&p| place.to_sheet(p)).collect()
+                })
                 .collect();
             let (low, high) = (own.margin - 1e-9, own.sheet.map(|size| size - own.margin + 1e-9));
             for [x, y] in outlines.iter().flatten() {
@@ -310,7 +312,7 @@ fn arcs_lie_in_each_other() {
     let outlines: Vec<Vec<[f64; 2]>> = made.layout.sheets[0]
         .places
         .iter()
-        .map(|place| made.parts[place.part].outline.iter().map(|&p| place.put(p)).collect())
+        .map(|place| made.parts[place.part].outline.iter().map(|&p| place.to_sheet(p)).collect())
         .collect();
     for (i, a) in outlines.iter().enumerate() {
         for b in &outlines[..i] {

@@ -225,9 +225,10 @@ fn every_flat_part_goes_back_to_its_place_in_space() {
             let (flat, cut) = (made.flat[f].as_ref().unwrap(), made.cut[f].as_ref().unwrap());
             let back = |[x, y]: [f64; 2], [c, s]: [f64; 2]| [c * x + s * y, c * y - s * x];
             for (&corner, &v) in part.outline.iter().zip(made.surface.faces.row(f)) {
-                let [x, y] = place.put(corner);
+                let [x, y] = place.to_sheet(corner);
                 let on_sheet = [x - place.offset[0], y - place.offset[1]];
-                let own = back(back(on_sheet, place.turn), cut.turn).map(|x| x / made.model());
+                let own =
+                    back(back(on_sheet, place.turn), cut.turn).map(|x| x / made.mm_of_sheet());
                 let point = flat.origin + flat.axes[0] * own[0] + flat.axes[1] * own[1];
                 assert!((point - surface_point(&made, v)).length() < 1e-9, "{}", part.name);
             }

@@ -3,7 +3,7 @@
 use super::grid::grid;
 use super::identities::revolution;
 use super::{build, shared};
-use shape_up::fabricate::paper::{Glue, PaperModel};
+use shape_up::fabricate::paper::{JointKind, PaperModel};
 use shape_up::fabricate::{Build, BuildSettings, Page, Pieces, Product};
 use shape_up::math::plane::{Point2, area};
 use shape_up::mesh::Mesh;
@@ -163,8 +163,8 @@ fn tabs_hide_behind_the_neighbour() {
         let made = made(&mesh, pieces);
         let model = model(&made);
         let mut tabs = 0;
-        for (joint, glue) in model.net.joints.iter().zip(&model.glue) {
-            let Glue::Tab(tab) = glue else { continue };
+        for (joint, kind) in model.net.joints.iter().zip(&model.joint_kinds) {
+            let JointKind::Tab(tab) = kind else { continue };
             tabs += 1;
             let own = (tab.side.facet, tab.side.side);
             let other = if joint.sides[0] == own { joint.sides[1] } else { joint.sides[0] };
@@ -232,7 +232,7 @@ fn a_long_strip_is_split_at_the_page_and_every_piece_lies_on_it() {
     assert!(made.parts.iter().map(|part| part.panels.len()).sum::<usize>() == mesh.faces.len());
     for sheet in &made.layout.sheets {
         for place in &sheet.places {
-            for [x, y] in made.parts[place.part].outline.iter().map(|&p| place.put(p)) {
+            for [x, y] in made.parts[place.part].outline.iter().map(|&p| place.to_sheet(p)) {
                 assert!(
                     x >= 5.0 - 1e-9 && y >= 5.0 - 1e-9 && x <= 292.0 + 1e-9 && y <= 205.0 + 1e-9
                 );

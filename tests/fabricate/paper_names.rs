@@ -84,7 +84,7 @@ fn a_piece_without_room_for_its_name_has_it_beside_itself_and_on_no_other() {
     let mut beside = 0;
     for sheet in &made.layout.sheets {
         let on_sheet = |points: &[[f64; 2]], place: &Place| -> Vec<[f64; 2]> {
-            points.iter().map(|&point| place.put(point)).collect()
+            points.iter().map(|&point| place.to_sheet(point)).collect()
         };
         let outlines: Vec<_> = (sheet.places.iter())
             .map(|place| on_sheet(&made.parts[place.part].outline, place))

@@ -176,20 +176,22 @@ fn check(mut words: Words) -> Result<Command, String> {
             _ => return Err(unknown(&Word::Option(name), "check")),
         }
     }
-    let file = mesh.ok_or("check needs a mesh file, results or a folder of them")?;
+    let file = mesh.ok_or("check needs a mesh file, a results file or a folder of results")?;
     if file.is_dir() {
         return match report {
             None => Ok(Command::CheckClass { folder: file, scene, csv }),
-            Some(_) => Err("check writes no report of results, expected --csv".to_owned()),
+            Some(_) => {
+                Err("check writes no --report for a folder of results, use --csv".to_owned())
+            }
         };
     }
     if csv.is_some() {
-        return Err("check writes a table of a folder, expected one before --csv".to_owned());
+        return Err("--csv needs a folder of results".to_owned());
     }
     match (scene, report) {
         (None, report) => Ok(Command::Check { mesh: file, report }),
         (Some(scene), None) => Ok(Command::CheckResults { results: file, scene }),
-        (Some(_), Some(_)) => Err("check writes no report of results".to_owned()),
+        (Some(_), Some(_)) => Err("check writes no --report for results".to_owned()),
     }
 }
 
@@ -246,15 +248,15 @@ fn build(mut words: Words) -> Result<Command, String> {
     while let Some(name) = words.option(&mut input)? {
         match name.as_str() {
             "--product" => {
-                build.product = Some(words.word_of(&name, Product::ALL, Product::word)?);
+                build.product = Some(words.word_of(&name, Product::ALL, Product::id)?);
             }
-            "--pieces" => build.pieces = Some(words.word_of(&name, Pieces::ALL, Pieces::word)?),
-            "--page" => build.page = Some(words.word_of(&name, Page::ALL, Page::word)?),
+            "--pieces" => build.pieces = Some(words.word_of(&name, Pieces::ALL, Pieces::id)?),
+            "--page" => build.page = Some(words.word_of(&name, Page::ALL, Page::id)?),
             "--material" => build.material = Some(words.text(&name)?),
             "--thickness" => build.thickness = Some(words.not_negative(&name)?),
             "--hole" => build.hole = Some(words.not_negative(&name)?),
             "--kind" => {
-                build.kind = Some(words.word_of(&name, OffsetKind::ALL, OffsetKind::word)?);
+                build.kind = Some(words.word_of(&name, OffsetKind::ALL, OffsetKind::id)?);
             }
             "--distance" => build.distance = Some(words.distance(&name)?),
             "--joint" => build.joint = Some(words.not_negative(&name)?),
@@ -273,7 +275,7 @@ fn build(mut words: Words) -> Result<Command, String> {
         return Err("--report and --report-page name the same file".to_owned());
     }
     if build.link.is_some() && build.report_page.is_none() {
-        return Err("--link is written on the page of --report-page, expected that too".to_owned());
+        return Err("--link needs --report-page, which shows the link".to_owned());
     }
     Ok(Command::Build(build))
 }

@@ -21,10 +21,10 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     };
     let unit = UNITS.iter().find(|unit| unit.symbol == scene.units).unwrap_or_else(|| {
         let what = match &*scene.units {
-            "" => "the file says no unit".to_owned(),
+            "" => "the file has no unit".to_owned(),
             own => format!("the unit {own:?} is not known"),
         };
-        remarks.push(format!("{what}: lengths are taken as m"));
+        remarks.push(format!("{what}: lengths are read as m"));
         &UNITS[0]
     });
     let unit = LengthInMetres { symbol: unit.symbol.to_owned(), metres: unit.metres };
@@ -81,7 +81,7 @@ fn words(report: &BuildReport, remarks: &[String]) -> String {
     let BuildReport { product, parts, placed, sheets, scale, types, .. } = report;
     let product = match product {
         Product::Paper => "pieces of paper",
-        own => own.word(),
+        own => own.id(),
     };
     let [width, height] = report.sheet_mm;
     let used = 100.0 * report.used;
@@ -97,7 +97,7 @@ fn words(report: &BuildReport, remarks: &[String]) -> String {
         let how = if offset.exact { "exact" } else { "least-squares fit" };
         lines.push(format!(
             "offset of {}s, {how}, {} mm",
-            offset.kind.word(),
+            offset.kind.id(),
             output::short(offset.distance_mm)
         ));
         lines.extend((!offset.exact).then(|| format!("not exact: {}", offset.why_not)));
@@ -112,7 +112,7 @@ fn words(report: &BuildReport, remarks: &[String]) -> String {
     }
     if report.dropped_names + report.small_names > 0 {
         lines.push(format!(
-            "names without room: {} of neighbours left out, {} smaller than 2 mm",
+            "names: {} of neighbours have no room, {} smaller than 2 mm",
             report.dropped_names, report.small_names
         ));
     }
@@ -161,7 +161,7 @@ fn check_line(row: &CheckRow) -> String {
     let met = match row.met {
         Some(true) => "met",
         Some(false) => "NOT MET",
-        None => "not offered",
+        None => "not available",
     };
     format!(
         "{:<15} {} {}, limit {}: {met}",

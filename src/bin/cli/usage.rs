@@ -39,52 +39,54 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
        shape-up --help | --version
 
 A SCENE is a *.json file, a MESH is OBJ, OFF or Medit (.obj, .off, .mesh).
---panels asks for a KIND of shape on every face that can have it. The kinds are:
+--panels puts a KIND of constraint on every face that it fits. The kinds are:
  {}
---exact meets all constraints instead of weighing them; --within meets them up to a LENGTH in the
-unit of the mesh. Without, each constraint of a scene says itself what it is. --improve then looks for
-a shape with less energy that meets them too.
---boundary exact holds boundary vertices on their curve, where they glide, and its corners; a WEIGHT
-holds them near it.
-A MESH is solved with the settings that keep it whole, a scene with its own.
+--exact meets all constraints exactly instead of weighing them; --within meets them up to a LENGTH in
+the unit of the mesh. Otherwise each constraint of the scene keeps its own requirement. --improve then
+looks for a shape with less energy that meets them too.
+--boundary exact keeps boundary vertices on their curve, along which they glide, and fixes its corners;
+a WEIGHT keeps them near it.
+A MESH is solved with settings that preserve its shape, a scene with its own.
 --iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
---out writes OBJ, or where the name ends in .mesh, Medit, which has tetrahedra.
+--out writes OBJ, or Medit if the name ends in .mesh; only Medit can store tetrahedra.
 --trace records the energies of every iteration, in the report and on standard output.
 build lays panels, fins along the edges, or a paper model of strips or nets flat on sheets, and checks
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
 tables (CSV) and, with fins, the beams as solids (OBJ). The distance D, negative inwards, and the joint J
 between panels are lengths in the unit of the mesh; the model is 1:S; the material is T mm thick, a sheet
 W by H mm; holes of --hole mm for dowels or ties are drilled along edges and at the ends of fins; the
-PDF is tiled to a --page. What is not given is as in the `build` of the scene. --report-page is the
-report on one page of A4 (PDF): picture, plan, build check, bill of materials, and the --link.
-refine makes several faces of each, N times; the boundary is a curve of its own, and creases and corners
-that turn by more than DEGREES (75) stay sharp. With --panels it solves before the first level and after
-each; with --adopt the shape of each level is the original of the next, which is kept close to it: faster
-and smoother, and farther from the mesh as it came. The scene goes along: --out writes the mesh, or where
-the name ends in .json, the scene with it.
-edit changes the faces of a mesh; the scene goes along. A LIST is like 0-4,7, a length is in the unit of
-the mesh, and what is not given is as here, lengths in mean edges:
+PDF is tiled to a --page. Options not given are taken from `build` of the scene. --report-page writes
+a report on one page of A4 (PDF): picture, plan, build check, bill of materials, and the --link.
+refine divides each face into several, N times; the boundary is refined as a curve of its own, and
+creases and corners that turn by more than DEGREES (75) stay sharp. With --panels it solves before the
+first level and after each; with --adopt the shape of each level is the original of the next, which stays close to it: faster
+and smoother, but farther from the input. The scene is adapted: --out writes the mesh, or the scene with
+its mesh if the name ends in .json.
+edit changes the faces of a mesh, and adapts the scene. A LIST is like 0-4,7; a length is in the unit of
+the mesh. Operations and their defaults, with lengths in mean edge lengths:
 {}
-RESULTS is what a student hands in of a lesson: check measures its shape with the goals and the
-constraints of the SCENE, and ends with 1 when one is not met. Of a FOLDER of them it writes a table:
-goals met, worst distance, moved, and whether the mesh or what the lesson locks was altered. The scene
-may be in the folder.
-new makes a mesh to begin with, of lengths in the UNIT (m); what is not given is as here:
+RESULTS is the file that a student hands in for a lesson: check measures its shape against the goals and
+constraints of the SCENE, and exits with 1 if one is not met. For a FOLDER of such files it writes a table:
+goals met, worst distance, moved, and whether the mesh or a locked setting was altered. The scene may be
+in the folder.
+new makes a mesh to start from, with lengths in the UNIT (m). Kinds and their defaults:
 {}
-new plan makes one over an outline on the ground. PLAN.json has the outline and holes as lists of points
-{{\"at\": [X, Y], \"bulge\": RISE/HALF_CHORD, \"corner\": true|false}}, the layout follow|cut, the
-size of a panel, the turn of a grid that is cut, the height, and what stands: outline|corners.
-new loft makes one between two curves of a file, new fill one inside a closed curve: its polylines and
-then the boundaries of its faces, counted from 0 (0,1). The size of a panel is a twentieth of the first.
-parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.
+new plan makes a surface over an outline on the ground. PLAN.json has the keys outline, a list of points
+{{\"at\": [X, Y], \"bulge\": RISE/HALF_CHORD, \"corner\": true|false}}; holes, a list of such lists; layout,
+follow|cut; size, of a panel; turn, of a cut grid in degrees; height; and stands, the supports:
+outline|corners.
+new loft makes a surface between two curves of a file, new fill one inside a closed curve. Curves are the
+polylines of the file, then the boundaries of its faces, counted from 0 (default 0,1 or 0). By default a
+panel has a twentieth of the length of the first curve.
+parametrize makes a flat map that preserves angles; --out writes the mesh with the map as its vt lines.
 experiment solves a scene by several methods, and prints how far each came; --csv writes all iterations.
-Without a scene it lists the examples that have a comparison of the paper. The limits are per method.
-Exit code: 0 done, 1 the input is at fault, 2 usage, 3 internal.",
+Without a scene it lists the examples that have a comparison of the paper. Limits are per method.
+Exit code: 0 done, 1 error in the input, 2 usage error, 3 internal error.",
         Accelerator::list("|"),
-        Product::ALL.map(Product::word).join("|"),
-        OffsetKind::ALL.map(OffsetKind::word).join("|"),
-        Pieces::ALL.map(Pieces::word).join("|"),
-        Page::ALL.map(Page::word).join("|"),
+        Product::ALL.map(Product::id).join("|"),
+        OffsetKind::ALL.map(OffsetKind::id).join("|"),
+        Pieces::ALL.map(Pieces::id).join("|"),
+        Page::ALL.map(Page::id).join("|"),
         Scheme::list("|"),
         ConformalWeights::list("|"),
         ConformalNorm::list("|"),

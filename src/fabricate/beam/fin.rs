@@ -65,18 +65,18 @@ pub fn fin(
     let flat = tilted.map(|n| [n.dot(t), n.dot(b)]);
     let mut back = [0.0; 2];
     for k in 0..2 {
-        let place = nodes[k].place(edge).ok_or("its edge has no length")?;
+        let place = nodes[k].spoke_index(edge).ok_or("its edge has no length")?;
         let [x, y] = flat[k];
         let sine = y / (x * x + y * y).sqrt();
         if sine <= 1e-3 {
-            return Err("an axis lies along it");
+            return Err("the axis of a node lies along it");
         }
         back[k] = cut_back(nodes[k], place, thickness) / sine;
     }
     let base = [[back[0], 0.0], [length - back[1], 0.0]];
     let top = [0, 1].map(|k| [base[k][0] + height * flat[k][0], height * flat[k][1]]);
     if base[1][0] <= base[0][0] || top[1][0] <= top[0][0] {
-        return Err("the nodes leave nothing of it");
+        return Err("it is cut away at its nodes");
     }
     let [i, j] = own.ends;
     let (outline, ends) = match height > 0.0 {

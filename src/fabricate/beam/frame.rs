@@ -55,12 +55,12 @@ impl Frame {
         for (edge, e) in surface.edges.iter().zip(0..) {
             let [i, j] = edge.ends.map(|v| v as usize);
             let (Some(a), Some(b)) = (&nodes[i], &nodes[j]) else {
-                fins.push(Err("a node of it has no axis"));
+                fins.push(Err("one of its nodes has no axis"));
                 prisms.push(None);
                 continue;
             };
             fins.push(fin(surface, axes, [a, b], e, size.height, size.thickness));
-            let cut = |node: &Node, v: usize| node.place(e).and_then(|k| cuts[v].get(k));
+            let cut = |node: &Node, v: usize| node.spoke_index(e).and_then(|k| cuts[v].get(k));
             let both = cut(a, i).zip(cut(b, j));
             prisms.push(both.and_then(|(p, q)| prism(surface, axes, e, [p, q], size.height)));
         }

@@ -42,7 +42,7 @@ impl Node {
     }
 
     /// The index of a beam among those of the node.
-    pub fn place(&self, edge: u32) -> Option<usize> {
+    pub fn spoke_index(&self, edge: u32) -> Option<usize> {
         self.spokes.iter().position(|spoke| spoke.edge == edge)
     }
 }

@@ -61,7 +61,8 @@ impl Drawing {
         for role in Role::ALL {
             for place in &sheet.places {
                 let part = &parts[place.part];
-                let put = |points: &Vec<Point2>| points.iter().map(|&p| place.put(p)).collect();
+                let put =
+                    |points: &Vec<Point2>| points.iter().map(|&p| place.to_sheet(p)).collect();
                 let holes: Vec<Vec<Point2>> = part.holes.iter().map(Hole::outline).collect();
                 let (lines, closed): (&[Vec<Point2>], bool) = match role {
                     Role::Cut => (std::slice::from_ref(&part.outline), true),

@@ -27,7 +27,7 @@
 use super::check::{most_lean, within};
 use super::exact::{can_be_exact, exact_pass};
 use super::kind::OffsetKind;
-use super::newton::{Start, Until, descend};
+use super::newton::{InitialAxes, StopWhen, descend};
 use super::system::System;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
@@ -58,7 +58,7 @@ pub(in crate::fabricate) fn axes_of(
     let system = &mut System::new(surface);
     let of = |&kind: &OffsetKind| {
         let normals = surface.normals.clone();
-        let fitted = descend(system, surface, kind, mu, Start::At(normals), Until::Still);
+        let fitted = descend(system, surface, kind, mu, InitialAxes::At(normals), StopWhen::Still);
         let exact = can_be_exact(surface, kind, depth, tolerance)
             .then(|| exact_pass(system, surface, kind, (mu, fitted.clone())))
             .filter(|exact| {
@@ -77,8 +77,8 @@ pub fn fit(surface: &PanelSurface, kind: OffsetKind, mu: f64) -> Vec<Vec3<f64>> 
         surface,
         kind,
         mu,
-        Start::At(surface.normals.clone()),
-        Until::Still,
+        InitialAxes::At(surface.normals.clone()),
+        StopWhen::Still,
     )
 }
 
@@ -86,9 +86,14 @@ pub fn fit(surface: &PanelSurface, kind: OffsetKind, mu: f64) -> Vec<Vec3<f64>> 
 pub fn exact(surface: &PanelSurface, kind: OffsetKind) -> Vec<Vec3<f64>> {
     let system = &mut System::new(surface);
     let fitted = match kind {
-        OffsetKind::Edge => {
-            descend(system, surface, kind, 1.0, Start::At(surface.normals.clone()), Until::Still)
-        }
+        OffsetKind::Edge => descend(
+            system,
+            surface,
+            kind,
+            1.0,
+            InitialAxes::At(surface.normals.clone()),
+            StopWhen::Still,
+        ),
         _ => surface.normals.clone(),
     };
     exact_pass(system, surface, kind, (1.0, fitted))

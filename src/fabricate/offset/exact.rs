@@ -1,7 +1,7 @@
 //! The exact pass: the limit `mu -> 0` without a choice of `mu`, and whether it is worthwhile.
 
 use super::kind::OffsetKind;
-use super::newton::{Start, Until, add_faces, descend, energy};
+use super::newton::{InitialAxes, StopWhen, add_faces, descend, energy};
 use super::system::{System, identity_and_outer};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::{Vec3, symmetric_eigen};
@@ -30,7 +30,7 @@ pub(super) fn exact_pass(
         return of_beams(system, surface, (mu, fitted));
     }
     let mut axes = surface.normals.clone();
-    system.begin(PROXIMAL, &axes);
+    system.reset(PROXIMAL, &axes);
     for edge in &surface.edges {
         let t = surface.direction(edge);
         let [i, j] = edge.ends;
@@ -47,9 +47,9 @@ pub(super) fn exact_pass(
         return axes;
     }
     for _ in 0..PROXIMAL_STEPS {
-        system.aim(PROXIMAL, &axes);
+        system.set_rhs(PROXIMAL, &axes);
         for &(v, pull) in of_faces.iter().flatten() {
-            system.pull(v, pull);
+            system.add_rhs(v, pull);
         }
         axes = system.solve();
         if kind == OffsetKind::Corner {
@@ -69,8 +69,8 @@ fn of_beams(
     let mut left = energy(surface, kind, 0.0, &axes);
     while mu > 2.0 * LEAST_MU {
         mu *= 0.1;
-        let until = if mu > 2.0 * LEAST_MU { Until::Settled } else { Until::Still };
-        axes = descend(system, surface, kind, mu, Start::Near(axes), until);
+        let until = if mu > 2.0 * LEAST_MU { StopWhen::Settled } else { StopWhen::Still };
+        axes = descend(system, surface, kind, mu, InitialAxes::Near(axes), until);
         let energy = energy(surface, kind, 0.0, &axes);
         if energy > FALLS * left {
             break;

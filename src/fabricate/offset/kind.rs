@@ -21,7 +21,7 @@ impl OffsetKind {
     pub const ALL: [OffsetKind; 3] = [OffsetKind::Corner, OffsetKind::Face, OffsetKind::Edge];
 
     /// Its identifier in files and on the command line.
-    pub fn word(self) -> &'static str {
+    pub fn id(self) -> &'static str {
         match self {
             OffsetKind::Corner => "corner",
             OffsetKind::Face => "face",

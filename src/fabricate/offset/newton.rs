@@ -23,7 +23,7 @@ const WORTH: f64 = 0.1;
 
 /// When to stop.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Until {
+pub(super) enum StopWhen {
     /// The energy hardly falls.
     Settled,
     /// The axes do not move.
@@ -31,7 +31,7 @@ pub(super) enum Until {
 }
 
 /// Where to start.
-pub(super) enum Start {
+pub(super) enum InitialAxes {
     /// At these axes.
     At(Vec<Vec3<f64>>),
     /// At these axes, whose matrix is close to the one factored last.
@@ -44,12 +44,12 @@ pub(super) fn descend(
     surface: &PanelSurface,
     kind: OffsetKind,
     mu: f64,
-    start: Start,
-    until: Until,
+    start: InitialAxes,
+    until: StopWhen,
 ) -> Vec<Vec3<f64>> {
     let (mut axes, mut is_near) = match start {
-        Start::At(axes) => (axes, false),
-        Start::Near(axes) => (axes, true),
+        InitialAxes::At(axes) => (axes, false),
+        InitialAxes::Near(axes) => (axes, true),
     };
     let mut lowest = energy(surface, kind, mu, &axes);
     let mut last = f64::INFINITY;
@@ -95,7 +95,7 @@ pub(super) fn descend(
         };
         (axes, lowest, last) = (next, value.min(lowest), length);
         is_near = length < NEAR;
-        if is_still || kind == OffsetKind::Face || (until == Until::Settled && is_settled) {
+        if is_still || kind == OffsetKind::Face || (until == StopWhen::Settled && is_settled) {
             break;
         }
     }
@@ -113,7 +113,7 @@ fn assemble(
 ) {
     // The factor `c` for a vector of this length.
     let across_axis = |length: f64| if curved && length > 0.0 { 1.0 - 1.0 / length } else { 0.0 };
-    system.begin_with_beams(mu, &surface.normals);
+    system.reset_with_beams(mu, &surface.normals);
     if kind == OffsetKind::Edge {
         for edge in &surface.edges {
             let t = surface.direction(edge);
@@ -122,7 +122,7 @@ fn assemble(
                 let (u, c) = (unit(p), across_axis(p.length()));
                 system.add(v, identity_and_outer(c, 1.0 - c, u));
                 system.add(v, identity_and_outer(0.0, -c, t));
-                system.pull(v, u);
+                system.add_rhs(v, u);
             }
         }
     }
@@ -132,13 +132,13 @@ fn assemble(
                 if !system.is_excluded(v) {
                     let (u, c) = (unit(axes[v]), across_axis(axes[v].length()));
                     system.add(v as u32, identity_and_outer(c, 1.0 - c, u));
-                    system.pull(v as u32, u);
+                    system.add_rhs(v as u32, u);
                 }
             }
         }
         OffsetKind::Face => {
             for (v, pull) in add_faces(system, surface) {
-                system.pull(v, pull);
+                system.add_rhs(v, pull);
             }
         }
         OffsetKind::Edge => {}

@@ -54,14 +54,14 @@ impl System {
         self.excluded[v]
     }
 
-    /// Begins with `A = mu I` and `b` as `mu` times the vectors `near` (`#V`).
-    pub(super) fn begin(&mut self, mu: f64, near: &[Vec3<f64>]) {
+    /// Resets to `A = mu I` and `b` as `mu` times the vectors `near` (`#V`).
+    pub(super) fn reset(&mut self, mu: f64, near: &[Vec3<f64>]) {
         self.matrix.clear();
         self.follow(mu, near);
     }
 
-    /// As `begin`, with the terms `sum_e |P_e (n_j - n_i)|^2`.
-    pub(super) fn begin_with_beams(&mut self, mu: f64, near: &[Vec3<f64>]) {
+    /// As `reset`, with the terms `sum_e |P_e (n_j - n_i)|^2`.
+    pub(super) fn reset_with_beams(&mut self, mu: f64, near: &[Vec3<f64>]) {
         self.matrix.set_values(&self.beams);
         self.follow(mu, near);
     }
@@ -70,11 +70,11 @@ impl System {
         for place in 0..self.analysis.size() as u32 {
             self.matrix.add_diagonal(place, |r, c| if r == c { mu } else { 0.0 });
         }
-        self.aim(mu, near);
+        self.set_rhs(mu, near);
     }
 
     /// Sets the right-hand side to `mu` times `near`.
-    pub(super) fn aim(&mut self, mu: f64, near: &[Vec3<f64>]) {
+    pub(super) fn set_rhs(&mut self, mu: f64, near: &[Vec3<f64>]) {
         self.right.iter_mut().zip(near).for_each(|(right, near)| *right = *near * mu);
     }
 
@@ -91,7 +91,7 @@ impl System {
     }
 
     /// Adds to the right-hand side of a vertex.
-    pub(super) fn pull(&mut self, v: u32, by: Vec3<f64>) {
+    pub(super) fn add_rhs(&mut self, v: u32, by: Vec3<f64>) {
         self.right[v as usize] += by;
     }
 

@@ -1,6 +1,6 @@
 //! A piece as a part to be cut: its outline with tabs, folds, and names on panels and on tabs.
 
-use super::model::{Glue, PaperModel};
+use super::model::{JointKind, PaperModel};
 use super::net::OutlineSide;
 use super::tab_name::place_on_tab;
 use crate::fabricate::panel::{direction_of, smallest_box};
@@ -57,11 +57,13 @@ pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
         for k in 0..net.facets[f as usize].corners.len() as u32 {
             let Some(joint) = net.facets[f as usize].joints[k as usize] else { continue };
             let fold = net.joints[joint as usize].fold;
-            let is_drawn = match model.glue[joint as usize] {
+            let is_drawn = match model.joint_kinds[joint as usize] {
                 // Only once, from the first of its sides.
-                Glue::Folded => net.joints[joint as usize].sides[0] == (f, k) && fold.abs() > FLAT,
-                Glue::Tab(tab) => tab.side == OutlineSide { facet: f, side: k },
-                Glue::Bare => false,
+                JointKind::Folded => {
+                    net.joints[joint as usize].sides[0] == (f, k) && fold.abs() > FLAT
+                }
+                JointKind::Tab(tab) => tab.side == OutlineSide { facet: f, side: k },
+                JointKind::Bare => false,
             };
             if !is_drawn {
                 continue;
@@ -81,7 +83,7 @@ pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
 
 /// The names without room on a piece.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Unnamed {
+pub struct MissingNames {
     /// Neighbours' names.
     pub dropped: usize,
     /// Panels whose name is too small to be read well.
@@ -98,7 +100,7 @@ pub fn write_names(
     names: &[String],
     inside: bool,
     turn: Point2,
-) -> Unnamed {
+) -> MissingNames {
     let piece = model.pieces[number];
     let (_, place) = outline(model, piece, inside);
     let put = |point: Point2| place.put(point);
@@ -139,7 +141,7 @@ pub fn write_names(
             part.engraved.extend(strokes(&name, height, put(middle), along));
         }
     }
-    Unnamed { dropped, small, piece: !is_named }
+    MissingNames { dropped, small, piece: !is_named }
 }
 
 /// Outlines for the names of a panel: the whole panel if it is on this piece, else each of its
@@ -179,10 +181,10 @@ fn named_side(
     let net = &model.net;
     let start = put(net.ends((side.facet, side.side))[0]);
     let name = net.across((side.facet, side.side)).and_then(|(joint, (g, _))| {
-        let is_on_tab = match model.glue[joint as usize] {
-            Glue::Folded => true,
-            Glue::Tab(tab) => tab.side == side && tab_name(model, names, side).is_some(),
-            Glue::Bare => false,
+        let is_on_tab = match model.joint_kinds[joint as usize] {
+            JointKind::Folded => true,
+            JointKind::Tab(tab) => tab.side == side && tab_name(model, names, side).is_some(),
+            JointKind::Bare => false,
         };
         (!is_on_tab).then(|| names[net.facets[g as usize].panel as usize].clone())
     });
@@ -196,7 +198,7 @@ fn tab_name(
     side: OutlineSide,
 ) -> Option<(String, f64, Point2)> {
     let (joint, (g, _)) = model.net.across((side.facet, side.side))?;
-    let Glue::Tab(tab) = &model.glue[joint as usize] else { return None };
+    let JointKind::Tab(tab) = &model.joint_kinds[joint as usize] else { return None };
     let name = names[model.net.facets[g as usize].panel as usize].clone();
     let (height, middle) = place_on_tab(tab, &name)?;
     Some((name, height, middle))

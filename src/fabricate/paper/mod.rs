@@ -27,9 +27,9 @@ mod tab;
 mod tab_name;
 mod triangles;
 
-pub use drawn::{Unnamed, drawn, write_names};
+pub use drawn::{MissingNames, drawn, write_names};
 pub use facet::{Facet, Joint};
-pub use model::{Glue, PaperModel, PaperSize};
+pub use model::{JointKind, PaperModel, PaperSize};
 pub use motion::Motion;
 pub use net::{OutlineSide, PaperNet};
 pub use strip::Pieces;

@@ -22,7 +22,7 @@ pub struct PaperSize {
 
 /// How a joint is made.
 #[derive(Clone, Copy, Debug)]
-pub enum Glue {
+pub enum JointKind {
     /// Folded.
     Folded,
     /// Cut, with a tab on one of its sides.
@@ -37,7 +37,7 @@ pub struct PaperModel {
     /// Facets, joints and their positions.
     pub net: PaperNet,
     /// How each joint is made.
-    pub glue: Vec<Glue>,
+    pub joint_kinds: Vec<JointKind>,
     /// The pieces of the net that have facets, sorted by their first facet.
     pub pieces: Vec<u32>,
     /// Panels without facets, and the reasons.
@@ -65,14 +65,14 @@ impl PaperModel {
             (0..net.pieces.len() as u32).filter(|&p| !net.pieces[p as usize].is_empty()).collect();
         net.pieces.iter_mut().for_each(|own| own.sort_unstable());
         sort_by_number(&mut pieces, |&piece| u64::from(net.pieces[piece as usize][0]));
-        let glue = glue(&net, &pieces, size.tab);
-        PaperModel { net, glue, pieces, without, is_without_quads }
+        let joint_kinds = joint_kinds(&net, &pieces, size.tab);
+        PaperModel { net, joint_kinds, pieces, without, is_without_quads }
     }
 
     /// The tabs of a piece.
     pub fn tabs(&self, piece: u32) -> impl Iterator<Item = &Tab> {
-        self.glue.iter().filter_map(move |glue| match glue {
-            Glue::Tab(tab) if self.net.piece_of[tab.side.facet as usize] == piece => Some(tab),
+        self.joint_kinds.iter().filter_map(move |kind| match kind {
+            JointKind::Tab(tab) if self.net.piece_of[tab.side.facet as usize] == piece => Some(tab),
             _ => None,
         })
     }
@@ -102,7 +102,7 @@ fn folded(unfolded: &PaperNet, order: &Foldable, size: PaperSize) -> PaperNet {
 }
 
 /// Chooses tabs: on the piece that comes first, or else on the other side.
-fn glue(net: &PaperNet, pieces: &[u32], tab_height: f64) -> Vec<Glue> {
+fn joint_kinds(net: &PaperNet, pieces: &[u32], tab_height: f64) -> Vec<JointKind> {
     let mut place = vec![0; net.pieces.len()];
     pieces.iter().enumerate().for_each(|(k, &piece)| place[piece as usize] = k);
     let outlines: Vec<_> =
@@ -111,7 +111,7 @@ fn glue(net: &PaperNet, pieces: &[u32], tab_height: f64) -> Vec<Glue> {
     let mut found = Vec::new();
     for (joint, &folded) in net.joints.iter().zip(&net.folded) {
         if folded {
-            found.push(Glue::Folded);
+            found.push(JointKind::Folded);
             continue;
         }
         let mut sides =
@@ -129,9 +129,9 @@ fn glue(net: &PaperNet, pieces: &[u32], tab_height: f64) -> Vec<Glue> {
         found.push(match own {
             Some((piece, tab)) => {
                 taken[piece].push(tab.corners.into());
-                Glue::Tab(tab)
+                JointKind::Tab(tab)
             }
-            None => Glue::Bare,
+            None => JointKind::Bare,
         });
     }
     found

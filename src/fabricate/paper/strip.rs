@@ -24,7 +24,7 @@ impl Pieces {
     pub const ALL: [Pieces; 3] = [Pieces::Nets, Pieces::Strips, Pieces::Across];
 
     /// Its identifier in files and on the command line.
-    pub fn word(self) -> &'static str {
+    pub fn id(self) -> &'static str {
         match self {
             Pieces::Nets => "nets",
             Pieces::Strips => "strips",

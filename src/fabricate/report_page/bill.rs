@@ -66,7 +66,7 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
 }
 
 fn building(build: &Build, report: &BuildReport) -> Vec<Line> {
-    let building = build.building();
+    let building = build.mm_of_building();
     let panels: f64 = build.surface.areas.iter().map(|area| area.length()).sum();
     let edges: f64 = build.surface.edges.iter().map(|edge| build.surface.length(edge)).sum();
     let alike = short(build.settings.alike);

@@ -115,7 +115,7 @@ impl Page {
         let seen = Picture::new(build, from_camera(view.z_up, view.camera.unwrap_or(FIRST)));
         self.marks.extend(seen.shaded([from[0], self.y], [wide[0], high], &build.failed()));
         let plan = Picture::new(build, from_above(view.z_up));
-        let building = build.building();
+        let building = build.mm_of_building();
         let room = [wide[1], high];
         let scale = round_up(building / plan.scale_in(room));
         self.marks.extend(plan.plan([from[1], self.y], room, building / scale));
@@ -123,7 +123,7 @@ impl Page {
         let [across, along] = plan.size.map(|size| length(size * building));
         let words = format!("Plan 1:{}, {across} by {along}", short(scale));
         self.marks.extend([
-            text([from[0], self.y], SMALL, GREY, "As it is looked at; red is not within a limit"),
+            text([from[0], self.y], SMALL, GREY, "Current view; red exceeds a limit"),
             text([from[1], self.y], SMALL, GREY, &words),
         ]);
     }
@@ -169,7 +169,7 @@ impl Page {
         let limit = format!("limit {}", number(row.limit, "none"));
         self.marks.extend([
             text([MARGIN, y], WORDS, BLACK, row.label),
-            text_to([76.0, y], WORDS, colour, &number(row.value, "not offered")),
+            text_to([76.0, y], WORDS, colour, &number(row.value, "not available")),
             text_to([106.0, y], WORDS, GREY, &limit),
             text([112.0, y], WORDS, colour, &state),
         ]);
@@ -224,7 +224,7 @@ impl Page {
             notes.iter().flat_map(|note| lines(&sentence(note), WORDS, RIGHT - MARGIN)).collect();
         let room = ((self.y - floor) / LINE).max(1.0) as usize;
         let (shown, ending) = match all.len() > room {
-            true => (&all[..room - 1], Some("The rest is in the report of the program.")),
+            true => (&all[..room - 1], Some("See the report in the program for the rest.")),
             false => (&all[..], None),
         };
         for line in shown.iter().map(String::as_str).chain(ending) {
@@ -265,7 +265,7 @@ fn shown_link(link: &str) -> Vec<String> {
     let mut found = lines(link, SMALL, RIGHT - MARGIN - 25.0);
     if found.len() > MOST_LINK {
         let length = link.chars().count();
-        found = vec![format!("Press here: its {length} characters are too many to type.")];
+        found = vec![format!("Click here: its {length} characters are too many to type.")];
     }
     if !found.is_empty() {
         found.insert(0, "Open this model:".to_owned());

@@ -11,7 +11,7 @@ const VERTICAL: f64 = 1e-12;
 ///
 /// The gap is measured along the normals of sides; between corners the actual distance is a little
 /// larger.
-pub(super) fn least_shift(fixed: &[Point2], moving: &[Point2], gap: f64) -> Option<f64> {
+pub(super) fn min_shift(fixed: &[Point2], moving: &[Point2], gap: f64) -> Option<f64> {
     // Quick test by bounding boxes: above or below.
     let range = |polygon: &[Point2]| {
         let ys = || polygon.iter().map(|point| point[1]);
@@ -51,17 +51,17 @@ mod tests {
 
     #[test]
     fn a_box_comes_to_lie_beside_a_box_and_passes_above_it() {
-        assert_eq!(least_shift(&SQUARE, &SQUARE, 0.25), Some(1.25));
+        assert_eq!(min_shift(&SQUARE, &SQUARE, 0.25), Some(1.25));
         let above = SQUARE.map(|[x, y]| [x, y + 1.5]);
-        assert_eq!(least_shift(&SQUARE, &above, 0.25), None);
-        assert_eq!(least_shift(&SQUARE, &above, 0.75), Some(1.75));
+        assert_eq!(min_shift(&SQUARE, &above, 0.25), None);
+        assert_eq!(min_shift(&SQUARE, &above, 0.75), Some(1.75));
     }
 
     #[test]
     fn a_triangle_on_its_head_slides_under_the_slope_of_another() {
         let upright = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.0]];
         let on_its_head = [[0.0, 1.0], [1.0, 0.0], [2.0, 1.0]];
-        let shift = least_shift(&upright, &on_its_head, 0.1).unwrap();
+        let shift = min_shift(&upright, &on_its_head, 0.1).unwrap();
         assert!((shift - (1.0 + 0.1 * 2.0_f64.sqrt())).abs() < 1e-12, "{shift}");
     }
 }

@@ -39,13 +39,13 @@ pub struct Place {
 
 impl Place {
     /// Maps a point of the part to the sheet.
-    pub fn put(&self, point: Point2) -> Point2 {
+    pub fn to_sheet(&self, point: Point2) -> Point2 {
         let [x, y] = rotated(point, self.turn);
         [x + self.offset[0], y + self.offset[1]]
     }
 
-    /// The inverse of [`Place::put`].
-    pub fn back(&self, [x, y]: Point2) -> Point2 {
+    /// The inverse of [`Place::to_sheet`].
+    pub fn to_part(&self, [x, y]: Point2) -> Point2 {
         let [c, s] = self.turn;
         rotated([x - self.offset[0], y - self.offset[1]], [c, -s])
     }

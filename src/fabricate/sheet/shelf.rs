@@ -1,7 +1,7 @@
 //! Parts in rows: each is pushed to the left until it touches the row, upright or upside down,
 //! whichever leaves more room, so that trapezoids alternate and arcs nest.
 
-use super::clearance::least_shift;
+use super::clearance::min_shift;
 use super::part::CutPart;
 use super::place::{Order, Place};
 use crate::fabricate::panel::{hull, sides, smallest_box};
@@ -151,7 +151,7 @@ impl Shelf {
                     for (right, laid) in self.laid.iter().rev() {
                         // Otherwise it is to the left already.
                         if right + gap > shift + left {
-                            shift = shift.max(least_shift(laid, &moving, gap).unwrap_or(0.0));
+                            shift = shift.max(min_shift(laid, &moving, gap).unwrap_or(0.0));
                         }
                     }
                 }

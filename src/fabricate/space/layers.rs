@@ -85,7 +85,7 @@ impl Build {
     /// The lines of all sheets at their real size, side by side to the right of this point on the
     /// ground.
     fn sheets_from(&self, [right, front]: [f64; 2]) -> Vec<SpatialPart> {
-        let of_mm = 1.0 / self.building();
+        let of_mm = 1.0 / self.mm_of_building();
         let mut parts = Vec::new();
         let mut left = right;
         for drawing in self.drawings() {

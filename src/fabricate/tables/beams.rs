@@ -32,7 +32,7 @@ fn fins(build: &Build, frame: &Frame) -> String {
         "turn_deg",
         "name_written",
     ]);
-    let (places, model) = (build.layout.places(build.parts.len()), build.model());
+    let (places, model) = (build.layout.places(build.parts.len()), build.mm_of_sheet());
     let mut part = 0;
     for (edge, fin) in build.surface.edges.iter().zip(&frame.fins) {
         let Ok(fin) = fin else { continue };
@@ -78,7 +78,7 @@ fn prisms(build: &Build, frame: &Frame) -> String {
     let columns = ["name", "node_a", "node_b"].into_iter().chain(lengths);
     let columns: Vec<&str> = columns.chain(ends.iter().map(|name| &**name)).collect();
     let mut table = Table::new(&columns);
-    let building = build.building();
+    let building = build.mm_of_building();
     for (e, (edge, prism)) in build.surface.edges.iter().zip(&frame.prisms).enumerate() {
         let name = beam_name(edge.ends);
         let [a, b] = edge.ends.map(node_name);
@@ -97,8 +97,9 @@ fn prisms(build: &Build, frame: &Frame) -> String {
         ];
         for (v, side) in edge.ends.into_iter().zip([[0, 1], [1, 0]]) {
             let node = frame.nodes[v as usize].as_ref();
-            let cut =
-                node.and_then(|node| node.place(e as u32)).map(|k| &frame.cuts[v as usize][k]);
+            let cut = node
+                .and_then(|node| node.spoke_index(e as u32))
+                .map(|k| &frame.cuts[v as usize][k]);
             // Left and right as seen from the first node.
             row.extend(side.map(|side: usize| Cell::from(cut.map(|cut| cut.mitre_deg[side]))));
             row.push(Cell::from(cut.map(|cut| cut.tilt_deg)));
@@ -135,7 +136,7 @@ fn around_nodes(build: &Build, frame: &Frame) -> String {
                 Cell::from(&*beam_name(edge.ends)),
                 Cell::from(spoke.azimuth_deg),
                 Cell::from(spoke.elevation_deg),
-                Cell::from(fin.map(|fin| fin.cut_back[end] * build.model())),
+                Cell::from(fin.map(|fin| fin.cut_back[end] * build.mm_of_sheet())),
             ]);
         }
     }

@@ -45,7 +45,7 @@ fn summary(build: &Build) -> String {
     row("scale, 1 to", Cell::from(build.settings.scale), "");
     row("unit of the model", Cell::from(&*build.unit.symbol), "");
     row("panels", Cell::from(report.panels), "");
-    row("product", Cell::from(report.product.word()), "");
+    row("product", Cell::from(report.product.id()), "");
     row("parts on sheets", Cell::from(report.placed), "");
     row("parts without room for their name", Cell::from(report.unnamed.len()), "");
     row("sheets", Cell::from(report.sheets), "");
@@ -53,7 +53,7 @@ fn summary(build: &Build) -> String {
     row("sheet height", Cell::from(build.settings.sheet[1]), "mm");
     row("area of parts", Cell::from(report.cut_area_mm2), "mm2");
     row("length of cuts", Cell::from(report.cut_length_mm), "mm");
-    row("joint on the sheet", Cell::from(build.settings.joint * build.model()), "mm");
+    row("joint on the sheet", Cell::from(build.settings.joint * build.mm_of_sheet()), "mm");
     row("types of panels", Cell::from(report.types), "");
     row("types alike within, building", Cell::from(build.settings.alike), "mm");
     for check in &report.check {

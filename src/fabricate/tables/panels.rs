@@ -28,7 +28,7 @@ pub(super) fn panels(build: &Build) -> String {
         "name_written",
     ]);
     let places = build.layout.places(build.parts.len());
-    let model = build.model();
+    let model = build.mm_of_sheet();
     for (f, name) in build.names.iter().enumerate() {
         let kind = build.types.of[f].map(type_name).unwrap_or_default();
         let corners = build.surface.faces.row(f).len();
@@ -68,7 +68,7 @@ pub(super) fn types(build: &Build) -> String {
             Cell::from(&*type_name(k as u32)),
             Cell::from(build.types.counts[k] as usize),
             Cell::from(&*build.names[leader as usize]),
-            Cell::from(build.types.worst[k] * build.building()),
+            Cell::from(build.types.worst[k] * build.mm_of_building()),
         ]);
     }
     table.into_text()

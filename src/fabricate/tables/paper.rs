@@ -2,7 +2,7 @@
 
 use crate::fabricate::build::{Build, beam_name};
 use crate::fabricate::file::{Cell, Table};
-use crate::fabricate::paper::{Glue, PaperModel};
+use crate::fabricate::paper::{JointKind, PaperModel};
 use crate::math::plane::area;
 
 /// Both tables, with the names of their files.
@@ -66,7 +66,7 @@ fn joins(build: &Build, model: &PaperModel) -> String {
     let net = &model.net;
     let mut number = vec![0; net.pieces.len()];
     model.pieces.iter().zip(1..).for_each(|(&piece, k)| number[piece as usize] = k);
-    for (joint, glue) in net.joints.iter().zip(&model.glue) {
+    for (joint, kind) in net.joints.iter().zip(&model.joint_kinds) {
         let name = joint
             .edge
             .map_or("crease".to_owned(), |edge| beam_name(build.surface.edges[edge as usize].ends));
@@ -74,10 +74,10 @@ fn joins(build: &Build, model: &PaperModel) -> String {
         let piece =
             |k: usize| format!("S{}", number[net.piece_of[joint.sides[k].0 as usize] as usize]);
         let (pieces, panels) = ([piece(0), piece(1)], [0, 1].map(|k| &*build.names[panel(k)]));
-        let (join, tab) = match glue {
-            Glue::Folded => ("folded", None),
-            Glue::Tab(tab) => ("tab", Some(tab)),
-            Glue::Bare => ("no tab", None),
+        let (join, tab) = match kind {
+            JointKind::Folded => ("folded", None),
+            JointKind::Tab(tab) => ("tab", Some(tab)),
+            JointKind::Bare => ("no tab", None),
         };
         let tab_on =
             tab.map(|tab| panels[usize::from((tab.side.facet, tab.side.side) != joint.sides[0])]);

@@ -16,7 +16,7 @@ pub(super) fn edges(build: &Build) -> String {
         "warp_mm",
         "twist_deg",
     ]);
-    let building = build.building();
+    let building = build.mm_of_building();
     for (e, edge) in build.surface.edges.iter().enumerate() {
         let [a, b] = edge.ends;
         let name = beam_name(edge.ends);
@@ -42,7 +42,7 @@ pub(super) fn edges(build: &Build) -> String {
 pub(super) fn nodes(build: &Build) -> String {
     let mut table =
         Table::new(&["name", "x_mm", "y_mm", "z_mm", "edges", "axis_x", "axis_y", "axis_z"]);
-    let building = build.building();
+    let building = build.mm_of_building();
     let mut degrees = vec![0_usize; build.surface.positions.len()];
     for edge in &build.surface.edges {
         edge.ends.iter().for_each(|&v| degrees[v as usize] += 1);

@@ -138,7 +138,7 @@ fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
         },
         GoalOf::Build(id) => {
             let declared = BUILD_NUMBERS.iter().find(|number| number.id == id);
-            let &BuildNumber { id, label, words, unit } =
+            let &BuildNumber { id, label, description, unit } =
                 declared.expect("goals are checked when a scene is taken over");
             let unit = match unit {
                 NumberUnit::Length => MeasureUnit::Length,
@@ -148,7 +148,7 @@ fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
             let (measure, beyond) = (None, None);
             GoalWords {
                 label,
-                words,
+                words: description,
                 unit,
                 at_most: goal.at_most,
                 measure,
