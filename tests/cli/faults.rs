@@ -91,7 +91,7 @@ fn a_scene_that_names_a_device_as_its_mesh_is_refused_before_it_is_read() {
     let folder = Folder::new("device");
     let scene = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "/dev/zero" } }"#;
     folder.write("zero.shapeup.json", scene);
-    let words = ["zero.shapeup.json: mesh.file: cannot read /dev/zero: it is no regular file"];
+    let words = ["zero.shapeup.json: mesh.file: cannot read /dev/zero: it is not a regular file"];
     folder.run(&["solve", "zero.shapeup.json"]).refused(&words);
 }
 

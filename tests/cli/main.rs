@@ -216,7 +216,7 @@ fn elements_that_do_not_fit_a_kind_are_counted_and_named() {
         (out, report["constraints"][kind].clone(), report["skipped"].clone())
     };
     for (on, kind, fit, skipped, words) in [
-        ("\"faces\"", "square", 3, 1, "square on all faces: 1 of 4 skipped, it takes exactly 4"),
+        ("\"faces\"", "square", 3, 1, "square on all faces: 1 of 4 skipped; it takes exactly 4"),
         // One strip along, of eight vertices, and three across.
         ("\"strips\"", "square", 3, 1, "square on all strips of faces: 1 of 4 skipped"),
         // Four ribs have two vertices, one of them the curve of the file; the two sides have five.
@@ -225,7 +225,7 @@ fn elements_that_do_not_fit_a_kind_are_counted_and_named() {
             "circle",
             2,
             4,
-            "circle on all curves: 4 of 6 skipped, it takes 3 or more vertices",
+            "circle on all curves: 4 of 6 skipped; it takes 3 or more vertices",
         ),
         ("\"rings\"", "square", 6, 3, "square on all vertices with neighbours: 3 of 9 skipped"),
     ] {

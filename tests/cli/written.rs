@@ -77,15 +77,15 @@ fn tetrahedra_come_out_in_the_format_that_has_them() {
     let folder = Folder::new("tets");
     folder.write("block.mesh", TETS);
     let out = folder.run(&["solve", "block.mesh", "--panels", "plane", "--out", "out.mesh"]).done();
-    assert!(!out.contains("no place for"), "{out}");
+    assert!(!out.contains("cannot store"), "{out}");
     let (before, after) = (mesh(&folder, "block.mesh"), mesh(&folder, "out.mesh"));
     assert_eq!((&after.tets, &after.faces), (&before.tets, &before.faces));
     assert_ne!(after.positions, before.positions);
     let out = folder.run(&["solve", "block.mesh", "--panels", "plane", "--out", "out.obj"]).done();
-    assert!(out.contains("note: out.obj is OBJ, which has no place for 2 tetrahedra\n"), "{out}");
+    assert!(out.contains("note: out.obj is OBJ, which cannot store 2 tetrahedra\n"), "{out}");
     folder.write("roof.obj", format!("{ROOF}f 1 2 3 6 5\n"));
     let out = folder.run(&["solve", "roof.obj", "--panels", "plane", "--out", "out.mesh"]).done();
-    let lost = "which has no place for 1 face of more than four corners, 1 curve, 5 groups\n";
+    let lost = "which cannot store 1 face of more than four corners, 1 curve, 5 groups\n";
     assert!(out.contains(lost), "{out}");
 }
 

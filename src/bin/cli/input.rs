@@ -76,7 +76,7 @@ fn named_mesh(scene: &Path, place: &str, file: &str) -> Result<Read, Failure> {
     // A scene may come from an untrusted source and name an endless device.
     let about = std::fs::metadata(&beside).map_err(|error| unread(error.to_string()))?;
     if !about.is_file() {
-        return Err(unread("it is no regular file".to_owned()));
+        return Err(unread("it is not a regular file".to_owned()));
     }
     let bytes = read_whole(&beside).map_err(|error| unread(error.to_string()))?;
     mesh::read(&beside.to_string_lossy(), &bytes).map_err(|error| Failure::Input(error.to_string()))

@@ -82,7 +82,7 @@ impl Place {
 
 fn cannot(path: &Path, error: &io::Error) -> Failure {
     Failure::Input(format!(
-        "{}: cannot be written: {error}, expected a place that can be written to",
+        "{}: cannot be written: {error}, expected a writable path",
         path.display()
     ))
 }
@@ -117,7 +117,8 @@ pub(super) fn circularity(circularity: &Circularity, units: &str) -> String {
     )
 }
 
-fn length(value: f64, units: &str) -> String {
+/// Formats a length with its unit, if any.
+pub(super) fn length(value: f64, units: &str) -> String {
     format!("{} {units}", short(value)).trim_end().to_owned()
 }
 

@@ -81,8 +81,7 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
     if report.flipped > 0 {
         let faces = counted(report.flipped, "face", "faces");
         let better = FewerFlips::of(mesh, &topology, report.flipped).map_or(
-            "and so many or more with all weights and norms: cut the mesh open or into parts"
-                .to_owned(),
+            "and no other weights or norm turn fewer: cut the mesh open or into parts".to_owned(),
             |better| {
                 let FewerFlips { weights, norm, flipped, .. } = better;
                 format!("--weights {} --norm {} turns {flipped}", weights.word(), norm.word())
@@ -100,10 +99,10 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
     lines.extend(read.notes.iter().map(|note| format!("note: {note}")));
     if map.closed_parts > 0 && asked.norm == ConformalNorm::Boundary {
         let closed = match (map.closed_parts, map.parts) {
-            (1, 1) => "the mesh has no boundary: the norm takes all its vertices".to_owned(),
+            (1, 1) => "the mesh has no boundary: the norm uses all its vertices".to_owned(),
             (closed, all) => {
                 format!(
-                    "parts without a boundary: {closed} of {all}, there the norm takes all vertices"
+                    "parts without a boundary: {closed} of {all}; there the norm uses all vertices"
                 )
             }
         };

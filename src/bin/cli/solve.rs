@@ -46,7 +46,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     if let Some(nearest) = session.nearest_to_exact().map_err(at_input)? {
         let nearest = output::short(nearest);
         eprintln!(
-            "note: too large to be exact: met up to about {nearest}; --within takes a LENGTH"
+            "note: the mesh is too large for exact constraints: met up to about {nearest}; use --within LENGTH"
         );
     }
     if command.improve {
@@ -56,13 +56,13 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     }
     let report = session.report();
     if command.improve && report.exact.as_ref().is_none_or(|exact| exact.improved.is_none()) {
-        let why = "--improve did nothing: it needs constraints that are exact or within a length, and met";
+        let why = "--improve did nothing: it needs exact or within constraints, all of them met";
         remarks.push(why.to_owned());
     }
     remarks.extend(misfits(&session));
     remarks.extend(report.unpaired.iter().map(|row| unpaired(*row, &session)));
     remarks.extend(session.collapse().map(|collapse| {
-        format!("stopped: {collapse}. A larger weight of closeness keeps it nearer to its shape")
+        format!("stopped: {collapse}. A larger weight of closeness keeps the mesh closer to its original shape")
     }));
 
     let mut files: Vec<(&Path, String)> = Vec::new();
@@ -84,7 +84,7 @@ fn misfits(session: &Session) -> impl Iterator<Item = String> {
     rows.filter(|(_, row)| row.enabled && row.skipped > 0).map(|(spec, row)| {
         let (info, all) = (spec.kind.info(), row.skipped + row.constraints.members.len());
         format!(
-            "{} on {}: {} of {all} skipped, it takes {}",
+            "{} on {}: {} of {all} skipped; it takes {}",
             info.id,
             describe(&spec.on),
             row.skipped,
@@ -131,11 +131,11 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
             report.pinned.iter().take(NAMED_PINS).map(ToString::to_string).collect();
         let more = report.pinned.len() - named.len();
         line(format_args!(
-            "note: nothing holds {} {}{}",
+            "note: {} {}{}",
             if report.pinned.len() == 1 {
-                "one part of the mesh, fixed at vertex"
+                "one part of the mesh has no handle or closeness; fixed at vertex"
             } else {
-                "some parts of the mesh, fixed at vertices"
+                "some parts of the mesh have no handle or closeness; fixed at vertices"
             },
             named.join(", "),
             if more == 0 { String::new() } else { format!(" and {more} more") }
@@ -193,10 +193,7 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
 
 /// Formats how well hard constraints are met.
 fn exact_line(exact: &ExactReport, units: &str) -> String {
-    let length = |length: f64| {
-        let unit = if units.is_empty() { String::new() } else { format!(" {units}") };
-        format!("{}{unit}", output::short(length))
-    };
+    let length = |length: f64| output::length(length, units);
     let met = if exact.met {
         "met".to_owned()
     } else {

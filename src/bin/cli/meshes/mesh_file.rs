@@ -47,7 +47,7 @@ pub(in crate::cli) fn left_out(path: &Path, mesh: &Mesh) -> Option<String> {
     let parts = parts.into_iter().filter(|(count, ..)| *count > 0);
     let parts: Vec<_> = parts.map(|(count, one, many)| counted(count, one, many)).collect();
     let parts = (!parts.is_empty()).then(|| parts.join(", "))?;
-    Some(format!("{} is {format}, which has no place for {parts}", path.display()))
+    Some(format!("{} is {format}, which cannot store {parts}", path.display()))
 }
 
 fn is_medit(path: &Path) -> bool {

@@ -98,10 +98,7 @@ fn level_of(session: &mut Session, start: Instant) -> Level {
 }
 
 fn line(level: &Level, units: &str) -> String {
-    let length = |length: f64| {
-        let unit = if units.is_empty() { String::new() } else { format!(" {units}") };
-        format!("{}{unit}", output::short(length))
-    };
+    let length = |length: f64| output::length(length, units);
     let faces = counted(level.faces, "face", "faces");
     let panels = level.verdict.as_ref().map_or_else(String::new, |verdict| {
         format!(

@@ -19,7 +19,10 @@ pub(crate) fn check(path: &Path, scene: &Path) -> Result<(), Failure> {
         return Err(at(format!("{missed} of {} goals not met, expected all", checked.goals.len())));
     }
     if let [first, ..] = &*checked.altered {
-        return Err(at(format!("locked {} altered, expected them as in the scene", first.word())));
+        return Err(at(format!(
+            "locked {} altered, expected the same as in the scene",
+            first.word()
+        )));
     }
     Ok(())
 }
@@ -44,7 +47,7 @@ fn words(results: &Results, checked: &Checked, units: &str) -> String {
     for (goal, said) in checked.goals.iter().zip(said) {
         let met = if goal.met { "met        " } else { "not met    " };
         let otherwise = said.is_none_or(|said| said.met != goal.met);
-        let otherwise = if otherwise { ", otherwise than the file says" } else { "" };
+        let otherwise = if otherwise { ", but the file says otherwise" } else { "" };
         lines.push(format!("{met} {}{otherwise}", measured(goal)));
     }
     if !units.is_empty() {
