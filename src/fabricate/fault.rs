@@ -26,7 +26,7 @@ impl Fault {
     /// The surface has only one side, such as a Moebius strip.
     pub(super) fn one_sided([a, b]: [u32; 2]) -> Fault {
         Fault(format!(
-            "the surface has only one side (seen at the edge of vertices {a} and {b}), so it has no outside: panels can still be cut and folded; offsets and beams are not available"
+            "the surface has one side only (seen at the edge of vertices {a} and {b}), so it has no outside: panels can still be cut and folded; offsets and beams are not available"
         ))
     }
 
