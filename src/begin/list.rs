@@ -58,7 +58,7 @@ pub const NEW_KINDS: &[NewKind] = &[
     NewKind {
         id: "cone",
         label: "Cone",
-        summary: "A cone, pointed where the top is 0 wide.",
+        summary: "A cone, pointed if the diameter of its top is 0.",
         sizes: &[DIAMETER, from_zero("top", "Diameter of the top", 4.0), HEIGHT, AROUND, ROWS],
         make: round::cone,
     },
@@ -78,7 +78,7 @@ pub const NEW_KINDS: &[NewKind] = &[
     NewKind {
         id: "torus",
         label: "Torus segment",
-        summary: "A vault along an arc: the upper half of a piece of a torus.",
+        summary: "A vault along an arc: the upper half of a torus segment.",
         sizes: &[
             length("radius", "Radius of the arc", 15.0),
             length("section", "Radius of the section", 5.0),

@@ -38,7 +38,7 @@ fn results_that_only_say_so_do_not() {
     assert_eq!(ended.code, Some(1), "{ended:?}");
     assert_eq!(ended.err, "bad.json: 2 of 2 goals not met, expected all\n");
     assert_eq!(ended.out.matches("not met").count(), 2, "{ended:?}");
-    assert_eq!(ended.out.matches("otherwise than the file says").count(), 2, "{ended:?}");
+    assert_eq!(ended.out.matches("but the file says otherwise").count(), 2, "{ended:?}");
 }
 
 #[test]

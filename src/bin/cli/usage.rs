@@ -59,16 +59,16 @@ PDF is tiled to a --page. Options not given are taken from `build` of the scene.
 a report on one page of A4 (PDF): picture, plan, build check, bill of materials, and the --link.
 refine divides each face into several, N times; the boundary is refined as a curve of its own, and
 creases and corners that turn by more than DEGREES (75) stay sharp. With --panels it solves before the
-first level and after each; with --adopt the shape of each level is the original of the next, which stays close to it: faster
-and smoother, but farther from the input. The scene is adapted: --out writes the mesh, or the scene with
-its mesh if the name ends in .json.
+first level and after each; with --adopt the shape of each level is the original of the next, which stays
+close to it: faster and smoother, but farther from the input. The scene is adapted: --out writes the mesh,
+or the scene with its mesh if the name ends in .json.
 edit changes the faces of a mesh, and adapts the scene. A LIST is like 0-4,7; a length is in the unit of
 the mesh. Operations and their defaults, with lengths in mean edge lengths:
 {}
-RESULTS is the file that a student hands in for a lesson: check measures its shape against the goals and
-constraints of the SCENE, and exits with 1 if one is not met. For a FOLDER of such files it writes a table:
-goals met, worst distance, moved, and whether the mesh or a locked setting was altered. The scene may be
-in the folder.
+RESULTS is the file that a student hands in for a lesson: check measures its shape against the goals
+and constraints of the SCENE, and exits with 1 if one is not met. For a FOLDER of such files it writes
+a table: goals met, worst distance, moved, and whether the mesh or a locked setting was altered. The
+scene may be in the folder.
 new makes a mesh to start from, with lengths in the UNIT (m). Kinds and their defaults:
 {}
 new plan makes a surface over an outline on the ground. PLAN.json has the keys outline, a list of points
