@@ -18,7 +18,7 @@
 //!
 //! | room | contents | knows of |
 //! |---|---|---|
-//! | [`math`] | vectors in SIMD lanes, eigenvectors, closest rotations, fitted circles and spheres | nothing |
+//! | [`math`] | vectors in SIMD lanes and of the plane, eigenvectors, closest rotations, fitted circles and spheres | nothing |
 //! | `json` | JSON to serde types, with the paths of errors, and back to text | nothing |
 //! | [`mesh`] | polygon mesh, reading and writing of files, topology, Laplacian, closest point, error measures | math |
 //! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, json, mesh |
