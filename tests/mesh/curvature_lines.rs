@@ -284,3 +284,19 @@ fn lines_of_known_meshes_are_finite_and_on_the_mesh() {
         assert!(lines.iter().all(|lines| lines.len() > 2), "{file}");
     }
 }
+
+#[test]
+fn a_vertex_is_found_in_a_triangle_with_area_if_its_first_one_has_none() {
+    let whole = net([6, 4], [false, false], |u, v| [6.0 * u, 4.0 * v, u * u]);
+    // Vertex 9 first has a triangle whose three corners are on one line.
+    let mut mesh = Mesh { positions: whole.positions.clone(), ..Mesh::default() };
+    mesh.faces.push(&[8, 9, 10]);
+    whole.faces.iter().for_each(|face| mesh.faces.push(face));
+    for v in [8, 10] {
+        mesh.positions[v][2] = mesh.positions[9][2];
+    }
+    let field = field(&mesh);
+    let place = field.at_vertex(9).expect("other triangles of the vertex have an area");
+    assert_eq!(Point::from(field.point(place)), mesh.positions[9]);
+    assert!(field.line_through(place, Family::Larger).is_some());
+}

@@ -5,14 +5,13 @@
 //! to rotate them to become circular.
 
 use super::principal::{Curvature, curvatures};
+use super::quadric::SecondForm;
 use crate::math::{Vec3, angle, polygon_sides};
 use crate::mesh::{Point, Ragged, Topology};
 
-/// Principal curvatures count as equal, up to the error of the fit, if their difference is less
-/// than this fraction of the sum of their sizes.
+/// Principal curvatures count as equal, up to the error of the fit, if their difference is at most
+/// this fraction of the sum of their absolute values.
 pub(super) const UMBILIC: f64 = 0.2;
-/// The surface counts as flat at an edge if it turns by less than this, in radians, over the edge.
-pub(super) const FLAT: f64 = 1e-3;
 
 /// Alignment of the edges of faces with the principal directions of the surface.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -75,18 +74,14 @@ fn angle_to_principal(along: Vec3<f64>, ends: [Option<Curvature>; 2]) -> Option<
     let same = if a.normal.dot(b.normal) < 0.0 { -1.0 } else { 1.0 };
     let (_, normal) = (a.normal + b.normal * same).length_and_direction();
     let normal = normal?;
-    let length = along.length();
     let (_, e) = (along - normal * normal.dot(along)).length_and_direction();
     let e = e?;
     let f = normal.cross(e);
     let form = |p, q| 0.5 * (a.form(p, q) + same * b.form(p, q));
     let (ee, ef, ff) = (form(e, e), form(e, f), form(f, f));
-    let (mean, half) = (0.5 * (ee + ff), 0.5 * (ee - ff));
-    let radius = (half * half + ef * ef).sqrt();
-    let (first, second) = (mean + radius, mean - radius);
-    let size = first.abs() + second.abs();
-    if 2.0 * radius < UMBILIC * size || size * length < FLAT {
+    let curvature = Curvature::of(SecondForm { axes: [e, f], values: [ee, ef, ff] });
+    if !curvature.has_directions(UMBILIC, along.length()) {
         return None;
     }
-    Some(0.5 * angle(half.abs(), ef.abs()).to_degrees())
+    Some(0.5 * angle(0.5 * (ee - ff).abs(), ef.abs()).to_degrees())
 }

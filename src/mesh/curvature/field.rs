@@ -2,6 +2,7 @@
 //! triangles, interpolated linearly.
 
 use super::principal::{Curvature, curvatures};
+use super::quadric::SecondForm;
 use crate::math::{Vec3, argsort, key_of_pair};
 use crate::mesh::{Mesh, Point, Topology};
 
@@ -107,11 +108,12 @@ impl CurvatureField {
         (self.normal(place) != Vec3::zero()).then_some(place)
     }
 
-    /// Returns the place at a vertex; `None` if its first triangle has no area or there is none.
+    /// Returns the place at a vertex, in its first triangle with an area; `None` if there is none.
     pub fn at_vertex(&self, vertex: u32) -> Option<SurfacePlace> {
-        let with_it = self.triangles.iter().position(|corners| corners.contains(&vertex))?;
-        let place = SurfacePlace { triangle: with_it as u32, at: self.points[vertex as usize] };
-        (self.normal(place) != Vec3::zero()).then_some(place)
+        let around = (0..).zip(&self.triangles).filter(|(_, corners)| corners.contains(&vertex));
+        let mut places =
+            around.map(|(triangle, _)| SurfacePlace { triangle, at: self.points[vertex as usize] });
+        places.find(|&place| self.normal(place) != Vec3::zero())
     }
 
     /// Returns the centre of a face; `None` if it has no area.
@@ -191,20 +193,12 @@ impl CurvatureField {
         let up = up?;
         let x = up.across();
         let y = up.cross(x);
-        let [l, m, n] = [on(&tensor, x, x), on(&tensor, x, y), on(&tensor, y, y)];
-        let (mean, half) = (0.5 * (l + n), 0.5 * (l - n));
-        let radius = (half * half + m * m).sqrt();
-        let size = (mean + radius).abs() + (mean - radius).abs();
-        if 2.0 * radius <= umbilic * size || size * self.mean_edge < super::edges::FLAT {
+        let values = [on(&tensor, x, x), on(&tensor, x, y), on(&tensor, y, y)];
+        let curvature = Curvature::of(SecondForm { axes: [x, y], values });
+        if !curvature.has_directions(umbilic, self.mean_edge) {
             return None;
         }
-        // Of the two equations of an eigenvector, take the one without cancellation.
-        let (u, v) = if half >= 0.0 { (radius + half, m) } else { (m, radius - half) };
-        let larger = (x * u + y * v) * (1.0 / (u * u + v * v).sqrt());
-        let way = match family {
-            Family::Larger => larger,
-            Family::Smaller => up.cross(larger),
-        };
+        let way = curvature.directions[family as usize];
         let (_, way) = (way - normal * normal.dot(way)).length_and_direction();
         way
     }

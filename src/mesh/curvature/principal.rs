@@ -6,6 +6,8 @@ use crate::mesh::{Point, Ragged, Topology};
 
 /// Number of rings of neighbours in a fit.
 const RINGS: u32 = 2;
+/// The surface counts as flat over a length if it turns by less than this, in radians.
+const FLAT: f64 = 1e-3;
 
 /// Curvature of the surface at a vertex, in one over the unit of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,7 +39,17 @@ impl Curvature {
         along(0) + along(1)
     }
 
-    fn of(SecondForm { axes: [x, y], values: [l, m, n] }: SecondForm) -> Curvature {
+    /// Whether the principal directions are defined: the principal curvatures differ by more than
+    /// the fraction `umbilic` of the sum of their absolute values, and the surface turns by at
+    /// least [`FLAT`] over `length`.
+    pub(super) fn has_directions(&self, umbilic: f64, length: f64) -> bool {
+        let [larger, smaller] = self.principal;
+        let size = larger.abs() + smaller.abs();
+        larger - smaller > umbilic * size && size * length >= FLAT
+    }
+
+    /// Diagonalises a second fundamental form.
+    pub(super) fn of(SecondForm { axes: [x, y], values: [l, m, n] }: SecondForm) -> Curvature {
         let (mean, half) = (0.5 * (l + n), 0.5 * (l - n));
         let radius = (half * half + m * m).sqrt();
         // Of the two equations of an eigenvector, take the one without cancellation.
