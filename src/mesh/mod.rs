@@ -33,7 +33,7 @@ pub use closest::{
     BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, Polyline, Surface,
 };
 pub use curvature::{
-    Curvature, CurvatureField, CurvatureLine, CurvatureLines, Family, SurfacePlace, curvatures,
+    Curvature, CurvatureField, CurvatureLine, CurvatureLines, Family, SurfacePoint, curvatures,
     face_curvatures,
 };
 pub use diagnostics::{ElementsWithProblem, diagnose, elements_with_problem};

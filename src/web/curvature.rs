@@ -1,7 +1,7 @@
 //! Curvature directions and lines for the page, in the build module, which is loaded on first use.
 
 use super::{log_panics, mesh_of, thrown};
-use crate::mesh::{CurvatureField, CurvatureLine, Family, Point, SurfacePlace, Topology};
+use crate::mesh::{CurvatureField, CurvatureLine, Family, Point, SurfacePoint, Topology};
 use wasm_bindgen::prelude::*;
 
 const FAMILIES: [Family; 2] = [Family::Larger, Family::Smaller];
@@ -68,16 +68,16 @@ impl SurfaceCurvature {
     pub fn lines_through(&self, vertices: &[u32], faces: &[u32]) -> CurvatureDrawing {
         let at_vertices = vertices.iter().filter_map(|&v| self.field.at_vertex(v));
         let at_faces = faces.iter().filter_map(|&f| self.field.at_face(f));
-        let places: Vec<SurfacePlace> = at_vertices.chain(at_faces).collect();
+        let points: Vec<SurfacePoint> = at_vertices.chain(at_faces).collect();
         drawing(FAMILIES.map(|family| {
-            let lines = places.iter().filter_map(|&place| self.field.line_through(place, family));
+            let lines = points.iter().filter_map(|&point| self.field.line_through(point, family));
             polylines(&lines.collect::<Vec<_>>())
         }))
     }
 }
 
 fn polylines(lines: &[CurvatureLine]) -> Vec<Vec<Point>> {
-    lines.iter().map(|line| line.points().collect()).collect()
+    lines.iter().map(|line| line.positions().collect()).collect()
 }
 
 fn drawing(families: [Vec<Vec<Point>>; 2]) -> CurvatureDrawing {

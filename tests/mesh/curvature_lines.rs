@@ -73,16 +73,16 @@ fn net([n, m]: [u32; 2], closed: [bool; 2], point: impl Fn(f64, f64) -> Point) -
 /// The lines through every so many faces, of both families.
 fn some_lines(mesh: &Mesh, every: usize) -> Vec<CurvatureLine> {
     let field = field(mesh);
-    let places: Vec<_> = field.middles().step_by(every).collect();
+    let points: Vec<_> = field.centres().step_by(every).collect();
     let lines = FAMILIES.map(|family| {
-        places.iter().filter_map(|&place| field.line_through(place, family)).collect::<Vec<_>>()
+        points.iter().filter_map(|&point| field.line_through(point, family)).collect::<Vec<_>>()
     });
     lines.concat()
 }
 
 /// How far a quantity is from the same all along a line.
 fn spread(line: &CurvatureLine, quantity: impl Fn(Point) -> f64) -> f64 {
-    let values = line.points().map(quantity);
+    let values = line.positions().map(quantity);
     let (low, high) =
         values.fold((f64::MAX, f64::MIN), |(low, high), value| (low.min(value), high.max(value)));
     high - low
@@ -136,7 +136,7 @@ fn on_an_ellipsoid_lines_of_curvature_are_closed_confocal_curves() {
         });
         // Those that are not closed end at the umbilics, at x = 2.58.
         let ends = lines.iter().filter(|line| !line.closed).flat_map(|line| {
-            let ends: Vec<Point> = line.points().collect();
+            let ends: Vec<Point> = line.positions().collect();
             [ends[0], ends[ends.len() - 1]]
         });
         for [x, ..] in ends {
@@ -175,11 +175,11 @@ fn on_a_cylinder_and_a_saddle_lines_of_curvature_are_as_known() {
         let far = |f: usize| mesh.positions[mesh.faces.row(f)[0] as usize].map(f64::abs);
         (far(a)[0] + far(a)[1]).total_cmp(&(far(b)[0] + far(b)[1]))
     });
-    let place = field.at_face(middle.unwrap() as u32).unwrap();
+    let point = field.at_face(middle.unwrap() as u32).unwrap();
     let mut off = FAMILIES.map(|family| {
-        let line = field.line_through(place, family).unwrap();
-        assert!(line.places.len() > 100);
-        [0, 1].map(|k| line.points().map(|point| point[k].abs()).fold(0.0, f64::max))
+        let line = field.line_through(point, family).unwrap();
+        assert!(line.points.len() > 100);
+        [0, 1].map(|k| line.positions().map(|point| point[k].abs()).fold(0.0, f64::max))
     });
     off.sort_by(|a, b| a[0].total_cmp(&b[0]));
     assert!(off[0][0] < 0.08 && off[0][1] > 0.6 && off[1][1] < 0.08 && off[1][0] > 0.6, "{off:?}");
@@ -192,7 +192,7 @@ fn spaced_lines_keep_their_distance_and_cover_the_surface() {
     for family in FAMILIES {
         let distance = 0.8;
         let lines = field.spaced_lines(family, distance);
-        let points: Vec<Vec<Point>> = lines.iter().map(|line| line.points().collect()).collect();
+        let points: Vec<Vec<Point>> = lines.iter().map(|line| line.positions().collect()).collect();
         let gap = |a: &Point, b: &Point| {
             a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
         };
@@ -203,8 +203,8 @@ fn spaced_lines_keep_their_distance_and_cover_the_surface() {
                 assert!(nearest.fold(f64::MAX, f64::min) > 0.3 * distance);
             }
         }
-        for middle in field.middles() {
-            let at = Point::from(field.point(middle));
+        for centre in field.centres() {
+            let at = Point::from(field.position(centre));
             let nearest = points.iter().flatten().map(|point| gap(&at, point));
             assert!(nearest.fold(f64::MAX, f64::min) < 1.6 * distance);
         }
@@ -238,7 +238,7 @@ fn lines_depend_neither_on_the_unit_nor_on_how_faces_turn() {
     assert_eq!(a.len(), b.len());
     for (a, b) in a.iter().zip(&b) {
         assert_eq!((a.family, a.closed), (b.family, b.closed));
-        assert!((a.places.len() as f64 / b.places.len() as f64 - 1.0).abs() < 0.05);
+        assert!((a.points.len() as f64 / b.points.len() as f64 - 1.0).abs() < 0.05);
     }
 }
 
@@ -279,7 +279,7 @@ fn lines_of_known_meshes_are_finite_and_on_the_mesh() {
         let lines = FAMILIES.map(|family| field.spaced_lines(family, 3.0 * field.mean_edge()));
         println!("{file}: {} and {} lines, {:?}", lines[0].len(), lines[1].len(), begun.elapsed());
         for line in lines.iter().flatten() {
-            assert!(line.points().all(|point| point.iter().all(|x| x.abs() <= size + 1e-9)));
+            assert!(line.positions().all(|point| point.iter().all(|x| x.abs() <= size + 1e-9)));
         }
         assert!(lines.iter().all(|lines| lines.len() > 2), "{file}");
     }
@@ -296,7 +296,7 @@ fn a_vertex_is_found_in_a_triangle_with_area_if_its_first_one_has_none() {
         mesh.positions[v][2] = mesh.positions[9][2];
     }
     let field = field(&mesh);
-    let place = field.at_vertex(9).expect("other triangles of the vertex have an area");
-    assert_eq!(Point::from(field.point(place)), mesh.positions[9]);
-    assert!(field.line_through(place, Family::Larger).is_some());
+    let point = field.at_vertex(9).expect("other triangles of the vertex have an area");
+    assert_eq!(Point::from(field.position(point)), mesh.positions[9]);
+    assert!(field.line_through(point, Family::Larger).is_some());
 }

@@ -22,7 +22,7 @@ pub enum Family {
 
 /// A point on the surface, with its triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SurfacePlace {
+pub struct SurfacePoint {
     pub(super) triangle: u32,
     /// In the plane of the triangle.
     pub(super) at: Vec3<f64>,
@@ -89,48 +89,48 @@ impl CurvatureField {
     }
 
     /// Returns the centres of the faces in order, without faces of zero area.
-    pub fn middles(&self) -> impl Iterator<Item = SurfacePlace> + '_ {
+    pub fn centres(&self) -> impl Iterator<Item = SurfacePoint> + '_ {
         let of_face = self.faces.chunk_by(|a, b| a == b).scan(0, |next, same| {
             let first = *next;
             *next += same.len();
-            Some(self.middle(first, same.len()))
+            Some(self.centre(first, same.len()))
         });
         of_face.flatten()
     }
 
     /// Returns the centre of the face of `pieces` triangles from `first` on. Of several, the last
     /// corner is the centre.
-    fn middle(&self, first: usize, pieces: usize) -> Option<SurfacePlace> {
+    fn centre(&self, first: usize, pieces: usize) -> Option<SurfacePoint> {
         let triangle = first as u32;
         let [a, b, c] = self.corners(triangle);
         let at = if pieces > 1 { c } else { (a + b + c) * (1.0 / 3.0) };
-        let place = SurfacePlace { triangle, at };
-        (self.normal(place) != Vec3::zero()).then_some(place)
+        let point = SurfacePoint { triangle, at };
+        (self.normal(point) != Vec3::zero()).then_some(point)
     }
 
-    /// Returns the place at a vertex, in its first triangle with an area; `None` if there is none.
-    pub fn at_vertex(&self, vertex: u32) -> Option<SurfacePlace> {
+    /// Returns the point at a vertex, in its first triangle with an area; `None` if there is none.
+    pub fn at_vertex(&self, vertex: u32) -> Option<SurfacePoint> {
         let around = (0..).zip(&self.triangles).filter(|(_, corners)| corners.contains(&vertex));
-        let mut places =
-            around.map(|(triangle, _)| SurfacePlace { triangle, at: self.points[vertex as usize] });
-        places.find(|&place| self.normal(place) != Vec3::zero())
+        let mut points =
+            around.map(|(triangle, _)| SurfacePoint { triangle, at: self.points[vertex as usize] });
+        points.find(|&point| self.normal(point) != Vec3::zero())
     }
 
     /// Returns the centre of a face; `None` if it has no area.
-    pub fn at_face(&self, face: u32) -> Option<SurfacePlace> {
+    pub fn at_face(&self, face: u32) -> Option<SurfacePoint> {
         let first = self.faces.partition_point(|&other| other < face);
         let pieces = self.faces[first..].iter().take_while(|&&other| other == face).count();
-        (pieces > 0).then(|| self.middle(first, pieces)).flatten()
+        (pieces > 0).then(|| self.centre(first, pieces)).flatten()
     }
 
-    /// Returns the position of a place.
-    pub fn point(&self, place: SurfacePlace) -> Point {
-        place.at.into()
+    /// Returns the position of a point.
+    pub fn position(&self, point: SurfacePoint) -> Point {
+        point.at.into()
     }
 
-    /// Returns the unit normal of the triangle of a place; zero if it has no area.
-    pub(super) fn normal(&self, place: SurfacePlace) -> Vec3<f64> {
-        self.normals[place.triangle as usize]
+    /// Returns the unit normal of the triangle of a point; zero if it has no area.
+    pub(super) fn normal(&self, point: SurfacePoint) -> Vec3<f64> {
+        self.normals[point.triangle as usize]
     }
 
     pub(super) fn corners(&self, triangle: u32) -> [Vec3<f64>; 3] {
@@ -139,7 +139,7 @@ impl CurvatureField {
 
     /// Returns the triangle across a side and the index of the side in that triangle; `None` at the
     /// boundary.
-    pub(super) fn over(&self, triangle: u32, side: usize) -> Option<(u32, usize)> {
+    pub(super) fn across(&self, triangle: u32, side: usize) -> Option<(u32, usize)> {
         let next = self.beyond[triangle as usize][side];
         let back = (0..3).find(|&k| {
             next != NONE && self.beyond[next as usize][k] == triangle && {
@@ -154,8 +154,8 @@ impl CurvatureField {
         back.map(|k| (next, k))
     }
 
-    /// Returns the barycentric coordinates of a place in its triangle.
-    fn weights(&self, SurfacePlace { triangle, at }: SurfacePlace) -> [f64; 3] {
+    /// Returns the barycentric coordinates of a point in its triangle.
+    fn weights(&self, SurfacePoint { triangle, at }: SurfacePoint) -> [f64; 3] {
         let corners = self.corners(triangle);
         let normal = self.normals[triangle as usize];
         let part = |k: usize| {
@@ -167,22 +167,22 @@ impl CurvatureField {
         parts.map(|part| part / sum)
     }
 
-    /// Returns the unit direction of a family at a place. `None` if the curvature is unknown, if
+    /// Returns the unit direction of a family at a point. `None` if the curvature is unknown, if
     /// the surface is flat over the length of an edge, or if the difference of the principal
     /// curvatures is at most the fraction `umbilic` of the sum of their absolute values.
     pub(super) fn direction(
         &self,
-        place: SurfacePlace,
+        point: SurfacePoint,
         family: Family,
         umbilic: f64,
     ) -> Option<Vec3<f64>> {
-        let normal = self.normal(place);
+        let normal = self.normal(point);
         if normal == Vec3::zero() {
             return None;
         }
         let (mut tensor, mut up) = ([0.0; 6], Vec3::zero());
-        let corners = self.triangles[place.triangle as usize];
-        for (v, weight) in corners.into_iter().zip(self.weights(place)) {
+        let corners = self.triangles[point.triangle as usize];
+        for (v, weight) in corners.into_iter().zip(self.weights(point)) {
             let (form, normal_there) = self.forms[v as usize]?;
             let weight = if normal_there.dot(normal) < 0.0 { -weight } else { weight };
             tensor.iter_mut().zip(form).for_each(|(sum, part)| *sum += weight * part);
@@ -198,9 +198,9 @@ impl CurvatureField {
         if !curvature.has_directions(umbilic, self.mean_edge) {
             return None;
         }
-        let way = curvature.directions[family as usize];
-        let (_, way) = (way - normal * normal.dot(way)).length_and_direction();
-        way
+        let direction = curvature.directions[family as usize];
+        let (_, direction) = (direction - normal * normal.dot(direction)).length_and_direction();
+        direction
     }
 
     /// Connects triangles across sides that exactly two triangles share.
@@ -223,7 +223,7 @@ impl CurvatureField {
     }
 
     /// Orients each component, see [`CurvatureField`], and computes the normals. Across sides where
-    /// orientations disagree, [`CurvatureField::over`] returns `None`.
+    /// orientations disagree, [`CurvatureField::across`] returns `None`.
     fn orient(&mut self) {
         let count = self.triangles.len();
         let mut is_seen = vec![false; count];
@@ -242,7 +242,7 @@ impl CurvatureField {
                     if other == NONE || std::mem::replace(&mut is_seen[other as usize], true) {
                         continue;
                     }
-                    if self.over(t as u32, k).is_none() {
+                    if self.across(t as u32, k).is_none() {
                         self.turn(other as usize);
                     }
                     part.push(other as usize);

@@ -7,7 +7,7 @@
 //! | `edges` | the angles between edges and lines of curvature |
 //! | `field` | the field of principal directions on a triangulated surface |
 //! | `walk` | straight paths on that surface |
-//! | `trace` | the line of curvature through a place |
+//! | `trace` | the line of curvature through a point |
 //! | `spaced` | evenly spaced lines of curvature |
 //! | `strokes` | short strokes along the principal directions |
 
@@ -21,6 +21,6 @@ mod trace;
 mod walk;
 
 pub use edges::CurvatureLines;
-pub use field::{CurvatureField, Family, SurfacePlace};
+pub use field::{CurvatureField, Family, SurfacePoint};
 pub use principal::{Curvature, curvatures, face_curvatures};
 pub use trace::CurvatureLine;

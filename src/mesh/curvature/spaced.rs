@@ -1,7 +1,7 @@
 //! Evenly spaced lines of curvature (Jobard and Lefer 1997): each line seeds the next ones on both
 //! sides, and ends where it comes close to another.
 
-use super::field::{CurvatureField, Family, SurfacePlace};
+use super::field::{CurvatureField, Family, SurfacePoint};
 use super::trace::{CurvatureLine, comes_back};
 use super::walk::Heading;
 use crate::math::Vec3;
@@ -23,14 +23,14 @@ impl CurvatureField {
         assert!(distance > 0.0, "lines have a distance");
         let mut lines: Vec<CurvatureLine> = Vec::new();
         let mut taken = Cells::new(distance);
-        for middle in self.middles() {
+        for centre in self.centres() {
             // Seeds beside the newest lines come before the next face.
-            let mut next = vec![middle];
-            while let Some(place) = next.pop() {
-                let Some(line) = self.line_beside(place, family, distance, &taken) else {
+            let mut next = vec![centre];
+            while let Some(point) = next.pop() {
+                let Some(line) = self.line_beside(point, family, distance, &taken) else {
                     continue;
                 };
-                line.places.iter().for_each(|place| taken.add(place.at));
+                line.points.iter().for_each(|point| taken.add(point.at));
                 next.extend(self.beside(&line, distance));
                 lines.push(line);
             }
@@ -38,41 +38,41 @@ impl CurvatureField {
         lines
     }
 
-    /// Traces the line through a place until it comes near a taken point or an earlier part of
+    /// Traces the line through a point until it comes near a taken point or an earlier part of
     /// itself; `None` if it would begin near a taken point, or is too short.
     fn line_beside(
         &self,
-        place: SurfacePlace,
+        point: SurfacePoint,
         family: Family,
         distance: f64,
         taken: &Cells,
     ) -> Option<CurvatureLine> {
-        if taken.is_near(place.at, BEGIN * distance) {
+        if taken.is_near(point.at, BEGIN * distance) {
             return None;
         }
         let end = END * distance;
-        let line = self.line_until(place, family, |places| {
-            places.last().is_some_and(|last| taken.is_near(last.at, end)) || comes_back(places, end)
+        let line = self.line_until(point, family, |points| {
+            points.last().is_some_and(|last| taken.is_near(last.at, end)) || comes_back(points, end)
         })?;
         let length: f64 =
-            line.places.windows(2).map(|ends| (ends[1].at - ends[0].at).length()).sum();
+            line.points.windows(2).map(|ends| (ends[1].at - ends[0].at).length()).sum();
         (line.closed || length >= SHORT * distance).then_some(line)
     }
 
-    /// Returns places on both sides of a line, at this distance from it.
-    fn beside(&self, line: &CurvatureLine, distance: f64) -> Vec<SurfacePlace> {
+    /// Returns points on both sides of a line, at this distance from it.
+    fn beside(&self, line: &CurvatureLine, distance: f64) -> Vec<SurfacePoint> {
         let mut found = Vec::new();
         let mut since = 0.0;
-        for ends in line.places.windows(2) {
-            let (length, way) = (ends[1].at - ends[0].at).length_and_direction();
+        for ends in line.points.windows(2) {
+            let (length, direction) = (ends[1].at - ends[0].at).length_and_direction();
             since += length;
-            let Some(way) = way.filter(|_| since >= distance) else { continue };
+            let Some(direction) = direction.filter(|_| since >= distance) else { continue };
             since = 0.0;
-            let place = ends[0];
-            let (_, across) = self.normal(place).cross(way).length_and_direction();
+            let point = ends[0];
+            let (_, across) = self.normal(point).cross(direction).length_and_direction();
             let both = across.into_iter().flat_map(|across| [across, -across]);
-            found.extend(both.filter_map(|way| {
-                self.walk(Heading { place, way }, distance).map(|heading| heading.place)
+            found.extend(both.filter_map(|direction| {
+                self.walk(Heading { point, direction }, distance).map(|heading| heading.point)
             }));
         }
         found

@@ -11,10 +11,10 @@ impl CurvatureField {
     /// family. Faces where the surface is flat or umbilic have no stroke.
     pub fn strokes(&self, family: Family) -> Vec<[Point; 2]> {
         let half = HALF * self.mean_edge();
-        let middles = self.middles();
-        let directed = middles.filter_map(|place| {
-            let way = self.direction(place, family, super::edges::UMBILIC)?;
-            Some([place.at - way * half, place.at + way * half].map(Point::from))
+        let centres = self.centres();
+        let directed = centres.filter_map(|point| {
+            let direction = self.direction(point, family, super::edges::UMBILIC)?;
+            Some([point.at - direction * half, point.at + direction * half].map(Point::from))
         });
         directed.collect()
     }

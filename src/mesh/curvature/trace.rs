@@ -1,7 +1,7 @@
 //! Lines of curvature, traced by the midpoint method: each step is straight on the surface, in the
 //! direction found halfway.
 
-use super::field::{CurvatureField, Family, SurfacePlace};
+use super::field::{CurvatureField, Family, SurfacePoint};
 use super::walk::Heading;
 use crate::mesh::Point;
 
@@ -20,102 +20,103 @@ const MOST_STEPS: usize = 20_000;
 pub struct CurvatureLine {
     /// The family of the line.
     pub family: Family,
-    /// The places along the line; a closed line repeats its first place at the end.
-    pub places: Vec<SurfacePlace>,
+    /// The points along the line; a closed line repeats its first point at the end.
+    pub points: Vec<SurfacePoint>,
     /// Whether the line is closed.
     pub closed: bool,
 }
 
 impl CurvatureLine {
-    /// Returns the positions of the places, `#places by 3`.
-    pub fn points(&self) -> impl ExactSizeIterator<Item = Point> + '_ {
-        self.places.iter().map(|place| Point::from(place.at))
+    /// Returns the positions of the points, `#points by 3`.
+    pub fn positions(&self) -> impl ExactSizeIterator<Item = Point> + '_ {
+        self.points.iter().map(|point| Point::from(point.at))
     }
 }
 
 impl CurvatureField {
-    /// Traces the line through a place to both sides until it closes, reaches the boundary or a
+    /// Traces the line through a point to both sides until it closes, reaches the boundary or a
     /// point without a direction, or is within an edge of an earlier part of itself. `None` without
-    /// a direction at the place.
-    pub fn line_through(&self, place: SurfacePlace, family: Family) -> Option<CurvatureLine> {
-        self.line_until(place, family, |places| comes_back(places, self.mean_edge()))
+    /// a direction at the point.
+    pub fn line_through(&self, point: SurfacePoint, family: Family) -> Option<CurvatureLine> {
+        self.line_until(point, family, |points| comes_back(points, self.mean_edge()))
     }
 
-    /// Traces the line through a place until `is_end` of the places so far, the newest last.
+    /// Traces the line through a point until `is_end` of the points so far, the newest last.
     pub(super) fn line_until(
         &self,
-        place: SurfacePlace,
+        point: SurfacePoint,
         family: Family,
-        mut is_end: impl FnMut(&[SurfacePlace]) -> bool,
+        mut is_end: impl FnMut(&[SurfacePoint]) -> bool,
     ) -> Option<CurvatureLine> {
-        let way = self.direction(place, family, super::edges::UMBILIC)?;
-        let (ahead, closed) = self.half(Heading { place, way }, family, &mut is_end);
+        let direction = self.direction(point, family, super::edges::UMBILIC)?;
+        let (ahead, closed) = self.half(Heading { point, direction }, family, &mut is_end);
         if closed {
-            return Some(CurvatureLine { family, places: ahead, closed });
+            return Some(CurvatureLine { family, points: ahead, closed });
         }
-        let (mut places, _) = self.half(Heading { place, way: -way }, family, &mut is_end);
-        places.reverse();
-        places.extend(&ahead[1..]);
-        Some(CurvatureLine { family, places, closed })
+        let (mut points, _) =
+            self.half(Heading { point, direction: -direction }, family, &mut is_end);
+        points.reverse();
+        points.extend(&ahead[1..]);
+        Some(CurvatureLine { family, points, closed })
     }
 
-    /// Traces one side of a line; returns its places and whether it is closed.
+    /// Traces one side of a line; returns its points and whether it is closed.
     fn half(
         &self,
         begin: Heading,
         family: Family,
-        is_end: &mut impl FnMut(&[SurfacePlace]) -> bool,
-    ) -> (Vec<SurfacePlace>, bool) {
+        is_end: &mut impl FnMut(&[SurfacePoint]) -> bool,
+    ) -> (Vec<SurfacePoint>, bool) {
         let step = STEP * self.mean_edge();
         let near = CLOSED * self.mean_edge();
-        let mut places = vec![begin.place];
+        let mut points = vec![begin.point];
         let mut heading = begin;
         let mut was_away = false;
         for _ in 0..MOST_STEPS {
             let Some(next) = self.step(heading, family, step) else { break };
             heading = next;
-            let away = (heading.place.at - begin.place.at).length();
+            let away = (heading.point.at - begin.point.at).length();
             was_away |= away > 2.0 * near;
-            let is_back = was_away && away < near && heading.way.dot(begin.way) > 0.5;
+            let is_back = was_away && away < near && heading.direction.dot(begin.direction) > 0.5;
             // The beginning is at most one step ahead, or behind.
-            if is_back && (begin.place.at - heading.place.at).dot(heading.way) <= step {
-                places.extend([heading.place, begin.place]);
-                return (places, true);
+            if is_back && (begin.point.at - heading.point.at).dot(heading.direction) <= step {
+                points.extend([heading.point, begin.point]);
+                return (points, true);
             }
-            places.push(heading.place);
-            if is_end(&places) {
+            points.push(heading.point);
+            if is_end(&points) {
                 break;
             }
         }
-        (places, false)
+        (points, false)
     }
 
     /// Takes one step. The direction of `from` only selects the sign of the principal direction.
     fn step(&self, from: Heading, family: Family, length: f64) -> Option<Heading> {
         let along = |heading: Heading| {
-            let way = self.direction(heading.place, family, UMBILIC)?;
-            Some(if way.dot(heading.way) < 0.0 { -way } else { way })
+            let direction = self.direction(heading.point, family, UMBILIC)?;
+            Some(if direction.dot(heading.direction) < 0.0 { -direction } else { direction })
         };
-        let way = along(from)?;
-        let half = self.walk(Heading { way, ..from }, 0.5 * length)?;
+        let direction = along(from)?;
+        let half = self.walk(Heading { direction, ..from }, 0.5 * length)?;
         let there = along(half)?;
         // Apply the turn of the direction halfway to the direction at the beginning.
         let (cosine, sine) =
-            (half.way.dot(there), half.way.cross(there).dot(self.normal(half.place)));
-        let turned = way * cosine + self.normal(from.place).cross(way) * sine;
-        self.walk(Heading { way: turned, ..from }, length)
+            (half.direction.dot(there), half.direction.cross(there).dot(self.normal(half.point)));
+        let turned = direction * cosine + self.normal(from.point).cross(direction) * sine;
+        self.walk(Heading { direction: turned, ..from }, length)
     }
 }
 
-/// Whether the newest place is nearer than `distance` to an earlier part of the line, other than
+/// Whether the newest point is nearer than `distance` to an earlier part of the line, other than
 /// its beginning.
-pub(super) fn comes_back(places: &[SurfacePlace], distance: f64) -> bool {
-    let [first, .., last] = places else { return false };
+pub(super) fn comes_back(points: &[SurfacePoint], distance: f64) -> bool {
+    let [first, .., last] = points else { return false };
     if (first.at - last.at).length() < 2.0 * distance {
         return false;
     }
-    let near = |place: &SurfacePlace| (place.at - last.at).length() < distance;
-    // Skip the most recent places, which are near in any case.
-    let before = places.iter().rposition(|place| !near(place)).unwrap_or(0);
-    places[..before].iter().any(near)
+    let near = |point: &SurfacePoint| (point.at - last.at).length() < distance;
+    // Skip the most recent points, which are near in any case.
+    let before = points.iter().rposition(|point| !near(point)).unwrap_or(0);
+    points[..before].iter().any(near)
 }
