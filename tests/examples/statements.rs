@@ -127,7 +127,7 @@ impl Run {
         let surface = Surface::new(&target.positions, target);
         [&self.mesh.positions, &self.positions].map(|positions| {
             let off = positions.iter().map(|&p| {
-                let closest = Vec3::from(surface.closest(p, &mut { Surface::COLD }));
+                let closest = Vec3::from(surface.closest(p, &mut { Surface::NO_HINT }));
                 (closest - p.into()).length()
             });
             off.fold(0.0, f64::max)
@@ -153,7 +153,7 @@ impl Run {
         let edges = Surface::new(&self.mesh.positions, &edges);
         let off = rim.map(|v| {
             let p = self.positions[v as usize];
-            (Vec3::from(edges.closest(p, &mut { Surface::COLD })) - p.into()).length()
+            (Vec3::from(edges.closest(p, &mut { Surface::NO_HINT })) - p.into()).length()
         });
         off.fold(0.0, f64::max)
     }

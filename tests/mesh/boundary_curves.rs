@@ -35,13 +35,13 @@ fn the_closest_point_is_that_of_brute_force_and_of_the_own_loop() {
     for (curve, one) in boundary.curves.iter().zip(topology.boundary_loops().iter()) {
         let at = |v: &u32| Vec3::from(mesh.positions[*v as usize]);
         let polyline: Vec<_> = one.iter().map(at).collect();
-        let mut warm = Surface::COLD;
+        let mut hint = Surface::NO_HINT;
         let mut p = polyline[0];
         for k in 0..500 {
             // Mostly small moves, as vertices make them, and some far ones.
             let size = if k % 10 == 0 { 20.0 } else { 0.3 };
             p = closest_of_all(&polyline, p) + random.vector() * size;
-            let found = Vec3::from(curve.polyline.closest(p.into(), &mut warm));
+            let found = Vec3::from(curve.polyline.closest(p.into(), &mut hint));
             let expected = closest_of_all(&polyline, p);
             let (found, expected) = ((found - p).length(), (expected - p).length());
             assert!((found - expected).abs() <= 1e-12 * 20.0, "{p:?}: {found}, {expected}");

@@ -1,4 +1,4 @@
-//! The closest point of a surface: against brute force, from every warm start.
+//! The closest point of a surface: against brute force, from every hint.
 
 use crate::meshes::{mixed, wavy};
 use proptest::prelude::*;
@@ -76,19 +76,19 @@ proptest! {
         let tolerance = 1e-13 * size(&mesh);
         for by in [0.0, 1e-9, 1e-3, 0.1, 0.4, 1.0, 10.0] {
             // Each search starts from what another point left.
-            let mut warm = Surface::COLD;
+            let mut hint = Surface::NO_HINT;
             for p in queries(&mesh, &steps, by) {
                 let expected = brute_force(&mesh, p);
-                let from_warm = surface.closest(p, &mut warm);
-                prop_assert!((distance(p, from_warm) - expected).abs() <= tolerance);
+                let from_hint = surface.closest(p, &mut hint);
+                prop_assert!((distance(p, from_hint) - expected).abs() <= tolerance);
                 // It is a point of the surface, up to what rounding makes of a thin face, and another search from the
                 // same start agrees.
-                let off = brute_force(&mesh, from_warm);
+                let off = brute_force(&mesh, from_hint);
                 prop_assert!(off <= 10.0 * tolerance, "{off:e} off, with {tolerance:e} at {by}, {p:?}");
-                let again = surface.closest(p, &mut warm.clone());
+                let again = surface.closest(p, &mut hint.clone());
                 prop_assert!((distance(p, again) - expected).abs() <= tolerance);
-                let cold = surface.closest(p, &mut Surface::COLD.clone());
-                prop_assert!((distance(p, cold) - expected).abs() <= tolerance);
+                let without = surface.closest(p, &mut Surface::NO_HINT.clone());
+                prop_assert!((distance(p, without) - expected).abs() <= tolerance);
             }
         }
     }
@@ -97,14 +97,14 @@ proptest! {
     fn a_footing_changes_no_bit(mesh in mixed(), steps in steps()) {
         prop_assume!(!mesh.faces.is_empty());
         let surface = Surface::new(&mesh.positions, &mesh);
-        let start = vec![(Surface::COLD, ClosestPointCache::unknown(), Surface::COLD); mesh.positions.len()];
+        let start = vec![(Surface::NO_HINT, ClosestPointCache::unknown(), Surface::NO_HINT); mesh.positions.len()];
         let mut left = start;
         // Each vertex wanders, and is searched for with what its own last search left.
         for by in [0.0, 0.01, 0.02, -0.1, 0.1, 0.4, -1.0, 0.4, 0.41] {
-            for (p, (warm, footing, other)) in queries(&mesh, &steps, by).into_iter().zip(&mut left) {
-                let found = surface.closest_from(p, warm, footing);
+            for (p, (hint, footing, other)) in queries(&mesh, &steps, by).into_iter().zip(&mut left) {
+                let found = surface.closest_from(p, hint, footing);
                 prop_assert_eq!(found.map(f64::to_bits), surface.closest(p, other).map(f64::to_bits));
-                prop_assert_eq!(*warm, *other);
+                prop_assert_eq!(*hint, *other);
             }
         }
     }
@@ -123,8 +123,8 @@ proptest! {
         let (surface, other) =
             (Surface::new(&mesh.positions, &mesh), Surface::new(&moved.positions, &moved));
         for p in queries(&mesh, &steps, 0.3) {
-            let a = distance(p, surface.closest(p, &mut Surface::COLD.clone()));
-            let b = distance(map(p), other.closest(map(p), &mut Surface::COLD.clone()));
+            let a = distance(p, surface.closest(p, &mut Surface::NO_HINT.clone()));
+            let b = distance(map(p), other.closest(map(p), &mut Surface::NO_HINT.clone()));
             prop_assert!((scale * a - b).abs() <= 1e-12 * size(&moved));
         }
     }
@@ -144,10 +144,10 @@ proptest! {
             p[axis] *= squeeze;
         }
         let surface = Surface::new(&mesh.positions, &mesh);
-        let mut warm = Surface::COLD;
+        let mut hint = Surface::NO_HINT;
         for by in [0.0, 1e-4, 0.2] {
             for p in queries(&mesh, &steps, by) {
-                let found = distance(p, surface.closest(p, &mut warm));
+                let found = distance(p, surface.closest(p, &mut hint));
                 prop_assert!((found - brute_force(&mesh, p)).abs() <= 2e-7 * size(&mesh));
             }
         }
@@ -160,10 +160,10 @@ fn vertices_are_on_their_own_surface() {
         let Some(mesh) = crate::shared::mesh(name) else { continue };
         let surface = Surface::new(&mesh.positions, &mesh);
         for &p in &mesh.positions {
-            let mut warm = Surface::COLD;
+            let mut hint = Surface::NO_HINT;
             for _ in 0..2 {
                 assert!(
-                    distance(p, surface.closest(p, &mut warm)) <= 1e-14 * size(&mesh),
+                    distance(p, surface.closest(p, &mut hint)) <= 1e-14 * size(&mesh),
                     "{name}"
                 );
             }
@@ -177,20 +177,20 @@ fn curves_stand_for_a_mesh_without_faces_and_points_for_one_without_either() {
     let curves = Ragged::from_iter([[0, 1, 2]]);
     let polyline = Mesh { positions, curves, ..Mesh::default() };
     let surface = Surface::new(&polyline.positions, &polyline);
-    let mut warm = Surface::COLD;
+    let mut hint = Surface::NO_HINT;
     for _ in 0..2 {
-        assert_eq!(surface.closest([0.5, -1.0, 0.25], &mut warm), [0.5, 0.0, 0.0]);
-        assert_eq!(surface.closest([3.0, 1.5, 0.0], &mut warm), [2.0, 1.5, 0.0]);
-        assert_eq!(surface.closest([5.0, 5.0, 5.0], &mut warm), [2.0, 2.0, 0.0]);
+        assert_eq!(surface.closest([0.5, -1.0, 0.25], &mut hint), [0.5, 0.0, 0.0]);
+        assert_eq!(surface.closest([3.0, 1.5, 0.0], &mut hint), [2.0, 1.5, 0.0]);
+        assert_eq!(surface.closest([5.0, 5.0, 5.0], &mut hint), [2.0, 2.0, 0.0]);
     }
     let points = Mesh { curves: Ragged::new(), ..polyline };
     let surface = Surface::new(&points.positions, &points);
     for _ in 0..2 {
-        assert_eq!(surface.closest([1.5, 0.5, 0.0], &mut warm), [2.0, 0.0, 0.0]);
-        assert_eq!(surface.closest([9.0, 5.0, 5.0], &mut warm), [5.0, 5.0, 5.0]);
+        assert_eq!(surface.closest([1.5, 0.5, 0.0], &mut hint), [2.0, 0.0, 0.0]);
+        assert_eq!(surface.closest([9.0, 5.0, 5.0], &mut hint), [5.0, 5.0, 5.0]);
     }
     let nothing = Surface::new(&[], &Mesh::default());
-    assert_eq!(nothing.closest([1.0, 2.0, 3.0], &mut warm), [1.0, 2.0, 3.0]);
+    assert_eq!(nothing.closest([1.0, 2.0, 3.0], &mut hint), [1.0, 2.0, 3.0]);
 }
 
 #[test]
@@ -205,9 +205,9 @@ fn ten_thousand_triangles_around_one_corner_are_no_burden() {
         }
     }
     let surface = Surface::new(&fan.positions, &fan);
-    let mut warm = Surface::COLD;
+    let mut hint = Surface::NO_HINT;
     for p in [[0.1, 0.1, 0.1], [0.1, 0.11, 0.1], [-3.0, 0.0, 0.0], [0.0; 3]] {
-        let found = distance(p, surface.closest(p, &mut warm));
+        let found = distance(p, surface.closest(p, &mut hint));
         assert!((found - brute_force(&fan, p)).abs() < 1e-7);
     }
 }
@@ -217,8 +217,8 @@ fn a_search_ends_where_coordinates_are_not_finite() {
     let mesh = wavy(1, 1);
     let surface = Surface::new(&mesh.positions, &mesh);
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let mut warm = Surface::COLD;
-        surface.closest([bad, 0.0, 0.0], &mut warm);
-        assert_eq!(surface.closest([0.0, 0.0, 0.0], &mut warm), [0.0, 0.0, 0.0]);
+        let mut hint = Surface::NO_HINT;
+        surface.closest([bad, 0.0, 0.0], &mut hint);
+        assert_eq!(surface.closest([0.0, 0.0, 0.0], &mut hint), [0.0, 0.0, 0.0]);
     }
 }

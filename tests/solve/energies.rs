@@ -116,7 +116,7 @@ fn closeness_is_the_sum_of_weighted_squared_distances() {
         let energy = disturbed_session(&closeness, &mesh).solver().energy();
         let expected = disturbed(&mesh).into_iter().enumerate().map(|(v, p)| {
             let closest = match to {
-                "surface" => surface.closest(p, &mut { Surface::COLD }),
+                "surface" => surface.closest(p, &mut { Surface::NO_HINT }),
                 "rest" => mesh.positions[v],
                 _ => p,
             };

@@ -25,7 +25,7 @@ fn panels() -> Mesh {
 fn off(surface: &Mesh, positions: &[Point]) -> f64 {
     let surface = Surface::new(&surface.positions, surface);
     let distance = |p: &Point| {
-        let q = surface.closest(*p, &mut { Surface::COLD });
+        let q = surface.closest(*p, &mut { Surface::NO_HINT });
         (0..3).map(|i| (p[i] - q[i]).powi(2)).sum::<f64>().sqrt()
     };
     positions.iter().map(distance).fold(0.0, f64::max)

@@ -61,7 +61,7 @@ impl Projection for OnSurface {
     /// Stores the triangle closest to each vertex at rest, where later searches start.
     fn prepare(&self, rest: &mut [Vec3<f64>]) {
         for r in rest {
-            let mut triangle = Surface::COLD;
+            let mut triangle = Surface::NO_HINT;
             self.closest(*r, &mut triangle);
             *r = Vec3::new(f64::from(triangle), 0.0, 0.0);
         }

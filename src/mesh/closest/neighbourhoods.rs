@@ -73,7 +73,7 @@ impl TriangleNeighbourhoods {
                     if gap <= reach {
                         let list = if gap <= CLOSE_REACH * size { &mut close } else { &mut others };
                         list.push(s as u32);
-                        region.clear_of(&planes[t], &corners[t], &corners[s], half(gap));
+                        region.exclude(&planes[t], &corners[t], &corners[s], half(gap));
                     }
                 }
                 close.len() + others.len() <= MOST

@@ -27,7 +27,7 @@ impl ClosestPointCache {
     /// Returns the closest point to `p` if `p` is in the cached region.
     #[inline(always)]
     pub(crate) fn foot(&self, p: Vec3<f64>) -> Option<Vec3<f64>> {
-        let over = self.planes.over(splat(p));
-        self.region.holds(over).then(|| self.planes.foot(p, over))
+        let distances = self.planes.distances(splat(p));
+        self.region.contains(distances).then(|| self.planes.foot(p, distances))
     }
 }

@@ -7,7 +7,7 @@
 //! that corner, but beyond a line across the corner. On a surface with small dihedral angles, few
 //! points lie outside this region.
 
-use super::triangle::{Corners, Over, Planes, splat};
+use super::triangle::{Corners, PlaneDistances, Planes, splat};
 use crate::math::{Lane, Vec3};
 
 /// Safe region of a triangle; index 0 is for points above it, index 1 for points below it.
@@ -36,18 +36,18 @@ impl TriangleSafeRegion {
 
     /// Removes the points that are nearer to `other` than to the triangle of this region, which has
     /// these `planes` and `corners`. Below the height `far`, there are none.
-    pub(crate) fn clear_of(
+    pub(crate) fn exclude(
         &mut self,
         planes: &Planes,
         corners: &Corners,
         other: &Corners,
         far: f64,
     ) {
-        let over = other.at.map(|corner| over_exactly(planes, corners, corner));
+        let distances = other.at.map(|corner| exact_distances(planes, corners, corner));
         let normals = planes.side_normals();
         let across = MEETING.map(|[i, j]| (normals[i] + normals[j]).length());
         for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
-            let heights = over.map(|over| sign * over.height);
+            let heights = distances.map(|of| sign * of.height);
             if heights.iter().all(|&height| height <= 0.0) {
                 continue;
             }
@@ -56,11 +56,11 @@ impl TriangleSafeRegion {
             let lines = self.beyond_sides[side].iter_mut().chain(&mut self.beyond_corners[side]);
             for (k, known) in lines.enumerate() {
                 let (out, times) = match k {
-                    0..3 => (over.map(|over| over.out[k]), 1.0),
+                    0..3 => (distances.map(|of| of.out[k]), 1.0),
                     _ => {
                         let [i, j] = MEETING[k - 3];
                         let times = across[k - 3];
-                        (over.map(|over| (over.out[i] + over.out[j]) / times), times)
+                        (distances.map(|of| (of.out[i] + of.out[j]) / times), times)
                     }
                 };
                 if out.iter().all(|&out| out >= 0.0) {
@@ -82,10 +82,10 @@ impl TriangleSafeRegion {
 
     /// Whether the point with these distances to the planes of the triangle is in the region.
     #[inline(always)]
-    pub(crate) fn holds(&self, over: Over) -> bool {
-        let side = usize::from(over.height < 0.0);
-        let height = over.height.abs();
-        let inside = over.out.map(|out| -out);
+    pub(crate) fn contains(&self, distances: PlaneDistances) -> bool {
+        let side = usize::from(distances.height < 0.0);
+        let height = distances.height.abs();
+        let inside = distances.out.map(|out| -out);
         let beyond_sides = &self.beyond_sides[side];
         let beyond_corners = &self.beyond_corners[side];
         let below_side = |k: usize| height * f64::from(beyond_sides[k]) <= inside[k];
@@ -100,13 +100,13 @@ impl TriangleSafeRegion {
 }
 
 /// Returns the distances of a corner of another triangle; exactly zero if it is a shared corner.
-fn over_exactly(planes: &Planes, corners: &Corners, corner: Vec3<f64>) -> Over {
-    let mut over = planes.over(splat(corner));
+fn exact_distances(planes: &Planes, corners: &Corners, corner: Vec3<f64>) -> PlaneDistances {
+    let mut distances = planes.distances(splat(corner));
     for k in (0..3).filter(|&k| corners.at[k] == corner) {
-        over.height = 0.0;
-        MEETING[k].into_iter().for_each(|side| over.out[side] = 0.0);
+        distances.height = 0.0;
+        MEETING[k].into_iter().for_each(|side| distances.out[side] = 0.0);
     }
-    over
+    distances
 }
 
 /// Returns `tan(theta / 2)` of the elevation angle of a point at this height and distance.

@@ -25,8 +25,8 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// Initial value of `warm`: no triangle is known yet.
-    pub const COLD: u32 = u32::MAX;
+    /// Initial value of `hint`: no triangle is known yet.
+    pub const NO_HINT: u32 = u32::MAX;
 
     /// Builds the surface of `mesh` at `positions` (`#V by 3`): its faces, triangulated as fans
     /// `(f0, fk, fk+1)`; without faces, the segments of its curves; without both, its vertices.
@@ -71,63 +71,63 @@ impl Surface {
     }
 
     /// Returns the point of the surface closest to `p`; `p` itself if the surface is empty.
-    /// `warm` is the value that the last search for this point left, or [`Surface::COLD`]. A better
-    /// value makes the search faster; if several points are equally close, it can decide which is
-    /// returned.
+    /// `hint` is the value that the last search for this point left, or [`Surface::NO_HINT`]. A
+    /// better value makes the search faster; if several points are equally close, it can decide
+    /// which is returned.
     #[inline]
-    pub fn closest(&self, p: Point, warm: &mut u32) -> Point {
+    pub fn closest(&self, p: Point, hint: &mut u32) -> Point {
         let p = Vec3::from(p) - self.centre;
-        if let Some(planes) = self.planes.get(*warm as usize) {
-            let over = planes.over(splat(p));
-            if self.neighbourhoods.region(*warm as usize).holds(over) {
-                return (planes.foot(p, over) + self.centre).into();
+        if let Some(planes) = self.planes.get(*hint as usize) {
+            let distances = planes.distances(splat(p));
+            if self.neighbourhoods.region(*hint as usize).contains(distances) {
+                return (planes.foot(p, distances) + self.centre).into();
             }
         }
-        (self.search(p, warm) + self.centre).into()
+        (self.search(p, hint) + self.centre).into()
     }
 
     /// Returns the same as [`Surface::closest`]. `cache` also comes from the last search for this
     /// point, or is [`ClosestPointCache::unknown`].
     #[inline(always)]
-    pub fn closest_from(&self, p: Point, warm: &mut u32, cache: &mut ClosestPointCache) -> Point {
+    pub fn closest_from(&self, p: Point, hint: &mut u32, cache: &mut ClosestPointCache) -> Point {
         let p = Vec3::from(p) - self.centre;
         let foot = match cache.foot(p) {
             Some(foot) => foot,
-            None => self.find_from(p, warm, cache),
+            None => self.find_from(p, hint, cache),
         };
         (foot + self.centre).into()
     }
 
     #[inline(never)]
-    fn find_from(&self, p: Vec3<f64>, warm: &mut u32, cache: &mut ClosestPointCache) -> Vec3<f64> {
-        let before = *warm;
-        let found = self.search(p, warm);
-        if *warm != before {
-            let t = *warm as usize;
+    fn find_from(&self, p: Vec3<f64>, hint: &mut u32, cache: &mut ClosestPointCache) -> Vec3<f64> {
+        let before = *hint;
+        let found = self.search(p, hint);
+        if *hint != before {
+            let t = *hint as usize;
             cache.planes.clone_from(&self.planes[t]);
             cache.region.clone_from(self.neighbourhoods.region(t));
         }
         found
     }
 
-    /// Searches the neighbours of the triangle `warm` if they suffice, else the hierarchy.
+    /// Searches the neighbours of the triangle `hint` if they suffice, else the hierarchy.
     #[inline(never)]
-    fn search(&self, p: Vec3<f64>, warm: &mut u32) -> Vec3<f64> {
+    fn search(&self, p: Vec3<f64>, hint: &mut u32) -> Vec3<f64> {
         let lanes = splat(p);
         let mut best = Hit { point: p, distance_squared: f64::INFINITY };
-        if let Some(planes) = self.planes.get(*warm as usize) {
-            let t = *warm as usize;
-            best = self.corners[t].closest(planes, p, planes.over(lanes));
+        if let Some(planes) = self.planes.get(*hint as usize) {
+            let t = *hint as usize;
+            best = self.corners[t].closest(planes, p, planes.distances(lanes));
             if let Some(list) = self.neighbourhoods.of(t, best.distance_squared) {
                 for &s in list {
-                    self.consider(s as usize, p, lanes, &mut best, warm);
+                    self.consider(s as usize, p, lanes, &mut best, hint);
                 }
                 return best.point;
             }
         }
         self.bvh.search(lanes, best.distance_squared, |leaf, _| {
             for t in leaf {
-                self.consider(t, p, lanes, &mut best, warm);
+                self.consider(t, p, lanes, &mut best, hint);
             }
             best.distance_squared
         });
@@ -136,13 +136,13 @@ impl Surface {
 
     /// Replaces the best point by the closest point of triangle `t` if that is nearer.
     #[inline(always)]
-    fn consider(&self, t: usize, p: Vec3<f64>, lanes: Vec3<Pair>, best: &mut Hit, warm: &mut u32) {
-        let over = self.planes[t].over(lanes);
-        if over.within(best.distance_squared) {
-            let hit = self.corners[t].closest(&self.planes[t], p, over);
+    fn consider(&self, t: usize, p: Vec3<f64>, lanes: Vec3<Pair>, best: &mut Hit, hint: &mut u32) {
+        let distances = self.planes[t].distances(lanes);
+        if distances.within(best.distance_squared) {
+            let hit = self.corners[t].closest(&self.planes[t], p, distances);
             if hit.distance_squared < best.distance_squared {
                 *best = hit;
-                *warm = t as u32;
+                *hint = t as u32;
             }
         }
     }

@@ -23,7 +23,7 @@ pub(crate) struct Planes {
 
 /// Signed distances of a point to the four planes.
 #[derive(Clone, Copy)]
-pub(crate) struct Over {
+pub(crate) struct PlaneDistances {
     /// To the plane of the triangle.
     pub(crate) height: f64,
     /// To the planes of the sides ab, bc, ca; positive outside.
@@ -63,16 +63,19 @@ impl Planes {
 
     /// Returns the distances of the point `p`, given in both lanes, to the planes.
     #[inline(always)]
-    pub(crate) fn over(&self, p: Vec3<Pair>) -> Over {
+    pub(crate) fn distances(&self, p: Vec3<Pair>) -> PlaneDistances {
         let first = self.normals[0].dot(p) + self.offsets[0];
         let second = self.normals[1].dot(p) + self.offsets[1];
-        Over { height: first.lane(0), out: [first.lane(1), second.lane(0), second.lane(1)] }
+        PlaneDistances {
+            height: first.lane(0),
+            out: [first.lane(1), second.lane(0), second.lane(1)],
+        }
     }
 
-    /// Projects `p`, whose distances are `over`, to the plane of the triangle.
+    /// Projects `p`, which has these `distances`, to the plane of the triangle.
     #[inline(always)]
-    pub(crate) fn foot(&self, p: Vec3<f64>, over: Over) -> Vec3<f64> {
-        p - self.normals[0].lane(0) * over.height
+    pub(crate) fn foot(&self, p: Vec3<f64>, distances: PlaneDistances) -> Vec3<f64> {
+        p - self.normals[0].lane(0) * distances.height
     }
 
     pub(crate) fn side_normals(&self) -> [Vec3<f64>; 3] {
@@ -82,9 +85,10 @@ impl Planes {
     /// Returns a lower bound on the distance between this triangle and another one.
     pub(crate) fn gap(&self, corners: &[Vec3<f64>; 3]) -> f64 {
         let [a, b, c] = *corners;
-        let over = [self.over(splat(a)), self.over(splat(b)), self.over(splat(c))];
-        let least = |of: fn(&Over) -> f64| {
-            let [a, b, c] = [of(&over[0]), of(&over[1]), of(&over[2])];
+        let distances =
+            [self.distances(splat(a)), self.distances(splat(b)), self.distances(splat(c))];
+        let least = |of: fn(&PlaneDistances) -> f64| {
+            let [a, b, c] = [of(&distances[0]), of(&distances[1]), of(&distances[2])];
             Lane::min(a, Lane::min(b, c))
         };
         let sides =
@@ -94,7 +98,7 @@ impl Planes {
     }
 }
 
-impl Over {
+impl PlaneDistances {
     /// Whether the triangle can be nearer than the square root of `bound`. Branch-free, so without
     /// `max`, which is a branch in wasm.
     #[inline(always)]
@@ -161,16 +165,16 @@ impl Corners {
         self.at.iter().any(|corner| other.at.contains(corner))
     }
 
-    /// Returns the point of the triangle closest to `p`, whose distances to `planes` are `over`.
+    /// Returns the point of the triangle closest to `p`, which has these `distances` to `planes`.
     #[inline(always)]
-    pub(crate) fn closest(&self, planes: &Planes, p: Vec3<f64>, over: Over) -> Hit {
-        if over.is_inside() {
-            let point = planes.foot(p, over);
-            return Hit { point, distance_squared: over.height * over.height };
+    pub(crate) fn closest(&self, planes: &Planes, p: Vec3<f64>, distances: PlaneDistances) -> Hit {
+        if distances.is_inside() {
+            let point = planes.foot(p, distances);
+            return Hit { point, distance_squared: distances.height * distances.height };
         }
         let mut best = Hit { point: p, distance_squared: f64::INFINITY };
         for k in 0..3 {
-            if over.out[k] > 0.0 {
+            if distances.out[k] > 0.0 {
                 let from = self.at[k];
                 let side = self.at[(k + 1) % 3] - from;
                 let along = side.dot(p - from) * self.inverse[k];

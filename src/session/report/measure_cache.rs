@@ -109,8 +109,8 @@ fn distances(
     closest: &mut Vec<u32>,
 ) -> Rc<[f64]> {
     let is_first = closest.is_empty();
-    closest.resize(points.len(), Surface::COLD);
-    let mut before = Surface::COLD;
+    closest.resize(points.len(), Surface::NO_HINT);
+    let mut before = Surface::NO_HINT;
     let places = points.iter().zip(closest);
     let distance = |(point, closest): (&Point, &mut u32)| {
         if is_first {

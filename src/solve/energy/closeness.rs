@@ -74,7 +74,7 @@ impl CloseEnergy {
         let &RestShape { rest, node_of, topology, surface, ref target } = rest_shape;
         let on_surface = |v: u32| SurfaceTarget {
             node: node_of[v as usize],
-            warm: Surface::COLD,
+            warm: Surface::NO_HINT,
             factor: factors[v as usize],
         };
         let at_point = |v: u32| PointTarget {
