@@ -28,7 +28,7 @@ pub struct Weld {
 impl Read {
     /// Welds the mesh if its faces do not share vertices, and updates its problems and notes.
     pub fn weld(&mut self) -> Option<Weld> {
-        let weld = Weld::unwelded(&mut self.mesh)?;
+        let weld = Weld::apply(&mut self.mesh)?;
         let of_mesh = diagnose(&weld.original);
         self.problems.retain(|problem| of_mesh.iter().all(|other| other.kind != problem.kind));
         self.problems.extend(diagnose(&self.mesh));
@@ -45,7 +45,7 @@ impl Weld {
     /// Welds `mesh` if its faces do not share vertices. Returns `None` and leaves it unchanged if
     /// they do, or if too few vertices coincide. Faces, curves and groups keep their order; merged
     /// vertices are in the order of the first of each.
-    pub fn unwelded(mesh: &mut Mesh) -> Option<Weld> {
+    pub fn apply(mesh: &mut Mesh) -> Option<Weld> {
         let uses = uses(mesh);
         let used = uses.iter().filter(|&&uses| uses > 0).count();
         let own = uses.iter().filter(|&&uses| uses == 1).count();
@@ -57,7 +57,7 @@ impl Weld {
         let whole = vec![0; mesh.positions.len()];
         let parts = [whole, groups(mesh)];
         let (welded, to) = parts.iter().find_map(|parts| {
-            let first = first_at_each_place(&mesh.positions, parts, tolerance);
+            let first = first_within(&mesh.positions, parts, tolerance);
             merged(mesh, &first, SHARED * used as f64)
         })?;
         Some(Weld { original: std::mem::replace(mesh, welded), to, tolerance })
@@ -65,7 +65,7 @@ impl Weld {
 
     /// Returns the positions of the original, `#V by 3`, after the welded mesh moved from `rest` to
     /// `now`: each vertex moves with its welded one.
-    pub fn as_it_came(&self, rest: &[Point], now: &[Point]) -> Vec<Point> {
+    pub fn original_positions(&self, rest: &[Point], now: &[Point]) -> Vec<Point> {
         let moved = |(at, &to): (&Point, &u32)| -> Point {
             let (rest, now) = (rest[to as usize], now[to as usize]);
             // Exactly coincident vertices stay bit-identical.
@@ -138,7 +138,7 @@ fn tolerance(mesh: &Mesh) -> Option<f64> {
 
 /// Returns for each vertex the first vertex of its part within `tolerance` that is not itself
 /// merged.
-pub(super) fn first_at_each_place(positions: &[Point], parts: &[u32], tolerance: f64) -> Vec<u32> {
+pub(super) fn first_within(positions: &[Point], parts: &[u32], tolerance: f64) -> Vec<u32> {
     // With cells of twice the tolerance, all points within the tolerance are in at most 8 cells.
     // Adding zero turns -0 into +0.
     let cell = |x: f64| (x / (2.0 * tolerance)).floor() + 0.0;
@@ -207,16 +207,16 @@ mod tests {
         for (apart, scale) in [(0.0, 1.0), (1e-7, 1.0), (1e-7, 1e-3), (0.0, 1e6)] {
             let came = soup(5, apart, scale);
             let mut mesh = came.clone();
-            let weld = Weld::unwelded(&mut mesh).expect("its faces have their own vertices");
+            let weld = Weld::apply(&mut mesh).expect("its faces have their own vertices");
             assert_eq!((mesh.positions.len(), mesh.faces.len()), (36, 25));
             assert_eq!(Topology::new(&mesh).boundary_loops().len(), 1);
             assert_eq!(weld.original, came);
             assert!(weld.tolerance > 0.0 && weld.tolerance < 1e-4 * scale);
-            assert_eq!(weld.as_it_came(&mesh.positions, &mesh.positions), came.positions);
+            assert_eq!(weld.original_positions(&mesh.positions, &mesh.positions), came.positions);
             // Welded vertices move together.
             let mut now = mesh.positions.clone();
             now[weld.to[2] as usize][2] += scale;
-            let out = weld.as_it_came(&mesh.positions, &now);
+            let out = weld.original_positions(&mesh.positions, &now);
             let moved = out.iter().zip(&came.positions).filter(|(a, b)| a != b);
             assert_eq!(moved.count(), weld.to.iter().filter(|&&to| to == weld.to[2]).count());
         }
@@ -233,10 +233,10 @@ mod tests {
             }
         }
         let mut whole = soup(5, 0.0, 1.0);
-        Weld::unwelded(&mut whole).expect("it is in pieces");
+        Weld::apply(&mut whole).expect("it is in pieces");
         for mesh in [apart, whole, soup(1, 0.0, 1.0), Mesh::default()] {
             let mut after = mesh.clone();
-            assert_eq!(Weld::unwelded(&mut after), None);
+            assert_eq!(Weld::apply(&mut after), None);
             assert_eq!(after, mesh);
         }
     }
@@ -251,6 +251,6 @@ mod tests {
         };
         let text: String = corners(0).chain(corners(1)).chain(faces(0)).chain(faces(8)).collect();
         let mut boxes = read("boxes.obj", text.as_bytes()).expect("it is a mesh").mesh;
-        assert_eq!(Weld::unwelded(&mut boxes), None);
+        assert_eq!(Weld::apply(&mut boxes), None);
     }
 }

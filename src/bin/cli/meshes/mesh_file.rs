@@ -13,7 +13,7 @@ pub(in crate::cli) fn text(path: &Path, session: &Session, weld: Option<&Weld>) 
         (false, Some(weld)) => session.obj_as_it_came(weld),
         (true, None) => write_medit(&Mesh { positions: now, ..session.mesh().clone() }),
         (true, Some(weld)) => {
-            let positions = weld.as_it_came(&session.mesh().positions, &now);
+            let positions = weld.original_positions(&session.mesh().positions, &now);
             write_medit(&Mesh { positions, ..weld.original.clone() })
         }
     }

@@ -3,7 +3,7 @@
 use super::declaration::{OperationError, Task};
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
-use crate::mesh::edit::weld::first_at_each_place;
+use crate::mesh::edit::weld::first_within;
 
 /// Welds each picked vertex to the first picked vertex within the size.
 pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
@@ -11,7 +11,7 @@ pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
     // Each unpicked vertex is a part of its own, so that it is not welded.
     let parts: Vec<u32> =
         (1..).zip(is_picked).map(|(own, picked)| if picked { 0 } else { own }).collect();
-    let first = first_at_each_place(&task.mesh.positions, &parts, task.sizes[0]);
+    let first = first_within(&task.mesh.positions, &parts, task.sizes[0]);
     let mut rebuild = Rebuild::new(task.mesh);
     let mut welds = 0;
     for (v, &first) in (0..).zip(&first).filter(|(v, first)| *v != **first) {
