@@ -7,11 +7,12 @@ use crate::math::Vec3;
 
 /// Largest absolute value of a coordinate: sixth powers of lengths, the highest that are computed,
 /// stay finite.
-pub const FARTHEST: f64 = 1e50;
+pub const LARGEST_COORDINATE: f64 = 1e50;
 
-/// Index of the first position (of `#V by 3`) with a coordinate beyond [`FARTHEST`] or NaN.
-pub fn too_far(positions: &[Point]) -> Option<usize> {
-    positions.iter().position(|point| !point.iter().all(|x| x.abs() <= FARTHEST))
+/// Index of the first position (of `#V by 3`) with a coordinate beyond [`LARGEST_COORDINATE`] or
+/// NaN.
+pub fn first_out_of_range(positions: &[Point]) -> Option<usize> {
+    positions.iter().position(|point| !point.iter().all(|x| x.abs() <= LARGEST_COORDINATE))
 }
 
 /// A ball.

@@ -28,7 +28,7 @@ mod problem;
 mod ragged;
 mod topology;
 
-pub use bounds::{BoundingSphere, FARTHEST, too_far};
+pub use bounds::{BoundingSphere, LARGEST_COORDINATE, first_out_of_range};
 pub use closest::{
     BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, Polyline, Surface,
 };

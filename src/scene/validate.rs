@@ -7,7 +7,7 @@ use super::{
 use crate::constraint::{Element, Selector};
 use crate::json::push_key;
 use crate::math::argsort;
-use crate::mesh::{FARTHEST, Laplacian, Mesh, too_far};
+use crate::mesh::{LARGEST_COORDINATE, Laplacian, Mesh, first_out_of_range};
 use crate::solve::Require;
 use std::collections::BTreeSet;
 
@@ -62,8 +62,8 @@ impl Scene {
                     ),
                 );
             }
-            if let Some(vertex) = too_far(positions) {
-                return error(&format!("{path}[{vertex}]"), "the position is too far out");
+            if let Some(vertex) = first_out_of_range(positions) {
+                return error(&format!("{path}[{vertex}]"), out_of_range("the position"));
             }
         }
         match design.filter(|index| *index >= count) {
@@ -115,9 +115,9 @@ impl Scene {
                 format!("found {found}, expected one for each of the {vertices} vertices"),
             );
         }
-        match too_far(positions) {
+        match first_out_of_range(positions) {
             Some(vertex) => {
-                error(&format!("pose.positions[{vertex}]"), "the position is too far out")
+                error(&format!("pose.positions[{vertex}]"), out_of_range("the position"))
             }
             None => Ok(()),
         }
@@ -203,18 +203,16 @@ impl Scene {
     }
 
     fn check_extent(&self, mesh: &Mesh) -> Result<(), SceneError> {
-        let beyond =
-            format!("is too far out, expected coordinates from -{FARTHEST:e} to {FARTHEST:e}");
-        if let Some(vertex) = too_far(&mesh.positions) {
-            return error("mesh", format!("vertex {vertex} {beyond}"));
+        if let Some(vertex) = first_out_of_range(&mesh.positions) {
+            return error("mesh", out_of_range(&format!("vertex {vertex}")));
         }
-        if let Some(i) = self.current.as_deref().and_then(too_far) {
-            return error(&format!("current[{i}]"), format!("the position {beyond}"));
+        if let Some(i) = self.current.as_deref().and_then(first_out_of_range) {
+            return error(&format!("current[{i}]"), out_of_range("the position"));
         }
         for (i, handle) in self.handles.iter().enumerate() {
-            if let Some(k) = handle.targets.as_deref().and_then(too_far) {
+            if let Some(k) = handle.targets.as_deref().and_then(first_out_of_range) {
                 let path = format!("handles[{i}].targets[{k}]");
-                return error(&path, format!("the target {beyond}"));
+                return error(&path, out_of_range("the target"));
             }
         }
         Ok(())
@@ -297,6 +295,11 @@ impl Scene {
 
 /// Checks the eased faces, which are allowed only on constraints on faces with a tolerance.
 fn check_eased(path: &str, spec: &ConstraintSpec, mesh: &Mesh) -> Result<(), SceneError> {
+fn out_of_range(what: &str) -> String {
+    const MOST: f64 = LARGEST_COORDINATE;
+    format!("{what} is too far out, expected coordinates from -{MOST:e} to {MOST:e}")
+}
+
     let Some(eased) = &spec.eased else { return Ok(()) };
     let on_faces = matches!(spec.on, Selector::Each { element: Element::Face, radius: 0, .. });
     if !on_faces || !matches!(spec.require, Require::Within(_)) {

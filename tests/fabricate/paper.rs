@@ -330,7 +330,7 @@ fn real_and_awkward_meshes_are_folded_without_a_panic() {
                 continue;
             }
             let Ok(read) = shape_up::mesh::read(&path.to_string_lossy(), &bytes) else { continue };
-            if shape_up::mesh::too_far(&read.mesh.positions).is_some() {
+            if shape_up::mesh::first_out_of_range(&read.mesh.positions).is_some() {
                 continue;
             }
             for product in [Product::Fins, Product::Paper] {

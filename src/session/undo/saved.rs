@@ -8,7 +8,7 @@
 use super::change::Change;
 use super::history::{History, NamedStep};
 use crate::error::Error;
-use crate::mesh::{Mesh, Point, too_far};
+use crate::mesh::{Mesh, Point, first_out_of_range};
 use crate::scene::{MeshSource, Scene, SceneError, Variants};
 use crate::session::state::{Part, SceneChange, SolvedScene, flat, grouped, same_positions};
 use crate::solve::Handle;
@@ -252,7 +252,7 @@ impl<'a> Bytes<'a> {
         let (numbers, _) = self.take(24 * vertices)?.as_chunks::<8>();
         let numbers: Vec<f64> = numbers.iter().map(|&bytes| f64::from_le_bytes(bytes)).collect();
         let positions = numbers.as_chunks::<3>().0.to_vec();
-        match too_far(&positions) {
+        match first_out_of_range(&positions) {
             None => Ok(positions),
             Some(_) => Err(self.damaged("positions that are not too far out")),
         }

@@ -1,6 +1,6 @@
 //! The check of handle targets.
 
-use crate::mesh::{FARTHEST, Point, too_far};
+use crate::mesh::{LARGEST_COORDINATE, Point, first_out_of_range};
 use crate::scene::SceneError;
 
 /// Checks that the targets of these vertices are valid in a scene file.
@@ -16,10 +16,10 @@ pub fn check_targets(vertices: &[u32], targets: &[Point]) -> Result<(), SceneErr
             "found {found} targets, expected one for each of the {expected} vertices"
         ));
     }
-    match too_far(targets) {
+    match first_out_of_range(targets) {
         None => Ok(()),
         Some(place) => error(format!(
-            "the target of vertex {} is not finite or too far out, expected coordinates from -{FARTHEST:e} to {FARTHEST:e}",
+            "the target of vertex {} is not finite or too far out, expected coordinates from -{LARGEST_COORDINATE:e} to {LARGEST_COORDINATE:e}",
             vertices[place]
         )),
     }
