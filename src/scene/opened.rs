@@ -18,14 +18,14 @@ impl Scene {
     /// Returns the scene of the mesh file `name` that the user opens.
     pub fn opened(name: &str) -> Scene {
         let mut scene = Scene::new(MeshSource::File(name.to_owned()));
-        scene.keep_whole();
+        scene.set_opened_defaults();
         scene.solver.iterations = ITERATIONS;
         scene.solver.tolerance = TOLERANCE;
         scene
     }
 
     /// Sets weights, closeness and smoothness to the defaults for opened mesh files.
-    pub fn keep_whole(&mut self) {
+    pub fn set_opened_defaults(&mut self) {
         PRESETS[0].set(self);
     }
 }

@@ -33,7 +33,7 @@ pub trait NamedEnum: Copy + PartialEq + 'static {
     }
 }
 
-pub(super) fn one_of<'de, T: Copy, D: Deserializer<'de>>(
+pub(super) fn read_word<'de, T: Copy, D: Deserializer<'de>>(
     from: D,
     choices: &[(&str, T)],
 ) -> Result<T, D::Error> {
@@ -49,7 +49,7 @@ macro_rules! by_word {
     ($($Choice:ty),*) => {$(
         impl<'de> Deserialize<'de> for $Choice {
             fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-                one_of(from, Self::WORDS)
+                read_word(from, Self::WORDS)
             }
         }
 

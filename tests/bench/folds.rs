@@ -51,7 +51,7 @@ fn row(name: &str, kind: &str, way: &str, mesh: &Mesh) {
     } else {
         let require = if way == "exact" { Require::Exact } else { Require::Within(tolerance) };
         let mut scene = session.scene();
-        if scene.ask_of_panels(kind, require, mesh).is_err() {
+        if scene.request_panels(kind, require, mesh).is_err() {
             return;
         }
         session = Session::open(scene, mesh.clone()).expect("it can be opened");

@@ -25,7 +25,7 @@ fn main() {
         let angle = forecast.off_curvature_lines.map_or("-".to_owned(), |it| format!("{it:.1}"));
         for kind in &forecast.kinds {
             let mut scene = Scene::opened(name);
-            scene.ask_of_panels(kind.kind, Require::Exact, &mesh).expect("it is offered");
+            scene.request_panels(kind.kind, Require::Exact, &mesh).expect("it is offered");
             let mut session = Session::open(scene, mesh.clone()).expect("it can be solved");
             session.solve(false).expect("positions stay finite");
             let moved = session.moved().mean / session.mean_edge();

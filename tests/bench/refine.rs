@@ -59,7 +59,7 @@ fn main() {
 
 fn opened(mesh: Mesh, kind: &str, require: Require) -> Session {
     let mut scene = Scene::opened("own.obj");
-    scene.ask_of_panels(kind, require, &mesh).expect("it is offered");
+    scene.request_panels(kind, require, &mesh).expect("it is offered");
     Session::open(scene, mesh).expect("it can be solved")
 }
 

@@ -328,7 +328,7 @@ proptest! {
 fn what_was_measured_a_moment_ago_stands_in_while_iterating_and_not_at_rest() {
     let mesh = grid(3, 3, |i, j| [f64::from(i), f64::from(j), f64::from(i * j % 3)]);
     let mut scene = Scene::opened("own.obj");
-    scene.ask_of_panels("plane", Require::Soft, &mesh).expect("it has quads");
+    scene.request_panels("plane", Require::Soft, &mesh).expect("it has quads");
     let mut session = Session::open(scene, mesh).expect("it fits");
     let first = session.measures();
     session.step().expect("it stays finite");

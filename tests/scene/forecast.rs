@@ -29,7 +29,7 @@ fn moved_and_forecast(mesh: &Mesh, kind: &str) -> (f64, ForecastOfKind, Forecast
     let forecast = forecast(mesh);
     let of_kind = *forecast.kinds.iter().find(|one| one.kind == kind).unwrap();
     let mut scene = Scene::opened("own.obj");
-    scene.ask_of_panels(kind, Require::Exact, mesh).unwrap();
+    scene.request_panels(kind, Require::Exact, mesh).unwrap();
     let mut session = Session::open(scene, mesh.clone()).unwrap();
     session.solve(false).unwrap();
     (session.moved().mean / session.mean_edge(), of_kind, forecast)

@@ -256,7 +256,7 @@ fn what_is_asked_exactly_stays_so_and_folds_less_where_it_can() {
     let Some(mesh) = crate::shared::mesh("M2_eq_quad2.obj") else { return };
     for (kind, require) in [("circle", Require::Exact), ("plane", Require::Within(5e-4))] {
         let mut scene = Scene::opened("own.obj");
-        scene.ask_of_panels(kind, require, &mesh).expect("it has quads");
+        scene.request_panels(kind, require, &mesh).expect("it has quads");
         let mut session = Session::open(scene, mesh.clone()).expect("it fits");
         session.solve(false).expect("regular");
         let exact = session.exact().expect("it was met");

@@ -97,13 +97,13 @@ fn a_scene_that_would_not_keep_its_mesh_whole_gets_the_weights_that_do() {
     scene.closeness = Default::default();
     scene.smoothness = Default::default();
     let mesh = crate::grid::bumpy(4);
-    scene.ask_of_panels("circle", Require::Soft, &mesh).unwrap();
+    scene.request_panels("circle", Require::Soft, &mesh).unwrap();
     assert_eq!(scene.weights, opened.weights);
     assert_eq!((scene.closeness, scene.smoothness), (opened.closeness, opened.smoothness));
     // Weights that somebody chose stay.
     let mut own = Scene::opened("own.obj");
     own.weights.close = 10.0;
-    own.ask_of_panels("circle", Require::Soft, &mesh).unwrap();
+    own.request_panels("circle", Require::Soft, &mesh).unwrap();
     assert_eq!(own.weights.close, 10.0);
 }
 
@@ -126,7 +126,7 @@ fn where_it_means_nothing_the_press_is_refused_in_words() {
         ("plane", &Mesh::default(), "There are no panels."),
         ("beauty", &triangles, "found `beauty`, expected "),
     ] {
-        let refused = scene.ask_of_panels(kind, Require::Soft, mesh).unwrap_err();
+        let refused = scene.request_panels(kind, Require::Soft, mesh).unwrap_err();
         assert!(refused.message.contains(words), "{refused}");
         assert_eq!(scene, Scene::opened("own.obj"));
     }

@@ -153,7 +153,7 @@ fn level_by_level_the_panels_of_a_real_mesh_become_flat_and_it_is_as_good_as_all
     let start = || {
         let mut scene = Scene::opened("own.obj");
         let require = shape_up::solve::Require::Soft;
-        scene.ask_of_panels("plane", require, &mesh).expect("they can be flat");
+        scene.request_panels("plane", require, &mesh).expect("they can be flat");
         Session::open(scene, mesh.clone()).expect("it fits")
     };
     let mut level_by_level = start();
@@ -181,7 +181,7 @@ fn where_each_level_is_the_original_of_the_next_it_is_smoother_and_folds_nowhere
     let flat = |levels: u32, adopt: bool| {
         let mut scene = Scene::opened("own.obj");
         let require = shape_up::solve::Require::Exact;
-        scene.ask_of_panels("plane", require, &mesh).expect("they can be flat");
+        scene.request_panels("plane", require, &mesh).expect("they can be flat");
         let mut session = Session::open(scene, mesh.clone()).expect("it fits");
         if adopt {
             for _ in 0..levels {

@@ -26,7 +26,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         Failure::Input(format!("{}: {message}", command.input.display()))
     };
     if let Some(kind) = command.panels {
-        scene.ask_of_panels(kind, Require::Soft, &mesh).map_err(|error| at_input(error.into()))?;
+        scene.request_panels(kind, Require::Soft, &mesh).map_err(|error| at_input(error.into()))?;
     }
     if let Some(require) = command.require {
         scene.constraints.iter_mut().for_each(|row| row.require = require);

@@ -6,7 +6,7 @@ use crate::constraint::{Element, Selector};
 use crate::json::{JsonError, found, indices, present, read};
 use crate::scene::SceneError;
 use crate::scene::error::forms_of_selectors;
-use crate::scene::words::one_of;
+use crate::scene::words::read_word;
 use serde::de::{Deserialize, Deserializer, Error};
 use serde_json::Value;
 
@@ -50,7 +50,7 @@ struct OfEach {
 
 impl<'de> Deserialize<'de> for Element {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Element, D::Error> {
-        one_of(from, &Element::ALL.map(|element| (element.id(), element)))
+        read_word(from, &Element::ALL.map(|element| (element.id(), element)))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Forecast, before solving, of how far a mesh will move for panels of one shape, and why.
 
-use super::ask::panel_offers;
+use super::request::panel_offers;
 use crate::constraint::{KINDS, Kind};
 use crate::mesh::{Curvature, CurvatureLines, Mesh, Ragged, Topology, face_curvatures};
 use crate::solve::{Constraints, least_move};

@@ -2,11 +2,11 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `ask` | the shapes on offer, and the request for one of them |
+//! | `request` | the shapes on offer, and the request for one of them |
 //! | `forecast` | forecast of how far the mesh will move |
 
-mod ask;
 mod forecast;
+mod request;
 
-pub use ask::{PanelOffer, panel_offers};
 pub use forecast::{Forecast, ForecastOfKind, HowFar};
+pub use request::{PanelOffer, panel_offers};

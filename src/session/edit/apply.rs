@@ -34,7 +34,7 @@ pub(crate) fn apply(
             }
             let require = within.map_or(Require::Soft, Require::Within);
             let info =
-                draft.set_rows(|document, mesh| document.ask_of_panels(&kind, require, mesh))?;
+                draft.set_rows(|document, mesh| document.request_panels(&kind, require, mesh))?;
             format!("Make panels {}", info.panels.unwrap_or(info.id))
         }
         Edit::RemoveConstraint { index } => {

@@ -40,7 +40,7 @@ pub(crate) fn strengthen_closeness(document: &mut Scene) {
     if close > 0.0 && document.closeness.to == ClosenessTo::Rest {
         document.weights.close = 10.0 * close;
     } else {
-        document.keep_whole();
+        document.set_opened_defaults();
     }
 }
 

@@ -20,7 +20,7 @@ pub enum Edit {
     AddConstraint(
         #[cfg_attr(target_arch = "wasm32", tsify(type = "ConstraintEntry"))] NewConstraint,
     ),
-    /// Constrains all suitable faces to one shape: see [`crate::scene::Scene::ask_of_panels`].
+    /// Constrains all suitable faces to one shape: see [`crate::scene::Scene::request_panels`].
     #[serde(skip_deserializing)]
     MakePanels {
         /// The id of the kind.

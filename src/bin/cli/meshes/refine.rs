@@ -38,7 +38,7 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     let at_input = |error: Error| Failure::Input(format!("{}: {error}", command.input.display()));
     let subdivision = command.subdivision;
     if let Some(kind) = command.panels {
-        let asked = scene.ask_of_panels(kind, Require::Soft, &mesh);
+        let asked = scene.request_panels(kind, Require::Soft, &mesh);
         asked.map_err(|error| at_input(error.into()))?;
     }
     let (units, solves) = (scene.units.clone(), command.panels.is_some());

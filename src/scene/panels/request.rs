@@ -34,7 +34,7 @@ fn against(info: &Info, adjective: &str, mesh: &Mesh) -> Option<String> {
     } else if mesh.faces.iter().all(|face| face.len() <= 3) {
         Some(format!("All panels are triangles, which are always {adjective}."))
     } else if fitting(info, mesh) == 0 {
-        Some(format!("A panel takes {} for this.", info.takes()))
+        Some(format!("This needs panels with {}.", info.takes()))
     } else {
         None
     }
@@ -53,11 +53,11 @@ impl Scene {
     /// Requests the shape `kind`, soft or hard by `require`, for every suitable face of `mesh`, and
     /// returns the declaration of the kind. An existing constraint of this kind on all faces is
     /// enabled instead, and stays exact if it was. Constraints of other offered kinds on all faces
-    /// are disabled. Weights that would not keep the mesh intact are set by [`Scene::keep_whole`].
+    /// are disabled. Weights that would not keep the mesh intact are set by [`Scene::set_opened_defaults`].
     ///
     /// # Errors
     /// If there is no such kind, or no face suits it.
-    pub fn ask_of_panels(
+    pub fn request_panels(
         &mut self,
         kind: &str,
         require: Require,
@@ -78,7 +78,7 @@ impl Scene {
         if fitting(info, mesh) == 0 {
             let takes = info.takes();
             return Err(error(format!(
-                "no face can be asked for `{}`, which takes {takes}",
+                "no face is suitable for `{}`, which takes {takes}",
                 info.id
             )));
         }
@@ -110,7 +110,7 @@ impl Scene {
         }
         let held = self.weights.close > 0.0 || self.weights.smooth > 0.0;
         if !held || self.weights.shape == 0.0 {
-            self.keep_whole();
+            self.set_opened_defaults();
         }
         Ok(info)
     }
