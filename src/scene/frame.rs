@@ -56,7 +56,7 @@ impl UnitsAndUp {
 
     /// Guesses the unit of a mesh from its size; empty if it is not clear.
     pub fn guess_units(mesh: &Mesh) -> &'static str {
-        let sides = [0, 1, 2].map(|axis| extent(&mesh.positions, axis).length());
+        let sides = [0, 1, 2].map(|axis| Extent::of(mesh.positions.iter().copied(), axis).length());
         let size = (sides[0] * sides[0] + sides[1] * sides[1] + sides[2] * sides[2]).sqrt();
         if size >= MILLIMETRES_FROM {
             "mm"
@@ -68,23 +68,26 @@ impl UnitsAndUp {
     }
 }
 
-struct Extent {
-    low: f64,
+/// Range of coordinates along one axis.
+pub(super) struct Extent {
+    pub(super) low: f64,
     high: f64,
 }
 
 impl Extent {
-    fn length(&self) -> f64 {
+    /// Returns the range of `points` along `axis`.
+    pub(super) fn of(points: impl Iterator<Item = Point>, axis: usize) -> Extent {
+        let start = Extent { low: f64::INFINITY, high: f64::NEG_INFINITY };
+        points.fold(start, |all, point| Extent {
+            low: all.low.min(point[axis]),
+            high: all.high.max(point[axis]),
+        })
+    }
+
+    /// Returns the length of the range; 0 without points.
+    pub(super) fn length(&self) -> f64 {
         (self.high - self.low).max(0.0)
     }
-}
-
-fn extent(positions: &[Point], axis: usize) -> Extent {
-    let start = Extent { low: f64::INFINITY, high: f64::NEG_INFINITY };
-    positions.iter().fold(start, |all, point| Extent {
-        low: all.low.min(point[axis]),
-        high: all.high.max(point[axis]),
-    })
 }
 
 #[cfg(test)]

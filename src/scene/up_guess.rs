@@ -3,6 +3,7 @@
 //! A surface with a boundary is mostly a roof: the area that it covers along the axis decides. A
 //! closed shape stands on flat faces, or is a figure, which is narrowest from front to back.
 
+use super::frame::Extent;
 use super::{UnitsAndUp, Up};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point};
@@ -29,7 +30,7 @@ const ACROSS: f64 = 0.8;
 impl UnitsAndUp {
     /// Guesses the axis that points up: z, unless the mesh suggests otherwise.
     pub fn guess_up(mesh: &Mesh) -> Up {
-        let [x, y, z] = [0, 1, 2].map(|axis| Extent::of(mesh, axis));
+        let [x, y, z] = [0, 1, 2].map(|axis| Extent::of(points(mesh), axis));
         let surface = Areas::of(mesh, [&y, &z]);
         let [covers_y, covers_z] = surface.net.map(f64::abs);
         if covers_y.max(covers_z) > COVERS * surface.total {
@@ -95,25 +96,6 @@ impl Areas {
     }
 }
 
-struct Extent {
-    low: f64,
-    high: f64,
-}
-
-impl Extent {
-    fn of(mesh: &Mesh, axis: usize) -> Extent {
-        let start = Extent { low: f64::INFINITY, high: f64::NEG_INFINITY };
-        points(mesh).fold(start, |all, point| Extent {
-            low: all.low.min(point[axis]),
-            high: all.high.max(point[axis]),
-        })
-    }
-
-    fn length(&self) -> f64 {
-        (self.high - self.low).max(0.0)
-    }
-}
-
 /// Returns the corners of faces; all vertices if there are no faces.
 fn points(mesh: &Mesh) -> impl Iterator<Item = Point> {
     let alone = if mesh.faces.is_empty() { &mesh.positions[..] } else { &[] };
@@ -123,7 +105,7 @@ fn points(mesh: &Mesh) -> impl Iterator<Item = Point> {
 
 /// Counts the vertices on the ground if this axis points up.
 fn touching(mesh: &Mesh, axis: usize) -> usize {
-    let extent = Extent::of(mesh, axis);
+    let extent = Extent::of(points(mesh), axis);
     let limit = extent.low + TOUCHES * extent.length();
     mesh.positions.iter().filter(|point| point[axis] <= limit).count()
 }
