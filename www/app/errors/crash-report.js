@@ -30,7 +30,7 @@ export function crashReport(what, { model, document, numbers, renderer }) {
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../ui/controls/alerts.js").Alerts} alerts
  */
-export async function giveReport(text, store, alerts) {
+export async function copyReport(text, store, alerts) {
   try {
     await navigator.clipboard.writeText(text);
     store.set({ status: 'Report copied to the clipboard' });

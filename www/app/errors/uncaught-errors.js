@@ -28,8 +28,8 @@ export function reportUncaughtErrors(alerts, store) {
  */
 export function offerReport(message, store, alerts) {
   const action = async () => {
-    const { crashReport, giveReport } = await import('./crash-report.js');
-    await giveReport(crashReport(message, store.get()), store, alerts);
+    const { crashReport, copyReport } = await import('./crash-report.js');
+    await copyReport(crashReport(message, store.get()), store, alerts);
   };
   return { label: 'Copy report', action };
 }
