@@ -35,7 +35,9 @@ export class Startup {
 
   /** Opens the first document. */
   async begin() {
-    window.addEventListener('hashchange', () => this.#reportErrors(this.#openLink()));
+    window.addEventListener('hashchange', () =>
+      this.#viewContext.actions.reportErrors(this.#openLink()),
+    );
     /** @type {unknown} */
     let lost = null;
     try {
@@ -66,7 +68,7 @@ export class Startup {
       if (this.#solver.isAbsent) return;
       const { showNothingOpen } = await import('../documents/nothing-open.js');
       showNothingOpen(this.#files, async () => {
-        await this.#reportErrors(this.startFresh());
+        await this.#viewContext.actions.reportErrors(this.startFresh());
       });
     }
   }
@@ -149,7 +151,7 @@ export class Startup {
     const { undoLost } = await this.#openWork(last);
     const fresh = () => {
       if (location.hash) history.replaceState(null, '', location.pathname + location.search);
-      this.#reportErrors(this.startFresh());
+      this.#viewContext.actions.reportErrors(this.startFresh());
     };
     const but = undoLost && `, but its undo history is lost: ${undoLost}`;
     this.#alerts.notice(`${last.work.title} is back as you left it${but}.`, {
@@ -204,20 +206,6 @@ export class Startup {
     await this.#files.open([sceneFile(example.id, edits), mesh], { example });
     // The edits are stored in the link only, not in a file.
     this.#files.original = null;
-  }
-
-  /**
-   * @template T
-   * @param {Promise<T>} promise
-   * @returns {Promise<T | undefined>}
-   */
-  async #reportErrors(promise) {
-    try {
-      return await promise;
-    } catch (error) {
-      this.#alerts.error(messageOf(error));
-      return undefined;
-    }
   }
 }
 
