@@ -50,13 +50,12 @@ pub enum ProblemKind {
 }
 
 impl ProblemKind {
-    /// Returns the counted element, singular and plural, and its defect.
-    fn words(self) -> (&'static str, &'static str, &'static str) {
+    /// Returns the counted element, singular and plural, and its defect; empty if the element says
+    /// it all.
+    fn description(self) -> (&'static str, &'static str, &'static str) {
         use ProblemKind::*;
         let (one, many) = match self {
-            MalformedCoordinate | NonFiniteCoordinate | DecimalComma | UnusedVertex => {
-                ("vertex", "vertices")
-            }
+            MalformedCoordinate | NonFiniteCoordinate | DecimalComma => ("vertex", "vertices"),
             MalformedCorner(element)
             | CornerZero(element)
             | CornerOutOfRange(element)
@@ -68,10 +67,11 @@ impl ProblemKind {
             },
             SelfTouchingFace | DuplicateFace => ("face", "faces"),
             UnknownStatement => ("unknown statement", "unknown statements"),
+            UnusedVertex => ("unused vertex", "unused vertices"),
             TooManyNames => ("`g` statement", "`g` statements"),
             NonManifoldEdge | FlippedNeighbour => ("edge", "edges"),
         };
-        let matter = match self {
+        let defect = match self {
             MalformedCoordinate => {
                 "with a coordinate that is not a number, set to the middle of the mesh"
             }
@@ -79,22 +79,22 @@ impl ProblemKind {
                 "with a coordinate that is not finite, set to the middle of the mesh"
             }
             DecimalComma => "with decimal commas, read as decimal points",
-            MalformedCorner(_) => "with a corner that is not a vertex number skipped",
-            CornerZero(_) => "with vertex number 0 skipped, as vertices count from 1",
-            CornerOutOfRange(_) => "with the number of a vertex that is not there skipped",
-            TooFewCorners(ElementKind::Face) => "with fewer than three corners skipped",
-            TooFewCorners(ElementKind::Curve) => "with fewer than two vertices skipped",
-            TooFewCorners(ElementKind::Tetrahedron) => "with fewer than four corners skipped",
+            MalformedCorner(_) => "with a corner that is not a vertex number, skipped",
+            CornerZero(_) => "with vertex number 0, skipped: vertices count from 1",
+            CornerOutOfRange(_) => "with the number of a missing vertex, skipped",
+            TooFewCorners(ElementKind::Face) => "with fewer than three corners, skipped",
+            TooFewCorners(ElementKind::Curve) => "with fewer than two vertices, skipped",
+            TooFewCorners(ElementKind::Tetrahedron) => "with fewer than four corners, skipped",
             RepeatedCorner(_) => "with the same vertex twice in a row, which is kept once",
-            SelfTouchingFace => "with the same vertex at two corners skipped",
+            SelfTouchingFace => "with the same vertex at two corners, skipped",
             UnknownStatement => "ignored",
             TooManyNames => "with too many names, of which the first are kept",
-            UnusedVertex => "that nothing uses",
+            UnusedVertex => "",
             DuplicateFace => "on the same vertices as an earlier face",
             NonManifoldEdge => "with more than two faces",
-            FlippedNeighbour => "whose two faces are oriented against each other",
+            FlippedNeighbour => "whose two faces have opposite orientations",
         };
-        (one, many, matter)
+        (one, many, defect)
     }
 }
 
@@ -113,8 +113,11 @@ pub struct MeshProblem {
 
 impl fmt::Display for MeshProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (one, many, matter) = self.kind.words();
-        write!(f, "{} {matter}", counted(self.count, one, many))?;
+        let (one, many, defect) = self.kind.description();
+        f.write_str(&counted(self.count, one, many))?;
+        if !defect.is_empty() {
+            write!(f, " {defect}")?;
+        }
         if let Some(line) = self.line {
             let first = if self.count == 1 { "at" } else { "first at" };
             write!(f, ", {first} line {line}: `{}`", self.text)?;

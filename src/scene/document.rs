@@ -187,7 +187,7 @@ impl Pose {
             format!("{vertices} and {faces}")
         };
         let message = format!(
-            "{name} is no pose of the model: it has {}, expected the {} of the model, in their order",
+            "{name} is not a pose of the model: it has {}, expected the {} of the model, in their order",
             counts(positions.len(), faces.len()),
             counts(mesh.positions.len(), mesh.faces.len())
         );

@@ -54,7 +54,7 @@ fn expected_of(key: &str) -> Option<String> {
         "vertices" => "a list of indices",
         "weight" | "at_most" => "a number from 0",
         "corners" => "an angle in degrees from 0 to 180",
-        "text" => "what is to be done",
+        "text" => "the text of the task",
         "goals" => "an array of goals",
         "type" => "the type of an edit",
         "index" => "the index of a row",

@@ -59,7 +59,7 @@ pub const PRESETS: &[Preset] = &[
     Preset {
         id: "opened",
         label: "Keep the design",
-        assumes: "Shapes come first. Each vertex stays near to where it was, and neighbours move together.",
+        assumes: "Shapes come first. Each vertex stays near its original position, and neighbours move together.",
         needs: Needs::Nothing,
         weights: Weights { shape: 1000.0, close: 1.0, smooth: 1.0 },
         to: ClosenessTo::Rest,
@@ -122,7 +122,7 @@ impl Preset {
     pub fn offer(&self, topology: &Topology, handles: usize) -> PresetOffer {
         let warning = match self.needs {
             Needs::Boundary if topology.boundary_loops().is_empty() => {
-                Some("This mesh has no boundary that would hold it: smoothing shrinks it.")
+                Some("This mesh has no boundary to hold it: smoothing will shrink it.")
             }
             Needs::Handles if handles == 0 => {
                 Some("There are no handles: nothing holds this mesh.")

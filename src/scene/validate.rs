@@ -69,7 +69,7 @@ impl Scene {
         match design.filter(|index| *index >= count) {
             Some(index) => error(
                 "variants.design",
-                format!("found {index}, expected the place of one of the {count} that are kept"),
+                format!("found {index}, expected the index of one of the {count} kept variants"),
             ),
             None => Ok(()),
         }
@@ -85,11 +85,14 @@ impl Scene {
             let path = format!("steps[{i}].variant");
             match variant {
                 Some(index) if *index >= kept => {
-                    let expected = "the place of one of the variants that are kept";
-                    return error(&path, format!("found {index}, expected {expected}: {kept}"));
+                    let expected = format!("the index of one of the {kept} kept variants");
+                    return error(&path, format!("found {index}, expected {expected}"));
                 }
                 Some(_) if *original => {
-                    return error(&path, "the step goes to the rest shape, expected one of both");
+                    return error(
+                        &path,
+                        "the step already has \"original\", expected only one of them",
+                    );
                 }
                 _ => {}
             }
@@ -106,7 +109,7 @@ impl Scene {
     fn check_pose(&self, vertices: usize) -> Result<(), SceneError> {
         let Some(pose) = &self.pose else { return Ok(()) };
         let Some(positions) = pose.positions() else {
-            return error("pose.file", "it was not read, expected the positions in the scene");
+            return error("pose.file", "the file was not read, expected positions in the scene");
         };
         if positions.len() != vertices {
             let found = positions.len();
@@ -126,10 +129,9 @@ impl Scene {
     fn check_target(&self) -> Result<(), SceneError> {
         let at_mesh = |message: String| error("closeness.to.mesh", message);
         match (self.closeness.to, &self.closeness.target) {
-            (ClosenessTo::Target, None) => error(
-                "closeness.to",
-                "there is no other surface, expected { \"mesh\": ... } with one",
-            ),
+            (ClosenessTo::Target, None) => {
+                error("closeness.to", "there is no target surface, expected { \"mesh\": ... }")
+            }
             (ClosenessTo::Target, Some(Target::File(path))) => at_mesh(format!(
                 "the mesh file {path} was not read, expected the mesh itself in the scene"
             )),
@@ -293,17 +295,17 @@ impl Scene {
     }
 }
 
-/// Checks the eased faces, which are allowed only on constraints on faces with a tolerance.
-fn check_eased(path: &str, spec: &ConstraintSpec, mesh: &Mesh) -> Result<(), SceneError> {
 fn out_of_range(what: &str) -> String {
     const MOST: f64 = LARGEST_COORDINATE;
     format!("{what} is too far out, expected coordinates from -{MOST:e} to {MOST:e}")
 }
 
+/// Checks the eased faces, which are allowed only on constraints on faces with a tolerance.
+fn check_eased(path: &str, spec: &ConstraintSpec, mesh: &Mesh) -> Result<(), SceneError> {
     let Some(eased) = &spec.eased else { return Ok(()) };
     let on_faces = matches!(spec.on, Selector::Each { element: Element::Face, radius: 0, .. });
     if !on_faces || !matches!(spec.require, Require::Within(_)) {
-        return error(path, "expected it on faces that are met within a length only");
+        return error(path, "expected it only on faces with \"require\": { \"within\": LENGTH }");
     }
     check_indices(&format!("{path}.faces"), "face", &eased.faces, mesh.faces.len())
 }

@@ -241,7 +241,7 @@ mod tests {
         let refused = |pose: &str| opened(pose).map(|_| ()).expect_err("it is no pose").to_string();
         assert_eq!(
             refused("far/other.obj"),
-            "a.json: pose: far/other.obj is no pose of the model: it has 3 vertices and 1 face, \
+            "a.json: pose: far/other.obj is not a pose of the model: it has 3 vertices and 1 face, \
              expected the 8 vertices and 2 faces of the model, in their order"
         );
         assert!(refused("none.obj").contains("needs the mesh file none.obj"));

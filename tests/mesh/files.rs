@@ -252,7 +252,7 @@ fn awkward() -> Vec<Expected> {
         Expected { file: "trimesh_comments.off", notes: &["colours of 6 faces ignored"], ..cube },
         Expected {
             file: "trimesh_empty.obj",
-            refused: "trimesh_empty.obj: the file holds no vertices: expected at least one, \
+            refused: "trimesh_empty.obj: the file has no vertices: expected at least one, \
                       such as `v 0 0 0` in OBJ",
             ..none
         },

@@ -73,12 +73,12 @@ fn what_cannot_be_solved_is_refused_with_the_reason() {
     for (name, bytes, reason) in [
         ("roof.obj", &b""[..], "roof.obj: the file is empty"),
         ("roof.obj", b" \r\n\n", "roof.obj: the file is empty"),
-        ("roof.obj", b"f 1 2 3\n", "roof.obj: the file holds no vertices: expected at least one"),
-        ("roof.obj", b"v nan x inf\n", "roof.obj: no vertex of the file has a coordinate"),
+        ("roof.obj", b"f 1 2 3\n", "roof.obj: the file has no vertices: expected at least one"),
+        ("roof.obj", b"v nan x inf\n", "roof.obj: no coordinate in the file is a number"),
         ("roof.obj", b"glTF\x02\0\0\0", "roof.obj: this is not a text file"),
         ("roof.off", b"OFF BINARY\n", "roof.off:1: `OFF BINARY`: expected the number of vertices"),
         ("roof.off", b"COFF4\nv", "roof.off:2: `v`: expected the number of faces, found `v`"),
-        ("roof.off", b"4OFF\n", "roof.off:1: `4OFF`: `4OFF` has vertices of other than three"),
+        ("roof.off", b"4OFF\n", "roof.off:1: `4OFF`: the vertices of `4OFF` are not three-dim"),
         ("roof.off", b"v 0 0 0\n", "roof.off:1: `v 0 0 0`: expected `OFF`, found `v`"),
         ("roof.mesh", b"Dimension 4", "roof.mesh:1: `Dimension 4`: expected dimension 2 or 3"),
     ] {
@@ -93,8 +93,8 @@ fn counts_that_do_not_fit_are_refused() {
     for (counts, message) in [
         ("3 2 0", "a.off: the file ends where the number of corners of face 2 of 2 was expected"),
         ("9 1 0", "a.off: the file ends where vertex 5 of 9 was expected"),
-        ("2 1 0", "a.off:6: `3 0 1 2`: the header says 2 vertices and 1 face, but after"),
-        ("3 0 0", "a.off:6: `3 0 1 2`: the header says 3 vertices and 0 faces, but after"),
+        ("2 1 0", "a.off:6: `3 0 1 2`: the header says 2 vertices and 1 face, but `3` follows"),
+        ("3 0 0", "a.off:6: `3 0 1 2`: the header says 3 vertices and 0 faces, but `3` follows"),
         ("-3 1 0", "a.off:2: `-3 1 0`: expected the number of vertices, found `-3`"),
         ("3 99999999999999999999 0", "a.off:2: `3 99999999999999999999 0`: expected the number of"),
     ] {
@@ -103,7 +103,7 @@ fn counts_that_do_not_fit_are_refused() {
     }
     let mesh = "MeshVersionFormatted 1\nVertices 2\n0 0 0 0\n1 0 0 0\n2 0 0 0\n";
     let found = refused("a.mesh", mesh);
-    assert_eq!(found, "a.mesh:5: `2 0 0 0`: `Vertices` has more rows than it says: found `2`");
+    assert_eq!(found, "a.mesh:5: `2 0 0 0`: `Vertices` has more rows than its count: found `2`");
     let found = refused("a.mesh", mesh.replace("Vertices 2", "Vertices 4"));
     assert_eq!(found, "a.mesh: the file ends where vertex 4 of 4 was expected");
 }
@@ -251,7 +251,10 @@ fn variants_of_off_give_the_same_mesh() {
     }
     let from_one = plain.replace("3 0 1 2", "3 1 2 3").replace("3 2 3 0", "3 3 4 1");
     let notes = ok("a.off", from_one).notes;
-    assert_eq!(notes, ["the faces count vertices from one, unlike OFF: read so"]);
+    assert_eq!(
+        notes,
+        ["faces number vertices from one, although OFF counts from zero; read that way"]
+    );
     let out_of_range = ok("a.off", plain.replace("3 2 3 0", "3 2 3 4"));
     assert_eq!(kinds(&out_of_range)[0], (CornerOutOfRange(ElementKind::Face), 1, Some(8)));
 }

@@ -128,7 +128,7 @@ fn flat_panels_of_six_corners_on_a_saddle_are_said_to_be_impossible() {
     assert!(on_saddles > 90 && 10 * on_saddles > 8 * all, "{on_saddles} of {all}");
     let words = saddle.words();
     let sentence = format!(
-        "{on_saddles} of {all} faces with more than four corners are where it is a saddle: flat panels cannot be \
+        "{on_saddles} of {all} faces with more than four corners are where the surface is a saddle: flat panels cannot be \
          convex there."
     );
     assert!(words.contains(&sentence), "{words}");

@@ -137,11 +137,11 @@ fn what_is_wrong_in_a_lesson_is_named_by_its_place() {
         (r#"{ "goals": [] }"#, "lesson: ", "`text` is missing"),
         (r#"{ "text": "" }"#, "lesson: ", "`goals` is missing"),
         (r#"{ "text": "", "goals": [] }"#, "lesson.goals: ", "at least one goal"),
-        (r#"{ "text": "", "goals": [{}] }"#, "lesson.goals[0]: ", "about nothing"),
+        (r#"{ "text": "", "goals": [{}] }"#, "lesson.goals[0]: ", "has no quantity"),
         (
             r#"{ "text": "", "goals": [{ "measure": "e-p", "constraint": "a", "at_most": 1 }] }"#,
             "lesson.goals[0]: ",
-            "about two",
+            "has two quantities",
         ),
         (
             r#"{ "text": "", "goals": [{ "measure": "e-p", "at_most": -1 }] }"#,

@@ -142,7 +142,7 @@ fn a_mesh_that_cannot_be_refined_leaves_the_session_as_it_is() {
     let mut session = open(ALL, bumpy(4));
     let before = everything(&session);
     let refused = session.edit(refine(Scheme::Loop, 1)).expect_err("they are quads");
-    assert!(refused.to_string().contains("16 faces are no triangles"), "{refused}");
+    assert!(refused.to_string().contains("16 faces are not triangles"), "{refused}");
     assert_eq!(everything(&session), before);
     assert_eq!(session.undo_and_redo(), [None, None]);
 }

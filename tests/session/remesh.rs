@@ -109,7 +109,10 @@ fn what_it_will_do_is_said_in_numbers() {
     assert_eq!(found, expected);
     let refused =
         session.remeshing(&remeshing("fill", &[], &[], &[])).expect_err("there is no hole");
-    assert!(refused.to_string().contains("select a vertex of the outline"), "{refused}");
+    assert!(
+        refused.to_string().contains("to close the outline, select one of its vertices"),
+        "{refused}"
+    );
 }
 
 #[test]

@@ -145,5 +145,5 @@ fn the_shapes_of_another_pose_are_taken_in_one_step_and_left_in_another() {
     assert_eq!(session.scene(), first);
     let other = grid(4, 9, |i, j| [f64::from(i), f64::from(j), 0.0]);
     let refused = session.edit(take(&other)).expect_err("it has other faces").to_string();
-    assert!(refused.contains("rolled.obj is no pose of the model"), "{refused}");
+    assert!(refused.contains("rolled.obj is not a pose of the model"), "{refused}");
 }

@@ -76,22 +76,24 @@ impl fmt::Display for SubdivideError {
                 write!(f, "found {levels} levels, expected 1 to {MOST_LEVELS}")
             }
             SubdivideError::Turn => {
-                f.write_str("expected an angle of 0 to 180 degrees that stays sharp")
+                f.write_str("expected an angle from 0 to 180 degrees for sharp edges")
             }
             SubdivideError::Nothing => f.write_str("there are no faces and no curves to refine"),
             SubdivideError::Tetrahedra => {
                 f.write_str("the mesh has tetrahedra, expected faces and curves only")
             }
             SubdivideError::NotTriangles(1) => {
-                f.write_str("one face is no triangle, and Loop's scheme takes triangles only")
+                f.write_str("one face is not a triangle; Loop's scheme requires triangles")
             }
             SubdivideError::NotTriangles(faces) => {
-                write!(f, "{faces} faces are no triangles, and Loop's scheme takes triangles only")
+                write!(f, "{faces} faces are not triangles; Loop's scheme requires triangles")
             }
-            SubdivideError::Repeated(face) => write!(f, "face {face} has a corner twice"),
+            SubdivideError::Repeated(face) => {
+                write!(f, "face {face} has the same vertex at two corners")
+            }
             SubdivideError::TooMany(vertices) => write!(
                 f,
-                "it would have {}, expected {MOST_VERTICES} at most",
+                "the result would have {}, expected {MOST_VERTICES} at most",
                 counted(*vertices, "vertex", "vertices")
             ),
         }

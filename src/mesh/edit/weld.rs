@@ -33,7 +33,7 @@ impl Read {
         self.problems.retain(|problem| of_mesh.iter().all(|other| other.kind != problem.kind));
         self.problems.extend(diagnose(&self.mesh));
         self.notes.push(format!(
-            "faces have their own vertices: {} at the places of others were welded, {} are left",
+            "faces do not share vertices: {} coincident vertices were welded, {} remain",
             weld.original.positions.len() - self.mesh.positions.len(),
             self.mesh.positions.len()
         ));

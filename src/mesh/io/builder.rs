@@ -145,12 +145,10 @@ impl MeshBuilder {
         let positions = &mut self.mesh.positions;
         if positions.is_empty() {
             let expected = "expected at least one, such as `v 0 0 0` in OBJ";
-            return Err(ReadFault::whole(format!("the file holds no vertices: {expected}")));
+            return Err(ReadFault::whole(format!("the file has no vertices: {expected}")));
         }
         if positions.as_flattened().iter().all(|x| x.is_nan()) {
-            return Err(ReadFault::whole(
-                "no vertex of the file has a coordinate that is a number",
-            ));
+            return Err(ReadFault::whole("no coordinate in the file is a number"));
         }
         if let Some((count, first)) = coincident(positions) {
             let vertices = counted(count, "vertex lies", "vertices lie");

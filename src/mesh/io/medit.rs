@@ -47,7 +47,7 @@ pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
             // A number in a section that is not read.
             _ if section.is_empty() => continue,
             _ => {
-                let message = format!("`{section}` has more rows than it says: found `{word}`");
+                let message = format!("`{section}` has more rows than its count: found `{word}`");
                 return Err(stream.fault(message));
             }
         };

@@ -44,13 +44,13 @@ pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
     if let Some(word) = stream.word() {
         let vertices = counted(vertices, "vertex", "vertices");
         let faces = counted(faces, "face", "faces");
-        let message = format!("the header says {vertices} and {faces}, but after them is `{word}`");
+        let message = format!("the header says {vertices} and {faces}, but `{word}` follows them");
         return Err(stream.fault(message));
     }
 
     if vertex_rests > 0 {
         let vertices = counted(vertex_rests, "vertex", "vertices");
-        builder.notes.push(format!("further numbers of {vertices} ignored"));
+        builder.notes.push(format!("extra numbers of {vertices} ignored"));
     }
     if face_rests > 0 {
         let faces = counted(face_rests, "face", "faces");
@@ -61,7 +61,10 @@ pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
         false => Numbering::ZeroBased,
     };
     if matches!(numbering, Numbering::OneBased) {
-        builder.notes.push("the faces count vertices from one, unlike OFF: read so".to_owned());
+        builder.notes.push(
+            "faces number vertices from one, although OFF counts from zero; read that way"
+                .to_owned(),
+        );
     }
     builder.settle(numbering);
     Ok(builder)
@@ -77,8 +80,7 @@ fn vertex_count(stream: &mut Stream<'_>) -> Result<usize, ReadFault> {
         return count.ok_or_else(|| stream.fault(format!("expected `OFF`, found `{word}`")));
     };
     if header.variant.contains(['4', 'n']) {
-        let message =
-            format!("`{word}` has vertices of other than three dimensions: expected `OFF`");
+        let message = format!("the vertices of `{word}` are not three-dimensional: expected `OFF`");
         return Err(stream.fault(message));
     }
     if header.glued.is_empty() {

@@ -43,7 +43,7 @@ fn read_text(name: &str, text: &str) -> Result<Read, ReadFault> {
 }
 
 /// The known formats, for messages.
-const KNOWN: &str = "mesh files known here are .obj (Wavefront), .off and .mesh (Medit), as text";
+const KNOWN: &str = "expected a text file in the format .obj (Wavefront), .off or .mesh (Medit)";
 
 #[derive(Clone, Copy)]
 enum Format {

@@ -73,7 +73,7 @@ fn read_file<T: DeserializeOwned>(text: &str, what: &str, format: &str) -> Resul
             Some(later) => JsonError::new(
                 "",
                 format!(
-                    "this is version {later} of {format}, this program reads version {VERSION}: it needs a later program"
+                    "this is version {later} of {format}, this program reads version {VERSION}: open it with a newer version of Shape-Up"
                 ),
             ),
             None => found(own, &VERSION.to_string()),

@@ -114,12 +114,12 @@ fn goal_of(file: GoalFile) -> Result<Goal, JsonError> {
             None => GoalOf::Measure(measure),
         },
         (None, ..) if beyond.is_some() => {
-            return error("`beyond` counts faces by a measure, expected a \"measure\"".to_owned());
+            return error("`beyond` is only for measures, expected a \"measure\"".to_owned());
         }
         (None, Some(name), None) => GoalOf::Constraint(name),
         (None, None, Some(id)) => GoalOf::Build(id),
-        (None, None, None) => return error(format!("the goal is about nothing, expected {WHAT}")),
-        _ => return error(format!("the goal is about two, expected {WHAT}")),
+        (None, None, None) => return error(format!("the goal has no quantity, expected {WHAT}")),
+        _ => return error(format!("the goal has two quantities, expected {WHAT}")),
     };
     let at_most = file.at_most.ok_or_else(|| JsonError::missing_field("at_most"))?;
     Ok(Goal { of, at_most: from_zero("at_most", at_most)? })

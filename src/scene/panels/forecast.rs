@@ -105,15 +105,15 @@ impl Forecast {
         words += &match (farthest, self.off_curvature_lines.filter(|&angle| angle >= OFF)) {
             (Some(HowFar::Lot), Some(angle)) => format!(
                 ": its edges are {angle:.0}° off the lines of curvature on average. Edges along them, or a \
-                 larger tolerance, need less."
+                 larger tolerance, would reduce this."
             ),
-            (Some(HowFar::Lot), None) => ". A larger tolerance needs less.".to_owned(),
+            (Some(HowFar::Lot), None) => ". A larger tolerance would reduce this.".to_owned(),
             _ => ".".to_owned(),
         };
         let some = |&[on_saddles, all]: &[usize; 2]| on_saddles as f64 > SADDLE_SHARE * all as f64;
         if let Some([on_saddles, all]) = self.saddles.filter(some) {
             words += &format!(
-                " {on_saddles} of {all} faces with more than four corners are where it is a saddle: flat panels \
+                " {on_saddles} of {all} faces with more than four corners are where the surface is a saddle: flat panels \
                  cannot be convex there."
             );
         }

@@ -287,7 +287,7 @@ test('a scene asks for the file that it names, and a pose is taken from another 
   await page.getByText('More settings').click();
   const pose = page.getByLabel('Take the pose of another file');
   await pose.setInputFiles(file('house.obj', wavyGrid(3)));
-  await expect(alert).toContainText('house.obj is no pose of the model');
+  await expect(alert).toContainText('house.obj is not a pose of the model');
   await pose.setInputFiles(file('raised.obj', raised));
   await expect(page.getByRole('status')).toHaveText('Shapes are taken from raised.obj');
   const { pose: taken } = await page.evaluate(() => window.shapeUp.scene());

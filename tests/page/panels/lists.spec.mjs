@@ -103,7 +103,7 @@ test('the log has the report of the file, and selects what a problem is about', 
   await expect(log).toBeVisible();
   await expect(log).toContainText(`odd.obj: ${VERTICES + 1} vertices, ${N * N} faces`);
   await expect(log).toContainText('1 unknown statement ignored');
-  await log.getByRole('button', { name: /^Select: 1 vertex that nothing uses/ }).click();
+  await log.getByRole('button', { name: /^Select: 1 unused vertex/ }).click();
   await waitForState(
     page,
     (now, one) => now.selection.vertices.length === 1 && now.selection.vertices[0] === one,
@@ -118,7 +118,7 @@ test('the log has the report of the file, and selects what a problem is about', 
   await log.getByRole('button', { name: 'Copy as text' }).click();
   await expect(log).toContainText('Copied');
   const text = await page.evaluate(() => navigator.clipboard.readText());
-  expect(text).toContain('Problem: 1 vertex that nothing uses');
+  expect(text).toContain('Problem: 1 unused vertex');
   expect(text).toMatch(/\d\d:\d\d.*Error: broken\.xyz/);
 });
 

@@ -101,12 +101,12 @@ impl fmt::Display for OperationError {
             }
             OperationError::Expected(what) => write!(f, "expected {what}"),
             OperationError::Touching(face) => {
-                write!(f, "face {face} would touch itself; a smaller distance may do")
+                write!(f, "face {face} would touch itself; try a smaller distance")
             }
             OperationError::Joining => f.write_str(
                 "more than two faces would meet at an edge: some faces have several edges in common",
             ),
-            OperationError::NothingLeft => f.write_str("nothing of the mesh would be left"),
+            OperationError::NothingLeft => f.write_str("no faces would be left"),
         }
     }
 }

@@ -18,7 +18,7 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
             continue;
         }
         let steps = around(mesh, topology, v).ok_or(OperationError::Expected(
-            "faces that turn the same way around every vertex: unify the orientation first",
+            "faces with consistent orientation: unify the orientation first",
         ))?;
         let (Some(first), Some(last)) = (steps.first(), steps.last()) else { continue };
         let mut corners: Vec<u32> = steps.iter().map(|step| middles[step.face as usize]).collect();

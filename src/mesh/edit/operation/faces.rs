@@ -18,7 +18,7 @@ pub(super) fn merge(task: &Task<'_>) -> Result<Edited, OperationError> {
     picked.sort_unstable();
     picked.dedup();
     let outline = outline(task, &picked).ok_or(OperationError::Expected(
-        "at least two selected faces that lie side by side, without a hole, and face the same side",
+        "at least two selected neighbouring faces, oriented consistently and without a hole between them",
     ))?;
     let mut rebuild = Rebuild::new(task.mesh);
     for face in task.all_faces() {

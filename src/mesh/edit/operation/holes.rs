@@ -24,7 +24,7 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
         loops.iter().copied().enumerate().filter(is_meant).map(|(_, corners)| corners).collect();
     if holes.is_empty() {
         return Err(OperationError::Expected(if task.vertices.is_empty() {
-            "a hole beside the outline; select a vertex of the outline to close that"
+            "a hole other than the outline; to close the outline, select one of its vertices"
         } else {
             "a selected vertex on a boundary"
         }));

@@ -12,11 +12,11 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "quads",
         label: "Triangles to quads",
-        summary: "Pairs triangles whose union is nearest to a flat rectangle; the others stay.",
+        summary: "Merges pairs of triangles whose union is closest to a flat rectangle; other triangles stay.",
         picks: Picks::Nothing,
         sizes: &[Size {
             id: "corner",
-            label: "Largest corner of a quad",
+            label: "Largest angle of a quad",
             of: SizeOf::Degrees,
             default: 160.0,
             least: 90.0,
@@ -27,7 +27,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "dual",
         label: "Dual",
-        summary: "A face for each vertex, with its corners in the middles of the faces: hexagons from triangles. The outline keeps its corners.",
+        summary: "Makes a face for each vertex, with corners at the centres of the old faces: triangles become hexagons. The outline keeps its corners.",
         picks: Picks::Nothing,
         sizes: &[Size {
             id: "keep",
@@ -42,7 +42,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "diagonal",
         label: "Diagonal quads",
-        summary: "A quad for each edge, between its ends and the middles of its faces; triangles along the boundary.",
+        summary: "Makes a quad for each edge, from its ends and the centres of its faces; triangles along the boundary.",
         picks: Picks::Nothing,
         sizes: &[],
         apply: diagonal::apply,
@@ -50,7 +50,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "triangles",
         label: "Faces to triangles",
-        summary: "Cuts quads along the shorter diagonal, and larger faces from a new vertex in their middle.",
+        summary: "Cuts quads along the shorter diagonal, and larger faces from a new vertex at their centre.",
         picks: Picks::Nothing,
         sizes: &[],
         apply: triangles::apply,
@@ -58,7 +58,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "insert-strip",
         label: "Insert a strip",
-        summary: "Cuts in two all quads of the strip across the selected edge: select its two ends.",
+        summary: "Halves all quads of the strip that crosses an edge. Select the two ends of the edge.",
         picks: Picks::Vertices,
         sizes: &[],
         apply: strips::insert,
@@ -66,7 +66,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "remove-strip",
         label: "Remove a strip",
-        summary: "Closes the strip of quads across the selected edge: select its two ends.",
+        summary: "Collapses the strip of quads that crosses an edge. Select the two ends of the edge.",
         picks: Picks::Vertices,
         sizes: &[],
         apply: strips::remove,
@@ -74,7 +74,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "extrude",
         label: "Extrude the boundary",
-        summary: "A row of quads along the boundary, or along what is selected of it: outward as the surface runs, and up or down.",
+        summary: "Adds a row of quads along the boundary or its selected part: outward, in the direction of the surface, and up or down.",
         picks: Picks::AnyVertices,
         sizes: &[
             Size {
@@ -99,7 +99,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "fill",
         label: "Fill holes",
-        summary: "Closes every boundary but the longest with a face, or those that have a selected vertex.",
+        summary: "Closes every boundary except the longest with a face, or only those with a selected vertex.",
         picks: Picks::AnyVertices,
         sizes: &[],
         apply: holes::apply,
@@ -107,7 +107,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "delete",
         label: "Delete faces",
-        summary: "Takes the selected faces away, with the vertices that only they have.",
+        summary: "Removes the selected faces, and the vertices that only they use.",
         picks: Picks::Faces,
         sizes: &[],
         apply: faces::delete,
@@ -115,7 +115,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "merge-faces",
         label: "Merge faces",
-        summary: "Makes one face of selected faces that lie side by side.",
+        summary: "Merges neighbouring selected faces into one.",
         picks: Picks::Faces,
         sizes: &[],
         apply: faces::merge,
@@ -123,7 +123,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "split-face",
         label: "Split a face",
-        summary: "Cuts a face between two selected corners of it.",
+        summary: "Cuts a face between two of its corners. Select both.",
         picks: Picks::Vertices,
         sizes: &[],
         apply: faces::split,
@@ -131,7 +131,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "weld",
         label: "Weld",
-        summary: "Makes one vertex of those that are nearer to each other than a distance.",
+        summary: "Merges vertices that are closer to each other than a distance.",
         picks: Picks::AnyVertices,
         sizes: &[Size {
             id: "distance",
@@ -146,7 +146,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "merge-vertices",
         label: "Merge vertices",
-        summary: "Makes one vertex of the selected ones, in their middle.",
+        summary: "Merges the selected vertices into one at their centre.",
         picks: Picks::Vertices,
         sizes: &[],
         apply: vertices::merge,
@@ -169,7 +169,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "unify",
         label: "Unify orientation",
-        summary: "Turns over as few faces as are needed for neighbours to face the same side.",
+        summary: "Flips as few faces as possible so that all have the same orientation.",
         picks: Picks::Nothing,
         sizes: &[],
         apply: orientation::unify,
@@ -177,7 +177,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "flip",
         label: "Flip faces",
-        summary: "Turns all faces over: front becomes back.",
+        summary: "Flips all faces: front becomes back.",
         picks: Picks::Nothing,
         sizes: &[],
         apply: orientation::flip,

@@ -36,7 +36,7 @@ pub(super) fn unify(task: &Task<'_>) -> Result<Edited, OperationError> {
                     }
                     Some(turned) if turned != (own != alike) => {
                         return Err(OperationError::Expected(
-                            "a surface with two sides; this one has only one, as a Moebius strip",
+                            "an orientable surface; this one is not, like a Moebius strip",
                         ));
                     }
                     Some(_) => {}
@@ -50,7 +50,9 @@ pub(super) fn unify(task: &Task<'_>) -> Result<Edited, OperationError> {
     }
     let is_turned: Vec<bool> = is_turned.into_iter().map(|turned| turned == Some(true)).collect();
     if !is_turned.contains(&true) {
-        return Err(OperationError::Expected("neighbours that face opposite sides; all face one"));
+        return Err(OperationError::Expected(
+            "faces with opposite orientations; all are already oriented consistently",
+        ));
     }
     Ok(turned(task, &is_turned))
 }

@@ -19,7 +19,7 @@ pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
         welds += 1;
     }
     if welds == 0 {
-        return Err(OperationError::Expected("two vertices that are nearer to each other"));
+        return Err(OperationError::Expected("vertices within this distance of each other"));
     }
     rebuild.keep(task.all_faces())?;
     Ok(rebuild.finish())
