@@ -2,6 +2,7 @@
 
 use super::solver::Solver;
 use crate::session::Shape;
+use crate::web::plain::plain;
 use crate::web::thrown;
 use js_sys::Float64Array;
 use serde::Serialize;
@@ -21,7 +22,7 @@ impl Solver {
     #[wasm_bindgen(js_name = halfStep, unchecked_return_type = "HalfStep")]
     pub fn half_step(&mut self) -> Result<JsValue, JsValue> {
         let half = self.open_mut()?.half_step().map_err(thrown)?;
-        serde_wasm_bindgen::to_value(&half).map_err(thrown)
+        plain(&half)
     }
 
     /// Returns the positions of the original, `#V by 3`.
@@ -35,6 +36,6 @@ impl Solver {
     pub fn angles(&self) -> Result<JsValue, JsValue> {
         let session = self.open()?;
         let [original, now] = [Shape::Original, Shape::Now].map(|shape| session.angles(shape));
-        serde_wasm_bindgen::to_value(&Angles { original, now }).map_err(thrown)
+        plain(&Angles { original, now })
     }
 }
