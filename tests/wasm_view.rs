@@ -226,7 +226,7 @@ async fn wrong_input_is_thrown_with_a_complete_message() {
     assert!(view.set_face_values(Some(vec![1.0]), 0.0, 1.0, None, None).is_err());
     assert!(view.set_projections(&[9], &[0.0; 3], &[1], &[], &[0.0; 3]).is_err());
     let wrong = view.set_row_colours(vec![1; 4], vec![], &[]).unwrap_err();
-    assert_eq!(message(&wrong), "colours of faces: index 1, expected less than 1");
+    assert_eq!(message(&wrong), "colours of faces: found 1, expected an index below 1");
     assert!(view.draw().unwrap());
     let nothing = View::create(canvas.clone(), "vulkan".to_owned()).await.unwrap_err();
     assert_eq!(message(&nothing), format!("backend \"vulkan\", expected {BACKEND}"));

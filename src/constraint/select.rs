@@ -147,7 +147,7 @@ impl Element {
             Element::Strip => ["strip of faces", "strips of faces"],
             Element::Group => ["group", "groups"],
             Element::Corner => ["corner of a face", "corners of faces"],
-            Element::Star => ["interior vertex star", "inner vertices"],
+            Element::Star => ["inner vertex", "inner vertices"],
             Element::Hinge => ["edge between two triangles", "edges between triangles"],
         }
     }

@@ -27,7 +27,7 @@ pub(super) const CENTRED: MethodInfo = MethodInfo {
 pub(super) const NOT_CENTRED: MethodInfo = MethodInfo {
     id: "not-centred",
     label: "Not centred",
-    summary: "The same without mean-centring: each vertex moves to the mean of its projections, and news travels one ring an iteration.",
+    summary: "The same without mean-centring: each vertex moves to the mean of its projections, and changes spread by only one ring per iteration.",
     most_vertices: None,
     start: |scene, mesh| Ok(Box::new(TwoStep::new(scene, mesh, Accelerator::None, false, GOAL)?)),
 };

@@ -25,7 +25,7 @@ const START: f64 = 1.0 / 200.0;
 pub(super) const PENALTY: Experiment = Experiment {
     id: "penalty",
     label: "Collapsing edges",
-    summary: "Fairness wants short edges to vanish. Both methods come to the same circularity error; compare how smooth the strip is then, and what is left of its shortest edge.",
+    summary: "Smoothness makes short edges vanish. Both methods reach the same circularity error; compare how smooth the strip is then, and how short its shortest edge.",
     examples: &["fig-11-strip"],
     quantities: &[
         Quantity { id: "smooth", label: "Smoothness energy", unit: Unit::Energy },
@@ -40,14 +40,14 @@ pub(super) const PENALTY: Experiment = Experiment {
         MethodInfo {
             id: "shape-up",
             label: "Shape-Up",
-            summary: "Circles are fitted to the corners, whatever these are: an edge may vanish.",
+            summary: "Circles are fitted to the corners wherever these are, so that an edge may vanish.",
             most_vertices: None,
             start: |scene, mesh| Ok(Box::new(Fitted::new(scene, mesh)?)),
         },
         MethodInfo {
             id: "gauss-newton",
             label: "Penalty, Gauss-Newton",
-            summary: "Opposite angles shall sum up to a half turn (Liu, Pottmann, Wallner, Yang and Wang, 2006): their derivatives grow without bound as an edge vanishes.",
+            summary: "Opposite angles must sum to a half turn (Liu, Pottmann, Wallner, Yang and Wang, 2006): their derivatives grow without bound as an edge vanishes.",
             most_vertices: None,
             start: |scene, mesh| Ok(Box::new(Penalised::new(scene, mesh)?)),
         },

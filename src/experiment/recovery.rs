@@ -9,7 +9,7 @@ use super::methods::{ACCELERATED, CENTRED, GRADIENT_DESCENT, L_BFGS, NOT_CENTRED
 pub(super) const RECOVERY: Experiment = Experiment {
     id: "recovery",
     label: "Five ways back from a collapse",
-    summary: "The same start and the same energy, lowered by five methods. Compare how far each one is after the same iterations, and after the same time.",
+    summary: "The same start and the same energy, lowered by five methods. Compare how far each has come after the same number of iterations, and after the same time.",
     examples: &["fig-10-collapse", "fig-10-random"],
     quantities: &[Quantity { id: "energy", label: "Energy", unit: Unit::Energy }],
     plots: &[

@@ -113,9 +113,8 @@ pub(crate) fn found(value: impl Into<Tree>, expected: &str) -> JsonError {
 fn plain(expected: &str) -> &str {
     match expected {
         "f64" => "a number",
-        "u32" | "usize" => "a whole number from 0",
+        "u32" | "usize" => "a whole number, 0 or more",
         "a boolean" => "true or false",
-        "a string" => "a text",
         "a sequence" => "an array",
         "an array of length 3" => "a point [x, y, z]",
         "a map" => "an object",

@@ -89,12 +89,12 @@ fn read_ranges(text: &str) -> Result<Vec<u32>, String> {
         };
         if first > last {
             return Err(format!(
-                "the range {range:?} runs backwards, expected the smaller index first"
+                "the range {range:?} is reversed, expected the smaller index first"
             ));
         }
         let left = LEFT.get().checked_sub(((last - first) as usize).saturating_add(1));
         LEFT.set(left.ok_or_else(|| {
-            format!("with the range {range:?} the lists of the document are longer than any mesh")
+            format!("with the range {range:?} the document lists too many indices, expected at most {MOST_INDICES}")
         })?);
         indices.extend(first..=last);
     }

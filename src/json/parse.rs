@@ -21,7 +21,7 @@ pub(crate) fn parse(text: &str) -> Result<Tree, JsonError> {
     let mut parser = Parser { text, at: 0, level: 0 };
     let read = parser.value().and_then(|value| match parser.next() {
         None => Ok(value),
-        Some(_) => Err("there is more after the value".to_owned()),
+        Some(_) => Err("unexpected text after the value".to_owned()),
     });
     read.map_err(|fault| {
         let before = text.as_bytes().get(..parser.at).unwrap_or(text.as_bytes());
@@ -90,7 +90,7 @@ impl Parser<'_> {
     /// Parses the comma-separated entries between brackets.
     fn items(&mut self, close: u8, mut item: impl FnMut(&mut Self) -> Parsed<()>) -> Parsed<()> {
         if self.level == MOST_LEVELS {
-            return Err("recursion: arrays and objects are too deep in each other".to_owned());
+            return Err("recursion: arrays and objects are nested too deeply".to_owned());
         }
         self.level += 1;
         self.at += 1;
@@ -135,8 +135,10 @@ impl Parser<'_> {
             match rest.as_bytes().get(end) {
                 Some(b'"') => break,
                 Some(b'\\') => string.push(self.escape()?),
-                Some(_) => return Err("a text goes on behind the end of the line".to_owned()),
-                None => return Err("a text has no end".to_owned()),
+                Some(_) => {
+                    return Err("a string contains a line break or control character".to_owned());
+                }
+                None => return Err("a string is not closed".to_owned()),
             }
         }
         self.at += 1;
@@ -146,7 +148,7 @@ impl Parser<'_> {
     /// Parses an escape sequence, from its backslash.
     fn escape(&mut self) -> Parsed<char> {
         let Some(letter) = self.text.as_bytes().get(self.at + 1) else {
-            return Err("a text has no end".to_owned());
+            return Err("a string is not closed".to_owned());
         };
         let character = match letter {
             b'"' | b'\\' | b'/' => char::from(*letter),
@@ -156,7 +158,7 @@ impl Parser<'_> {
             b'r' => '\r',
             b't' => '\t',
             b'u' => return self.unicode(),
-            _ => return Err("no character has this escape".to_owned()),
+            _ => return Err("invalid escape sequence".to_owned()),
         };
         self.at += 2;
         Ok(character)
@@ -171,7 +173,7 @@ impl Parser<'_> {
         };
         let units = unit(self.at).into_iter().chain(unit(self.at + 6));
         let character = char::decode_utf16(units).next().and_then(Result::ok);
-        let character = character.ok_or("no character has this escape")?;
+        let character = character.ok_or("invalid escape sequence")?;
         self.at += 6 * character.len_utf16();
         Ok(character)
     }
@@ -195,7 +197,7 @@ impl Parser<'_> {
             |digits: &str| !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
         let leading = whole.len() > 1 && whole.starts_with('0');
         if !digits(whole) || leading || ![fraction, exponent].into_iter().flatten().all(digits) {
-            return Err("this is no number".to_owned());
+            return Err("not a valid number".to_owned());
         }
         let number = match (word.parse::<u64>(), word.parse::<i64>()) {
             (Ok(whole), _) => Some(whole.into()),

@@ -186,7 +186,7 @@ impl<'de> EnumAccess<'de> for Reader<'de> {
         let tag = self.0.get(TAG).ok_or_else(|| JsonError::missing_field(TAG))?;
         let variant = match tag {
             Tree::Text(word) => seed.deserialize(key(word)),
-            other => Err(JsonError::found(&other.describe(), "a text")),
+            other => Err(JsonError::found(&other.describe(), "a string")),
         };
         Ok((variant.map_err(|error| error.below_key(TAG))?, Reader(self.0, Some(TAG))))
     }

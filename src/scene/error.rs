@@ -43,7 +43,7 @@ impl From<JsonError> for SceneError {
 /// Describes the expected value of a key that is required or is a number in a range.
 fn expected_of(key: &str) -> Option<String> {
     let what = match key {
-        "format" | "title" | "student" | "scene" | "time" | "name" | "id" => "a text",
+        "format" | "title" | "student" | "scene" | "time" | "name" | "id" => "a string",
         "mesh" => "{\"file\": ...} or a mesh",
         "positions" => "an array of points, or \"file\" with the path of a mesh",
         "kind" => {

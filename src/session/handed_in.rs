@@ -125,7 +125,7 @@ fn differences(results: &Results, given: &Scene) -> Vec<(Lock, String)> {
                 found.push((Lock::Weights, format!("{name} weight {from} to {to}")));
             }
         }
-        None => found.push((Lock::Weights, "weights not told".to_owned())),
+        None => found.push((Lock::Weights, "weights missing".to_owned())),
     }
     for (id, from) in &settings_of(given) {
         let to = results.settings.get(id);

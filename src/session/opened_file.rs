@@ -89,7 +89,7 @@ impl OpenedFile {
     pub fn scene_in(bytes: &[u8]) -> Result<Scene, SceneError> {
         let text = std::str::from_utf8(bytes).map_err(|_| SceneError {
             path: String::new(),
-            message: "a scene is UTF-8 text, and this is not".to_owned(),
+            message: "not a text file, expected a scene in UTF-8".to_owned(),
         })?;
         Scene::from_json(text)
     }
@@ -209,7 +209,7 @@ mod tests {
             message(scene.as_bytes()),
             "a.json: it needs the mesh file two.obj: open both files together"
         );
-        assert_eq!(message(&[0xff]), "a.json: a scene is UTF-8 text, and this is not");
+        assert_eq!(message(&[0xff]), "a.json: not a text file, expected a scene in UTF-8");
     }
 
     #[test]

@@ -29,18 +29,20 @@ impl fmt::Display for SolveError {
         match self {
             SolveError::NotPositiveDefinite { vertex } => write!(
                 f,
-                "the system is singular at vertex {vertex}: its weights are too small against those of the rest"
+                "the system is singular at vertex {vertex}: its weights are too small compared with the others"
             ),
-            SolveError::NoArea { vertex } => write!(
-                f,
-                "the part with vertex {vertex} has no area, or next to none, expected a surface"
-            ),
+            SolveError::NoArea { vertex } => {
+                write!(f, "the part with vertex {vertex} has almost no area, expected a surface")
+            }
             SolveError::Collapsed => write!(
                 f,
-                "its flat map collapses, expected a surface whose faces do not contradict each other"
+                "its flat map collapses to a line or a point, expected a surface that can be unfolded"
             ),
             SolveError::NotFinite { vertex } => {
-                write!(f, "vertex {vertex} left the finite numbers; the last good shape is kept")
+                write!(
+                    f,
+                    "vertex {vertex} became infinite or undefined; the last valid shape is kept"
+                )
             }
         }
     }

@@ -119,7 +119,7 @@ fn a_constraint_is_added_on_a_set_that_has_no_name_yet() {
 #[test]
 fn what_has_no_meaning_is_refused_where_it_stands() {
     for (text, path, part) in [
-        (json!({ "type": "explode" }), "type", "`explode` is no edit"),
+        (json!({ "type": "explode" }), "type", "unknown edit `explode`"),
         (json!({ "index": 1 }), "", "`type` is missing"),
         (json!({ "type": "removeConstraint" }), "", "`index` is missing"),
         (json!({ "type": "removeHandles", "vertices": [0, -1] }), "vertices[1]", "found -1"),

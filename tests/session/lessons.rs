@@ -173,7 +173,8 @@ fn what_is_wrong_in_a_lesson_is_named_by_its_place() {
     assert!(in_scene("[]", lesson, points).contains("the mesh has none"));
     let lesson = r#"{ "text": "", "goals": [{ "constraint": "Plane", "at_most": 1 }] }"#;
     assert!(
-        in_scene("[]", lesson, bumpy(5)).contains("expected a constraint, of which there are none")
+        in_scene("[]", lesson, bumpy(5))
+            .contains("expected the name of a constraint, but the scene has none")
     );
 }
 

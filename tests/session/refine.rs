@@ -63,7 +63,7 @@ fn sets_constraints_handles_and_weights_go_along_to_the_new_mesh() {
         assert!((target[i] - [2.0, 2.0, 3.0][i] - moved[i]).abs() < 1e-12, "it moves along");
     }
     assert_eq!(session.lost().len(), 1, "{:?}", session.lost());
-    assert!(session.lost()[0].contains("keeps its sizes"), "{:?}", session.lost());
+    assert!(session.lost()[0].contains("keeps its given sizes"), "{:?}", session.lost());
     // The file opens as what it was made from.
     let again = Scene::from_json(&session.scene_with_mesh()).expect("it can be read");
     let MeshSource::Inline(mesh) = again.mesh.clone() else { panic!("the mesh is in the file") };

@@ -45,7 +45,7 @@ impl Projection for Area {
     const INFO: Info = Info {
         id: "area",
         label: "Area",
-        summary: "The three vertices keep the area of their triangle, or have a given one.",
+        summary: "The three vertices keep the area of their triangle, or take a given value.",
         paper: "",
         arity: Arity::Exactly(3),
         centring: Centring::Together,

@@ -25,7 +25,7 @@ impl Projection for Conical {
     const INFO: Info = Info {
         id: "conical",
         label: "Conical vertex",
-        summary: "Opposite angles around the vertex have the same sum, so that thick panels meet in one axis.",
+        summary: "Both pairs of opposite angles at the vertex have the same sum, so that thick panels meet in one axis.",
         paper: "",
         arity: Arity::Exactly(5),
         centring: Centring::Together,

@@ -18,7 +18,7 @@ impl Projection for Incircle {
     const INFO: Info = Info {
         id: "incircle",
         label: "Incircle",
-        summary: "The four sides of a flat panel touch one circle inside: opposite sides have the same sum.",
+        summary: "The four sides of a flat panel touch a circle inside it: both pairs of opposite sides have the same total length.",
         paper: "",
         arity: Arity::Exactly(4),
         centring: Centring::Together,

@@ -29,7 +29,7 @@ impl Projection for LineSegment {
     const INFO: Info = Info {
         id: "line-segment",
         label: "Line segment",
-        summary: "The two vertices keep their distance, or have a given one.",
+        summary: "The two vertices keep their distance, or take a given value.",
         paper: "3.3",
         arity: Arity::Exactly(2),
         centring: Centring::Together,

@@ -51,7 +51,7 @@ impl Projection for Rectangle {
     const INFO: Info = Info {
         id: "rectangle",
         label: "Rectangle",
-        summary: "The four vertices are the corners of a flat panel whose angles are all right.",
+        summary: "The four vertices are the corners of a flat panel with four right angles.",
         paper: "3.3",
         arity: Arity::Exactly(4),
         centring: Centring::Together,

@@ -49,7 +49,7 @@ impl Projection for Symmetry {
     const INFO: Info = Info {
         id: "symmetry",
         label: "Symmetry",
-        summary: "The vertices are the mirror image of each other, or the same after a turn.",
+        summary: "The vertices are the mirror image of each other, or the same after a rotation.",
         paper: "",
         arity: Arity::AtLeast(2),
         centring: Centring::Together,
@@ -77,7 +77,7 @@ impl Projection for Symmetry {
             },
             Param {
                 id: "fold",
-                label: "Turns of the axis",
+                label: "Order of the rotation",
                 unit: "",
                 default: ParamValue::Number(2.0),
                 forms: &[Form::Number],

@@ -41,7 +41,7 @@ impl Projection for Volume {
     const INFO: Info = Info {
         id: "volume",
         label: "Volume",
-        summary: "The tetrahedron keeps its volume, or has a given one, and is never inside out.",
+        summary: "The tetrahedron keeps its volume, or takes a given value, and is never inside out.",
         paper: "",
         arity: Arity::Exactly(4),
         centring: Centring::Together,

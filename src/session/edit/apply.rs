@@ -78,7 +78,7 @@ pub(crate) fn apply(
         Edit::NameSet { name, vertices, faces } => {
             let set = Set { vertices, faces };
             if name.is_empty() || set == Set::default() {
-                let message = "expected a name and something that it stands for".to_owned();
+                let message = "expected a name and at least one vertex or face".to_owned();
                 return Err(SceneError { path: "sets".to_owned(), message });
             }
             let words = format!("Save set {name}");

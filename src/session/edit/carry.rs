@@ -40,7 +40,7 @@ pub(crate) fn carry(
     let gone = handles.iter().filter(|handle| is_gone(handle.vertex, origins)).count();
     if gone > 0 {
         let handles = counted(gone, "handle", "handles");
-        lost.push(format!("Left out: {handles} on vertices that are gone."));
+        lost.push(format!("Left out: {handles} on vertices that no longer exist."));
     }
     let mut document = document.clone();
     // No file contains this mesh.
@@ -56,7 +56,7 @@ pub(crate) fn carry(
         set.faces = carry_faces(&set.faces, origins);
         let is_left = !set.vertices.is_empty() || !set.faces.is_empty();
         if !is_left {
-            lost.push(format!("Left out: the set {name}, which has nothing left."));
+            lost.push(format!("Left out: the set {name}, which would be empty."));
         }
         is_left
     });
@@ -81,7 +81,9 @@ pub(crate) fn carry(
             Err(why) => lost.push(format!("Left out: {label}: {why}.")),
             Ok(_) => {
                 if has_other_sizes && has_sizes_of_elements(&row) {
-                    lost.push(format!("{label} keeps its sizes; its elements have others now."));
+                    lost.push(format!(
+                        "{label} keeps its given sizes, but its elements have a different size now."
+                    ));
                 }
                 document.constraints.push(row);
             }
@@ -118,9 +120,9 @@ fn carry_row(
         return Ok(());
     }
     let same: Option<Vec<u32>> = vertices.iter().map(|&v| origins.vertices[v as usize]).collect();
-    let same = same.ok_or("some of its vertices are gone")?;
+    let same = same.ok_or("some of its vertices no longer exist")?;
     if (1..same.len()).any(|k| same[..k].contains(&same[k])) {
-        return Err("some of its vertices became one".to_owned());
+        return Err("some of its vertices were merged".to_owned());
     }
     *vertices = same;
     Ok(())

@@ -35,7 +35,7 @@ impl Edit {
             }
         }
         let read = read_tree(&edit).map_err(|error| match &*error.path {
-            "type" => JsonError::new("type", format!("`{}` is no edit", named(&edit))),
+            "type" => JsonError::new("type", format!("unknown edit `{}`", named(&edit))),
             // Error paths within a lesson are relative to the lesson.
             path => match path.strip_prefix("lesson") {
                 Some(path) => JsonError::new(path.trim_start_matches('.'), error.message),

@@ -13,8 +13,8 @@ pub(crate) fn check_locks(edit: &Edit, document: &Scene) -> Result<(), SceneErro
     // Otherwise a student could remove the lesson, change everything, and restore the lesson.
     let changes = matches!(edit, Edit::SetLesson { lesson, .. } if lesson.as_ref() != Some(now));
     if changes && !lock.is_empty() {
-        let message = "locked by the lesson, as the lesson itself is: undo to where it was written"
-            .to_owned();
+        let message =
+            "the lesson itself is locked too: undo back to before it was written".to_owned();
         return Err(SceneError { path: "lesson.lock".to_owned(), message });
     }
     let changed = changed_by(edit, document);
@@ -31,13 +31,13 @@ pub(crate) fn check_lock(part: Lock, document: &Scene) -> Result<(), SceneError>
 }
 
 fn locked(part: Lock) -> SceneError {
-    let stays = match part {
-        Lock::Weights => "the weights, and what is kept close and smooth, stay as they are",
-        Lock::Constraints => "the constraints stay as they are",
-        Lock::Handles => "the handles stay as they are",
-        Lock::Mesh => "the mesh stays as it is",
+    let words = match part {
+        Lock::Weights => "weights, closeness and smoothness cannot be changed",
+        Lock::Constraints => "constraints cannot be changed",
+        Lock::Handles => "handles cannot be changed",
+        Lock::Mesh => "the mesh cannot be changed",
     };
-    let message = format!("locked by the lesson: {stays}");
+    let message = format!("locked by the lesson: {words}");
     SceneError { path: "lesson.lock".to_owned(), message }
 }
 

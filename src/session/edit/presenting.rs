@@ -27,7 +27,7 @@ pub(super) fn show(
     let steps = &draft.document().steps;
     let step = steps.get(index).ok_or_else(|| SceneError {
         path: format!("steps[{index}]"),
-        message: format!("there is none: the presentation has {}", steps.len()),
+        message: format!("there is no such step: the presentation has {}", steps.len()),
     })?;
     let words = format!("Show {}", step.title);
     let Slide { original, variant, weights, .. } = *step;

@@ -77,7 +77,7 @@ const fn number(
 pub const SETTINGS: &[Setting] = &[
     Setting {
         param: words("closeness", "Stay near", "surface", const { &forms::<ClosenessTo, 4>() }),
-        summary: "The original surface lets vertices glide along it, or along the curves of a file without faces; rest holds each where it was; none holds nothing; target is another surface, which a file brings.",
+        summary: "Surface: vertices may glide along the original surface, or along its curves if the file has no faces. Rest: each stays near its original position. None: no closeness. Target: near another surface, read from a file.",
         group: NEAR,
     },
     Setting {
@@ -87,27 +87,27 @@ pub const SETTINGS: &[Setting] = &[
             "off",
             const { &forms::<BoundaryHold, 3>() },
         ),
-        summary: "Boundary vertices glide along their own curve, and corners stay: exactly is at all times, whatever else pulls; nearly is weighed against the rest.",
+        summary: "Boundary vertices glide along their own curve, and corners stay. Exactly: always. Nearly: weighed against the other terms.",
         group: NEAR,
     },
     Setting {
         param: number("boundary-weight", "Nearly: weight", "", 1.0, 1e12),
-        summary: "How many times as near to its curve the boundary is kept as other vertices to the original.",
+        summary: "Closeness weight of the boundary to its curve, relative to that of other vertices to the original.",
         group: NEAR,
     },
     Setting {
         param: number("corners", "Corners turn by more than", "degrees", 45.0, 180.0),
-        summary: "Where the boundary turns by more than this angle its vertices are corners.",
+        summary: "Boundary vertices at which the boundary turns by more than this angle are corners.",
         group: NEAR,
     },
     Setting {
         param: words("smoothness", "Smooth", "surface", const { &forms::<SmoothnessOf, 2>() }),
-        summary: "The surface itself, or only how far it moves, which keeps its bumps and creases.",
+        summary: "Smooths the surface itself, or only its displacement, which keeps bumps and creases.",
         group: SMOOTH,
     },
     Setting {
         param: words("weighting", "Neighbours count", "auto", const { &forms::<Weighting, 4>() }),
-        summary: "All alike, or by the shape of the faces between them: cotangent for triangles, polygon for any face; auto is cotangent on triangle meshes, else uniform.",
+        summary: "Uniform: all alike. Cotangent (triangles) and polygon (any faces): by the shape of the faces between them. Auto: cotangent on triangle meshes, else uniform.",
         group: SMOOTH,
     },
     Setting {
@@ -117,27 +117,27 @@ pub const SETTINGS: &[Setting] = &[
             "quasi-newton",
             const { &forms::<Accelerator, 3>() },
         ),
-        summary: "How earlier steps speed up the next ones; none is the plain iteration of the paper.",
+        summary: "How earlier steps speed up the next ones. None: the plain iteration of the paper.",
         group: SOLVER,
     },
     Setting {
         param: number("window", "Steps remembered", "", 5.0, 50.0),
-        summary: "How many earlier steps the accelerator looks at; with 0 it does nothing.",
+        summary: "Number of earlier steps the accelerator uses; 0 turns it off.",
         group: SOLVER,
     },
     Setting {
         param: number("tolerance", "Stopping threshold", "", 1e-9, 1.0),
-        summary: "The run stops when the total energy changes by less than this part of itself; with 0 it goes on.",
+        summary: "The run stops when the total energy changes by less than this fraction; with 0 it never stops.",
         group: SOLVER,
     },
     Setting {
         param: words("mean-centring", "Mean centring", "on", &[Form::Word("on"), OFF]),
-        summary: "Shapes are fitted about the means of their points, so that they move freely; off is slower, for comparison.",
+        summary: "Shapes are fitted about the means of their points, so that they can move freely. Off: slower, for comparison.",
         group: SOLVER,
     },
     Setting {
         param: words("monotone", "Never increase energy", "off", &[OFF, Form::Word("on")]),
-        summary: "Keep an old projection where the new one is farther, so that the energy never rises with kinds that are not exact.",
+        summary: "Keeps the previous projection where the new one is farther away, so that the energy never rises, even with kinds that are not exact.",
         group: SOLVER,
     },
     Setting {
@@ -149,7 +149,7 @@ pub const SETTINGS: &[Setting] = &[
             forms: &[Form::Number, OFF],
             range: [0.0, 1.0],
         },
-        summary: "Edges keep at least this part of their length while exact constraints are met; without a bound they may vanish.",
+        summary: "Edges keep at least this fraction of their length while exact constraints are met. Off: they may vanish.",
         group: SOLVER,
     },
 ];

@@ -64,7 +64,7 @@ fn variant<'a>(index: usize, draft: &'a Draft<'_>) -> Result<&'a Variant, SceneE
     let kept = &draft.document().variants.kept;
     kept.get(index).ok_or_else(|| SceneError {
         path: format!("variants.kept[{index}]"),
-        message: format!("there is none: {} are kept", kept.len()),
+        message: format!("there is no such variant: {} are kept", kept.len()),
     })
 }
 

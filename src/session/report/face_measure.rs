@@ -72,7 +72,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     FaceMeasure {
         id: "diagonals",
         label: "Planarity: diagonals",
-        words: "distance between the diagonals of a quad, of their mean length",
+        words: "distance between the diagonals of a quad, relative to their mean length",
         met: "each panel is flat",
         unit: MeasureUnit::Percent,
         toleranced: false,
@@ -83,7 +83,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     FaceMeasure {
         id: "diagonals-by-edge",
         label: "Planarity: diagonals by edge",
-        words: "distance between the diagonals of a quad, of its mean edge",
+        words: "distance between the diagonals of a quad, relative to its mean edge length",
         met: "each panel is flat",
         unit: MeasureUnit::Percent,
         toleranced: false,
@@ -94,7 +94,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     FaceMeasure {
         id: "planarity-by-edge",
         label: "Planarity: by edge",
-        words: "largest distance of a face’s corners to its best plane, of its mean edge",
+        words: "largest distance of a face’s corners to its best plane, relative to its mean edge length",
         met: "each panel is flat",
         unit: MeasureUnit::Percent,
         toleranced: false,
@@ -160,7 +160,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     FaceMeasure {
         id: "edges",
         label: "Edge length change",
-        words: "largest change of a face’s edges against the model that was opened",
+        words: "largest relative change in length of a face’s edges since the model was opened",
         met: "each edge is as long as it was",
         unit: MeasureUnit::Percent,
         toleranced: false,
@@ -226,7 +226,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     FaceMeasure {
         id: "displacement",
         label: "Moved",
-        words: "how far a face’s corners have moved from where they were in the model, at most",
+        words: "largest distance that a face’s corners have moved since the model was opened",
         met: "each panel is where it was",
         unit: MeasureUnit::Length,
         toleranced: false,

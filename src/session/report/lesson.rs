@@ -76,7 +76,7 @@ fn check_known(id: &str, known: Vec<&str>, mesh: &Mesh) -> Result<(), String> {
         return Err(format!("found {id:?}, expected one of {}", known.join(", ")));
     }
     if mesh.faces.is_empty() {
-        return Err("this is measured on faces, and the mesh has none".to_owned());
+        return Err("the mesh has no faces, on which this is measured".to_owned());
     }
     Ok(())
 }
@@ -94,7 +94,7 @@ fn check_constraint(name: &str, scene: &Scene) -> Result<(), String> {
     }
     let labels: Vec<_> = labels.iter().map(|label| format!("{label:?}")).collect();
     let expected = match &*labels {
-        [] => "a constraint, of which there are none".to_owned(),
+        [] => "the name of a constraint, but the scene has none".to_owned(),
         [one] => one.clone(),
         _ => format!("one of {}", labels.join(", ")),
     };

@@ -27,7 +27,7 @@ pub(super) fn with_error_above(
     tolerance: f64,
 ) -> Result<Selection, SceneError> {
     let errors = face_values(model, &measure, Shape::Now)
-        .ok_or_else(|| error("measure", format!("`{measure}` is no error of faces")))?;
+        .ok_or_else(|| error("measure", format!("unknown measure of faces `{measure}`")))?;
     let above = (0..).zip(errors).filter(|&(_, error)| error > tolerance);
     Ok(Selection { faces: above.map(|(face, _)| face).collect(), ..Selection::default() })
 }

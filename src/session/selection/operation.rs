@@ -87,7 +87,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         id: "invert",
         label: "Invert",
-        summary: "Swaps what is selected and what is not.",
+        summary: "Everything that is not selected.",
         keys: &["Ctrl+I"],
         ..PLAIN
     },
@@ -102,7 +102,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         id: "shrink",
         label: "Shrink",
-        summary: "The selection without what touches the rest of the mesh.",
+        summary: "The selection without the elements that touch the rest of the mesh.",
         needs_selection: true,
         keys: &["-"],
         ..PLAIN
@@ -110,7 +110,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         id: "to-vertices",
         label: "Convert to vertices",
-        summary: "The vertices of what is selected.",
+        summary: "The vertices of the selected edges or faces.",
         needs_selection: true,
         modes: &[Mode::Edges, Mode::Faces],
         gives: Some(Mode::Vertices),
@@ -137,7 +137,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         id: "connected",
         label: "Connected",
-        summary: "Every part of the mesh that has something selected.",
+        summary: "Every connected part of the mesh that contains a selected element.",
         group: FOLLOW,
         needs_selection: true,
         keys: &["Shift+L"],
@@ -146,14 +146,14 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         id: "boundary",
         label: "Boundary loop",
-        summary: "The boundary loops that the selection touches, of faces their edges; all of them where nothing is selected.",
+        summary: "The boundary loops that the selection touches, or all of them if nothing is selected. Selected faces give edges.",
         group: FOLLOW,
         ..PLAIN
     },
     Operation {
         id: "boundary-faces",
         label: "Faces along the boundary",
-        summary: "The faces along the boundary loops that the selection touches; along all of them where nothing is selected.",
+        summary: "The faces along the boundary loops that the selection touches, or along all of them if nothing is selected.",
         group: FOLLOW,
         modes: &[Mode::Faces],
         ..PLAIN
@@ -161,7 +161,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         id: "loop",
         label: "Edge loop",
-        summary: "The straight lines of edges through the selected edges, on meshes of mostly quads.",
+        summary: "The straight lines of edges through the selection, on meshes of mostly quads.",
         group: FOLLOW,
         needs_selection: true,
         modes: &[Mode::Vertices, Mode::Edges],
@@ -180,7 +180,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         id: "strip",
         label: "Face strip",
-        summary: "The strips of quads through the selected faces: both through one face, through several the one that joins them.",
+        summary: "The strips of quads through the selected faces: both strips through a single face, or the strip that joins several.",
         group: FOLLOW,
         needs_selection: true,
         modes: &[Mode::Faces],
@@ -207,7 +207,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         id: "sides",
         label: "By number of sides",
-        summary: "Faces with that many sides.",
+        summary: "Faces with this many sides.",
         group: FIND,
         modes: &[Mode::Faces],
         params: &[count("sides", "Sides", 4.0)],
@@ -216,7 +216,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         id: "valence",
         label: "By number of edges",
-        summary: "Vertices that have that many edges.",
+        summary: "Vertices with this many edges.",
         group: FIND,
         modes: &[Mode::Vertices],
         params: &[count("edges", "Edges", 4.0)],

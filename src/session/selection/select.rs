@@ -19,7 +19,7 @@ pub(crate) fn select(
 ) -> Result<Selection, SceneError> {
     let operation =
         OPERATIONS.iter().find(|operation| operation.id == request.operation).ok_or_else(|| {
-            error("operation", format!("`{}` is no way to select", request.operation))
+            error("operation", format!("unknown selection operation `{}`", request.operation))
         })?;
     let elements = Elements::new(model.rest.mesh(), model.rest.topology());
     check(&request.from, &elements)?;

@@ -95,7 +95,7 @@ mod tests {
         assert_eq!(refused(&[1], &[], &red), "colours of faces: 1 entries, expected 2");
         assert_eq!(
             refused(&[], &[0, 0, 2], &red),
-            "colours of vertices: index 2, expected less than 2"
+            "colours of vertices: found 2, expected an index below 2"
         );
         assert_eq!(refused(&[], &[], &red[..2]), "palette: 2 entries, expected 0");
         assert_eq!(refused(&[], &[], &[0.5; 256 * 3]), "palette: 768 entries, expected 765");

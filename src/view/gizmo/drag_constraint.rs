@@ -49,7 +49,7 @@ impl DragDirection {
                     .map(DragDirection::Axis)
                     .or(place(PLANES).map(DragDirection::Plane));
                 way.ok_or_else(|| ViewError::Word {
-                    what: "way",
+                    what: "drag direction",
                     got: name.to_owned(),
                     known: "screen, horizontal, vertical, x, y, z, xy, yz or zx",
                 })

@@ -61,11 +61,11 @@ impl fmt::Display for ViewError {
             }
             ViewError::Offsets { what, row } => write!(
                 f,
-                "{what}: offset {row} is wrong: expected offsets that start at 0, never fall and \
+                "{what}: offset {row} is wrong: expected offsets that start at 0, never decrease and \
                  end at the number of indices"
             ),
             ViewError::Index { what, index, count } => {
-                write!(f, "{what}: index {index}, expected less than {count}")
+                write!(f, "{what}: found {index}, expected an index below {count}")
             }
             ViewError::NotFinite { vertex } => {
                 write!(f, "vertex {vertex} has a coordinate that is not finite")
@@ -156,7 +156,7 @@ mod tests {
         let message = |offsets: &[u32], indices: &[u32]| {
             Lists::new("faces", offsets.to_vec(), indices.to_vec(), 4).unwrap_err().to_string()
         };
-        assert!(message(&[0, 3], &[0, 1, 4]).contains("faces: index 4, expected less than 4"));
+        assert!(message(&[0, 3], &[0, 1, 4]).contains("faces: found 4, expected an index below 4"));
         assert!(message(&[0, 4], &[0, 1, 2]).contains("offset 1"));
         assert!(message(&[1, 3], &[0, 1, 2]).contains("offset 0"));
         assert!(message(&[0, 3, 2, 3], &[0, 1, 2]).contains("offset 2"));

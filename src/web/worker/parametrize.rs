@@ -90,7 +90,9 @@ impl Solver {
         let (pairs, rest) = uv.as_chunks::<2>();
         if !rest.is_empty() {
             let numbers = uv.len();
-            return Err(thrown(format!("{numbers} texture coordinates, expected pairs of them")));
+            return Err(thrown(format!(
+                "found {numbers} numbers, expected two texture coordinates per vertex"
+            )));
         }
         session.obj_with_uv(pairs).map_err(thrown)
     }

@@ -115,7 +115,7 @@ impl Solver {
     /// Continues the search for about the given time.
     #[wasm_bindgen(js_name = advanceVariations, unchecked_return_type = "VariationProgress")]
     pub fn advance_variations(&mut self, milliseconds: f64) -> Result<JsValue, JsValue> {
-        let Some(variations) = &mut self.variations else { return Err(nothing_found()) };
+        let Some(variations) = &mut self.variations else { return Err(no_variation()) };
         let until = clock::now() + 1e-3 * milliseconds;
         let mut more = true;
         while more && clock::now() < until {
@@ -132,7 +132,7 @@ impl Solver {
     /// Returns the displacement of a variation, `#V by 3`, for a coefficient of 1.
     pub fn variation(&self, index: usize) -> Result<Float32Array, JsValue> {
         let mut modes = self.variations.iter().flat_map(|variations| variations.modes());
-        let mode = modes.nth(index).ok_or_else(nothing_found)?;
+        let mode = modes.nth(index).ok_or_else(no_variation)?;
         Ok(narrow(mode.displacement.as_flattened()))
     }
 
@@ -180,7 +180,7 @@ impl Solver {
     #[wasm_bindgen(js_name = variantPositions)]
     pub fn variant_positions(&self, index: usize) -> Result<Float64Array, JsValue> {
         let kept = &self.open()?.document().variants.kept;
-        let variant = kept.get(index).ok_or_else(nothing_found)?;
+        let variant = kept.get(index).ok_or_else(no_variant)?;
         Ok(Float64Array::from(variant.positions.as_flattened()))
     }
 
@@ -188,10 +188,14 @@ impl Solver {
     #[wasm_bindgen(js_name = variantValues)]
     pub fn variant_values(&mut self, index: usize, measure: &str) -> Result<Float32Array, JsValue> {
         let values = self.open_mut()?.variant_values(index, measure).map_err(thrown)?;
-        values.map(|values| narrow(&values)).ok_or_else(nothing_found)
+        values.map(|values| narrow(&values)).ok_or_else(no_variant)
     }
 }
 
-fn nothing_found() -> JsValue {
+fn no_variation() -> JsValue {
     thrown("there is no such variation")
+}
+
+fn no_variant() -> JsValue {
+    thrown("there is no such variant")
 }

@@ -83,7 +83,7 @@ test('selected faces are deleted, the hole is filled, and what is lost is said b
   const again = page.getByRole('dialog', { name: 'Edit mesh' });
   await again.getByLabel('Operation').selectOption('Delete faces');
   await expect(again.getByText('16 faces become 14 quads, with 24 vertices.')).toBeVisible();
-  await expect(again.getByText('1 handle on vertices that are gone')).toBeVisible();
+  await expect(again.getByText('1 handle on vertices that no longer exist')).toBeVisible();
   await again.getByRole('button', { name: 'Apply' }).click();
   await waitForState(page, (now) => now.faces === 14 && now.handles.length === 0);
   expect((await sceneOf(page)).constraints).toHaveLength(1);
