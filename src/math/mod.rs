@@ -35,4 +35,4 @@ pub use fit::{
 };
 pub use polygon::{UnitPolygon, plane_frame, polygon_corners, polygon_sides, twice_vector_area};
 pub use turns::{cosine, cosine_and_sine_of_degrees, sine};
-pub use vector::{LANES, Lane, Lanes, Pair, Vec3, centre};
+pub use vector::{LANES, Lane, Lanes, Pair, Vec3, centre, in_range, largest_coordinate};

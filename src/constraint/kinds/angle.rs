@@ -14,7 +14,7 @@
 
 use crate::constraint::parameter::{AngleRange, Limits};
 use crate::constraint::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
-use crate::math::{Lane, Vec3, plane_frame};
+use crate::math::{Lane, Vec3, plane_frame, in_range, largest_coordinate};
 use serde::{Deserialize, Serialize};
 
 /// Eigenvalues that differ by less than this fraction count as equal: all directions are equally
@@ -73,16 +73,11 @@ impl Projection for Angle {
         let (x, y) = (v[0] - v[1], v[2] - v[1]);
         let (xx, yy) = (x.length_squared(), y.length_squared());
         self.closest(v, x, y, projected);
-        // Squared lengths neither overflow nor underflow in this range.
-        let accurate = xx.min(yy).if_greater(S::splat(1e-60), S::one(), S::zero());
-        S::splat(1e60).if_greater(xx.max(yy), accurate, S::zero()).all_greater(S::zero())
+        in_range(xx.min(yy), xx.max(yy), S::one()).all_greater(S::zero())
     }
 
     fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
-        let largest = |v: &[Vec3<f64>]| {
-            v.iter().fold(0.0f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()))
-        };
-        let size = largest(v);
+        let size = largest_coordinate(v);
         if size == 0.0 {
             return;
         }

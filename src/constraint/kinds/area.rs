@@ -9,7 +9,7 @@
 
 use crate::constraint::parameter::{Limits, Target};
 use crate::constraint::{Arity, Centring, Info, Projection};
-use crate::math::{Lane, Vec3, pair_with_product, pair_with_product_robust, plane_frame};
+use crate::math::{Lane, Vec3, pair_with_product, pair_with_product_robust, plane_frame, largest_coordinate};
 use serde::{Deserialize, Serialize};
 
 /// `3 sqrt(3) / 4`, the area of the equilateral triangle whose corners are at distance one from its
@@ -190,7 +190,7 @@ impl Scaled {
     fn of(v: &[Vec3<f64>]) -> Option<Scaled> {
         // Halved first, as the difference of two finite numbers need not be finite.
         let edges = [1, 2].map(|k| v[k] * 0.5 - v[0] * 0.5);
-        let size = edges.iter().fold(0.0f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()));
+        let size = largest_coordinate(&edges);
         let [x, y] = edges.map(|p| Vec3::new(p.x / size, p.y / size, p.z / size));
         (size > 0.0).then(|| Scaled { size: size * 2.0, triangle: Triangle::of(x, y) })
     }

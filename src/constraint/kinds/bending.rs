@@ -8,7 +8,7 @@
 
 use crate::constraint::parameter::Limits;
 use crate::constraint::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
-use crate::math::{Lane, Vec3};
+use crate::math::{Lane, Vec3, in_range, largest_coordinate};
 use serde::{Deserialize, Serialize};
 
 /// A bending vector shorter than this fraction of the size of the hinge is rounding error.
@@ -61,7 +61,7 @@ impl Projection for Bending {
     /// Stores the weights of the ends and of the corners, scaled so that their squares sum to one;
     /// the length of the bending vector at rest, and the side of the hinge to which it points.
     fn prepare(&self, rest: &mut [Vec3<f64>]) {
-        let size = greatest(rest);
+        let size = largest_coordinate(rest);
         let unit = if size > 0.0 { size } else { 1.0 };
         let scaled = [0, 1, 2, 3].map(|k| rest[k]);
         let scaled = scaled.map(|p| Vec3::new(p.x / unit, p.y / unit, p.z / unit));
@@ -81,13 +81,11 @@ impl Projection for Bending {
     ) -> bool {
         self.bend_to_limits(rest, v, measure(rest, v), projected);
         let squared = v.iter().fold(S::zero(), |sum, p| sum + p.length_squared());
-        // Fourth powers of lengths stay in range here.
-        let accurate = squared.if_greater(S::splat(1e-60), S::one(), S::zero());
-        S::splat(1e60).if_greater(squared, accurate, S::zero()).all_greater(S::zero())
+        in_range(squared, squared, S::one()).all_greater(S::zero())
     }
 
     fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
-        let size = greatest(v);
+        let size = largest_coordinate(v);
         // Coincident points are flat.
         let unit = if size > 0.0 { size } else { 1.0 };
         let own = v.to_vec();
@@ -172,11 +170,6 @@ fn bending<S: Lane>(rest: &[Vec3<S>], v: &[Vec3<S>]) -> Vec3<S> {
 #[inline(always)]
 fn normal<S: Lane>(v: &[Vec3<S>]) -> Vec3<S> {
     (v[1] - v[0]).cross(v[2] - v[3])
-}
-
-/// The greatest absolute coordinate.
-fn greatest(v: &[Vec3<f64>]) -> f64 {
-    v.iter().fold(0.0f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()))
 }
 
 #[cfg(test)]

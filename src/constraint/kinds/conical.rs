@@ -8,7 +8,7 @@
 //! sine of `D / 2`. This works whether or not the angles around the vertex add up to a full turn.
 
 use crate::constraint::{Arity, Centring, Element, Info, Projection};
-use crate::math::{Lane, Vec3};
+use crate::math::{Lane, Vec3, largest_coordinate};
 use serde::{Deserialize, Serialize};
 
 /// A vertex and its four neighbours in order: the first and third angle between its edges have the
@@ -70,7 +70,7 @@ impl Projection for Conical {
 
     /// Takes the nearest result of damped steps, or of merging the vertex with a neighbour.
     fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
-        let unit = v.iter().fold(0.0f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()));
+        let unit = largest_coordinate(v);
         if unit == 0.0 {
             return;
         }

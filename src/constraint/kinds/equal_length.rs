@@ -1,7 +1,7 @@
 //! Equal lengths: the edges among the selected vertices have a common length.
 
 use crate::constraint::{Arity, Centring, Info, Projection};
-use crate::math::{Lane, Vec3};
+use crate::math::{Lane, Vec3, in_range};
 use serde::{Deserialize, Serialize};
 
 /// All edges among the vertices are equally long.
@@ -55,9 +55,7 @@ impl Projection for EqualLength {
             let length = squared.sqrt();
             sum += length;
             half_and_length.copy_from_slice(&[half, Vec3::new(length, length, length)]);
-            // Squared lengths stay in range here.
-            accurate = squared.if_greater(S::splat(1e-60), accurate, S::zero());
-            accurate = S::splat(1e60).if_greater(squared, accurate, S::zero());
+            accurate = in_range(squared, squared, accurate);
         }
         let mean = sum * S::splat(2.0 / v.len() as f64);
         for ends in projected.chunks_exact_mut(2) {

@@ -2,7 +2,7 @@
 
 use crate::constraint::parameter::{Limits, Target};
 use crate::constraint::{Arity, Centring, Info, Projection, TargetShape};
-use crate::math::{Lane, Vec3};
+use crate::math::{Lane, Vec3, in_range};
 use serde::{Deserialize, Serialize};
 
 /// Two vertices have their rest distance, or a given one. With limits instead of one number, only a
@@ -63,9 +63,7 @@ impl Projection for LineSegment {
         let length = squared.sqrt();
         let half = half * (self.clamped(length, rest[0].x) / length);
         projected.copy_from_slice(&[-half, half]);
-        // Squared lengths stay in range here.
-        let accurate = squared.if_greater(S::splat(1e-60), S::one(), S::zero());
-        S::splat(1e60).if_greater(squared, accurate, S::zero()).all_greater(S::zero())
+        in_range(squared, squared, S::one()).all_greater(S::zero())
     }
 
     fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {

@@ -3,7 +3,7 @@
 
 use crate::constraint::kinds::shared::separate_lanes;
 use crate::constraint::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
-use crate::math::{Cubic, Lane, Vec3, cosine};
+use crate::math::{Cubic, Lane, Vec3, cosine, largest_coordinate};
 use serde::{Deserialize, Serialize};
 
 /// The vertices glide along the polyline of their rest positions, in the given order, each on its
@@ -108,7 +108,7 @@ impl Projection for OnCurve {
         // The extent of the search depends on the points, so each lane is projected separately.
         separate_lanes(rest, v, projected, |lane, projected| {
             let curve = Curve::new(self, rest.len(), |i| rest[i].lane(lane));
-            let largest = v.iter().map(|v| largest_coordinate(v.lane(lane)));
+            let largest = v.iter().map(|v| v.lane(lane).largest_coordinate());
             let largest = largest.fold(curve.size(), f64::max);
             if !(1e-60..=1e60).contains(&largest) {
                 return false;
@@ -123,10 +123,7 @@ impl Projection for OnCurve {
 
     /// The same in units of the largest coordinate, so that squared lengths stay in range.
     fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
-        let largest = |points: &[Vec3<f64>]| {
-            points.iter().fold(0.0f64, |largest, p| largest.max(largest_coordinate(*p)))
-        };
-        let unit = largest(rest).max(largest(v));
+        let unit = largest_coordinate(rest).max(largest_coordinate(v));
         if unit == 0.0 {
             return;
         }
@@ -134,10 +131,6 @@ impl Projection for OnCurve {
         let curve = Curve::new(self, rest.len(), |i| scaled(rest[i]));
         curve.glide(|i, closest| v[i] = closest(scaled(v[i])) * unit);
     }
-}
-
-fn largest_coordinate(p: Vec3<f64>) -> f64 {
-    p.x.abs().max(p.y.abs()).max(p.z.abs())
 }
 
 /// The polyline of one constraint.
@@ -179,7 +172,7 @@ impl<P: Fn(usize) -> Vec3<f64>> Curve<P> {
     }
 
     fn size(&self) -> f64 {
-        (0..self.n).fold(0.0, |size, i| largest_coordinate((self.at)(i)).max(size))
+        (0..self.n).fold(0.0, |size, i| (self.at)(i).largest_coordinate().max(size))
     }
 
     fn is_kept(&self, i: usize) -> bool {

@@ -89,7 +89,7 @@ const FARTHEST: f64 = 1e100;
 impl OnSurface {
     fn closest(&self, v: Vec3<f64>, triangle: &mut u32) -> Vec3<f64> {
         let surface = self.surface.0.as_ref().expect("operators get their reference first");
-        let largest = v.x.abs().max(v.y.abs()).max(v.z.abs());
+        let largest = v.largest_coordinate();
         let v = if largest > FARTHEST { v * (FARTHEST / largest) } else { v };
         surface.closest(Point::from(v), triangle).into()
     }

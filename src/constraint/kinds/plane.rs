@@ -3,7 +3,7 @@
 
 use crate::constraint::parameter::Direction;
 use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projection, TargetShape};
-use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
+use crate::math::{Lane, PrincipalAxes, Scatter, Vec3, in_range};
 use serde::{Deserialize, Serialize};
 
 /// The least difference of two eigenvalues, relative to their sum, for which the closed form is
@@ -157,8 +157,7 @@ fn normal_across<S: Lane>([e, f]: [Vec3<f64>; 2], v: &[Vec3<S>]) -> (Vec3<S>, S)
     let normal = (f * x - e * y) * (S::one() / (x * x + y * y).sqrt());
 
     let trace = xx + yy;
-    let not_tiny = trace.if_greater(S::splat(1e-60), S::one(), S::zero());
-    let in_range = S::splat(1e60).if_greater(trace, not_tiny, S::zero());
+    let good = in_range(trace, trace, S::one());
     let bound = S::splat(LEAST_GAP) * trace;
-    (normal, square.if_greater(bound * bound, in_range, S::zero()))
+    (normal, square.if_greater(bound * bound, good, S::zero()))
 }

@@ -12,7 +12,7 @@
 //! the closest rectangle is that of the half-diagonals.
 
 use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projection};
-use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
+use crate::math::{Lane, PrincipalAxes, Scatter, Vec3, in_range};
 use serde::{Deserialize, Serialize};
 
 /// Four vertices, in order, are the corners of a rectangle: its diagonals bisect each other and are
@@ -90,9 +90,7 @@ impl Projection for Rectangle {
         let mean = (length_a + length_b) * half;
         let (a, b) = (a * (mean / length_a), b * (mean / length_b));
         projected.copy_from_slice(&[a, b, -a, -b]);
-        // Squared lengths stay in range here.
-        let accurate = aa.min(bb).if_greater(S::splat(1e-60), good, S::zero());
-        S::splat(1e60).if_greater(aa.max(bb), accurate, S::zero()).all_greater(S::zero())
+        in_range(aa.min(bb), aa.max(bb), good).all_greater(S::zero())
     }
 
     fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {

@@ -1,7 +1,7 @@
 //! Symmetric 3x3 matrices in lanes, and the scatter matrix of centred points (`C^T C` of paper
 //! section 3.1).
 
-use crate::math::{Lane, Vec3};
+use crate::math::{Lane, Vec3, in_range};
 
 /// A symmetric 3x3 matrix; with [`crate::math::Lanes`], one for each of several constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,11 +108,10 @@ impl<S: Lane> Scatter<S> {
     pub fn of(points: &[Vec3<S>]) -> Self {
         let sum = Symmetric3::scatter(points);
         let trace = sum.trace();
-        let not_tiny = trace.if_greater(S::splat(1e-60), S::one(), S::zero());
         Scatter {
             unit: sum.scaled(S::one() / trace),
             mean_square: trace * S::splat(1.0 / points.len() as f64),
-            in_range: S::splat(1e60).if_greater(trace, not_tiny, S::zero()),
+            in_range: in_range(trace, trace, S::one()),
         }
     }
 }

@@ -9,7 +9,7 @@
 //! u = (p + q x n) / 2,   w = (q + n x p) / 2,   n = p x q / |p x q|
 //! ```
 
-use crate::math::{Lane, PrincipalAxes, Vec3};
+use crate::math::{Lane, PrincipalAxes, Vec3, in_range};
 
 /// The least `|p x q|`, relative to `|p|^2 + |q|^2`, at which the closed form is used. The normal
 /// is off by about an ulp divided by this.
@@ -36,10 +36,9 @@ impl<S: Lane> OrthogonalPair<S> {
         let pair = OrthogonalPair { u: (p + q.cross(n)) * half, w: (q + n.cross(p)) * half };
 
         let size = p.length_squared() + q.length_squared();
-        let not_tiny = size.if_greater(S::splat(1e-60), S::one(), S::zero());
-        let in_range = S::splat(1e60).if_greater(size, not_tiny, S::zero());
+        let good = in_range(size, size, S::one());
         let bound = S::splat(LEAST_SINE) * size;
-        (pair, square.if_greater(bound * bound, in_range, S::zero()))
+        (pair, square.if_greater(bound * bound, good, S::zero()))
     }
 }
 

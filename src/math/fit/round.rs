@@ -32,6 +32,10 @@ pub(crate) const AT_CENTRE: f64 = 1e-14;
 /// from it.
 const LEAST_REACH: f64 = 1e-4;
 
+/// A radius that exceeds this times the size of the points (the root mean square of their distances
+/// to the mean) counts as that of a line or plane.
+pub(super) const STRAIGHT: f64 = 1e6;
+
 /// A fitted circle or sphere around the mean of its points, or the line or plane that is its limit.
 #[derive(Clone, Copy, Debug)]
 pub struct Round<S> {
@@ -73,9 +77,7 @@ impl<S: Lane> Round<S> {
     /// more digits than the difference of the two. Not finite if `v` is at the centre.
     #[inline(always)]
     pub fn step(&self, v: Vec3<S>) -> Vec3<S> {
-        let from_centre = v * self.d - self.a;
-        let distance = from_centre.length();
-        from_centre * (self.q(v) / (distance * (self.reach + distance)))
+        self.step_off_centre(v, &mut S::zero())
     }
 
     /// As [`Round::step`]; also sets `good` to zero in the lanes where `v` is at the centre.
@@ -145,10 +147,10 @@ impl Round<f64> {
         if off_centre > 0.0 { step } else { Vec3::new(self.reach / self.d, 0.0, 0.0) }
     }
 
-    /// Returns centre and radius, unless the radius exceeds 1e6 times the size of the points (the
-    /// root mean square of their distances to the mean) or that size is zero.
+    /// Returns centre and radius, unless the points count as straight or all coincide.
     pub fn centre_and_radius(&self) -> Option<(Vec3<f64>, f64)> {
-        let drawable = self.reach > 0.0 && self.reach <= 1e6 * self.d * self.mean_square.sqrt();
+        let drawable =
+            self.reach > 0.0 && self.reach <= STRAIGHT * self.d * self.mean_square.sqrt();
         drawable.then(|| {
             let c = Vec3::new(self.a.x / self.d, self.a.y / self.d, self.a.z / self.d);
             (c, self.reach / self.d)

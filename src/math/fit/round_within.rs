@@ -12,7 +12,7 @@
 //! Points inside the circle have a negative `k`, which is replaced by zero so that no step goes
 //! uphill.
 
-use super::round::AT_CENTRE;
+use super::round::{AT_CENTRE, STRAIGHT};
 use crate::math::{Lane, PrincipalAxes, Round, Symmetric3, Vec3};
 
 /// With noise of a tenth of the radius, five steps come within 1e-4 of the least distance, and
@@ -25,10 +25,6 @@ const LEVEL: f64 = 1e-12;
 
 /// The least determinant of the Hessian at which the closed form is used.
 const LEAST_DETERMINANT: f64 = 1e-9;
-
-/// A radius that exceeds this times the size of the points (the root mean square of their distances
-/// to the mean) counts as that of a line or plane.
-const STRAIGHT: f64 = 1e6;
 
 /// A circle or sphere around the mean of its points whose radius is within limits.
 #[derive(Clone, Copy, Debug)]

@@ -89,10 +89,15 @@ impl<S: Lane> Vec3<S> {
 }
 
 impl Vec3<f64> {
+    /// Returns the largest absolute coordinate.
+    pub fn largest_coordinate(self) -> f64 {
+        self.x.abs().max(self.y.abs()).max(self.z.abs())
+    }
+
     /// Returns the length, and the direction unless the vector is zero, without overflow or
     /// underflow.
     pub fn length_and_direction(self) -> (f64, Option<Self>) {
-        let scale = self.x.abs().max(self.y.abs()).max(self.z.abs());
+        let scale = self.largest_coordinate();
         if scale == 0.0 {
             return (0.0, None);
         }

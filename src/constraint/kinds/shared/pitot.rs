@@ -14,7 +14,7 @@
 
 use crate::constraint::Projection;
 use crate::constraint::kinds::line::Line;
-use crate::math::{Lane, Vec3, centre};
+use crate::math::{Lane, Vec3, centre, in_range, largest_coordinate};
 
 /// Newton's iteration for `p` and `q`.
 #[derive(Clone, Copy)]
@@ -144,8 +144,7 @@ pub(crate) fn closest<S: Lane>(v: &[Vec3<S>; 4], projected: &mut [Vec3<S>; 4]) -
     let one = |yes: S, bound: S| yes.if_greater(bound, S::one(), S::zero());
     let accurate = one(size * S::splat(1e-28), off)
         * one(shortest * S::splat(MILD), sides.l.abs())
-        * one(size, S::splat(1e-60))
-        * one(S::splat(1e60), size);
+        * in_range(size, size, S::one());
     accurate.all_greater(S::zero())
 }
 
@@ -155,7 +154,7 @@ const MILD: f64 = 0.1;
 /// As [`closest`], slower and for all finite points.
 pub(crate) fn project_robust(v: &mut [Vec3<f64>]) {
     let mean = centre(v);
-    let unit = v.iter().fold(0.0f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()));
+    let unit = largest_coordinate(v);
     if unit == 0.0 {
         return;
     }
