@@ -132,13 +132,8 @@ fn bring_back(model: &mut Model, polish: &mut Polish) -> Result<bool, SolveError
     polish.resume();
     let (goal, began) = (model.goal(), polish.factors);
     while !model.is_met(goal) {
-        let goes = match polish.step(model, began) {
-            Ok(polished) => polished == Polished::Goes,
-            // After a step too far the matrix may not be positive definite.
-            Err(SolveError::NotPositiveDefinite { .. }) => false,
-            Err(error) => return Err(error),
-        };
-        if !goes || polish.factors - began > MOST_FACTORS {
+        let polished = polish.try_step(model, began)?;
+        if polished != Some(Polished::Goes) || polish.factors - began > MOST_FACTORS {
             return Ok(false);
         }
     }

@@ -116,6 +116,23 @@ impl Polish {
         self.system.factor(model, true)
     }
 
+    /// As [`Polish::step`]; none where the matrix is not positive definite, which can happen after
+    /// a step that went too far.
+    ///
+    /// # Errors
+    /// If the matrix cannot be factored for another reason.
+    pub(in crate::solve) fn try_step(
+        &mut self,
+        model: &mut Model,
+        factors: u32,
+    ) -> Result<Option<Polished>, SolveError> {
+        match self.step(model, factors) {
+            Ok(polished) => Ok(Some(polished)),
+            Err(SolveError::NotPositiveDefinite { .. }) => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
     /// Takes one step, with a new factor if the last one no longer serves. `factors` is the number
     /// of factors when the polish began.
     ///

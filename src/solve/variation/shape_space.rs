@@ -287,15 +287,9 @@ impl ShapeSpace {
         let began = polish.factors;
         self.is_at_shape = from_shape;
         while !model.is_met(goal) {
-            let goes = polish.step(model, began);
-            self.is_at_shape &= goes.is_ok() && polish.factors == began;
-            let goes = match goes {
-                Ok(polished) => polished == Polished::Goes,
-                // After a step too far the matrix may not be positive definite.
-                Err(SolveError::NotPositiveDefinite { .. }) => false,
-                Err(error) => return Err(error),
-            };
-            if !goes || polish.factors - began > factors {
+            let polished = polish.try_step(model, began);
+            self.is_at_shape &= matches!(polished, Ok(Some(_))) && polish.factors == began;
+            if polished? != Some(Polished::Goes) || polish.factors - began > factors {
                 return Ok(false);
             }
         }
