@@ -7,8 +7,8 @@
 use super::colour_map::{ColourMap, texel};
 use super::colour_scale::ColourScale;
 use super::round_length::round_down;
-use crate::math::polygon_sides;
 use crate::view::model::Lists;
+use crate::view::model::polygon_edges::sides_by_edge;
 
 /// Minimum number of bands in a range; the maximum is 5/2 of it.
 const LEAST: f64 = 5.0;
@@ -91,16 +91,7 @@ pub struct Seam {
 
 /// Returns every edge between two faces; where more meet, each is paired with the one before.
 pub fn seams(faces: &Lists) -> Vec<Seam> {
-    let mut sides: Vec<([u32; 2], u32)> = Vec::new();
-    for (face, corners) in (0..).zip(faces.iter()) {
-        for [from, to] in polygon_sides(corners) {
-            if from != to {
-                sides.push(([from.min(to), from.max(to)], face));
-            }
-        }
-    }
-    sides.sort_unstable();
-    sides
+    sides_by_edge(faces)
         .windows(2)
         .filter(|pair| pair[0].0 == pair[1].0)
         .map(|pair| Seam { ends: pair[0].0, faces: [pair[0].1, pair[1].1] })

@@ -25,11 +25,16 @@ pub fn polygon_edges(faces: &Lists) -> Vec<PolygonEdge> {
 pub fn sides_by_edge(faces: &Lists) -> Vec<([u32; 2], u32)> {
     let mut sides = Vec::new();
     for (index, face) in (0..).zip(faces.iter()) {
-        let own = polygon_sides(face).filter(|[from, to]| from != to);
-        sides.extend(own.map(|[from, to]| ([from.min(to), from.max(to)], index)));
+        let own = undirected_sides(face).filter(|[a, b]| a != b);
+        sides.extend(own.map(|ends| (ends, index)));
     }
     sides.sort_unstable();
     sides
+}
+
+/// Returns the sides of a face, each with the smaller vertex first.
+pub fn undirected_sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
+    polygon_sides(corners).map(|[a, b]| [a.min(b), a.max(b)])
 }
 
 #[cfg(test)]

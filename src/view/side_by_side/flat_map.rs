@@ -1,7 +1,7 @@
 //! The flat map of a surface: the same faces in the plane, in a view of their own from above, and
 //! the division of the canvas between the two.
 
-use crate::math::polygon_sides;
+use crate::view::model::polygon_edges::undirected_sides;
 use crate::view::model::{Checks, Lists, RenderMesh, ViewError, check_indices};
 use crate::view::state::ViewState;
 use glam::{Vec2, Vec3};
@@ -61,8 +61,7 @@ pub fn flat_map(
 /// Returns the sides of some faces, each once.
 fn sides(faces: &Lists, chosen: &[u32]) -> Vec<[u32; 2]> {
     let corners = chosen.iter().map(|&face| faces.row(face as usize));
-    let mut sides: Vec<[u32; 2]> =
-        corners.flat_map(polygon_sides).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    let mut sides: Vec<[u32; 2]> = corners.flat_map(undirected_sides).collect();
     sides.sort_unstable();
     sides.dedup();
     sides

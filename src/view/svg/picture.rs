@@ -11,9 +11,9 @@
 
 use super::circles::circles;
 use super::light::face_colour;
-use crate::math::polygon_sides;
 use crate::view::appearance::{Colour, DARK, Dot, DotKind, LIGHT, LineKind, Palette, Stroke};
 use crate::view::camera::Eye;
+use crate::view::model::polygon_edges::undirected_sides;
 use crate::view::picking::hidden;
 use crate::view::state::ViewState;
 use glam::{Vec2, Vec3, Vec4};
@@ -49,7 +49,7 @@ pub fn svg(state: &ViewState, class: &str) -> String {
         // Writing to a string cannot fail.
         let _ = write!(svg, r#"<path color="{colour}" d="{outline}z"/>"#);
         let on_rim: Vec<(usize, [u32; 2])> =
-            sides(corners).enumerate().filter(|(_, ends)| rim.contains(ends)).collect();
+            undirected_sides(corners).enumerate().filter(|(_, ends)| rim.contains(ends)).collect();
         if !on_rim.is_empty() {
             let sides = spaced(on_rim.iter().map(|(side, _)| side));
             let ends = on_rim.iter().map(|(_, ends)| line(ends.map(|v| places[v as usize])));
@@ -166,11 +166,6 @@ pub fn from_far_to_near(state: &ViewState) -> Vec<u32> {
     let mut faces: Vec<(f32, u32)> = mesh.faces.iter().map(depth).zip(0..).collect();
     faces.sort_by(|a, b| b.0.total_cmp(&a.0));
     faces.into_iter().map(|(_, face)| face).collect()
-}
-
-/// Returns the sides of a face, each with the smaller vertex first.
-pub(crate) fn sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
-    polygon_sides(corners).map(|[a, b]| [a.min(b), a.max(b)])
 }
 
 /// Returns whether the surface hides a mark. Marks are drawn in front of near surfaces.

@@ -5,9 +5,10 @@
 //! One file serves both themes: it follows the colour scheme of the page that shows it.
 
 use super::light::face_colour;
-use super::picture::{from_far_to_near, is_hidden, line, rim_of, sides, themed};
+use super::picture::{from_far_to_near, is_hidden, line, rim_of, themed};
 use crate::view::appearance::{DARK, DotKind, LIGHT, LineKind, Palette};
 use crate::view::camera::Eye;
+use crate::view::model::polygon_edges::undirected_sides;
 use crate::view::state::ViewState;
 use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
@@ -115,7 +116,7 @@ impl<'a> Drawing<'a> {
                 let _ = write!(svg, r#"<path class="{class}" d="{outline}z"/>"#);
                 open = class;
             }
-            let border: String = sides(corners)
+            let border: String = undirected_sides(corners)
                 .filter(|side| rim.contains(side))
                 .map(|side| line(side.map(|v| self.place(v))))
                 .collect();
