@@ -8,7 +8,7 @@ use super::state::Part;
 use crate::error::Error;
 use crate::mesh::Point;
 use crate::scene::ConstraintSpec;
-use crate::solve::Exact;
+use crate::solve::{Exact, SolveError};
 
 impl Session {
     /// Returns the exact solver of the hard constraints, which starts at the current shape; none if
@@ -47,7 +47,7 @@ impl Session {
         }
         while let Some(meeting) = &mut self.meeting {
             let ended = meeting.step();
-            if ended == Ok(false) || (ended == Ok(true) && self.try_next()?) {
+            if self.goes_on(&ended)? {
                 continue;
             }
             self.end_meeting(improves)?;
@@ -94,8 +94,7 @@ impl Session {
         let Some(meeting) = &mut self.meeting else { return Ok(None) };
         let ended = meeting.step();
         let shown = meeting.due_positions();
-        let goes = ended == Ok(false) || (ended == Ok(true) && self.try_next()?);
-        if !goes {
+        if !self.goes_on(&ended)? {
             self.progress.count();
             self.end_meeting(false)?;
             ended?;
@@ -109,6 +108,16 @@ impl Session {
             None => self.progress.count(),
         }
         Ok(Some(Step { converged: false, ended: false }))
+    }
+
+    /// Whether the meeting continues after a step: until it has ended, and then with the next
+    /// attempt, which this begins.
+    fn goes_on(&mut self, ended: &Result<bool, SolveError>) -> Result<bool, Error> {
+        Ok(match ended {
+            Ok(true) => self.try_next()?,
+            Ok(false) => true,
+            Err(_) => false,
+        })
     }
 
     /// Ends the meeting of hard constraints with the best shape so far, improved if requested.

@@ -110,7 +110,7 @@ impl Session {
                 self.note_reached(&answer);
                 Ok(true)
             }
-            Ok(None) => Ok(false),
+            Ok(None) => unreachable!("a variant more is a change"),
             Err(error) => {
                 (self.transaction, variations.reached) = (Some(transaction), Some(answer));
                 Err(error)

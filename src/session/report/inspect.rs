@@ -16,13 +16,15 @@ pub(crate) fn asked_measure(document: &Scene, index: usize) -> Option<&'static s
 
 /// Counts the vertices with a closeness factor other than 1.
 pub(crate) fn held_otherwise(document: &Scene, rest: &RestMesh) -> usize {
-    let closeness = &document.closeness;
-    if closeness.weights.is_empty() {
+    if document.closeness.weights.is_empty() {
         return 0;
     }
-    let factors = closeness.factors(rest.mesh(), rest.topology(), &document.sets);
-    let factors = factors.expect("the document was resolved when it was taken over");
-    factors.iter().filter(|&&factor| factor != 1.0).count()
+    closeness_factors(document, rest).iter().filter(|&&factor| factor != 1.0).count()
+}
+
+fn closeness_factors(document: &Scene, rest: &RestMesh) -> Vec<f64> {
+    let factors = document.closeness.factors(rest.mesh(), rest.topology(), &document.sets);
+    factors.expect("the document was resolved when it was taken over")
 }
 
 /// Returns the faces and the vertices that a row acts on, ascending; empty without a row. A face is
@@ -61,8 +63,7 @@ pub(crate) fn free(scene: &SolvedScene, rest: &RestMesh) -> Vec<u32> {
     let closeness = &document.closeness;
     let exact = closeness.boundary.is_some_and(|it| it.require == BoundaryRequire::Exact);
     if weights.close > 0.0 || exact {
-        let factors = closeness.factors(rest.mesh(), rest.topology(), &document.sets);
-        let factors = factors.expect("the document was resolved when it was taken over");
+        let factors = closeness_factors(document, rest);
         let mut hold = |vertex: u32| {
             acted_on[vertex as usize] |= factors[vertex as usize] > 0.0;
         };

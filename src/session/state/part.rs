@@ -1,7 +1,7 @@
 //! Parts of a scene that an edit replaces. Exchanging a part with the scene turns it into its
 //! inverse: an edit and its undo move one part, and copy nothing else of the scene.
 
-use crate::constraint::{Kind, Selector, Set, Sets};
+use crate::constraint::{Kind, Selector, Set};
 use crate::fabricate;
 use crate::scene::{
     BoundaryCloseness, ClosenessTo, ClosenessWeight, ConstraintSpec, EasedFaces, Goal, Lesson,
@@ -261,16 +261,12 @@ pub(crate) fn same_problem(a: &Scene, b: &Scene) -> bool {
     Settings::of(a) == Settings::of(b)
         && a.closeness.weights == b.closeness.weights
         && same_design(&a.variants, &b.variants)
-        && same_sets(&a.sets, &b.sets)
+        && a.sets == b.sets
         && equal_except_names(&a.constraints, &b.constraints)
 }
 
 fn same_design(a: &Variants, b: &Variants) -> bool {
     a.design_positions() == b.design_positions()
-}
-
-fn same_sets(a: &Sets, b: &Sets) -> bool {
-    a == b
 }
 
 fn bytes_of_row(row: &ConstraintSpec) -> usize {
