@@ -82,7 +82,7 @@ fn a_row_stays_what_a_goal_is_on() {
     let mut session = solved();
     let renamed = Edit::RenameConstraint { index: 0, name: "Other".to_owned() };
     let removed = Edit::RemoveConstraint { index: 0 };
-    for (edit, expected) in [(&renamed, "expected \"Other\""), (&removed, "there are none")] {
+    for (edit, expected) in [(&renamed, "expected \"Other\""), (&removed, "the scene has none")] {
         let refused = session.edit(edit.clone()).expect_err(expected).to_string();
         assert!(refused.starts_with("lesson.goals[2].constraint: "), "{refused}");
         assert!(refused.contains("\"Panels\"") && refused.contains(expected), "{refused}");
@@ -170,7 +170,7 @@ fn what_is_wrong_in_a_lesson_is_named_by_its_place() {
     }
     let points = Mesh { positions: vec![[0.0; 3], [1.0; 3]], ..Mesh::default() };
     let lesson = r#"{ "text": "", "goals": [{ "measure": "planarity", "at_most": 1 }] }"#;
-    assert!(in_scene("[]", lesson, points).contains("the mesh has none"));
+    assert!(in_scene("[]", lesson, points).contains("the mesh has no faces"));
     let lesson = r#"{ "text": "", "goals": [{ "constraint": "Plane", "at_most": 1 }] }"#;
     assert!(
         in_scene("[]", lesson, bumpy(5))
