@@ -16,7 +16,7 @@ fn table() -> String {
         let Info { id, summary, paper, params, exact, .. } = info;
         let params: Vec<String> = params.iter().map(|param| format!("`{}`", param.id)).collect();
         let params = params.join(", ");
-        let takes = info.takes();
+        let takes = info.arity_in_words();
         let [params, paper] = [&*params, paper].map(|t| if t.is_empty() { "–" } else { t });
         let exact = if *exact { "yes" } else { "no" };
         writeln!(table, "| `{id}` | {summary} | {params} | {takes} | {paper} | {exact} |")

@@ -68,7 +68,7 @@ impl KindVisitor for MakeBatch<'_> {
     fn visit<P: Projection>(self, operator: &P) -> Batch {
         let mut operator = operator.clone();
         operator.bind(self.reference);
-        let rest = self.reference.pose.filter(|_| P::TAKES_POSE).unwrap_or(self.rest);
+        let rest = self.reference.pose.filter(|_| P::USES_POSE).unwrap_or(self.rest);
         let make = MakeBatch { guarded: self.guarded || P::GUARDED, rest, ..self };
         Batch::new(Box::new(operator), P::READS_REST, make)
     }
@@ -89,7 +89,7 @@ pub struct Batch {
     rest: Vec<Vec3<Lanes>>,
     /// Previous projections in the layout of `nodes`, from the first guarded step on.
     previous: Vec<Vec3<Lanes>>,
-    /// The projections before `previous`, for [`Batch::take_back`].
+    /// The projections before `previous`, for [`Batch::undo_step`].
     earlier: Vec<Vec3<Lanes>>,
     guarded: bool,
     /// Displacements to the projections in the layout of `nodes`, for [`Batch::projected`] only.
@@ -356,7 +356,7 @@ impl Batch {
 
     /// Undoes the last local step: its positions were rejected, and the guard needs the projections
     /// before.
-    pub fn take_back(&mut self) {
+    pub fn undo_step(&mut self) {
         std::mem::swap(&mut self.previous, &mut self.earlier);
     }
 

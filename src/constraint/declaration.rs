@@ -40,7 +40,7 @@ pub struct Info {
 
 impl Info {
     /// The number of vertices or edges, in words.
-    pub fn takes(&self) -> String {
+    pub fn arity_in_words(&self) -> String {
         match (self.centring, self.arity) {
             (Centring::ByEdge, Arity::AtLeast(ends)) => format!("{} or more edges", ends / 2),
             (Centring::ByEdge, Arity::Exactly(ends)) => format!("exactly {} edges", ends / 2),

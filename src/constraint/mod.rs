@@ -42,7 +42,7 @@ mod target_shape;
 pub use batch::{Batch, LocalStep, Projected, batches};
 pub use declaration::{Arity, Centring, Info};
 pub use fitted::Fitted;
-pub use kinds::{KINDS, Kind, KindVisitor, USUAL_FOR};
+pub use kinds::{DEFAULT_FOR, KINDS, Kind, KindVisitor};
 pub use parameter::{Form, KindError, Param, ParamValue};
 pub use projection::Projection;
 pub use reference::{Reference, Row};

@@ -16,7 +16,7 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
 
     /// Whether the scene's other pose, if there is one, provides the rest points. True for kinds
     /// whose rest shape is intrinsic: independent of its location.
-    const TAKES_POSE: bool = false;
+    const USES_POSE: bool = false;
 
     /// Whether each constraint keeps the previous projection if the new one is farther, even
     /// without the scene's `monotone` guard. For kinds whose projections can be so far from the
@@ -30,7 +30,7 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     }
 
     /// The selections for which this kind is the usual choice; hosts preselect it there.
-    const USUAL_FOR: &'static [TargetShape] = &[];
+    const DEFAULT_FOR: &'static [TargetShape] = &[];
 
     /// Gives the operator the reference geometry. Called once, before anything else.
     fn bind(&mut self, reference: &Reference<'_>) {

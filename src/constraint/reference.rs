@@ -12,6 +12,6 @@ pub struct Reference<'a> {
     /// The rest surface, built on demand, in the coordinates of uncentred points.
     pub surface: &'a dyn Fn() -> Rc<Surface>,
     /// The nodes in another pose, used as rest points by kinds with
-    /// [`super::Projection::TAKES_POSE`].
+    /// [`super::Projection::USES_POSE`].
     pub pose: Option<&'a [Row]>,
 }

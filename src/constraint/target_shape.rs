@@ -1,7 +1,7 @@
 //! The shape of a selection, which determines the usual kind of constraint for it.
 
 /// The shape of a selection. A kind lists those for which it is the usual choice in
-/// [`Projection::USUAL_FOR`](super::Projection::USUAL_FOR); hosts preselect it there.
+/// [`Projection::DEFAULT_FOR`](super::Projection::DEFAULT_FOR); hosts preselect it there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TargetShape {
     /// Faces of four or more corners, one constraint each.

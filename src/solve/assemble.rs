@@ -119,24 +119,24 @@ pub(super) struct Assembler {
     occurrences: Vec<Occurrences>,
     n: usize,
     /// `#nodes`: whether the node is decoupled from the nodes that are not.
-    apart: Vec<bool>,
+    is_decoupled: Vec<bool>,
 }
 
 impl Assembler {
     /// Creates an assembler for the terms of several energies over `n` nodes.
     pub(super) fn new(n: usize, energies: Vec<Terms>) -> Self {
         let occurrences = energies.iter().map(|terms| Occurrences::new(n, terms)).collect();
-        Assembler { energies, occurrences, n, apart: vec![false; n] }
+        Assembler { energies, occurrences, n, is_decoupled: vec![false; n] }
     }
 
     /// Decouples these nodes: entries between them and other nodes become zero.
-    pub(super) fn set_apart(&mut self, nodes: impl Iterator<Item = u32>) {
-        nodes.for_each(|node| self.apart[node as usize] = true);
+    pub(super) fn decouple(&mut self, nodes: impl Iterator<Item = u32>) {
+        nodes.for_each(|node| self.is_decoupled[node as usize] = true);
     }
 
     /// `#nodes`: which nodes are decoupled.
-    pub(super) fn apart(&self) -> &[bool] {
-        &self.apart
+    pub(super) fn is_decoupled(&self) -> &[bool] {
+        &self.is_decoupled
     }
 
     /// Replaces `a` of every term of an energy, one entry for each entry of its nodes.
@@ -178,7 +178,8 @@ impl Assembler {
                     let factor = scale * outer * terms.a[entry as usize];
                     let first = terms.nodes.offsets()[t as usize] as usize;
                     for (k, &u) in terms.nodes.row(t as usize).iter().enumerate() {
-                        let couples = !fixed[u as usize] && self.apart[u as usize] == self.apart[v];
+                        let couples = !fixed[u as usize]
+                            && self.is_decoupled[u as usize] == self.is_decoupled[v];
                         if u as usize <= v && couples {
                             values[slot[u as usize] as usize] += factor * terms.a[first + k];
                         }

@@ -139,7 +139,7 @@ impl Parts {
             close,
             handles: PositionalConstraints::default(),
         };
-        system.set_apart(nodes.into_iter());
+        system.decouple(nodes.into_iter());
         let held = {
             let mut by_node = vec![false; n];
             held.iter().zip(system.node_of()).for_each(|(&h, &node)| by_node[node as usize] = h);
@@ -257,10 +257,10 @@ impl Holding {
 /// Marks components with both decoupled and other nodes as held: neither block of the matrix
 /// contains all nodes of such a component, so both are regular.
 fn hold_both_sides(system: &System, held: &mut [bool]) {
-    let (components, apart) = (system.components(), system.apart());
+    let (components, is_decoupled) = (system.components(), system.is_decoupled());
     let mut sides = vec![[false; 2]; components.len()];
-    for (&component, &apart) in components.iter().zip(apart) {
-        sides[component as usize][usize::from(apart)] = true;
+    for (&component, &is_decoupled) in components.iter().zip(is_decoupled) {
+        sides[component as usize][usize::from(is_decoupled)] = true;
     }
     for (&component, held) in components.iter().zip(held) {
         *held |= sides[component as usize] == [true; 2];

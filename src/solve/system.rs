@@ -105,7 +105,7 @@ impl System {
         };
         let arranged = clock::now();
 
-        let renumbered = energies.into_iter().map(|terms| terms.renumbered(analysis.place_of()));
+        let renumbered = energies.into_iter().map(|terms| terms.renumbered(analysis.position_of()));
         let energies = renumbered.collect();
         let assembler = Assembler::new(n, energies);
         let normal = analysis.zeros();
@@ -137,17 +137,17 @@ impl System {
 
     /// The node of each vertex, then of each extra unknown.
     pub fn node_of(&self) -> &[u32] {
-        self.analysis.place_of()
+        self.analysis.position_of()
     }
 
     /// Decouples these nodes from the others in the matrix. Must be called before factoring.
-    pub(super) fn set_apart(&mut self, nodes: impl Iterator<Item = u32>) {
-        self.assembler.set_apart(nodes);
+    pub(super) fn decouple(&mut self, nodes: impl Iterator<Item = u32>) {
+        self.assembler.decouple(nodes);
     }
 
     /// `#nodes`: which nodes are decoupled.
-    pub(super) fn apart(&self) -> &[bool] {
-        self.assembler.apart()
+    pub(super) fn is_decoupled(&self) -> &[bool] {
+        self.assembler.is_decoupled()
     }
 
     /// A number for each node that is shared within a connected component.

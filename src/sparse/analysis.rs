@@ -14,7 +14,7 @@ pub(crate) struct SymbolicAnalysis {
     /// `at(k)` is the unknown that is eliminated `k`-th.
     permutation: PermOwnedI<u32>,
     /// The inverse of the permutation: the position of each unknown in the elimination order.
-    place_of: Vec<u32>,
+    position_of: Vec<u32>,
     /// The upper triangle in the elimination order.
     upper: CsStructureI<u32>,
     supernodes: Rc<Supernodes>,
@@ -24,10 +24,10 @@ impl SymbolicAnalysis {
     /// Orders and analyses a symmetric pattern with its diagonal.
     pub(crate) fn new(structure: CsStructureI<u32>) -> SymbolicAnalysis {
         let permutation = elimination_order(&structure);
-        let place_of = permutation.inv_vec();
-        let upper = permuted_upper(&structure, &permutation, &place_of);
+        let position_of = permutation.inv_vec();
+        let upper = permuted_upper(&structure, &permutation, &position_of);
         let supernodes = Rc::new(Supernodes::new(&upper));
-        SymbolicAnalysis { structure, permutation, place_of, upper, supernodes }
+        SymbolicAnalysis { structure, permutation, position_of, upper, supernodes }
     }
 
     /// Orders and analyses the pattern of `n` unknowns coupled by `edges`, each edge given once.
@@ -54,7 +54,7 @@ impl SymbolicAnalysis {
 
     /// The number of unknowns.
     pub(crate) fn size(&self) -> usize {
-        self.place_of.len()
+        self.position_of.len()
     }
 
     /// The unknown that is eliminated `k`-th.
@@ -63,8 +63,8 @@ impl SymbolicAnalysis {
     }
 
     /// The position of each unknown in the elimination order.
-    pub(crate) fn place_of(&self) -> &[u32] {
-        &self.place_of
+    pub(crate) fn position_of(&self) -> &[u32] {
+        &self.position_of
     }
 
     /// A number for each unknown, in the elimination order, that is shared within a connected
@@ -90,7 +90,7 @@ impl SymbolicAnalysis {
 fn permuted_upper(
     structure: &CsStructureI<u32>,
     permutation: &PermOwnedI<u32>,
-    place_of: &[u32],
+    position_of: &[u32],
 ) -> CsStructureI<u32> {
     let n = structure.cols();
     let (mut columns, mut rows) = (Vec::with_capacity(n + 1), Vec::new());
@@ -98,7 +98,9 @@ fn permuted_upper(
     for k in 0..n {
         let first = rows.len();
         let neighbours = &structure.indices()[structure.indptr().outer_inds_sz(permutation.at(k))];
-        rows.extend(neighbours.iter().map(|&u| place_of[u as usize]).filter(|&u| u as usize <= k));
+        rows.extend(
+            neighbours.iter().map(|&u| position_of[u as usize]).filter(|&u| u as usize <= k),
+        );
         rows[first..].sort_unstable();
         columns.push(rows.len() as u32);
     }

@@ -76,7 +76,7 @@ fn row(name: &str, kind: &str, mesh: Mesh) {
     let size = case.size();
     let start = case.soft();
     let mut exact: Exact = case.exact(&start);
-    let soft = exact.worst() / size;
+    let soft = exact.worst_excess() / size;
     let (mut approach, mut polish) = (0.0, 0.0);
     loop {
         let started = clock::now();

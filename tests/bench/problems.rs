@@ -378,7 +378,7 @@ fn varied(session: &mut Session, step: f64) -> Option<Varied> {
     let steps = (0..count).map(|k| {
         let mut coefficients = vec![0.0; count];
         coefficients[k] = step;
-        let (part, ms) = timed(|| session.reach_variation(&mut variations, &coefficients));
+        let (part, ms) = timed(|| session.project_variation(&mut variations, &coefficients));
         let distance = session.exact().map(|exact| exact.max_distance);
         VariationStep { part: part.expect("its systems are regular"), ms, distance }
     });

@@ -273,13 +273,13 @@ fn it_can_be_stopped_after_any_round_and_begun_again() {
     let case = Case::new(bumps(6)).on_faces("circle", Require::Exact);
     let start = case.soft();
     let mut exact = case.exact(&start);
-    let before = exact.worst();
+    let before = exact.worst_excess();
     let mut rounds = 0;
     while rounds < 12 {
         rounds += u32::from(exact.step().expect("its systems are regular") == Stage::Round);
     }
     let halfway = exact.positions();
-    assert!(exact.worst() < before && exact.answer().refactorizations == 12);
+    assert!(exact.worst_excess() < before && exact.answer().refactorizations == 12);
     let (_, answer) = run(&case, &halfway);
     assert!(answer.met);
     exact.hurry();

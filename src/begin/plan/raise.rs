@@ -43,7 +43,7 @@ pub(super) fn raised(
     let n = mesh.positions.len();
     let topology = Topology::new(&mesh);
     let analysis = SymbolicAnalysis::of_edges(n, topology.edges().iter().copied());
-    let node_of = analysis.place_of();
+    let node_of = analysis.position_of();
     let mut fixed = vec![false; n];
     held.iter().for_each(|&v| fixed[node_of[v as usize] as usize] = true);
     // The blocks are multiples of the identity; the first coordinate is the height.

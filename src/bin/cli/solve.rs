@@ -88,7 +88,7 @@ fn misfits(session: &Session) -> impl Iterator<Item = String> {
             info.id,
             describe(&spec.on),
             row.skipped,
-            info.takes()
+            info.arity_in_words()
         )
     })
 }

@@ -51,7 +51,7 @@ impl Projection for Circle {
         }],
     };
 
-    const USUAL_FOR: &'static [TargetShape] = &[TargetShape::Panels, TargetShape::Loop];
+    const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Panels, TargetShape::Loop];
 
     // Inlined, so that the number of corners is a constant in the instance for four.
     #[inline(always)]

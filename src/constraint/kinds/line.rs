@@ -39,7 +39,7 @@ impl Projection for Line {
         }],
     };
 
-    const USUAL_FOR: &'static [TargetShape] = &[TargetShape::Chain];
+    const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Chain];
 
     fn closed_form<S: Lane>(
         &self,

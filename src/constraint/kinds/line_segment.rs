@@ -41,7 +41,7 @@ impl Projection for LineSegment {
         params: &Target::params("length", "Length", "Times the rest length"),
     };
 
-    const USUAL_FOR: &'static [TargetShape] = &[TargetShape::Edges];
+    const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Edges];
 
     const READS_REST: bool = true;
 

@@ -44,7 +44,7 @@ impl Projection for PlanarSimilar {
     };
 
     const READS_REST: bool = true;
-    const TAKES_POSE: bool = true;
+    const USES_POSE: bool = true;
 
     /// Replaces the points by their coordinates in the least-squares plane, scaled so that their
     /// squares sum to one; the third is zero.

@@ -75,7 +75,7 @@ impl Projection for Plane {
         ],
     };
 
-    const USUAL_FOR: &'static [TargetShape] = &[TargetShape::Panels, TargetShape::Points];
+    const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Panels, TargetShape::Points];
 
     fn closed_form<S: Lane>(
         &self,

@@ -25,8 +25,8 @@ macro_rules! kinds {
         /// All kinds, in the order in which hosts list them.
         pub const KINDS: &[Info] = &[$($module::$Kind::INFO),*];
 
-        /// [`Projection::USUAL_FOR`] of each kind, `#KINDS` rows.
-        pub const USUAL_FOR: &[&[TargetShape]] = &[$($module::$Kind::USUAL_FOR),*];
+        /// [`Projection::DEFAULT_FOR`] of each kind, `#KINDS` rows.
+        pub const DEFAULT_FOR: &[&[TargetShape]] = &[$($module::$Kind::DEFAULT_FOR),*];
 
         impl Kind {
             /// Returns the kind named `id` with the parameters `params`.

@@ -35,7 +35,7 @@ impl Projection for RegularPolygon {
         params: &[],
     };
 
-    const USUAL_FOR: &'static [TargetShape] = &[TargetShape::Triangles];
+    const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Triangles];
 
     fn closed_form<S: Lane>(
         &self,
@@ -53,7 +53,7 @@ impl Projection for RegularPolygon {
     fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let corners = UnitPolygon::new(v.len());
         let (p, q) = sums(&corners, v);
-        place(&corners, OrthogonalPair::closest_carefully(p, q), v);
+        place(&corners, OrthogonalPair::closest_robust(p, q), v);
     }
 }
 

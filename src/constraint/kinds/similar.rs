@@ -45,7 +45,7 @@ impl Projection for Similar {
     };
 
     const READS_REST: bool = true;
-    const TAKES_POSE: bool = true;
+    const USES_POSE: bool = true;
 
     fn closed_form<S: Lane>(
         &self,

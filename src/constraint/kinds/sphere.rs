@@ -51,7 +51,7 @@ impl Projection for Sphere {
         }],
     };
 
-    const USUAL_FOR: &'static [TargetShape] = &[TargetShape::Patch];
+    const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Patch];
 
     fn closed_form<S: Lane>(
         &self,

@@ -44,7 +44,7 @@ impl Projection for Square {
     }
 
     fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
-        let pair = OrthogonalPair::closest_carefully((v[0] - v[2]) * 0.5, (v[1] - v[3]) * 0.5);
+        let pair = OrthogonalPair::closest_robust((v[0] - v[2]) * 0.5, (v[1] - v[3]) * 0.5);
         v.copy_from_slice(&[pair.u, pair.w, -pair.u, -pair.w]);
     }
 }

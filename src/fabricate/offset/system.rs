@@ -80,13 +80,13 @@ impl System {
 
     /// Adds a block at a vertex.
     pub(super) fn add(&mut self, v: u32, block: [[f64; 3]; 3]) {
-        let place = self.analysis.place_of()[v as usize];
+        let place = self.analysis.position_of()[v as usize];
         self.matrix.add_diagonal(place, |r, c| block[r][c]);
     }
 
     /// Adds a symmetric block between two vertices.
     pub(super) fn couple(&mut self, i: u32, j: u32, block: [[f64; 3]; 3]) {
-        let [p, q] = [i, j].map(|v| self.analysis.place_of()[v as usize]);
+        let [p, q] = [i, j].map(|v| self.analysis.position_of()[v as usize]);
         self.matrix.add(p.min(q), p.max(q), |r, c| block[r][c]);
     }
 
@@ -151,7 +151,7 @@ impl System {
     /// Reorders vectors of vertices to the order of elimination; zero for vertices of no panel.
     fn in_places(&self, vectors: &[Vec3<f64>]) -> Vec<[f64; 4]> {
         let mut rows = vec![[0.0; 4]; vectors.len()];
-        for (v, (vector, &place)) in vectors.iter().zip(self.analysis.place_of()).enumerate() {
+        for (v, (vector, &place)) in vectors.iter().zip(self.analysis.position_of()).enumerate() {
             if !self.excluded[v] {
                 rows[place as usize] = [vector.x, vector.y, vector.z, 0.0];
             }
@@ -165,7 +165,7 @@ impl System {
             let [x, y, z, _] = rows[place as usize];
             Vec3::new(x, y, z)
         };
-        self.analysis.place_of().iter().map(at).collect()
+        self.analysis.position_of().iter().map(at).collect()
     }
 }
 

@@ -46,7 +46,7 @@ impl OrthogonalPair<f64> {
     /// Returns the closest pair, accurate for every finite input. If `p` and `q` are parallel, one
     /// of the planes through their line is chosen, which are equally good; if both are zero, so is
     /// the pair.
-    pub fn closest_carefully(p: Vec3<f64>, q: Vec3<f64>) -> Self {
+    pub fn closest_robust(p: Vec3<f64>, q: Vec3<f64>) -> Self {
         let mut rows = [p, q];
         let axes = PrincipalAxes::rotate(&mut rows);
         // In principal coordinates p and q are the columns of a matrix whose rows are orthogonal,
@@ -80,7 +80,7 @@ mod tests {
                 let q = p * along + Vec3::new(-0.2, 0.9, 0.4) * sine;
                 let (pair, accurate) = OrthogonalPair::closest(p, q);
                 assert_eq!(accurate, 1.0);
-                let slow = OrthogonalPair::closest_carefully(p, q);
+                let slow = OrthogonalPair::closest_robust(p, q);
                 assert!((pair.u - slow.u).length() < 1e-12, "{p:?}, {q:?}");
                 assert!((pair.w - slow.w).length() < 1e-12, "{p:?}, {q:?}");
             }
@@ -93,13 +93,13 @@ mod tests {
         for (p, q) in [(e, e), (e, Vec3::zero()), (Vec3::zero(), e * 1e-300), (e * 1e290, -e)] {
             let (_, accurate) = OrthogonalPair::closest(p, q);
             assert_eq!(accurate, 0.0, "{p:?}, {q:?}");
-            let OrthogonalPair { u, w } = OrthogonalPair::closest_carefully(p, q);
+            let OrthogonalPair { u, w } = OrthogonalPair::closest_robust(p, q);
             let scale = 1.0 / [u.x, u.y, u.z].iter().fold(0.0f64, |m, x| m.max(x.abs()));
             let (u, w) = (u * scale, w * scale);
             assert!((u.length() - w.length()).abs() <= 1e-15 * u.length(), "{p:?}, {q:?}");
             assert!(u.dot(w).abs() <= 1e-15 * u.length_squared(), "{p:?}, {q:?}");
         }
-        let pair = OrthogonalPair::closest_carefully(Vec3::zero(), Vec3::zero());
+        let pair = OrthogonalPair::closest_robust(Vec3::zero(), Vec3::zero());
         assert_eq!((pair.u, pair.w), (Vec3::zero(), Vec3::zero()));
     }
 }

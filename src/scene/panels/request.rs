@@ -34,7 +34,7 @@ fn against(info: &Info, adjective: &str, mesh: &Mesh) -> Option<String> {
     } else if mesh.faces.iter().all(|face| face.len() <= 3) {
         Some(format!("All panels are triangles, which are always {adjective}."))
     } else if fitting(info, mesh) == 0 {
-        Some(format!("This needs panels with {}.", info.takes()))
+        Some(format!("This needs panels with {}.", info.arity_in_words()))
     } else {
         None
     }
@@ -76,7 +76,7 @@ impl Scene {
             return Err(error(reason));
         }
         if fitting(info, mesh) == 0 {
-            let takes = info.takes();
+            let takes = info.arity_in_words();
             return Err(error(format!(
                 "no face is suitable for `{}`, which takes {takes}",
                 info.id

@@ -3,7 +3,7 @@
 use super::constraint_target::ConstraintTarget;
 use super::target_shape::target_shape;
 use crate::constraint::{
-    Centring, Info, KINDS, Selector, Sets, TargetShape, USUAL_FOR, resolve as select,
+    Centring, DEFAULT_FOR, Info, KINDS, Selector, Sets, TargetShape, resolve as select,
 };
 use crate::mesh::{Ragged, Topology};
 use crate::scene::SceneError;
@@ -41,7 +41,7 @@ pub(crate) fn previews(
     let of = |(info, usual_for): (&Info, &&[TargetShape])| {
         places.iter().map(|sizes| sizes.of(info, usual_for)).collect()
     };
-    Ok(KINDS.iter().zip(USUAL_FOR).map(of).collect())
+    Ok(KINDS.iter().zip(DEFAULT_FOR).map(of).collect())
 }
 
 fn sizes<'a>(

@@ -96,7 +96,7 @@ pub(crate) fn resolve_row(
             format!(
                 "{} takes {}, and none of the {} selected elements has that, expected some that do",
                 info.id,
-                info.takes(),
+                info.arity_in_words(),
                 selected.len()
             )
         });

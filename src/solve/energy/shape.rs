@@ -110,9 +110,9 @@ impl ShapeEnergy {
         ShapeEnergy { rows }
     }
 
-    /// Undoes the last local step: see `Batch::take_back`.
-    pub(crate) fn take_back(&mut self) {
-        self.rows.iter_mut().flat_map(|row| &mut row.batches).for_each(|batch| batch.take_back());
+    /// Undoes the last local step: see `Batch::undo_step`.
+    pub(crate) fn undo_step(&mut self) {
+        self.rows.iter_mut().flat_map(|row| &mut row.batches).for_each(|batch| batch.undo_step());
     }
 
     /// Step I: projects at `x`, adds half the gradient of `lambda * E_shape`, and returns

@@ -19,5 +19,6 @@ pub fn farthest(mesh: &Mesh, positions: &[Point], constraints: &Constraints) -> 
     let reference = Reference { surface: &surface, pose: None };
     let own_nodes: Vec<u32> = (0..positions.len() as u32).collect();
     let hard = [(constraints, None, Require::Exact)];
-    HardRows::new(&hard, &own_nodes, &rows(&mesh.positions), &reference).worst(&rows(positions))
+    HardRows::new(&hard, &own_nodes, &rows(&mesh.positions), &reference)
+        .worst_excess(&rows(positions))
 }

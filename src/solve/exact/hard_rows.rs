@@ -109,7 +109,7 @@ impl HardRows {
     }
 
     /// The greatest excess, including that of the guard.
-    pub(in crate::solve) fn worst(&self, x: &[Row]) -> f64 {
+    pub(in crate::solve) fn worst_excess(&self, x: &[Row]) -> f64 {
         let mut worst = 0.0;
         for batch in &self.batches {
             batch.misses(x, |_, miss| worst = Lane::max(miss.excess, worst));

@@ -145,7 +145,7 @@ impl Exact {
         let settings: SolverSettings = problem.settings;
         let model = Model::new(problem, requirements, handles, start, cache);
         let approach = Approach::new(&model, &settings);
-        let worst = model.hard.worst(&model.x);
+        let worst = model.hard.worst_excess(&model.x);
         let can_polish = polish_fits(problem, requirements, model.parts.system.factor_nonzeros());
         // Bands are reached without a polish, unless rounds stand still.
         let near = if model.hard.any_exact() { NEAR * model.parts.extent } else { 0.0 };
@@ -312,7 +312,7 @@ impl Exact {
             return Ok(());
         };
         let goes = improve.step(&mut self.model, polish)?;
-        self.best = (self.model.hard.worst(&self.model.x), self.model.x.clone());
+        self.best = (self.model.hard.worst_excess(&self.model.x), self.model.x.clone());
         if !goes {
             self.end();
         }
@@ -349,7 +349,7 @@ impl Exact {
 
     /// Keeps the positions if they are the best so far; returns their worst excess.
     fn keep_best(&mut self) -> f64 {
-        let worst = self.model.hard.worst(&self.model.x);
+        let worst = self.model.hard.worst_excess(&self.model.x);
         // An approach that comes nearer also improves the shape.
         if worst <= self.best.0 {
             self.best.0 = worst;
@@ -375,8 +375,8 @@ impl Exact {
 
     /// The greatest distance of a constraint from being met at the current positions, in the unit
     /// of the mesh.
-    pub fn worst(&self) -> f64 {
-        self.model.hard.worst(&self.model.x)
+    pub fn worst_excess(&self) -> f64 {
+        self.model.hard.worst_excess(&self.model.x)
     }
 
     /// The energies, without the hard rows, at the current positions.

@@ -69,7 +69,7 @@ impl Solver {
         previous.plain_step(&mut self.system, &mut self.x);
         self.glide();
         self.seconds.global += clock::now() - started;
-        self.energies.shape.take_back();
+        self.energies.shape.undo_step();
         self.evaluate();
     }
 
@@ -89,7 +89,7 @@ impl Solver {
                 gliding.shorten((x, gradient), &mut self.x, if k == 0 { 0.0 } else { 0.5 });
             }
             self.glide();
-            self.energies.shape.take_back();
+            self.energies.shape.undo_step();
             self.evaluate();
             if self.energy.total < before {
                 break;

@@ -52,7 +52,7 @@ pub struct ShapeSpace {
     /// Whether the current factor is that of the shape.
     is_at_shape: bool,
     /// The constraints that are not held at the shape: edges that are longer than required.
-    free: Vec<bool>,
+    unheld: Vec<bool>,
     /// Whether nothing is required within a distance: the factor of the shape then serves steps
     /// from it.
     is_exact: bool,
@@ -126,7 +126,7 @@ impl ShapeSpace {
         Ok(ShapeSpace {
             normals: normals(problem.mesh, shape),
             shape: shape.to_vec(),
-            free: system.free(),
+            unheld: system.unheld(),
             subspace: Some((subspace, system)),
             modes: Vec::new(),
             untried: VecDeque::new(),
@@ -269,7 +269,7 @@ impl ShapeSpace {
         polish.restart(false);
         if from_shape {
             // Checked before computing a factor that would not serve.
-            if polish.system.is_violated(model, &there, &self.free) {
+            if polish.system.is_violated(model, &there, &self.unheld) {
                 return Ok(false);
             }
             if !self.is_at_shape {

@@ -31,7 +31,7 @@ impl Subspace {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             *entry = f64::from(state >> 8) - f64::from(1 << 23);
         }
-        vectors.leave_out(&motions);
+        vectors.project_out(&motions);
         vectors.orthonormalise();
         Subspace { vectors, compliances: [0.0; COUNT], motions, iterations: 0 }
     }
@@ -40,7 +40,7 @@ impl Subspace {
     pub(super) fn iterate(&mut self, system: &BlockSystem) -> bool {
         let mut next = self.vectors.clone();
         next.solve(system);
-        next.leave_out(&self.motions);
+        next.project_out(&self.motions);
         let (compliances, factors) = principal(&self.vectors.products(&next));
         next.mix(&factors);
         next.orthonormalise();

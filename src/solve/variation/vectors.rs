@@ -59,7 +59,7 @@ impl Vectors {
     }
 
     /// Subtracts the components in the span of the orthonormal vectors of `basis`.
-    pub(super) fn leave_out(&mut self, basis: &Vectors) {
+    pub(super) fn project_out(&mut self, basis: &Vectors) {
         let along = basis.products(self);
         for (entries, basis) in self.0.iter_mut().zip(&basis.0) {
             for (along, part) in along.iter().zip(basis) {

@@ -41,7 +41,7 @@ pub(crate) fn kinds() -> Vec<KindWords> {
     all.map(|info| {
         let kind = Kind::new(info.id, Value::Object(serde_json::Map::new()));
         let sketch = kind.expect("every parameter has a default").sketch();
-        KindWords { info, takes: info.takes(), sketch }
+        KindWords { info, takes: info.arity_in_words(), sketch }
     })
     .collect()
 }
