@@ -130,8 +130,8 @@ async fn every_switch_changes_the_picture() {
     view.set_shapes(&[1.0, 1.0, 1.0, 0.5, 0.0, 0.0, 1.0, 1.1]).unwrap();
     check(&mut view, "sphere");
     // The raised middle goes down, the middle of a side goes up.
-    let ways = [0.0, 0.0, -0.6, 0.5, 0.0, 0.4];
-    view.set_projections(&[4, 1], &ways, &[1, 2], &[0, 1], &two_colours).unwrap();
+    let displacements = [0.0, 0.0, -0.6, 0.5, 0.0, 0.4];
+    view.set_projections(&[4, 1], &displacements, &[1, 2], &[0, 1], &two_colours).unwrap();
     view.set_display(false, false, false, true, false);
     check(&mut view, "outlines");
     view.set_display(false, false, false, false, true);
@@ -453,9 +453,9 @@ async fn projected_shapes_have_an_inside_where_they_lie_beside_their_faces() {
     view.set_display(false, false, false, true, false);
     let ring = [0, 1, 1, 2, 2, 3, 0, 3];
     let show = |view: &mut View, up: f32| {
-        let ways = [0.0, 0.0, up].repeat(4);
+        let displacements = [0.0, 0.0, up].repeat(4);
         let blue = [0.1, 0.3, 0.9];
-        view.set_projections(&[0, 1, 4, 3], &ways, &[1; 4], &ring, &blue).unwrap();
+        view.set_projections(&[0, 1, 4, 3], &displacements, &[1; 4], &ring, &blue).unwrap();
         view.draw().unwrap();
         pixels(&canvas)
     };

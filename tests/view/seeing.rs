@@ -5,7 +5,7 @@ use shape_up::view::appearance::LineKind;
 use shape_up::view::camera::CameraProjection;
 use shape_up::view::gizmo::DragDirection;
 use shape_up::view::overlay::SurfaceLines;
-use shape_up::view::state::{Outline, Taking, ViewState};
+use shape_up::view::state::{Outline, RegionMode, ViewState};
 
 const CANVAS: Vec2 = Vec2::new(900.0, 600.0);
 
@@ -69,7 +69,7 @@ fn in_parallel_everything_can_be_pointed_at_and_taken_with_a_box() {
     assert_eq!(seen, expected);
     // The lower floor's corner behind the upper floor is not taken.
     assert!(!seen.contains(&3) && seen.contains(&4));
-    let taking = Taking { touching: true, through: false };
+    let taking = RegionMode { touching: true, through: false };
     assert_eq!(state.faces_in(&all, taking), [0, 1]);
 }
 

@@ -4,12 +4,12 @@ use glam::{DVec3, Vec2, Vec3};
 use shape_up::view::camera::UpAxis;
 use shape_up::view::gizmo::DragDirection;
 use shape_up::view::side_by_side::{flat_map, follow, show_flipped};
-use shape_up::view::state::{Changes, Outline, Taking, ViewState};
+use shape_up::view::state::{Changes, Outline, RegionMode, ViewState};
 
 const CANVAS: Vec2 = Vec2::new(900.0, 600.0);
 
-const WHOLE: Taking = Taking { touching: false, through: false };
-const TOUCHING: Taking = Taking { touching: true, through: false };
+const WHOLE: RegionMode = RegionMode { touching: false, through: false };
+const TOUCHING: RegionMode = RegionMode { touching: true, through: false };
 
 /// Offsets and indices.
 type Rows = (Vec<u32>, Vec<u32>);
@@ -184,7 +184,7 @@ fn through_takes_what_the_surface_hides() {
     let mut state = two_floors();
     state.preset("top").unwrap();
     let all = Outline::around(Vec2::ZERO, CANVAS);
-    let through = |touching| Taking { touching, through: true };
+    let through = |touching| RegionMode { touching, through: true };
     assert_eq!(state.vertices_in(&all, true).len(), 8);
     assert_eq!(state.faces_in(&all, through(false)), [0, 1]);
     // Corners and sides of both floors, then the four columns between them.

@@ -9,7 +9,7 @@ const AXES = ['x', 'y', 'z'];
 
 /**
  * Returns the displacement of the held handle for one of the pointer in pixels; undefined if none.
- * @typedef {(way: string, dx: number, dy: number) => Float64Array | undefined} MoveConstraint
+ * @typedef {(direction: string, dx: number, dy: number) => Float64Array | undefined} MoveConstraint
  */
 
 export class HandleDrag {
@@ -63,13 +63,13 @@ export class HandleDrag {
    */
   move(dx, dy, time = performance.now()) {
     this.#by = [dx, dy];
-    const way = this.#axis !== null ? AXES[this.#axis] : (this.#part ?? this.#plane);
-    const moved = this.#constrain(way, dx, dy);
+    const direction = this.#axis !== null ? AXES[this.#axis] : (this.#part ?? this.#plane);
+    const moved = this.#constrain(direction, dx, dy);
     // Near the horizon of the plane a pixel is arbitrarily far: the handle stays.
     if (!moved) return;
     this.#targets = this.#from.map((value, i) => value + moved[i % 3]);
     // The dots follow the pointer at once, the mesh when the solver answers.
-    this.#store.set({ moved: { by: [...moved], targets: this.#targets }, gizmoPart: way });
+    this.#store.set({ moved: { by: [...moved], targets: this.#targets }, gizmoPart: direction });
     this.#send('move', time);
   }
 

@@ -37,7 +37,7 @@ export const LAYERS = [
   ],
   [
     ['gizmoPart', 'dragged'],
-    (view, state) => view.lightGizmo(state.gizmoPart, state.dragged.length > 0),
+    (view, state) => view.highlightGizmo(state.gizmoPart, state.dragged.length > 0),
   ],
   [['selection', 'model'], showSelection],
   [['tint', 'model'], showTint],

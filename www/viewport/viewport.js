@@ -134,7 +134,7 @@ export class Viewport extends Emitter {
   }
 
   /** Displacement of the held handle. @type {import("../store/handle-drag.js").MoveConstraint} */
-  constrainMove = (way, dx, dy) => this.view?.constrainMove(way, dx, dy);
+  constrainMove = (direction, dx, dy) => this.view?.constrainMove(direction, dx, dy);
   /** Position on the screen of the held handle after a displacement. @param {number[]} by */
   heldPosition = (by) => this.view?.heldPlace(by[0], by[1], by[2]);
 
@@ -354,8 +354,8 @@ export class Viewport extends Emitter {
     showValues(view, state, geometry);
     if (geometry.shapes) view.setShapes(geometry.shapes);
     if (geometry.projections) {
-      const { vertices, ways, colours, outlines, palette } = geometry.projections;
-      view.setProjections(vertices, ways, colours, outlines, palette);
+      const { vertices, displacements, colours, outlines, palette } = geometry.projections;
+      view.setProjections(vertices, displacements, colours, outlines, palette);
     }
   }
 

@@ -28,7 +28,7 @@ impl FaceColour {
     fn bytes(self) -> [u8; 2] {
         match self {
             FaceColour::Plain => [0, 0],
-            FaceColour::Row(place) => [place, 64],
+            FaceColour::Row(colour) => [colour, 64],
             FaceColour::Value(texel) => [texel, 127],
             FaceColour::Beyond(texel) => [texel, 191],
             FaceColour::NoValue => [0, 255],
@@ -253,7 +253,7 @@ impl Appearance {
         }
         match self.rows.faces.get(face) {
             None | Some(0) => FaceColour::Plain,
-            Some(&place) => FaceColour::Row(place),
+            Some(&colour) => FaceColour::Row(colour),
         }
     }
 

@@ -36,16 +36,18 @@ impl RowColours {
             let (got, expected) = (palette.len() * 3 + rest.len(), palette.len().min(MOST_COLOURS));
             return Err(ViewError::Length { what: "palette", got, expected: expected * 3 });
         }
-        for (what, places, expected) in [
+        for (what, colours, expected) in [
             ("colours of faces", &faces, face_count),
             ("colours of vertices", &vertices, vertex_count),
         ] {
-            if !places.is_empty() && places.len() != expected {
-                return Err(ViewError::Length { what, got: places.len(), expected });
+            if !colours.is_empty() && colours.len() != expected {
+                return Err(ViewError::Length { what, got: colours.len(), expected });
             }
-            if let Some(&place) = places.iter().find(|&&place| usize::from(place) > palette.len()) {
+            if let Some(&colour) =
+                colours.iter().find(|&&colour| usize::from(colour) > palette.len())
+            {
                 let count = palette.len() + 1;
-                return Err(ViewError::Index { what, index: u32::from(place), count });
+                return Err(ViewError::Index { what, index: u32::from(colour), count });
             }
         }
         Ok(RowColours { faces, vertices, palette: palette.to_vec() })
@@ -53,7 +55,7 @@ impl RowColours {
 
     /// Returns the vertices that have a colour, each with its index.
     pub fn dots(&self) -> impl Iterator<Item = (u32, u8)> + '_ {
-        (0..).zip(self.vertices.iter().copied()).filter(|&(_, place)| place > 0)
+        (0..).zip(self.vertices.iter().copied()).filter(|&(_, colour)| colour > 0)
     }
 }
 

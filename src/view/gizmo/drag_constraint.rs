@@ -45,10 +45,10 @@ impl DragDirection {
             "horizontal" => Ok(DragDirection::Plane(vertical)),
             "vertical" => Ok(DragDirection::Axis(vertical)),
             _ => {
-                let way = place(AXES)
+                let direction = place(AXES)
                     .map(DragDirection::Axis)
                     .or(place(PLANES).map(DragDirection::Plane));
-                way.ok_or_else(|| ViewError::Word {
+                direction.ok_or_else(|| ViewError::Word {
                     what: "drag direction",
                     got: name.to_owned(),
                     known: "screen, horizontal, vertical, x, y, z, xy, yz or zx",
@@ -86,9 +86,9 @@ impl DragConstraint {
     /// Returns the displacement of the held point for a pointer displacement of `by` CSS pixels;
     /// `None` if the ray does not determine one, or one out of all proportion. Components that the
     /// direction forbids are exactly zero.
-    pub fn way(&self, way: DragDirection, by: Vec2) -> Option<Vec3> {
+    pub fn displacement(&self, direction: DragDirection, by: Vec2) -> Option<Vec3> {
         let to = self.from + by;
-        let way = match way {
+        let displacement = match direction {
             DragDirection::Screen => Some(self.on_screen(to)),
             DragDirection::Axis(axis) => {
                 let start = self.along(axis, self.from)?;
@@ -99,7 +99,8 @@ impl DragConstraint {
         }?;
         let depth = |point: Vec3| self.eye.project(point).1;
         let limit = FARTHEST * depth(self.held);
-        (depth(self.held + way) > 0.0 && way.length() < limit).then_some(way)
+        (depth(self.held + displacement) > 0.0 && displacement.length() < limit)
+            .then_some(displacement)
     }
 
     /// Returns the screen position of the held point after a displacement, CSS pixels.
@@ -139,14 +140,14 @@ impl DragConstraint {
             (slope.abs() >= EDGE_ON * 0.2 && far > 0.0).then(|| from + sight * far)
         };
         let (_, sight) = self.eye.ray(self.from);
-        let mut way = if sight.normalize().dot(normal).abs() < EDGE_ON {
+        let mut displacement = if sight.normalize().dot(normal).abs() < EDGE_ON {
             // Edge-on, a plane is a line: vertical screen movement determines nothing in it.
             self.on_screen(to)
         } else {
             meet(to)? - meet(self.from)?
         };
-        way[axis] = 0.0;
-        Some(way)
+        displacement[axis] = 0.0;
+        Some(displacement)
     }
 }
 
@@ -178,12 +179,12 @@ mod tests {
     }
 
     /// Holds a point from beside it, and moves the pointer by the screen displacement of `by`.
-    fn drag(camera: &Camera, way: DragDirection, by: Vec3) -> Option<Vec3> {
+    fn drag(camera: &Camera, direction: DragDirection, by: Vec3) -> Option<Vec3> {
         let eye = camera.eye();
         let beside = Vec2::new(9.0, -6.0);
         let on_screen = |point| eye.project(point).0 + beside;
         DragConstraint::new(camera, HELD, on_screen(HELD))
-            .way(way, on_screen(HELD + by) - on_screen(HELD))
+            .displacement(direction, on_screen(HELD + by) - on_screen(HELD))
     }
 
     #[test]
@@ -191,11 +192,11 @@ mod tests {
         for camera in views() {
             for axis in 0..3 {
                 let by = axis_of(axis) * 0.7;
-                let Some(way) = drag(&camera, DragDirection::Axis(axis), by) else {
+                let Some(moved) = drag(&camera, DragDirection::Axis(axis), by) else {
                     panic!("{camera:?} sees the axis {axis}");
                 };
-                assert!((way - by).length() < 0.05, "{camera:?} {axis} {way}");
-                assert!((0..3).all(|other| other == axis || way[other] == 0.0));
+                assert!((moved - by).length() < 0.05, "{camera:?} {axis} {moved}");
+                assert!((0..3).all(|other| other == axis || moved[other] == 0.0));
             }
         }
     }
@@ -208,12 +209,12 @@ mod tests {
                 by[axis] = 0.0;
                 let eye = camera.eye();
                 let seen = (HELD - eye.at).normalize()[axis].abs();
-                let Some(way) = drag(&camera, DragDirection::Plane(axis), by) else {
+                let Some(moved) = drag(&camera, DragDirection::Plane(axis), by) else {
                     panic!("{camera:?} sees the plane across {axis}");
                 };
-                assert_eq!(way[axis], 0.0);
+                assert_eq!(moved[axis], 0.0);
                 if seen > 0.3 {
-                    assert!((way - by).length() < 0.12, "{camera:?} {axis} {way}");
+                    assert!((moved - by).length() < 0.12, "{camera:?} {axis} {moved}");
                 }
             }
         }
@@ -223,14 +224,16 @@ mod tests {
     fn taken_exactly_at_the_point_it_follows_exactly() {
         for camera in views() {
             let eye = camera.eye();
-            let grip = DragConstraint::new(&camera, HELD, eye.project(HELD).0);
-            for (way, by) in [
+            let drag = DragConstraint::new(&camera, HELD, eye.project(HELD).0);
+            for (direction, by) in [
                 (DragDirection::Axis(2), Vec3::new(0.0, 0.0, 0.5)),
                 (DragDirection::Plane(2), Vec3::new(0.4, -0.3, 0.0)),
                 (DragDirection::Screen, eye.right * 0.3 - eye.up * 0.2),
             ] {
-                let went = grip.way(way, eye.project(HELD + by).0 - eye.project(HELD).0).unwrap();
-                assert!((went - by).length() < 2e-5, "{way:?} {went} {by}");
+                let went = drag
+                    .displacement(direction, eye.project(HELD + by).0 - eye.project(HELD).0)
+                    .unwrap();
+                assert!((went - by).length() < 2e-5, "{direction:?} {went} {by}");
             }
         }
     }
@@ -239,35 +242,35 @@ mod tests {
     fn an_axis_that_points_at_the_eye_says_nothing() {
         let above = camera(0.0, std::f32::consts::FRAC_PI_2);
         let at = above.eye().project(HELD).0;
-        let grip = DragConstraint::new(&above, HELD, at);
-        assert_eq!(grip.way(DragDirection::Axis(2), Vec2::splat(40.0)), None);
+        let drag = DragConstraint::new(&above, HELD, at);
+        assert_eq!(drag.displacement(DragDirection::Axis(2), Vec2::splat(40.0)), None);
         // A plane seen edge-on still moves to the right.
         let front = camera(0.0, 0.0);
         let at = front.eye().project(Vec3::ZERO).0;
-        let grip = DragConstraint::new(&front, Vec3::ZERO, at);
-        let way = grip.way(DragDirection::Plane(2), Vec2::new(50.0, -30.0)).unwrap();
-        assert!(way.x > 0.0 && way.y.abs() < 1e-6 && way.z == 0.0, "{way}");
+        let drag = DragConstraint::new(&front, Vec3::ZERO, at);
+        let moved = drag.displacement(DragDirection::Plane(2), Vec2::new(50.0, -30.0)).unwrap();
+        assert!(moved.x > 0.0 && moved.y.abs() < 1e-6 && moved.z == 0.0, "{moved}");
     }
 
     #[test]
     fn beyond_the_horizon_there_is_nothing() {
         let low = camera(0.3, 0.3);
         let at = low.eye().project(HELD).0;
-        let grip = DragConstraint::new(&low, HELD, at);
-        assert!(grip.way(DragDirection::Plane(2), Vec2::new(0.0, -30.0)).is_some());
-        assert_eq!(grip.way(DragDirection::Plane(2), Vec2::new(0.0, -2000.0)), None);
+        let drag = DragConstraint::new(&low, HELD, at);
+        assert!(drag.displacement(DragDirection::Plane(2), Vec2::new(0.0, -30.0)).is_some());
+        assert_eq!(drag.displacement(DragDirection::Plane(2), Vec2::new(0.0, -2000.0)), None);
     }
 
     #[test]
     fn names_are_read_as_they_are_written() {
-        for way in [
+        for direction in [
             DragDirection::Screen,
             DragDirection::Axis(0),
             DragDirection::Axis(1),
             DragDirection::Plane(0),
             DragDirection::Plane(2),
         ] {
-            assert_eq!(DragDirection::named(way.name(), UpAxis::Z).unwrap(), way);
+            assert_eq!(DragDirection::named(direction.name(), UpAxis::Z).unwrap(), direction);
         }
         assert_eq!(DragDirection::named("horizontal", UpAxis::Y).unwrap(), DragDirection::Plane(1));
         assert_eq!(DragDirection::named("vertical", UpAxis::Z).unwrap(), DragDirection::Axis(2));

@@ -37,20 +37,20 @@ pub type Corner = [f32; 6];
 /// Returns all triangles, in drawing order.
 pub fn triangles(gizmo: &Gizmo, wanted: &GizmoState, palette: &Palette) -> Vec<Corner> {
     let mut parts: Vec<&Part> = gizmo.parts.iter().filter(|part| part.strength > 0.0).collect();
-    let is_arrow = |part: &Part| matches!(part.way, DragDirection::Axis(_));
+    let is_arrow = |part: &Part| matches!(part.direction, DragDirection::Axis(_));
     parts.sort_by(|a, b| is_arrow(a).cmp(&is_arrow(b)).then(b.depth.total_cmp(&a.depth)));
     let mut drawing = Drawing::default();
     for part in parts {
-        let lit = wanted.lit == Some(part.way);
-        let back = if wanted.held && !lit { STEPPED_BACK } else { 1.0 };
+        let highlighted = wanted.highlighted == Some(part.direction);
+        let back = if wanted.held && !highlighted { STEPPED_BACK } else { 1.0 };
         drawing.opacity = part.strength * back;
-        let width = if lit { LIT } else { 1.0 };
-        match part.way {
+        let width = if highlighted { LIT } else { 1.0 };
+        match part.direction {
             DragDirection::Axis(axis) => {
                 drawing.arrow(part, axis, width, [palette.axis_casing, palette.axes[axis]]);
             }
             DragDirection::Plane(axis) => {
-                let fill = FILL[usize::from(lit)];
+                let fill = FILL[usize::from(highlighted)];
                 drawing.square(part, fill, width, [palette.axis_casing, palette.axes[axis]]);
             }
             DragDirection::Screen => {}
@@ -141,7 +141,7 @@ mod tests {
                 |corner: &Corner| Vec2::new(corner[0], corner[1]).distance(gizmo.middle) < limit;
             assert!(shown.iter().all(near));
             let held = GizmoState {
-                lit: Some(DragDirection::Axis(2)),
+                highlighted: Some(DragDirection::Axis(2)),
                 held: true,
                 ..GizmoState::default()
             };

@@ -40,18 +40,18 @@ pub struct GizmoState {
     /// Whether it is sized for fingers.
     pub touch: bool,
     /// The part that the pointer is over or holds.
-    pub lit: Option<DragDirection>,
+    pub highlighted: Option<DragDirection>,
     /// Whether the pointer holds this part or another handle; the other parts are then fainter.
     pub held: bool,
     /// The point that the pointer holds.
-    pub grip: Option<DragConstraint>,
+    pub drag: Option<DragConstraint>,
 }
 
 /// An arrow or a square on the screen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
     /// The direction in which it drags.
-    pub way: DragDirection,
+    pub direction: DragDirection,
     /// Opacity, from 0 (invisible) to 1.
     pub strength: f32,
     /// Start and tip of an arrow, or the corners of a square, CSS pixels.
@@ -109,15 +109,15 @@ impl Gizmo {
             if let Some(apart) = part.apart(at, self.sizes.reach)
                 && nearest.is_none_or(|(least, _)| apart < least)
             {
-                nearest = Some((apart, part.way));
+                nearest = Some((apart, part.direction));
             }
         }
-        nearest.map(|(_, way)| way)
+        nearest.map(|(_, direction)| direction)
     }
 
     /// Returns the best position for picking a part; `None` if it cannot be picked.
-    pub fn best(&self, way: DragDirection) -> Option<Vec2> {
-        let part = self.parts.iter().find(|part| part.way == way)?;
+    pub fn best(&self, direction: DragDirection) -> Option<Vec2> {
+        let part = self.parts.iter().find(|part| part.direction == direction)?;
         let at = match part.corners[..] {
             [start, tip] => start.lerp(tip, 0.75),
             _ => part.middle(),
@@ -127,11 +127,11 @@ impl Gizmo {
 }
 
 impl Part {
-    fn new(eye: &Eye, way: DragDirection, slant: f32, points: &[Vec3]) -> Part {
+    fn new(eye: &Eye, direction: DragDirection, slant: f32, points: &[Vec3]) -> Part {
         let [gone, whole] = FADING;
         let (corners, depths): (Vec<_>, Vec<_>) = points.iter().map(|&p| eye.project(p)).unzip();
         Part {
-            way,
+            direction,
             strength: ((slant - gone) / (whole - gone)).clamp(0.0, 1.0),
             corners,
             depth: depths.into_iter().fold(0.0, f32::max),
@@ -185,8 +185,8 @@ mod tests {
     fn it_is_as_large_from_far_as_from_near() {
         let [near, far] = [3.0, 300.0].map(|distance| gizmo(0.55, 0.65, distance, false));
         for (a, b) in near.parts.iter().zip(&far.parts) {
-            assert_eq!(a.way, b.way);
-            assert!((length(a) - length(b)).abs() < 4.0, "{:?}", a.way);
+            assert_eq!(a.direction, b.direction);
+            assert!((length(a) - length(b)).abs() < 4.0, "{:?}", a.direction);
         }
         let behind = Camera { distance: -3.0, ..Camera::default() };
         assert!(Gizmo::new(&behind, Vec3::ZERO, false).is_none());
@@ -197,8 +197,8 @@ mod tests {
         for touch in [false, true] {
             let gizmo = gizmo(0.55, 0.65, 5.0, touch);
             for part in &gizmo.parts {
-                let at = gizmo.best(part.way).unwrap();
-                assert_eq!(gizmo.pick(at), Some(part.way), "{touch}");
+                let at = gizmo.best(part.direction).unwrap();
+                assert_eq!(gizmo.pick(at), Some(part.direction), "{touch}");
             }
             assert_eq!(gizmo.pick(gizmo.middle + 3.0), None, "the handle is there");
             assert_eq!(gizmo.pick(gizmo.middle + 300.0), None);
@@ -214,13 +214,13 @@ mod tests {
                 let aside = (tip - start).perp().normalize() * (half - 0.1);
                 for side in [aside, -aside] {
                     let found = part.apart(tip + side, gizmo.sizes.reach);
-                    assert!(found.is_some(), "{:?}", part.way);
+                    assert!(found.is_some(), "{:?}", part.direction);
                 }
             }
             for part in &gizmo.parts[3..] {
                 for way in [Vec2::X, Vec2::Y, -Vec2::X, -Vec2::Y] {
                     let at = part.middle() + way * (half - 0.1);
-                    assert!(part.apart(at, gizmo.sizes.reach).is_some(), "{:?}", part.way);
+                    assert!(part.apart(at, gizmo.sizes.reach).is_some(), "{:?}", part.direction);
                 }
             }
         }
@@ -229,10 +229,11 @@ mod tests {
     #[test]
     fn from_above_only_what_moves_on_the_ground_can_be_taken() {
         let gizmo = gizmo(0.0, FRAC_PI_2, 50.0, false);
-        let taken: Vec<_> = gizmo.parts.iter().map(|part| gizmo.best(part.way).is_some()).collect();
+        let taken: Vec<_> =
+            gizmo.parts.iter().map(|part| gizmo.best(part.direction).is_some()).collect();
         assert_eq!(taken, [true, true, false, false, false, true]);
         let upwards = &gizmo.parts[2];
         assert_eq!(upwards.strength, 0.0);
-        assert_ne!(gizmo.pick(upwards.corners[1] + Vec2::splat(9.0)), Some(upwards.way));
+        assert_ne!(gizmo.pick(upwards.corners[1] + Vec2::splat(9.0)), Some(upwards.direction));
     }
 }

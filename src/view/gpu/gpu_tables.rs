@@ -118,7 +118,7 @@ pub struct GpuTables {
     colour_map: wgpu::Texture,
     /// The map in row 0 of `colour_map`.
     full_map: ColourMap,
-    places: Table,
+    uv: Table,
     layout: wgpu::BindGroupLayout,
     group: wgpu::BindGroup,
 }
@@ -156,14 +156,14 @@ impl GpuTables {
         let vertex_normals = Table::new(device, "vertex normals", float);
         let face_normals = Table::new(device, "face normals", float);
         let face_looks = Table::new(device, "face appearance", bytes);
-        let places = Table::new(device, "places on the checkerboard", float);
+        let uv = Table::new(device, "texture coordinates", float);
         let textures = [
             &positions.texture,
             &vertex_normals.texture,
             &face_normals.texture,
             &face_looks.texture,
             &colours,
-            &places.texture,
+            &uv.texture,
         ];
         let group = bind(device, &layout, &globals, textures);
         GpuTables {
@@ -174,7 +174,7 @@ impl GpuTables {
             face_looks,
             colour_map: colours,
             full_map: ColourMap::Viridis,
-            places,
+            uv,
             layout,
             group,
         }
@@ -235,9 +235,9 @@ impl GpuTables {
             self.write_colours(queue, 1, &state.appearance().rows.palette);
         }
         if changes.mesh || changes.checks {
-            let places = state.checks().places.iter();
-            let texels = four_each(places.map(|place| place.extend(0.0).extend(0.0)));
-            rebind |= self.places.write(device, queue, texels);
+            let uv = state.checks().uv.iter();
+            let texels = four_each(uv.map(|uv| uv.extend(0.0).extend(0.0)));
+            rebind |= self.uv.write(device, queue, texels);
         }
         if changes.projections {
             self.write_colours(queue, 2, &state.projections().palette);
@@ -275,7 +275,7 @@ impl GpuTables {
             &self.face_normals.texture,
             &self.face_looks.texture,
             &self.colour_map,
-            &self.places.texture,
+            &self.uv.texture,
         ];
         self.group = bind(device, &self.layout, &self.globals, textures);
     }

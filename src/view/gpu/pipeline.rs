@@ -28,12 +28,12 @@ pub enum Layer {
 pub enum Onto {
     /// The picture, in the format of its canvas, with several samples per pixel.
     Picture(wgpu::TextureFormat),
-    /// A texture of [`FOUND_FORMAT`] for later passes; only a surface uses a depth buffer with it.
-    Found,
+    /// A texture of [`TEXTURE_FORMAT`] for later passes; only a surface uses a depth buffer with it.
+    Texture,
 }
 
 /// Format of intermediate results: four bytes, which every device can render to.
-pub const FOUND_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+pub const TEXTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// The description of a primitive's pipeline.
 #[derive(Clone, Copy, Debug)]
@@ -95,7 +95,7 @@ pub fn build_onto(
     };
     let (format, samples) = match onto {
         Onto::Picture(format) => (format, SAMPLES),
-        Onto::Found => (FOUND_FORMAT, 1),
+        Onto::Texture => (TEXTURE_FORMAT, 1),
     };
     let depth = wgpu::DepthStencilState {
         format: DEPTH_FORMAT,

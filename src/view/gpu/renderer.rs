@@ -28,7 +28,7 @@ pub struct Renderer {
     backdrop: Backdrop,
     occlusion: Occlusion,
     /// Camera, depths and size for which the occlusion was last computed.
-    found_for: Option<Seen>,
+    occlusion_of: Option<Seen>,
     /// The section with which the shadow on the ground was computed.
     shadow_of: Option<Section>,
     faces: Faces,
@@ -53,7 +53,7 @@ impl Renderer {
             backdrop: Backdrop::new(gpu, &device.queue, &tables, format),
             faces: Faces::new(gpu, &tables, occlusion.layout(), format),
             occlusion,
-            found_for: None,
+            occlusion_of: None,
             shadow_of: None,
             lines: Lines::new(gpu, &tables, format),
             projections: ProjectionLines::new(gpu, &tables, format),
@@ -72,7 +72,7 @@ impl Renderer {
     pub fn occlusion_fits(&self, state: &ViewState, size: (u32, u32)) -> bool {
         let changes = state.changes();
         let is_moved = changes.mesh || changes.positions;
-        !is_moved && self.found_for == Some((state.camera(), state.depth_range(), size))
+        !is_moved && self.occlusion_of == Some((state.camera(), state.depth_range(), size))
     }
 
     /// Draws the model, with its flat map beside it if there is one, or else the two sides of a
@@ -120,9 +120,9 @@ impl Renderer {
             let size = parts.map_or(picture.size, |[part, _]| part.size);
             let (device, tables) = (&self.device.device, &self.whole.tables);
             self.occlusion.find(device, &mut encoder, tables, &self.faces, size);
-            self.found_for = Some((state.camera(), state.depth_range(), picture.size));
+            self.occlusion_of = Some((state.camera(), state.depth_range(), picture.size));
         } else if !fits {
-            self.found_for = None;
+            self.occlusion_of = None;
         }
         let mut pass = self.device.pass(&mut encoder, &frame, state.background());
         pass.set_bind_group(1, self.occlusion.group(), &[]);

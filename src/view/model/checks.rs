@@ -8,7 +8,7 @@ use glam::{DVec2, Vec2};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Checks {
     /// #V, texture coordinates of the vertices about the centre of the map; empty without a map.
-    pub places: Vec<Vec2>,
+    pub uv: Vec<Vec2>,
     /// Number of squares per unit of length; none are drawn if it is 0.
     pub per_length: f32,
 }
@@ -19,26 +19,26 @@ impl Checks {
     /// # Errors
     /// A wrong number of coordinates, or one that is not finite.
     pub fn new(uv: &[f64], count: usize) -> Result<Checks, ViewError> {
-        let (places, rest) = uv.as_chunks::<2>();
-        if places.len() != count || !rest.is_empty() {
+        let (pairs, rest) = uv.as_chunks::<2>();
+        if pairs.len() != count || !rest.is_empty() {
             let (got, expected) = (uv.len(), 2 * count);
             return Err(ViewError::Length { what: "flat map", got, expected });
         }
-        if let Some(vertex) = places.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
+        if let Some(vertex) = pairs.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
             return Err(ViewError::NotFinite { vertex });
         }
-        let places = || places.iter().copied().map(DVec2::from);
-        let low = places().reduce(DVec2::min).unwrap_or_default();
-        let high = places().reduce(DVec2::max).unwrap_or_default();
+        let uv = || pairs.iter().copied().map(DVec2::from);
+        let low = uv().reduce(DVec2::min).unwrap_or_default();
+        let high = uv().reduce(DVec2::max).unwrap_or_default();
         let middle = low + (high - low) * 0.5;
-        Ok(Checks { places: places().map(|p| (p - middle).as_vec2()).collect(), per_length: 0.0 })
+        Ok(Checks { uv: uv().map(|p| (p - middle).as_vec2()).collect(), per_length: 0.0 })
     }
 
     /// Returns the width and height of the map.
     pub fn extent(&self) -> Vec2 {
-        let places = || self.places.iter().copied();
-        let low = places().reduce(Vec2::min).unwrap_or_default();
-        places().reduce(Vec2::max).unwrap_or_default() - low
+        let uv = || self.uv.iter().copied();
+        let low = uv().reduce(Vec2::min).unwrap_or_default();
+        uv().reduce(Vec2::max).unwrap_or_default() - low
     }
 }
 
@@ -49,7 +49,7 @@ mod tests {
     #[test]
     fn places_lie_about_the_middle_of_the_map() {
         let checks = Checks::new(&[10.0, 5.0, 14.0, 5.0, 14.0, 7.0], 3).unwrap();
-        assert_eq!(checks.places[0], Vec2::new(-2.0, -1.0));
+        assert_eq!(checks.uv[0], Vec2::new(-2.0, -1.0));
         assert_eq!(checks.extent(), Vec2::new(4.0, 2.0));
         assert_eq!(Checks::default().extent(), Vec2::ZERO);
     }

@@ -18,8 +18,9 @@ impl ProjectedFaces {
     pub fn new(projections: &ProjectionMarks, places: &[Vec3]) -> ProjectedFaces {
         let mut found = ProjectedFaces::default();
         for ring in rings(&projections.outlines, places.len()) {
-            let ways = ring.iter().map(|&point| projections.points[point as usize].way.length());
-            let farthest = ways.fold(0.0, f32::max);
+            let lengths =
+                ring.iter().map(|&point| projections.points[point as usize].displacement.length());
+            let farthest = lengths.fold(0.0, f32::max);
             triangulate(places, &ring, &mut found.triangles);
             found.beside.resize(found.triangles.len(), farthest);
         }
@@ -81,10 +82,11 @@ mod tests {
 
     #[test]
     fn a_square_is_filled_and_knows_how_far_it_may_lie_from_the_surface() {
-        let ways = [0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0];
+        let displacements = [0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0];
         let outlines = [0, 1, 1, 2, 2, 3, 0, 3];
         let projections =
-            ProjectionMarks::new(&[0, 1, 2, 3], &ways, &[1; 4], &outlines, &[0.5; 3], 4).unwrap();
+            ProjectionMarks::new(&[0, 1, 2, 3], &displacements, &[1; 4], &outlines, &[0.5; 3], 4)
+                .unwrap();
         let places = [Vec3::ZERO, Vec3::X, Vec3::ONE.with_z(0.0), Vec3::Y];
         let faces = ProjectedFaces::new(&projections, &places);
         assert_eq!(faces.triangles, [[0, 1, 2], [0, 2, 3]]);

@@ -12,9 +12,9 @@ pub struct ProjectedPoint {
     /// The vertex of which it is the projection.
     pub vertex: u32,
     /// Displacement from the vertex to the point; relative, to keep its digits far from the origin.
-    pub way: Vec3,
+    pub displacement: Vec3,
     /// Index of its colour in the palette, plus one.
-    pub place: u8,
+    pub colour: u8,
 }
 
 /// All projected points.
@@ -37,21 +37,21 @@ impl ProjectionMarks {
     /// Arrays that do not fit together, or an index out of range.
     pub fn new(
         vertices: &[u32],
-        ways: &[f32],
-        places: &[u8],
+        displacements: &[f32],
+        colours: &[u8],
         outlines: &[u32],
         palette: &[f32],
         vertex_count: usize,
     ) -> Result<ProjectionMarks, ViewError> {
         check_indices("projected vertices", vertices, vertex_count)?;
         check_indices("outlines", outlines, vertices.len())?;
-        let (ways, rest) = ways.as_chunks::<3>();
+        let (displacements, rest) = displacements.as_chunks::<3>();
         let (outlines, odd) = outlines.as_chunks::<2>();
         let (palette, loose) = palette.as_chunks::<3>();
         let count = vertices.len();
         for (what, got, expected) in [
-            ("ways to projections", ways.len() * 3 + rest.len(), count * 3),
-            ("colours of projections", places.len(), count),
+            ("displacements of projections", displacements.len() * 3 + rest.len(), count * 3),
+            ("colours of projections", colours.len(), count),
             ("outlines", outlines.len() * 2 + odd.len(), outlines.len() * 2),
             ("palette", palette.len() * 3 + loose.len(), palette.len() * 3),
         ] {
@@ -59,16 +59,20 @@ impl ProjectionMarks {
                 return Err(ViewError::Length { what, got, expected });
             }
         }
-        let known = |&&place: &&u8| place == 0 || usize::from(place) > palette.len();
-        if let Some(&place) = places.iter().find(known) {
-            let (what, index, count) = ("colours of projections", u32::from(place), palette.len());
+        let known = |&&colour: &&u8| colour == 0 || usize::from(colour) > palette.len();
+        if let Some(&colour) = colours.iter().find(known) {
+            let (what, index, count) = ("colours of projections", u32::from(colour), palette.len());
             return Err(ViewError::Index { what, index, count: count + 1 });
         }
-        let points = vertices.iter().zip(ways).zip(places);
-        let points = points.take(MOST_POINTS).map(|((&vertex, &way), &place)| {
+        let points = vertices.iter().zip(displacements).zip(colours);
+        let points = points.take(MOST_POINTS).map(|((&vertex, &displacement), &colour)| {
             // A displacement that is not finite becomes zero, which hides its arrow.
-            let way = Vec3::from(way);
-            ProjectedPoint { vertex, way: if way.is_finite() { way } else { Vec3::ZERO }, place }
+            let displacement = Vec3::from(displacement);
+            ProjectedPoint {
+                vertex,
+                displacement: if displacement.is_finite() { displacement } else { Vec3::ZERO },
+                colour,
+            }
         });
         let inside = |ends: &&[u32; 2]| ends.iter().all(|&end| (end as usize) < MOST_POINTS);
         Ok(ProjectionMarks {
@@ -85,24 +89,29 @@ mod tests {
 
     #[test]
     fn points_keep_their_ways_and_outlines_their_ends() {
-        let ways = [0.0, 0.0, 1.0, f32::NAN, 0.0, 0.0];
-        let found = ProjectionMarks::new(&[4, 2], &ways, &[1, 1], &[0, 1], &[0.5; 3], 5).unwrap();
-        assert_eq!(found.points[0], ProjectedPoint { vertex: 4, way: Vec3::Z, place: 1 });
-        assert_eq!(found.points[1].way, Vec3::ZERO);
+        let displacements = [0.0, 0.0, 1.0, f32::NAN, 0.0, 0.0];
+        let found =
+            ProjectionMarks::new(&[4, 2], &displacements, &[1, 1], &[0, 1], &[0.5; 3], 5).unwrap();
+        assert_eq!(found.points[0], ProjectedPoint { vertex: 4, displacement: Vec3::Z, colour: 1 });
+        assert_eq!(found.points[1].displacement, Vec3::ZERO);
         assert_eq!(found.outlines, [[0, 1]]);
     }
 
     #[test]
     fn what_does_not_fit_is_refused_by_name() {
-        let refused = |vertices: &[u32], ways: &[f32], places: &[u8], outlines: &[u32]| {
-            ProjectionMarks::new(vertices, ways, places, outlines, &[0.5; 3], 5)
-                .unwrap_err()
-                .to_string()
-        };
-        assert!(refused(&[5], &[0.0; 3], &[1], &[]).starts_with("projected vertices: index 5"));
-        assert!(refused(&[0], &[0.0; 4], &[1], &[]).starts_with("ways to projections: 4 entries"));
-        assert!(refused(&[0], &[0.0; 3], &[2], &[]).starts_with("colours of projections: index 2"));
-        assert!(refused(&[0], &[0.0; 3], &[1], &[0, 1]).starts_with("outlines: index 1"));
+        let refused =
+            |vertices: &[u32], displacements: &[f32], colours: &[u8], outlines: &[u32]| {
+                ProjectionMarks::new(vertices, displacements, colours, outlines, &[0.5; 3], 5)
+                    .unwrap_err()
+                    .to_string()
+            };
+        assert!(refused(&[5], &[0.0; 3], &[1], &[]).starts_with("projected vertices: found 5"));
+        assert!(
+            refused(&[0], &[0.0; 4], &[1], &[])
+                .starts_with("displacements of projections: 4 entries")
+        );
+        assert!(refused(&[0], &[0.0; 3], &[2], &[]).starts_with("colours of projections: found 2"));
+        assert!(refused(&[0], &[0.0; 3], &[1], &[0, 1]).starts_with("outlines: found 1"));
         assert!(refused(&[0], &[0.0; 3], &[1], &[0]).starts_with("outlines: 1 entries"));
     }
 }

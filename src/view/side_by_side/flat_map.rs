@@ -51,7 +51,7 @@ pub fn flat_map(
     let (count, faces) = model.counts();
     check_indices("flipped faces", flipped, faces)?;
     let checks = Checks::new(uv, count)?;
-    let flat = checks.places.iter().flat_map(|place| [place.x, place.y, 0.0].map(f64::from));
+    let flat = checks.uv.iter().flat_map(|uv| [uv.x, uv.y, 0.0].map(f64::from));
     let coordinates: Vec<f64> = flat.collect();
     let mesh = RenderMesh::new(model.mesh().faces.clone(), Lists::default(), &coordinates)?;
     let flipped = sides(&mesh.faces, flipped);
@@ -85,7 +85,7 @@ pub fn show_flipped(map: &mut ViewState, model: &mut ViewState) {
         let low = places.clone().fold(Vec3::INFINITY, Vec3::min);
         let high = places.fold(Vec3::NEG_INFINITY, Vec3::max);
         let around = 0.25 * (high - low).length();
-        state.come_near(&vertices, around.max(LEAST_PART * state.size()));
+        state.zoom_to(&vertices, around.max(LEAST_PART * state.size()));
     }
 }
 

@@ -86,7 +86,7 @@ impl Pictures {
         coordinates: &[f64],
     ) -> Result<(), ViewError> {
         self.model.set_mesh(faces, curves, coordinates)?;
-        if self.model.checks().places.is_empty() {
+        if self.model.checks().uv.is_empty() {
             self.clear_map();
         }
         // Its sides show the previous mesh.
@@ -161,7 +161,7 @@ impl Pictures {
             None => {
                 self.split = Some(Split::new(&self.model, at));
                 // Both sides show the marks of the model.
-                self.model.show_anew();
+                self.model.redraw();
             }
         }
     }

@@ -69,7 +69,7 @@ impl ViewState {
     }
 
     /// Requests a redraw with the marks and positions of `model`.
-    pub fn show_anew(&mut self) {
+    pub fn redraw(&mut self) {
         self.changes.appearance = true;
         self.changes.positions = true;
     }

@@ -21,12 +21,13 @@ impl ViewState {
     /// Returns the canvas position of what is held after a displacement `by`, in CSS pixels; none
     /// if nothing is held.
     pub fn held_place(&self, by: Vec3) -> Option<Vec2> {
-        Some(self.gizmo.grip?.place(by))
+        Some(self.gizmo.drag?.place(by))
     }
 
     /// Changes the state of the gizmo, and requests a redraw if the change is visible.
     pub fn want_gizmo(&mut self, change: impl FnOnce(&mut GizmoState)) {
-        let look = |wanted: &GizmoState| (wanted.shown, wanted.touch, wanted.lit, wanted.held);
+        let look =
+            |wanted: &GizmoState| (wanted.shown, wanted.touch, wanted.highlighted, wanted.held);
         let before = look(&self.gizmo);
         change(&mut self.gizmo);
         self.changes.view |= look(&self.gizmo) != before;
@@ -40,21 +41,21 @@ impl ViewState {
         check_indices("held vertex", &[vertex], self.counts().0)?;
         let held = self.content.mesh.positions[vertex as usize];
         let from = from.unwrap_or_else(|| self.viewpoint.camera.eye().project(held).0);
-        self.gizmo.grip = Some(DragConstraint::new(&self.viewpoint.camera, held, from));
+        self.gizmo.drag = Some(DragConstraint::new(&self.viewpoint.camera, held, from));
         Ok(())
     }
 
     /// Begins to hold the gizmo, if there is one, with the pointer at a screen position.
     pub fn hold_gizmo(&mut self, from: Vec2) {
-        self.gizmo.grip = self
+        self.gizmo.drag = self
             .middle_of_chosen()
             .map(|held| DragConstraint::new(&self.viewpoint.camera, held, from));
     }
 
     /// Returns the displacement of what is held if the pointer moves by `by` CSS pixels; see
-    /// [`DragConstraint::way`].
-    pub fn constrain_move(&self, way: DragDirection, by: Vec2) -> Option<Vec3> {
-        self.gizmo.grip?.way(way, by)
+    /// [`DragConstraint::displacement`].
+    pub fn constrain_move(&self, direction: DragDirection, by: Vec2) -> Option<Vec3> {
+        self.gizmo.drag?.displacement(direction, by)
     }
 
     /// Returns the mean target of the selected handles, relative to the view's centre.

@@ -32,5 +32,5 @@ pub mod view_state;
 mod viewpoint;
 
 pub use parts::{Changes, Display, HandleMark, SHAPE_NUMBERS};
-pub use select_region::{Outline, Taking};
+pub use select_region::{Outline, RegionMode};
 pub use view_state::ViewState;

@@ -146,12 +146,12 @@ impl ViewState {
     /// A vertex that does not exist.
     pub fn fit_vertices(&mut self, vertices: &[u32]) -> Result<(), ViewError> {
         check_indices("vertices", vertices, self.counts().0)?;
-        self.come_near(vertices, self.size() * 0.04);
+        self.zoom_to(vertices, self.size() * 0.04);
         Ok(())
     }
 
     /// Fits some vertices to the canvas, with a margin `around` in units of length.
-    pub(crate) fn come_near(&mut self, vertices: &[u32], around: f32) {
+    pub(crate) fn zoom_to(&mut self, vertices: &[u32], around: f32) {
         let points = vertices.iter().map(|&v| self.content.mesh.positions[v as usize]);
         frame(&mut self.viewpoint.camera, points, around);
         self.viewpoint.framed = false;

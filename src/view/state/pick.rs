@@ -23,7 +23,7 @@ impl ViewState {
     }
 
     /// Computes the depth map, unless it is up to date.
-    pub(crate) fn look(&mut self) {
+    pub(crate) fn ensure_depth_map(&mut self) {
         self.viewpoint.depth_map.get_or_insert_with(|| {
             DepthMap::new(&self.content.mesh, &self.viewpoint.camera, COARSE)
         });

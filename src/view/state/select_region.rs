@@ -28,8 +28,8 @@ impl Outline {
         Outline::new(vec![a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)])
     }
 
-    fn holds(&self, p: Vec2) -> bool {
-        p.cmpge(self.low).all() && p.cmple(self.high).all() && holds(&self.corners, p)
+    fn contains(&self, p: Vec2) -> bool {
+        p.cmpge(self.low).all() && p.cmple(self.high).all() && contains(&self.corners, p)
     }
 
     /// Returns whether a segment crosses the outline.
@@ -39,18 +39,18 @@ impl Outline {
     }
 
     /// Returns whether any part of a segment is inside.
-    fn meets(&self, a: Vec2, b: Vec2) -> bool {
-        self.holds(a) || self.crosses(a, b)
+    fn intersects(&self, a: Vec2, b: Vec2) -> bool {
+        self.contains(a) || self.crosses(a, b)
     }
 
     /// Returns whether a segment is entirely inside.
-    fn has(&self, a: Vec2, b: Vec2) -> bool {
-        self.holds(a) && self.holds(b) && !self.crosses(a, b)
+    fn contains_segment(&self, a: Vec2, b: Vec2) -> bool {
+        self.contains(a) && self.contains(b) && !self.crosses(a, b)
     }
 }
 
 /// Applies the even-odd rule to a horizontal ray from `p` to the right.
-fn holds(corners: &[Vec2], p: Vec2) -> bool {
+fn contains(corners: &[Vec2], p: Vec2) -> bool {
     let crossed = polygon_sides(corners).filter(|&[a, b]| {
         (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)
     });
@@ -65,7 +65,7 @@ fn cross(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
 
 /// Which elements a region selects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Taking {
+pub struct RegionMode {
     /// Whether elements that are partly inside count.
     pub touching: bool,
     /// Whether elements that the surface hides count.
@@ -124,27 +124,30 @@ impl ViewState {
         let inside = |&vertex: &u32| {
             let point = seen.mesh.positions[vertex as usize];
             let (at, depth) = seen.project(point);
-            depth > 0.0 && outline.holds(at) && seen.shows(point)
+            depth > 0.0 && outline.contains(at) && seen.shows(point)
         };
         (0..count).filter(inside).collect()
     }
 
     /// Returns the edges inside, in the order of [`ViewState::set_edges`]. An edge is visible if
     /// its midpoint is.
-    pub fn edges_in(&mut self, outline: &Outline, taking: Taking) -> Vec<u32> {
-        let seen = Seen::new(self, taking.through);
+    pub fn edges_in(&mut self, outline: &Outline, mode: RegionMode) -> Vec<u32> {
+        let seen = Seen::new(self, mode.through);
         let inside = |&edge: &u32| {
             let Some([a, b]) = seen.on_screen(seen.edges[edge as usize]) else { return false };
-            let within =
-                if taking.touching { outline.meets(a.0, b.0) } else { outline.has(a.0, b.0) };
+            let within = if mode.touching {
+                outline.intersects(a.0, b.0)
+            } else {
+                outline.contains_segment(a.0, b.0)
+            };
             within && seen.shows_edge(edge)
         };
         (0..seen.edges.len() as u32).filter(inside).collect()
     }
 
     /// Returns the faces inside, in ascending order.
-    pub fn faces_in(&mut self, outline: &Outline, taking: Taking) -> Vec<u32> {
-        let seen = Seen::new(self, taking.through);
+    pub fn faces_in(&mut self, outline: &Outline, mode: RegionMode) -> Vec<u32> {
+        let seen = Seen::new(self, mode.through);
         let shown = seen.faces();
         let inside = |&face: &u32| {
             let corners = seen.mesh.faces.row(face as usize);
@@ -154,12 +157,12 @@ impl ViewState {
                 return false;
             }
             let corners: Vec<Vec2> = places.iter().map(|&(at, _)| at).collect();
-            let within = if taking.touching {
+            let within = if mode.touching {
                 // The outline may lie inside the face without touching its sides.
-                polygon_sides(&corners).any(|[a, b]| outline.meets(a, b))
-                    || outline.corners.first().is_some_and(|&corner| holds(&corners, corner))
+                polygon_sides(&corners).any(|[a, b]| outline.intersects(a, b))
+                    || outline.corners.first().is_some_and(|&corner| contains(&corners, corner))
             } else {
-                polygon_sides(&corners).all(|[a, b]| outline.has(a, b))
+                polygon_sides(&corners).all(|[a, b]| outline.contains_segment(a, b))
             };
             let is_left = || {
                 let mut row = seen.mesh.faces.row(face as usize).iter();
@@ -184,7 +187,7 @@ struct Seen<'a> {
 impl<'a> Seen<'a> {
     fn new(state: &'a mut ViewState, through: bool) -> Seen<'a> {
         if !through {
-            state.look();
+            state.ensure_depth_map();
         }
         let state = &*state;
         let camera = state.camera();
@@ -241,13 +244,16 @@ mod tests {
         let corners =
             [(0., 0.), (9., 0.), (9., 9.), (6., 9.), (6., 2.), (3., 2.), (3., 9.), (0., 9.)];
         let u = Outline::new(corners.map(|(x, y)| at(x, y)).to_vec());
-        assert!(u.holds(at(1.0, 5.0)) && u.holds(at(8.0, 5.0)) && u.holds(at(4.5, 1.0)));
-        assert!(!u.holds(at(4.5, 5.0)) && !u.holds(at(-1.0, 5.0)));
+        assert!(u.contains(at(1.0, 5.0)) && u.contains(at(8.0, 5.0)) && u.contains(at(4.5, 1.0)));
+        assert!(!u.contains(at(4.5, 5.0)) && !u.contains(at(-1.0, 5.0)));
         // From arm to arm: both ends are inside, the middle is not.
-        assert!(u.meets(at(1.0, 5.0), at(8.0, 5.0)) && !u.has(at(1.0, 5.0), at(8.0, 5.0)));
-        assert!(u.has(at(1.0, 5.0), at(1.5, 8.0)));
-        assert!(u.meets(at(-5.0, 1.0), at(20.0, 1.0)));
-        assert!(!u.meets(at(4.0, 5.0), at(5.0, 8.0)));
-        assert!(!Outline::new(vec![]).meets(at(0.0, 0.0), at(1.0, 1.0)));
+        assert!(
+            u.intersects(at(1.0, 5.0), at(8.0, 5.0))
+                && !u.contains_segment(at(1.0, 5.0), at(8.0, 5.0))
+        );
+        assert!(u.contains_segment(at(1.0, 5.0), at(1.5, 8.0)));
+        assert!(u.intersects(at(-5.0, 1.0), at(20.0, 1.0)));
+        assert!(!u.intersects(at(4.0, 5.0), at(5.0, 8.0)));
+        assert!(!Outline::new(vec![]).intersects(at(0.0, 0.0), at(1.0, 1.0)));
     }
 }

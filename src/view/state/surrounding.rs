@@ -123,8 +123,9 @@ impl ViewState {
     pub fn depth_range(&self) -> (f32, f32) {
         let [mut low, mut high] = self.bounds();
         // Projections lie beside their vertices, and are lifted by their displacement.
-        let ways = self.content.projections.points.iter().map(|point| point.way.length_squared());
-        let beside = 2.0 * ways.fold(0.0, f32::max).sqrt();
+        let displacements =
+            self.content.projections.points.iter().map(|point| point.displacement.length_squared());
+        let beside = 2.0 * displacements.fold(0.0, f32::max).sqrt();
         (low, high) = (low - beside, high + beside);
         let corners = (0..8).map(|i| {
             let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };

@@ -161,8 +161,8 @@ impl ViewState {
     /// Returns the projected points relative to the view's centre; w: distance from their vertex.
     pub fn projected(&self) -> impl Iterator<Item = Vec4> + '_ {
         self.content.projections.points.iter().map(|point| {
-            let at = self.content.mesh.positions[point.vertex as usize] + point.way;
-            at.extend(point.way.length())
+            let at = self.content.mesh.positions[point.vertex as usize] + point.displacement;
+            at.extend(point.displacement.length())
         })
     }
 

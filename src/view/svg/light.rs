@@ -14,8 +14,8 @@ pub fn face_colour(state: &ViewState, face: u32, palette: &Palette) -> Vec3 {
     let plain = rgb(palette.shade).lerp(rgb(palette.material), light) * side;
     let colour = match state.appearance().colour_of(face as usize) {
         FaceColour::Plain => plain,
-        FaceColour::Row(place) => {
-            let row = Vec3::from(state.appearance().rows.palette[usize::from(place) - 1]);
+        FaceColour::Row(colour) => {
+            let row = Vec3::from(state.appearance().rows.palette[usize::from(colour) - 1]);
             plain.lerp(row * modelled, row_colours::STRENGTH)
         }
         FaceColour::NoValue => rgb(palette.no_value) * modelled,

@@ -19,18 +19,18 @@ impl View {
     ///
     /// # Errors
     /// Any other name.
-    #[wasm_bindgen(js_name = lightGizmo)]
-    pub fn light_gizmo(&mut self, part: Option<String>, held: bool) -> Result<(), JsValue> {
-        let lit = part.map(|name| self.direction(&name)).transpose()?;
-        self.model().want_gizmo(|wanted| (wanted.lit, wanted.held) = (lit, held));
+    #[wasm_bindgen(js_name = highlightGizmo)]
+    pub fn highlight_gizmo(&mut self, part: Option<String>, held: bool) -> Result<(), JsValue> {
+        let highlighted = part.map(|name| self.direction(&name)).transpose()?;
+        self.model().want_gizmo(|wanted| (wanted.highlighted, wanted.held) = (highlighted, held));
         Ok(())
     }
 
     /// Returns the part of the gizmo under the cursor.
     #[wasm_bindgen(js_name = pickGizmo)]
     pub fn pick_gizmo(&self, x: f32, y: f32) -> Option<String> {
-        let way = self.pictures.model().gizmo()?.pick(Vec2::new(x, y))?;
-        Some(way.name().to_owned())
+        let direction = self.pictures.model().gizmo()?.pick(Vec2::new(x, y))?;
+        Some(direction.name().to_owned())
     }
 
     /// Returns the canvas position of a part of the gizmo; undefined if it cannot be picked now.
@@ -39,8 +39,8 @@ impl View {
     /// An unknown name.
     #[wasm_bindgen(js_name = gizmoPart)]
     pub fn gizmo_part(&self, part: &str) -> Result<Option<Vec<f64>>, JsValue> {
-        let way = self.direction(part)?;
-        let at = self.pictures.model().gizmo().and_then(|gizmo| gizmo.best(way));
+        let direction = self.direction(part)?;
+        let at = self.pictures.model().gizmo().and_then(|gizmo| gizmo.best(direction));
         Ok(at.map(|at| vec![f64::from(at.x), f64::from(at.y)]))
     }
 
@@ -66,13 +66,19 @@ impl View {
     }
 
     /// Returns the displacement of what is held if the cursor moves by `(dx, dy)`: three numbers,
-    /// or undefined. `way` is `screen`, `horizontal`, `vertical`, or a part of the gizmo.
+    /// or undefined. `direction` is `screen`, `horizontal`, `vertical`, or a part of the gizmo.
     ///
     /// # Errors
     /// Any other direction.
     #[wasm_bindgen(js_name = constrainMove)]
-    pub fn constrain_move(&self, way: &str, dx: f32, dy: f32) -> Result<Option<Vec<f64>>, JsValue> {
-        let found = self.pictures.model().constrain_move(self.direction(way)?, Vec2::new(dx, dy));
+    pub fn constrain_move(
+        &self,
+        direction: &str,
+        dx: f32,
+        dy: f32,
+    ) -> Result<Option<Vec<f64>>, JsValue> {
+        let found =
+            self.pictures.model().constrain_move(self.direction(direction)?, Vec2::new(dx, dy));
         Ok(found.map(|by| by.as_dvec3().to_array().to_vec()))
     }
 

@@ -1,7 +1,7 @@
 //! Picking under the cursor and inside an outline, and canvas positions of vertices.
 
 use super::view::View;
-use crate::view::state::{Outline, Taking};
+use crate::view::state::{Outline, RegionMode};
 use glam::Vec2;
 use wasm_bindgen::prelude::*;
 
@@ -46,13 +46,13 @@ impl View {
     /// Returns the edges inside a polygon on the screen; with `touching`, also those partly inside.
     #[wasm_bindgen(js_name = edgesIn)]
     pub fn edges_in(&mut self, corners: &[f32], touching: bool, through: bool) -> Vec<u32> {
-        self.model().edges_in(&outline(corners), Taking { touching, through })
+        self.model().edges_in(&outline(corners), RegionMode { touching, through })
     }
 
     /// Returns the faces inside a polygon on the screen; with `touching`, also those partly inside.
     #[wasm_bindgen(js_name = facesIn)]
     pub fn faces_in(&mut self, corners: &[f32], touching: bool, through: bool) -> Vec<u32> {
-        self.model().faces_in(&outline(corners), Taking { touching, through })
+        self.model().faces_in(&outline(corners), RegionMode { touching, through })
     }
 
     /// Returns the canvas position of a vertex; undefined if hidden, outside, or unknown.

@@ -309,13 +309,14 @@ impl View {
     pub fn set_projections(
         &mut self,
         vertices: &[u32],
-        ways: &[f32],
+        displacements: &[f32],
         colours: &[u8],
         outlines: &[u32],
         palette: &[f32],
     ) -> Result<(), JsValue> {
         let (count, _) = self.pictures.model().counts();
-        let projections = ProjectionMarks::new(vertices, ways, colours, outlines, palette, count);
+        let projections =
+            ProjectionMarks::new(vertices, displacements, colours, outlines, palette, count);
         self.model().set_projections(projections.map_err(thrown)?);
         Ok(())
     }

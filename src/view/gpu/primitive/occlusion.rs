@@ -2,7 +2,7 @@
 //! `shaders/occlusion.wgsl`. [`super::Faces`] reads the result.
 
 use super::faces::{CORNER_OF_FACE, Faces};
-use crate::view::gpu::pipeline::{DEPTH_FORMAT, FOUND_FORMAT};
+use crate::view::gpu::pipeline::{DEPTH_FORMAT, TEXTURE_FORMAT};
 use crate::view::gpu::{GpuTables, Layer, OCCLUSION, Onto, Recipe, build_onto};
 
 /// Maximum side of the textures: occlusion varies slowly.
@@ -24,7 +24,7 @@ struct Textures {
     size: (u32, u32),
     depth: wgpu::TextureView,
     /// Depths and normals, gathered occlusion, smoothed occlusion.
-    found: [wgpu::TextureView; 3],
+    passes: [wgpu::TextureView; 3],
     /// The bind groups for reading each of them.
     groups: [wgpu::BindGroup; 3],
 }
@@ -33,7 +33,7 @@ impl Occlusion {
     /// Creates the passes; nothing is computed yet.
     pub fn new(device: &wgpu::Device, tables: &GpuTables) -> Occlusion {
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("found"),
+            label: Some("occlusion passes"),
             entries: &[wgpu::BindGroupLayoutEntry {
                 binding: 0,
                 visibility: wgpu::ShaderStages::FRAGMENT,
@@ -59,10 +59,10 @@ impl Occlusion {
         let over = |fragment: &str| {
             let (vertex, layer) = ("corner_of_screen", Layer::Over);
             let recipe = Recipe { vertex, fragment, attributes: &[], layer, ..seen };
-            build_onto(device, &[Some(tables.layout()), Some(&layout)], Onto::Found, &recipe)
+            build_onto(device, &[Some(tables.layout()), Some(&layout)], Onto::Texture, &recipe)
         };
         Occlusion {
-            depths: build_onto(device, &[Some(tables.layout())], Onto::Found, &seen),
+            depths: build_onto(device, &[Some(tables.layout())], Onto::Texture, &seen),
             gathered: over("gathered"),
             smoothed: over("smoothed"),
             textures: Textures::new(device, &layout, (1, 1)),
@@ -94,14 +94,14 @@ impl Occlusion {
         if (size[0], size[1]) != self.textures.size {
             self.textures = Textures::new(device, &self.layout, (size[0], size[1]));
         }
-        let Textures { depth, found, groups, .. } = &self.textures;
+        let Textures { depth, passes, groups, .. } = &self.textures;
         {
-            let mut pass = begin(encoder, &found[0], Some(depth));
+            let mut pass = begin(encoder, &passes[0], Some(depth));
             pass.set_bind_group(0, tables.group(), &[]);
             faces.draw_with(&mut pass, &self.depths);
         }
         for (pipeline, i) in [(&self.gathered, 0), (&self.smoothed, 1)] {
-            let mut pass = begin(encoder, &found[i + 1], None);
+            let mut pass = begin(encoder, &passes[i + 1], None);
             pass.set_bind_group(0, tables.group(), &[]);
             pass.set_bind_group(1, &groups[i], &[]);
             pass.set_pipeline(pipeline);
@@ -118,7 +118,7 @@ impl Textures {
     ) -> Textures {
         let texture = |format: wgpu::TextureFormat, usage: wgpu::TextureUsages| {
             let texture = device.create_texture(&wgpu::TextureDescriptor {
-                label: Some("found"),
+                label: Some("occlusion passes"),
                 size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
                 mip_level_count: 1,
                 sample_count: 1,
@@ -129,19 +129,20 @@ impl Textures {
             });
             texture.create_view(&wgpu::TextureViewDescriptor::default())
         };
-        let found = [(); 3].map(|()| texture(FOUND_FORMAT, wgpu::TextureUsages::TEXTURE_BINDING));
+        let passes =
+            [(); 3].map(|()| texture(TEXTURE_FORMAT, wgpu::TextureUsages::TEXTURE_BINDING));
         let groups = [0, 1, 2].map(|i| {
             device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some("found"),
+                label: Some("occlusion passes"),
                 layout,
                 entries: &[wgpu::BindGroupEntry {
                     binding: 0,
-                    resource: wgpu::BindingResource::TextureView(&found[i]),
+                    resource: wgpu::BindingResource::TextureView(&passes[i]),
                 }],
             })
         });
         let depth = texture(DEPTH_FORMAT, wgpu::TextureUsages::empty());
-        Textures { size: (width, height), depth, found, groups }
+        Textures { size: (width, height), depth, passes, groups }
     }
 }
 

@@ -53,7 +53,7 @@ impl Points {
     pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
         let rows = &state.appearance().rows;
         let members: Vec<[u32; 3]> =
-            rows.dots().map(|(v, place)| [v, DotKind::Member as u32, u32::from(place)]).collect();
+            rows.dots().map(|(v, colour)| [v, DotKind::Member as u32, u32::from(colour)]).collect();
         self.members.write(device, queue, &members);
         self.marks.write(device, queue, &marks(state));
     }
@@ -80,8 +80,8 @@ fn draw(pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, dots: 
     }
 }
 
-fn dot(place: u32, kind: DotKind) -> [u32; 3] {
-    [place, kind as u32, 0]
+fn dot(point: u32, kind: DotKind) -> [u32; 3] {
+    [point, kind as u32, 0]
 }
 
 /// Returns the marks, least important first: later dots cover earlier ones. Targets come after the

@@ -15,7 +15,7 @@ const CORNER: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Uint32x
 struct Corner {
     point: u32,
     /// Index of its colour.
-    place: u32,
+    colour: u32,
     /// Upper bound on its distance from the surface.
     beside: f32,
 }
@@ -75,7 +75,7 @@ impl ProjectionLines {
             .outlines
             .iter()
             .map(|&[a, b]| {
-                line([first + a, first + b], LineKind::Outline, points[a as usize].place)
+                line([first + a, first + b], LineKind::Outline, points[a as usize].colour)
             })
             .collect();
         self.outlines.write(device, queue, &outlines);
@@ -87,8 +87,8 @@ impl ProjectionLines {
             .zip(faces.beside)
             .flat_map(|(triangle, beside)| {
                 triangle.map(|point| {
-                    let place = u32::from(points[point as usize].place);
-                    Corner { point: first + point, place, beside }
+                    let colour = u32::from(points[point as usize].colour);
+                    Corner { point: first + point, colour, beside }
                 })
             })
             .collect();
@@ -96,7 +96,7 @@ impl ProjectionLines {
         let arrows: Vec<[u32; 4]> = points
             .iter()
             .zip(first..)
-            .map(|(point, end)| line([point.vertex, end], LineKind::Arrow, point.place))
+            .map(|(point, end)| line([point.vertex, end], LineKind::Arrow, point.colour))
             .collect();
         self.arrows.write(device, queue, &arrows);
     }
@@ -119,6 +119,6 @@ impl ProjectionLines {
     }
 }
 
-fn line([from, to]: [u32; 2], kind: LineKind, place: u8) -> [u32; 4] {
-    [from, to, kind as u32, u32::from(place)]
+fn line([from, to]: [u32; 2], kind: LineKind, colour: u8) -> [u32; 4] {
+    [from, to, kind as u32, u32::from(colour)]
 }

@@ -2,7 +2,7 @@
 // scene to 1 at the far depth, where there is nothing.
 
 // The result of the previous pass, smaller than the picture.
-@group(1) @binding(0) var found: texture_2d<f32>;
+@group(1) @binding(0) var previous: texture_2d<f32>;
 
 fn depth_part(at: vec3f) -> f32 {
     let depth = dot(at - scene.eye.xyz, scene.forward.xyz);

@@ -9,7 +9,7 @@ struct Corner {
     @location(2) @interpolate(flat) normal: vec3f,
     @location(3) @interpolate(flat) look: vec4f,
     // In squares of the checkerboard.
-    @location(4) place: vec2f,
+    @location(4) uv: vec2f,
     // If vertices have values: in steps from a band limit.
     @location(5) steps: f32,
 }
@@ -25,19 +25,19 @@ fn corner_of_face(@location(0) ids: vec2u) -> Corner {
     out.soft_normal = textureLoad(vertex_normals, texel(ids.x), 0).xyz;
     out.normal = textureLoad(face_normals, texel(ids.y), 0).xyz;
     out.look = textureLoad(face_looks, texel(ids.y), 0);
-    out.place = vec2f(0.0);
+    out.uv = vec2f(0.0);
     if scene.checks.x > 0.0 {
-        out.place = textureLoad(places, texel(ids.x), 0).xy * scene.checks.x;
+        out.uv = textureLoad(uv, texel(ids.x), 0).xy * scene.checks.x;
     }
     return out;
 }
 
 // Fraction of a pixel in dark squares: the checkerboard under a box filter of pixel size (Quilez,
 // Filtering procedural textures), crisp when near and grey far away.
-fn dark_part(place: vec2f, pixel: vec2f) -> f32 {
+fn dark_part(uv: vec2f, pixel: vec2f) -> f32 {
     let size = max(pixel, vec2f(1e-5));
-    let from_edge = abs(fract((place - 0.5 * size) * 0.5) - 0.5);
-    let to_edge = abs(fract((place + 0.5 * size) * 0.5) - 0.5);
+    let from_edge = abs(fract((uv - 0.5 * size) * 0.5) - 0.5);
+    let to_edge = abs(fract((uv + 0.5 * size) * 0.5) - 0.5);
     let sides = 2.0 * (from_edge - to_edge) / size;
     return 0.5 - 0.5 * sides.x * sides.y;
 }
@@ -109,7 +109,7 @@ fn openness(in: Corner) -> f32 {
     }
     let on_canvas = vec2f(2.0, -2.0) * in.position.xy / scene.canvas.xy + vec2f(-1.0, 1.0);
     let place = vec2f(0.5, -0.5) * on_picture(on_canvas) + 0.5;
-    let extent = vec2i(textureDimensions(found));
+    let extent = vec2i(textureDimensions(previous));
     let at = place * vec2f(extent) - 0.5;
     let first = floor(at);
     let part = at - first;
@@ -119,7 +119,7 @@ fn openness(in: Corner) -> f32 {
     var weights = 0.0;
     for (var i = 0; i < 4; i++) {
         let step = vec2i(i & 1, i >> 1u);
-        let texel = textureLoad(found, clamp(vec2i(first) + step, vec2i(0), extent - 1), 0);
+        let texel = textureLoad(previous, clamp(vec2i(first) + step, vec2i(0), extent - 1), 0);
         let share = mix(1.0 - part, part, vec2f(step));
         let weight = (share.x * share.y + 1e-3) / (1e-2 + scale * abs(unpacked(texel.yz) - own));
         sum += weight * texel.x;
@@ -139,12 +139,12 @@ fn lit(in: Corner) -> @location(0) vec4f {
     let seen = light_on(in);
     let light = seen.x;
     // Derivatives are defined only in uniform control flow, so they are taken here.
-    let pixel = fwidth(in.place);
+    let pixel = fwidth(in.uv);
     let change = length(vec2f(dpdx(in.steps), dpdy(in.steps)));
     let within = within_section(in.at);
     let within_change = fwidth(within);
     let modelled = mix(0.68, 1.05, light);
-    let place = u32(in.look.x * 255.0 + 0.5);
+    let index = u32(in.look.x * 255.0 + 0.5);
     let open = mix(CLOSED, vec3f(1.0), openness(in));
     var colour = mix(scene.shade.rgb, scene.material.rgb, light) * mix(scene.back.rgb, vec3f(1.0), seen.y) * open;
     if in.look.y > 0.875 {
@@ -159,14 +159,14 @@ fn lit(in: Corner) -> @location(0) vec4f {
             colour = mix(banded, colour, select(0.0, 1.0, in.steps < scene.checks.w));
             colour = mix(colour, line.rgb, covered);
         } else {
-            colour = textureLoad(colour_map, vec2u(place, map), 0).rgb * modelled;
+            colour = textureLoad(colour_map, vec2u(index, map), 0).rgb * modelled;
         }
     } else if in.look.y > 0.125 {
-        let row = colour_of_row(place);
+        let row = colour_of_row(index);
         colour = mix(colour, row.rgb * modelled * open, row.a);
     }
     if scene.checks.x > 0.0 {
-        let dark = dark_part(in.place, pixel) * scene.check.a;
+        let dark = dark_part(in.uv, pixel) * scene.check.a;
         colour = mix(colour, scene.check.rgb * modelled, dark);
     }
     // Over values, marks are also hatched, in white or dark ink: one of the two is always visible.

@@ -70,12 +70,12 @@ const GROUND_STRENGTH: f32 = 0.38;
 
 @fragment
 fn gathered(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let here = textureLoad(found, vec2i(position.xy), 0);
+    let here = textureLoad(previous, vec2i(position.xy), 0);
     let part = unpacked(here.xy);
     if part >= 1.0 {
         return vec4f(1.0, here.xy, 1.0);
     }
-    let extent = vec2i(textureDimensions(found));
+    let extent = vec2i(textureDimensions(previous));
     let size = vec2f(extent);
     let point = seen_at(position.xy, part, size);
     let tilt = here.zw * 2.0 - 1.0;
@@ -94,7 +94,7 @@ fn gathered(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let away = radius * (f32(i) + 0.35 + turned * 0.04) / f32(LOOKS) + 1.0;
         let there = position.xy + away * vec2f(cos(angle), sin(angle));
         let pixel = clamp(vec2i(there), vec2i(0), extent - 1);
-        let other = unpacked(textureLoad(found, pixel, 0).xy);
+        let other = unpacked(textureLoad(previous, pixel, 0).xy);
         let way = seen_at(vec2f(pixel) + 0.5, other, size) - point;
         let length_squared = max(dot(way, way), 1e-20);
         let rise = dot(way, normal) * inverseSqrt(length_squared);
@@ -119,19 +119,19 @@ fn gathered(@builtin(position) position: vec4f) -> @location(0) vec4f {
 @fragment
 fn smoothed(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let middle = vec2i(position.xy);
-    let here = textureLoad(found, middle, 0);
+    let here = textureLoad(previous, middle, 0);
     let part = unpacked(here.yz);
     if part >= 1.0 {
         return here;
     }
-    let last = vec2i(textureDimensions(found)) - 1;
+    let last = vec2i(textureDimensions(previous)) - 1;
     // The depth of a steep surface changes much per pixel; beyond this it is another surface.
     let allowed = 0.3 * scene.nearby.z / scene.nearby.y;
     var sum = 0.0;
     var weights = 0.0;
     for (var i = 0; i < 16; i++) {
         let pixel = clamp(middle + vec2i(i & 3, i >> 2u) - 2, vec2i(0), last);
-        let other = textureLoad(found, pixel, 0);
+        let other = textureLoad(previous, pixel, 0);
         let weight = max(1.0 - abs(unpacked(other.yz) - part) / allowed, 0.0);
         sum += weight * other.x;
         weights += weight;

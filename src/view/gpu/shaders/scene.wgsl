@@ -66,15 +66,15 @@ struct Scene {
 // for projections. Row 3: the map of values beyond a tolerance.
 @group(0) @binding(5) var colour_map: texture_2d<f32>;
 // Positions of the vertices on the checkerboard.
-@group(0) @binding(6) var places: texture_2d<f32>;
+@group(0) @binding(6) var uv: texture_2d<f32>;
 
 fn texel(index: u32) -> vec2u {
     return vec2u(index & 1023u, index >> 10u);
 }
 
 // Colour of a row of constraints; its opacity is the fraction mixed into a face.
-fn colour_of_row(place: u32) -> vec4f {
-    return textureLoad(colour_map, vec2u(place, 1u), 0);
+fn colour_of_row(index: u32) -> vec4f {
+    return textureLoad(colour_map, vec2u(index, 1u), 0);
 }
 
 fn position_of(vertex: u32) -> vec3f {
