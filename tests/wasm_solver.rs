@@ -302,7 +302,7 @@ const CIRCLES: &str = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "
     "weights": { "shape": 5, "close": 10, "smooth": 2 } }"#;
 
 fn open_grid(solver: &mut Solver, scene: &str, obj: &str) -> Result<JsValue, JsValue> {
-    solver.bring("grid.obj", obj.as_bytes().to_vec());
+    solver.add_file("grid.obj", obj.as_bytes().to_vec());
     solver.load("a.shapeup.json", scene.as_bytes())
 }
 
@@ -347,7 +347,7 @@ fn a_model_that_is_refused_late_leaves_the_one_before_as_it_was() {
 #[wasm_bindgen_test]
 fn warming_up_comes_to_an_end() {
     let mut warm_up = WarmUp::new();
-    let slices = (0..).take_while(|_| warm_up.go_on()).count();
+    let slices = (0..).take_while(|_| warm_up.advance()).count();
     assert!((4..1000).contains(&slices), "{slices}");
-    assert!(!warm_up.go_on());
+    assert!(!warm_up.advance());
 }

@@ -14,7 +14,7 @@ function timed(call) {
 }
 
 function open(solver, { sceneBytes, meshBytes }) {
-  for (const path of solver.sceneFiles(sceneBytes)) solver.bring(path, meshBytes);
+  for (const path of solver.sceneFiles(sceneBytes)) solver.addFile(path, meshBytes);
   solver.load('problem.shapeup.json', sceneBytes);
 }
 

@@ -135,7 +135,7 @@ impl Session {
 
     /// Begins a run: all iterations up to [`Session::end_run`] are one step of undo.
     pub fn begin_run(&mut self) {
-        self.guard.let_go_on(false);
+        self.guard.set_ignore_collapse(false);
         self.leave_variation();
         self.unfolding = Unfolding::Smoother;
         if self.transaction.is_none() {
@@ -180,8 +180,8 @@ impl Session {
     }
 
     /// Lets the current run continue if the shape collapses.
-    pub fn go_on(&mut self) {
-        self.guard.let_go_on(true);
+    pub fn ignore_collapse(&mut self) {
+        self.guard.set_ignore_collapse(true);
     }
 
     /// Whether a run has begun and not ended.
@@ -226,7 +226,7 @@ impl Session {
 
     pub(super) fn begin(&mut self, kind: impl FnOnce(Change) -> Transaction) {
         self.end_transaction();
-        self.transaction = Some(kind(self.way_back()));
+        self.transaction = Some(kind(self.snapshot()));
         self.progress.leave_half();
     }
 }

@@ -2,8 +2,8 @@
 
 use super::Session;
 use super::edit::{
-    Carried, Edit, Moment, OfferedOperation, Refinement, Remeshing, RemeshingPreview, apply, carry,
-    check_locks, offered,
+    Carried, Edit, IterationState, OfferedOperation, Refinement, Remeshing, RemeshingPreview,
+    apply, carry, check_locks, offered,
 };
 use super::report::{MeasureCache, check_lesson, check_presentation};
 use super::run::Start;
@@ -131,10 +131,10 @@ impl Session {
         }
         let (iteration, start) = (self.iteration(), self.guard.start());
         let kept_start = start.clone().filter(|_| self.collapse().is_some());
-        let mut moment = Moment { iteration, start: kept_start };
-        let (name, back) = self.scene.edit(&self.rest, |draft| apply(edit, draft, &mut moment))?;
+        let mut state = IterationState { iteration, start: kept_start };
+        let (name, back) = self.scene.edit(&self.rest, |draft| apply(edit, draft, &mut state))?;
         let Some(scene) = back else { return Ok(None) };
-        self.arrive(moment.iteration, moment.start);
+        self.arrive(state.iteration, state.start);
         Ok(Some((name, Change { scene, other: None, iteration, start })))
     }
 
@@ -273,7 +273,7 @@ impl Session {
         let rows = resolve_rows(&document, rest.mesh(), rest.topology())?;
         let SceneChange { handles, positions, .. } = &change.scene;
         let scene = SolvedScene::new(document, &rest, rows, handles.to_vec(), positions)?;
-        change.scene = self.scene.way_back();
+        change.scene = self.scene.snapshot();
         let before = (
             std::mem::replace(&mut self.rest, rest),
             std::mem::replace(&mut self.scene, scene).into_document(),
@@ -285,9 +285,9 @@ impl Session {
     }
 
     /// Returns a change that restores the current state.
-    pub(super) fn way_back(&self) -> Change {
+    pub(super) fn snapshot(&self) -> Change {
         let (iteration, start) = (self.iteration(), self.guard.start());
-        Change { scene: self.scene.way_back(), other: None, iteration, start }
+        Change { scene: self.scene.snapshot(), other: None, iteration, start }
     }
 
     /// Sets the iteration count after a jump to another state; its iterations began at `start`.

@@ -10,7 +10,7 @@ pub(super) fn obj(scene: &SolvedScene, rest: &RestMesh) -> String {
 }
 
 /// As [`obj`], with the vertices and faces of the file before it was welded to `rest`.
-pub(super) fn obj_as_it_came(scene: &SolvedScene, rest: &RestMesh, weld: &Weld) -> String {
+pub(super) fn obj_unwelded(scene: &SolvedScene, rest: &RestMesh, weld: &Weld) -> String {
     let positions = weld.original_positions(rest.positions(), scene.positions());
     comments(scene) + &write_obj(&weld.original, &positions)
 }

@@ -89,7 +89,7 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     still.constraints = scene.constraints;
     still.current = Some(results.positions.clone());
     let mut still = Session::open(still, mesh)?;
-    still.tell_build(numbers);
+    still.set_build_numbers(numbers);
     Ok(Checked {
         goals: still.goals(),
         moved: still.moved().max,

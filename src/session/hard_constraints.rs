@@ -155,7 +155,7 @@ impl Session {
 
     /// Sets the positions, `#V by 3`, and parts of the document, as a part of the run under way.
     fn go_to(&mut self, positions: &[Point], parts: Vec<Part>) -> Result<(), Error> {
-        let mut change = self.way_back();
+        let mut change = self.snapshot();
         change.scene.positions = positions.into();
         change.scene.parts = parts;
         self.exchange(&mut change)?;

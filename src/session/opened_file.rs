@@ -7,8 +7,8 @@ use serde::Serialize;
 /// Reads the files that the user opens.
 #[derive(Default)]
 pub struct FileReader {
-    assumed: UnitsAndUp,
-    keeps_apart: bool,
+    default_frame: UnitsAndUp,
+    keeps_unwelded: bool,
     /// Files that the next scene refers to, by their paths in it.
     beside: Vec<(String, Vec<u8>)>,
 }
@@ -22,7 +22,7 @@ pub struct OpenedFile {
     /// How it was welded, if it was.
     pub weld: Option<Weld>,
     /// Problems and notes of the mesh reader; its mesh is empty.
-    pub said: Read,
+    pub diagnostics: Read,
     /// Which of unit and axis the file does not state.
     pub guessed: Guessed,
 }
@@ -39,45 +39,51 @@ pub struct Guessed {
 
 impl FileReader {
     /// Sets the unit and axis of the next mesh file, used if it states none.
-    pub fn assume(&mut self, assumed: UnitsAndUp) {
-        self.assumed = assumed;
+    pub fn set_default_frame(&mut self, default_frame: UnitsAndUp) {
+        self.default_frame = default_frame;
     }
 
-    /// Sets whether the next mesh file keeps coincident vertices apart. Otherwise it is welded if
+    /// Sets whether the next mesh file keeps coincident vertices. Otherwise it is welded if
     /// its faces have their own copies of vertices.
-    pub fn keep_apart(&mut self, apart: bool) {
-        self.keeps_apart = apart;
+    pub fn keep_unwelded(&mut self, unwelded: bool) {
+        self.keeps_unwelded = unwelded;
     }
 
     /// Adds a file for the next scene, by its path in the scene: see [`named_files`].
-    pub fn bring(&mut self, path: &str, bytes: Vec<u8>) {
+    pub fn add_file(&mut self, path: &str, bytes: Vec<u8>) {
         self.beside.push((path.to_owned(), bytes));
     }
 
-    /// Reads the file `name`: a mesh, or a scene (`.json`) with the files brought before.
+    /// Reads the file `name`: a mesh, or a scene (`.json`) with the files added before.
     ///
     /// # Errors
     /// The problem of the file, with its name and the line or the JSON path.
     pub fn read(&mut self, name: &str, bytes: &[u8]) -> Result<OpenedFile, ReadError> {
         let beside = std::mem::take(&mut self.beside);
         if is_scene(name) {
-            let (scene, mut said) = scene_with_files(name, bytes, &beside)?;
-            self.keeps_apart = false;
-            let mesh = std::mem::take(&mut said.mesh);
+            let (scene, mut source) = scene_with_files(name, bytes, &beside)?;
+            self.keeps_unwelded = false;
+            let mesh = std::mem::take(&mut source.mesh);
             // The indices in a scene refer to its mesh as it is, so nothing is welded.
-            return Ok(OpenedFile { scene, mesh, weld: None, said, guessed: Guessed::default() });
+            return Ok(OpenedFile {
+                scene,
+                mesh,
+                weld: None,
+                diagnostics: source,
+                guessed: Guessed::default(),
+            });
         }
-        let stated = UnitsAndUp::stated(bytes).or(std::mem::take(&mut self.assumed));
+        let stated = UnitsAndUp::stated(bytes).or(std::mem::take(&mut self.default_frame));
         let guessed = Guessed { units: stated.units.is_none(), up: stated.up.is_none() };
-        let mut said = read(name, bytes)?;
+        let mut source = read(name, bytes)?;
         let mut scene = Scene::opened(name);
-        let units = || UnitsAndUp::guess_units(&said.mesh).to_owned();
+        let units = || UnitsAndUp::guess_units(&source.mesh).to_owned();
         scene.units = stated.units.unwrap_or_else(units);
-        scene.up = stated.up.unwrap_or_else(|| UnitsAndUp::guess_up(&said.mesh));
-        let apart = std::mem::take(&mut self.keeps_apart);
-        let weld = if apart { None } else { said.weld() };
-        let mesh = std::mem::take(&mut said.mesh);
-        Ok(OpenedFile { scene, mesh, weld, said, guessed })
+        scene.up = stated.up.unwrap_or_else(|| UnitsAndUp::guess_up(&source.mesh));
+        let unwelded = std::mem::take(&mut self.keeps_unwelded);
+        let weld = if unwelded { None } else { source.weld() };
+        let mesh = std::mem::take(&mut source.mesh);
+        Ok(OpenedFile { scene, mesh, weld, diagnostics: source, guessed })
     }
 }
 
@@ -136,22 +142,22 @@ fn scene_with_files(
         read(path, bytes)
     };
     let mut scene = OpenedFile::scene_in(bytes).map_err(|error| fault(error.to_string()))?;
-    let said = match std::mem::replace(&mut scene.mesh, MeshSource::File(String::new())) {
+    let source = match std::mem::replace(&mut scene.mesh, MeshSource::File(String::new())) {
         MeshSource::Inline(mesh) => Read { mesh: *mesh, problems: Vec::new(), notes: Vec::new() },
         MeshSource::File(path) => {
-            let said = named(&path)?;
+            let source = named(&path)?;
             scene.mesh = MeshSource::File(path);
-            said
+            source
         }
     };
     if let Some(Target::File(path)) = &scene.closeness.target {
         scene.closeness.target = Some(Target::Mesh(named(path)?.mesh.into()));
     }
     if let Some(Pose::File(path)) = &scene.pose {
-        let pose = Pose::of(path, named(path)?, &said.mesh);
+        let pose = Pose::of(path, named(path)?, &source.mesh);
         scene.pose = Some(pose.map_err(|error| fault(error.to_string()))?);
     }
-    Ok((scene, said))
+    Ok((scene, source))
 }
 
 #[cfg(test)]
@@ -170,22 +176,22 @@ mod tests {
     #[test]
     fn a_mesh_is_welded_unless_it_shall_be_kept_apart_once() {
         let mut reader = FileReader::default();
-        reader.keep_apart(true);
+        reader.keep_unwelded(true);
         let vertices =
             [0, 1].map(|_| read_mesh(&mut reader)).map(|opened| opened.mesh.positions.len());
         assert_eq!(vertices, [8, 6]);
     }
 
     #[test]
-    fn what_a_file_states_goes_before_what_is_assumed_and_that_before_a_guess() {
+    fn what_a_file_states_goes_before_the_default_and_that_before_a_guess() {
         let mut reader = FileReader::default();
-        reader.assume(UnitsAndUp { units: Some("ft".to_owned()), up: None });
+        reader.set_default_frame(UnitsAndUp { units: Some("ft".to_owned()), up: None });
         let opened = read_mesh(&mut reader);
         assert_eq!(opened.scene.units, "ft");
         assert_eq!(opened.guessed, Guessed { units: false, up: true });
         // An assumption is used once.
         assert!(read_mesh(&mut reader).guessed.units);
-        reader.assume(UnitsAndUp { units: Some("ft".to_owned()), up: None });
+        reader.set_default_frame(UnitsAndUp { units: Some("ft".to_owned()), up: None });
         let stated = format!("# units: mm\n# up: y\n{APART}");
         let opened = reader.read("two.obj", stated.as_bytes()).expect("it is a mesh");
         assert_eq!((opened.scene.units.as_str(), opened.scene.up), ("mm", Up::Y));
@@ -197,7 +203,7 @@ mod tests {
         let scene =
             r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "two.obj" } }"#;
         let mut reader = FileReader::default();
-        reader.bring("two.obj", APART.as_bytes().to_vec());
+        reader.add_file("two.obj", APART.as_bytes().to_vec());
         let opened = reader.read("a.JSON", scene.as_bytes());
         let opened = opened.expect("both are there");
         assert_eq!((opened.mesh.positions.len(), opened.weld.is_none()), (8, true));
@@ -228,7 +234,7 @@ mod tests {
             for (path, text) in
                 [("two.obj", APART), ("raised.obj", &raised), ("far/other.obj", other)]
             {
-                reader.bring(path, text.as_bytes().to_vec());
+                reader.add_file(path, text.as_bytes().to_vec());
             }
             reader.read("a.json", scene(pose).as_bytes())
         };

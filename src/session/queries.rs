@@ -121,12 +121,12 @@ impl Session {
 
     /// Stores numbers of the parts built from the current shape, by the ids of
     /// [`crate::fabricate::BUILD_NUMBERS`], until the shape changes.
-    pub fn tell_build(&mut self, numbers: Vec<(String, f64)>) {
-        self.measured.tell(&self.scene, numbers);
+    pub fn set_build_numbers(&mut self, numbers: Vec<(String, f64)>) {
+        self.measured.set_external_numbers(&self.scene, numbers);
     }
 
     /// Returns the value of each goal of the lesson on the current shape, in their order; empty
-    /// without a lesson. A goal on the built parts has no value before [`Session::tell_build`].
+    /// without a lesson. A goal on the built parts has no value before [`Session::set_build_numbers`].
     pub fn goals(&mut self) -> Vec<GoalResult> {
         report::goals(&mut self.measuring())
     }
@@ -167,13 +167,13 @@ impl Session {
 
     /// Returns the id of the measure that row `index` makes zero on single faces, which is that of
     /// its kind; none if its constraints are not on single faces.
-    pub fn asked_measure(&self, index: usize) -> Option<&'static str> {
-        report::asked_measure(self.document(), index)
+    pub fn required_measure(&self, index: usize) -> Option<&'static str> {
+        report::required_measure(self.document(), index)
     }
 
     /// Counts the vertices with a closeness factor other than 1.
-    pub fn held_otherwise(&self) -> usize {
-        report::held_otherwise(self.document(), &self.rest)
+    pub fn reweighted_vertices(&self) -> usize {
+        report::reweighted_vertices(self.document(), &self.rest)
     }
 
     /// Returns the vertices without constraint, closeness, smoothness and handle, ascending.
@@ -228,8 +228,8 @@ impl Session {
     }
 
     /// As [`Session::obj`], with the vertices and faces of the file before it was welded.
-    pub fn obj_as_it_came(&self, weld: &Weld) -> String {
-        export::obj_as_it_came(&self.scene, &self.rest, weld)
+    pub fn obj_unwelded(&self, weld: &Weld) -> String {
+        export::obj_unwelded(&self.scene, &self.rest, weld)
     }
 
     /// The current shape as OBJ with the texture coordinates `uv` of each vertex, `#V by 2`.

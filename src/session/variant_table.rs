@@ -77,7 +77,7 @@ impl Session {
         positions: Rc<[Point]>,
         ask: impl FnOnce(&mut Session) -> T,
     ) -> Result<T, Error> {
-        let mut change = self.scene.way_back();
+        let mut change = self.scene.snapshot();
         change.positions = positions;
         self.scene.exchange(&self.rest, &mut change)?;
         let answer = ask(self);

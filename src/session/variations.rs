@@ -77,7 +77,7 @@ impl Session {
     ///
     /// # Errors
     /// As [`ShapeSpace::go`].
-    pub fn reach_variation(
+    pub fn project_variation(
         &mut self,
         variations: &mut Variations,
         coefficients: &[f64],

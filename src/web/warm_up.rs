@@ -46,8 +46,7 @@ impl WarmUp {
     }
 
     /// Iterates for a few milliseconds; returns false when nothing is left.
-    #[wasm_bindgen(js_name = goOn)]
-    pub fn go_on(&mut self) -> bool {
+    pub fn advance(&mut self) -> bool {
         let Some(session) = &mut self.session else {
             if self.models == MODELS {
                 return false;

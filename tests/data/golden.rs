@@ -176,7 +176,7 @@ fn exact_digests(kind: &str) -> [u64; 2] {
     while !variations.are_found() {
         variations.step().expect("its systems are regular");
     }
-    session.reach_variation(&mut variations, &[0.02]).expect("its systems are regular");
+    session.project_variation(&mut variations, &[0.02]).expect("its systems are regular");
     [exact, digest(&session.positions())]
 }
 

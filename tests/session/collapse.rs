@@ -25,7 +25,7 @@ fn with_weights_of_fig_5(mesh: Mesh) -> Session {
 fn run(session: &mut Session, iterations: u32, goes_on: bool) -> bool {
     session.begin_run();
     if goes_on {
-        session.go_on();
+        session.ignore_collapse();
     }
     let ended = (0..iterations).any(|_| session.step().unwrap().ended);
     session.end_run();

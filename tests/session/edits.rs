@@ -73,15 +73,15 @@ fn vertices_that_are_held_more_move_less_and_those_let_go_more() {
         run(&mut session);
         moved.push(vertices.iter().map(|&v| distance(&session, v as usize)).sum::<f64>());
         let others = if weight == 1.0 { 0 } else { 4 };
-        assert_eq!(session.held_otherwise(), others);
+        assert_eq!(session.reweighted_vertices(), others);
         session.edit(Edit::HoldClose { vertices: None, weight: 1.0 }).expect("it is plain");
-        assert_eq!(session.held_otherwise(), 0);
+        assert_eq!(session.reweighted_vertices(), 0);
     }
     assert!(moved[0] > 1.2 * moved[1] && moved[1] > 3.0 * moved[2], "{moved:?}");
     let mut session = session();
     for (vertex, weight) in [(99, 2.0), (3, -1.0), (3, f64::NAN)] {
         assert!(session.edit(Edit::HoldClose { vertices: Some(vec![vertex]), weight }).is_err());
-        assert_eq!(session.held_otherwise(), 0);
+        assert_eq!(session.reweighted_vertices(), 0);
     }
 }
 

@@ -102,7 +102,7 @@ fn the_global_step_is_the_least_squares_answer() {
     let before = session.positions();
     let moved: Vec<Point> = (0..)
         .zip(&found.vertices)
-        .map(|(k, &v): (usize, _)| add(before[v as usize], found.ways[k]))
+        .map(|(k, &v): (usize, _)| add(before[v as usize], found.displacements[k]))
         .collect();
     session.half_step().expect("positions stay finite");
     // The sum of |N (V - P)|^2 over the squares, which are four points each, one after another.

@@ -259,7 +259,8 @@ fn goals_on_what_is_built_are_told_and_measured_again_when_they_are_handed_in() 
     let mut session = Session::open(own.clone(), bumpy(5)).expect("it fits");
     session.solve(false).expect("positions stay finite");
     assert_eq!(met(&mut session), [false, false], "nobody has built it");
-    session.tell_build(vec![("panel_flatness".to_owned(), 2e-4), ("sheets".to_owned(), 3.0)]);
+    session
+        .set_build_numbers(vec![("panel_flatness".to_owned(), 2e-4), ("sheets".to_owned(), 3.0)]);
     assert_eq!(met(&mut session), [true, false]);
     let results = session.results("Ada", "").expect("there is a lesson");
     assert_eq!(results.goals[1].value, Some(3.0));

@@ -65,7 +65,7 @@ fn projections_are_those_that_the_energy_measures() {
         }
         let weight_of = |row: u32| session.rows()[row as usize].constraints.weight;
         let energy: f64 = found
-            .ways
+            .displacements
             .iter()
             .zip(&found.rows)
             .map(|(way, &row)| weight_of(row) * way.iter().map(|x| x * x).sum::<f64>())
@@ -76,13 +76,13 @@ fn projections_are_those_that_the_energy_measures() {
         // What a panel is coloured by: its worst corner in any of its constraints.
         let worst = |points: &mut dyn Iterator<Item = usize>| {
             points
-                .map(|k| found.ways[k].iter().map(|x| x * x).sum::<f64>().sqrt())
+                .map(|k| found.displacements[k].iter().map(|x| x * x).sum::<f64>().sqrt())
                 .fold(0.0, f64::max)
         };
         let residuals = session.residuals();
         for (face, &residual) in session.mesh().faces.iter().zip(&residuals) {
             let on_face = |k: &usize| face.contains(&found.vertices[*k]);
-            let expected = worst(&mut (0..found.ways.len()).filter(on_face));
+            let expected = worst(&mut (0..found.displacements.len()).filter(on_face));
             assert!(
                 (residual - expected).abs() <= 1e-15 * expected,
                 "{residual} is not {expected}"
@@ -103,7 +103,7 @@ fn projections_are_those_that_the_energy_measures() {
         // The circles of the first panel: four points in a plane, as far from one centre.
         let at = |point: usize| -> [f64; 3] {
             let vertex = session.positions()[found.vertices[point] as usize];
-            std::array::from_fn(|i| vertex[i] + found.ways[point][i])
+            std::array::from_fn(|i| vertex[i] + found.displacements[point][i])
         };
         let corners: Vec<_> = (0..4).map(at).collect();
         let faces: Ragged = [[0, 1, 2, 3]].iter().collect();

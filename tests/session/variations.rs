@@ -46,7 +46,7 @@ fn farthest(a: &[Point], b: &[Point]) -> f64 {
 /// Goes along the first two variations and keeps that.
 fn keep_one(session: &mut Session) -> Vec<Point> {
     let mut variations = found(session);
-    assert_eq!(session.reach_variation(&mut variations, &[0.05, 0.02]), Ok(Some(1.0)));
+    assert_eq!(session.project_variation(&mut variations, &[0.05, 0.02]), Ok(Some(1.0)));
     assert!(session.keep_variation(&mut variations).expect("there is room"));
     session.positions()
 }
@@ -60,7 +60,7 @@ fn what_is_kept_is_exact_and_one_step_of_undo() {
     assert!(session.show_variation(&mut variations, &[0.05]));
     assert!(farthest(&session.positions(), &start) > 0.01, "the way is shown at once");
     assert_eq!(session.keep_variation(&mut variations), Ok(false), "it is not brought back yet");
-    assert_eq!(session.reach_variation(&mut variations, &[0.05]), Ok(Some(1.0)));
+    assert_eq!(session.project_variation(&mut variations, &[0.05]), Ok(Some(1.0)));
     assert!(session.exact().expect("there is a hard row").met);
     assert_eq!(session.undo_and_redo().map(|name| name.map(str::to_owned)), before);
     assert_eq!(session.keep_variation(&mut variations), Ok(true));
@@ -85,7 +85,7 @@ fn what_is_not_kept_is_left() {
     session.show_variation(&mut variations, &[0.05]);
     session.leave_variation();
     assert_eq!(session.positions(), start);
-    session.reach_variation(&mut variations, &[0.0, 0.05]).expect("regular");
+    session.project_variation(&mut variations, &[0.0, 0.05]).expect("regular");
     run(&mut session);
     assert_eq!(session.positions(), start, "a run begins at the shape that is open");
     session.show_variation(&mut variations, &[0.05]);

@@ -21,7 +21,7 @@ import { rememberedFrame } from './units-prompt.js';
  * @property {string} [title] title of the work
  * @property {string} [text] saved text of its scene
  * @property {import("../solver/messages.js").Saved} [saved] its saved history and progress
- * @property {boolean} [asItCame] do not weld the vertices
+ * @property {boolean} [unwelded] do not weld the vertices
  * @property {Before | null} [before] the previously open model, which Undo opens again
  */
 /** @typedef {{ given: NamedBytes[], origin: Origin }} Before */
@@ -104,9 +104,9 @@ export class Files extends Emitter {
       if (document || !status)
         this.#actions.setStatus(`Reading ${files.map((file) => file.name).join(' and ')} …`);
       const main = mainOf(files);
-      const { saved, first: solved, asItCame } = origin;
+      const { saved, first: solved, unwelded } = origin;
       const frame = rememberedFrame(main.name);
-      const loaded = await this.#actions.open({ files, saved, frame, solved, weld: !asItCame });
+      const loaded = await this.#actions.open({ files, saved, frame, solved, weld: !unwelded });
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
       this.#given = files;
       this.origin = origin;
@@ -181,15 +181,15 @@ export class Files extends Emitter {
    */
   #reportWelded({ before, after, tolerance }, units) {
     const words = `Welded ${groupDigits(before)} vertices into ${groupDigits(after)} (distance up to ${length(tolerance, units)}).`;
-    const asItCame = () =>
-      this.open(this.#given, { ...this.origin, asItCame: true }).catch(() => {});
-    this.#alerts.notice(words, { label: 'Undo', action: asItCame });
+    const openUnwelded = () =>
+      this.open(this.#given, { ...this.origin, unwelded: true }).catch(() => {});
+    this.#alerts.notice(words, { label: 'Undo', action: openUnwelded });
   }
 
   /** Exports the current shape with the file's original vertices, before welding. */
-  async exportAsItCame() {
+  async exportUnwelded() {
     if (!(await this.mayExport())) return;
-    this.save('.obj', await this.#actions.obj({ asItCame: true }), 'model/obj');
+    this.save('.obj', await this.#actions.obj({ unwelded: true }), 'model/obj');
   }
 
   /** Asks for confirmation if a run has collapsed the mesh; true if the export may go on. */

@@ -89,7 +89,7 @@
  * The projected points of all enabled constraints.
  * @typedef {object} Projections
  * @property {Uint32Array} vertices `#points`: the vertex of each point
- * @property {Float32Array} ways `#points by 3`: displacement from the vertex to the point
+ * @property {Float32Array} displacements `#points by 3`: from the vertex to the point
  * @property {Uint8Array} colours `#points`: an index in `palette` plus one
  * @property {Uint32Array} outlines pairs of points
  * @property {Float32Array} palette three components from 0 to 1 per colour
@@ -143,7 +143,7 @@
  * Commands; they have no answer.
  *
  * - `run`, `pause`: iterate until converged, or stop. A run also ends when the shape collapses
- *   outside a drag, unless `goOn`.
+ *   outside a drag, unless `ignoreCollapse`.
  * - `drag`: targets (`#vertices by 3`) of the dragged handles. The first phase is `start`, or
  *   `make`, which makes the vertices handles first. Of several `move`s only the last one counts;
  *   `time` is that of its event. During a drag the solver iterates even when paused.
@@ -151,7 +151,7 @@
  * - `recycle`: returns a buffer of positions.
  * - `cancelExperiment`: ends it; its measurements are kept.
  * - `ping`: answered by `pong`.
- * @typedef {{ type: "run", goOn?: boolean }
+ * @typedef {{ type: "run", ignoreCollapse?: boolean }
  *   | { type: "pause" }
  *   | Drag
  *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean,
@@ -197,7 +197,7 @@
  * - `parametrize`: ends a run. Refused without faces or without area.
  * - `missingFiles`: paths of files that the scene names and that are missing.
  * - `fewerFlips`: ends a run; the map settings with the fewest flips, if fewer than `flipped`.
- * - `scene`, `obj`, `table`: the texts of the files. An `obj` with `asItCame` has the vertices and
+ * - `scene`, `obj`, `table`: the texts of the files. An `obj` with `unwelded` has the vertices and
  *   faces of a file that was welded, one with `uv` (`#V by 2`) has those as texture coordinates. A
  *   `table` has the errors of the faces, the energies of the iterations, or the angles of the
  *   corners, as CSV.
@@ -237,13 +237,13 @@
  *   | { type: "remedies" }
  *   | { type: "mostFaces" }
  *   | { type: "buildNumbers" }
- *   | { type: "tellBuild", ids: string[], values: Float64Array }
+ *   | { type: "setBuildNumbers", ids: string[], values: Float64Array }
  *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
  *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
  *   | { type: "fewerFlips", flipped: number }
  *   | { type: "missingFiles", files: NamedBytes[] }
- *   | { type: "obj", uv?: Float64Array, asItCame?: boolean }
+ *   | { type: "obj", uv?: Float64Array, unwelded?: boolean }
  *   | { type: "table", table: "errors" | "convergence" | "angles" }
  *   | { type: "trace" }
  *   | { type: "comparison" }
@@ -256,11 +256,11 @@
 
 /**
  * `find` begins the search for variations of an exact shape, `advance` continues it for a slice,
- * `way` is the displacement of all vertices for a coefficient of one. `show`: the shape plus the
- * variations times their coefficients; `reach` projects that back onto the constraints, `keep`
+ * `displacement` is that of all vertices for a coefficient of one. `show`: the shape plus the
+ * variations times their coefficients; `project` projects that back onto the constraints, `keep`
  * makes it the design as one step of undo, `leave` discards it. `table`, `positions`: kept shapes.
- * @typedef {{ what: "find" } | { what: "advance" } | { what: "way", index: number }
- *   | { what: "show", coefficients: Float64Array } | { what: "reach", coefficients: Float64Array }
+ * @typedef {{ what: "find" } | { what: "advance" } | { what: "displacement", index: number }
+ *   | { what: "show", coefficients: Float64Array } | { what: "project", coefficients: Float64Array }
  *   | { what: "keep" } | { what: "leave" }
  *   | { what: "table", tolerance: number } | { what: "positions", index: number }} VariationAsk
  */
@@ -270,9 +270,9 @@
  * @typedef {object} VariationAnswers
  * @property {boolean} find whether there can be any
  * @property {VariationProgress} advance
- * @property {Float32Array} way `#V by 3`
+ * @property {Float32Array} displacement `#V by 3`
  * @property {boolean} show whether the variations belong to the current shape
- * @property {number | null} reach fraction reached; null if they belong to another shape
+ * @property {number | null} project fraction reached; null if they belong to another shape
  * @property {boolean} keep whether there was anything to keep
  * @property {undefined} leave
  * @property {VariantRow[]} table
@@ -310,7 +310,7 @@
  * @property {Remedy[]} remedies most effective first
  * @property {number} mostFaces
  * @property {BuildNumber[]} buildNumbers
- * @property {null} tellBuild
+ * @property {null} setBuildNumbers
  * @property {string} results
  * @property {Parametrization} parametrize
  * @property {FewerFlips | null} fewerFlips

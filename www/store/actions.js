@@ -168,8 +168,8 @@ export function createActions(store, solver, alerts) {
       view.select({ vertices: [next], faces: [] });
     },
 
-    /** @param {boolean} [goOn] continue although the mesh has collapsed */
-    run: (goOn) => solver.send({ type: 'run', goOn }),
+    /** @param {boolean} [ignoreCollapse] continue although the mesh has collapsed */
+    run: (ignoreCollapse) => solver.send({ type: 'run', ignoreCollapse }),
 
     /**
      * Sends the new targets of handles.

@@ -90,7 +90,7 @@ export function createQueries(solver, reportErrors) {
 
     /**
      * Returns the shape as OBJ: with a flat map, or with the file's original vertices.
-     * @param {{ uv?: Float64Array, asItCame?: boolean }} how
+     * @param {{ uv?: Float64Array, unwelded?: boolean }} how
      */
     obj: (how) => solver.request({ type: 'obj', ...how }),
 
@@ -127,9 +127,9 @@ export function createQueries(solver, reportErrors) {
      * Passes fabrication numbers of the shape to the session; goals of a lesson may refer to them.
      * @param {[string, number][]} numbers by id
      */
-    tellBuild: (numbers) =>
+    setBuildNumbers: (numbers) =>
       solver.request({
-        type: 'tellBuild',
+        type: 'setBuildNumbers',
         ids: numbers.map(([id]) => id),
         values: Float64Array.from(numbers, ([, value]) => value),
       }),

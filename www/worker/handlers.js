@@ -3,7 +3,7 @@
 import { cancelExperiment, comparison, experimentCsv, runExperiment } from './experiment.js';
 import { missingFiles, open } from './open.js';
 import { findRemedies } from './remedies.js';
-import { inTurns, stopTrials } from './trials.js';
+import { runInSlices, stopTrials } from './trials.js';
 import { mostFaces, warmUpWhenQuiet } from './warm-up.js';
 
 /**
@@ -21,7 +21,7 @@ export const commandHandlers = (scheduler) => ({
     scheduler.frames.due = scheduler.isLoaded;
     scheduler.sendFrame();
   },
-  run: ({ goOn }) => scheduler.run(goOn),
+  run: ({ ignoreCollapse }) => scheduler.run(ignoreCollapse),
   pause: () => scheduler.pause(),
   drag: (message) => scheduler.drag(message),
   cancelExperiment,
@@ -57,11 +57,11 @@ export function requestHandlers(solver, scheduler, post, died) {
     },
     async exactOffer() {
       solver.tryExact();
-      return (await inTurns(solver)) ? solver.offer() : null;
+      return (await runInSlices(solver)) ? solver.offer() : null;
     },
     async improvement() {
       solver.tryImprovement();
-      await inTurns(solver);
+      await runInSlices(solver);
       return solver.offer();
     },
     endTrial() {
@@ -93,8 +93,8 @@ export function requestHandlers(solver, scheduler, post, died) {
     remedies: () => findRemedies(solver),
     mostFaces,
     buildNumbers: () => solver.buildNumbers(),
-    tellBuild({ ids, values }) {
-      solver.tellBuild(ids, values);
+    setBuildNumbers({ ids, values }) {
+      solver.setBuildNumbers(ids, values);
       scheduler.frames.due = true;
       scheduler.sendFrame();
       return null;
@@ -102,8 +102,8 @@ export function requestHandlers(solver, scheduler, post, died) {
     results: ({ student, time }) => solver.results(student, time),
     select: ({ request }) => solver.select(request),
     scene: () => solver.scene(),
-    obj({ uv, asItCame }) {
-      if (asItCame) return solver.objAsItCame();
+    obj({ uv, unwelded }) {
+      if (unwelded) return solver.objUnwelded();
       return uv ? solver.objWithUv(uv) : solver.obj();
     },
     parametrize: ({ weights, norm }) => paused(() => solver.parametrize(weights, norm)),

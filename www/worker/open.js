@@ -17,9 +17,9 @@ export function open(solver, scheduler, { files, saved, frame = '', solved, weld
   const main = mainOf(files);
   const named = filesNamed(files, (scene) => solver.sceneFiles(scene));
   scheduler.close();
-  solver.assume(frame);
-  solver.keepApart(weld === false);
-  for (const { path, file } of named) if (file) solver.bring(path, file.bytes);
+  solver.setDefaultFrame(frame);
+  solver.keepUnwelded(weld === false);
+  for (const { path, file } of named) if (file) solver.addFile(path, file.bytes);
   /** @type {import("../solver/messages.js").Loaded} */
   const loaded = {
     ...solver.load(main.name, main.bytes),

@@ -4,7 +4,7 @@
  */
 
 import { RemedyTrials } from '../pkg/solver/shape_up.js';
-import { inTurns } from './trials.js';
+import { runInSlices } from './trials.js';
 
 /** Time limit of the trials, in milliseconds. */
 const MOST_MS = 4000;
@@ -17,7 +17,7 @@ const MOST_MS = 4000;
  */
 export async function findRemedies(solver) {
   const trials = new RemedyTrials(solver);
-  await inTurns(trials, MOST_MS);
+  await runInSlices(trials, MOST_MS);
   const found = trials.found();
   trials.free();
   return found;

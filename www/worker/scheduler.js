@@ -29,7 +29,7 @@ export class Scheduler {
   /** Run was pressed, and the iteration has not converged since. */
   #isRunning = false;
   /** Whether the run continues even if the shape collapses. */
-  #goesOn = false;
+  #ignoresCollapse = false;
   #isDragging = false;
   /** While iterating, no frame is sent before this time. */
   #nextFrame = 0;
@@ -83,13 +83,13 @@ export class Scheduler {
     if (solved) this.#iterate();
   }
 
-  /** @param {boolean} [goOn] continue even if the shape collapses */
-  run(goOn = false) {
+  /** @param {boolean} [ignoreCollapse] continue even if the shape collapses */
+  run(ignoreCollapse = false) {
     if (!this.#isLoaded || this.#isRunning) return;
     this.#post({ type: 'working' });
     this.#solver.beginRun();
-    this.#goesOn = goOn;
-    if (goOn) this.#solver.goOn();
+    this.#ignoresCollapse = ignoreCollapse;
+    if (ignoreCollapse) this.#solver.ignoreCollapse();
     this.#isRunning = true;
     this.#isSettled = false;
     this.#sliceIsNew = true;
@@ -152,7 +152,7 @@ export class Scheduler {
   runFor(ask) {
     ask();
     this.#isRunning = true;
-    this.#goesOn = this.#isSettled = false;
+    this.#ignoresCollapse = this.#isSettled = false;
     this.#activityDue = true;
     this.changed();
     this.#sliceIsNew = true;
@@ -316,7 +316,7 @@ export class Scheduler {
     if (this.#isSettled && this.#isRunning && !this.#isDragging) {
       this.#endRun();
       this.changed();
-      if (!this.#goesOn) collapse = this.#solver.collapse();
+      if (!this.#ignoresCollapse) collapse = this.#solver.collapse();
     } else if (this.frames.due) {
       this.#progressTimer ||= setTimeout(() => this.#sendProgress(), this.#progressEvery);
     }

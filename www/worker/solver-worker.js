@@ -6,7 +6,7 @@ import { fetchModule } from './fetch-wasm.js';
 import { commandHandlers, requestHandlers } from './handlers.js';
 import { Scheduler } from './scheduler.js';
 import { stopTrials } from './trials.js';
-import { disturb } from './warm-up.js';
+import { resetIdle } from './warm-up.js';
 import { isTrap } from './wasm-errors.js';
 
 /** @typedef {import("../solver/messages.js").ToWorker} ToWorker */
@@ -95,7 +95,7 @@ function listen(solver) {
     if (isDead) return;
     // Answered between slices, to show that the worker is alive.
     if (message.type === 'ping') return post({ type: 'pong' });
-    disturb();
+    resetIdle();
     if (CHANGES.has(message.type)) stopTrials();
     if ('id' in message) request(message);
     else command(message);

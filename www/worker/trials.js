@@ -15,19 +15,19 @@ export function stopTrials() {
  * @param {number} [most] time limit, in milliseconds
  * @returns {Promise<boolean>} whether it was completed
  */
-export function inTurns(trial, most = Infinity) {
+export function runInSlices(trial, most = Infinity) {
   const mine = ++turn;
   const until = performance.now() + most;
   return new Promise((resolve, reject) => {
-    const goOn = () => {
+    const advance = () => {
       try {
         if (mine !== turn || performance.now() > until) resolve(false);
-        else if (trial.advance(SLICE_MS)) setTimeout(goOn);
+        else if (trial.advance(SLICE_MS)) setTimeout(advance);
         else resolve(true);
       } catch (error) {
         reject(error);
       }
     };
-    setTimeout(goOn);
+    setTimeout(advance);
   });
 }

@@ -21,12 +21,12 @@ export function answer(solver, scheduler, ask) {
       return shows(() => solver.findVariations());
     case 'advance':
       return solver.advanceVariations(SLICE_MS);
-    case 'way':
+    case 'displacement':
       return solver.variation(ask.index);
     case 'show':
       return shows(() => solver.showVariation(ask.coefficients));
-    case 'reach':
-      return shows(() => solver.reachVariation(ask.coefficients) ?? null);
+    case 'project':
+      return shows(() => solver.projectVariation(ask.coefficients) ?? null);
     case 'keep':
       return scheduler.betweenRuns(() => solver.keepVariation());
     case 'leave':

@@ -14,7 +14,7 @@ let most;
 let quietSince = 0;
 
 /** Resets the idle time. */
-export function disturb() {
+export function resetIdle() {
   quietSince = performance.now();
 }
 
@@ -26,21 +26,21 @@ export function warmUpWhenQuiet(isBusy) {
   if (begun) return;
   begun = true;
   const work = new WarmUp();
-  const goOn = () => {
+  const advance = () => {
     const quiet = performance.now() - quietSince;
     if (isBusy()) work.free();
-    else if (quiet < QUIET_MS) setTimeout(goOn, QUIET_MS - quiet);
-    else if (work.goOn()) setTimeout(goOn);
+    else if (quiet < QUIET_MS) setTimeout(advance, QUIET_MS - quiet);
+    else if (work.advance()) setTimeout(advance);
     else finish(work);
   };
-  goOn();
+  advance();
 }
 
 /** Returns the number of faces up to which this computer stays interactive, measured if unknown. */
 export function mostFaces() {
   if (most === undefined) {
     const work = new WarmUp();
-    while (work.goOn());
+    while (work.advance());
     finish(work);
   }
   if (most === undefined) throw new Error('the speed of this computer could not be measured');

@@ -56,7 +56,7 @@ fn round_up(value: f32) -> f32 {
 pub(crate) fn values(session: &Session) -> Option<Vec<f32>> {
     let measures = session.measures();
     let rows = (0..).zip(session.rows()).filter(|(_, row)| row.enabled);
-    let values = match rows.filter_map(|(index, _)| session.asked_measure(index)).next()? {
+    let values = match rows.filter_map(|(index, _)| session.required_measure(index)).next()? {
         "circularity" => measures.circularity_distances.clone(),
         _ => measures.planarity_distances.clone(),
     };

@@ -3,7 +3,7 @@
 use super::closeness_weights::{set_closeness_weight, strengthen_closeness};
 use super::constraint_target::ConstraintTarget;
 use super::edit_list::{Edit, NewConstraint};
-use super::moment::{Moment, back_to_rest, reset};
+use super::iteration_state::{IterationState, back_to_rest, reset};
 use super::{presenting, settings, variants};
 use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{Read, counted, read};
@@ -24,13 +24,13 @@ use std::rc::Rc;
 pub(crate) fn apply(
     edit: Edit,
     draft: &mut Draft<'_>,
-    moment: &mut Moment,
+    state: &mut IterationState,
 ) -> Result<String, SceneError> {
     let name = match edit {
         Edit::AddConstraint(new) => add(new, draft),
         Edit::MakePanels { kind, within, afresh } => {
             if afresh {
-                reset(draft, moment);
+                reset(draft, state);
             }
             let require = within.map_or(Require::Soft, Require::Within);
             let info =
@@ -135,9 +135,9 @@ pub(crate) fn apply(
                 Ok(())
             })?;
             // A shape without extent cannot recover, so go back to the start.
-            if let Some(start) = moment.start.take() {
+            if let Some(start) = state.start.take() {
                 draft.put_positions(Rc::clone(start.positions()));
-                moment.iteration = start.iteration();
+                state.iteration = start.iteration();
             }
             "Increase closeness".to_owned()
         }
@@ -183,7 +183,7 @@ pub(crate) fn apply(
         Edit::SetLesson { lesson, unsolved } => {
             draft.put(Part::Lesson(lesson));
             if unsolved {
-                back_to_rest(Variants::default(), draft, moment);
+                back_to_rest(Variants::default(), draft, state);
             }
             "Change lesson".to_owned()
         }
@@ -196,7 +196,7 @@ pub(crate) fn apply(
             "Change build settings".to_owned()
         }
         Edit::SetSteps { steps } => presenting::set(steps, draft)?,
-        Edit::ShowStep { index } => presenting::show(index, draft, moment)?,
+        Edit::ShowStep { index } => presenting::show(index, draft, state)?,
         Edit::KeepVariant { start } => variants::keep(start, draft)?,
         Edit::GoToVariant { index } => variants::go_to(index, draft)?,
         Edit::RemoveVariant { index } => {
@@ -226,7 +226,7 @@ pub(crate) fn apply(
             unreachable!("it makes another mesh, which no draft can")
         }
         Edit::Reset => {
-            reset(draft, moment);
+            reset(draft, state);
             "Reset".to_owned()
         }
     };

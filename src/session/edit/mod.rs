@@ -11,7 +11,7 @@
 //! | `closeness_weights` | factors of closeness for single vertices |
 //! | `locks` | the edits that a lesson forbids |
 //! | `variants` | variants of the shape |
-//! | `moment` | the iteration count of a state, and its start |
+//! | `iteration_state` | the iteration count of a state, and its start |
 //! | `presenting` | the steps of a presentation |
 //! | `carry` | a scene carried over to another mesh |
 //! | `remeshing` | operations on the mesh, and their previews |
@@ -23,8 +23,8 @@ mod closeness_weights;
 mod constraint_target;
 mod edit_json;
 mod edit_list;
+mod iteration_state;
 mod locks;
-mod moment;
 mod presenting;
 mod preview;
 mod remeshing;
@@ -36,8 +36,8 @@ pub(crate) use apply::apply;
 pub(crate) use carry::{Carried, carry};
 pub use constraint_target::ConstraintTarget;
 pub use edit_list::{Edit, NewConstraint};
+pub(crate) use iteration_state::IterationState;
 pub(crate) use locks::{check_lock, check_locks};
-pub(crate) use moment::Moment;
 pub use preview::Preview;
 pub(crate) use preview::previews;
 pub(crate) use remeshing::offered;

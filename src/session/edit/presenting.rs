@@ -1,6 +1,6 @@
 //! Edits of a presentation: replacing its steps, and showing one of them.
 
-use super::moment::{Moment, reset};
+use super::iteration_state::{IterationState, reset};
 use super::variants;
 use crate::scene::{SceneError, Slide};
 use crate::session::state::{Draft, Part};
@@ -22,7 +22,7 @@ pub(super) fn set(steps: Vec<Slide>, draft: &mut Draft<'_>) -> Result<String, Sc
 pub(super) fn show(
     index: usize,
     draft: &mut Draft<'_>,
-    moment: &mut Moment,
+    state: &mut IterationState,
 ) -> Result<String, SceneError> {
     let steps = &draft.document().steps;
     let step = steps.get(index).ok_or_else(|| SceneError {
@@ -32,7 +32,7 @@ pub(super) fn show(
     let words = format!("Show {}", step.title);
     let Slide { original, variant, weights, .. } = *step;
     if original {
-        reset(draft, moment);
+        reset(draft, state);
     }
     if let Some(variant) = variant {
         variants::go_to(variant, draft)?;

@@ -49,7 +49,7 @@ pub(crate) fn acting_rows(rows: &[ResolvedRow], rest: &RestMesh) -> ConstraintMa
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RowPalette {
     /// Per row, the index of its colour plus one; 0 is reserved for elements without a row.
-    pub places: Vec<u8>,
+    pub of_row: Vec<u8>,
     /// Red, green and blue from 0 to 255.
     pub colours: Vec<[u8; 3]>,
 }
@@ -60,11 +60,11 @@ impl RowPalette {
         let mut palette = RowPalette::default();
         for colour in rows.iter().map(|row| row.constraints.kind.info().colour) {
             let known = palette.colours.iter().position(|other| *other == colour);
-            let place = known.unwrap_or(palette.colours.len());
+            let index = known.unwrap_or(palette.colours.len());
             if known.is_none() {
                 palette.colours.push(colour);
             }
-            palette.places.push(u8::try_from(place + 1).expect("there are fewer than 255 kinds"));
+            palette.of_row.push(u8::try_from(index + 1).expect("there are fewer than 255 kinds"));
         }
         palette
     }

@@ -8,14 +8,14 @@ use crate::session::state::{ResolvedRow, RestMesh, SolvedScene};
 
 /// Returns the id of the measure that row `index` makes zero on single faces, which is that of its
 /// kind; none if its constraints are not on single faces.
-pub(crate) fn asked_measure(document: &Scene, index: usize) -> Option<&'static str> {
+pub(crate) fn required_measure(document: &Scene, index: usize) -> Option<&'static str> {
     let row = document.constraints.get(index)?;
     let of_faces = matches!(row.on, Selector::Each { element: Element::Face, radius: 0, .. });
     row.kind.info().measure.filter(|_| of_faces)
 }
 
 /// Counts the vertices with a closeness factor other than 1.
-pub(crate) fn held_otherwise(document: &Scene, rest: &RestMesh) -> usize {
+pub(crate) fn reweighted_vertices(document: &Scene, rest: &RestMesh) -> usize {
     if document.closeness.weights.is_empty() {
         return 0;
     }

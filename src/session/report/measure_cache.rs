@@ -22,7 +22,7 @@ struct Measured {
     /// Distance of each vertex to the original surface, `#V`.
     surface_distances: Option<Rc<[f64]>>,
     /// Numbers of this shape that were computed elsewhere, by name.
-    told: Vec<(String, f64)>,
+    external_numbers: Vec<(String, f64)>,
     /// The original triangle last closest to each vertex, `#V`; empty before the first search.
     closest: Vec<u32>,
 }
@@ -68,17 +68,17 @@ impl MeasureCache {
     }
 
     /// Stores numbers of the current shape that were computed elsewhere, by name.
-    pub(crate) fn tell(&self, scene: &SolvedScene, values: Vec<(String, f64)>) {
+    pub(crate) fn set_external_numbers(&self, scene: &SolvedScene, values: Vec<(String, f64)>) {
         let mut measured = self.0.borrow_mut();
         measured.begin(scene.positions());
-        measured.told = values;
+        measured.external_numbers = values;
     }
 
     /// Returns a number of the current shape that was computed elsewhere; none if it was not.
-    pub(crate) fn told(&self, scene: &SolvedScene, name: &str) -> Option<f64> {
+    pub(crate) fn external_number(&self, scene: &SolvedScene, name: &str) -> Option<f64> {
         let mut measured = self.0.borrow_mut();
         measured.begin(scene.positions());
-        measured.told.iter().find(|(own, _)| own == name).map(|(_, value)| *value)
+        measured.external_numbers.iter().find(|(own, _)| own == name).map(|(_, value)| *value)
     }
 }
 
@@ -88,7 +88,7 @@ impl Measured {
         let is_same = |known: &Rc<[Point]>| Rc::ptr_eq(known, positions) || known == positions;
         if !self.positions.as_ref().is_some_and(is_same) {
             (self.measures, self.surface_distances) = (None, None);
-            self.told.clear();
+            self.external_numbers.clear();
         }
         self.positions = Some(Rc::clone(positions));
     }

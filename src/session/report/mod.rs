@@ -37,7 +37,7 @@ pub(crate) use constraint_map::{ConstraintCoverage, acting_rows};
 pub use constraint_map::{ConstraintMap, RowPalette};
 pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
 pub(crate) use face_measure::{corner_values, face_values};
-pub(crate) use inspect::{asked_measure, free, held_otherwise, members};
+pub(crate) use inspect::{free, members, required_measure, reweighted_vertices};
 pub use lesson::{GoalWords, goals_in_words};
 pub(crate) use lesson::{check_lesson, check_presentation, goals};
 pub(crate) use measure_cache::MeasureCache;

@@ -15,7 +15,7 @@ pub struct Projections {
     /// Vertex of each point.
     pub vertices: Vec<u32>,
     /// Displacement of each point to its projection, `#points by 3`, in the unit of the mesh.
-    pub ways: Vec<[f64; 3]>,
+    pub displacements: Vec<[f64; 3]>,
     /// Row of constraints of each point.
     pub rows: Vec<u32>,
     /// The outlines of the projected shapes, as pairs of points of the same constraint: the ends of
@@ -35,9 +35,9 @@ pub(crate) fn projections(scene: &mut SolvedScene, rest: &RestMesh) -> Projectio
     scene.projected(|row, points| {
         let (row, centring) = enabled[row];
         let first = found.vertices.len() as u32;
-        for (vertex, way) in points {
+        for (vertex, displacement) in points {
             found.vertices.push(*vertex);
-            found.ways.push([way.x, way.y, way.z]);
+            found.displacements.push([displacement.x, displacement.y, displacement.z]);
             found.rows.push(row);
         }
         let own = &found.vertices[first as usize..];
@@ -58,9 +58,9 @@ pub(crate) fn projections(scene: &mut SolvedScene, rest: &RestMesh) -> Projectio
 pub(super) fn residuals(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     let mut squares = vec![0.0f64; model.rest.positions().len()];
     let mut take = |points: &Projected| {
-        for (vertex, way) in points {
+        for (vertex, displacement) in points {
             let worst = &mut squares[*vertex as usize];
-            *worst = worst.max(way.length_squared());
+            *worst = worst.max(displacement.length_squared());
         }
     };
     match shape {

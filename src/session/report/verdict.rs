@@ -2,7 +2,7 @@
 //! and how far the vertices have moved for it.
 
 use super::face_measure::face_values;
-use super::inspect::{asked_measure, members};
+use super::inspect::{members, required_measure};
 use super::measuring::{Measuring, Shape};
 use super::moved::moved;
 use crate::session::state::RestMesh;
@@ -55,7 +55,7 @@ impl Verdict {
         let mut asking = rows.filter(|(_, row)| row.enabled);
         let (row, info, adjective) = asking.find_map(|(index, row)| {
             let info = row.kind.info();
-            let adjective = info.panels.filter(|_| asked_measure(document, index).is_some())?;
+            let adjective = info.panels.filter(|_| required_measure(document, index).is_some())?;
             Some((index, info, adjective))
         })?;
         let [faces, _] = members(model.scene.rows().get(row), model.rest);

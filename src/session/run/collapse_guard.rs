@@ -16,7 +16,7 @@ pub(crate) struct CollapseGuard {
     /// Whether the document poses another problem than the opened one.
     armed: bool,
     /// Whether the run continues after a collapse.
-    goes_on: bool,
+    ignores_collapse: bool,
     /// The shape where iterating began; none before the first iteration.
     start: Option<Rc<Start>>,
     collapse: Option<Collapse>,
@@ -27,8 +27,8 @@ pub(crate) struct CollapseGuard {
 impl CollapseGuard {
     /// Creates the guard of a session on the document `opened`.
     pub(crate) fn new(opened: Scene) -> CollapseGuard {
-        let (armed, goes_on, start, collapse, unseen) = (false, false, None, None, 0);
-        CollapseGuard { opened, armed, goes_on, start, collapse, unseen }
+        let (armed, ignores_collapse, start, collapse, unseen) = (false, false, None, None, 0);
+        CollapseGuard { opened, armed, ignores_collapse, start, collapse, unseen }
     }
 
     /// How the shape has collapsed since iterating began, if it has.
@@ -46,8 +46,8 @@ impl CollapseGuard {
     }
 
     /// Sets whether the run continues if the shape collapses.
-    pub(crate) fn let_go_on(&mut self, goes_on: bool) {
-        self.goes_on = goes_on;
+    pub(crate) fn set_ignore_collapse(&mut self, ignores_collapse: bool) {
+        self.ignores_collapse = ignores_collapse;
     }
 
     /// Makes the next iteration the start, unless the shape has collapsed.
@@ -80,7 +80,7 @@ impl CollapseGuard {
         }
         let before = self.collapse;
         self.look(scene, rest, dragging);
-        before.is_none() && self.collapse.is_some() && !self.goes_on
+        before.is_none() && self.collapse.is_some() && !self.ignores_collapse
     }
 
     /// Compares the shape with the start; during a drag it does not count as collapsed.

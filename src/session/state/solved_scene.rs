@@ -116,7 +116,7 @@ impl SolvedScene {
     }
 
     /// Returns a change that restores the current state.
-    pub(crate) fn way_back(&self) -> SceneChange {
+    pub(crate) fn snapshot(&self) -> SceneChange {
         SceneChange {
             parts: Vec::new(),
             handles: Rc::clone(self.handles()),
@@ -134,7 +134,7 @@ impl SolvedScene {
         rest: &RestMesh,
         propose: impl FnOnce(&mut Draft<'_>) -> Result<T, SceneError>,
     ) -> Result<(T, Option<SceneChange>), Error> {
-        let change = self.way_back();
+        let change = self.snapshot();
         let mut draft = Draft { document: &mut self.document, mesh: rest.mesh(), change };
         let proposed = propose(&mut draft);
         let mut change = draft.change;
@@ -173,7 +173,7 @@ impl SolvedScene {
     /// Completes an exchange after that of the parts of `change`: exchanges handles and positions,
     /// and updates the solver.
     fn follow(&mut self, rest: &RestMesh, change: &mut SceneChange) -> Result<(), Error> {
-        let SceneChange { handles, positions, .. } = self.way_back();
+        let SceneChange { handles, positions, .. } = self.snapshot();
         let new_handles = !same_handles(&change.handles, &handles);
         let new_positions = !same_positions(&change.positions, &positions);
         let effect = change.effect(&self.document);

@@ -20,7 +20,7 @@ pub struct ExactTrial {
     name: &'static str,
     /// The shape at which it began, `#V by 3`.
     from: Rc<[Point]>,
-    before: Price,
+    before: Cost,
 }
 
 /// The stage of a trial.
@@ -36,7 +36,7 @@ enum TrialStage {
 /// The cost of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct Price {
+pub struct Cost {
     /// The total energy of the soft terms, without the hard constraints.
     pub energy: f64,
     /// Displacements from the original.
@@ -59,9 +59,9 @@ pub struct ExactOffer {
     /// The largest remaining distance.
     pub max_distance: f64,
     /// The cost of the current shape.
-    pub before: Price,
+    pub before: Cost,
     /// The cost of the exact shape.
-    pub after: Price,
+    pub after: Cost,
     /// Displacements between these two shapes.
     pub moved: Moved,
 }
@@ -102,7 +102,7 @@ impl Session {
     }
 
     fn trial(&self, mut exact: Exact, rows: Vec<usize>, name: &'static str) -> ExactTrial {
-        let before = Price { energy: exact.energy().total, moved: self.moved() };
+        let before = Cost { energy: exact.energy().total, moved: self.moved() };
         let from = Rc::clone(self.scene.positions());
         ExactTrial { exact, stage: TrialStage::Far, rows, name, from, before }
     }
@@ -121,7 +121,7 @@ impl Session {
             let now = RowValues::of(&self.document().constraints[row]);
             Part::RowValues(row, RowValues { require: Require::Exact, eased: None, ..now })
         };
-        let mut change = self.way_back();
+        let mut change = self.snapshot();
         change.scene.parts = trial.rows.iter().map(values).collect();
         change.scene.positions = trial.exact.positions().into();
         self.exchange(&mut change)?;
@@ -185,7 +185,7 @@ impl ExactTrial {
         let ExactAnswer { met, unmet, max_distance, moved, .. } = self.exact.answer();
         let positions = self.exact.positions();
         let moved_by = session.rest.moved_by(&positions);
-        let after = Price { energy: self.exact.energy().total, moved: moved_by };
+        let after = Cost { energy: self.exact.energy().total, moved: moved_by };
         ExactOffer {
             met,
             too_large: !self.exact.can_polish(),

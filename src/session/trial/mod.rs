@@ -8,5 +8,5 @@
 mod exact_trial;
 mod remedies;
 
-pub use exact_trial::{ExactOffer, ExactTrial, Price};
+pub use exact_trial::{Cost, ExactOffer, ExactTrial};
 pub use remedies::{Remedies, Remedy};

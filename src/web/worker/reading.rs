@@ -20,36 +20,38 @@ impl Solver {
     }
 
     /// Supplies a file for the next scene, under the path by which the scene names it.
-    pub fn bring(&mut self, path: &str, bytes: Vec<u8>) {
-        self.files.bring(path, bytes);
+    #[wasm_bindgen(js_name = addFile)]
+    pub fn add_file(&mut self, path: &str, bytes: Vec<u8>) {
+        self.files.add_file(path, bytes);
     }
 
     /// Sets the unit and up axis of the next mesh file, in case the file does not state them.
     /// `comments` has the form of such statements in a file: `# units: m`, `# up: y`, a line each.
-    pub fn assume(&mut self, comments: &str) {
-        self.files.assume(UnitsAndUp::stated(comments.as_bytes()));
+    #[wasm_bindgen(js_name = setDefaultFrame)]
+    pub fn set_default_frame(&mut self, comments: &str) {
+        self.files.set_default_frame(UnitsAndUp::stated(comments.as_bytes()));
     }
 
     /// Sets whether coincident vertices of the next mesh file stay separate. Otherwise the mesh is
     /// welded if its faces do not share vertices.
-    #[wasm_bindgen(js_name = keepApart)]
-    pub fn keep_apart(&mut self, apart: bool) {
-        self.files.keep_apart(apart);
+    #[wasm_bindgen(js_name = keepUnwelded)]
+    pub fn keep_unwelded(&mut self, unwelded: bool) {
+        self.files.keep_unwelded(unwelded);
     }
 
-    /// Opens a mesh, or a scene with the files that [`Solver::bring`] supplied. If this one is
+    /// Opens a mesh, or a scene with the files that [`Solver::add_file`] supplied. If this one is
     /// refused, the model that is open stays.
     #[wasm_bindgen(unchecked_return_type = "Loaded")]
     pub fn load(&mut self, name: &str, bytes: &[u8]) -> Result<JsValue, JsValue> {
         let started = clock::now();
         let file = self.files.read(name, bytes).map_err(thrown)?;
-        let OpenedFile { scene, mesh, weld, said, guessed } = file;
+        let OpenedFile { scene, mesh, weld, diagnostics, guessed } = file;
         let session = Session::replace(&mut self.session, scene, mesh).map_err(|error| {
             thrown(if is_scene(name) { format!("{name}: {error}") } else { error.to_string() })
         })?;
         session.set_load_seconds(clock::now() - started);
         session.start_trace();
-        let loaded = plain(&Loaded::new(name, session, &said, guessed, weld.as_ref()));
+        let loaded = plain(&Loaded::new(name, session, &diagnostics, guessed, weld.as_ref()));
         self.step_ms = 0.0;
         self.weld = weld;
         self.generation = 0;
@@ -65,13 +67,13 @@ impl Solver {
         if generation == self.generation {
             return Ok(JsValue::UNDEFINED);
         }
-        let said = Read {
+        let diagnostics = Read {
             problems: diagnose(session.mesh()),
             notes: session.lost().to_vec(),
             mesh: Mesh::default(),
         };
         let weld = self.weld.as_ref().filter(|_| generation == 0);
-        let loaded = plain(&Loaded::new("", session, &said, Guessed::default(), weld));
+        let loaded = plain(&Loaded::new("", session, &diagnostics, Guessed::default(), weld));
         self.generation = generation;
         loaded
     }

@@ -33,10 +33,10 @@ impl Solver {
     }
 
     /// Stores numbers of the build of the current shape: `ids` and as many `values`.
-    #[wasm_bindgen(js_name = tellBuild)]
-    pub fn tell_build(&mut self, ids: Vec<String>, values: &[f64]) -> Result<(), JsValue> {
+    #[wasm_bindgen(js_name = setBuildNumbers)]
+    pub fn set_build_numbers(&mut self, ids: Vec<String>, values: &[f64]) -> Result<(), JsValue> {
         let numbers = ids.into_iter().zip(values.iter().copied()).collect();
-        self.open_mut()?.tell_build(numbers);
+        self.open_mut()?.set_build_numbers(numbers);
         Ok(())
     }
 

@@ -25,20 +25,21 @@ impl Solver {
     }
 
     /// Returns the projections of the constraints at the current positions: the vertex of each
-    /// projected point (`vertices`), its displacement from there (`ways`, `#points by 3`, units of
-    /// the mesh), and the index of its colour in `palette` plus one (`colours`); `outlines` are
-    /// pairs of points.
+    /// projected point (`vertices`), its displacement from there (`displacements`, `#points by 3`,
+    /// units of the mesh), and the index of its colour in `palette` plus one (`colours`);
+    /// `outlines` are pairs of points.
     pub fn projections(&mut self) -> Result<JsValue, JsValue> {
         let session = self.open_mut()?;
-        let rows = session.row_palette();
+        let row_palette = session.row_palette();
         let found = session.projections();
-        let colours: Vec<u8> = found.rows.iter().map(|&row| rows.places[row as usize]).collect();
+        let colours: Vec<u8> =
+            found.rows.iter().map(|&row| row_palette.of_row[row as usize]).collect();
         object([
             ("vertices", indices(&found.vertices)),
-            ("ways", narrow(found.ways.as_flattened()).into()),
+            ("displacements", narrow(found.displacements.as_flattened()).into()),
             ("colours", Uint8Array::from(&colours[..]).into()),
             ("outlines", indices(found.outlines.as_flattened())),
-            ("palette", palette(&rows)),
+            ("palette", palette(&row_palette)),
         ])
     }
 
@@ -55,15 +56,16 @@ impl Solver {
     pub fn row_colours(&self) -> Result<JsValue, JsValue> {
         let session = self.open()?;
         let acting = session.acting_rows();
-        let rows = session.row_palette();
+        let row_palette = session.row_palette();
         let of_rows = |of: &[Option<u32>]| {
-            let places = of.iter().map(|row| row.map_or(0, |row| rows.places[row as usize]));
-            JsValue::from(Uint8Array::from(&places.collect::<Vec<u8>>()[..]))
+            let colours =
+                of.iter().map(|row| row.map_or(0, |row| row_palette.of_row[row as usize]));
+            JsValue::from(Uint8Array::from(&colours.collect::<Vec<u8>>()[..]))
         };
         object([
             ("faces", of_rows(&acting.faces)),
             ("vertices", of_rows(&acting.vertices)),
-            ("palette", palette(&rows)),
+            ("palette", palette(&row_palette)),
         ])
     }
 

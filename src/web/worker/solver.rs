@@ -89,9 +89,9 @@ impl Solver {
     }
 
     /// Lets the current run continue although the shape has collapsed.
-    #[wasm_bindgen(js_name = goOn)]
-    pub fn go_on(&mut self) -> Result<(), JsValue> {
-        self.open_mut()?.go_on();
+    #[wasm_bindgen(js_name = ignoreCollapse)]
+    pub fn ignore_collapse(&mut self) -> Result<(), JsValue> {
+        self.open_mut()?.ignore_collapse();
         Ok(())
     }
 
@@ -161,11 +161,11 @@ impl Solver {
     }
 
     /// Returns the current shape as OBJ with the vertices and faces of the file before welding.
-    #[wasm_bindgen(js_name = objAsItCame)]
-    pub fn obj_as_it_came(&self) -> Result<String, JsValue> {
+    #[wasm_bindgen(js_name = objUnwelded)]
+    pub fn obj_unwelded(&self) -> Result<String, JsValue> {
         let session = self.open()?;
         let weld = self.weld.as_ref().filter(|_| session.generation() == 0);
-        Ok(weld.map_or_else(|| session.obj(), |weld| session.obj_as_it_came(weld)))
+        Ok(weld.map_or_else(|| session.obj(), |weld| session.obj_unwelded(weld)))
     }
 
     /// Returns a table as CSV: `errors` of faces, energies (`convergence`), or `angles`.

@@ -145,13 +145,13 @@ impl Solver {
         Ok(session.show_variation(variations, coefficients))
     }
 
-    /// See [`crate::session::Session::reach_variation`].
-    #[wasm_bindgen(js_name = reachVariation)]
-    pub fn reach_variation(&mut self, coefficients: &[f64]) -> Result<Option<f64>, JsValue> {
+    /// See [`crate::session::Session::project_variation`].
+    #[wasm_bindgen(js_name = projectVariation)]
+    pub fn project_variation(&mut self, coefficients: &[f64]) -> Result<Option<f64>, JsValue> {
         let (Some(session), Some(variations)) = (&mut self.session, &mut self.variations) else {
             return Ok(None);
         };
-        session.reach_variation(variations, coefficients).map_err(thrown)
+        session.project_variation(variations, coefficients).map_err(thrown)
     }
 
     /// See [`crate::session::Session::keep_variation`].

@@ -11,12 +11,12 @@ export async function buildGoals(app) {
   const live = new LiveBuild(app, {
     show: tell,
     showOffset: () => {},
-    refuse: () => actions.tellBuild([]),
+    refuse: () => actions.setBuildNumbers([]),
   });
   await live.offers();
 
   async function tell() {
-    await actions.tellBuild(await live.numbers());
+    await actions.setBuildNumbers(await live.numbers());
   }
 
   const isAsked = () =>

@@ -80,7 +80,7 @@ export function showExport(app) {
           format(
             'OBJ as it came',
             'With the vertices of the file, before coincident ones were joined',
-            () => files.exportAsItCame(),
+            () => files.exportUnwelded(),
           ),
         format('3DM', 'For Rhino, with a layer for each group', () => saveForRhino(app)),
         format('Scene', 'The mesh with its constraints, handles and weights', () =>

@@ -59,12 +59,12 @@ export function variationCard(index, slide, change, release) {
     /**
      * @param {import("../../solver/messages.js").Connectivity} connectivity
      * @param {Float64Array} shape `#V by 3`
-     * @param {Float32Array} ways displacement per unit of the coefficient, `#V by 3`
+     * @param {Float32Array} displacements per unit of the coefficient, `#V by 3`
      * @param {"y" | "z"} up
      */
-    draw(connectivity, shape, ways, up) {
-      const changed = shape.map((at, i) => at + PICTURED * slide * ways[i]);
-      drawShape(canvas, connectivity, changed, { up, ways });
+    draw(connectivity, shape, displacements, up) {
+      const changed = shape.map((at, i) => at + PICTURED * slide * displacements[i]);
+      drawShape(canvas, connectivity, changed, { up, displacements });
     },
     /** Marks the feasible range of the slider, if known. @param {number[] | null} range */
     showRange(range) {

@@ -76,12 +76,12 @@ function variationsPanel(app) {
     if (mine !== search) return;
     const shape = solver.geometry?.positions.slice() ?? new Float64Array(0);
     for (let index = 0; index < (progress.found ?? 0); index++) {
-      const way = await variations.way(index);
+      const displacement = await variations.displacement(index);
       if (mine !== search) return;
       const card = variationCard(index, progress.slide, change, release);
       cards.push(card);
       grid.append(card.place);
-      card.draw(connectivity, shape, way, store.get().document?.up ?? 'z');
+      card.draw(connectivity, shape, displacement, store.get().document?.up ?? 'z');
     }
     setText(words, cards.length > 0 ? HINT : 'The shape cannot change and stay exact.');
     while (mine === search) {
@@ -95,7 +95,7 @@ function variationsPanel(app) {
   }
 
   /** Shows the shape of the sliders, or makes it exact. @returns {Promise<unknown>} */
-  const follow = () => (isReleased ? reach() : variations.show(coefficients()));
+  const follow = () => (isReleased ? project() : variations.show(coefficients()));
   const updates = latestOnly(() => actions.reportErrors(follow()));
   const coefficients = () => Float64Array.from(cards, (card) => card.value());
   const isMoved = () => cards.some((card) => card.value() !== 0);
@@ -119,9 +119,9 @@ function variationsPanel(app) {
     updates.ask();
   }
 
-  async function reach() {
+  async function project() {
     const asked = coefficients();
-    const part = await variations.reach(asked);
+    const part = await variations.project(asked);
     if (part === null || updates.hasNext()) return;
     if (part < 1) cards.forEach((card, k) => card.set(part * asked[k]));
     setText(words, part < 1 ? 'This is as far as the shape can go and stay exact.' : HINT);

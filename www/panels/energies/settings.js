@@ -149,7 +149,7 @@ function holdRow(store, actions) {
   store.subscribe(['selection', 'document'], ({ selection, document }) => {
     const none = sizeOfSelection(selection) === 0;
     buttons.forEach((button) => (button.disabled = none));
-    const held = document?.heldOtherwise ?? 0;
+    const held = document?.reweightedVertices ?? 0;
     all.hidden = held === 0;
     const words = none
       ? 'Select vertices to keep them closer to the original, or less close, than the others.'

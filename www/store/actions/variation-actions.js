@@ -25,15 +25,15 @@ export function variationActions(solver, { reportErrors }) {
     advance: () => asked({ what: 'advance' }),
 
     /** @param {number} index */
-    way: (index) => asked({ what: 'way', index }),
+    displacement: (index) => asked({ what: 'displacement', index }),
 
     /** Shows the linear combination of variations at once. @param {Float64Array} coefficients */
     show: (coefficients) => asked({ what: 'show', coefficients }),
 
     /** Moves there and projects back onto the constraints. @param {Float64Array} coefficients */
-    reach: (coefficients) => asked({ what: 'reach', coefficients }),
+    project: (coefficients) => asked({ what: 'project', coefficients }),
 
-    /** Makes the reached shape the design. */
+    /** Makes the projected shape the design. */
     keep: () => reportErrors(asked({ what: 'keep' })),
 
     /** Returns to the shape before the variation. */

@@ -15,14 +15,14 @@ const FROM = { turn: 0.6, above: 0.5 };
  * @param {HTMLCanvasElement} canvas
  * @param {Connectivity} connectivity
  * @param {ArrayLike<number>} positions `#V by 3`
- * @param {{ up: "y" | "z", ways?: ArrayLike<number>, from?: typeof FROM }} options `ways`:
+ * @param {{ up: "y" | "z", displacements?: ArrayLike<number>, from?: typeof FROM }} options
  *   displacements of the vertices, `#V by 3`
  */
 export function drawShape(
   canvas,
   { faceOffsets, faceIndices },
   positions,
-  { up, ways, from = FROM },
+  { up, displacements, from = FROM },
 ) {
   const { clientWidth: width, clientHeight: height } = canvas;
   const context = canvas.getContext('2d');
@@ -30,7 +30,7 @@ export function drawShape(
   canvas.width = DENSITY * width;
   canvas.height = DENSITY * height;
   const { points, scale, centre } = viewed(positions, up, from, canvas);
-  const displacement = ways ? relativeLengths(ways) : null;
+  const displacement = displacements ? relativeLengths(displacements) : null;
   const plain = channels(colourOf(canvas, '--material'));
   const accent = channels(colourOf(canvas, '--accent'));
   const faces = faceOffsets.length - 1;
@@ -98,13 +98,18 @@ function viewed(positions, up, { turn, above }, { width, height }) {
 }
 
 /**
- * Returns the lengths of displacements, relative to the longest. @param {ArrayLike<number>} ways
+ * Returns the lengths of displacements, relative to the longest.
+ * @param {ArrayLike<number>} displacements
  */
-function relativeLengths(ways) {
-  const lengths = new Float32Array(ways.length / 3);
+function relativeLengths(displacements) {
+  const lengths = new Float32Array(displacements.length / 3);
   let most = 0;
   for (let v = 0; v < lengths.length; v++) {
-    lengths[v] = Math.hypot(ways[3 * v], ways[3 * v + 1], ways[3 * v + 2]);
+    lengths[v] = Math.hypot(
+      displacements[3 * v],
+      displacements[3 * v + 1],
+      displacements[3 * v + 2],
+    );
     most = Math.max(most, lengths[v]);
   }
   return lengths.map((value) => value / (most || 1));

@@ -10,7 +10,7 @@ pub(in crate::cli) fn text(path: &Path, session: &Session, weld: Option<&Weld>) 
     let now = session.positions();
     match (is_medit(path), weld) {
         (false, None) => session.obj(),
-        (false, Some(weld)) => session.obj_as_it_came(weld),
+        (false, Some(weld)) => session.obj_unwelded(weld),
         (true, None) => write_medit(&Mesh { positions: now, ..session.mesh().clone() }),
         (true, Some(weld)) => {
             let positions = weld.original_positions(&session.mesh().positions, &now);

@@ -37,8 +37,8 @@ pub(crate) struct Document<'a> {
     free: usize,
     sets: Vec<NamedSet<'a>>,
     /// The number of vertices with a closeness weight of their own.
-    #[serde(rename = "heldOtherwise")]
-    held_otherwise: usize,
+    #[serde(rename = "reweightedVertices")]
+    reweighted_vertices: usize,
     /// The name of the step that Undo reverts.
     undo: Option<&'a str>,
     /// The name of the step that Redo repeats.
@@ -161,7 +161,7 @@ impl<'a> Document<'a> {
                         panels: eased.faces.len(),
                         within: eased.within,
                     }),
-                    measure: session.asked_measure(index),
+                    measure: session.required_measure(index),
                     params: spec.kind.params(),
                 }
             })
@@ -207,7 +207,7 @@ impl<'a> Document<'a> {
                     faces: set.faces.len(),
                 })
                 .collect(),
-            held_otherwise: session.held_otherwise(),
+            reweighted_vertices: session.reweighted_vertices(),
             undo,
             redo,
             pinned: session.solver().pinned(),

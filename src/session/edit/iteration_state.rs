@@ -6,7 +6,7 @@ use crate::session::state::{Draft, Part};
 use std::rc::Rc;
 
 /// The position of a state in the sequence of iterations.
-pub(crate) struct Moment {
+pub(crate) struct IterationState {
     /// Number of iterations up to the state.
     pub(crate) iteration: u32,
     /// The shape at which these iterations began, after the last edit.
@@ -14,14 +14,14 @@ pub(crate) struct Moment {
 }
 
 /// Goes back to the rest shape; the kept variants stay.
-pub(super) fn reset(draft: &mut Draft<'_>, moment: &mut Moment) {
+pub(super) fn reset(draft: &mut Draft<'_>, state: &mut IterationState) {
     let kept = draft.document().variants.kept.clone();
-    back_to_rest(Variants { kept, design: None }, draft, moment);
+    back_to_rest(Variants { kept, design: None }, draft, state);
 }
 
 /// Goes back to the rest shape, with these variants.
-pub(super) fn back_to_rest(variants: Variants, draft: &mut Draft<'_>, moment: &mut Moment) {
+pub(super) fn back_to_rest(variants: Variants, draft: &mut Draft<'_>, state: &mut IterationState) {
     draft.put_positions(draft.mesh().positions.as_slice().into());
     draft.put(Part::Variants(variants));
-    *moment = Moment { iteration: 0, start: None };
+    *state = IterationState { iteration: 0, start: None };
 }
