@@ -91,7 +91,7 @@ pub(crate) fn resolve_row(
     let members: Ragged = selected.iter().filter(fits).collect();
     if members.is_empty() {
         return Err(if selected.is_empty() {
-            "the mesh has no such element, expected at least one".to_owned()
+            "nothing is selected: the mesh has no such element, expected at least one".to_owned()
         } else {
             format!(
                 "{} takes {}, and none of the {} selected elements has that, expected some that do",
