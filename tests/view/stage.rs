@@ -362,7 +362,7 @@ fn meshes_without_faces_or_points_can_be_looked_at() {
     assert_eq!(state.pick_vertex(at, 5.0), Some(1));
     state.zoom(2.0, at);
     let bad = state.set_mesh((vec![0, 3], vec![0, 1, 7]), (vec![], vec![]), &points);
-    assert!(bad.unwrap_err().to_string().contains("index 7"));
+    assert!(bad.unwrap_err().to_string().contains("found 7"));
 }
 
 #[test]
