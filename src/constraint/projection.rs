@@ -70,7 +70,7 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     /// closed form is inaccurate; not implemented if that is always accurate.
     fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let _ = (rest, v);
-        unreachable!("the closed form of this kind is accurate for every input");
+        unreachable!("this closed form is always accurate");
     }
 
     /// Runs step I for one chunk: by the closed form if it is accurate in all lanes, else lane by

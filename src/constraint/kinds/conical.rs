@@ -81,7 +81,7 @@ impl Projection for Conical {
         let found = candidates(&scaled)
             .into_iter()
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-            .expect("a vertex that meets a neighbour has the shape");
+            .expect("vertices that meet have the shape");
         v.iter_mut().zip(found).for_each(|(v, p)| *v = p * unit);
     }
 }

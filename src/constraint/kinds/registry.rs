@@ -62,7 +62,7 @@ macro_rules! kinds {
             /// The parameters as in a scene file.
             pub fn params(&self) -> serde_json::Value {
                 match self { $(Kind::$Kind(p) => serde_json::to_value(p)),* }
-                    .expect("parameters are plain numbers, strings and arrays")
+                    .expect("parameters serialize")
             }
 
             /// The number of points of one constraint with rest positions `rest` that have a

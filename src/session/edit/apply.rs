@@ -223,7 +223,7 @@ pub(crate) fn apply(
             format!("Release {}", of_vertices(vertices.len()))
         }
         Edit::Refine { .. } | Edit::Remesh(_) => {
-            unreachable!("it makes another mesh, which no draft can")
+            unreachable!("no draft makes another mesh")
         }
         Edit::Reset => {
             reset(draft, state);

@@ -203,7 +203,7 @@ fn read(
 }
 
 fn write_count(out: &mut Vec<u8>, count: usize) {
-    let count = u32::try_from(count).expect("fewer than four thousand million of anything fit");
+    let count = u32::try_from(count).expect("counts fit in 32 bits");
     out.extend(count.to_le_bytes());
 }
 

@@ -162,7 +162,7 @@ pub(crate) fn project_robust(v: &mut [Vec3<f64>]) {
     let found = candidates(&scaled)
         .into_iter()
         .min_by(|a, b| distance(&scaled, a).total_cmp(&distance(&scaled, b)));
-    let found = found.expect("vertices that meet always have the shape");
+    let found = found.expect("vertices that meet have the shape");
     v.iter_mut().zip(found).for_each(|(v, p)| *v = mean + p * unit);
 }
 
