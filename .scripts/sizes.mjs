@@ -82,7 +82,7 @@ await main(() => {
     row(name, [at('www', 'pkg', folder, 'shape_up_bg.wasm')], budget * kB);
   const rows = [
     module('solver module', 'solver', 704),
-    module('parts module', 'build', 297),
+    module('parts module', 'build', 298),
     module('view, WebGPU', 'view-webgpu', 189),
     module('view, WebGL2', 'view-webgl2', 900),
     row('first visit', [...first], 78 * kB),
