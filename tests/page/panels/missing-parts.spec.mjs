@@ -73,7 +73,7 @@ test('a file is refused with its reason without the offer of other files', async
   complaints,
 }) => {
   await page.route('**/missing-files-*.js', (route) => route.abort());
-  await page.getByLabel('Open file').setInputFiles(file('bad.obj', 'v 0 0\n'));
+  await page.getByLabel('Open file').setInputFiles(file('bad.obj', 'hello\n'));
   await expect(alert(page)).toContainText('bad.obj');
   expectOnlyAborted(complaints);
 });
