@@ -14,7 +14,7 @@
 
 use crate::constraint::parameter::{AngleRange, Limits};
 use crate::constraint::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
-use crate::math::{Lane, Vec3, plane_frame, in_range, largest_coordinate};
+use crate::math::{Lane, Vec3, in_range, largest_coordinate, plane_frame};
 use serde::{Deserialize, Serialize};
 
 /// Eigenvalues that differ by less than this fraction count as equal: all directions are equally

@@ -9,7 +9,9 @@
 
 use crate::constraint::parameter::{Limits, Target};
 use crate::constraint::{Arity, Centring, Info, Projection};
-use crate::math::{Lane, Vec3, pair_with_product, pair_with_product_robust, plane_frame, largest_coordinate};
+use crate::math::{
+    Lane, Vec3, largest_coordinate, pair_with_product, pair_with_product_robust, plane_frame,
+};
 use serde::{Deserialize, Serialize};
 
 /// `3 sqrt(3) / 4`, the area of the equilateral triangle whose corners are at distance one from its
