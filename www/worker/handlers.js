@@ -68,7 +68,7 @@ export function requestHandlers(solver, scheduler, post, died) {
       stopTrials();
       return null;
     },
-    makeExact: ({ joins }) => paused(() => scheduler.betweenRuns(() => solver.accept(joins))),
+    makeExact: ({ joins }) => paused(() => scheduler.betweenRuns(() => solver.accept(joins), true)),
     variations: ({ ask }) =>
       import('./variations.js').then((it) => it.answer(solver, scheduler, ask)),
     undo: () => paused(() => scheduler.betweenRuns(() => solver.undo() ?? null)),

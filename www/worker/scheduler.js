@@ -130,9 +130,10 @@ export class Scheduler {
    * Performs an edit as a separate step of undo from the run's, and updates the page.
    * @template T
    * @param {() => T} edit
+   * @param {boolean} [settles] whether no run could improve the shape of an edit that returns true
    * @returns {T}
    */
-  betweenRuns(edit) {
+  betweenRuns(edit, settles = false) {
     if (this.#isRunning) this.#solver.endRun();
     let result;
     try {
@@ -140,7 +141,7 @@ export class Scheduler {
     } finally {
       if (this.#isRunning) this.#solver.beginRun();
     }
-    this.#isSettled = false;
+    this.#isSettled = settles && result === true;
     this.#activityDue = true;
     this.changed();
     this.#sliceIsNew = true;

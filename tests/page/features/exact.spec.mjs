@@ -26,7 +26,12 @@ test('panels within a tolerance are made exact at a price, and a drag keeps them
     await expect(page.getByRole('table', { name: 'Cost of exactness' })).toBeVisible();
     await make.click();
   }
-  await waitForState(page, (now) => now.exact?.met && now.exact.max_distance < 1e-8);
+  // A run could do no more: the next step is to build.
+  await waitForState(
+    page,
+    (now) => now.exact?.met && now.exact.max_distance < 1e-8 && now.converged,
+  );
+  expect(await page.evaluate(() => document.body.dataset.next)).toBe('build');
   const before = await exact(page);
   expect(before.tolerance).toBeLessThan(1e-8);
 
