@@ -1,10 +1,10 @@
-// What a user does, by the names that a user sees. On a phone the panels are behind tabs and some
-// of the tools behind "More".
+// User actions, by the names that the user sees. On a phone the panels are behind tabs and some
+// tools are behind "More".
 
 import { expect, waitForState } from './support.mjs';
 import { file } from './meshes.mjs';
 
-/** Shows the panel with that name, where panels are behind tabs. */
+/** Shows the named panel if panels are behind tabs. */
 export async function showPanel(page, name) {
   const tab = page.getByRole('tab', { name });
   const panel = page.getByRole('complementary', { name });
@@ -12,20 +12,20 @@ export async function showPanel(page, name) {
   await expect(panel).toBeVisible();
 }
 
-/** Closes the sheet of a phone again, so that the view is large. */
+/** Closes the sheet on a phone, so that the view is large. */
 export async function hidePanels(page) {
   const open = page.getByRole('tablist', { name: 'Panels' }).getByRole('tab', { selected: true });
   const bar = page.getByRole('toolbar', { name: 'Main tools' });
   if ((await bar.isVisible()) && (await open.count()) > 0) await open.click();
 }
 
-/** Opens the text of a file through the file input and waits until it is the model. */
+/** Opens the text of a file through the file input and waits until it is the current model. */
 export async function openText(page, name, text, vertices) {
   await page.getByLabel('Open file').setInputFiles(file(name, text));
   await waitForState(page, (state, count) => state.vertices === count, vertices);
 }
 
-/** Opens the example whose title has that word in it. */
+/** Opens the example whose title contains the word. */
 export async function openExample(page, word) {
   const examples = page.getByRole('button', { name: 'Examples' });
   if (!(await examples.isVisible()))
@@ -35,7 +35,7 @@ export async function openExample(page, word) {
   await expect(page.getByRole('status')).toHaveText(new RegExp(`Opened the example .*${word}`));
 }
 
-/** Adds a constraint through the dialog, and waits until it is there. */
+/** Adds a constraint through the dialog and waits until it is in the list. */
 export async function addConstraint(page, kind, where) {
   const before = await constraintCount(page);
   await showPanel(page, 'Model');
@@ -48,7 +48,7 @@ export async function addConstraint(page, kind, where) {
   await expect.poll(() => constraintCount(page)).toBe(before + 1);
 }
 
-/** The length of the list of constraints. */
+/** Returns the number of constraints in the scene. */
 export const constraintCount = (page) =>
   page.evaluate(() => window.shapeUp.scene().constraints.length);
 
@@ -58,7 +58,7 @@ export async function runToTheEnd(page) {
   return waitForState(page, (state) => state.converged && !state.running);
 }
 
-/** Clicks a button of the toolbar, which may be behind "More". */
+/** Clicks a toolbar button, which may be behind "More". */
 export async function tool(page, name) {
   const options = { name, exact: true };
   const button = page
@@ -71,12 +71,12 @@ export async function tool(page, name) {
   await button.click();
 }
 
-/** Clicks and returns the text of the file that is saved. */
+/** Clicks the button and returns the text of the saved file. */
 export async function saved(page, name) {
   return downloaded(page, () => tool(page, name));
 }
 
-/** Exports in that format and returns the file that is saved. */
+/** Exports in the given format and returns the saved file. */
 export async function exported(page, format) {
   await tool(page, 'More formats');
   const dialog = page.getByRole('dialog', { name: 'Export' });
@@ -87,7 +87,7 @@ export async function exported(page, format) {
   return file;
 }
 
-/** The file that is saved by what is done. */
+/** Returns the file that `action` saves. */
 export async function downloaded(page, action) {
   const download = page.waitForEvent('download');
   await action();

@@ -1,10 +1,10 @@
-// What somebody has set in the system or the browser: less motion, colours of one's own, larger text.
+// Preferences of the system or browser: reduced motion, forced colours, zoomed text.
 
 import { openText, runToTheEnd } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, test, visit, waitForState } from '../support.mjs';
 
-test('with less motion nothing moves by itself', async ({ page }) => {
+test('with reduced motion nothing moves by itself', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   for (const address of ['./', './gallery.html', './projections.html']) {
     await page.goto(address);
@@ -22,13 +22,13 @@ test('with less motion nothing moves by itself', async ({ page }) => {
   }
 });
 
-test('with colours of the system, what is chosen still differs from what is not', async ({
+test('with forced colours, selected controls still look different from others', async ({
   page,
 }) => {
   await page.emulateMedia({ forcedColors: 'active' });
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(3), 16);
-  /** Whether two controls have different frames or colours. */
+  /** Whether two controls differ in frame or colour. */
   const differ = (a, b) =>
     page.evaluate(
       (names) => {
@@ -52,11 +52,11 @@ test('with colours of the system, what is chosen still differs from what is not'
   expect(outline).not.toBe('none');
 });
 
-test.describe('at twice the size', () => {
-  // What a window of 1440 by 900 shows of a page that is zoomed by 200 %.
+test.describe('at 200 % zoom', () => {
+  // The CSS size of a 1440 by 900 window at 200 % zoom.
   test.use({ viewport: { width: 720, height: 450 }, deviceScaleFactor: 2 });
 
-  test('every tool is there, and nothing is out of the window', async ({ page }) => {
+  test('every tool is there, and nothing lies outside the window', async ({ page }) => {
     await visit(page);
     await waitForState(page, (now) => now.renderer !== 'none');
     const names = ['Export', 'Share', 'Run', 'Step', 'Reset', 'Undo', 'Drag', 'Faces', 'Help'];
@@ -69,7 +69,7 @@ test.describe('at twice the size', () => {
     }
     const view = await page.getByRole('application', { name: '3D view' }).boundingBox();
     expect(view.width * view.height).toBeGreaterThan(0.4 * 720 * 450);
-    // The hint leaves the bar of selecting free.
+    // The hint does not cover the selection bar.
     await page.keyboard.press('b');
     await expect(page.getByRole('button', { name: 'Dismiss hint' })).toBeVisible();
     await page.getByRole('button', { name: /select by/i }).click({ trial: true });

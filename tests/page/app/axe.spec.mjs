@@ -1,4 +1,4 @@
-// What axe says of every state of the page, in both themes: nothing.
+// axe finds no violations in any state of the page, in either theme.
 
 import AxeBuilder from '@axe-core/playwright';
 import { openText } from '../actions.mjs';
@@ -7,9 +7,9 @@ import { expect, openPage, state, test, visit, waitForState } from '../support.m
 import { walks, withoutGraphics } from '../walks.mjs';
 
 /**
- * What axe complains about, in a line each. Nothing here is in frames: axe need not open a page of its
- * own to gather what it finds in several.
- * @param {string[]} [rules] all, when absent
+ * Returns axe's violations, one line each. None of these pages has its content in frames, so axe's
+ * legacy mode, which opens no extra page, is enough.
+ * @param {string[]} [rules] all if absent
  */
 async function complaintsOf(page, rules) {
   const axe = new AxeBuilder({ page }).setLegacyMode();
@@ -22,7 +22,7 @@ async function complaintsOf(page, rules) {
   );
 }
 
-/** A scene that is never at rest. */
+/** A scene whose run never converges. */
 function endlessScene() {
   const scene = JSON.parse(quadScene(40));
   scene.constraints = [{ kind: 'circle', on: 'faces' }];
@@ -30,10 +30,12 @@ function endlessScene() {
   return JSON.stringify(scene);
 }
 
-/** What axe asks of colours; nothing else depends on the theme. */
+/** axe's colour rules, the only ones that depend on the theme. */
 const OF_COLOURS = ['color-contrast', 'link-in-text-block'];
 
-/** In both themes; on a phone in one, where colours are those of other windows. */
+/**
+ * Checks both themes; on a phone only one, because its colours are the same as in other windows.
+ */
 async function expectNothing(page, name = '') {
   const themes = [
     ['light', undefined],
@@ -47,7 +49,7 @@ async function expectNothing(page, name = '') {
 }
 
 for (const [title, states] of Object.entries(walks)) {
-  // What is only there on a screen is not asked of a phone.
+  // Walks with desktop states only are not run on a phone.
   const tag = states.every(({ only }) => only === 'desktop') ? ['@desktop'] : [];
   test(`axe: ${title}`, { tag }, async ({ page }, { project }) => {
     const seen = states.filter(({ only = project.name }) => only === project.name);
@@ -62,10 +64,10 @@ for (const [title, states] of Object.entries(walks)) {
   });
 }
 
-test.describe('with the essentials alone', () => {
+test.describe('with essential controls only', () => {
   test.use({ advanced: false });
 
-  test('axe: the essentials, at each step that comes next', async ({ page }) => {
+  test('axe: the essentials, at each suggested next step', async ({ page }) => {
     await visit(page);
     await expectNothing(page, 'solved');
     await openText(page, 'roof.obj', wavyGrid(6), 49);
@@ -77,14 +79,14 @@ test.describe('with the essentials alone', () => {
   });
 });
 
-test('axe: before anything but the HTML is there', async ({ page }) => {
+test('axe: while only the HTML has loaded', async ({ page }) => {
   await page.route('**/*.wasm', () => {});
   await page.goto('./');
   await expectNothing(page);
 });
 
-// With graphics, what draws without a card leaves axe no time while the solver runs.
-test('axe: without graphics, and running', async ({ page }) => {
+// With graphics, software rendering leaves axe no time while the solver runs.
+test('axe: without graphics, and while running', async ({ page }) => {
   await withoutGraphics(page);
   await openPage(page);
   await expect(page.getByText('No 3D view')).toBeVisible();
@@ -96,7 +98,7 @@ test('axe: without graphics, and running', async ({ page }) => {
   expect((await state(page)).running).toBe(true);
 });
 
-test('axe: the gallery, and with nothing found', async ({ page }) => {
+test('axe: the gallery, with and without results', async ({ page }) => {
   await page.goto('./gallery.html');
   const cards = page.getByRole('article');
   await expect(cards.first()).toBeVisible();
@@ -106,14 +108,14 @@ test('axe: the gallery, and with nothing found', async ({ page }) => {
   await expectNothing(page, 'with nothing found');
 });
 
-test('axe: projections', async ({ page }) => {
+test('axe: the page about projections', async ({ page }) => {
   await page.goto('./projections.html');
   await page.getByRole('button', { name: 'Step' }).click();
   await expect(page.getByRole('status')).toContainText('Step I, iteration 1');
   await expectNothing(page);
 });
 
-test('axe: embedding, with two views that wait', async ({ page }) => {
+test('axe: the embedding page with two views not yet started', async ({ page }) => {
   await page.goto('./embedding.html');
   const view = page.frameLocator('#right');
   await expect(view.getByRole('img', { name: 'Hall of circular panels' })).toBeVisible();

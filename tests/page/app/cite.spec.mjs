@@ -1,10 +1,10 @@
-// How to cite: BibTeX of the paper and of the program, from the help, copied by a press.
+// Citing: BibTeX entries of the paper and the program, copied from the help with one press.
 
 import { expect, openPage, test } from '../support.mjs';
 
 test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
 
-test('the help says how to cite the paper and the program', async ({ page }) => {
+test('the help shows and copies the citations of the paper and the program', async ({ page }) => {
   await openPage(page);
   await page.keyboard.press('?');
   const help = page.getByRole('dialog', { name: 'Mouse and keys' });

@@ -1,5 +1,5 @@
-// The essentials come first; every other control is behind one button, which is remembered. In small
-// windows nothing lies over the model while it moves.
+// Only the essential controls are shown at first; one button, whose state is remembered, shows the
+// others. In small windows nothing covers the model while it moves.
 
 import { openText } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -9,7 +9,7 @@ test.use({ advanced: false });
 
 const inspector = (page) => page.getByRole('complementary', { name: 'Energies and display' });
 
-test('a first visit has what it takes, and no more', async ({ page }) => {
+test('a first visit shows the essential controls only', async ({ page }) => {
   await visit(page);
   for (const name of [
     ...['Run', 'Step', 'Reset', 'Undo', 'Redo', 'Export', 'Share', 'Add constraint'],
@@ -41,7 +41,7 @@ test('Advanced shows every control, now and at the next visit', async ({ page })
   await expect(inspector(page)).toBeHidden();
 });
 
-test('the button that comes next is the filled one', async ({ page }) => {
+test('the button of the suggested next step is the filled one', async ({ page }) => {
   await openPage(page);
   const next = () => page.evaluate(() => document.body.dataset.next);
   await expect.poll(next).toBe('run');
@@ -59,7 +59,7 @@ test('the button that comes next is the filled one', async ({ page }) => {
   expect(await colour('Build')).not.toBe(await colour('Run'));
 });
 
-test('what is done with what is selected is offered once there is something', async ({ page }) => {
+test('actions on a selection are offered once something is selected', async ({ page }) => {
   await visit(page);
   await openText(page, 'roof.obj', wavyGrid(6), 49);
   const fix = page.getByRole('button', { name: 'Fix', exact: true });
@@ -74,7 +74,7 @@ test.describe('in small windows', () => {
     [390, 844],
     [844, 390],
   ]) {
-    test(`nothing lies over a model that moves at ${width} by ${height}`, async ({ browser }) => {
+    test(`nothing covers a moving model at ${width} by ${height}`, async ({ browser }) => {
       const context = await browser.newContext({
         ...{ viewport: { width, height }, hasTouch: true, isMobile: true },
         serviceWorkers: 'block',
@@ -85,7 +85,7 @@ test.describe('in small windows', () => {
       const card = page.getByRole('group', { name: 'Panels', exact: true });
       const opacity = () => card.evaluate((element) => getComputedStyle(element).opacity);
       await expect.poll(opacity).toBe('1');
-      // As it is in the middle of a gesture, and in a run.
+      // The state in the middle of a gesture, and during a run.
       const view = page.getByRole('application', { name: '3D view' });
       await view.evaluate((element) => (element.dataset.gesture = 'orbit'));
       await expect.poll(opacity).toBe('0');

@@ -1,10 +1,10 @@
-// When something breaks: the solver, the graphics.
+// Failures of the solver and the graphics.
 
 import { addConstraint, openText, runToTheEnd, exported } from '../actions.mjs';
 import { quadScene, wavyGrid } from '../meshes.mjs';
 import { coloursOfView, expect, looks, openPage, state, test, waitForState } from '../support.mjs';
 
-/** Opens a grid whose faces are asked to be circular, and solves it; the state afterwards. */
+/** Opens a grid, adds circle constraints on its faces and solves; returns the final state. */
 async function openSolved(page) {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(4), 25);
@@ -12,9 +12,9 @@ async function openSolved(page) {
   return runToTheEnd(page);
 }
 
-// Frames by software take seconds, in which the page cannot look after its solver.
+// Software rendering takes seconds per frame, in which the page cannot watch its solver.
 test.describe('the solver', () => {
-  test('a solver that dies is replaced, with the model as it was', async ({ page }) => {
+  test('a crashed solver is replaced, and the model is as before', async ({ page }) => {
     const before = await openSolved(page);
     const [worker] = page.workers();
     await worker.evaluate(() => {
@@ -32,7 +32,7 @@ test.describe('the solver', () => {
     await runToTheEnd(page);
   });
 
-  test('a solver that falls silent is replaced within five seconds, and can undo as before', async ({
+  test('a solver that stops answering is replaced within five seconds, and undo still works', async ({
     page,
   }) => {
     const before = await openSolved(page);
@@ -50,11 +50,11 @@ test.describe('the solver', () => {
     await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
   });
 
-  test('work that takes long is not taken for silence, and can be stopped', async ({ page }) => {
+  test('long work is not mistaken for a hung solver, and can be stopped', async ({ page }) => {
     await openPage(page);
     await openText(page, 'grid.obj', wavyGrid(4), 25);
     const [worker] = page.workers();
-    // Its next answer takes this long.
+    // Delays the next answer of the worker.
     await worker.evaluate(() => {
       const { postMessage } = self;
       self.postMessage = (message, ...rest) => {
@@ -72,14 +72,14 @@ test.describe('the solver', () => {
     await runToTheEnd(page);
   });
 
-  test('a run of very many iterations goes on', async ({ page }) => {
+  test('a run of more than 300,000 iterations goes on', async ({ page }) => {
     await openPage(page);
     const scene = JSON.parse(quadScene(1));
     scene.constraints = [{ kind: 'circle', on: 'faces' }];
     scene.solver = { tolerance: 0 };
     await openText(page, 'endless.shapeup.json', JSON.stringify(scene), 4);
     await page.getByRole('button', { name: 'Run' }).click();
-    // As many at once were more than an argument list can hold.
+    // Passing that many values at once would exceed the limit of an argument list.
     await waitForState(page, (now) => now.iteration > 300_000);
     expect((await state(page)).running).toBe(true);
     await page.getByRole('button', { name: 'Pause' }).click();
@@ -87,7 +87,7 @@ test.describe('the solver', () => {
     await expect(page.getByText(/^Iteration/).first()).toBeVisible();
   });
 
-  test('what nobody expected to fail is said', async ({ page, complaints }) => {
+  test('unexpected errors are shown', async ({ page, complaints }) => {
     await openPage(page);
     const alert = page.getByRole('alert');
     await page.evaluate(() => {
@@ -103,7 +103,7 @@ test.describe('the solver', () => {
   });
 });
 
-test('without graphics everything but the picture works', async ({ page }) => {
+test('without graphics everything but the 3D view works', async ({ page }) => {
   await page.addInitScript(() => {
     const { getContext } = HTMLCanvasElement.prototype;
     HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
@@ -122,7 +122,7 @@ test('without graphics everything but the picture works', async ({ page }) => {
   expect((await exported(page, 'OBJ')).text).toContain('\nf ');
 });
 
-test('a lost graphics context comes back', looks, async ({ page }) => {
+test('a lost graphics context is restored', looks, async ({ page }) => {
   await openPage(page, 'backend=webgl2');
   await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
   await page.evaluate(() => {

@@ -1,17 +1,17 @@
-// Everything without a pointer: a story from a file to its export, the rings, and the keys themselves.
+// Use without a pointer: from a file to its export, focus rings, and shortcut keys.
 
 import { file, wavyGrid } from '../meshes.mjs';
 import { expect, openPage, positionOf, state, test, visit, waitForState } from '../support.mjs';
 
 const status = (page) => page.getByRole('status');
 
-/** Opens the page and waits until its bars know the arrow keys. */
+/** Opens the page and waits until its toolbars respond to arrow keys. */
 async function openBars(page) {
   await openPage(page);
   await page.locator('[role=toolbar] [tabindex="0"]').first().waitFor({ state: 'attached' });
 }
 
-/** What has the focus, as somebody sees and hears it. */
+/** Describes the focused element: its accessible name, tag and focus ring. */
 const focused = (page) =>
   page.evaluate(() => {
     const at = document.activeElement;
@@ -27,13 +27,13 @@ const focused = (page) =>
     };
   });
 
-/** Presses Tab until what has that name has the focus; fails when it is not reached. */
+/** Presses Tab until the element of that name has the focus; fails if it is not reached. */
 async function tabTo(page, name, key = 'Tab') {
   const met = [];
   for (let press = 0; press < 80; press++) {
     await page.keyboard.press(key);
     const at = await focused(page);
-    // The end of the page, and its beginning again.
+    // The focus has left the page at its end and starts again.
     if (at.tag === 'BODY') continue;
     expect(at.ring, `a ring around ${at.name || at.id || at.tag}`).toBe(true);
     if (name.test(at.name)) return at;
@@ -42,7 +42,7 @@ async function tabTo(page, name, key = 'Tab') {
   throw new Error(`${name} is not reached by ${key}, only: ${met.join(', ')}`);
 }
 
-/** Walks in a bar by the arrow keys. */
+/** Moves through a toolbar with the arrow keys. */
 async function walkTo(page, name) {
   for (let press = 0; press < 40; press++) {
     const at = await focused(page);
@@ -56,7 +56,7 @@ async function walkTo(page, name) {
 const press = (page, ...keys) =>
   keys.reduce((before, key) => before.then(() => page.keyboard.press(key)), Promise.resolve());
 
-test('a button without a name says what it does where the focus rests on it', async ({ page }) => {
+test('an icon button shows its name while it has the focus', async ({ page }) => {
   await openBars(page);
   await tabTo(page, /^Open/);
   await walkTo(page, /^More formats/);
@@ -67,11 +67,11 @@ test('a button without a name says what it does where the focus rests on it', as
   await expect(tip.filter({ hasText: /Rhino/ })).toBeHidden();
 });
 
-test('a mesh of one’s own, from its file to its export, by keys only', async ({ page }) => {
+test('a mesh is opened, constrained, solved and exported by keyboard alone', async ({ page }) => {
   await openBars(page);
   await waitForState(page, (now) => now.renderer !== 'none');
 
-  // Open: the chooser comes by a key, and the focus is where it was.
+  // Open: a key opens the file chooser, and the focus stays where it was.
   const chooser = page.waitForEvent('filechooser');
   await tabTo(page, /^Open file/);
   await page.keyboard.press('Control+o');
@@ -80,7 +80,7 @@ test('a mesh of one’s own, from its file to its export, by keys only', async (
   await expect(status(page)).toHaveText(/^Opened roof\.obj/);
   expect((await focused(page)).name).toMatch(/^Open file/);
 
-  // Select faces: with the tool's bar and its menu.
+  // Select faces with the bar and menu of the tool.
   await press(page, '3', 'Control+a');
   await expect(status(page)).toHaveText('16 faces selected');
   await tabTo(page, /^Box$|select by/i);
@@ -104,7 +104,7 @@ test('a mesh of one’s own, from its file to its export, by keys only', async (
   await page.keyboard.press('Enter');
   await expect(dialog).toBeHidden();
   await expect.poll(async () => (await state(page)).constraints).toEqual({ plane: 16 });
-  // The focus is back where the dialog was opened from.
+  // The focus returns to the button that opened the dialog.
   expect((await focused(page)).name).toBe(tools.name);
 
   // Make a handle of a corner, found by its number of edges, and move it.
@@ -134,7 +134,7 @@ test('a mesh of one’s own, from its file to its export, by keys only', async (
   );
   expect(raised).toBeGreaterThan(before[2]);
 
-  // Run, and read the worst error.
+  // Run and read the worst error.
   await page.keyboard.press(' ');
   await expect(status(page)).toHaveText(/^Converged after \d+ iterations/);
   const worst = page.getByText('worst panel').locator('xpath=following-sibling::dd');
@@ -154,7 +154,7 @@ test('a mesh of one’s own, from its file to its export, by keys only', async (
   await expect(status(page)).toHaveText('Saved roof.obj');
 });
 
-/** Walks down a menu. */
+/** Moves down a menu with the arrow keys. */
 async function walkDown(page, name) {
   for (let press = 0; press < 40; press++) {
     if (name.test((await focused(page)).name)) return;
@@ -163,7 +163,7 @@ async function walkDown(page, name) {
   throw new Error(`${name} is not in the menu`);
 }
 
-/** Walks through the radio buttons that have the focus. */
+/** Moves through the focused group of radio buttons. */
 async function chooseRadio(page, name) {
   for (let press = 0; press < 40; press++) {
     if ((await focused(page)).name === name) return;
@@ -173,14 +173,16 @@ async function chooseRadio(page, name) {
 }
 const chooseKind = chooseRadio;
 
-test('every stop has a ring, each bar is one of them, and Tab leads around', async ({ page }) => {
+test('every tab stop has a focus ring, each toolbar is one stop, and Tab goes all the way round', async ({
+  page,
+}) => {
   await openBars(page);
   await page.evaluate(() => document.activeElement.blur());
   const stops = [];
   for (let press = 0; press < 90; press++) {
     await page.keyboard.press('Tab');
     const at = await focused(page);
-    // Behind the last one is the browser.
+    // After the last stop the focus goes to the browser.
     if (at.tag === 'BODY') break;
     expect(at.ring, `a ring around ${at.name || at.id || at.tag}`).toBe(true);
     stops.push(at.name || at.id);
@@ -189,7 +191,7 @@ test('every stop has a ring, each bar is one of them, and Tab leads around', asy
   expect(
     stops.filter((name) => /^(Open file|Run|Step|Undo|Drag|Help|Share)/.test(name)),
   ).toHaveLength(1);
-  // And back: nothing holds the focus.
+  // Backwards too: nothing traps the focus.
   const back = [];
   for (let press = 0; press < stops.length; press++) {
     await page.keyboard.press('Shift+Tab');
@@ -200,13 +202,13 @@ test('every stop has a ring, each bar is one of them, and Tab leads around', asy
   expect(back.length).toBeGreaterThanOrEqual(stops.length - 1);
 });
 
-test('arrow keys walk in the bar of tools, and it remembers where', async ({ page }) => {
+test('arrow keys move through the toolbar, which remembers its position', async ({ page }) => {
   await openBars(page);
   await tabTo(page, /^Open file/);
   await walkTo(page, /^Share/);
   await page.keyboard.press('End');
   expect((await focused(page)).name).toBe('Help');
-  // Around the end.
+  // Wraps around at the end.
   await page.keyboard.press('ArrowRight');
   expect((await focused(page)).name).toMatch(/^Open file/);
   await page.keyboard.press('ArrowLeft');
@@ -214,7 +216,7 @@ test('arrow keys walk in the bar of tools, and it remembers where', async ({ pag
   await page.keyboard.press('Tab');
   await page.keyboard.press('Shift+Tab');
   expect((await focused(page)).name).toBe('Help');
-  // What has the stop may be switched off: there is another one.
+  // If the button that is the tab stop becomes disabled, another one takes over.
   await walkTo(page, /^Run$/);
   await page.keyboard.press('.');
   await waitForState(page, (now) => now.iteration === 1);
@@ -225,7 +227,7 @@ test('arrow keys walk in the bar of tools, and it remembers where', async ({ pag
   await expect(page.locator('#tools :is(button, input)[tabindex="0"]:enabled')).toHaveCount(1);
 });
 
-/** Each thing that opens, by the name of what opens it and of what opens. */
+/** Everything that opens: the button, and the role and name of what it opens. */
 const OPENING = [
   ['Help', 'dialog', 'Mouse and keys'],
   ['More formats', 'dialog', 'Export'],
@@ -233,7 +235,7 @@ const OPENING = [
   ['Examples', 'menu', 'Examples'],
   ['Open recent', 'menu', 'Open recent'],
 ];
-test('Escape closes what was opened, and the focus is back at what opened it', async ({ page }) => {
+test('Escape closes what was opened and returns the focus to its button', async ({ page }) => {
   await openBars(page);
   for (const [name, role, opens] of OPENING) {
     const opener = page.getByRole('button', { name, exact: true }).filter({ visible: true });
@@ -241,7 +243,7 @@ test('Escape closes what was opened, and the focus is back at what opened it', a
     await page.keyboard.press('Enter');
     const opened = page.getByRole(role, { name: opens });
     await expect(opened).toBeVisible();
-    // The focus goes into it.
+    // The focus moves into it.
     await expect
       .poll(() => opened.evaluate((part) => part.contains(document.activeElement)))
       .toBe(true);
@@ -251,7 +253,9 @@ test('Escape closes what was opened, and the focus is back at what opened it', a
   }
 });
 
-test('a menu stays at its button, in the window, when that gets another size', async ({ page }) => {
+test('a menu stays at its button and inside the window when the window is resized', async ({
+  page,
+}) => {
   await openBars(page);
   for (const name of ['Open recent', 'Examples']) {
     await page.setViewportSize({ width: 1440, height: 900 });
@@ -274,7 +278,7 @@ test('a menu stays at its button, in the window, when that gets another size', a
   }
 });
 
-test('what is dismissed gives the focus to the view', async ({ page }) => {
+test('dismissing a hint or message moves the focus to the view', async ({ page }) => {
   await visit(page);
   const view = page.getByRole('application', { name: '3D view' });
   await page.getByRole('button', { name: 'Dismiss hint' }).focus();
@@ -288,7 +292,7 @@ test('what is dismissed gives the focus to the view', async ({ page }) => {
   await expect(view).toBeFocused();
 });
 
-/** A key of another keyboard: what it prints, and where it is. */
+/** A key press on another keyboard layout: the character printed and the key's position. */
 const foreign = (page, key, code, modifiers = {}) =>
   page.evaluate(
     ([key, code, modifiers]) =>
@@ -298,7 +302,7 @@ const foreign = (page, key, code, modifiers = {}) =>
     [key, code, modifiers],
   );
 
-test('on a French keyboard letters are where they print, digits where they are', async ({
+test('on a French keyboard letters work by character and digits by key position', async ({
   page,
 }) => {
   await openBars(page);
@@ -314,18 +318,18 @@ test('on a French keyboard letters are where they print, digits where they are',
   }
   await page.keyboard.press('.');
   await waitForState(page, (now) => now.iteration === 1);
-  // W is where other keyboards have Z.
+  // W is where other layouts have Z.
   await foreign(page, 'w', 'KeyZ', { ctrlKey: true });
   await foreign(page, 'z', 'KeyW', { ctrlKey: true });
   await waitForState(page, (now) => now.iteration === 0);
-  // The full stop needs Shift there, and the question mark is elsewhere.
+  // On that layout the full stop needs Shift, and the question mark is on another key.
   await foreign(page, '.', 'Comma', { shiftKey: true });
   await waitForState(page, (now) => now.iteration === 1);
   await foreign(page, '?', 'KeyM', { shiftKey: true });
   await expect(page.getByRole('dialog', { name: 'Mouse and keys' })).toBeVisible();
 });
 
-test('keys without Ctrl can be switched off, and stay so', async ({ page }) => {
+test('shortcuts without Ctrl can be switched off, which is remembered', async ({ page }) => {
   await openBars(page);
   await page.keyboard.press('?');
   const single = page.getByRole('checkbox', {
@@ -348,7 +352,7 @@ test('keys without Ctrl can be switched off, and stay so', async ({ page }) => {
   await isOff();
   await openBars(page);
   await isOff();
-  // Those that print nothing are left, and those with Ctrl.
+  // Keys that print nothing still work, as do those with Ctrl.
   await page.keyboard.press('F1');
   await expect(single).not.toBeChecked();
   await page.keyboard.press('Escape');

@@ -1,4 +1,4 @@
-// The layout in both windows, the help, and what assistive technology sees.
+// The layout in both windows, the help, and what assistive technology reads.
 
 import { openText, showPanel, tool } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -63,7 +63,7 @@ test('every control has a name, and the help lists the keys', async ({ page }) =
   await expect(help).toBeHidden();
 });
 
-test('a new constraint is made beside the view, and everything that has to be chosen is in sight', async ({
+test('the dialog of a new constraint is beside the view, with all its choices visible', async ({
   page,
 }, { project }) => {
   await openPage(page);

@@ -1,10 +1,10 @@
-// What is said lies beside what is worked with, not over it.
+// Messages do not cover the controls in use.
 
 import { file } from '../meshes.mjs';
 import { showPanel } from '../actions.mjs';
 import { expect, openPage, test } from '../support.mjs';
 
-/** Whether two things on the page lie apart. */
+/** Whether two elements do not overlap. */
 async function apart(one, other) {
   const [a, b] = await Promise.all([one.boundingBox(), other.boundingBox()]);
   return (
@@ -12,7 +12,7 @@ async function apart(one, other) {
   );
 }
 
-test('a message does not cover the dialog of constraints', async ({ page }, { project }) => {
+test('a message does not cover the constraint dialog', async ({ page }, { project }) => {
   await openPage(page);
   await page.getByLabel('Open file').setInputFiles(file('notes.txt', 'not a mesh'));
   const message = page.getByRole('alert').getByText('cannot be read');
@@ -31,7 +31,7 @@ test('a message does not cover the dialog of constraints', async ({ page }, { pr
     // The dialog is in its place.
     const panel = page.getByRole('complementary', { name: 'Model', includeHidden: true });
     if (project.name !== 'phone') expect(await apart(place, panel), `at ${size.width}`).toBe(true);
-    // Nothing else is under the pointer either.
+    // Nothing else lies under the pointer either.
     await dialog.getByRole('button', { name: 'Close' }).click({ trial: true });
   }
   await dialog.getByRole('button', { name: 'Close' }).click();
@@ -45,20 +45,14 @@ test('a message does not cover the dialog of constraints', async ({ page }, { pr
   }
 });
 
-// There is no sheet on a screen.
+// Only a phone has the sheet.
 const phone = { tag: '@phone' };
-test(
-  'on a phone nothing is chosen among the tabs while their sheet is closed',
-  phone,
-  async ({ page }) => {
-    await openPage(page);
-    const chosen = page
-      .getByRole('tablist', { name: 'Panels' })
-      .getByRole('tab', { selected: true });
-    await expect(chosen).toHaveCount(0);
-    await page.getByRole('tab', { name: 'Model' }).click();
-    await expect(chosen).toHaveText('Model');
-    await page.getByRole('tab', { name: 'Model' }).click();
-    await expect(chosen).toHaveCount(0);
-  },
-);
+test('on a phone no tab is selected while the sheet is closed', phone, async ({ page }) => {
+  await openPage(page);
+  const chosen = page.getByRole('tablist', { name: 'Panels' }).getByRole('tab', { selected: true });
+  await expect(chosen).toHaveCount(0);
+  await page.getByRole('tab', { name: 'Model' }).click();
+  await expect(chosen).toHaveText('Model');
+  await page.getByRole('tab', { name: 'Model' }).click();
+  await expect(chosen).toHaveCount(0);
+});

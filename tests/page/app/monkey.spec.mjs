@@ -1,8 +1,7 @@
-// Somebody who presses anything: clicks, keys, drags, numbers and undo, at random. Whatever happens, the
-// solver's worker lives, nothing is thrown, and undo leads back to the very shape that was opened.
-//
-// SHAPE_UP_MONKEY_MINUTES is how long (1), SHAPE_UP_MONKEY_SEED the seed of the first round (1). A round
-// that fails names its own seed: given as the first, it is done again.
+// Random use: clicks, keys, drags, numbers and undo. The solver's worker must survive, nothing may
+// throw, and undo must restore exactly the shape that was opened. SHAPE_UP_MONKEY_MINUTES is the
+// duration (default 1), SHAPE_UP_MONKEY_SEED the seed of the first round (default 1). A failing
+// round reports its seed; setting it as the first seed repeats the round.
 
 import { box, quadScene, tetScene, triangleScene, wavyGrid } from '../meshes.mjs';
 import { expect, openPage, test } from '../support.mjs';
@@ -71,7 +70,7 @@ const NUMBERS = [
   '50%',
 ];
 
-/** Numbers from 0 to below a limit, the same on every machine for a seed. */
+/** Returns a generator of numbers in [0, limit), the same on every machine for a seed. */
 function seeded(seed) {
   let now = Math.imul(seed + 1, 2654435761) >>> 0;
   return (limit) => {
@@ -80,7 +79,9 @@ function seeded(seed) {
   };
 }
 
-/** Runs in the page, before it: what would lead out of the model is not pressed, what is thrown is kept. */
+/**
+ * Runs in the page, before its scripts: blocks presses that would leave the model, records errors.
+ */
 function watch() {
   window.thrown = [];
   addEventListener('error', ({ message }) => message && window.thrown.push(message), true);
@@ -102,7 +103,7 @@ function watch() {
   );
 }
 
-/** Runs in the page: the middle of a control that can be pressed, by a number. */
+/** Runs in the page: the centre of the control with this number, if it can be pressed. */
 function controlAt(number) {
   const controls = 'button, input, select, summary, [role=tab], [role=separator], [role=menuitem]';
   const all = [...document.querySelectorAll(controls)].flatMap((control) => {
@@ -127,7 +128,7 @@ function controlAt(number) {
   return { name, x, y, isNumber: control.matches('[type=number], [type=text], [role=spinbutton]') };
 }
 
-/** A place in the window; often that of a vertex or a handle. */
+/** A position in the window, often that of a vertex or a handle. */
 async function place(page, draw) {
   const { width, height } = page.viewportSize();
   const anywhere = [draw(width), draw(height)];
@@ -141,7 +142,7 @@ async function place(page, draw) {
   return found ?? anywhere;
 }
 
-/** What it does; each tells what it was. */
+/** The random actions; each returns a description. */
 const DOINGS = [
   async function click(page, draw) {
     const at = await place(page, draw);
@@ -214,14 +215,14 @@ const DOINGS = [
     return `${width} by ${height}`;
   },
 ];
-/** How often, of all together. */
+/** Relative frequency of each action. */
 const OFTEN = {
   ...{ click: 2, press: 5, key: 3, drag: 3, pull: 2 },
   ...{ wheel: 1, undo: 1, run: 1, resize: 1 },
 };
 const ALL = DOINGS.flatMap((doing) => new Array(OFTEN[doing.name]).fill(doing));
 
-/** Opens a model, and keeps what it is: there undo has to lead. */
+/** Opens a model and records its state, to which undo must return. */
 async function open(page, draw) {
   const which = draw(MESHES.length + EXAMPLES.length);
   const example = EXAMPLES[which - MESHES.length];
@@ -235,7 +236,7 @@ async function open(page, draw) {
           const look = () => status.textContent.startsWith('Opened the example') && done();
           new MutationObserver(look).observe(status, { childList: true, subtree: true });
           new MutationObserver(look).observe(status, { characterData: true, subtree: true });
-          // The same words may not be said twice.
+          // The same message may not be announced twice.
           setTimeout(done, 3000);
         });
         history.replaceState(null, '', location.pathname);
@@ -255,12 +256,12 @@ async function open(page, draw) {
   return example ?? `mesh ${which}`;
 }
 
-/** Runs in the page: lets go of everything, then undoes whatever can be undone. Returns how much. */
+/** Runs in the page: cancels gestures and undoes everything; returns the number of steps. */
 async function undoAll() {
   const { shapeUp } = window;
   document.querySelectorAll('dialog[open]').forEach((dialog) => dialog.close());
   document.activeElement?.blur();
-  // A run that was asked for last may not have been told of yet.
+  // A run requested last may not have been reported yet.
   await shapeUp.settled();
   if (shapeUp.state().running) document.getElementById('run').click();
   await shapeUp.settled();
@@ -274,7 +275,7 @@ async function undoAll() {
   return done;
 }
 
-/** Runs in the page: in what it differs from what was opened; empty where it does not. */
+/** Runs in the page: how the model differs from the one opened; empty if it does not. */
 function difference() {
   const { start } = window;
   if (!start) return 'the page is another one';
@@ -290,7 +291,9 @@ function difference() {
   return changed.map((key) => `${key}: ${JSON.stringify(a[key])} became ${JSON.stringify(b[key])}`);
 }
 
-test('whatever is pressed, the solver lives and undo leads to the start', async ({ page }) => {
+test('after random input the solver is alive and undo leads back to the start', async ({
+  page,
+}) => {
   test.setTimeout(MINUTES * 60_000 + 120_000);
   const workers = [];
   page.on('worker', (worker) => {

@@ -1,4 +1,4 @@
-// Without a network, and when there is a new version.
+// Use without a network, and updates to a new version.
 
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -22,12 +22,12 @@ test('after one visit the page works without a network', async ({ page, context 
   const after = await runToTheEnd(page);
   expect(after.iteration).toBeGreaterThan(0);
   await openExample(page, 'Hypar');
-  // A parameter of the address does not lead out.
+  // An address with a parameter is served from the cache too.
   await visit(page, `backend=${(await state(page)).renderer}`);
   expect((await state(page)).vertices).toBeGreaterThan(0);
 });
 
-test('what was never opened before is built without a network, and saved', async ({
+test('parts are built and saved without a network even if Build was never opened before', async ({
   page,
   context,
 }) => {
@@ -45,7 +45,7 @@ test('what was never opened before is built without a network, and saved', async
   expect(drawings).toHaveLength(build.sheets);
 });
 
-test('the gallery has all its pictures without a network, once it was opened', async ({
+test('after one visit the gallery has all its pictures without a network', async ({
   page,
   context,
 }) => {
@@ -69,13 +69,13 @@ test('the gallery has all its pictures without a network, once it was opened', a
   await expect.poll(missing).toBe(0);
   await context.setOffline(true);
   await openGallery();
-  // The last one, which is far below.
+  // The last picture is far below the visible part.
   const last = page.locator(`img[src="${addresses.at(-1)}"]`);
   await last.scrollIntoViewIfNeeded();
   await expect.poll(() => last.evaluate((image) => image.naturalWidth)).toBeGreaterThan(100);
 });
 
-test('what comes later loads with full storage too, as long as there is a network', async ({
+test('with full storage, parts loaded later still come from the network', async ({
   page,
   context,
 }) => {
@@ -86,7 +86,7 @@ test('what comes later loads with full storage too, as long as there is a networ
   await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: 1 });
   const rhino = await exported(page, '3DM');
   expect(rhino.bytes.subarray(0, 22).toString()).toBe('3D Geometry File Forma');
-  // It is that storage which is full: nothing of Rhino is kept.
+  // Confirms that the storage was full: nothing of rhino3dm was cached.
   const kept = await page.evaluate(async () => {
     const caught = await Promise.all((await caches.keys()).map((name) => caches.open(name)));
     const requests = await Promise.all(caught.map((cache) => cache.keys()));
@@ -95,7 +95,7 @@ test('what comes later loads with full storage too, as long as there is a networ
   expect(kept).toBe(0);
 });
 
-/** A host of the site, at which a new version can be put. */
+/** Hosts a copy of the site whose version can be changed. */
 const hosted = test.extend({
   // eslint-disable-next-line no-empty-pattern
   host: async ({}, use) => {
@@ -108,7 +108,7 @@ const hosted = test.extend({
   },
 });
 
-hosted('a new version is announced and waits until it is wanted', async ({ page, host }) => {
+hosted('a new version is announced and waits until the user reloads', async ({ page, host }) => {
   const open = async () => {
     await page.goto(host.address);
     await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
@@ -134,11 +134,11 @@ hosted('a new version is announced and waits until it is wanted', async ({ page,
   await expect(news).toBeHidden();
 });
 
-test('it can be installed', async ({ page, context }) => {
+test('the page can be installed as an app', async ({ page, context }) => {
   await visit(page);
   const session = await context.newCDPSession(page);
   const { installabilityErrors } = await session.send('Page.getInstallabilityErrors');
-  // A test runs in a window without a history.
+  // Tests run in an incognito window.
   const serious = installabilityErrors.filter(({ errorId }) => errorId !== 'in-incognito');
   expect(serious).toEqual([]);
   const { errors } = await session.send('Page.getAppManifest');

@@ -1,5 +1,5 @@
-// Longer stories in a phone's window, where panels are a sheet and tools are behind "More". What lies
-// behind the arrangement is asked of the desktop.
+// Longer stories in a phone's window, where panels are in a sheet and tools are behind "More".
+// Behaviour that does not depend on the layout is tested on the desktop.
 
 import {
   addConstraint,
@@ -27,14 +27,14 @@ import {
 const SHEET = 'Energies and display';
 
 test(
-  'colours, their legend in bands, and how many faces are within a tolerance',
+  'colours, a banded legend, and the number of faces within a tolerance',
   looks,
   async ({ page }) => {
     await openPage(page);
     await openText(page, 'roof.obj', wavyGrid(6), 49);
     await addConstraint(page, 'Plane', 'each face');
     await runToTheEnd(page);
-    // It lies over the legend as well.
+    // The verdict covers the legend too.
     await page.getByRole('button', { name: 'Dismiss the verdict' }).click();
     await showPanel(page, SHEET);
     await page.getByLabel('Colour by').selectOption({ label: 'Edge length change' });
@@ -59,9 +59,9 @@ test(
 );
 
 test.describe('behind tabs', () => {
-  test('what is wrong with a file is said where no panel shows it', async ({ page }) => {
+  test('problems of a file are reported even though no panel is open', async ({ page }) => {
     await openPage(page);
-    // Three faces at one edge.
+    // Three faces share an edge.
     const fins = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n';
     await openText(page, 'fins.obj', fins, 5);
     const alert = page.getByRole('alert');
@@ -70,7 +70,7 @@ test.describe('behind tabs', () => {
     await expect(page.locator('#model').getByText(/problems? in the file/)).toBeVisible();
   });
 
-  test('the bar of selecting is one line, and a second one only for the brush', async ({
+  test('the selection bar takes one line, and a second one only for the brush', async ({
     page,
   }) => {
     await openPage(page);
@@ -87,7 +87,7 @@ test.describe('behind tabs', () => {
     expect((await bar.boundingBox()).height).toBeLessThan(104);
   });
 
-  test('a constraint is weighed and opened, a handle is moved by numbers, and undone', async ({
+  test('a constraint is weighted and opened, a handle is moved by numbers, and both are undone', async ({
     page,
   }) => {
     await openPage(page);
@@ -137,7 +137,7 @@ test.describe('behind tabs', () => {
     await waitForState(page, (now, count) => now.vertices === count, examples[at + 1].vertices);
   });
 
-  test('a lesson says over the view that it is one, and leads to its goals', async ({ page }) => {
+  test('a lesson shows a line over the view, which opens its goals', async ({ page }) => {
     await page.goto('./#example=lesson-glass-roof');
     const line = page.getByRole('button', { name: /Lesson: / });
     await expect(line).toHaveText('✗ Lesson: 1 of 2 goals met');
@@ -147,7 +147,7 @@ test.describe('behind tabs', () => {
     const lesson = page.getByRole('region', { name: 'Lesson' });
     await expect(lesson).toBeInViewport();
     await expect(lesson).toContainText('Make every pane flat to a millimetre');
-    // Where the goals are in sight, it would say the same again.
+    // Hidden while the goals themselves are visible.
     await expect(line).toBeHidden();
     await showPanel(page, SHEET);
     await expect(line).toBeVisible();
@@ -156,7 +156,7 @@ test.describe('behind tabs', () => {
     await expect(line).toBeHidden();
   });
 
-  test('two pictures beside each other, and a flat map below the model', async ({ page }) => {
+  test('two pictures are side by side, and a flat map lies below the model', async ({ page }) => {
     await page.goto('./#example=fig-04-squares');
     await waitForState(page, (now) => now.faces === 384 && now.renderer !== 'none');
     await tool(page, 'Step');
@@ -199,16 +199,16 @@ test('the page about projections: the point, its steps and the sums', async ({ p
   await expect(page.getByRole('img', { name: /^φ falls from/ })).toBeVisible();
 });
 
-test.describe('with a finger', () => {
+test.describe('by touch', () => {
   test.use({ hasTouch: true, isMobile: true });
 
-  test('files of another surface and of another pose are chosen', async ({ page }) => {
+  test('files are chosen for another surface and for another pose', async ({ page }) => {
     await openPage(page);
     await openText(page, 'grid.obj', wavyGrid(3), 16);
     await addConstraint(page, 'Rigid', 'each face');
     await showPanel(page, SHEET);
     await page.getByText('More settings').click();
-    /** Presses what asks for a file, and gives it one. */
+    /** Taps the control that opens a file chooser and provides a file. */
     const choose = async (label, given) => {
       const pressed = page.locator('label', { has: page.getByLabel(label) });
       await pressed.scrollIntoViewIfNeeded();

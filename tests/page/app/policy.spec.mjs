@@ -1,6 +1,6 @@
-// Nothing leaves the page, and no text becomes a script: its content security policy, and a whole
-// story in which it is never broken. A proxy stands for the rest of the net: whatever asks for
-// anything but the site, be it the page, a worker or the browser on its behalf, is heard there.
+// Content security policy: the page sends nothing to other sites and never runs text as a script.
+// One test goes through a whole story without a violation. A proxy stands for the rest of the
+// network and records every request to another site by the page, a worker or the browser.
 
 import { createServer } from 'node:http';
 import { addConstraint, exported, openText, runToTheEnd, tool } from '../actions.mjs';
@@ -8,7 +8,7 @@ import { wavyGrid } from '../meshes.mjs';
 import { dragVertex, expect, openPage, test as base, waitForState } from '../support.mjs';
 
 const test = base.extend({
-  /** The proxy, and what it is asked for. */
+  /** The proxy, and the requests that it receives. */
   // eslint-disable-next-line no-empty-pattern
   net: async ({}, use) => {
     const asked = [];
@@ -27,7 +27,7 @@ const test = base.extend({
   },
   proxy: async ({ net }, use) => use({ server: net.address, bypass: '127.0.0.1' }),
   elsewhere: async ({ net }, use) => use(net.asked),
-  /** What the policies of the page and of its workers refused. */
+  /** Violations of the policies of the page and its workers. */
   violations: async ({ page }, use) => {
     const found = [];
     await page.exposeFunction('tellViolation', (text) => found.push(text));
@@ -47,7 +47,7 @@ const test = base.extend({
 
 test.use({ serviceWorkers: 'allow' });
 
-test('from opening to sharing nothing is asked for elsewhere, and the policy holds', async ({
+test('from opening to sharing there are no requests to other sites and no violations', async ({
   page,
   elsewhere,
   violations,
@@ -61,7 +61,7 @@ test('from opening to sharing nothing is asked for elsewhere, and the policy hol
   await dragVertex(page, 12, [30, -20]);
   await waitForState(page, (now) => !now.running);
   expect((await exported(page, 'OBJ')).text).toContain('\nf ');
-  // What writes files of Rhino makes functions from text, and does so in a worker of its own.
+  // rhino3dm creates functions from text, and does so in a worker of its own.
   const rhino = await exported(page, '3DM');
   const given = { name: 'back.3dm', mimeType: 'application/octet-stream', buffer: rhino.bytes };
   await page.getByLabel('Open file').setInputFiles(given);
@@ -82,7 +82,7 @@ test('from opening to sharing nothing is asked for elsewhere, and the policy hol
   expect(elsewhere).toEqual([]);
 });
 
-test('the policy is there: what a page must not do is refused, and would be heard', async ({
+test('the policy is active: forbidden actions are refused and recorded', async ({
   page,
   elsewhere,
   violations,
@@ -90,7 +90,7 @@ test('the policy is there: what a page must not do is refused, and would be hear
 }) => {
   await openPage(page);
   const done = await page.evaluate(async () => {
-    // A later task: in its own one, a debugger may do more.
+    // In a later task: within its own task, a debugger may bypass the policy.
     await new Promise((next) => setTimeout(next));
     const script = document.createElement('script');
     script.textContent = 'window.wasRun = true';
@@ -119,7 +119,7 @@ test('the policy is there: what a page must not do is refused, and would be hear
   expect(complaints.filter((text) => !text.includes('Content Security Policy'))).toEqual([]);
   complaints.length = 0;
 
-  // A worker has no policy; but what it asks for is heard.
+  // A worker has no policy, but the proxy records its requests.
   const worker = page.workers().find((one) => one.url().includes('solver-worker'));
   await worker.evaluate(() => fetch('http://elsewhere.invalid/').catch(() => {}));
   expect(elsewhere).toEqual(['http://elsewhere.invalid/']);

@@ -1,5 +1,5 @@
-// Windows of other sizes than those of most tests: nothing lies over what is looked at, and what comes next is in
-// sight.
+// Window sizes that other tests do not cover: nothing covers the model, and the next action is
+// visible.
 
 import { file, wavyGrid } from '../meshes.mjs';
 import { openText, showPanel, tool } from '../actions.mjs';
@@ -12,11 +12,11 @@ const view = (page) => page.getByRole('application', { name: '3D view' });
 const card = (page) => page.locator('#make-panels-card');
 const legend = (page) => page.locator('#legend');
 
-/** Whether two boxes share a point. */
+/** Whether two boxes overlap. */
 const overlap = (a, b) =>
   a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 
-/** Where the vertices are seen on the page. */
+/** The positions of the vertices on the page. */
 async function placesOfModel(page) {
   const places = await page.evaluate(() =>
     Array.from({ length: window.shapeUp.state().vertices }, (_, v) => window.shapeUp.screen(v)),
@@ -24,18 +24,18 @@ async function placesOfModel(page) {
   return places.filter((at) => at !== null);
 }
 
-/** How high the model is on the page. */
+/** The height of the model on the page. */
 async function heightOfModel(page) {
   const ys = (await placesOfModel(page)).map(([, y]) => y);
   return Math.max(...ys) - Math.min(...ys);
 }
 
-/** What can be pressed in the window and is narrower or lower than 44 px: its name and its size. */
+/** The visible controls narrower or lower than 44 px: name and size. */
 function smallTargets(page) {
   return page.evaluate((least) => {
     const all = document.querySelectorAll('button, a[href], select, input, summary, label.button');
     return [...all].flatMap((one) => {
-      // Its words are pressed as well.
+      // The label can be pressed as well.
       const box = ['checkbox', 'file'].includes(one.type) ? one.closest('label') : one;
       const { left, top, right, bottom, width, height } = box.getBoundingClientRect();
       const isSeen = width > 0 && getComputedStyle(one).visibility === 'visible';
@@ -46,7 +46,10 @@ function smallTargets(page) {
   }, 44);
 }
 
-/** Opens the page and selects everything: all that can be pressed is large enough, and nothing is beyond the window. */
+/**
+ * Opens the page and selects everything; checks that all controls are large enough and inside the
+ * window.
+ */
 async function lookAtTargets(page) {
   await openPage(page);
   await expect(legend(page)).toBeVisible();
@@ -59,7 +62,7 @@ async function lookAtTargets(page) {
   expect(beyond).toBe(false);
 }
 
-/** Opens a roof and makes its panels flat: the verdict and the legend are over the view. */
+/** Opens a roof and makes its panels flat, so that the verdict and the legend are over the view. */
 async function makeFlat(page) {
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(6), 49);
@@ -68,7 +71,7 @@ async function makeFlat(page) {
   await expect(card(page)).toBeVisible();
 }
 
-/** Opens the dialog behind a button of the panel of the model. */
+/** Opens a dialog by its button in the Model panel. */
 async function openBehind(page, button, name) {
   await showPanel(page, 'Model');
   await page.getByRole('button', { name: button, exact: true }).click();
@@ -79,7 +82,9 @@ for (const advanced of [false, true])
   test.describe(advanced ? 'with every control' : 'with the essentials', () => {
     test.use({ advanced, viewport: SMALL });
 
-    test('a new constraint and parts leave the view its place', async ({ page }) => {
+    test('the dialog of a new constraint and the parts panel leave room for the view', async ({
+      page,
+    }) => {
       await openPage(page);
       await openText(page, 'roof.obj', wavyGrid(6), 49);
       const before = await view(page).boundingBox();
@@ -101,11 +106,13 @@ for (const advanced of [false, true])
       expect(now.height).toBeGreaterThan(SMALL.height * 0.4);
       expect([x + width <= SMALL.width, y + height <= SMALL.height]).toEqual([true, true]);
       await expect(card(page)).toBeHidden();
-      // The model has what room there is.
+      // The model uses the room available.
       await expect.poll(() => heightOfModel(page)).toBeGreaterThan(0.5 * now.height);
     });
 
-    test('what came of it is said, and the verdict is beside the legend', async ({ page }) => {
+    test('the status has room for its words, and the verdict is beside the legend', async ({
+      page,
+    }) => {
       await makeFlat(page);
       await expect(legend(page)).toBeVisible();
       const [one, other] = [await card(page).boundingBox(), await legend(page).boundingBox()];
@@ -119,7 +126,7 @@ for (const advanced of [false, true])
 test.describe('colours of a mesh that was just opened', () => {
   test.use({ viewport: SMALL });
 
-  test('what is offered is whole beside the legend', async ({ page }) => {
+  test('the whole offer is visible beside the legend', async ({ page }) => {
     await openPage(page);
     await openText(page, 'roof.obj', wavyGrid(6), 49);
     await page.getByRole('button', { name: 'Views' }).click();
@@ -136,7 +143,7 @@ test.describe('colours of a mesh that was just opened', () => {
 test.describe('a presentation', () => {
   test.use({ viewport: SMALL });
 
-  test('the legend is as high as what it says', async ({ page }) => {
+  test('the legend is only as high as its content', async ({ page }) => {
     await makeFlat(page);
     const dialog = await openBehind(page, 'Present', 'Presentation');
     await dialog.getByRole('button', { name: 'Add this view' }).click();
@@ -152,10 +159,10 @@ test.describe('a presentation', () => {
   });
 });
 
-test.describe('a telephone on its side', () => {
+test.describe('a phone in landscape', () => {
   test.use({ viewport: ON_ITS_SIDE, hasTouch: true });
 
-  test('every tool is in the bar, and parts are beside the view', async ({ page }) => {
+  test('every tool is in the bar, and the parts panel is beside the view', async ({ page }) => {
     await makeFlat(page);
     for (const name of ['Select', 'Drag']) {
       await page.getByRole('button', { name, exact: true }).click();
@@ -185,14 +192,14 @@ test.describe('a telephone on its side', () => {
       .toBeLessThan(y);
   });
 
-  test('what is touched is as large as a finger', async ({ page }) => {
+  test('touch targets are large enough, also in an embedded view', async ({ page }) => {
     await lookAtTargets(page);
     await page.goto('./?embed&autoplay');
     await expect(page.getByRole('link', { name: 'Open in Shape-Up' })).toBeVisible();
     expect(await smallTargets(page)).toEqual([]);
   });
 
-  test('the button that one came for is in sight in every dialog', async ({ page }) => {
+  test('the main button of every dialog is visible', async ({ page }) => {
     await makeFlat(page);
     await tool(page, 'Share');
     const share = page.getByRole('dialog', { name: 'Share' });
@@ -212,10 +219,10 @@ test.describe('a telephone on its side', () => {
   });
 });
 
-test.describe('a telephone', () => {
+test.describe('a phone in portrait', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
 
-  test('a lesson is as wide as the window, and what is touched is large enough', async ({
+  test('a lesson is as wide as the window, and its touch targets are large enough', async ({
     page,
   }) => {
     await openPage(page);
@@ -234,11 +241,11 @@ test.describe('a telephone', () => {
     expect(Math.min(...heights)).toBeGreaterThanOrEqual(44);
   });
 
-  test('what is touched is as large as a finger', async ({ page }) => {
+  test('touch targets are large enough', async ({ page }) => {
     await lookAtTargets(page);
   });
 
-  test('the card of curvature leaves the model free', async ({ page }) => {
+  test('the curvature card does not cover the model', async ({ page }) => {
     await openPage(page);
     await openText(page, 'roof.obj', wavyGrid(6), 49);
     await page.getByRole('button', { name: 'Views' }).click();

@@ -1,11 +1,11 @@
-// When a part of the page does not come: one plain message that says why and what to do, and nothing
-// that fails because of it covers it.
+// If a part of the page cannot be loaded, one plain message gives the reason and the remedy, and no
+// later error covers it.
 
 import { expect, test } from '../support.mjs';
 
 const REMEDY = 'Check the network, then reload the page.';
 
-/** What is missing, how it fails, and what is said then. */
+/** What is missing, how it fails, and the message shown. */
 const FAILURES = {
   'the script of the page is not there': {
     missing: '**/assets/workbench-*.js',
@@ -29,14 +29,14 @@ const FAILURES = {
 };
 
 for (const [title, { missing, status, words }] of Object.entries(FAILURES)) {
-  test(`${title}: it is said, and stays said`, async ({ page, complaints }) => {
+  test(`${title}: the message appears and stays`, async ({ page, complaints }) => {
     await page.route(missing, (route) => (status ? route.fulfill({ status }) : route.abort()));
     await page.goto('./');
     const message = page.getByRole('alert').getByRole('paragraph');
     await expect(message).toHaveText(words);
-    // Without the page's script nobody presses its buttons.
+    // Without its script the page's buttons do nothing.
     if (await page.evaluate(() => Boolean(window.shapeUp))) {
-      // What is asked for meanwhile fails, and covers nothing.
+      // Requests made meanwhile fail without covering the message.
       const refused = await page.evaluate(() =>
         window.shapeUp.open('v 0 0 0', 'a.obj').catch(({ message }) => message),
       );
@@ -51,7 +51,7 @@ for (const [title, { missing, status, words }] of Object.entries(FAILURES)) {
   });
 }
 
-test('a view that could not be fetched is not taken for a browser that cannot draw', async ({
+test('a view that could not be fetched is not reported as missing graphics support', async ({
   page,
   complaints,
 }) => {

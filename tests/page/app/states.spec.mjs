@@ -1,5 +1,5 @@
-// The states that a page comes into with large files, without a network, without a model, or with a
-// solver that has stopped. Others are in the tests of what leads to them.
+// States of the page with large files, without a network, without a model, or with a stopped
+// solver. Other states are tested with the features that lead to them.
 
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -11,13 +11,13 @@ import { expect, openPage, state, test, waitForState } from '../support.mjs';
 const status = (page) => page.getByRole('status');
 const card = (page) => page.getByRole('group', { name: /^Opening / });
 
-/** More faces than can be worked with, cheap to make and to draw: the same small one again and again. */
+/** A file with more faces than stay interactive, cheap to draw: one small face repeated. */
 const large = (faces) =>
   [wavyGrid(2), 'v 1 1 0\nv 1.01 1 0\nv 1.01 1.01 0\n', 'f 10 11 12\n'.repeat(faces - 4)]
     .join('')
     .padEnd(2_100_000, '#\n');
 
-/** Everything that is said while `action` goes on, in order. */
+/** Returns the announcements made during `action`, in order. */
 async function heard(page, action) {
   await page.evaluate(() => {
     window.heard = [];
@@ -33,7 +33,7 @@ async function heard(page, action) {
   return page.evaluate(() => window.heard);
 }
 
-test('without scripts there are words and a link', async ({ browser, baseURL }) => {
+test('without scripts the page shows an explanation and a link', async ({ browser, baseURL }) => {
   const context = await browser.newContext({ javaScriptEnabled: false, baseURL });
   const page = await context.newPage();
   await page.goto('./');
@@ -43,14 +43,15 @@ test('without scripts there are words and a link', async ({ browser, baseURL }) 
   await context.close();
 });
 
-test('a solver that comes slowly says how much of it is here', async ({ page }) => {
+test('a slowly loading solver shows its progress', async ({ page }) => {
   const module = readFileSync(at('www', 'pkg', 'solver', 'shape_up_bg.wasm'));
   const middle = module.length / 2;
   let goOn;
   const host = createServer(async (_, answer) => {
     answer.writeHead(200, { 'Content-Type': 'application/wasm' });
     answer.write(module.subarray(0, middle));
-    // Longer than nobody waits for words; then a little more, of which it is told.
+    // Waits longer than the delay before the progress is shown, then sends one byte, which is
+    // reported.
     await new Promise((done) => setTimeout(done, 1500));
     answer.write(module.subarray(middle, middle + 1));
     await new Promise((done) => (goOn = done));
@@ -71,7 +72,7 @@ test('a solver that comes slowly says how much of it is here', async ({ page }) 
   host.close();
 });
 
-test('running, paused and converged are each said once', async ({ page }) => {
+test('running, paused and converged are each announced once', async ({ page }) => {
   await openPage(page);
   await expect(status(page)).toHaveText(/^Opened the example/);
   const words = await heard(page, async () => {
@@ -83,7 +84,7 @@ test('running, paused and converged are each said once', async ({ page }) => {
   await expect(page.getByRole('button', { name: 'Run' })).toBeVisible();
 });
 
-test('where no example can be fetched, the page says what can be opened', async ({
+test('if no example can be fetched, the page shows what can be opened', async ({
   page,
   complaints,
 }) => {
@@ -97,15 +98,15 @@ test('where no example can be fetched, the page says what can be opened', async 
   await page.getByRole('button', { name: 'Open an example' }).click();
   await waitForState(page, (now) => now.vertices > 0);
   await expect(page.getByText('Drop a mesh (.obj, .off, .mesh, .3dm) or a scene')).toBeHidden();
-  // The browser complains of what was held back, and of nothing else.
+  // The only complaints are about the blocked requests.
   expect(complaints.filter((text) => !text.includes('net::ERR_FAILED'))).toEqual([]);
   complaints.length = 0;
 });
 
-test('a large file says how far it is, and can be left while it is read', async ({ page }) => {
+test('a large file shows its progress, and reading can be cancelled', async ({ page }) => {
   await page.addInitScript(() => {
     const { stream } = Blob.prototype;
-    // Half of it, and the rest when it is wanted, of every file.
+    // Every file gives its first half at once and the rest on demand.
     const wanted = new Promise((go) => (window.goOn = go));
     Blob.prototype.stream = function () {
       const [half, rest] = [this.slice(0, this.size / 2), this.slice(this.size / 2)];
@@ -140,7 +141,7 @@ test('a large file says how far it is, and can be left while it is read', async 
   await expect(status(page)).toHaveText(/^Opened wide\.obj/);
 });
 
-/** What the solver says of the machine, which is not the same on every one. */
+/** Replaces the interactive limit that the solver reports, which differs between machines. */
 const interactiveUpTo = (page, most) =>
   page.addInitScript((value) => {
     const { postMessage } = Worker.prototype;
@@ -151,9 +152,9 @@ const interactiveUpTo = (page, most) =>
     };
   }, most);
 
-test('what the solver says of the machine is a round number within bounds', async ({ page }) => {
+test('the limit estimated for this machine is a round number within bounds', async ({ page }) => {
   await openPage(page);
-  // No file is ever so large.
+  // Larger than any limit.
   await page.getByLabel('Open file').setInputFiles(file('city.obj', large(600_000)));
   await expect(card(page)).toContainText(
     /600.000 faces\. Shape-Up stays interactive up to about [1-9]\d{0,2}(.?000)+ on this computer/,
@@ -161,9 +162,7 @@ test('what the solver says of the machine is a round number within bounds', asyn
   await card(page).getByRole('button', { name: 'Cancel' }).click();
 });
 
-test('a mesh that is too large for the machine is asked about before it opens', async ({
-  page,
-}) => {
+test('a mesh too large for the machine opens only after confirmation', async ({ page }) => {
   await interactiveUpTo(page, 12_000);
   await openPage(page);
   const before = await state(page);
@@ -172,7 +171,7 @@ test('a mesh that is too large for the machine is asked about before it opens', 
   await expect(card(page)).toContainText(
     /60.?000 faces\. Shape-Up stays interactive up to about 12.?000 on this computer/,
   );
-  // It is said too, and the answer is under the hand.
+  // The question is announced too, and its answer has the focus.
   await expect(status(page)).toHaveText(/^city\.obj: 60.000 faces$/);
   const anyway = page.getByRole('button', { name: 'Load anyway' });
   await expect(anyway).toBeFocused();
@@ -187,9 +186,7 @@ test('a mesh that is too large for the machine is asked about before it opens', 
   await waitForState(page, (now) => now.faces === 60_000);
 });
 
-test('a file that has been read can still be left while the solver takes it up', async ({
-  page,
-}) => {
+test('opening a file can be cancelled while the solver builds the model', async ({ page }) => {
   await page.addInitScript(() => {
     const { postMessage } = Worker.prototype;
     // The solver never answers for this file.
@@ -206,12 +203,12 @@ test('a file that has been read can still be left while the solver takes it up',
   await expect(card(page)).toBeHidden();
   await expect(status(page)).toHaveText('Cancelled');
   await expect(page.getByRole('alert')).toBeEmpty();
-  // The solver works again, on what was open.
+  // The solver works again, with the previous model.
   await page.getByRole('button', { name: 'Step' }).click();
   await waitForState(page, (now) => now.iteration === 1 && now.vertices === 25);
 });
 
-test('a solver that died leaves a report to copy', async ({ page, context }) => {
+test('a crashed solver leaves a report that can be copied', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await openPage(page);
   const [worker] = page.workers();
@@ -229,14 +226,14 @@ test('a solver that died leaves a report to copy', async ({ page, context }) => 
     expect(report).toContain(part);
 });
 
-test('no graphics card is told quietly; no network is said, once, and that there is one again', async ({
+test('a missing graphics card is noted quietly; going offline and online is each announced once', async ({
   page,
   context,
 }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');
   const note = page.locator('#numbers').getByText('Software rendering');
-  // The tests draw by software; a narrow window has no room for it.
+  // The tests draw in software; a narrow window has no room for the note.
   await expect(note).toBeAttached();
   await expect(note.locator('..')).toHaveAttribute('title', /acceleration/);
   await expect(page.getByRole('alert')).toBeEmpty();
@@ -252,10 +249,7 @@ test('no graphics card is told quietly; no network is said, once, and that there
   expect(words).toEqual([expect.stringMatching(/^Offline: /), 'Online again']);
 });
 
-test('a part of the page that cannot be fetched is told of in plain words', async ({
-  page,
-  complaints,
-}) => {
+test('a part that cannot be fetched is reported in plain words', async ({ page, complaints }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');
   await page.route('**/split-view*', (route) => route.abort());
