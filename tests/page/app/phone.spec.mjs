@@ -87,7 +87,7 @@ test.describe('behind tabs', () => {
     expect((await bar.boundingBox()).height).toBeLessThan(104);
   });
 
-  test('a constraint is weighted and opened, a handle is moved by numbers, and both are undone', async ({
+  test('a constraint is opened and duplicated, a handle is moved by numbers, and both are undone', async ({
     page,
   }) => {
     await openPage(page);

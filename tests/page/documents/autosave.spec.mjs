@@ -1,4 +1,4 @@
-// What is done stays in this browser, each tab's own.
+// Work is saved in this browser, separately for each tab.
 
 import { addConstraint, downloaded, openText, runToTheEnd, tool } from '../actions.mjs';
 import { quadScene, wavyGrid } from '../meshes.mjs';
@@ -13,7 +13,7 @@ import {
   waitForState,
 } from '../support.mjs';
 
-/** A scene that needs many more iterations than there is time for. */
+/** A scene that needs far more iterations than the test has time for. */
 function endlessScene() {
   const scene = JSON.parse(quadScene(40));
   scene.constraints = [{ kind: 'circle', on: 'faces' }];
@@ -21,7 +21,7 @@ function endlessScene() {
   return JSON.stringify(scene);
 }
 
-/** Everything is saved. */
+/** Waits until everything is saved. */
 const kept = (page) =>
   expect
     .poll(() => page.evaluate(() => document.querySelector('#numbers')?.textContent))
@@ -29,7 +29,7 @@ const kept = (page) =>
 
 const back = (page) => page.getByRole('alert').getByText('is back as you left it');
 
-test('work is back after the tab was killed', async ({ page, context }) => {
+test('work is restored after the tab was killed', async ({ page, context }) => {
   await visit(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await addConstraint(page, 'Plane', 'each face');
@@ -37,19 +37,19 @@ test('work is back after the tab was killed', async ({ page, context }) => {
   const corner = await positionOf(page, 24);
   await kept(page);
 
-  // No event tells a page that its process is killed.
+  // A page gets no event when its process is killed.
   const session = await context.newCDPSession(page);
   session.send('Page.crash').catch(() => {});
   await page.waitForEvent('crash');
   await page.close();
   const again = await context.newPage();
   await visit(again);
-  // The numbers come with the first frame.
+  // The iteration count comes with the first frame.
   const after = await waitForState(again, (now, at) => now.iteration === at, before.iteration);
   expect(after.constraints).toEqual({ plane: 16 });
   expect(await positionOf(again, 24)).toEqual(corner);
   await expect(back(again)).toContainText('roof.obj');
-  // Under its own name, not under that of the scene that it was kept as.
+  // Shown under its own name, not the name under which the scene was saved.
   const panel = again.getByRole('complementary', { name: 'Model' });
   await expect(panel.getByText('roof.obj', { exact: true })).toBeVisible();
 
@@ -57,7 +57,7 @@ test('work is back after the tab was killed', async ({ page, context }) => {
   await waitForState(again, (now) => now.vertices > 25);
   await visit(again);
   expect((await state(again)).vertices).toBeGreaterThan(25);
-  // It is not lost.
+  // The work is still listed.
   await tool(again, 'Open recent');
   await again.getByRole('menuitem', { name: 'roof.obj' }).click();
   await waitForState(again, (now) => now.vertices === 25 && now.iteration > 0);
@@ -69,7 +69,7 @@ test('two tabs do not overwrite each other', async ({ page, context }) => {
   await kept(page);
   const second = await context.newPage();
   await visit(second);
-  // The work of a tab that is open is not taken from it.
+  // The second tab does not take over the work of a tab that is still open.
   expect((await state(second)).vertices).toBeGreaterThan(9);
   await openText(second, 'two.obj', wavyGrid(3), 16);
   await kept(second);
@@ -83,8 +83,9 @@ test('two tabs do not overwrite each other', async ({ page, context }) => {
   }
 });
 
-test('saving is on its way before there is anything to change', async ({ page }) => {
-  // It came after the first example: on a busy machine an edit and a reload were quicker, and all was lost.
+test('the autosave module is requested before there is anything to edit', async ({ page }) => {
+  // It used to be requested after the first example: on a busy machine an edit followed quickly by
+  // a reload was lost.
   const asked = page.waitForRequest(/\/autosave-[^/]*\.js$/);
   await page.route('**/examples/canopy.*', async (route) => {
     await asked;
@@ -94,7 +95,7 @@ test('saving is on its way before there is anything to change', async ({ page })
   expect((await state(page)).vertices).toBeGreaterThan(25);
 });
 
-/** Runs in the page: changes a weight, and does something as soon as the solver has answered. */
+/** Runs in the page: changes a weight, and reloads or leaves as soon as the solver has answered. */
 async function editAndThen([weight, then]) {
   const field = document.querySelector('[aria-label="Shape weight"]');
   field.value = String(weight);
@@ -107,15 +108,12 @@ async function editAndThen([weight, then]) {
 }
 
 for (const way of ['reload', 'leave', 'close']) {
-  test(`the last edit is kept when it is followed at once by: ${way}`, async ({
-    page,
-    context,
-  }) => {
+  test(`an edit is kept when followed at once by: ${way}`, async ({ page, context }) => {
     let tab = page;
     await visit(tab);
     await openText(tab, 'roof.obj', wavyGrid(20), 441);
     for (const weight of [3, 7]) {
-      // Two in a row: the second one while the first is still being written.
+      // Two edits in a row: the second is made while the first is still being written.
       await tab.evaluate(editAndThen, [weight - 1, '']);
       const loaded = way === 'reload' ? tab.waitForEvent('load') : null;
       await tab.evaluate(editAndThen, [weight, way]).catch(() => {});
@@ -133,10 +131,7 @@ for (const way of ['reload', 'leave', 'close']) {
   });
 }
 
-test('two tabs that are reloaded at the same moment keep an edit each', async ({
-  page,
-  context,
-}) => {
+test('two tabs reloaded at the same moment each keep their edit', async ({ page, context }) => {
   const second = await context.newPage();
   const tabs = [
     { tab: page, name: 'one.obj', cells: 20, vertices: 441, weight: 3 },
@@ -160,8 +155,8 @@ test('two tabs that are reloaded at the same moment keep an edit each', async ({
   }
 });
 
-test('an edit is kept that came before the page had settled after a reload', async ({ page }) => {
-  // It was taken for what had been kept before.
+test('an edit made before the page has settled after a reload is kept', async ({ page }) => {
+  // Such an edit used to be mistaken for the state saved before.
   await visit(page);
   await openText(page, 'roof.obj', wavyGrid(20), 441);
   await page.evaluate(editAndThen, [3, '']);
@@ -184,12 +179,14 @@ test('an edit is kept that came before the page had settled after a reload', asy
   }
 });
 
-test('what the browser drops when the page goes is there all the same', async ({ page }) => {
+test('an edit is kept even if the browser drops the last transaction of a closing page', async ({
+  page,
+}) => {
   await visit(page);
   await openText(page, 'roof.obj', wavyGrid(20), 441);
   await page.evaluate(editAndThen, [3, '']);
   await expect(page.getByText(/^Saved in this browser/)).toBeVisible();
-  // On a busy machine 3 of 80 pages were gone before their last transaction had begun.
+  // On a busy machine 3 of 80 pages were closed before their last transaction had begun.
   await page.evaluate(() => {
     IDBTransaction.prototype.commit = function () {
       this.abort();
@@ -202,13 +199,13 @@ test('what the browser drops when the page goes is there all the same', async ({
   expect((await sceneOf(page)).weights.shape).toBe(7);
   await tool(page, 'Undo');
   await expect.poll(async () => (await sceneOf(page)).weights.shape).toBe(3);
-  // It is where it belongs by now.
+  // By now the copy in localStorage has moved to the database.
   const aside = () =>
     Object.keys(localStorage).filter((key) => key.startsWith('shape-up.last-moment'));
   expect(await page.evaluate(aside)).toEqual([]);
 });
 
-test('a run that was cut off is back, as a step of undo', async ({ page, context }) => {
+test('an interrupted run is restored as one undo step', async ({ page, context }) => {
   await visit(page);
   await openText(page, 'endless.shapeup.json', endlessScene(), 41 * 41);
   await page.getByRole('button', { name: 'Run' }).click();
@@ -240,7 +237,7 @@ test('a run that was cut off is back, as a step of undo', async ({ page, context
   await waitForState(again, (now) => now.iteration === 0);
 });
 
-test('what was undone, the camera, the tolerance and the plot are back after a reload', async ({
+test('the undo history, camera, tolerance and plot are restored after a reload', async ({
   page,
 }) => {
   await visit(page);
@@ -275,7 +272,7 @@ test('what was undone, the camera, the tolerance and the plot are back after a r
   await waitForState(page, (state) => Object.keys(state.constraints).length === 0);
 });
 
-/** Changes records of what is kept, as damage to a disk would. */
+/** Changes saved records, as a damaged disk would. */
 const damage = (page, part, value) =>
   page.evaluate(
     ([part, value]) =>
@@ -296,14 +293,14 @@ const damage = (page, part, value) =>
     [part, value],
   );
 
-test('a work that cannot be read is told of and given out, and saving goes on', async ({
+test('saved work that cannot be read is reported and can be downloaded, and saving goes on', async ({
   page,
   context,
 }) => {
   await visit(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await kept(page);
-  // The page is gone before the damage is done: it saves when it goes.
+  // The page is left before the damage is done, because it saves on leaving.
   const url = page.url();
   await page.goto('about:blank');
   const other = await context.newPage();
@@ -319,18 +316,21 @@ test('a work that cannot be read is told of and given out, and saving goes on', 
   );
   expect(file.name).toBe('roof.shapeup.json');
   expect(file.text).toContain('"mesh": ');
-  // It is in no other tab.
+  // Its entry under Open recent reports the same, since no other tab has it open.
   await tool(page, 'Open recent');
   await page.getByRole('menuitem', { name: 'roof.obj' }).click();
   await expect(alert).toContainText('cannot be opened');
-  // Nothing else suffers.
+  // Other work is not affected.
   await openText(page, 'next.obj', wavyGrid(3), 16);
   await kept(page);
   await visit(page);
   await expect(back(page)).toContainText('next.obj');
 });
 
-test('what is damaged beside a work costs no more than that', async ({ page, context }) => {
+test('damage to the records beside a saved work loses only what they contain', async ({
+  page,
+  context,
+}) => {
   await visit(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await addConstraint(page, 'Plane', 'each face');
@@ -352,9 +352,9 @@ test('what is damaged beside a work costs no more than that', async ({ page, con
   await expect(again.getByRole('menuitem', { name: 'Recovered model' })).toBeVisible();
 });
 
-test('an example that nobody touched is not kept', async ({ page }) => {
+test('an unedited example is not saved', async ({ page }) => {
   await visit(page);
-  // The tab has a name for its work by then, and whatever it keeps of it is kept.
+  // By now the tab has a name for its work, and all its saving has finished.
   await page.waitForFunction(() => sessionStorage.getItem('shape-up.work'));
   await page.evaluate(() => window.shapeUp.settled());
   await visit(page);
@@ -381,14 +381,14 @@ for (const [what, block] of [
     },
   ],
 ]) {
-  test(`where storage is ${what} the page works, and says so quietly`, async ({ page }) => {
+  test(`with storage ${what} the page works and shows a quiet note`, async ({ page }) => {
     await page.addInitScript(block);
     await visit(page);
     await openText(page, 'roof.obj', wavyGrid(4), 25);
     await expect
       .poll(() => page.evaluate(() => document.querySelector('#numbers')?.textContent))
       .toContain('Autosave is off: use Save scene');
-    // In every window, unlike that it is saved.
+    // Shown in every window, unlike the note that the work is saved.
     await page.setViewportSize({ width: 390, height: 844 });
     await expect(page.getByText('Autosave is off: use Save scene')).toBeInViewport();
     await expect(page.getByRole('alert')).toBeEmpty();

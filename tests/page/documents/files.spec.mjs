@@ -1,4 +1,4 @@
-// Files in and out.
+// Opening and saving files.
 
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -18,7 +18,7 @@ import {
   waitForState,
 } from '../support.mjs';
 
-test('a mesh opens, with a report of what was wrong in it', async ({ page }) => {
+test('a mesh opens with a report of its errors', async ({ page }) => {
   await openPage(page);
   await openText(page, 'odd.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n', 3);
   await showPanel(page, 'Model');
@@ -60,7 +60,7 @@ test(
     const after = await state(page);
     expect([after.vertices, after.faces]).toEqual([before.vertices, before.faces]);
 
-    // Nor can what is no mesh at all.
+    // The same holds for a file that is no mesh.
     await page.getByLabel('Open file').setInputFiles(file('house.ifc', 'ISO-10303-21;'));
     await expect(page.getByRole('alert')).toContainText('house.ifc');
     expect((await state(page)).vertices).toBe(before.vertices);
@@ -82,7 +82,7 @@ test('a file dropped on the window opens, and a scene with its mesh beside it', 
   await waitForState(page, (now) => now.vertices === 16);
   await expect(page.getByText('Drop to open')).toBeHidden();
 
-  // A scene needs its mesh beside it.
+  // The scene needs its mesh file.
   const scene = JSON.stringify({
     format: 'shape-up-scene',
     version: 1,
@@ -97,7 +97,7 @@ test('a file dropped on the window opens, and a scene with its mesh beside it', 
   await expect(page.getByRole('alert')).toBeEmpty();
 });
 
-test('a second file is fitted to: dropped at the bottom of the window, or chosen in the settings', async ({
+test('the model is fitted to a second file, dropped at the bottom of the window or chosen in the settings', async ({
   page,
 }) => {
   await openPage(page);
@@ -131,7 +131,7 @@ test('a second file is fitted to: dropped at the bottom of the window, or chosen
   await expect(page.getByText('lie on the other surface')).toBeVisible();
 });
 
-test('of what is dropped together one model is taken, and it is said what is not', async ({
+test('of several dropped files one model is opened, and the files left out are named', async ({
   page,
 }) => {
   const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
@@ -178,7 +178,7 @@ test('a saved scene opens as it was', async ({ page }) => {
   expect((await state(page)).constraints).toEqual({ circle: 16 });
 });
 
-test('the export is what the command line makes of the same scene', async ({ page }) => {
+test('the export is identical to that of the command line for the same scene', async ({ page }) => {
   const iterations = 5;
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);
@@ -197,7 +197,7 @@ test('the export is what the command line makes of the same scene', async ({ pag
     const output = join(folder, 'roof.obj');
     writeFileSync(input, scene.text);
     const options = ['solve', input, '--iterations', String(iterations), '--out', output];
-    // The build of the site has made it.
+    // The build of the site has compiled the program.
     execFileSync(program('shape-up'), options);
     expect(mesh.text).toBe(readFileSync(output, 'utf8'));
   } finally {
@@ -205,7 +205,7 @@ test('the export is what the command line makes of the same scene', async ({ pag
   }
 });
 
-test('scripts open scenes and meshes, and hear why not', async ({ page }) => {
+test('scripts can open scenes and meshes, and get the reason for a refusal', async ({ page }) => {
   await openPage(page);
   const loaded = await page.evaluate((text) => window.shapeUp.open(text, 'a.obj'), wavyGrid(2));
   expect(loaded.vertices).toBe(9);
@@ -220,7 +220,7 @@ test('scripts open scenes and meshes, and hear why not', async ({ page }) => {
   expect((await state(page)).vertices).toBe(9);
 });
 
-test('faces with vertices of their own are welded at once, can be opened as they came, and go out so', async ({
+test('separate vertices at the same position are welded, can be kept apart, and are exported as they came', async ({
   page,
 }) => {
   await openPage(page);
@@ -244,7 +244,7 @@ test('faces with vertices of their own are welded at once, can be opened as they
   const { text: out } = await exported(page, 'OBJ as it came');
   expect(out.match(/^v /gm)).toHaveLength(36);
   expect(out.match(/^f .*$/gm)).toEqual(faces);
-  // Where two faces met they still do.
+  // Vertices of adjacent faces still coincide.
   const at = out.match(/^v .*$/gm);
   expect(at[3]).toBe(at[4]);
   expect(at[3]).not.toBe(vertices[3]);
@@ -256,7 +256,7 @@ test('faces with vertices of their own are welded at once, can be opened as they
   await expect(message).toBeHidden();
 });
 
-test('a scene asks for the file that it names, and a pose is taken from another file', async ({
+test('the page asks for a file that a scene needs, and takes a pose from another file', async ({
   page,
 }) => {
   await openPage(page);
@@ -276,7 +276,7 @@ test('a scene asks for the file that it names, and a pose is taken from another 
   await expect(alert).toContainText('needs the mesh file ground.obj');
   const asked = page.waitForEvent('filechooser');
   await alert.getByRole('button', { name: 'Choose ground.obj' }).click();
-  // Whatever it is called.
+  // A file of any name is accepted.
   await (await asked).setFiles(file('plan.obj', raised));
   await waitForState(page, (now) => now.vertices === 25);
   expect((await page.evaluate(() => window.shapeUp.scene())).closeness.to.mesh.faces).toHaveLength(

@@ -1,4 +1,4 @@
-// Index lists of a scene, as the page reads them, and the layers that are made of its groups.
+// Index lists of a scene as the page reads them, and the layers made of its groups.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -8,14 +8,15 @@ import { byLayer } from '../../../www/documents/rhino/rhino-layers.js';
 test('ranges include both ends, and an empty list has no index', () => {
   assert.deepEqual(indices('0-3,7'), [0, 1, 2, 3, 7]);
   assert.deepEqual(indices([4, 2]), [4, 2]);
-  // It was read as [0]: the first face came onto the layer of a group without faces.
+  // It used to be read as [0]: the first face came onto the layer of a group without faces.
   assert.deepEqual(indices(''), []);
   assert.deepEqual(indices(' '), []);
 });
 
-test('groups of one name are one layer, whatever statement named them', () => {
+test('groups of the same name form one layer, whichever statement defined them', () => {
   const groups = {
-    // `o roof` and `g roof` of an OBJ: a scene lists them in an array, which was taken for one group.
+    // `o roof` and `g roof` of an OBJ: a scene lists both in an array, which was once read as one
+    // group.
     roof: [{ faces: '0-1', keyword: 'o' }, { faces: [1, 3] }],
     wall: { faces: '3-4' },
     none: { faces: '' },

@@ -1,4 +1,4 @@
-// What is in a link, what it unpacks to, and that nothing is read of one that was cut or changed.
+// What a link contains and unpacks to; a link that was cut or changed is refused.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -37,13 +37,13 @@ const linkOf = (scene, how = {}) =>
 
 const opened = async (fragment) => JSON.parse((await readLink(fragment)).text);
 
-/** The same numbers in every run. */
+/** Returns a generator of the same numbers in every run. */
 function numbers(seed) {
   let state = seed;
   return () => (state = (state * 1103515245 + 12345) % 2 ** 31) / 2 ** 31;
 }
 
-test('what gets through everywhere as it is comes out as it went in', async () => {
+test('a small scene is restored exactly from its link', async () => {
   const scene = sceneWith(meshOf(wavyGrid(4)), { title: 'Dach ✓' });
   const { fragment, rounded } = await linkOf(scene);
   assert.equal(rounded, null);
@@ -51,7 +51,7 @@ test('what gets through everywhere as it is comes out as it went in', async () =
   assert.equal((await readLink(fragment)).run, true);
 });
 
-test('nine hundred panels are in 6,000 characters, rounded to a hundredth of the tolerance', async () => {
+test('a link of 900 panels has at most 6,000 characters, rounded to 1 % of the tolerance', async () => {
   const mesh = meshOf(wavyGrid(30));
   const scene = sceneWith(
     { ...mesh, groups: { east: { faces: '0-99' } } },
@@ -72,7 +72,7 @@ test('nine hundred panels are in 6,000 characters, rounded to a hundredth of the
   assert.deepEqual({ ...back, mesh: null, handles: null }, { ...scene, mesh: null, handles: null });
 });
 
-/** Uneven quads, each of which is flat but for a distance of at most `off`: 900 of them. */
+/** 900 uneven quads, each flat up to a distance of at most `off`. */
 function unevenQuads(off) {
   const n = 30;
   const random = numbers(3);
@@ -97,7 +97,7 @@ function unevenQuads(off) {
   return { positions, faces };
 }
 
-test('flat panels make a link a fifth shorter, and fit into 6,000 characters however uneven they are', async () => {
+test('flat panels make a link a fifth shorter and at most 6,000 characters, even if uneven', async () => {
   const [flat, bent] = await Promise.all(
     [0, 0.02].map(async (off) => (await linkOf(sceneWith(unevenQuads(off)))).fragment.length),
   );
@@ -105,7 +105,7 @@ test('flat panels make a link a fifth shorter, and fit into 6,000 characters how
   assert.ok(flat <= 0.8 * bent, `${flat} of ${bent} characters`);
 });
 
-test('meshes of any sort come back with their vertices and faces in their order', async () => {
+test('any mesh is restored with its vertices and faces in their order', async () => {
   const random = numbers(7);
   for (let turn = 0; turn < 60; turn++) {
     const vertices = 150 + Math.floor(random() * 200);
@@ -135,7 +135,7 @@ test('meshes of any sort come back with their vertices and faces in their order'
   }
 });
 
-test('vertices that rounding would join, lessons, and meshes without a tolerance stay exact', async () => {
+test('vertices that rounding would merge, lessons, and meshes without a tolerance stay exact', async () => {
   const mesh = meshOf(wavyGrid(20));
   const close = structuredClone(mesh);
   close.positions[5] = close.positions[4].map((value) => value + 1e-9);
@@ -150,7 +150,7 @@ test('vertices that rounding would join, lessons, and meshes without a tolerance
   }
 });
 
-test('every link that was cut, and every one with a changed character, is refused', async () => {
+test('every shortened link, and every link with a changed character, is refused', async () => {
   const small = await linkOf(sceneWith(meshOf(wavyGrid(1))));
   const rounded = await linkOf(sceneWith(meshOf(wavyGrid(12))));
   for (const { fragment } of [small, rounded]) {
@@ -171,7 +171,7 @@ test('links of earlier versions open', async () => {
   const text = JSON.stringify(sceneWith(meshOf(wavyGrid(3))));
   const code = deflateRawSync(Buffer.from(text)).toString('base64url');
   assert.deepEqual(await readLink(`#scene=${code}&run`), { example: null, text, run: true });
-  // Positions that were predicted without the planes of faces.
+  // Positions predicted without the planes of the faces.
   const early =
     'AwAAAFMATa8c_9hkmh8L0MQnaj7ssgH7ZDgHOAcLeKHT10ibXPN1UCUE7nhJ5W0JLKcNrm6-3j4Pz-R6DjJ0CsZKkhU7GIZkihhEeY_nxFtGYDrXSpLnbyXLMQ6AIAxG4bv8Mw6uvYpxaLBEohRC0YVwd6PO73sd5kUF1BFyTdxAsJ2LTFeZ_uRwS7WYFTQ7JLEd1IeDz2qtctRmoKXjiLqBUE7-ptcjsBfDWMd4APS-Bxg';
   const { mesh } = await opened(`#link=${early}`);
@@ -185,7 +185,7 @@ test('links of earlier versions open', async () => {
   await assert.rejects(readLink('#scene=!'), /incomplete or damaged/);
 });
 
-test('an example is its name, and what was edited is in the code', async () => {
+test('an example is stored by its name, and edits in the code', async () => {
   const example = { id: 'hypar', mesh: 'hypar.obj' };
   const original = JSON.stringify(sceneWith({ file: 'hypar.obj' }));
   const how = { example, original, run: false };
@@ -198,7 +198,7 @@ test('an example is its name, and what was edited is in the code', async () => {
   });
 });
 
-test('what unpacks to more than a scene can be is refused, and the page has its turns', async () => {
+test('data that unpacks to more than the limit is refused without blocking the page', async () => {
   const bomb = deflateRawSync(Buffer.alloc(MOST_BYTES * 2));
   let turns = 0;
   const timer = setInterval(() => (turns += 1), 1);

@@ -1,4 +1,4 @@
-// The unit and the axis of a mesh file, which does not say them.
+// The unit and up axis of a mesh file, which does not state them.
 
 import { exported, hidePanels, openText, saved, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -8,11 +8,11 @@ const guess = (page) => page.getByText(/ has no units or up axis\. Our guess:$/)
 const looksRight = (page) => page.getByRole('button', { name: 'Looks right' });
 const upOf = (page) => page.evaluate(() => window.shapeUp.scene().up ?? 'z');
 
-test('they are guessed in the panel, over nothing, and written into what is saved', async ({
+test('the guess is shown in the panel, covers nothing, and is written into saved files', async ({
   page,
 }) => {
   await openPage(page);
-  // The example says its own.
+  // The example states its unit and axis.
   await showPanel(page, 'Model');
   await expect(guess(page)).toBeHidden();
   await openText(page, 'roof.obj', wavyGrid(4), 25);
@@ -20,7 +20,7 @@ test('they are guessed in the panel, over nothing, and written into what is save
   const units = page.getByRole('combobox', { name: 'Unit' });
   const up = page.getByRole('combobox', { name: 'Up axis' });
   await expect(guess(page)).toBeVisible();
-  // It is a line of the panel: nothing lies over the model, and nothing has to be answered.
+  // The guess is a line of the panel: it does not cover the model and needs no answer.
   await expect(
     page.getByRole('complementary', { name: 'Model' }).locator(guess(page)),
   ).toBeVisible();
@@ -37,7 +37,7 @@ test('they are guessed in the panel, over nothing, and written into what is save
   const mesh = await exported(page, 'OBJ');
   expect(mesh.text).toMatch(/^# units: ft\n# up: y\nv /);
 
-  // The same file again is taken for the same, and so is what was exported.
+  // The same file opened again gets the same unit, and so does its export.
   for (const [name, text] of [
     ['roof.obj', wavyGrid(4)],
     ['copy.obj', mesh.text],
@@ -48,7 +48,7 @@ test('they are guessed in the panel, over nothing, and written into what is save
     await expect(guess(page)).toBeHidden();
     await expect.poll(() => upOf(page)).toBe('y');
   }
-  // What looks right is not asked again either.
+  // A guess marked as right is not asked for again.
   await openText(page, 'other.obj', wavyGrid(2), 9);
   await looksRight(page).click();
   await expect(guess(page)).toBeHidden();
@@ -71,7 +71,7 @@ test('another axis turns the view, and undo turns it back', async ({ page }) => 
   await expect.poll(() => page.evaluate(() => window.shapeUp.screen(0))).toEqual(before);
 });
 
-test('lengths have the unit that was chosen', async ({ page }) => {
+test('lengths are shown in the chosen unit', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await showPanel(page, 'Model');
