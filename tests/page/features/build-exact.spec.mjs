@@ -1,4 +1,4 @@
-// From panels that are made circular, and then exact, to a drawing on disk: the parts in it are the panels of the shape.
+// From circular, then exact panels to drawings on disk: the parts are the panels of the shape.
 
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
@@ -14,10 +14,10 @@ import { expect, openPage, sceneOf, test, waitForState } from '../support.mjs';
 const N = 6;
 const SCALE = 50;
 const roof = `# units: m\n${wavyGrid(N)}`;
-/** A drawing has six decimals of a mm, and an exact circle a billionth of the mesh. */
+/** Tolerance: a drawing has six decimals of a mm, an exact circle a billionth of the mesh size. */
 const MM = 5e-6;
 
-/** A folder of the test's own, until it has ended. */
+/** Runs `use` with a temporary folder. */
 async function inFolder(use) {
   const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
   try {
@@ -27,7 +27,7 @@ async function inFolder(use) {
   }
 }
 
-/** The outlines in the drawings of a folder, as points in mm. */
+/** Returns the outlines in the drawings of a folder, as points in mm. */
 function outlinesIn(folder) {
   const drawings = readdirSync(folder).filter((name) => name.endsWith('.dxf'));
   return drawings.flatMap((name) => {
@@ -46,7 +46,7 @@ function outlinesIn(folder) {
 
 const distance = (p, q) => Math.hypot(...p.map((x, axis) => x - q[axis]));
 
-/** The area of a flat polygon anywhere in space, or in the plane. */
+/** Returns the area of a flat polygon in the plane or in space. */
 function areaOf(corners) {
   const [o, ...rest] = corners.map(([x, y, z = 0]) => [x, y, z]);
   const sum = [0, 0, 0];
@@ -57,12 +57,12 @@ function areaOf(corners) {
   return Math.hypot(...sum);
 }
 
-/** The distances of all corners, from each corner on: two polygons are the same where these are. */
+/** The distances between all pairs of corners, in order; congruent polygons have the same ones. */
 const spans = (corners) =>
   corners.flatMap((p, k) => corners.slice(k + 1).map((q) => distance(p, q)));
 const turned = (corners, by) => [...corners.slice(by), ...corners.slice(0, by)];
 
-/** Each panel is in the drawings once, with its edges and its area. */
+/** Expects each panel once in the drawings, with its edges and area. */
 function expectPanels(outlines, positions, faces, toSheet) {
   expect(outlines).toHaveLength(faces.length);
   const left = [...outlines];
@@ -80,7 +80,7 @@ function expectPanels(outlines, positions, faces, toSheet) {
     expect(errors[nearest], `panel ${face}`).toBeLessThan(MM);
     const [outline] = left.splice(nearest, 1);
     expect(areaOf(outline) / areaOf(corners)).toBeCloseTo(1, 6);
-    // Ptolemy: four corners on a circle.
+    // Ptolemy's theorem: the four corners lie on a circle.
     const [a, b, c, d, e, f] = spans(outline);
     expect(Math.abs(b * e - a * f - c * d) / (b * e)).toBeLessThan(1e-6);
   }
@@ -88,7 +88,7 @@ function expectPanels(outlines, positions, faces, toSheet) {
 
 const isExact = ({ running, exact }) => !running && exact?.met && exact.max_distance < 1e-9;
 
-test('panels made circular and then exact are the outlines in the drawings on disk', async ({
+test('panels made circular and then exact are the outlines in the saved drawings', async ({
   page,
 }) => {
   await openPage(page);
@@ -123,7 +123,7 @@ test('panels made circular and then exact are the outlines in the drawings on di
   });
 });
 
-test('as they are on the command line: solved exactly, then built', async () => {
+test('on the command line too: solved exactly, then built', async () => {
   await inFolder(async (folder) => {
     const run = (...asked) => execFileSync(program('shape-up'), asked, { cwd: folder });
     writeFileSync(join(folder, 'roof.obj'), roof);

@@ -1,4 +1,4 @@
-// The panel of parts on thousands of panels: it can be used, and what is built follows a drag.
+// The parts panel with thousands of panels: the page stays responsive and parts follow a drag.
 
 import AxeBuilder from '@axe-core/playwright';
 import { openText, showPanel } from '../actions.mjs';
@@ -9,20 +9,23 @@ import { expect, openPage, screenOf, state, test, waitForState } from '../suppor
 /** Panels along a side. */
 const SIDE = 50;
 const VERTICES = (SIDE + 1) ** 2;
-/** So many elements the panel has at most, whatever the model. */
+/** Largest number of elements in the parts panel, for any model. */
 const MOST_ELEMENTS = 400;
 /**
- * The page is busy for so long at a time at most, as a multiple of what `otherWork` takes. Where this was written that is
- * 3.2 ms, and the page takes 60 ms to open the panel; a third program beside it doubles that.
+ * Limit of the time for which the page is blocked, as a multiple of the time of `otherWork`. On the
+ * development machine that time is 3.2 ms and opening the panel takes 60 ms; another busy program
+ * doubles that.
  */
 const BUSY = 80;
-/** The offset is that of a new place of the pointer after so long at most, in the same measure. */
+/** Limit of the time until the offset follows the pointer, in the same unit. */
 const FOLLOWS = 60;
 
 const panel = (page) => page.getByRole('region', { name: 'Parts and sheets' });
 const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 
-/** In the page: milliseconds of the same work, some times over, since machines differ. */
+/**
+ * Runs in the page: the time of a fixed amount of work in ms, repeated, because machines differ.
+ */
 const otherWork = (page) =>
   page
     .evaluate(() =>
@@ -49,7 +52,7 @@ async function openBuild(page) {
   await expect(panel(page).getByRole('button', { name: 'Corners' })).toContainText('mm');
 }
 
-test('2500 panels leave a page that is never busy for long, and complete by keyboard', async ({
+test('2500 panels do not block the page for long, and the panel works by keyboard alone', async ({
   page,
 }) => {
   await openBuild(page);
@@ -69,7 +72,7 @@ test('2500 panels leave a page that is never busy for long, and complete by keyb
     .analyze();
   expect(violations.map(({ id, nodes }) => [id, nodes.map(({ target }) => target)])).toEqual([]);
 
-  // From the first field on to the sheets and back out, without a pointer.
+  // From the first field to the sheets and back out, without a pointer.
   await expect(panel(page).locator('select').first()).toBeFocused();
   const sheets = panel(page).getByRole('group', { name: 'Sheets' });
   const isAtSheets = () => sheets.evaluate((own) => own === document.activeElement);
@@ -84,7 +87,7 @@ test('2500 panels leave a page that is never busy for long, and complete by keyb
   await expect(panel(page)).toBeHidden();
 });
 
-test('the offset of 2500 panels follows the slider and a drag, and the sheets come after it', async ({
+test('the offset of 2500 panels follows the slider and a drag, and the sheets come afterwards', async ({
   page,
 }) => {
   await page.addInitScript(() => {
@@ -131,7 +134,7 @@ test('the offset of 2500 panels follows the slider and a drag, and the sheets co
   expect(await took('build')).toEqual([]);
   const follows = median(await took('reshape'));
   await page.mouse.up();
-  // At rest all parts are made.
+  // When the drag ends, all parts are made.
   await expect.poll(async () => (await took('build')).length).toBeGreaterThan(0);
   const said = `drag ${follows} ms, slider ${slides} ms, other work ${unit} ms`;
   test.info().annotations.push({ type: 'measured', description: said });

@@ -1,4 +1,4 @@
-// A panel under the pointer in the view, and its piece on the sheets: each shows the other.
+// Pointing at a panel in the view or at its piece on the sheets marks the other.
 
 import { openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -9,7 +9,7 @@ const N = 4;
 const panel = (page) => page.getByRole('region', { name: 'Parts and sheets' });
 const sheets = (page) => panel(page).getByRole('group', { name: 'Sheets' });
 
-/** The middle of a panel of the grid on the page. */
+/** The centre of a face of the grid on the page. */
 async function middleOf(page, face) {
   const corner = Math.floor(face / N) * (N + 1) + (face % N);
   const corners = [corner, corner + 1, corner + N + 1, corner + N + 2];
@@ -26,7 +26,7 @@ async function openBuild(page) {
   await waitForState(page, (now) => now.build !== null);
 }
 
-test('a panel under the pointer marks its piece, which is the one that shows that panel', async ({
+test('a panel under the pointer marks its piece on the sheets, and the piece marks the panel', async ({
   page,
 }) => {
   await openBuild(page);
@@ -46,7 +46,9 @@ test('a panel under the pointer marks its piece, which is the one that shows tha
   await expect(sheets(page)).toContainText('Point at a part');
 });
 
-test('a piece that is out of sight is said, and one click brings it there', async ({ page }) => {
+test('the sheet of a piece out of sight is named, and a click brings it into view', async ({
+  page,
+}) => {
   await openBuild(page);
   await panel(page).getByLabel('Sheet width, mm').fill('45');
   await panel(page).getByLabel('Sheet width, mm').press('Tab');
@@ -55,7 +57,7 @@ test('a piece that is out of sight is said, and one click brings it there', asyn
   await panel(page).getByLabel('Sheet height, mm').press('Tab');
   await waitForState(page, (now) => now.build?.sheets > 8);
   await panel(page).getByRole('img').first().scrollIntoViewIfNeeded();
-  // Which panel is on the last sheet is told by pointing at all of them.
+  // Points at one panel after the other until one is on the last sheet.
   const last = `sheet-${(await state(page)).build.sheets}`;
   const line = sheets(page).locator('p').first();
   for (let face = 0; !(await line.textContent()).includes(last); face++) {
@@ -72,7 +74,7 @@ test('a piece that is out of sight is said, and one click brings it there', asyn
   await expect(marked).toBeInViewport();
 });
 
-test('a panel of a paper model marks the piece that it is folded of', async ({ page }) => {
+test('a panel of a paper model marks the piece from which it is folded', async ({ page }) => {
   await openBuild(page);
   await panel(page).getByLabel('Make').selectOption('paper');
   await panel(page).getByLabel('Pieces').selectOption('strips');

@@ -1,4 +1,4 @@
-// From a mesh to drawings on disk: what the panel of parts shows, and what it saves.
+// From a mesh to drawings on disk: what the parts panel shows and saves.
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -22,7 +22,7 @@ async function openBuild(page) {
   return (await waitForState(page, (now) => now.build !== null)).build;
 }
 
-/** Types a number into a field, and leaves it. */
+/** Enters a number into a field and leaves the field. */
 async function setField(page, label, value) {
   await panel(page).getByLabel(label).fill(String(value));
   await panel(page).getByLabel(label).press('Tab');
@@ -34,13 +34,13 @@ const areaOf = (points) =>
     return sum + (x * next.y - y * next.x) / 2;
   }, 0);
 
-/** The files in an archive, by their names. */
+/** The files of an archive by name. */
 const filesOf = (bytes) =>
   Object.fromEntries(
     Object.entries(unzipSync(bytes)).map(([name, content]) => [name, Buffer.from(content)]),
   );
 
-test('panels made circular become drawings in mm, the same as those of the command line', async ({
+test('circular panels become drawings in mm, identical to those of the command line', async ({
   page,
 }) => {
   await openPage(page);
@@ -72,7 +72,7 @@ test('panels made circular become drawings in mm, the same as those of the comma
   const area = outlines.reduce((sum, { vertices }) => sum + areaOf(vertices), 0);
   expect(area / build.cut_area_mm2).toBeCloseTo(1, 6);
 
-  // The command line makes the same bytes of the scene, and the same numbers.
+  // The command line writes the same bytes and numbers for this scene.
   const scene = await saved(page, 'Save scene');
   const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
   try {
@@ -88,7 +88,9 @@ test('panels made circular become drawings in mm, the same as those of the comma
   }
 });
 
-test('what fails is red on the sheet at once, and one press makes it fit', async ({ page }) => {
+test('failed checks are red on the sheet at once, and Tighten makes the parts fit', async ({
+  page,
+}) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
   const before = await openBuild(page);
@@ -97,7 +99,7 @@ test('what fails is red on the sheet at once, and one press makes it fit', async
   expect(flatness.failed).toBeGreaterThan(0);
   const failed = () => outlinesOf(panel(page), 'failed');
   await expect.poll(failed).toHaveLength(flatness.failed);
-  // No line is red that is not of what fails: cuts are so in the files alone.
+  // No other line is red; cut lines are red only in the saved files.
   const lines = panel(page).locator('.sheets path:not(.failed-sides)');
   const colours = await lines.evaluateAll((all) => all.map((one) => getComputedStyle(one).stroke));
   const isRed = (colour) => {
@@ -106,7 +108,7 @@ test('what fails is red on the sheet at once, and one press makes it fit', async
   };
   expect(colours.filter(isRed)).toEqual([]);
 
-  // The slider shows the check of another distance before it is let go.
+  // The slider is limited to safe distances.
   const slider = panel(page).getByLabel('Distance');
   const safe = before.offset.safe_distance_mm.map(Math.abs);
   expect(Math.abs(await slider.getAttribute('max')) * 1000).toBeLessThan(safe[1]);
@@ -127,7 +129,7 @@ test('what fails is red on the sheet at once, and one press makes it fit', async
   await expect(panel(page).getByRole('button', { name: 'Tighten' })).toBeDisabled();
 });
 
-test('settings belong to the scene, and are taken back; parts and panels are chosen together', async ({
+test('settings are saved in the scene and can be undone; parts and panels are selected together', async ({
   page,
 }) => {
   await openPage(page);
@@ -146,7 +148,7 @@ test('settings belong to the scene, and are taken back; parts and panels are cho
   await waitForState(page, (now) => now.build?.scale === 50);
   expect((await sceneOf(page)).build).toEqual(before);
 
-  // The part under the pointer, and no other, is marked, chosen with its panel, and let go.
+  // The part under the pointer, and no other, is marked, selected with its panel, and unmarked.
   for (const part of [3, 5]) {
     const { at, outline } = await overPart(panel(page), part);
     await expect.poll(() => outlinesOf(panel(page), 'pointed')).toEqual([outline]);
@@ -163,7 +165,7 @@ test('settings belong to the scene, and are taken back; parts and panels are cho
   expect((await state(page)).build).toBe(null);
 });
 
-test('fins and a paper model are made of the same shape, and saved', async ({ page }) => {
+test('fins and a paper model are made of the same shape and saved', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
   await openBuild(page);
@@ -182,17 +184,17 @@ test('fins and a paper model are made of the same shape, and saved', async ({ pa
   const paper = await made('paper');
   expect(paper.build.paper.tabs).toBeGreaterThan(0);
   expect(paper.files).toEqual(expect.arrayContaining(['pieces.csv', 'joins.csv', 'sheets.pdf']));
-  // A piece chooses its panels.
+  // Clicking a piece selects its panels.
   const { at, outline } = await overPart(panel(page), 0);
   await page.mouse.click(...at);
   await waitForState(page, (now) => now.selection.faces.length > 0);
   await expect.poll(() => outlinesOf(panel(page), 'chosen')).toEqual([outline]);
 });
 
-test('pieces without room for their names are told by these names', async ({ page }) => {
+test('pieces too small for their names are listed by name', async ({ page }) => {
   await openPage(page);
   const scene = JSON.parse(quadScene(6));
-  // Panels of 7 mm, on sheets that pieces fill.
+  // Panels of 7 mm on sheets filled with pieces.
   scene.build = { product: 'paper', scale: 143, sheet: [36, 36], gap: 0.5, margin: 1 };
   await openText(page, 'small.shapeup.json', JSON.stringify(scene), 49);
   const { unnamed, parts } = await openBuild(page);
@@ -202,7 +204,7 @@ test('pieces without room for their names are told by these names', async ({ pag
   await expect(panel(page)).toContainText(words);
 });
 
-test('what is built goes to Rhino, with its layers and names', async ({ page }) => {
+test('parts are exported to Rhino with layers and names', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
   await openBuild(page);
@@ -228,7 +230,7 @@ test('what is built goes to Rhino, with its layers and names', async ({ page }) 
   expect(named['Sheets CUT']).toHaveLength(build.placed);
 });
 
-test('a tolerance is chosen by how many types of panels it leaves', async ({ page }) => {
+test('a tolerance is chosen by the number of panel types that it leaves', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
   const { types_curve: curve, types } = await openBuild(page);
@@ -242,7 +244,7 @@ test('a tolerance is chosen by how many types of panels it leaves', async ({ pag
   expect((await sceneOf(page)).build.alike).toBe(at);
 });
 
-test('types of panels, of edges and of nodes are counted at each tolerance', async ({ page }) => {
+test('types of panels, edges and nodes are counted at each tolerance', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
   await openBuild(page);
@@ -259,7 +261,7 @@ test('types of panels, of edges and of nodes are counted at each tolerance', asy
     const names = await bars.evaluateAll((all) => all.map((bar) => parseInt(bar.ariaLabel)));
     expect(names).toEqual(curve.map(([, types]) => types));
   }
-  // It stays when a tolerance is taken: that of edges is a length, that of nodes an angle.
+  // The choice stays when a tolerance is taken: a length for edges, an angle for nodes.
   const bars = panel(page).getByRole('group', { name: 'Types of nodes' }).getByRole('button');
   await bars.last().click();
   await waitForState(page, (now) => now.build?.frame.alike_deg === 2);
@@ -274,7 +276,7 @@ test('types of panels, of edges and of nodes are counted at each tolerance', asy
   expect((await sceneOf(page)).build).toMatchObject({ alike: edges[0][0], alike_deg: 2 });
 });
 
-test('the report is one page with the numbers of the card, which is saved and printed', async ({
+test('the report is one page with the numbers of the card, and can be saved and printed', async ({
   page,
 }) => {
   await openPage(page);
@@ -304,9 +306,7 @@ test('the report is one page with the numbers of the card, which is saved and pr
   await expect(panel(page)).toBeHidden();
 });
 
-test('a lesson has goals on what is built, which are measured when the shape is at rest', async ({
-  page,
-}) => {
+test('a lesson has goals on the parts, measured once the shape is at rest', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
   const scene = await sceneOf(page);
@@ -350,7 +350,9 @@ const STRANGE = [
   ],
 ];
 for (const [what, text, vertices, words] of STRANGE) {
-  test(`${what}: what is offered is, and what is not is not`, async ({ page }) => {
+  test(`${what}: drawings are saved if there are faces, else the reason is shown`, async ({
+    page,
+  }) => {
     await openPage(page);
     await openText(page, 'strange.obj', text, vertices);
     await showPanel(page, 'Model');
@@ -368,9 +370,9 @@ for (const [what, text, vertices, words] of STRANGE) {
   });
 }
 
-test('folded panels and a surface with one side say why there is no offset', async ({ page }) => {
+test('folded panels and a one-sided surface show why there is no offset', async ({ page }) => {
   await openPage(page);
-  // An inner vertex beyond its neighbour.
+  // Moves an inner vertex past its neighbour.
   const folded = wavyGrid(3).split('\n');
   folded[5] = 'v 2.6 2.5 0';
   await openText(page, 'folded.obj', folded.join('\n'), 16);
@@ -386,7 +388,7 @@ test('folded panels and a surface with one side say why there is no offset', asy
   await expect(panel(page)).toContainText('8 panels on');
 });
 
-/** A strip of quads that is glued together upside down. */
+/** A Möbius strip of quads. */
 function moebius(quads) {
   const lines = [];
   for (let i = 0; i < quads; i++) {

@@ -1,4 +1,4 @@
-// Two pictures side by side, an iteration in its halves, and the original's histograms.
+// Two pictures side by side, iterations in half steps, and histograms of the original.
 
 import { downloaded, exported, hidePanels, showPanel, tool } from '../actions.mjs';
 import { decodePng } from '../picture.mjs';
@@ -12,13 +12,15 @@ async function openExample(page, id, faces) {
   await waitForState(page, (state, faces) => state.faces === faces, faces);
 }
 
-/** The picture, once it shows all that was asked for. */
+/** Returns the picture once it is up to date. */
 async function picture(page) {
   await drawn(page);
   return decodePng(await view(page).screenshot());
 }
 
-/** Of the pixels between two parts of the width, how many differ. Above what lies over the view. */
+/**
+ * Counts the differing pixels between two fractions of the width, above the controls over the view.
+ */
 function differing(a, b, [from, to]) {
   let count = 0;
   for (let y = Math.round(0.1 * a.height); y < 0.7 * a.height; y++) {
@@ -30,7 +32,7 @@ function differing(a, b, [from, to]) {
   return count;
 }
 
-test('left and right of the divider are two pictures of the same mesh', looks, async ({ page }) => {
+test('the divider separates two pictures of the same mesh', looks, async ({ page }) => {
   await openExample(page, 'fig-05-planar', 2040);
   for (let k = 0; k < 3; k++) await page.getByRole('button', { name: 'Step' }).click();
   await waitForState(page, (state) => state.iteration === 3);
@@ -50,11 +52,11 @@ test('left and right of the divider are two pictures of the same mesh', looks, a
 
   expect(differing(original, now, [0.1, 0.4])).toBeGreaterThan(1000);
   expect(differing(original, now, [0.6, 0.9])).toBeGreaterThan(1000);
-  // Each half is that of the picture that it is a part of.
+  // Each half equals that part of the corresponding single picture.
   expect(differing(both, original, [0.05, 0.45])).toBe(0);
   expect(differing(both, now, [0.55, 0.95])).toBe(0);
 
-  // By arrow keys, and by hand.
+  // By arrow keys and by mouse.
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('PageUp');
   await expect(divider(page)).toHaveAttribute('aria-valuenow', '11');
@@ -67,49 +69,45 @@ test('left and right of the divider are two pictures of the same mesh', looks, a
   await expect(divider(page)).toHaveAttribute('aria-valuenow', '75');
 });
 
-test(
-  'each side shows the measure and the shape that are chosen for it',
-  looks,
-  async ({ page }) => {
-    await openExample(page, 'fig-05-circular', 2040);
-    await showPanel(page, 'Model');
-    await page.getByRole('button', { name: 'beside' }).click();
-    const sides = ['Left', 'Right'].map((name) =>
-      page.getByRole('group', { name: `${name} picture` }),
-    );
-    await expect(sides[0]).toBeVisible();
-    await expect(sides[0].getByLabel('coloured by')).toHaveValue('e-p');
-    await expect(sides[1].getByLabel('coloured by')).toHaveValue('e-c');
-    await hidePanels(page);
-    const before = await picture(page);
-    // The same measure on both sides is the same picture.
-    await sides[1].getByLabel('coloured by').selectOption('e-p');
-    await expect(divider(page)).toHaveAttribute('aria-valuetext', /left (.*), now; right \1, now/);
-    const after = await picture(page);
-    expect(differing(before, after, [0.05, 0.45])).toBe(0);
-    expect(differing(before, after, [0.55, 0.95])).toBeGreaterThan(1000);
+test('each side shows its own measure and shape', looks, async ({ page }) => {
+  await openExample(page, 'fig-05-circular', 2040);
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'beside' }).click();
+  const sides = ['Left', 'Right'].map((name) =>
+    page.getByRole('group', { name: `${name} picture` }),
+  );
+  await expect(sides[0]).toBeVisible();
+  await expect(sides[0].getByLabel('coloured by')).toHaveValue('e-p');
+  await expect(sides[1].getByLabel('coloured by')).toHaveValue('e-c');
+  await hidePanels(page);
+  const before = await picture(page);
+  // The same measure and shape on both sides.
+  await sides[1].getByLabel('coloured by').selectOption('e-p');
+  await expect(divider(page)).toHaveAttribute('aria-valuetext', /left (.*), now; right \1, now/);
+  const after = await picture(page);
+  expect(differing(before, after, [0.05, 0.45])).toBe(0);
+  expect(differing(before, after, [0.55, 0.95])).toBeGreaterThan(1000);
 
-    // It follows what the mesh does.
-    await sides[0].getByLabel('shape').selectOption('original');
-    const bars = (side) => side.getByRole('img');
-    await expect(bars(sides[0])).toHaveAccessibleName(/^2040 faces between 0 and 9[^;]*$/);
-    const worst = await bars(sides[0]).getAttribute('aria-label');
-    await page.getByRole('button', { name: 'Step' }).click();
-    await expect(bars(sides[1])).toHaveAccessibleName(/; originally up to 9/);
-    await expect(bars(sides[1])).not.toHaveAccessibleName(new RegExp(`^${worst};`));
-    await expect(bars(sides[0])).toHaveAccessibleName(worst);
+  // Each histogram follows the shape shown on its side.
+  await sides[0].getByLabel('shape').selectOption('original');
+  const bars = (side) => side.getByRole('img');
+  await expect(bars(sides[0])).toHaveAccessibleName(/^2040 faces between 0 and 9[^;]*$/);
+  const worst = await bars(sides[0]).getAttribute('aria-label');
+  await page.getByRole('button', { name: 'Step' }).click();
+  await expect(bars(sides[1])).toHaveAccessibleName(/; originally up to 9/);
+  await expect(bars(sides[1])).not.toHaveAccessibleName(new RegExp(`^${worst};`));
+  await expect(bars(sides[0])).toHaveAccessibleName(worst);
 
-    // One picture again, with its own legend.
-    await expect(page.getByLabel('Colours to')).toBeHidden();
-    await view(page).focus();
-    await page.keyboard.press('Escape');
-    await expect(divider(page)).toBeHidden();
-    await expect(page.getByLabel('Colours to')).toBeVisible();
-  },
-);
+  // Back to one picture with its own legend.
+  await expect(page.getByLabel('Colours to')).toBeHidden();
+  await view(page).focus();
+  await page.keyboard.press('Escape');
+  await expect(divider(page)).toBeHidden();
+  await expect(page.getByLabel('Colours to')).toBeVisible();
+});
 
 test(
-  'both sides have bands, ghost and ground as the one picture has, and so has a saved one',
+  'both sides show bands, ghost and ground, and a saved picture has bands in both legends',
   looks,
   async ({ page }, { project }) => {
     await openExample(page, 'fig-05-planar', 2040);
@@ -136,7 +134,7 @@ test(
     for (const side of sides) await expect(side).toContainText(/steps of \d/);
     await bothChange('Original ghost');
     await bothChange('Ground grid');
-    // Its squares are told where no legend hides them.
+    // The size of the ground squares is shown where no legend covers it.
     const scale = page.locator('#scale');
     await expect(scale).toHaveText(/^Grid \d+ m$/);
     const told = await scale.boundingBox();
@@ -146,13 +144,13 @@ test(
     );
     expect(onTop).toBe(false);
 
-    // Isolines, through the faces, are on the side that has moved.
+    // Isolines appear only on the side of the Moved measure.
     await sides[1].getByLabel('coloured by').selectOption({ label: 'Moved' });
     const isolines = await picture(page);
     expect(differing(before, isolines, [0.02, 0.45])).toBe(0);
     expect(differing(before, isolines, [0.55, 0.98])).toBeGreaterThan(1000);
 
-    // What is saved has the hard limits of the bands in both its legends.
+    // In the saved picture both legends have the hard steps of the bands.
     if (project.name === 'phone') return;
     const { bytes } = await exported(page, 'PNG');
     const saved = decodePng(bytes);
@@ -160,7 +158,10 @@ test(
   },
 );
 
-/** How many colours the ramp of a legend has that begins at that part of the width, at two to one. */
+/**
+ * The number of colours in the ramp of the legend that starts at this fraction of the width, at
+ * scale 2.
+ */
 function coloursAcross({ width, height, channels, pixels }, part) {
   const found = new Set();
   for (let x = 18; x < 226; x++) {
@@ -170,7 +171,7 @@ function coloursAcross({ width, height, channels, pixels }, part) {
   return found.size;
 }
 
-test('the original is outlined in the legend', async ({ page }) => {
+test('the legend outlines the histogram of the original', async ({ page }) => {
   await openExample(page, 'fig-04-squares', 384);
   const bars = page.getByRole('img', { name: /^384 faces between/ });
   await expect(bars).toHaveAccessibleName(/^384 faces between 0 and [\d.]+ mm$/);
@@ -180,7 +181,7 @@ test('the original is outlined in the legend', async ({ page }) => {
 });
 
 test(
-  'a local step fits and moves nothing; the global step moves as a step does',
+  'a local step fits shapes without moving the mesh; the global step moves it like a full step',
   looks,
   async ({ page }) => {
     await openExample(page, 'fig-04-squares', 384);
@@ -198,7 +199,7 @@ test(
       'Local step done: 384 shapes fitted (square); next: global step',
     );
     expect(await positionOf(page, 100)).toEqual(before);
-    // The squares are seen.
+    // The squares are visible.
     expect(differing(bare, await picture(page), [0, 1])).toBeGreaterThan(1000);
 
     await tool(page, 'Half step');
@@ -213,7 +214,7 @@ test(
   },
 );
 
-test('whatever else is done leaves the half step', async ({ page }) => {
+test('every other command ends the half step', async ({ page }) => {
   await openExample(page, 'fig-04-squares', 384);
   const isHalfway = async (checked) => {
     const shown = page.locator('[data-command="half-step"]').first();
@@ -251,7 +252,7 @@ test('angles before and after are plotted and saved', async ({ page }) => {
   for (const column of [2, 3])
     expect(columns.reduce((sum, row) => sum + row[column], 0)).toBe(6688);
 
-  // The tabs by keys.
+  // Switches tabs by keys.
   await page.getByRole('tab', { name: 'Angles' }).focus();
   await page.keyboard.press('ArrowLeft');
   await expect(page.getByRole('tab', { name: 'Convergence' })).toBeFocused();

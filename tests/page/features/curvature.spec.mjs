@@ -1,12 +1,12 @@
-// How a surface bends: directions and lines of curvature over it, Gauss and mean curvature as colours, and what that
-// means for panels.
+// Curvature of a surface: its directions and lines, Gauss and mean curvature as colours, and what
+// they mean for panels.
 
 import { openText, showPanel } from '../actions.mjs';
 import { tube } from '../meshes.mjs';
 import { decodePng } from '../picture.mjs';
 import { expect, looks, openPage, state, test } from '../support.mjs';
 
-/** A saddle of n by n quads, in metres, whose edges are 45 degrees off its lines of curvature. */
+/** A saddle of n by n quads, in metres, whose edges are at 45° to its lines of curvature. */
 function hypar(n) {
   const lines = ['# units: m'];
   for (let y = 0; y <= n; y++)
@@ -25,7 +25,7 @@ async function openCurvature(page) {
   return page.getByRole('region', { name: 'Curvature' });
 }
 
-/** Pixels of the view in which the red, or the blue, is plainly more than the other two. */
+/** Counts the pixels of the view in which red, or blue, clearly dominates. */
 async function tinted(page) {
   const view = page.getByRole('application', { name: '3D view' });
   const { pixels, channels } = decodePng(await view.screenshot());
@@ -39,7 +39,7 @@ async function tinted(page) {
 }
 
 test(
-  'directions and lines of curvature are drawn over a saddle, and go with the card',
+  'directions and lines of curvature are drawn over a saddle, and disappear with the card',
   looks,
   async ({ page }) => {
     await openPage(page);
@@ -71,12 +71,14 @@ test(
   },
 );
 
-test('Gauss and mean curvature are colours around zero, with units in metres', async ({ page }) => {
+test('Gauss and mean curvature are coloured around zero, with units in metres', async ({
+  page,
+}) => {
   await openPage(page);
   await openText(page, 'hypar.obj', hypar(12), 169);
   const card = await openCurvature(page);
   const legend = page.locator('#legend');
-  // The first is how far edges are off the lines, with its histogram.
+  // The first measure is the angle between edges and lines of curvature, with its histogram.
   await expect(legend).toContainText('Off the lines of curvature');
   await card.getByLabel('Coloured by').selectOption('Gauss curvature (1/m²)');
   // In the middle it is -(0.1 / m)^2.
@@ -92,7 +94,7 @@ test('Gauss and mean curvature are colours around zero, with units in metres', a
   await expect(low).toHaveValue('−0.0200');
   await card.getByLabel('Coloured by').selectOption('Mean curvature (1/m)');
   await expect(legend).toContainText('Mean curvature');
-  // Where it bends to neither side, the colours are those of the middle of the map.
+  // Closing the card removes its colours.
   await page.getByRole('button', { name: 'Close curvature' }).click();
   await expect(legend).toBeHidden();
   expect((await state(page)).problems).toEqual([]);

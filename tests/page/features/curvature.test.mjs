@@ -1,11 +1,11 @@
-// A shape that the curvature worker refuses is forgotten on both sides.
+// A shape refused by the curvature worker is discarded on both sides.
 
 import assert from 'node:assert/strict';
 import { register } from 'node:module';
 import { test } from 'node:test';
 import { surfaceLines } from '../../../www/features/curvature/surface-lines.js';
 
-test('after a refusal, the shape is sent again', async () => {
+test('after a refusal the shape is sent again', async () => {
   const sent = [];
   let answer = { refused: 'The surface has no area.' };
   globalThis.Worker = class {
@@ -30,7 +30,7 @@ test('after a refusal, the shape is sent again', async () => {
   );
   await lines.update();
   assert.deepEqual(told, ['The surface has no area.']);
-  // The same question is not asked again, another one is, with the shape.
+  // The same request is not sent again; a different one is, together with the shape.
   await lines.update();
   how.draw = 'lines';
   answer = { value: { points: new Float64Array(0), offsets: Uint32Array.of(0), count: 0 } };
@@ -47,7 +47,7 @@ test('after a refusal, the shape is sent again', async () => {
   );
 });
 
-test('the worker uses no surface that it has freed', async () => {
+test('the worker does not use a surface that it has freed', async () => {
   const stand = `
     export default async () => {};
     export class SurfaceCurvature {
@@ -65,7 +65,7 @@ test('the worker uses no surface that it has freed', async () => {
   register(`data:text/javascript,${encodeURIComponent(hooks)}`);
   const answers = [];
   globalThis.postMessage = (answer) => answers.push(answer);
-  // Workers have it, for the module to set.
+  // Workers have this property, which the module sets.
   globalThis.onmessage = null;
   await import('../../../www/features/curvature/curvature-worker.js');
   const ask = (length) => {

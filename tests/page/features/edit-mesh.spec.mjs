@@ -1,4 +1,4 @@
-// The mesh is edited: what the dialog says comes, with what is selected, and undo goes back.
+// Editing the mesh: the forecast of the dialog is met, on the selection too, and undo works.
 
 import { hidePanels, openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -13,14 +13,14 @@ async function openEdit(page) {
   return page.getByRole('dialog', { name: 'Edit mesh' });
 }
 
-test('the dialog says what each operation makes, and undo goes back step by step', async ({
+test('the dialog forecasts the result of each operation, and undo goes back step by step', async ({
   page,
 }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
   const before = (await sceneOf(page)).mesh;
   let dialog = await openEdit(page);
-  // It begins with what can be done with quads. There is nothing to pair: what that needs is said.
+  // Starts with an operation for quads. There are no triangles to pair, and the dialog says so.
   await expect(dialog.getByLabel('Operation')).toHaveValue('dual');
   await dialog.getByLabel('Operation').selectOption('Triangles to quads');
   await expect(
@@ -48,7 +48,7 @@ test('the dialog says what each operation makes, and undo goes back step by step
   expect((await sceneOf(page)).mesh).toEqual(before);
 });
 
-test('selected faces are deleted, the hole is filled, and what is lost is said before', async ({
+test('selected faces are deleted, the hole is filled, and losses are shown beforehand', async ({
   page,
 }) => {
   await openPage(page);
@@ -65,7 +65,7 @@ test('selected faces are deleted, the hole is filled, and what is lost is said b
   await expect(dialog.getByText('Not possible yet: expected selected faces.')).toBeVisible();
   await dialog.getByRole('button', { name: 'Close' }).click();
 
-  // The faces in the corner and in the middle.
+  // Selects the faces in the corner and in the middle.
   await hidePanels(page);
   await page.keyboard.press('3');
   const middleOf = async (corners) => {
@@ -77,7 +77,7 @@ test('selected faces are deleted, the hole is filled, and what is lost is said b
   await page.mouse.click(...(await middleOf(mesh.faces[5])));
   await page.keyboard.up('Shift');
   await expect(page.getByRole('status')).toHaveText('2 faces selected');
-  // From the menu of what is selected.
+  // From the context menu of the selection.
   await page.mouse.click(...(await middleOf(mesh.faces[5])), { button: 'right' });
   await page.getByRole('menuitem', { name: 'Edit mesh' }).click();
   const again = page.getByRole('dialog', { name: 'Edit mesh' });
@@ -87,7 +87,7 @@ test('selected faces are deleted, the hole is filled, and what is lost is said b
   await again.getByRole('button', { name: 'Apply' }).click();
   await waitForState(page, (now) => now.faces === 14 && now.handles.length === 0);
   expect((await sceneOf(page)).constraints).toHaveLength(1);
-  // It solves on.
+  // The edited mesh can be solved.
   await page.getByRole('button', { name: 'Run', exact: true }).click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
 

@@ -1,5 +1,5 @@
-// The page as a quiet view in another one: it starts when somebody asks for it, stores nothing, takes
-// the wheel only while it is in use, and is driven by messages of the page around it.
+// The page embedded in another one: it starts on request, stores nothing, uses the wheel only while
+// it is active, and is controlled by messages.
 
 import { createServer } from 'node:http';
 import jsqr from 'jsqr';
@@ -8,7 +8,7 @@ import { decodePng } from '../picture.mjs';
 import { expect, openPage, test as base } from '../support.mjs';
 
 const test = base.extend({
-  /** Serves a page on another origin than the site, and gives its address. */
+  /** Serves a page from another origin and returns its address. */
   // eslint-disable-next-line no-empty-pattern
   elsewhere: async ({}, use) => {
     let html = '';
@@ -25,14 +25,14 @@ const test = base.extend({
   },
 });
 
-/** The window of a frame once a model is open in it. */
+/** Returns the frame once a model is open in it. */
 async function started(page, id) {
   const frame = await (await page.locator(`#${id}`).elementHandle()).contentFrame();
   await frame.waitForFunction(() => window.shapeUp?.state().vertices > 0);
   return frame;
 }
 
-/** In the page around: posts a call and resolves with its answer. */
+/** Runs in the outer page: posts a call and resolves with the answer. */
 const call = (page, id, asked) =>
   page.evaluate(
     ([frame, body]) =>
@@ -47,7 +47,7 @@ const call = (page, id, asked) =>
     [id, asked],
   );
 
-test('a view in a page of another origin starts with a press and is driven by messages', async ({
+test('a view in a page of another origin starts with a press and is controlled by messages', async ({
   page,
   baseURL,
   elsewhere,
@@ -69,7 +69,7 @@ test('a view in a page of another origin starts with a press and is driven by me
     /#example=hypar$/,
   );
 
-  // The second runs by itself, the first when it is told to; both end at the same shape.
+  // The second view runs by itself, the first on request; both reach the same shape.
   await second.waitForFunction(() => window.shapeUp.state().converged);
   expect((await call(page, 'a', { name: 'state' })).result.iteration).toBe(0);
   await call(page, 'a', { name: 'run' });
@@ -80,7 +80,7 @@ test('a view in a page of another origin starts with a press and is driven by me
   ];
   expect(one).toEqual(other);
 
-  // Other weights, another mesh; and what cannot be done is answered in words.
+  // Other weights and another mesh; an impossible call is answered with an error message.
   await call(page, 'a', { name: 'weight', constraint: 0, weight: 7 });
   const { result } = await call(page, 'a', { name: 'scene' });
   expect(result.constraints[0].weight).toBe(7);
@@ -98,7 +98,7 @@ test('a view in a page of another origin starts with a press and is driven by me
   expect((await call(page, 'a', { name: 'dance' })).error).toMatch(/no call "dance"/);
 });
 
-test('a view leaves the wheel to the page around until it is in use', async ({
+test('a view leaves the wheel to the outer page until it is in use', async ({
   page,
   baseURL,
   elsewhere,
@@ -123,8 +123,8 @@ test('a view leaves the wheel to the page around until it is in use', async ({
   expect(await page.evaluate(() => scrollY)).toBe(0);
 });
 
-test('a view stores nothing, whatever is done in it', async ({ page }) => {
-  // A browser may keep a frame of another site from its storage: this one could.
+test('a view never stores anything', async ({ page }) => {
+  // A browser may deny storage to a frame of another site; here storage is available.
   await page.goto('./?embed&autoplay#example=dome');
   await page.waitForFunction(() => window.shapeUp?.state().converged);
   await page.getByRole('button', { name: 'Reset' }).click();
@@ -139,7 +139,7 @@ test('a view stores nothing, whatever is done in it', async ({ page }) => {
   ).toEqual({ local: [], session: [], databases: 0, workers: 0 });
 });
 
-test('Share gives the line that embeds the model, and a code that says the link', async ({
+test('Share gives the HTML that embeds the model, and a QR code of the link', async ({
   page,
   browser,
   elsewhere,
@@ -165,7 +165,7 @@ test('Share gives the line that embeds the model, and a code that says the link'
   await context.close();
 });
 
-test('the example page drives its two views together', async ({ page }) => {
+test('the example page controls its two views together', async ({ page }) => {
   await page.goto('./embedding.html');
   await page.getByRole('button', { name: 'Start both' }).click();
   await started(page, 'left');
@@ -187,7 +187,7 @@ test('the example page drives its two views together', async ({ page }) => {
   await expect.poll(() => camera(2)).not.toEqual(before);
 });
 
-test('the example page works from another origin, where only the addresses of its frames are changed', async ({
+test('the example page works from another origin with only the addresses of its frames changed', async ({
   page,
   baseURL,
 }) => {

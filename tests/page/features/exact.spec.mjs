@@ -1,4 +1,4 @@
-// Constraints that are met: from a tolerance to exact, kept so by a drag, and what cannot be met.
+// Exact constraints: from a tolerance to exact, kept so by a drag, and contradictions.
 
 import { openText, showPanel } from '../actions.mjs';
 import { quadScene, wavyGrid } from '../meshes.mjs';
@@ -10,7 +10,7 @@ const VERTICES = (N + 1) ** 2;
 const exact = (page) => page.evaluate(() => window.shapeUp.state().exact);
 const verdict = (page) => page.getByRole('group', { name: 'Verdict' });
 
-test('panels within a tolerance are made exact at a price, and a drag keeps them exact', async ({
+test('panels within a tolerance are made exact at a stated cost, and a drag keeps them exact', async ({
   page,
 }) => {
   await openPage(page);
@@ -18,7 +18,8 @@ test('panels within a tolerance are made exact at a price, and a drag keeps them
   const press = page.getByRole('button', { name: 'Make panels circular', exact: true });
   await press.click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
-  // It moves on by more than the tolerance, so somebody decides; or by less, and it is done.
+  // If exact panels move the mesh by more than the tolerance, the user decides; otherwise they are
+  // made at once.
   const make = verdict(page).getByRole('button', { name: 'Make exact' });
   const made = verdict(page).getByText(/Also made exact/);
   await expect(make.or(made)).toBeVisible();
@@ -26,7 +27,7 @@ test('panels within a tolerance are made exact at a price, and a drag keeps them
     await expect(page.getByRole('table', { name: 'Cost of exactness' })).toBeVisible();
     await make.click();
   }
-  // A run could do no more: the next step is to build.
+  // A run has nothing left to do: the next step is Build.
   await waitForState(
     page,
     (now) => now.exact?.met && now.exact.max_distance < 1e-8 && now.converged,
@@ -47,13 +48,13 @@ test('panels within a tolerance are made exact at a price, and a drag keeps them
     (now) => !now.running && now.handles.length === 1 && now.exact?.met,
   );
   expect(after.exact.max_distance).toBeLessThan(1e-8);
-  // One step with the drag.
+  // Making the panels exact again is the same undo step as the drag.
   await page.getByRole('button', { name: 'Undo', exact: true }).click();
   const undone = await waitForState(page, (now) => now.handles.length === 0);
   expect(undone.exact.max_distance).toBeLessThan(1e-8);
 });
 
-test('what contradicts is named, and one click makes it soft', async ({ page }) => {
+test('a contradictory constraint is named, and one click makes it soft', async ({ page }) => {
   await openPage(page);
   const scene = JSON.parse(quadScene(N));
   delete scene.current;
@@ -70,7 +71,7 @@ test('what contradicts is named, and one click makes it soft', async ({ page }) 
   await verdict(page).getByRole('button', { name: 'Make Length 0.8 soft' }).click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
 
-  // The row says it, and can be changed there.
+  // The row shows it and can change it.
   await showPanel(page, 'Model');
   await page.getByRole('button', { name: /^Length 0\.5 on .*: parameters/ }).click();
   const required = page.getByRole('combobox', { name: /^Length 0\.5 on .*: required/ });
@@ -79,9 +80,7 @@ test('what contradicts is named, and one click makes it soft', async ({ page }) 
   await expect(page.getByRole('spinbutton', { name: /: within$/ })).toBeVisible();
 });
 
-test('an exact shape is improved, which says what it gained and can be undone', async ({
-  page,
-}) => {
+test('an exact shape is improved, the gain is shown, and it is an undo step', async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
   await page.getByRole('button', { name: 'Make panels circular', exact: true }).click();
@@ -105,7 +104,7 @@ test('an exact shape is improved, which says what it gained and can be undone', 
   }
 });
 
-test('a step iterates once, and says that a run makes it exact', async ({ page }) => {
+test('a step iterates once, and notes that a run makes the shape exact', async ({ page }) => {
   await openPage(page);
   const scene = JSON.parse(quadScene(N));
   delete scene.current;
@@ -116,10 +115,10 @@ test('a step iterates once, and says that a run makes it exact', async ({ page }
   expect((await exact(page))?.met ?? false).toBe(false);
 });
 
-test('what is pressed while a file is on its way is for that file', async ({ page }) => {
+test('a press while a file is loading applies to that file', async ({ page }) => {
   await openPage(page);
   await openText(page, 'first.obj', wavyGrid(N), VERTICES);
-  // The file takes a while to read.
+  // Delays the reading of the file.
   await page.evaluate(() => {
     const read = File.prototype.arrayBuffer;
     File.prototype.arrayBuffer = async function () {

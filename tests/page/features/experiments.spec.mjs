@@ -1,4 +1,4 @@
-// The paper's comparisons, run in the worker: their plots, their table, and that they can be stopped.
+// The paper's comparisons, run in the worker: plots, table and cancelling.
 
 import { downloaded, openExample, openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -15,14 +15,14 @@ async function openExperiment(page, word) {
   return dialog;
 }
 
-/** The cells of a row of the table: iterations, seconds, the quantities, how it ended. */
+/** The cells of a table row: iterations, seconds, quantities, outcome. */
 const cells = (dialog, method) =>
   dialog.getByRole('row').filter({ hasText: method }).getByRole('cell').allTextContents();
 
-/** How many different colours a plot shows; lines bring some of their own. */
+/** The number of colours in a plot; each curve adds some. */
 const coloursOf = async (plot) => distinctColours(decodePng(await plot.screenshot()));
 
-test('methods are compared on whatever has constraints, and the plots are saved', async ({
+test('methods are compared on any model with constraints, and the plots are saved', async ({
   page,
 }) => {
   await openPage(page);
@@ -56,11 +56,11 @@ test('methods are compared on whatever has constraints, and the plots are saved'
   expect(figure.name).toMatch(/iterations\.svg$/);
   expect(figure.text.match(/<polyline/g)).toHaveLength(6);
   await dialog.getByRole('button', { name: 'Close experiment' }).click();
-  // The model that is open was not touched.
+  // The open model is unchanged.
   expect((await state(page)).iteration).toBe(iteration);
 });
 
-test('five methods are run, drawn, tabled and saved', async ({ page }) => {
+test('five methods are run, plotted, tabulated and saved', async ({ page }) => {
   await openPage(page);
   const dialog = await openExperiment(page, 'Animal, pressed flat');
   const iteration = (await state(page)).iteration;
@@ -96,11 +96,11 @@ test('five methods are run, drawn, tabled and saved', async ({ page }) => {
   expect((await saving).suggestedFilename()).toBe('fig-10-collapse.csv');
   await dialog.getByRole('button', { name: 'Close experiment' }).click();
   await expect(dialog).toBeHidden();
-  // The model that is open was not touched.
+  // The open model is unchanged.
   expect((await state(page)).iteration).toBe(iteration);
 });
 
-test('both methods of the strip meet the same error', async ({ page }) => {
+test('both methods reach the same error on the strip', async ({ page }) => {
   await openPage(page);
   const dialog = await openExperiment(page, 'Strip with collapsing edges');
   await dialog.getByRole('button', { name: 'Run all' }).click();
@@ -125,7 +125,7 @@ test('an experiment can be cancelled and run again', async ({ page }) => {
   await dialog.getByRole('button', { name: 'Cancel' }).click();
   await expect(dialog.getByRole('status')).toHaveText('Cancelled.');
   const stopped = await cells(dialog, 'Mean-centred');
-  // What was under way has had its turns by the time that the solver has answered twice.
+  // Once the solver has answered twice, any pending work has had its turn.
   for (let turn = 0; turn < 2; turn++) await page.evaluate(() => window.shapeUp.settled());
   expect(await cells(dialog, 'Mean-centred')).toEqual(stopped);
   await dialog.getByLabel('At most').fill('2');

@@ -1,4 +1,4 @@
-// What can be taken away, and that it is what the command line makes of the same scene.
+// Exports, and that they equal those of the command line for the same scene.
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -17,7 +17,7 @@ const BOX = [
   ...['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((f) => `f ${f}`),
 ].join('\n');
 
-/** The rows of a table, each an object by the beginnings of the heads. */
+/** The rows of a table as objects, keyed by the column headings without units. */
 function rowsOf(csv) {
   const [head, ...rows] = csv.trim().split('\n');
   const names = head.split(',').map((name) => name.replace(/ \(.*/, ''));
@@ -32,7 +32,7 @@ v 0 0 0\nv 1000 0 10\nv 2000 0 0\nv 0 1000 0\nv 1000 1000.123456789012 0\nv 2000
 v 3000 -500 0\nv 4000 0 20\nv 4000 1000 0\nv 3000 1500 0
 g west\nf 1 2 5 4\ng middle\nf 2 3 6 5\ng east\nf 3 7 8 9 10 6\nl 1 2 3\n`;
 
-test('the tables are the report of the command line', async ({ page }) => {
+test('the exported tables equal the report of the command line', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await addConstraint(page, 'Circle', 'each face');
@@ -64,13 +64,13 @@ test('the tables are the report of the command line', async ({ page }) => {
   }
 });
 
-test('the scene of the export is that of Save scene', async ({ page }) => {
+test('the exported scene equals that of Save scene', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(3), 16);
   expect((await exported(page, 'Scene')).text).toBe((await saved(page, 'Save scene')).text);
 });
 
-test('the plot is a figure with its lines named', async ({ page }) => {
+test('the exported plot labels its curves', async ({ page }) => {
   await openPage(page);
   await runToTheEnd(page);
   const { name, text } = await exported(page, 'SVG');
@@ -90,7 +90,7 @@ test('the plot is a figure with its lines named', async ({ page }) => {
   expect(drawn.words).toContain('energy in m²');
 });
 
-test('a picture is as large as wanted, with its legend, on white', looks, async ({ page }) => {
+test('a picture has the chosen size, legend and background', looks, async ({ page }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');
   const view = await page.getByRole('application', { name: '3D view' }).boundingBox();
@@ -111,11 +111,11 @@ test('a picture is as large as wanted, with its legend, on white', looks, async 
     await page.keyboard.press('Escape');
     const { bytes, name } = await exported(page, 'PNG');
     expect(name).toMatch(/\.png$/);
-    // Its header says how large it is.
+    // The PNG header has the size.
     expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual(
       [view.width, view.height].map((side) => Math.round(side * scale)),
     );
-    // To decode the largest takes a while, and it has the others' pixels.
+    // Decoding the largest picture is slow, and its pixels are covered by the others.
     if (scale > 2) continue;
     const picture = decodePng(bytes);
     expect(distinctColours(picture)).toBeGreaterThan(50);
@@ -124,7 +124,7 @@ test('a picture is as large as wanted, with its legend, on white', looks, async 
   const corner = (picture) => [...picture.pixels.slice(0, 3)];
   expect(corner(pictures['1 true white'])).toEqual([255, 255, 255]);
   expect(corner(pictures['2 false view'])).not.toEqual([255, 255, 255]);
-  // The legend is in the lower left corner, where there is nothing without it.
+  // The legend is in the lower left corner, which is empty without it.
   const inCorner = ({ pixels, width, height, channels }) => {
     const found = new Set();
     for (let y = height - 44; y < height; y++) {
@@ -137,7 +137,7 @@ test('a picture is as large as wanted, with its legend, on white', looks, async 
   };
   expect(inCorner(pictures['1 true white'])).toBeGreaterThan(20);
   expect(inCorner(pictures['1 false white'])).toBeLessThan(inCorner(pictures['1 true white']) / 2);
-  // Cut out, and laid on white, it is the picture on white.
+  // The transparent picture composed over white equals the picture on white.
   const [cut, white] = ['none', 'white'].map((ground) => pictures[`1 false ${ground}`]);
   expect(cut.channels).toBe(4);
   expect(cut.pixels[3], 'nothing in the corner').toBe(0);
@@ -150,11 +150,11 @@ test('a picture is as large as wanted, with its legend, on white', looks, async 
     }
   }
   expect(worst).toBeLessThan(6);
-  // The view itself is as it was.
+  // The view itself is unchanged.
   await expect.poll(async () => (await state(page)).renderer).not.toBe('none');
 });
 
-test('a line drawing for print has the lines that are seen, in millimetres', async ({ page }) => {
+test('a line drawing for print has the visible lines, in millimetres', async ({ page }) => {
   await openPage(page);
   await openText(page, 'box.obj', BOX, 8);
   const { name, text } = await exported(page, 'Line drawing');
@@ -167,7 +167,7 @@ test('a line drawing for print has the lines that are seen, in millimetres', asy
     const [width, height] = ['width', 'height'].map((side) => drawing.getAttribute(side));
     return { outlines, edges, circles, width, height };
   }, text);
-  // Three of twelve edges are behind.
+  // Three of the twelve edges are hidden.
   expect([lines.outlines, lines.edges, lines.circles]).toEqual([6, 3, 0]);
   const side = /^[\d.]+mm$/;
   expect(lines.width).toMatch(side);
@@ -176,7 +176,7 @@ test('a line drawing for print has the lines that are seen, in millimetres', asy
   expect(await page.evaluate(() => window.shapeUp.lineDrawing())).toBe(text);
 });
 
-test('a file of Rhino goes out and comes back', async ({ page }) => {
+test('a Rhino file is exported and opened again', async ({ page }) => {
   await openPage(page);
   await openText(page, 'panels.obj', PANELS, 10);
   const { name, bytes } = await exported(page, '3DM');
@@ -224,7 +224,7 @@ test('a file of Rhino goes out and comes back', async ({ page }) => {
   expect(sorted(scene.mesh.positions)).toEqual(sorted(corners));
 });
 
-test('a file of Rhino with nothing that can be read says so', async ({ page }) => {
+test('a Rhino file without readable geometry is refused with the reason', async ({ page }) => {
   await openPage(page);
   const { default: openRhino } = await import('rhino3dm');
   const rhino = await openRhino();
@@ -239,39 +239,35 @@ test('a file of Rhino with nothing that can be read says so', async ({ page }) =
   await expect(page.getByRole('alert')).toContainText('no mesh or polyline');
 });
 
-test(
-  'a picture larger than a tile is the same picture, and so is one for scripts',
-  looks,
-  async ({ page }) => {
-    await openPage(page);
-    await waitForState(page, (now) => now.renderer !== 'none');
-    const found = await page.evaluate(async () => {
-      const small = async (width) => {
-        const blob = await window.shapeUp.picture({ width, legend: false, ground: 'white' });
-        const image = await createImageBitmap(blob);
-        const [w, h] = [300, Math.round((300 * image.height) / image.width)];
-        const context = new OffscreenCanvas(w, h).getContext('2d');
-        context.imageSmoothingQuality = 'high';
-        context.drawImage(image, 0, 0, w, h);
-        return { width: image.width, data: context.getImageData(0, 0, w, h).data };
-      };
-      // One tile, and two of them side by side.
-      const [one, two] = [await small(1500), await small(3000)];
-      let sum = 0;
-      let plain = 0;
-      one.data.forEach((byte, i) => {
-        sum += Math.abs(byte - two.data[i]);
-        plain += byte < 200 ? 1 : 0;
-      });
-      return { widths: [one.width, two.width], mean: sum / one.data.length, plain };
+test('a script gets the same picture in one tile or in several', looks, async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const found = await page.evaluate(async () => {
+    const small = async (width) => {
+      const blob = await window.shapeUp.picture({ width, legend: false, ground: 'white' });
+      const image = await createImageBitmap(blob);
+      const [w, h] = [300, Math.round((300 * image.height) / image.width)];
+      const context = new OffscreenCanvas(w, h).getContext('2d');
+      context.imageSmoothingQuality = 'high';
+      context.drawImage(image, 0, 0, w, h);
+      return { width: image.width, data: context.getImageData(0, 0, w, h).data };
+    };
+    // One tile, and two tiles side by side.
+    const [one, two] = [await small(1500), await small(3000)];
+    let sum = 0;
+    let plain = 0;
+    one.data.forEach((byte, i) => {
+      sum += Math.abs(byte - two.data[i]);
+      plain += byte < 200 ? 1 : 0;
     });
-    expect(found.widths).toEqual([1500, 3000]);
-    expect(found.plain, 'there is a picture').toBeGreaterThan(5000);
-    expect(found.mean).toBeLessThan(4);
-  },
-);
+    return { widths: [one.width, two.width], mean: sum / one.data.length, plain };
+  });
+  expect(found.widths).toEqual([1500, 3000]);
+  expect(found.plain, 'there is a picture').toBeGreaterThan(5000);
+  expect(found.mean).toBeLessThan(4);
+});
 
-test('a film shows one turn, where the browser can record', looks, async ({ page }) => {
+test('a film shows one turn if the browser can record', looks, async ({ page }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');
   const before = await page.evaluate(() => window.shapeUp.screen(0));
@@ -280,7 +276,7 @@ test('a film shows one turn, where the browser can record', looks, async ({ page
     const head = new Uint8Array(await blob.slice(0, 4).arrayBuffer());
     return { type: blob.type, size: blob.size, head: [...head] };
   });
-  // Matroska's mark.
+  // The signature of a Matroska file.
   expect(film.head).toEqual([0x1a, 0x45, 0xdf, 0xa3]);
   expect(film.type).toBe('video/webm');
   expect(film.size).toBeGreaterThan(2000);

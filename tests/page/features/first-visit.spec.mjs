@@ -1,4 +1,4 @@
-// What somebody sees who opens the page for the first time.
+// The first visit of a user.
 
 import { openExample, runToTheEnd } from '../actions.mjs';
 import {
@@ -15,7 +15,7 @@ import {
   waitForState,
 } from '../support.mjs';
 
-test('text and tools are there before the solver and the view', async ({ page }) => {
+test('text and tools appear before the solver and the view', async ({ page }) => {
   // Neither module ever arrives.
   await page.route('**/*.wasm', () => {});
   await page.goto('./');
@@ -25,7 +25,7 @@ test('text and tools are there before the solver and the view', async ({ page })
   await expect(page.getByLabel('Open file')).toBeAttached();
 });
 
-test('the example is there, solved, and then the page is at rest', looks, async ({ page }) => {
+test('the example appears solved, and then the page is idle', looks, async ({ page }) => {
   await page.addInitScript(() => {
     const { requestAnimationFrame: ask } = window;
     window.pictures = 0;
@@ -35,7 +35,7 @@ test('the example is there, solved, and then the page is at rest', looks, async 
     };
   });
   await visit(page);
-  // What is first known of it is its end already.
+  // The first state of the example is the solved one.
   const { iteration } = await waitForState(page, (now) => now.energy !== null);
   expect(iteration).toBeGreaterThan(100);
   const { running, circularity, exact } = await waitForState(page, (now) => now.converged);
@@ -53,14 +53,14 @@ test('the example is there, solved, and then the page is at rest', looks, async 
   expect(['webgpu', 'webgl2']).toContain(renderer);
   await expect(page.locator('#first-picture')).toHaveCount(0);
   expect(await coloursOfView(page)).toBeGreaterThan(50);
-  // The colours are those of the run that led here: from the start, where it was many times as bad.
+  // The colour range is that of the whole run, whose start had many times the error.
   const legend = page.getByRole('img', { name: /^432 faces between 0 and 0 mm/ });
   await expect(legend).toHaveAccessibleName(/originally up to \d+ mm$/);
   expect(Number(await page.getByLabel('Colours to').inputValue())).toBeGreaterThan(0.1);
 
   const pictures = () => page.evaluate(() => window.pictures);
   expect(await pictures()).toBeGreaterThan(0);
-  // Whatever was under way has ended when the count stays.
+  // All pending work has ended once the count stays the same.
   let last = -1;
   await expect
     .poll(async () => {
@@ -93,11 +93,11 @@ test('Undo and Reset lead to the start, Redo and Run to the same solved shape', 
   await press('Reset');
   await waitForState(page, (now) => now.iteration === 0);
   expect(await everything(page)).toEqual(start);
-  // The solver remembers what it solved before: it arrives at the same, but for its tolerance.
+  // The solver keeps state from earlier runs, so the result agrees only up to its tolerance.
   const { energy } = await runToTheEnd(page);
   expect(energy.total / total).toBeCloseTo(1, 4);
 
-  // Its link and its entry among the examples open it at its start.
+  // Its link and its entry in the examples menu open it at its start.
   await openExample(page, 'Canopy');
   expect(await everything(page)).toEqual(start);
   await openPage(page);
@@ -105,7 +105,7 @@ test('Undo and Reset lead to the start, Redo and Run to the same solved shape', 
   expect(await everything(page)).toEqual(start);
 });
 
-test('the first minute: drag, Reset and Run, then a model of your own, and no hint again', async ({
+test("the first minute: drag, Reset and Run, then a model of one's own, and no more hints", async ({
   page,
 }) => {
   const began = Date.now();
@@ -117,7 +117,7 @@ test('the first minute: drag, Reset and Run, then a model of your own, and no hi
     /^The corners of each panel lie on a circle, exactly\. Drag a blue handle/,
   );
   expect(before.exact.met).toBe(true);
-  // While somebody drags the claim has its number, which is that of the status bar.
+  // During a drag the hint states the error, which is that of the status bar.
   const claimed = /^The corners of each panel lie on a circle, within ([\d.]+ mm)\./;
   const said = async () => claimed.exec(await hint.innerText())?.[1];
   const worst = page.getByTitle(/^Circularity/).locator('dd');
@@ -134,7 +134,7 @@ test('the first minute: drag, Reset and Run, then a model of your own, and no hi
   await waitForState(page, followed, before);
   await expect.poll(async () => (await said()) === (await worst.textContent())).toBe(true);
   await page.mouse.up();
-  // Let go, it is exact again.
+  // After the drag it is exact again.
   const held = await waitForState(page, (now) => !now.running && now.exact?.met === true);
   expect(held.circularity.max_distance).toBeLessThan(1e-8);
 
@@ -153,14 +153,15 @@ test('the first minute: drag, Reset and Run, then a model of your own, and no hi
   test.info().annotations.push({ type: 'first minute', description });
   expect(seconds, description).toBeLessThan(60);
 
-  // Nobody dismissed the last one, and nothing was opened; it is another tab, which begins anew.
+  // The last hint was not dismissed and no work was opened; clearing the storage simulates a new
+  // tab.
   await page.evaluate(() => (sessionStorage.clear(), localStorage.removeItem('shape-up.works')));
   await visit(page);
   await waitForState(page, (now) => now.handles.length > 0 && now.converged);
   await expect(hint).toBeHidden();
 });
 
-test('hints follow what is done in another order too, and stay away when dismissed', async ({
+test('hints follow another order of actions too, and stay away once dismissed', async ({
   page,
 }) => {
   await visit(page);
@@ -172,7 +173,7 @@ test('hints follow what is done in another order too, and stay away when dismiss
   const soft = (await state(page)).handles.find((handle) => !handle.fixed);
   await dragVertex(page, soft.vertex, [10, -20]);
   await expect(hint).toContainText('open a mesh of your own');
-  // Nothing lies over it when all has ended well.
+  // Nothing covers the model after success.
   await waitForState(page, (now) => now.converged);
   await page.getByRole('button', { name: 'Dismiss hint' }).click();
   await expect(hint).toBeHidden();
@@ -182,11 +183,11 @@ test('hints follow what is done in another order too, and stay away when dismiss
   await expect(hint).toBeHidden();
 });
 
-test('the example is painted within a second of the bytes of the page', async ({ page }) => {
+test("the example is painted within a second after the page's bytes arrive", async ({ page }) => {
   await page.addInitScript(() => {
-    // The first frame that is drawn with the picture in it.
+    // The first frame that shows the picture.
     const look = () => {
-      // There is one for wide windows and one for narrow ones.
+      // There is one picture for wide windows and one for narrow ones.
       const lines = [...document.querySelectorAll('#first-picture svg path')];
       if (!lines.some((line) => line.getClientRects().length > 0)) {
         requestAnimationFrame(look);
@@ -196,7 +197,7 @@ test('the example is painted within a second of the bytes of the page', async ({
     };
     look();
   });
-  /** From the last byte of the page to the first paint with the picture in it, milliseconds. */
+  /** The time in ms from the last byte of the page to the first paint of the picture. */
   const wait = async (address, picture) => {
     await page.goto(address);
     await page.waitForFunction(
@@ -211,8 +212,8 @@ test('the example is painted within a second of the bytes of the page', async ({
       return Math.max(startTime, window.pictureAt ?? 0) - responseEnd;
     });
   };
-  // What else the machine does is not the page's: of a few visits the best, and what the same browser
-  // takes for a single word is taken off.
+  // To exclude other load on the machine: the best of a few visits, less the time that this browser
+  // needs for a page of one word.
   await page.route('**/word.html', (route) =>
     route.fulfill({ contentType: 'text/html', body: '<!doctype html><p>Word' }),
   );
@@ -226,7 +227,7 @@ test('the example is painted within a second of the bytes of the page', async ({
   expect(Math.min(...pictures) - Math.min(...words), description).toBeLessThan(1000);
 });
 
-test('the examples menu opens another model, and the theme is a choice that is remembered', async ({
+test('the examples menu opens another model, and the chosen theme is remembered', async ({
   page,
 }) => {
   await openPage(page);

@@ -1,4 +1,4 @@
-// Parametrisation: a flat map of the model beside it.
+// Parametrisation: a flat map beside the model.
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -19,7 +19,7 @@ async function parametrize(page) {
   await expect(page.getByRole('heading', { name: 'Flat map' })).toBeVisible();
 }
 
-/** What the command line says of a mesh: the report, and the file that it writes. */
+/** Runs the command line on a mesh; returns its report and the file that it writes. */
 function commandLine(obj, ...options) {
   const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
   const [mesh, out, report] = ['mesh.obj', 'uv.obj', 'report.json'].map((n) => join(folder, n));
@@ -33,13 +33,13 @@ function commandLine(obj, ...options) {
   }
 }
 
-/** A part of the page, once the picture shows all that was asked for. */
+/** A screenshot of an element once the picture is up to date. */
 async function pictureOf(page, part) {
   await drawn(page);
   return decodePng(await part.screenshot());
 }
 
-test('an example is flattened, and Escape goes back to the model', looks, async ({ page }) => {
+test('an example is flattened, and Escape returns to the model', looks, async ({ page }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');
   await openExample(page, 'Mask');
@@ -50,13 +50,13 @@ test('an example is flattened, and Escape goes back to the model', looks, async 
   await expect(value(page, 'Flipped triangles')).toHaveText('0');
   await expect(page.getByRole('img', { name: /^Histogram of the error/ })).toBeVisible();
 
-  // Side by side; in a narrow window, one above the other.
+  // Side by side; one above the other in a narrow window.
   const view = page.getByRole('application', { name: '3D view' });
   const [whole, part] = [await view.boundingBox(), await map(page).boundingBox()];
   expect(part.width / whole.width).toBeCloseTo(0.5, 1);
   expect(part.height / whole.height).toBeCloseTo(1, 1);
 
-  // The squares of the checkerboard are there, on the model and on the map, as long as they are wanted.
+  // The checkerboard is on the model and the map for as long as it is chosen.
   const onModel = page.getByLabel('On the model');
   const onMap = page.getByLabel('On the map');
   await expect(onModel).toHaveValue('checks');
@@ -73,7 +73,7 @@ test('an example is flattened, and Escape goes back to the model', looks, async 
   );
   await expect(page.getByLabel('Squares')).toBeVisible();
 
-  // A drag slides the map and leaves the model where it is.
+  // A drag pans the map without moving the model.
   const before = await pictureOf(page, map(page));
   const corner = await screenOf(page, 0);
   await page.mouse.move(part.x + part.width / 2, part.y + part.height / 2);
@@ -88,7 +88,7 @@ test('an example is flattened, and Escape goes back to the model', looks, async 
   await expect(page.getByRole('heading', { name: 'Flat map' })).toBeHidden();
 });
 
-test('the numbers and the file are those of the command line', async ({ page }) => {
+test('the numbers and the file equal those of the command line', async ({ page }) => {
   await openPage(page);
   const obj = wavyGrid(6);
   await openText(page, 'grid.obj', obj, 49);
@@ -117,7 +117,9 @@ test('the numbers and the file are those of the command line', async ({ page }) 
   expect((await saved(page, 'Export')).text).not.toContain('vt ');
 });
 
-test('a map is of the shape that was flattened, and says so', async ({ page }) => {
+test('a map belongs to the flattened shape, and can be renewed once the shape changes', async ({
+  page,
+}) => {
   await openPage(page);
   await parametrize(page);
   const mean = await value(page, 'Mean error').textContent();
@@ -133,7 +135,9 @@ test('a map is of the shape that was flattened, and says so', async ({ page }) =
   await expect(map(page)).toBeHidden();
 });
 
-test('what has no faces is not offered, and what has no boundary is told', async ({ page }) => {
+test('a model without faces is not offered a map, and one without a boundary gets the reason', async ({
+  page,
+}) => {
   await openPage(page);
   const corners = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n';
   await openText(page, 'line.obj', `${corners}l 1 2 3 4\n`, 4);
@@ -149,12 +153,12 @@ test('what has no faces is not offered, and what has no boundary is told', async
 });
 
 test(
-  'faces that the map turns over are outlined, counted, and found on the model',
+  'faces that the map flips are outlined, counted, and found on the model',
   looks,
   async ({ page }) => {
     await openPage(page);
     await waitForState(page, (now) => now.renderer !== 'none');
-    // A sheet folds nowhere, a box must.
+    // The map of a sheet has no folds; the map of a box must have some.
     await openText(page, 'grid.obj', wavyGrid(4), 25);
     await parametrize(page);
     const show = page.getByRole('button', { name: 'Show flipped faces' });
@@ -184,14 +188,14 @@ test(
     expect(selection.faces.length).toBeGreaterThan(0);
     expect(selection.faces.length).toBeLessThanOrEqual(flipped);
     await expect(page.getByRole('status')).toHaveText(/^\d faces? selected$/);
-    // Both stay marked: the outlines are the map's own, and longer now that they are nearer.
+    // Both stay marked: the outlines are drawn on the map, and are longer after zooming in.
     await expect.poll(red).toBeGreaterThan(150);
   },
 );
 
-test('a map that folds offers the settings that fold less', async ({ page }) => {
+test('a map that folds offers settings with fewer folds', async ({ page }) => {
   await openPage(page);
-  // Two boundary loops: with the settings that are first taken it folds, with others it does not.
+  // Two boundary loops: the map folds with the default settings, but not with others.
   await openText(page, 'tube.obj', tube(), 60);
   await parametrize(page);
   await expect(value(page, 'Flipped triangles')).not.toHaveText('0');

@@ -16,7 +16,7 @@ const TITLE = 'Lesson: a glass roof of flat panes';
 const lesson = (page) => page.getByRole('region', { name: 'Lesson' });
 const goals = (page) => lesson(page).getByRole('list', { name: 'Goals' }).getByRole('listitem');
 
-test('the gallery has a lesson with its goals, which opens as one', async ({ page }) => {
+test('the gallery shows a lesson with its goals, which opens as a lesson', async ({ page }) => {
   await page.goto('./gallery.html');
   await expect(page.getByRole('heading', { name: 'Lessons', level: 2 })).toBeVisible();
   const card = page.getByRole('article', { name: TITLE, exact: true });
@@ -31,7 +31,7 @@ test('the gallery has a lesson with its goals, which opens as one', async ({ pag
   await expect(goals(page)).toHaveCount(2);
 });
 
-test('it is missed by Run alone, met by the right weights, handed in and checked', async ({
+test('the goals are missed by Run alone, met with the right weights, handed in and checked', async ({
   page,
 }) => {
   await openPage(page);

@@ -1,11 +1,11 @@
-// The lessons among the examples, done as a student reads them: each text leads to its goals.
+// The example lessons, done by following their texts: each text leads to its goals.
 
 import { openExample, showPanel } from '../actions.mjs';
 import { expect, openPage, test, waitForState } from '../support.mjs';
 
 const lesson = (page) => page.getByRole('region', { name: 'Lesson' });
 
-/** "Under Constraints open …, and set Required to …": it is met at once. */
+/** "Under Constraints open …, and set Required to …": the constraint is made exact at once. */
 async function require(page, kind, word) {
   await showPanel(page, 'Model');
   const row = page.getByRole('button', { name: new RegExp(`^${kind} on .*: parameters`) });
@@ -26,7 +26,7 @@ for (const [title, kind, measure] of [
   ['Lesson: circles and offsets, why circular', 'Circle', 'Moved'],
   ['Lesson: the stiffness of hexagons', 'Plane', 'Planarity'],
 ]) {
-  test(`${title}: near misses, exact meets`, async ({ page }) => {
+  test(`${title}: the goals are missed by a plain run and met with Exact`, async ({ page }) => {
     await openPage(page);
     await openExample(page, title);
     await expectGoals(page, '1 of 2 goals met');
@@ -39,7 +39,9 @@ for (const [title, kind, measure] of [
   });
 }
 
-test('Lesson: curvature and panels: within meets, exact goes too far', async ({ page }) => {
+test('Lesson: curvature and panels: the goals are met with Within, and missed with Exact', async ({
+  page,
+}) => {
   await openPage(page);
   await openExample(page, 'Lesson: curvature and panels');
   await expectGoals(page, '1 of 2 goals met');
@@ -52,7 +54,7 @@ test('Lesson: curvature and panels: within meets, exact goes too far', async ({ 
   await expectGoals(page, '1 of 2 goals met');
 });
 
-test('what is locked is shown as locked with its reason, and scripts are refused', async ({
+test('locked controls are shown as locked with the reason, and scripts are refused', async ({
   page,
 }) => {
   await openPage(page);
@@ -65,13 +67,13 @@ test('what is locked is shown as locked with its reason, and scripts are refused
   const edit = page.getByRole('button', { name: 'Edit mesh' });
   await expect(edit).toBeDisabled();
   const before = await weight.inputValue();
-  // Keys and the mouse do not go through the panel.
+  // Keys and the mouse do not bypass the lock.
   await page.getByRole('button', { name: 'Write a lesson' }).click();
   const dialog = page.getByRole('dialog', { name: 'Lesson' });
   await dialog.getByRole('button', { name: 'Remove lesson' }).click();
   await expect(page.getByRole('alert')).toContainText('locked by the lesson');
   await expect(weight).toHaveValue(before);
-  // Another scene is open again.
+  // The lock ends when another scene is opened.
   await openExample(page, 'Hypar of straight beams');
   await expect(weight).toBeEnabled();
   await expect(edit).toBeEnabled();

@@ -1,4 +1,4 @@
-// Lessons: a teacher writes one, a student meets its goals and hands in, the command line agrees.
+// A teacher writes a lesson, a student meets its goals and hands in, and the command line agrees.
 
 import { execFile } from 'node:child_process';
 import { mkdtempSync, writeFileSync } from 'node:fs';
@@ -23,7 +23,7 @@ test.beforeEach(async ({ page }) => {
   await addConstraint(page, 'Plane', 'each face');
 });
 
-/** What a goal is about, and how large it may be. */
+/** The fields of a goal: its measure and its limit. */
 const worst = (dialog, goal) =>
   dialog.getByRole('combobox', { name: `Goal ${goal}: worst`, exact: true });
 const most = (dialog, name) => dialog.getByRole('spinbutton', { name, exact: true });
@@ -42,7 +42,7 @@ async function write(page) {
   return dialog;
 }
 
-/** The text of what is saved by what is done, and its name. */
+/** Performs `action` and returns the name and text of the file that it saves. */
 async function download(page, action) {
   const waiting = page.waitForEvent('download');
   await action();
@@ -94,7 +94,7 @@ test('a lesson is written, met, handed in and checked', async ({ page }) => {
   const failed = await handedIn();
   expect(JSON.parse(failed.text).passed).toBe(false);
 
-  // What the command line says of both.
+  // The command line's check of both files.
   const folder = mkdtempSync(join(tmpdir(), 'shape-up-lesson-'));
   const check = async (text) => {
     const [file, exercise] = ['results.json', 'scene.json'].map((name) => join(folder, name));
@@ -114,7 +114,7 @@ test('a lesson is written, met, handed in and checked', async ({ page }) => {
   expect(bad.stdout).toContain('not met');
 });
 
-test('a lesson comes through a link, and is undone', async ({ page, context }) => {
+test('a lesson is opened from a link, and undone', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const dialog = await write(page);
   await dialog.getByRole('button', { name: 'Lesson as a link' }).click();
@@ -136,12 +136,14 @@ test('a lesson comes through a link, and is undone', async ({ page, context }) =
   expect((await sceneOf(page)).lesson).toBeUndefined();
 });
 
-test('a lesson without an end is not kept, and one can be taken away', async ({ page }) => {
+test('a lesson with a missing limit or without goals is not saved, and can be removed', async ({
+  page,
+}) => {
   const dialog = await write(page);
   await most(dialog, 'Goal 1: planarity at most, mm').fill('');
   await dialog.getByRole('button', { name: 'Save lesson' }).click();
   await expect(dialog).toBeVisible();
-  // What is left is the first one then.
+  // The remaining goal becomes the first.
   await dialog.getByRole('button', { name: 'Remove Goal 1: planarity' }).click();
   await worst(dialog, 1).selectOption({ label: 'Angle quality' });
   await expect(most(dialog, 'Goal 1: angle quality at most, °')).toHaveValue('10');
@@ -160,7 +162,7 @@ test('a lesson without an end is not kept, and one can be taken away', async ({ 
   await expect(lesson(page)).toBeHidden();
 });
 
-test('a lesson with locks is given on twice, as a file and as a link', async ({
+test('a lesson with locks is passed on twice, as a file and as a link', async ({
   page,
   context,
 }) => {

@@ -1,4 +1,4 @@
-// One press for all panels: from a file to the verdict, and what happens where a run takes a mesh apart.
+// One press for all panels: from a file to the verdict, and runs that collapse a mesh.
 
 import { downloaded, openText, showPanel, tool } from '../actions.mjs';
 import { bumpyGrid, quadScene, steppedGrid, triangleScene, wavyGrid } from '../meshes.mjs';
@@ -16,15 +16,15 @@ const offer = (page) => page.getByRole('group', { name: 'Panels', exact: true })
 const press = (page, adjective) =>
   page.getByRole('button', { name: `Make panels ${adjective}`, exact: true });
 
-test('a mesh that was opened is made circular by one press; a verdict says how far', async ({
+test('one press makes an opened mesh circular, and a verdict shows how far it moved', async ({
   page,
 }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
-  // What it will cost is said before it is pressed.
+  // The cost is shown before the press.
   const forecast = 'This mesh will move a little for flat or circular panels.';
   await expect(offer(page).getByText(forecast)).toBeVisible();
-  // Each is on the page once.
+  // Each button exists only once.
   await press(page, 'circular').click();
   const status = page.getByRole('status');
   await expect(status).toHaveText(VERDICT('circular'));
@@ -32,11 +32,11 @@ test('a mesh that was opened is made circular by one press; a verdict says how f
   expect(solved.constraints).toEqual({ circle: N * N });
   await expect(offer(page).getByText(VERDICT('circular'))).toBeVisible();
 
-  // The circles are drawn, once the mesh is there.
+  // The circles are drawn once the mesh is there.
   await showPanel(page, 'Energies and display');
   await expect(page.getByRole('checkbox', { name: 'Fitted shapes' })).toBeChecked();
 
-  // The other press is in the panel by now; it takes the place of the first.
+  // The other button is in the panel by now; it replaces the first constraint.
   await showPanel(page, 'Model');
   await press(page, 'flat').click();
   await expect(status).toHaveText(VERDICT('flat'));
@@ -44,7 +44,7 @@ test('a mesh that was opened is made circular by one press; a verdict says how f
   expect(flat.constraints).toEqual({ plane: N * N });
   expect(flat.planarity.max_distance).toBeLessThan(0.01);
 
-  // It makes room for the legends of two pictures.
+  // The verdict makes room for the legends of two pictures.
   const verdict = offer(page).getByText(VERDICT('flat'));
   await page.getByRole('application').focus();
   await page.keyboard.press('c');
@@ -57,7 +57,7 @@ test('a mesh that was opened is made circular by one press; a verdict says how f
   await expect(offer(page)).toBeHidden();
 });
 
-test('panels that would fold are within a larger tolerance, and it is said why', async ({
+test('panels that would fold stay within a larger tolerance, and the reason is shown', async ({
   page,
 }) => {
   await openPage(page);
@@ -72,19 +72,19 @@ test('panels that would fold are within a larger tolerance, and it is said why',
   await expect(page.getByRole('status')).toHaveText(words);
   await expect(offer(page).getByText(/folded or dented/)).toBeHidden();
   await expect(offer(page).getByRole('button', { name: 'Show the folds' })).toBeHidden();
-  // The row says it, too.
+  // The row shows it, too.
   await showPanel(page, 'Model');
   const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
   await row.getByRole('button', { name: /parameters/ }).click();
   await expect(
     row.getByText(/^\d+ panels only within .+: any closer, they would fold\.$/),
   ).toBeVisible();
-  // It is one step of undo.
+  // All of this is one undo step.
   await tool(page, 'Undo');
   await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
 });
 
-test('panels that fold within any tolerance are said to, and shown', async ({ page }) => {
+test('panels that fold at every tolerance are reported and shown', async ({ page }) => {
   await openPage(page);
   await openText(page, 'steps.obj', steppedGrid(8), 81);
   await press(page, 'flat').click();
@@ -92,7 +92,7 @@ test('panels that fold within any tolerance are said to, and shown', async ({ pa
   await expect(offer(page).getByText(/But \d+ faces are folded or dented\./)).toBeVisible();
   await offer(page).getByRole('button', { name: 'Show the folds' }).click();
   await waitForState(page, (now) => now.selection.faces.length > 0);
-  // Another try ends as the first one did.
+  // Another attempt ends like the first.
   await offer(page).getByRole('button', { name: 'Avoid them' }).click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
   await expect(offer(page).getByText(/But \d+ faces are folded or dented\./)).toBeVisible();
@@ -102,10 +102,10 @@ for (const [window, width, height] of [
   ['a desktop', 1440, 900],
   ['a phone', 390, 844],
 ]) {
-  test(`the offer covers nothing of the mesh on ${window}`, async ({ page }) => {
+  test(`the offer covers none of the mesh on ${window}`, async ({ page }) => {
     await page.setViewportSize({ width, height });
     await openPage(page);
-    // As high as the view.
+    // The model is as high as the view.
     await openText(
       page,
       'tower.obj',
@@ -126,7 +126,7 @@ for (const [window, width, height] of [
   });
 }
 
-test('the way is shown: the picture goes there gradually, and is not held up', async ({ page }) => {
+test('the picture moves to the result gradually, without stalling', async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
   const corner = await screenOf(page, 0);
@@ -151,7 +151,7 @@ test('the way is shown: the picture goes there gradually, and is not held up', a
   expect(between.length).toBeGreaterThan(3);
 });
 
-test('something else is Add constraint; the offer is gone once something is asked', async ({
+test('Something else opens the constraint dialog, and the offer disappears once there is a constraint', async ({
   page,
 }) => {
   await openPage(page);
@@ -163,7 +163,7 @@ test('something else is Add constraint; the offer is gone once something is aske
   await expect(offer(page)).toBeHidden();
 });
 
-test('on triangles the buttons say why circles mean nothing there', async ({ page }) => {
+test('on triangles the buttons are disabled, with the reason', async ({ page }) => {
   await openPage(page);
   await openText(page, 'triangles.shapeup.json', triangleScene(3), 16);
   for (const adjective of ['circular', 'flat']) {
@@ -173,7 +173,7 @@ test('on triangles the buttons say why circles mean nothing there', async ({ pag
   }
 });
 
-test('a run that takes the mesh apart is stopped, and can be undone, held closer or gone on with', async ({
+test('a run that collapses the mesh is stopped, and can be undone, held closer or continued', async ({
   page,
 }) => {
   await openPage(page);
@@ -181,7 +181,7 @@ test('a run that takes the mesh apart is stopped, and can be undone, held closer
   delete scene.current;
   scene.constraints = [{ kind: 'circle', on: 'faces' }];
   await openText(page, 'roof.shapeup.json', JSON.stringify(scene), VERTICES);
-  // Nothing holds it but that its surface is smooth: it becomes a dot, which is smooth.
+  // Only smoothness acts on the mesh, which shrinks to a point.
   await showPanel(page, 'Energies and display');
   const weight = page.getByRole('spinbutton', { name: 'Smooth weight' });
   await weight.fill('10');
@@ -199,7 +199,7 @@ test('a run that takes the mesh apart is stopped, and can be undone, held closer
   expect(stopped.converged).toBe(false);
   await expect(page.getByRole('status')).not.toContainText('Converged');
 
-  // An export of it asks first.
+  // The export requires confirmation.
   await tool(page, 'Export');
   const question = page.getByRole('dialog', { name: 'Export this shape?' });
   await question.getByRole('button', { name: 'Cancel' }).click();
@@ -226,7 +226,7 @@ test('a run that takes the mesh apart is stopped, and can be undone, held closer
   await expect(alert).toBeEmpty();
 });
 
-test('vertices that nothing acts on are told, and follow or are fixed by one click', async ({
+test('unconstrained vertices are reported, and follow or are fixed by one click', async ({
   page,
 }) => {
   await openPage(page);

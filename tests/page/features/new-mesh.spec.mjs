@@ -1,4 +1,5 @@
-// A mesh without a file: a kind and its sizes, seen in the view while they are typed, kept or taken back.
+// A mesh without a file: choosing a shape and its sizes with a live preview, keeping or cancelling
+// it.
 
 import { openText } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -10,7 +11,7 @@ async function openNewMesh(page) {
   return page.getByRole('dialog', { name: 'New mesh' });
 }
 
-test('a new mesh follows its sizes, is kept, and is shaped', async ({ page }) => {
+test('a new mesh follows its sizes, is kept, and is constrained', async ({ page }) => {
   await openPage(page);
   const dialog = await openNewMesh(page);
   await dialog.getByLabel('Shape').selectOption({ label: 'Hypar' });
@@ -33,7 +34,7 @@ test('a new mesh follows its sizes, is kept, and is shaped', async ({ page }) =>
   await waitForState(page, (now) => !now.running && now.exact?.met);
 });
 
-test('Cancel brings back what was open', async ({ page }) => {
+test('Cancel restores the previous model', async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(4), 25);
   const { mesh } = await sceneOf(page);
@@ -45,9 +46,7 @@ test('Cancel brings back what was open', async ({ page }) => {
   expect((await state(page)).running).toBe(false);
 });
 
-test('Undo goes back to what was open before a new mesh, with its own steps of undo', async ({
-  page,
-}) => {
+test('Undo restores the model before a new mesh, with its undo history', async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(4), 25);
   await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
@@ -68,7 +67,7 @@ test('Undo goes back to what was open before a new mesh, with its own steps of u
   await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
 });
 
-test('a surface between two curves of what is open, and one inside a boundary', async ({
+test('a surface is made between two curves of the model, or inside a boundary', async ({
   page,
 }) => {
   await openPage(page);
@@ -89,7 +88,7 @@ test('a surface between two curves of what is open, and one inside a boundary', 
   await expect(dialog).toBeHidden();
   const again = await openNewMesh(page);
   await again.getByLabel('Shape').selectOption({ label: 'Between curves' });
-  // Its boundary is the one curve that there is, and closed.
+  // The boundary is the only curve, and it is closed.
   await expect(again.getByLabel('Made')).toHaveValue('inside');
   await again.getByLabel('Size of a panel').fill('1.5');
   await waitForState(page, (now) => now.faces > 30);

@@ -1,4 +1,4 @@
-// A roof from a plan that is drawn here, to panels that are exactly circular.
+// From a drawn plan to a roof of exactly circular panels.
 
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
 
@@ -15,7 +15,7 @@ async function openPlan(page) {
 const point = (dialog, number) =>
   dialog.getByRole('button', { name: new RegExp(`^Point ${number} of the outline`) });
 
-/** A press in the drawing, in shares of its size. */
+/** Presses in the drawing at a position given as fractions of its size. */
 async function pressAt(page, dialog, [x, y]) {
   const box = await dialog.getByRole('group', { name: 'Plan' }).boundingBox();
   await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
@@ -23,10 +23,10 @@ async function pressAt(page, dialog, [x, y]) {
   await page.mouse.up();
 }
 
-test('a roof from a drawn plan to exactly circular panels', async ({ page }) => {
+test('a drawn plan becomes a roof of exactly circular panels', async ({ page }) => {
   const dialog = await openPlan(page);
 
-  // A corner is dragged outward, by what the grid of the drawing lets it; the roof follows.
+  // A corner is dragged outward, snapping to the grid of the drawing; the roof follows.
   const corner = await point(dialog, 3).boundingBox();
   const at = [corner.x + corner.width / 2, corner.y + corner.height / 2];
   await page.mouse.move(...at);
@@ -40,7 +40,7 @@ test('a roof from a drawn plan to exactly circular panels', async ({ page }) => 
     Math.max(...(await sceneOf(page)).mesh.positions.map((vertex) => vertex[0]));
   await expect.poll(farthest).toBeCloseTo(Number(await x.inputValue()), 9);
 
-  // Lengths are typed: the side from point 2 is 14 m long, and an arc that rises by 1.5 m.
+  // Typed lengths: the side from point 2 is 14 m long, an arc rises by 1.5 m.
   await x.fill('20');
   await x.press('Enter');
   await y.fill('12');
@@ -63,11 +63,11 @@ test('a roof from a drawn plan to exactly circular panels', async ({ page }) => 
   const isExact = (now) => !now.running && now.exact?.met && now.exact.max_distance < 1e-9;
   const done = await waitForState(page, isExact);
   expect(done.constraints.circle).toBe(done.faces);
-  // It stands where it was drawn.
+  // The roof stands where it was drawn.
   expect((await state(page)).handles.map(({ fixed }) => fixed)).toEqual([true, true, true, true]);
 });
 
-test('an outline and a hole are drawn, with panels cut to them; what is wrong is said', async ({
+test('an outline and a hole are drawn, panels are cut to them, and mistakes are shown', async ({
   page,
 }) => {
   const dialog = await openPlan(page);
@@ -98,7 +98,7 @@ test('an outline and a hole are drawn, with panels cut to them; what is wrong is
   await expect(dialog.getByRole('heading', { name: 'Point 1 of hole 1' })).toBeVisible();
   await waitForState(page, (now, faces) => now.faces < faces, whole.faces);
 
-  // A point over the opposite side: the sides cross.
+  // Moves a point past the opposite side, so that sides cross.
   await point(dialog, 1).focus();
   await dialog.getByLabel('y', { exact: true }).fill('100');
   await dialog.getByLabel('y', { exact: true }).press('Enter');
@@ -107,7 +107,7 @@ test('an outline and a hole are drawn, with panels cut to them; what is wrong is
   await dialog.getByRole('button', { name: 'Undo' }).click();
   await expect(dialog.getByRole('button', { name: 'Begin with this' })).toBeEnabled();
 
-  // Esc ends what is drawn, not the dialog.
+  // Esc ends the drawing, not the dialog.
   await dialog.getByRole('button', { name: 'Draw the outline' }).click();
   await pressAt(page, dialog, [0.5, 0.5]);
   await page.keyboard.press('Escape');
@@ -120,7 +120,7 @@ test('points are moved, added and removed by keys', async ({ page }) => {
   await point(dialog, 2).focus();
   await page.keyboard.press('ArrowRight');
   await expect(point(dialog, 2)).toHaveAccessibleName('Point 2 of the outline, 22, 0 m, corner');
-  // A size that is typed is a step of its own.
+  // A typed size is an undo step of its own.
   await dialog.getByLabel('Height').fill('6.5');
   await dialog.getByRole('button', { name: 'Undo' }).click();
   await expect(dialog.getByLabel('Height')).toHaveValue('5');
@@ -135,7 +135,7 @@ test('points are moved, added and removed by keys', async ({ page }) => {
   await expect(point(dialog, 5)).toHaveCount(0);
 });
 
-test('sides that cross are marked in the drawing, and the plan is there for the next time', async ({
+test('crossing sides are marked in the drawing, and the plan is there the next time', async ({
   page,
 }) => {
   const dialog = await openPlan(page);
@@ -155,7 +155,7 @@ test('sides that cross are marked in the drawing, and the plan is there for the 
   await expect(crossing).toHaveCount(0);
   await dialog.getByRole('button', { name: 'Begin with this' }).click();
   await expect(dialog).toBeHidden();
-  // Another time, in another unit, it is the plan that was left.
+  // The next time, in another unit, the dialog shows the plan as it was left.
   await page.getByRole('button', { name: 'Examples' }).click();
   await page.getByRole('menuitem', { name: 'New mesh' }).click();
   await dialog.getByLabel('Unit').selectOption('mm');

@@ -1,4 +1,4 @@
-// The loops of a plan: arcs outward and inward, what is drawn anew, steps of the grid.
+// The loops of a plan: outward and inward arcs, loops drawn by hand, grid steps.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -32,16 +32,17 @@ test('an arc rises outward in either direction of the loop', () => {
   }
 });
 
-test('the path of a half circle has its radius and leaves its chord on the outer side', () => {
+test('the path of a half circle has its radius and lies on the outer side of its chord', () => {
   const toPixels = ([x, y]) => [10 * x, -10 * y];
   const points = SQUARE.map((at, k) => ({ at, bulge: k === 0 ? 1 : 0 }));
-  // Below the square, from left to right: in a drawing whose y points down that is counterclockwise, sweep 0.
+  // Below the square, from left to right: counterclockwise in a drawing whose y axis points down,
+  // so sweep 0.
   assert.match(pathOf(points, toPixels, 10), /^M0 -?0A20 20 0 0 0 40 -?0L40 -40L0 -40L0 -?0Z$/);
   const inward = SQUARE.map((at, k) => ({ at, bulge: k === 0 ? -1 : 0 }));
   assert.match(pathOf(inward, toPixels, 10), /A20 20 0 0 1 40/);
 });
 
-test('a drawn loop is counterclockwise, and its sharp turns outward are corners', () => {
+test('a drawn loop is made counterclockwise, and its sharp convex turns become corners', () => {
   const letterL = [
     [0, 0],
     [0, 4],
@@ -63,7 +64,7 @@ test('a drawn loop is counterclockwise, and its sharp turns outward are corners'
   assert.ok(loopThrough(letterL, false).every(({ corner }) => !corner));
 });
 
-test('steps of the grid are 1, 2 or 5 times a power of ten', () => {
+test('grid steps are 1, 2 or 5 times a power of ten', () => {
   assert.equal(roundStep(24, 24), 1);
   assert.equal(roundStep(25, 24), 2);
   assert.equal(roundStep(100, 24), 5);

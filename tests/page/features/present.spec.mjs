@@ -1,4 +1,4 @@
-// A presentation: steps are made from views, kept in the scene, and shown one after the other.
+// Presentations: steps are made from views, saved in the scene, and shown in order.
 
 import { openText, tool } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -13,7 +13,7 @@ async function openSteps(page) {
   await expect(dialogOf(page)).toBeVisible();
 }
 
-/** A roof whose two steps are the original and flat panels, with other measures. */
+/** Makes a roof with two steps, the original and the flat panels, with different measures. */
 async function makeSteps(page) {
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(6), 49);
@@ -77,7 +77,9 @@ test('steps are shown by buttons and by the keys of a presenter', async ({ page 
   await expect(page.getByRole('banner')).toBeVisible();
 });
 
-test('the steps are in the scene: they can be moved, taken away, and undone', async ({ page }) => {
+test('the steps are saved in the scene: they can be moved, removed, and undone', async ({
+  page,
+}) => {
   await makeSteps(page);
   const titles = async () => (await sceneOf(page)).steps?.map(({ title }) => title) ?? [];
   await dialogOf(page).getByRole('button', { name: 'Step 2 earlier' }).click();
@@ -92,7 +94,7 @@ test('the steps are in the scene: they can be moved, taken away, and undone', as
   await expect.poll(titles).toEqual(['Flat panels', 'The design']);
 });
 
-/** The colours of the pictures of the steps, each as one text. */
+/** The colours of each step's picture, as one string per step. */
 const picturesOf = (page) =>
   dialogOf(page)
     .getByRole('img', { name: /Picture of step/ })
@@ -103,7 +105,7 @@ const picturesOf = (page) =>
       }),
     );
 
-test('each step has its picture, and notes are seen by who presents alone', async ({ page }) => {
+test('each step has its picture, and only the presenter sees the notes', async ({ page }) => {
   await makeSteps(page);
   const pictures = await picturesOf(page);
   expect(pictures).toHaveLength(2);

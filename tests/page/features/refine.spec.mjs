@@ -1,5 +1,5 @@
-// From a coarse mesh to a fine one: what the dialog says comes, sets and handles go along, level by level it is solved,
-// and undo goes back to the mesh that was opened.
+// From a coarse mesh to a fine one: the forecast of the dialog is met, sets and handles are carried
+// over, each level is solved, and undo restores the opened mesh.
 
 import { openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -15,17 +15,15 @@ async function openRefine(page) {
   return page.getByRole('dialog', { name: 'Refine' });
 }
 
-test('a mesh is refined as the dialog says, with its scene, and back by one step of undo', async ({
-  page,
-}) => {
+test('a mesh is refined as forecast, with its scene, and undone in one step', async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
   const before = await page.evaluate(() => [...window.shapeUp.positions()]);
   const dialog = await openRefine(page);
   await expect(dialog.getByText(`${FACES} faces become 64 faces, with 81 vertices.`)).toBeVisible();
-  // Nothing is asked yet: there is nothing to solve.
+  // Without constraints there is nothing to solve.
   await expect(dialog.getByRole('button', { name: 'Refine and solve' })).toBeHidden();
-  // Each choice says the panels that it leads to.
+  // Each choice shows the resulting panels.
   await expect(dialog.getByLabel('How many times').locator('option').nth(2)).toHaveText(
     /^Three times: 1024 faces of about 0\.1\d+( m)?$/,
   );
@@ -39,7 +37,7 @@ test('a mesh is refined as the dialog says, with its scene, and back by one step
   const scene = await sceneOf(page);
   expect(scene.mesh.faces).toHaveLength(256);
   expect(scene.mesh.positions.slice(0, VERTICES).flat()).toEqual(before);
-  // What is saved opens as what it was.
+  // The saved scene opens with the same content.
   await page.evaluate(
     (text) => window.shapeUp.open(text, 'fine.shapeup.json'),
     JSON.stringify(scene),
@@ -47,7 +45,7 @@ test('a mesh is refined as the dialog says, with its scene, and back by one step
   expect((await sceneOf(page)).mesh).toEqual(scene.mesh);
 });
 
-test('level by level it is solved, and undo goes back level by level', async ({ page }) => {
+test('each level is solved, and undo goes back level by level', async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
   await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
@@ -69,7 +67,7 @@ test('level by level it is solved, and undo goes back level by level', async ({ 
   await waitForState(page, (now) => now.faces === 64);
 });
 
-test('each solved level is the original of the next one, and undo brings the first one back', async ({
+test('each solved level is the original of the next, and undo restores the first', async ({
   page,
 }) => {
   await openPage(page);
@@ -93,14 +91,14 @@ test('each solved level is the original of the next one, and undo brings the fir
   expect(again.moved.max).toBeCloseTo(solved.moved.max, 12);
 });
 
-test('Pause ends it between two levels too', async ({ page }) => {
+test('Pause also stops it between two levels', async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
   await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
   const dialog = await openRefine(page);
   await dialog.getByLabel('How many times').selectOption('4');
-  // Pressed in the page as soon as a level is told of: nothing runs then.
+  // Pressed in the page as soon as a level is announced, when nothing runs.
   await page.evaluate(() => {
     const status = document.querySelector('[role=status]');
     const pause = () =>

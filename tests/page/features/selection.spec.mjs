@@ -1,5 +1,4 @@
-// Selecting, as a person does: what a click, a box, a lasso and a brush take, what the menu finds,
-// and what is said of it.
+// Selecting as a user does: by click, box, lasso, brush and menu, with the status announced.
 
 import { hidePanels, openText } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -8,7 +7,7 @@ import { expect, openPage, screenOf, state, test, waitForState } from '../suppor
 const N = 6;
 const SIDE = N + 1;
 const VERTICES = SIDE ** 2;
-/** The vertex of column x and row y. */
+/** The vertex in column x and row y. */
 const vertex = (x, y) => y * SIDE + x;
 
 test.beforeEach(async ({ page }) => {
@@ -21,17 +20,17 @@ test.beforeEach(async ({ page }) => {
 const bar = (page) => page.getByRole('toolbar', { name: 'Selection' });
 const status = (page) => page.getByRole('status');
 
-/** The middle of some vertices on the page. */
+/** The centre of some vertices on the page. */
 async function middleOf(page, vertices) {
   const at = await Promise.all(vertices.map((one) => screenOf(page, one)));
   return [0, 1].map((axis) => at.reduce((sum, point) => sum + point[axis], 0) / at.length);
 }
 
-/** The middle of the face whose lower left corner is at column x and row y. */
+/** The centre of the face whose lower left corner is in column x and row y. */
 const faceAt = (page, x, y) =>
   middleOf(page, [vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1), vertex(x, y + 1)]);
 
-/** What is selected, as counts. */
+/** The numbers of selected vertices, edges and faces. */
 async function counts(page) {
   const { selection } = await state(page);
   return [selection.vertices.length, selection.edges.length, selection.faces.length];
@@ -47,7 +46,7 @@ async function drag(page, points, modifier) {
   if (modifier) await page.keyboard.up(modifier);
 }
 
-/** Chooses from the menu of everything that selects. */
+/** Chooses an item of the "Select by" menu. */
 async function selectBy(page, item) {
   await bar(page)
     .getByRole('button', { name: /select by/i })
@@ -55,7 +54,7 @@ async function selectBy(page, item) {
   await page.getByRole('dialog', { name: 'Select' }).getByRole('button', { name: item }).click();
 }
 
-test('clicks on vertices, edges and faces; Shift adds, Control takes away', async ({ page }) => {
+test('clicks select vertices, edges and faces; Shift adds, Control removes', async ({ page }) => {
   await page.keyboard.press('2');
   const edge = (x, y) => middleOf(page, [vertex(x, y), vertex(x + 1, y)]);
   await page.mouse.click(...(await edge(2, 3)));
@@ -79,7 +78,7 @@ test('clicks on vertices, edges and faces; Shift adds, Control takes away', asyn
   await page.keyboard.press('Escape');
   await expect(status(page)).toHaveText('Nothing selected');
 
-  // Digits are found by where their keys are: on a French keyboard the unshifted key of 2 prints é.
+  // Digits work by key position: on a French keyboard the unshifted key of 2 prints é.
   await page.evaluate(() =>
     document.body.dispatchEvent(
       new KeyboardEvent('keydown', { key: 'é', code: 'Digit2', bubbles: true }),
@@ -89,12 +88,12 @@ test('clicks on vertices, edges and faces; Shift adds, Control takes away', asyn
   await expect.poll(() => counts(page)).toEqual([0, 1, 0]);
 });
 
-test('a box to the right takes what is inside, to the left also what it touches', async ({
+test('a box to the right selects what is inside, to the left also what it touches', async ({
   page,
 }) => {
   await page.keyboard.press('b');
   await page.keyboard.press('3');
-  // From the middle of one face to the middle of the next but one.
+  // From the centre of one face to the centre of the next but one.
   const [from, to] = [await faceAt(page, 1, 3), await faceAt(page, 4, 3)];
   const [left, right] = from[0] < to[0] ? [from, to] : [to, from];
   const [a, b] = [
@@ -108,13 +107,13 @@ test('a box to the right takes what is inside, to the left also what it touches'
   expect(crossing).toBeGreaterThan(Math.max(window, 3));
 });
 
-test('a lasso takes what it goes around, and Escape puts back', async ({ page }) => {
+test('a lasso selects what it encloses, and Escape restores the selection', async ({ page }) => {
   await page.keyboard.press('l');
   const ring = await Promise.all(
     [vertex(1, 1), vertex(5, 1), vertex(5, 5), vertex(1, 5)].map((one) => screenOf(page, one)),
   );
   const [x, y] = await screenOf(page, vertex(3, 3));
-  // A little outside of the ring of vertices.
+  // Slightly outside the ring of vertices.
   const around = ring.map(([u, v]) => [u + 0.12 * (u - x), v + 0.12 * (v - y)]);
   await drag(page, [...around, around[0]]);
   await expect.poll(async () => (await counts(page))[0]).toBeGreaterThan(8);
@@ -130,7 +129,7 @@ test('a lasso takes what it goes around, and Escape puts back', async ({ page })
   expect((await state(page)).selection).toEqual(selection);
 });
 
-test('a brush takes what it touches; it is made larger and smaller', async ({ page }) => {
+test('a brush selects what it touches, and can be made larger and smaller', async ({ page }) => {
   await page.keyboard.press('p');
   await page.keyboard.press('3');
   const radius = bar(page).getByRole('slider', { name: 'Brush radius' });
@@ -145,15 +144,15 @@ test('a brush takes what it touches; it is made larger and smaller', async ({ pa
   await drag(page, way);
   const thick = (await state(page)).selection.faces;
   expect(thick.length).toBeGreaterThan(thin.length);
-  // A stroke with Control takes away.
+  // A stroke with Control deselects.
   await drag(page, way, 'Control');
   expect((await state(page)).selection.faces.length).toBeLessThan(thick.length);
-  // A press is a stroke too.
+  // A press without movement is a stroke too.
   await page.mouse.click(...(await faceAt(page, 5, 5)));
   expect((await state(page)).selection.faces).toContain(5 * N + 5);
 });
 
-test('through takes what the surface hides', async ({ page }) => {
+test('Through also selects hidden elements', async ({ page }) => {
   // Two squares, one above the other.
   const square = (z) =>
     [
@@ -181,7 +180,7 @@ test('through takes what the surface hides', async ({ page }) => {
   );
 });
 
-test('a drag turns the model about what was pressed', async ({ page }) => {
+test('a drag turns the model about the point pressed', async ({ page }) => {
   const [pressed, other] = [vertex(4, 3), vertex(1, 1)];
   const [x, y] = await screenOf(page, pressed);
   const before = await screenOf(page, other);
@@ -194,10 +193,10 @@ test('a drag turns the model about what was pressed', async ({ page }) => {
   expect(Math.hypot(after[0] - x, after[1] - y)).toBeLessThan(3);
 });
 
-test('a double-click takes a loop or a flat patch; keys grow, shrink, invert and select all', async ({
+test('a double-click selects a loop or a flat patch; keys grow, shrink, invert and select all', async ({
   page,
 }) => {
-  // Whatever a click selects.
+  // Independent of the kind of element that a click selects.
   await page.keyboard.press('1');
   await page.mouse.dblclick(...(await middleOf(page, [vertex(2, 3), vertex(3, 3)])));
   await expect(status(page)).toHaveText(`${N} edges selected`);
@@ -220,7 +219,7 @@ test('a double-click takes a loop or a flat patch; keys grow, shrink, invert and
   await expect(status(page)).toHaveText(`${N * N} faces selected`);
 });
 
-test('strips, rings, boundary loops and connected parts from the menu', async ({ page }) => {
+test('the menu selects strips, rings, boundary loops and connected parts', async ({ page }) => {
   await page.keyboard.press('3');
   await page.mouse.click(...(await faceAt(page, 2, 2)));
   await selectBy(page, 'Face strip');
@@ -238,7 +237,9 @@ test('strips, rings, boundary loops and connected parts from the menu', async ({
   await expect(status(page)).toHaveText(`${N + 1} edges selected`);
 });
 
-test('by valence, by sides and by error; what is wrong is said at its field', async ({ page }) => {
+test('elements are selected by valence, number of sides and error; wrong input is reported at its field', async ({
+  page,
+}) => {
   await page.keyboard.press('b');
   await selectBy(page, 'By number of edges…');
   const menu = page.getByRole('dialog', { name: 'Select' });
@@ -264,7 +265,9 @@ test('by valence, by sides and by error; what is wrong is said at its field', as
   await expect.poll(() => counts(page)).toEqual([0, 0, 0]);
 });
 
-test('a set is saved in the scene, selected again, and removed', async ({ page }) => {
+test('a selection is saved as a set in the scene, selected again, and removed', async ({
+  page,
+}) => {
   await page.keyboard.press('3');
   await page.mouse.click(...(await faceAt(page, 2, 2)));
   await page.keyboard.press('+');

@@ -1,4 +1,4 @@
-// A link holds the scene, and whoever opens it gets it solved.
+// A link contains the scene, which is solved when the link is opened.
 
 import { addConstraint, openExample, openText, runToTheEnd, tool } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -23,7 +23,7 @@ async function linkOf(page) {
 
 const dialogOf = (page) => page.getByRole('dialog', { name: 'Share' });
 
-/** Opens a link as another person does: in a browser that knows nothing. */
+/** Opens a link in a new browser context, as another user would. */
 async function openElsewhere(browser, link) {
   const context = await browser.newContext({ serviceWorkers: 'block' });
   const page = await context.newPage();
@@ -32,7 +32,7 @@ async function openElsewhere(browser, link) {
   return page;
 }
 
-test('a mesh of your own travels in the link and is solved again', async ({ page, browser }) => {
+test("a link contains the user's mesh, which is solved again", async ({ page, browser }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `g east\n${wavyGrid(4)}`, 25);
   await addConstraint(page, 'Plane', 'each face');
@@ -52,7 +52,7 @@ test('a mesh of your own travels in the link and is solved again', async ({ page
   expect(await sceneOf(other)).toEqual(await sceneOf(page));
 });
 
-test('an example is its name, and its name with what was edited', async ({ page, browser }) => {
+test('an example is linked by name, together with its edits', async ({ page, browser }) => {
   await openPage(page);
   await openExample(page, 'Hypar');
   const asItCame = (await sceneOf(page)).constraints;
@@ -68,12 +68,12 @@ test('an example is its name, and its name with what was edited', async ({ page,
 
   const other = await openElsewhere(browser, edited);
   expect(await sceneOf(other)).toEqual(await sceneOf(page));
-  // The same tab follows another link.
+  // The same tab opens another link.
   await other.goto(plain);
   await expect.poll(async () => (await sceneOf(other)).constraints).toEqual(asItCame);
 });
 
-test('a handle that was dragged is where it was', async ({ page, browser }) => {
+test('a dragged handle is restored at its target', async ({ page, browser }) => {
   await openPage(page);
   const soft = (await state(page)).handles.find((handle) => !handle.fixed);
   await dragVertex(page, soft.vertex, [10, -20]);
@@ -98,7 +98,9 @@ test('the link is selected and copied', async ({ page, context }) => {
   await expect(dialogOf(page)).toBeHidden();
 });
 
-test('what may not be copied unasked is copied by the button, or it is said', async ({ page }) => {
+test('automatic copying fails silently, and the button reports that copying was refused', async ({
+  page,
+}) => {
   await page.addInitScript(() => {
     navigator.clipboard.writeText = async () => {
       throw new DOMException('Nobody has asked for it.', 'NotAllowedError');
@@ -111,7 +113,7 @@ test('what may not be copied unasked is copied by the button, or it is said', as
   await expect(dialogOf(page).getByText('did not allow copying')).toBeVisible();
 });
 
-test('a link that is long says what becomes of it', async ({ page }) => {
+test('a long link comes with warnings and an offer to save the scene instead', async ({ page }) => {
   await openPage(page);
   const away = (at) => ((at * 7919) % 997) / 2000;
   const rough = wavyGrid(40).replace(
@@ -128,7 +130,7 @@ test('a link that is long says what becomes of it', async ({ page }) => {
   expect((await download).suggestedFilename()).toBe('large.shapeup.json');
 });
 
-test('a link that was cut says so, and the page works', async ({ page }) => {
+test('a link that was cut is refused with a message, and the page works', async ({ page }) => {
   for (const hash of ['#link=AaqrVip', '#scene=bVLLbt', '#example=no-such-example']) {
     await page.goto(`./${hash}`);
     await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);

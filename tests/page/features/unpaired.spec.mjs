@@ -1,8 +1,8 @@
-// Constraints that act on vertices in pairs.
+// Constraints that act on pairs of vertices.
 
 import { expect, openPage, test } from '../support.mjs';
 
-test('a symmetry says how many vertices have an image', async ({ page }) => {
+test('a symmetry reports how many vertices have an image', async ({ page }) => {
   await openPage(page);
   const open = (mirror) =>
     page.evaluate((mirror) => {
@@ -26,7 +26,7 @@ test('a symmetry says how many vertices have an image', async ({ page }) => {
   await expect(notice).toContainText('4 of 5 vertices have an image; the others are free.');
   await notice.getByRole('button', { name: 'Close' }).click();
   await expect(notice).toBeHidden();
-  // Another model is told of again, in the same words.
+  // Opening another model shows the same message again.
   await open([1, 0, 0]);
   await expect(notice).toContainText('4 of 5 vertices have an image; the others are free.');
 });

@@ -1,4 +1,5 @@
-// From a mesh that is dropped to exact panels, a variation that is kept, undone and kept again, a link, and that opened.
+// From an opened mesh to exact panels and a variation that is kept, undone, redone, shared and
+// opened again.
 
 import { openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -10,7 +11,7 @@ const VERTICES = (N + 1) ** 2;
 const farthest = (a, b) => Math.max(...a.map((value, i) => Math.abs(value - b[i])));
 const positions = (page) => page.evaluate(() => [...window.shapeUp.positions()]);
 
-/** Moves a slider by keys, and lets it go. */
+/** Moves a slider by keys and releases it. */
 async function slide(slider, key, presses) {
   await slider.focus();
   for (let i = 0; i < presses; i++) await slider.press(key);
@@ -32,7 +33,7 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
   const panel = page.getByRole('region', { name: 'Variations' });
   await expect(panel.getByRole('slider')).toHaveCount(8);
   const start = await positions(page);
-  // Two of them add up; each time one is let go the shape is exact.
+  // Two variations add up; on each release the shape is made exact.
   await slide(panel.getByRole('slider', { name: 'Variation 1', exact: true }), 'ArrowRight', 20);
   await slide(panel.getByRole('slider', { name: 'Variation 3', exact: true }), 'ArrowLeft', 10);
   const keep = panel.getByRole('button', { name: 'Keep', exact: true });
@@ -57,7 +58,7 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
   await expect(table.getByRole('row')).toHaveCount(3);
   expect(await positions(page)).toEqual(kept.positions);
 
-  // Back to where it started, beside the one that was kept.
+  // Shows the start again, beside the kept variant.
   await strip.getByRole('button', { name: 'Start', exact: true }).click();
   await expect.poll(() => positions(page)).toEqual(start);
   await strip.getByRole('button', { name: 'Show Variant 1 beside the open shape' }).click();
@@ -65,7 +66,7 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
   await strip.getByRole('button', { name: 'Variant 1', exact: true }).click();
   await expect.poll(() => positions(page)).toEqual(kept.positions);
 
-  // What is left is put back.
+  // Sliders that were moved but not kept are reset on closing.
   await expect(panel.getByRole('slider')).toHaveCount(8);
   await slide(panel.getByRole('slider', { name: 'Variation 2', exact: true }), 'ArrowRight', 5);
   await expect.poll(() => positions(page)).not.toEqual(kept.positions);

@@ -1,5 +1,5 @@
-// View tools: views and projection, the ghost of the original and the ground, values in bands, and
-// the measuring tape.
+// View tools: views and projection, the ghost of the original and the ground, colour bands, and the
+// measuring tape.
 
 import {
   exported,
@@ -24,7 +24,7 @@ import {
   waitForState,
 } from '../support.mjs';
 
-/** Two squares side by side, two units wide, the right one three higher. In metres. */
+/** Two squares side by side, two units wide, the right one three units higher; in metres. */
 const STEPS = `# units: m
 v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 3 0 3\nv 5 0 3\nv 5 2 3\nv 3 2 3
 f 1 2 3 4\nf 5 6 7 8\n`;
@@ -32,7 +32,7 @@ f 1 2 3 4\nf 5 6 7 8\n`;
 const view = (page) => page.getByRole('application', { name: '3D view' });
 const tape = (page) => page.getByRole('group', { name: 'Measuring tape' });
 
-/** The page with such squares, without flights. */
+/** Opens these squares, without animated views. */
 async function openSteps(page, query = '') {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openPage(page, query);
@@ -40,13 +40,13 @@ async function openSteps(page, query = '') {
   await screenOf(page, 6);
 }
 
-/** How long an edge is on the screen. */
+/** The length of an edge on the screen. */
 async function seenLength(page, from, to) {
   const [a, b] = [await screenOf(page, from), await screenOf(page, to)];
   return Math.hypot(b[0] - a[0], b[1] - a[1]);
 }
 
-/** How many pixels of a PNG are about that colour. */
+/** Counts the pixels of a PNG that are close to a colour. */
 function pixelsOf(bytes, [red, green, blue]) {
   const { pixels, channels } = decodePng(bytes);
   let found = 0;
@@ -64,11 +64,11 @@ async function openViews(page) {
   return page.getByRole('dialog', { name: 'Views' });
 }
 
-test('views by keys and by the menu, at once where motion is unwanted', async ({ page }) => {
+test('views are chosen by keys and menu, at once with reduced motion', async ({ page }) => {
   await openSteps(page);
   await page.keyboard.press('Shift+Digit1');
   await expect(page.getByRole('status')).toHaveText('View: top');
-  // From above, what is to the right lies to the right, and what is away lies higher.
+  // From above, right is right, and farther away is higher.
   const [a, b, d] = [await screenOf(page, 0), await screenOf(page, 1), await screenOf(page, 3)];
   expect(Math.abs(a[1] - b[1])).toBeLessThan(1);
   expect(b[0] - a[0]).toBeGreaterThan(20);
@@ -85,7 +85,7 @@ test('views by keys and by the menu, at once where motion is unwanted', async ({
     await expect(menu.getByRole('button', { name })).toBeVisible();
 });
 
-test('a short flight leads to the view', async ({ page }) => {
+test('a short animation leads to the view', async ({ page }) => {
   await openPage(page);
   await openText(page, 'steps.obj', STEPS, 8);
   await screenOf(page, 0);
@@ -100,7 +100,7 @@ test('a short flight leads to the view', async ({ page }) => {
   await expect.poll(async () => (await screenOf(page, 0))[0]).not.toBe(before[0]);
 });
 
-test('in parallel projection lengths are true, and everything works as before', async ({
+test('in parallel projection lengths are true, and clicks, wheel and drags work', async ({
   page,
 }) => {
   await openSteps(page);
@@ -119,10 +119,10 @@ test('in parallel projection lengths are true, and everything works as before', 
   );
   await page.keyboard.press('Escape');
 
-  // A click selects what is under it.
+  // A click selects the vertex under it.
   await page.mouse.click(...(await screenOf(page, 6)));
   await expect.poll(async () => (await state(page)).selection.vertices).toEqual([6]);
-  // A wheel holds the place under the cursor.
+  // The wheel keeps the point under the cursor fixed.
   const at = await screenOf(page, 4);
   await page.mouse.move(...at);
   const long = await seenLength(page, 4, 5);
@@ -131,7 +131,7 @@ test('in parallel projection lengths are true, and everything works as before', 
   const after = await screenOf(page, 4);
   expect(Math.hypot(after[0] - at[0], after[1] - at[1])).toBeLessThan(2);
   await page.keyboard.press('Home');
-  // A drag takes the handle along, on the screen and at its height.
+  // A drag moves the handle on the screen, at its height.
   await page.keyboard.press('h');
   await waitForState(page, (now) => now.handles.length === 1);
   await dragVertex(page, 6, [-40, 30]);
@@ -143,7 +143,7 @@ test('in parallel projection lengths are true, and everything works as before', 
   expect(handle.target[2]).toBeCloseTo(3, 5);
 });
 
-test('a box in parallel projection takes what is inside', async ({ page }) => {
+test('a box in parallel projection selects what is inside', async ({ page }) => {
   await openSteps(page);
   await page.keyboard.press('5');
   await page.keyboard.press('Shift+Digit1');
@@ -159,29 +159,25 @@ test('a box in parallel projection takes what is inside', async ({ page }) => {
     .toEqual([4, 5, 6, 7]);
 });
 
-test(
-  'the ghost stays where the mesh was, and the ground tells the scale',
-  looks,
-  async ({ page }) => {
-    await openPage(page);
-    await openText(page, 'roof.obj', wavyGrid(4), 25);
-    await addConstraint(page, 'Plane', 'each face');
-    await runToTheEnd(page);
-    await showPanel(page, 'Energies and display');
-    const ghost = page.getByLabel('Original ghost');
-    await ghost.check();
-    await page.getByLabel('Ground grid').check();
-    await hidePanels(page);
-    await expect(page.locator('#scale')).toHaveText(/^Grid /);
-    const before = await middleOfPicture(page);
-    await page.keyboard.press('o');
-    await expect(ghost).not.toBeChecked();
-    expect(differingBytes(await middleOfPicture(page), before)).toBeGreaterThan(500);
-  },
-);
+test('the ghost stays at the original, and the ground shows the scale', looks, async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Plane', 'each face');
+  await runToTheEnd(page);
+  await showPanel(page, 'Energies and display');
+  const ghost = page.getByLabel('Original ghost');
+  await ghost.check();
+  await page.getByLabel('Ground grid').check();
+  await hidePanels(page);
+  await expect(page.locator('#scale')).toHaveText(/^Grid /);
+  const before = await middleOfPicture(page);
+  await page.keyboard.press('o');
+  await expect(ghost).not.toBeChecked();
+  expect(differingBytes(await middleOfPicture(page), before)).toBeGreaterThan(500);
+});
 
 test(
-  'values in bands: steps in the legend, and isolines where vertices have values',
+  'colour bands: steps in the legend, and isolines for values at vertices',
   looks,
   async ({ page }) => {
     await openPage(page);
@@ -206,7 +202,7 @@ test(
 );
 
 test(
-  'the tape measures between two clicked vertices, follows the mesh, and Esc ends it',
+  'the tape measures between two clicked vertices, follows the mesh, and Esc removes it',
   looks,
   async ({ page }) => {
     await openSteps(page);
@@ -220,14 +216,14 @@ test(
     await expect(row('now')).toHaveText('now6.16445.00002.00003.0000');
     await expect(row('original')).toHaveText('original6.16445.00002.00003.0000');
     await expect(page.getByRole('status')).toHaveText('Distance 6.1644 m, originally 6.1644 m');
-    // Nothing was selected by that.
+    // The clicks selected nothing.
     expect((await state(page)).selection.vertices).toEqual([]);
 
-    // A picture has the tape.
+    // An exported picture shows the tape.
     const { bytes } = await exported(page, 'PNG');
     expect(pixelsOf(bytes, TAPE)).toBeGreaterThan(20);
 
-    // It follows a drag; the original distance stays.
+    // The tape follows a drag; the original distance stays.
     await page.keyboard.press('Shift+Digit1');
     await page.mouse.dblclick(...(await screenOf(page, 6)));
     expect((await state(page)).handles).toEqual([]);
@@ -236,7 +232,7 @@ test(
   },
 );
 
-test('the tape by keyboard alone: two selected vertices', async ({ page }) => {
+test('the tape measures two selected vertices by keyboard alone', async ({ page }) => {
   await openPage(page);
   await openText(page, 'line.obj', '# units: mm\nv 0 0 0\nv 300 400 0\nl 1 2\n', 2);
   await page.keyboard.press('Control+a');
@@ -246,7 +242,7 @@ test('the tape by keyboard alone: two selected vertices', async ({ page }) => {
   await expect(tape(page).getByRole('row', { name: 'now' })).toHaveText(
     'now500.00300.00400.000.00',
   );
-  // Both ends are handles that are moved together, or one of them alone.
+  // Both ends are handles; they are moved together, then one of them alone.
   await page.keyboard.press('h');
   await waitForState(page, (now) => now.handles.length === 2);
   await page.keyboard.press('g');
@@ -266,7 +262,7 @@ test('the tape by keyboard alone: two selected vertices', async ({ page }) => {
 });
 
 test(
-  'another model takes the tape away, and a lost context none of it',
+  'opening another model removes the tape, and a lost context does not',
   looks,
   async ({ page }) => {
     await openSteps(page, 'backend=webgl2');
@@ -291,9 +287,7 @@ test(
   },
 );
 
-test('the original is shown for as long as a key, or the Reset button, is held', async ({
-  page,
-}) => {
+test('the original is shown while its key or the Reset button is held', async ({ page }) => {
   await openPage(page);
   await runToTheEnd(page);
   const before = await state(page);
@@ -339,7 +333,7 @@ test('a section plane cuts the model open', looks, async ({ page }) => {
   const card = page.getByRole('group', { name: 'Section' });
   await expect(card).toBeVisible();
   expect(differingBytes(await middleOfPicture(page), whole)).toBeGreaterThan(2000);
-  // Half the way along x the right square is cut off: it cannot be taken.
+  // Halfway along x the right square is cut off and cannot be selected.
   const seen = (vertex) => page.evaluate((v) => window.shapeUp.screen(v), vertex);
   expect(await seen(5)).toBeNull();
   expect(await seen(0)).not.toBeNull();
@@ -354,7 +348,7 @@ test('a section plane cuts the model open', looks, async ({ page }) => {
   expect(differingBytes(await middleOfPicture(page), whole)).toBe(0);
 });
 
-test('views are kept with the model, and come back', async ({ page }) => {
+test('views are saved with the model and can be restored', async ({ page }) => {
   await openSteps(page);
   await page.keyboard.press('Shift+Digit1');
   await expect(page.getByRole('status')).toHaveText('View: top');
