@@ -1,4 +1,4 @@
-// The gallery: every card leads to its example, and the filters find what they should.
+// The gallery: every card leads to its example, and the filters find the right ones.
 
 import { expect, openPage, state, test, waitForState } from '../support.mjs';
 
@@ -12,7 +12,7 @@ async function openGallery(page) {
   await expect(page.getByRole('article').first()).toBeVisible();
 }
 
-test('every example has a card with both pictures, whose start differs visibly from its end', async ({
+test('every example has a card with two pictures, and its start differs visibly from its end', async ({
   page,
 }) => {
   const examples = await listOf(page);
@@ -27,7 +27,7 @@ test('every example has a card with both pictures, whose start differs visibly f
       await expect(card.getByRole('img', { name: `${title}, ${when}` })).toHaveCount(1);
   }
 
-  // As pictures of 108 by 78 pixels: how much of them has another colour.
+  // Scales the pictures to 108 by 78 pixels and computes the fraction of pixels that differ.
   const changed = await page.evaluate(async () => {
     const pixels = async (image) => {
       image.loading = 'eager';
@@ -57,7 +57,7 @@ test('every example has a card with both pictures, whose start differs visibly f
   }
 });
 
-test('words, figures and constraints find their examples', async ({ page }) => {
+test('examples are found by words, figures and constraints', async ({ page }) => {
   const examples = await listOf(page);
   await openGallery(page);
   const found = page.getByRole('article');
@@ -85,7 +85,7 @@ test('words, figures and constraints find their examples', async ({ page }) => {
   expect(withSphere.length).toBeGreaterThan(1);
 });
 
-test('every card links to its example, and opens it from a cold start', async ({ page }) => {
+test('every card links to its example, which opens in a newly loaded page', async ({ page }) => {
   const examples = await listOf(page);
   await openGallery(page);
   const links = page.getByRole('article').getByRole('link');
@@ -95,7 +95,7 @@ test('every card links to its example, and opens it from a cold start', async ({
   await waitForState(page, (state, count) => state.vertices === count, examples[4].vertices);
 });
 
-/** The examples are opened in so many tests: some take a second or two. */
+/** Number of tests among which the examples are divided: some take a second or two to open. */
 const PARTS = 4;
 for (let part = 0; part < PARTS; part++) {
   test(`examples open one after another, part ${part + 1} of ${PARTS}`, async ({ page }) => {
@@ -119,7 +119,9 @@ for (let part = 0; part < PARTS; part++) {
   });
 }
 
-test('a link opens its example from a cold start, and Next leads on', async ({ page }) => {
+test('a link opens its example in a newly loaded page, and Next goes to the following one', async ({
+  page,
+}) => {
   const examples = await listOf(page);
   const at = examples.findIndex(({ id }) => id === 'fig-05-circular');
   await page.goto('./#example=fig-05-circular');
@@ -131,20 +133,22 @@ test('a link opens its example from a cold start, and Next leads on', async ({ p
   await waitForState(page, (state, count) => state.vertices === count, examples[at + 1].vertices);
   await page.goBack();
   await waitForState(page, (state, count) => state.vertices === count, examples[at].vertices);
-  // A model of one's own is no example.
+  // A model of the user's own is no example.
   await page.evaluate(() =>
     window.shapeUp.open('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', 'triangle.obj'),
   );
   await expect(beside).toBeHidden();
 });
 
-test('a link to an example that does not exist says so and opens the first', async ({ page }) => {
+test('a link to an unknown example shows a message and opens the first example', async ({
+  page,
+}) => {
   await page.goto('./#example=fig-99-nothing');
   await expect(page.getByRole('alert')).toContainText('There is no example called fig-99-nothing');
   await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
 });
 
-test('points without faces are seen, counted and solved', async ({ page }) => {
+test('points without faces are shown, counted and solved', async ({ page }) => {
   await page.goto('./#example=points-pavilion');
   const { faces, constraints } = await waitForState(page, (state) => state.vertices > 400);
   expect(faces).toBe(0);

@@ -1,4 +1,4 @@
-// Whoever uses the page finds under which licences it is, with what the LGPL asks for.
+// The page shows its licences and what the LGPL requires.
 
 import { execFileSync } from 'node:child_process';
 import { downloaded } from '../actions.mjs';

@@ -1,8 +1,8 @@
-// The page about projections: by mouse and by keyboard, and in words.
+// The page about projections: by mouse, by keyboard, and in words.
 
 import { expect, test } from '../support.mjs';
 
-/** φ of every half step, from the table that goes with the bars. */
+/** φ after each half step, from the table beside the bars. */
 async function proximities(page) {
   const cells = await page.locator('#rows tr td:last-child').allTextContents();
   return cells.map((text) => Number(text.replace('−', '-')));
@@ -10,7 +10,7 @@ async function proximities(page) {
 
 const point = (page) => page.getByRole('button', { name: /^Point at/ });
 
-test('steps never raise the sum, and say what they do', async ({ page }) => {
+test('steps never increase the sum, and each is described in words', async ({ page }) => {
   await page.goto('./projections.html');
   const step = page.getByRole('button', { name: 'Step' });
   const said = page.getByRole('status');
@@ -27,7 +27,7 @@ test('steps never raise the sum, and say what they do', async ({ page }) => {
   await expect(page.getByRole('img', { name: /^φ falls from/ })).toBeVisible();
 });
 
-test('one part grows while the sum falls', async ({ page }) => {
+test('one term grows while the sum falls', async ({ page }) => {
   await page.goto('./projections.html');
   const step = page.getByRole('button', { name: 'Step' });
   const heard = [];
@@ -38,7 +38,9 @@ test('one part grows while the sum falls', async ({ page }) => {
   expect(heard.some((text) => text.includes('grew, φ did not'))).toBe(true);
 });
 
-test('the point moves by mouse and by keys, and begins anew', async ({ page }) => {
+test('moving the point by mouse or keys clears the steps, and Reset restores it', async ({
+  page,
+}) => {
   await page.goto('./projections.html');
   const before = await point(page).getAttribute('aria-label');
   await page.getByRole('button', { name: 'Step' }).click();
@@ -60,7 +62,9 @@ test('the point moves by mouse and by keys, and begins anew', async ({ page }) =
   await expect(point(page)).toHaveAccessibleName(before);
 });
 
-test('sets that do not meet leave a rest, and weights decide where', async ({ page }) => {
+test('disjoint sets leave a residual, and weights decide where the point ends', async ({
+  page,
+}) => {
   await page.goto('./projections.html');
   await page.getByRole('radio', { name: 'do not meet' }).check();
   const step = page.getByRole('button', { name: 'Step' });
@@ -75,7 +79,7 @@ test('sets that do not meet leave a rest, and weights decide where', async ({ pa
   expect(await point(page).getAttribute('aria-label')).not.toBe(before);
 });
 
-test('Play goes on by itself until it is paused or has arrived', async ({ page }) => {
+test('Play continues until it is paused or has converged', async ({ page }) => {
   await page.clock.install();
   await page.goto('./projections.html');
   await page.getByRole('button', { name: 'Play' }).click();

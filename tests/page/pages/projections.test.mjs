@@ -1,4 +1,4 @@
-// The mathematics of the page about projections: closest points are closest, and steps descend.
+// The mathematics of the page about projections: closest points, and descent of the steps.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -17,7 +17,7 @@ const sets = [
   { kind: 'parabola', at: [2, 1], turn: 2, bend: -2 },
 ];
 
-/** A point of the set for every number. */
+/** Returns the point of the set with parameter t. */
 function pointOf(set, t) {
   if (set.kind === 'circle') {
     return [set.at[0] + set.radius * Math.cos(t), set.at[1] + set.radius * Math.sin(t)];
@@ -32,7 +32,7 @@ const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
 const places = [];
 for (let x = -4; x <= 8; x += 0.75) for (let y = -5; y <= 6; y += 0.75) places.push([x, y]);
 
-test('no point of a set is closer than the closest, which is on the set', () => {
+test('the closest point is on the set, and no other point of the set is closer', () => {
   for (const set of sets) {
     for (const x of places) {
       const y = closestPoint(set, x);
@@ -45,17 +45,18 @@ test('no point of a set is closer than the closest, which is on the set', () => 
   }
 });
 
-test('special places have a closest point, too', () => {
+test('special positions have a closest point too', () => {
   assert.deepEqual(closestPoint(sets[1], [3, 1]), [4.5, 1]);
   const parabola = { kind: 'parabola', at: [0, 0], turn: 0, bend: 1 };
   assert.ok(distance(closestPoint(parabola, [0, 0]), [0, 0]) < 1e-12);
   assert.ok(distance(closestPoint(parabola, [0, -3]), [0, 0]) < 1e-12);
-  // On the axis above the centre of curvature there are two; at (0, 0.5) it is the vertex.
+  // A point on the axis above the centre of curvature has two closest points; that of the centre,
+  // (0, 0.5), is the vertex.
   assert.ok(Math.abs(closestPoint(parabola, [0, 2])[1] - 1.5) < 1e-12);
   assert.ok(distance(closestPoint(parabola, [0, 0.5]), [0, 0]) < 1e-6);
 });
 
-test('the sum falls at every half step, while one of its parts may rise', () => {
+test('the sum falls at every half step, while single terms may rise', () => {
   let rises = 0;
   for (const weights of [
     [1, 1, 1, 1],
@@ -81,7 +82,7 @@ test('the sum falls at every half step, while one of its parts may rise', () => 
   assert.ok(rises > 0);
 });
 
-test('sets that meet are met', () => {
+test('sets with a common point are all reached', () => {
   const feasible = [
     { kind: 'line', at: [0, 0], turn: 0.3 },
     { kind: 'circle', at: [0, 1], radius: 1 },
@@ -91,6 +92,6 @@ test('sets that meet are met', () => {
   assert.ok(sum(errors(x, project(feasible, x), [1, 1])) < 1e-12);
 });
 
-test('without weights nothing moves', () => {
+test('without weights the point does not move', () => {
   assert.deepEqual(reconcile([1, 2], project(sets, [1, 2]), [0, 0, 0, 0]), [1, 2]);
 });
