@@ -1,4 +1,4 @@
-// The list of constraints, the settings below the energies, and handles in numbers and by keys.
+// The list of constraints, the settings below the energies, and handles by numbers and keys.
 
 import { addConstraint, hidePanels, openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -25,7 +25,7 @@ test.beforeEach(async ({ page }) => {
 
 const rows = (page) => page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
 
-test('rows say their share of the energy, are duplicated, and select what they act on', async ({
+test('rows show their share of the energy, can be duplicated, and select their elements', async ({
   page,
 }) => {
   await addConstraint(page, 'Plane', 'each face');
@@ -53,7 +53,7 @@ test('rows say their share of the energy, are duplicated, and select what they a
   await expect(page.getByRole('status')).toHaveText('36 faces selected');
 });
 
-test('shapes that do not fit are named, with the reason', async ({ page }) => {
+test('shapes that do not apply are named with the reason', async ({ page }) => {
   await page.keyboard.press('1');
   await hidePanels(page);
   await page.mouse.click(...(await screenOf(page, MIDDLE)));
@@ -65,11 +65,11 @@ test('shapes that do not fit are named, with the reason', async ({ page }) => {
   await expect(dialog.getByText(/: it (takes|is for) /).first()).toBeVisible();
 });
 
-test('settings come from the declared list, act, and are undone', async ({ page }) => {
+test('settings come from the declared list, take effect, and can be undone', async ({ page }) => {
   await showPanel(page, 'Energies and display');
   await page.getByText('More settings').click();
   const near = page.getByRole('combobox', { name: 'Stay near: kind of value' });
-  // What opens is kept near to where each vertex was.
+  // By default each vertex of an opened mesh stays near its original position.
   await expect(page.getByText('stay where each vertex was')).toBeVisible();
   await near.selectOption('surface');
   await expect.poll(async () => (await sceneOf(page)).closeness).toBeUndefined();
@@ -84,7 +84,7 @@ test('settings come from the declared list, act, and are undone', async ({ page 
     });
   await page.getByRole('combobox', { name: /^Accelerator/ }).selectOption('anderson');
   await expect.poll(async () => (await sceneOf(page)).solver?.accelerator).toBe('anderson');
-  // Cotangents are for triangles: it is said, and the field shows what is.
+  // Cotangent weights require triangles: an error is shown, and the field keeps its old value.
   const weighting = page.getByRole('combobox', { name: /^Neighbours count/ });
   await weighting.selectOption('cotangent');
   await expect(page.getByRole('alert')).toContainText('triangle');
@@ -92,11 +92,11 @@ test('settings come from the declared list, act, and are undone', async ({ page 
   await page.keyboard.press('Escape');
   for (let step = 0; step < 3; step++) await page.keyboard.press('Control+z');
   await expect(near).toHaveValue('word rest');
-  // The text of the scene comes after what the fields show.
+  // The scene is updated after the fields.
   await expect.poll(async () => (await sceneOf(page)).closeness).toEqual({ to: 'rest' });
 });
 
-test('a preset sets all that it needs, and says what it assumes before it is taken', async ({
+test('a preset sets all its weights and settings, and shows its assumptions beforehand', async ({
   page,
 }) => {
   await showPanel(page, 'Energies and display');
@@ -121,7 +121,7 @@ test('a preset sets all that it needs, and says what it assumes before it is tak
   await expect(preset).toHaveValue('fig-5');
 });
 
-test('the selection is held more than the rest, and all alike again', async ({ page }) => {
+test('the selection is held closer than the rest, and evenly again', async ({ page }) => {
   await hidePanels(page);
   await page.mouse.click(...(await screenOf(page, MIDDLE)));
   await showPanel(page, 'Energies and display');
@@ -134,7 +134,7 @@ test('the selection is held more than the rest, and all alike again', async ({ p
   await expect.poll(weights).toBeUndefined();
 });
 
-test('a handle is moved by numbers, made fixed, and weighed', async ({ page }) => {
+test('a handle is moved by numbers, fixed, and weighted', async ({ page }) => {
   await addConstraint(page, 'Plane', 'each face');
   await hidePanels(page);
   await page.mouse.click(...(await screenOf(page, MIDDLE)));
@@ -157,7 +157,9 @@ test('a handle is moved by numbers, made fixed, and weighed', async ({ page }) =
   await expect(weight).toBeHidden();
 });
 
-test('a handle is moved by keys: taken up, along an axis, left, and put back', async ({ page }) => {
+test('a handle is moved by keys: picked up, along an axis, dropped, and put back', async ({
+  page,
+}) => {
   await hidePanels(page);
   await page.mouse.click(...(await screenOf(page, MIDDLE)));
   await page.keyboard.press('h');
@@ -181,7 +183,7 @@ test('a handle is moved by keys: taken up, along an axis, left, and put back', a
   await expect.poll(async () => (await state(page)).handles[0].target).toEqual(target);
 });
 
-test('Alt-drag makes a handle and moves it; Shift keeps it at its height', async ({ page }) => {
+test('Alt-drag makes a handle and moves it; Shift keeps its height', async ({ page }) => {
   await hidePanels(page);
   const [x, y] = await screenOf(page, MIDDLE);
   await page.keyboard.down('Alt');

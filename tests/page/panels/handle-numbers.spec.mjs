@@ -1,4 +1,4 @@
-// Handles in numbers: several at once, by how much, and with room for the digits.
+// Handles by numbers: several at once, relative values, and room for the digits.
 
 import { addConstraint, hidePanels, openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -18,7 +18,7 @@ async function enter(field, text) {
   await field.press('Enter');
 }
 
-/** Makes these vertices handles, which are selected then. */
+/** Makes the vertices handles and leaves them selected. */
 async function makeHandles(page, vertices) {
   await hidePanels(page);
   for (const vertex of vertices) {
@@ -38,13 +38,13 @@ async function open(page, text = wavyGrid(N)) {
   await waitForState(page, (now) => now.renderer !== 'none');
 }
 
-test('a coordinate is set for all selected handles, as one step', async ({ page }) => {
+test('a coordinate is set for all selected handles in one step', async ({ page }) => {
   await open(page);
   await addConstraint(page, 'Plane', 'each face');
   await makeHandles(page, [MIDDLE, MIDDLE + 1]);
   const before = await targets(page);
   expect(before[0][0]).not.toBe(before[1][0]);
-  // What they have in common is there, what not is said to be mixed.
+  // Common values are shown, differing ones are marked as mixed.
   await expect(target(page, 'x')).toHaveValue('');
   await expect(target(page, 'x')).toHaveAttribute('placeholder', 'mixed');
   expect(Number(await target(page, 'y').inputValue())).toBeCloseTo(before[0][1], 3);
@@ -60,7 +60,9 @@ test('a coordinate is set for all selected handles, as one step', async ({ page 
   await expect(target(page, 'z')).not.toHaveValue(/7\.5/);
 });
 
-test('a number with a sign moves on; fractions and units are understood', async ({ page }) => {
+test('a number with a sign moves relatively; fractions and units are accepted', async ({
+  page,
+}) => {
   await open(page);
   await makeHandles(page, [MIDDLE, MIDDLE + 1]);
   const before = await targets(page);
@@ -89,7 +91,7 @@ test('a number with a sign moves on; fractions and units are understood', async 
   expect(await targets(page)).toEqual(now);
 });
 
-test('two coordinates one right after the other are both taken', async ({ page }) => {
+test('two coordinates entered in quick succession both take effect', async ({ page }) => {
   await open(page);
   await makeHandles(page, [MIDDLE]);
   const [[, , z]] = await targets(page);
@@ -101,8 +103,10 @@ test('two coordinates one right after the other are both taken', async ({ page }
   await expect(undoButton(page)).toHaveAttribute('title', /Move handle/);
 });
 
-test('undo takes a number back for good, while the mesh still follows it', async ({ page }) => {
-  // The end of the move comes when it is told to.
+test('undo takes back a number for good, even while the mesh still follows it', async ({
+  page,
+}) => {
+  // The message that ends the move is held back until the test releases it.
   await page.addInitScript(() => {
     const { postMessage } = Worker.prototype;
     Worker.prototype.postMessage = function (...message) {
@@ -123,7 +127,7 @@ test('undo takes a number back for good, while the mesh still follows it', async
   expect(await targets(page)).toEqual(before);
 });
 
-test('weight, soft and fixed are those of all selected handles', async ({ page }) => {
+test('weight, Soft and Fixed apply to all selected handles', async ({ page }) => {
   await open(page);
   await makeHandles(page, [MIDDLE, MIDDLE + 1]);
   await hidePanels(page);
@@ -148,7 +152,7 @@ test('weight, soft and fixed are those of all selected handles', async ({ page }
 
   const soft = details(page).getByRole('button', { name: 'Soft' });
   await expect(soft).toHaveAttribute('aria-pressed', 'true');
-  // Those that are soft already keep their weight.
+  // Handles that are already soft keep their weight.
   await soft.click();
   expect((await state(page)).handles.map((handle) => handle.weight)).toEqual([12, 12]);
   await details(page).getByRole('button', { name: 'Fixed' }).click();
@@ -157,9 +161,9 @@ test('weight, soft and fixed are those of all selected handles', async ({ page }
   await expect(weight).toBeHidden();
 });
 
-// A building of some hundred metres, where the surveyor has it.
+// A building some hundred metres long, at the coordinates of a survey.
 for (const far of [-321, -4321]) {
-  test(`there is room for the digits at ${far} m`, async ({ page }) => {
+  test(`the fields have room for the digits at ${far} m`, async ({ page }) => {
     const fits = () =>
       details(page)
         .getByRole('textbox')

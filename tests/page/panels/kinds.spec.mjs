@@ -1,4 +1,4 @@
-// The list of kinds: every one can be added to a suitable mesh, and does something there.
+// The list of kinds: each can be added to a suitable mesh and changes something there.
 
 import { constraintCount, openText, showPanel } from '../actions.mjs';
 import { quadScene, tetScene, triangleScene, wavyGrid } from '../meshes.mjs';
@@ -19,12 +19,12 @@ const MESHES = [
   { name: 'tets', text: tetScene(), vertices: 8 },
 ];
 
-/** Below this an energy is nothing but rounding: the meshes have unit edges. */
+/** Energies up to this are rounding errors: the meshes have unit edges. */
 const NOTHING = 1e-20;
 
 const dialogOf = (page) => page.getByRole('dialog', { name: 'New constraint' });
 
-/** Opens the dialog and waits for what it offers. */
+/** Opens the dialog and waits until its choices have loaded. */
 async function openDialog(page) {
   await showPanel(page, 'Model');
   await page.getByRole('button', { name: 'Add constraint' }).click();
@@ -33,7 +33,7 @@ async function openDialog(page) {
   return dialog;
 }
 
-/** The names of the radio buttons of a group. */
+/** The names of the radio buttons in a group. */
 const namesIn = (dialog, group) =>
   dialog
     .getByRole('group', { name: group, exact: true })
@@ -42,7 +42,9 @@ const namesIn = (dialog, group) =>
 
 const kindsOf = (page) => page.evaluate(() => window.shapeUp.kinds());
 
-/** Adds a kind with its parameters as they are, at the place with that number; how many there are. */
+/**
+ * Adds a kind with its default parameters at the place of this index; returns the number of places.
+ */
 async function add(page, name, place) {
   const dialog = await openDialog(page);
   await dialog.getByRole('radio', { name, exact: true }).check();
@@ -55,7 +57,7 @@ async function add(page, name, place) {
   return count;
 }
 
-/** Takes back everything, step by step. */
+/** Undoes everything, step by step. */
 async function undoAll(page) {
   const undo = page.getByRole('button', { name: 'Undo' });
   await expect(undo).toBeEnabled();
@@ -66,13 +68,13 @@ async function undoAll(page) {
   await expect.poll(() => constraintCount(page)).toBe(0);
 }
 
-/** The shape energy, once the page knows it. */
+/** The shape energy, once the picture is up to date. */
 async function shapeEnergy(page) {
   await drawn(page);
   return (await state(page)).energy.shape;
 }
 
-/** Pulls the first vertex that is in sight away. */
+/** Makes a handle of the first visible vertex and drags it away. */
 async function pull(page, count) {
   const inSight = (v) => page.evaluate((one) => window.shapeUp.screen(one) !== null, v);
   for (let v = 0; v < count; v++) {
@@ -85,8 +87,8 @@ async function pull(page, count) {
 }
 
 /**
- * Adds a kind at the first place where it is not met already (any four points are on a sphere),
- * iterates once, and says the shape energy before and after.
+ * Adds a kind at the first place where it is not already met (any four points lie on a sphere),
+ * iterates once, and returns the shape energy before and after.
  */
 async function tryKind(page, name, mesh) {
   let places = 1;
@@ -129,7 +131,7 @@ test('every kind can be added to a suitable mesh, and its energy falls', async (
   expect([...walked].sort()).toEqual([...labels].sort());
 });
 
-test('each kind is shown with its drawing and says what it asks, by keys too, and Escape closes', async ({
+test('each kind is shown with a drawing and a description, also by keys, and Escape closes the dialog', async ({
   page,
 }) => {
   await openPage(page);
@@ -149,12 +151,12 @@ test('each kind is shown with its drawing and says what it asks, by keys too, an
     expect(await drawing.locator('.found circle').count()).toBe(kind.sketch.points.length);
   }
 
-  // Arrow keys walk the palette.
+  // Arrow keys move through the kinds.
   const names = await namesIn(dialog, 'Shape');
   await dialog.getByRole('radio', { name: names[0], exact: true }).focus();
   await page.keyboard.press('ArrowRight');
   await expect(dialog.getByRole('radio', { name: names[1], exact: true })).toBeChecked();
-  // The last one too, which is out of sight at first.
+  // The last one too, which has to be scrolled into view.
   await page.keyboard.press('ArrowLeft');
   await page.keyboard.press('ArrowLeft');
   const last = dialog.getByRole('radio', { name: names.at(-1), exact: true });
@@ -164,7 +166,7 @@ test('each kind is shown with its drawing and says what it asks, by keys too, an
   await expect(dialog).toBeHidden();
 });
 
-test('a kind that is meant for some elements is offered on these only', async ({ page }) => {
+test('a kind for certain elements is offered for these only', async ({ page }) => {
   await openPage(page);
   const kinds = await kindsOf(page);
   for (const mesh of MESHES.slice(0, 2)) {
@@ -185,7 +187,9 @@ test('a kind that is meant for some elements is offered on these only', async ({
   }
 });
 
-test('the dialog asks once, however many kinds and places there are', async ({ page }) => {
+test('the dialog requests all previews in one message, for any number of kinds and places', async ({
+  page,
+}) => {
   await page.addInitScript(() => {
     const asked = (window.asked = []);
     const post = Worker.prototype.postMessage;
@@ -201,7 +205,7 @@ test('the dialog asks once, however many kinds and places there are', async ({ p
   expect(asked).toHaveLength(1);
 });
 
-test('the usual kind is chosen beforehand, follows the selection, and runs', async ({ page }) => {
+test('the usual kind is preselected, follows the selection, and runs', async ({ page }) => {
   await openPage(page);
   const n = 6;
   await openText(page, 'grid.obj', wavyGrid(n), (n + 1) ** 2);
@@ -211,7 +215,7 @@ test('the usual kind is chosen beforehand, follows the selection, and runs', asy
     dialog.getByRole('group', { name: group, exact: true }).getByRole('radio', { checked: true });
   await expect(chosen('Where')).toHaveAccessibleName('each face');
   const whole = await chosen('Shape').getAttribute('aria-label');
-  // A patch of faces, while the dialog is open: the view is beside it.
+  // Selects a patch of faces in the view while the dialog is open beside it.
   await page.keyboard.press('3');
   const at = 3 * (n + 1) + 3;
   const corners = [at, at + 1, at + n + 1, at + n + 2];

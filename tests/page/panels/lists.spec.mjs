@@ -1,5 +1,4 @@
-// Lists in words and numbers: names of constraints, the worst elements, the log, and what is said of
-// a shape.
+// Lists in words and numbers: names of constraints, the worst elements, the log, and verdicts.
 
 import { addConstraint, openText, runToTheEnd, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -22,7 +21,7 @@ async function showTab(page, name) {
   await expect(page.getByRole('tabpanel', { name })).toBeVisible();
 }
 
-test('a constraint is named where it stands, and the name is kept', async ({ page }) => {
+test('a constraint is renamed in its row, and the name is saved', async ({ page }) => {
   await addConstraint(page, 'Plane', 'each face');
   await showPanel(page, 'Model');
   const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
@@ -58,7 +57,7 @@ test('a constraint is named where it stands, and the name is kept', async ({ pag
   await expect(row).toContainText('Skylight');
 });
 
-test('the worst elements are a table that selects, by keyboard too', async ({ page }) => {
+test('the worst elements are in a table that selects them, also by keyboard', async ({ page }) => {
   await addConstraint(page, 'Plane', 'each face');
   await showTab(page, 'Worst');
   const table = page.getByRole('table', { name: 'Worst elements' });
@@ -78,7 +77,7 @@ test('the worst elements are a table that selects, by keyboard too', async ({ pa
   );
   await expect(page.getByRole('status')).toHaveText('1 face selected');
 
-  // By constraint it is the same here; after the run nothing is far.
+  // Sorting by constraint gives the same order here; after the run no error is large.
   const choice = page.getByRole('combobox', { name: 'Worst by' });
   await choice.selectOption({ label: 'Constraint: Plane on all faces' });
   await expect(first).toHaveText(`face ${face}`);
@@ -91,7 +90,7 @@ test('the worst elements are a table that selects, by keyboard too', async ({ pa
   await expect.poll(metres).toBeLessThan(before / 10);
 });
 
-test('the log has the report of the file, and selects what a problem is about', async ({
+test('the log contains the report of the file, and selects the elements of a problem', async ({
   page,
   context,
 }) => {
@@ -122,7 +121,7 @@ test('the log has the report of the file, and selects what a problem is about', 
   expect(text).toMatch(/\d\d:\d\d.*Error: broken\.xyz/);
 });
 
-test('faces without an area are named, and selected', async ({ page }) => {
+test('faces without area are reported and can be selected', async ({ page }) => {
   const flat = `${wavyGrid(N)}v 0 0 0\nv 1 0 0\nv 2 0 0\nf -3 -2 -1\n`;
   await openText(page, 'flat.obj', flat, VERTICES + 3);
   const alert = page.getByRole('alert');
@@ -131,7 +130,7 @@ test('faces without an area are named, and selected', async ({ page }) => {
   await waitForState(page, (now) => now.selection.faces[0] === 36);
 });
 
-test('a run says whether all is within the tolerance, or what is worst and what lowers it', async ({
+test('a run reports that all is within tolerance, or the worst element and what reduces its error', async ({
   page,
 }) => {
   await addConstraint(page, 'Plane', 'each face');
@@ -149,7 +148,7 @@ test('a run says whether all is within the tolerance, or what is worst and what 
   await expect(verdict).toBeHidden();
   await expect(row).toContainText('beyond 0 ');
 
-  // Four corners of a face are held where no plane has them.
+  // The four corners of a face are fixed at positions that no plane contains.
   const text = await sceneOf(page);
   text.handles = [
     { vertices: [0], targets: [[0, 0, 3]], fixed: true },
@@ -168,11 +167,11 @@ test('a run says whether all is within the tolerance, or what is worst and what 
   await runToTheEnd(page);
   await verdict.getByRole('button', { name: /^Release the handles: / }).click();
   await waitForState(page, (now) => now.handles.length === 0 && now.converged && !now.running);
-  // What is shown of a run is renewed a few times a second.
+  // During a run the numbers are updated a few times a second.
   await expect.poll(() => worst(page)).toBeLessThan(0.5 * before);
 });
 
-/** The worst distance of the first row of constraints, in the unit of the mesh. */
+/** The worst distance in the first row of constraints, in the unit of the mesh. */
 async function worst(page) {
   const text = await page
     .getByText(/^worst \d/)

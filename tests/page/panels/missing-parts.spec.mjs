@@ -1,4 +1,5 @@
-// Parts of the panels that cannot be fetched at first: it is said, and they come at the next attempt.
+// Parts of the panels that cannot be fetched at first: an error is shown, and they load at the next
+// attempt.
 
 import { addConstraint, hidePanels, openText, showPanel } from '../actions.mjs';
 import { file, wavyGrid } from '../meshes.mjs';
@@ -17,13 +18,13 @@ test.beforeEach(async ({ page }) => {
   await waitForState(page, (now) => now.renderer !== 'none');
 });
 
-/** Expects no complaints but those about the aborted requests. */
+/** Expects no complaints other than those about the aborted requests. */
 function expectOnlyAborted(complaints) {
   expect(complaints.filter((text) => !text.includes('net::ERR_FAILED'))).toEqual([]);
   complaints.length = 0;
 }
 
-test('the fields of a handle come with the next selection', async ({ page, complaints }) => {
+test('the fields of a handle load at the next selection', async ({ page, complaints }) => {
   const part = '**/handle-details-*.js';
   await page.route(part, (route) => route.abort());
   await hidePanels(page);
@@ -55,7 +56,7 @@ test('a constraint is renamed at the next attempt', async ({ page, complaints })
   expectOnlyAborted(complaints);
 });
 
-test('more settings come when they are opened again', async ({ page, complaints }) => {
+test('more settings load when they are opened again', async ({ page, complaints }) => {
   const part = '**/settings-*.js';
   await page.route(part, (route) => route.abort());
   await showPanel(page, 'Energies and display');
@@ -68,7 +69,7 @@ test('more settings come when they are opened again', async ({ page, complaints 
   expectOnlyAborted(complaints);
 });
 
-test('a file is refused with its reason without the offer of other files', async ({
+test('a file is refused with its reason, even without the offer of other files', async ({
   page,
   complaints,
 }) => {

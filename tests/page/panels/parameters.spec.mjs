@@ -35,7 +35,7 @@ test('a constraint is added with the parameters of the dialog', async ({ page })
   const length = parameter(dialog, 'Length');
   await length.getByRole('combobox').selectOption('exactly');
   const field = length.getByRole('spinbutton', { name: 'Length' });
-  // It begins with a number that fits the mesh.
+  // The initial value suits the mesh.
   expect(Number(await field.inputValue())).toBeGreaterThan(0.9);
   await field.fill('-2');
   await dialog.getByRole('button', { name: 'Add', exact: true }).click();
@@ -48,7 +48,7 @@ test('a constraint is added with the parameters of the dialog', async ({ page })
   await waitForState(page, (now) => now.energy.shape > 0.1);
 });
 
-test('what the solver refuses is told at the field of the dialog', async ({ page }) => {
+test('an error of the solver is shown at the field of the dialog', async ({ page }) => {
   await showPanel(page, 'Model');
   await page.getByRole('button', { name: 'Add constraint' }).click();
   const dialog = page.getByRole('dialog', { name: 'New constraint' });
@@ -62,13 +62,13 @@ test('what the solver refuses is told at the field of the dialog', async ({ page
   await expect(length.getByText('found 2, expected a number from 3')).toBeVisible();
   await expect(to).toHaveAttribute('aria-invalid', 'true');
   await expect(page.getByRole('alert')).toBeEmpty();
-  // No limit is what an empty field means.
+  // An empty field means no limit.
   await to.fill('');
   await dialog.getByRole('button', { name: 'Add', exact: true }).click();
   await expect.poll(async () => (await constraint(page))?.length).toEqual([3, null]);
 });
 
-test('a direction is chosen by its axis, and what two parameters contradict is told', async ({
+test('a direction is chosen by its axis, and contradictory parameters are reported', async ({
   page,
 }) => {
   await addConstraint(page, 'Plane', 'each face');
@@ -91,7 +91,7 @@ test('a direction is chosen by its axis, and what two parameters contradict is t
   expect((await constraint(page)).along).toBeUndefined();
 });
 
-test('a parameter of a row acts at once, and is one step of undo', async ({ page }) => {
+test('a parameter in a row takes effect at once, and is one undo step', async ({ page }) => {
   const row = await openRow(page);
   expect((await state(page)).energy.shape).toBeLessThan(1e-20);
   const length = parameter(row, LENGTH);
@@ -102,7 +102,7 @@ test('a parameter of a row acts at once, and is one step of undo', async ({ page
   await field.press('Enter');
   await expect.poll(async () => (await constraint(page)).length).toBe(2);
   await waitForState(page, (now) => now.energy.shape > 1);
-  // The row stays open, the field keeps the focus, and the row says what is not as usual.
+  // The row stays open, the field keeps the focus, and the row shows values other than the default.
   await expect(field).toBeFocused();
   await expect(row.getByText(/length 2/)).toBeVisible();
   await tool(page, 'Undo');
@@ -112,7 +112,7 @@ test('a parameter of a row acts at once, and is one step of undo', async ({ page
   await expect.poll(async () => (await constraint(page)).length).toBeUndefined();
 });
 
-test('a parameter that is refused keeps its old value and says why', async ({ page }) => {
+test('a refused parameter keeps its old value and shows the reason', async ({ page }) => {
   const row = await openRow(page);
   const length = parameter(row, LENGTH);
   await length.getByRole('combobox').selectOption('between');
@@ -127,7 +127,7 @@ test('a parameter that is refused keeps its old value and says why', async ({ pa
   await expect(page.getByRole('alert')).toBeEmpty();
 });
 
-test('parameters fit into the window', async ({ page }) => {
+test('the parameters fit into the window', async ({ page }) => {
   const row = await openRow(page);
   await parameter(row, LENGTH).getByRole('combobox').selectOption('between');
   await expect.poll(async () => (await constraint(page)).length).toHaveLength(2);
