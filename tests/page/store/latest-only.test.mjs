@@ -1,10 +1,10 @@
-// One question at a time, and then the latest one.
+// Only one request runs at a time, and then the latest one.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { latestOnly } from '../../../www/store/latest-only.js';
 
-/** Questions are answered when the test says so. */
+/** Requests are answered when the test does so. */
 function held() {
   const asked = [];
   const questions = latestOnly(
@@ -16,7 +16,7 @@ function held() {
 const turn = () => new Promise((done) => setTimeout(done));
 const names = (asked) => asked.map(({ question }) => question);
 
-test('questions that are out of date are dropped', async () => {
+test('outdated requests are dropped', async () => {
   const { asked, questions } = held();
   const first = questions.ask('a');
   questions.ask('b');
@@ -33,7 +33,7 @@ test('questions that are out of date are dropped', async () => {
   assert.equal(questions.isBusy(), false);
 });
 
-test('after an answer that fails, later questions are answered', async () => {
+test('after a failed request, later requests are answered', async () => {
   const { asked, questions } = held();
   const first = questions.ask('a');
   asked[0].fail(new Error('no network'));
@@ -42,7 +42,7 @@ test('after an answer that fails, later questions are answered', async () => {
   assert.deepEqual(names(asked), ['a', 'b']);
 });
 
-test('a question that waits is answered although the one before fails', async () => {
+test('a waiting request is answered although the one before fails', async () => {
   const { asked, questions } = held();
   const first = questions.ask('a');
   questions.ask('b');

@@ -1,4 +1,4 @@
-// How the values of measures read.
+// How the values of measures are displayed.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -13,18 +13,18 @@ const about = { id: 'bend', label: '', words: '', met: '', toleranced: false, cu
 const mean = { ...about, unit: /** @type {const} */ ('per-length'), signed: true };
 const gauss = { ...about, unit: /** @type {const} */ ('per-area'), signed: true };
 
-test('curvatures are written in metres, whatever the unit of the mesh', () => {
+test('curvatures are shown per metre, whatever the unit of the mesh', () => {
   assert.deepEqual(unitOf(mean, 1, 'm'), { unit: '1/m', factor: 1 });
   assert.equal(valueInWords(mean, 0.002, 'mm'), '2.00 1/m');
   assert.equal(valueInWords(gauss, -2e-6, 'mm'), '−2.00 1/m²');
   assert.equal(valueInWords(gauss, 0.25, 'm'), '0.250 1/m²');
-  // A mesh without a unit has none.
+  // A mesh without a unit shows none.
   assert.equal(valueInWords(gauss, 0.25, ''), '0.250');
   assert.equal(valueInWords({ ...about, signed: false, unit: 'percent' }, 3, 'm'), '3.00 %');
   assert.equal(valueInWords({ ...about, signed: false, unit: 'degrees' }, 3, 'm'), '3.00°');
 });
 
-test('what is rounding shrinks as the size of the mesh grows, and a signed value has no tolerance', () => {
+test('the rounding limit falls as the mesh size grows, and a signed value has no tolerance', () => {
   assert.ok(Math.abs((roundingOf(gauss, 100) * 100) / roundingOf(mean, 100) - 1) < 1e-12);
   const state = /** @type {any} */ ({ tolerance: 0.01, tolerances: { bend: 3 } });
   assert.equal(toleranceOf(state, mean), null);

@@ -1,4 +1,4 @@
-// Commands are done if they can be, wherever they are pressed: menus did them past that.
+// A command runs only if it is enabled, wherever it is pressed; menus used to bypass that.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -14,7 +14,7 @@ const command = (done, more = {}) => ({
   ...more,
 });
 
-test('a command that is not enabled is not done', () => {
+test('a disabled command does not run', () => {
   const store = createStore();
   const done = [];
   const drawn = command(done, { enabled: ({ renderer }) => renderer !== 'none' });
@@ -28,7 +28,7 @@ test('a command that is not enabled is not done', () => {
   assert.equal(isEnabled(command(done), store.get()), true);
 });
 
-test('what needs a model waits for it, once', async () => {
+test('a command that needs a model waits for it and runs once', async () => {
   const store = createStore();
   const done = [];
   const waiting = command(done, { needsModel: true });

@@ -1,4 +1,4 @@
-// Undo over a random sequence of what a person does: exactly back to the start, and forward again.
+// Undo over a random sequence of edits: exactly back to the start, and forward again.
 
 import { addConstraint, hidePanels, openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -17,7 +17,7 @@ const N = 4;
 const VERTICES = (N + 1) ** 2;
 const DEEDS = 16;
 
-/** Numbers from 0 to below `limit`, the same on every machine for a seed. */
+/** Returns a generator of numbers in [0, limit), the same on every machine for a seed. */
 function seeded(seed) {
   let now = seed;
   return (limit) => {
@@ -26,7 +26,7 @@ function seeded(seed) {
   };
 }
 
-/** A vertex that can be seen, from a drawn one on. */
+/** The first visible vertex from a given one on. */
 async function seen(page, first) {
   for (let i = 0; i < VERTICES; i++) {
     const vertex = (first + i) % VERTICES;
@@ -35,7 +35,7 @@ async function seen(page, first) {
   throw new Error('no vertex can be seen');
 }
 
-/** What a person does, each one step of undo or none. */
+/** User actions, each of which makes one undo step or none. */
 const DOINGS = {
   async constrain(page, draw) {
     await addConstraint(page, ['Plane', 'Circle', 'Rectangle'][draw(3)], 'each face');
@@ -83,7 +83,7 @@ const DOINGS = {
   },
 };
 
-test('a random sequence is undone to the start, each step by its name, and done again', async ({
+test('a random sequence is undone to the start, each step by its name, and redone', async ({
   page,
 }) => {
   await openPage(page);
@@ -94,7 +94,7 @@ test('a random sequence is undone to the start, each step by its name, and done 
   const names = Object.keys(DOINGS);
   const undo = page.getByRole('button', { name: 'Undo' });
   const redo = page.getByRole('button', { name: 'Redo' });
-  /** All that was said has been answered. */
+  /** Waits until all messages have been answered. */
   const settled = () => page.evaluate(() => window.shapeUp.settled());
 
   await DOINGS.constrain(page, draw);
@@ -102,7 +102,7 @@ test('a random sequence is undone to the start, each step by its name, and done 
     await DOINGS[names[draw(names.length)]](page, draw);
     await settled();
   }
-  // A run is one step, with its iterations in its name.
+  // A run is one step, with the number of iterations in its name.
   await page.getByRole('button', { name: 'Run' }).click();
   await expect(undo).toHaveAttribute('title', /Undo: Run, \d+ iterations? /);
   await waitForState(page, (now) => now.converged && !now.running);

@@ -1,4 +1,4 @@
-// What clicks and regions do to the selection.
+// How clicks and regions change the selection.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -15,7 +15,7 @@ test('Shift adds, Ctrl removes, and a plain click replaces', () => {
   assert.deepEqual([[...vertex.vertices], [...vertex.faces]], [[1], []]);
 });
 
-test('a selected face or edge stands for its vertices, each once', () => {
+test('selected faces and edges stand for their vertices, each listed once', () => {
   const square = {
     faceOffsets: Uint32Array.of(0, 4),
     faceIndices: Uint32Array.of(0, 1, 2, 3),

@@ -54,7 +54,7 @@ test('circles on all faces and a sphere on a box selection: the errors fall', as
   );
 });
 
-test('a constraint on each selected face', async ({ page }) => {
+test('a constraint is added on each selected face', async ({ page }) => {
   await page.keyboard.press('3');
   const [x0, y0] = await screenOf(page, MIDDLE);
   const [x1, y1] = await screenOf(page, MIDDLE + N + 2);
@@ -64,7 +64,7 @@ test('a constraint on each selected face', async ({ page }) => {
   expect((await state(page)).constraints).toEqual({ plane: 1 });
 });
 
-test('weights, switches and removal of a constraint', async ({ page }) => {
+test('a constraint is weighted, switched off and removed', async ({ page }) => {
   await addConstraint(page, 'Plane', 'each face');
   const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
   const weight = row.getByRole('spinbutton');
@@ -98,7 +98,7 @@ test('a double-click makes a handle, a drag moves it, and the mesh follows', asy
     .poll(async () => (await positionOf(page, MIDDLE))[2])
     .toBeGreaterThan(before[2] + 0.5 * (target[2] - before[2]));
   expect((await positionOf(page, MIDDLE + 1))[2]).toBeGreaterThan(neighbour[2]);
-  // Paused before, paused after.
+  // The solver was paused before the drag, and is paused again.
   expect((await state(page)).running).toBe(false);
 
   await page.getByRole('button', { name: 'Undo' }).click();
@@ -126,7 +126,7 @@ test('Escape puts a dragged handle back', async ({ page }) => {
     .toEqual(made.handles[0].target);
 });
 
-test('every edit is one step of undo', async ({ page }) => {
+test('every edit is one undo step', async ({ page }) => {
   const undo = page.getByRole('button', { name: 'Undo' });
   await expect(undo).toBeDisabled();
   await addConstraint(page, 'Plane', 'each face');
@@ -143,7 +143,9 @@ test('every edit is one step of undo', async ({ page }) => {
   await waitForState(page, (now) => now.constraints.plane === 36);
 });
 
-test('run, pause, step and reset by keys; a weight is an edit', async ({ page }) => {
+test('run, pause, step and reset work by keys, and changing a weight is an edit', async ({
+  page,
+}) => {
   await addConstraint(page, 'Plane', 'each face');
   await hidePanels(page);
   await page.getByRole('application', { name: '3D view' }).focus();
@@ -154,7 +156,7 @@ test('run, pause, step and reset by keys; a weight is an edit', async ({ page })
   await page.keyboard.press('Shift+R');
   await waitForState(page, (now) => now.iteration === 0);
 
-  // The weights of the energies are edits too.
+  // Changing the weights of the energies is an edit too.
   await showPanel(page, 'Energies and display');
   const weight = page.getByRole('spinbutton', { name: 'Close weight' });
   await weight.fill('12');

@@ -1,4 +1,4 @@
-// The store: who is told of what, and when.
+// The store: which listeners are notified, and when.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -7,7 +7,7 @@ import { createStore, handlesNow } from '../../../www/store/state.js';
 const reported = [];
 globalThis.reportError = (error) => reported.push(error.message);
 
-test('a listener is told once for a task, and only of its own keys', async () => {
+test('a listener is called once per task, and only for its own keys', async () => {
   const store = createStore();
   const heard = [];
   store.subscribe(['status'], ({ status }) => heard.push(status));
@@ -22,7 +22,7 @@ test('a listener is told once for a task, and only of its own keys', async () =>
   assert.deepEqual(heard, ['', 'two']);
 });
 
-test('a listener of the store that throws hurts no other', async () => {
+test('a listener that throws does not affect the others', async () => {
   const store = createStore();
   const heard = [];
   store.subscribe(['status'], ({ status }) => {
@@ -35,7 +35,7 @@ test('a listener of the store that throws hurts no other', async () => {
   assert.deepEqual(reported, ['broken']);
 });
 
-test('handles that are dragged are where they are dragged to', () => {
+test('dragged handles have the targets of the drag', () => {
   const handle = (vertex) => ({ vertex, target: [0, 0, 0], weight: 1, fixed: false });
   const state = {
     document: { handles: [handle(3), handle(7)] },

@@ -1,4 +1,4 @@
-// Everything that is done can be taken back, one step for each thing that was done.
+// Every action can be undone, in one step each.
 
 import { addConstraint, openText, runToTheEnd, showPanel, tool } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -12,7 +12,7 @@ import {
   waitForState,
 } from '../support.mjs';
 
-test('all that was done is undone step by step, to the start, and done again', async ({ page }) => {
+test('all actions are undone step by step to the start, and redone', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   const start = await everything(page);
@@ -59,7 +59,7 @@ test('all that was done is undone step by step, to the start, and done again', a
   await expect.poll(() => everything(page)).toEqual(end);
 });
 
-test('a drag is one step, and one that is taken back is none', async ({ page }) => {
+test('a drag is one step, and a cancelled drag is none', async ({ page }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');
   const before = await everything(page);
