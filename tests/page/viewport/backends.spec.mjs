@@ -1,4 +1,4 @@
-// WebGPU where it draws, WebGL2 elsewhere: which module is loaded, and that the pictures are the same.
+// WebGPU where it works, otherwise WebGL2: which module is loaded, and that the pictures are equal.
 
 import { decodePng } from '../picture.mjs';
 import {
@@ -11,7 +11,7 @@ import {
   waitForState,
 } from '../support.mjs';
 
-/** Which variants of the view's module a page loads. */
+/** Records the variants of the view's module that a page loads. */
 function watchModules(page) {
   const loaded = new Set();
   page.on('request', (request) => {
@@ -30,7 +30,7 @@ async function drawnWith(page, backend) {
 
 /** The view alone, as pixels. */
 async function pictureOf(page) {
-  // What floats above it would be compared too, and moves.
+  // The moving overlays would be compared too.
   await page.evaluate(() => {
     const sheet = new CSSStyleSheet();
     sheet.replaceSync('#viewport ~ * { visibility: hidden !important }');
@@ -40,7 +40,7 @@ async function pictureOf(page) {
   return decodePng(await view.screenshot());
 }
 
-/** The part of the pixels whose colours differ more than rounding explains. */
+/** The fraction of pixels whose colours differ by more than rounding. */
 function differing(a, b) {
   expect([b.width, b.height]).toEqual([a.width, a.height]);
   let count = 0;
@@ -51,7 +51,7 @@ function differing(a, b) {
   return (count * a.channels) / a.pixels.length;
 }
 
-test('each backend draws the same picture with a module of its own', looks, async ({ page }) => {
+test('both backends draw the same picture, each with its own module', looks, async ({ page }) => {
   const pictures = [];
   for (const [demand, backend] of [
     ['webgl', 'webgl2'],
@@ -67,7 +67,7 @@ test('each backend draws the same picture with a module of its own', looks, asyn
   expect(differing(...pictures)).toBeLessThan(0.0005);
 });
 
-/** What may be wrong with WebGPU, and whether that shows only when its module is there. */
+/** Possible faults of WebGPU, and whether each shows only after its module has loaded. */
 const faults = {
   'no adapter': [
     () => {
@@ -106,7 +106,7 @@ const faults = {
   ],
 };
 for (const [fault, [cause, modules]] of Object.entries(faults)) {
-  test(`WebGL2 draws where WebGPU has ${fault}`, looks, async ({ page }) => {
+  test(`WebGL2 draws if WebGPU has ${fault}`, looks, async ({ page }) => {
     const loaded = watchModules(page);
     await page.addInitScript(cause);
     await openPage(page);
@@ -116,14 +116,14 @@ for (const [fault, [cause, modules]] of Object.entries(faults)) {
   });
 }
 
-test('WebGPU draws unasked where it can', looks, async ({ page }) => {
+test('WebGPU is used by default if it works', looks, async ({ page }) => {
   const loaded = watchModules(page);
   await openPage(page);
   await drawnWith(page, 'webgpu');
   expect([...loaded]).toEqual(['webgpu']);
 });
 
-/** The variants of the view's module that are kept. */
+/** The cached variants of the view's module. */
 const keptViews = (page) =>
   page.evaluate(async () => {
     const names = (await caches.keys()).filter((name) => name.startsWith('shape-up'));
@@ -137,7 +137,7 @@ test.describe('without a network', () => {
   test.use({ serviceWorkers: 'allow' });
 
   test(
-    'the view that draws is kept, and another one when it is wanted',
+    'the module in use is cached, and another one once it is requested',
     looks,
     async ({ page, context }) => {
       for (const [backend, kept] of [

@@ -1,4 +1,4 @@
-// Fitted circles over the surface: lines that are seen from near, and no patch of ink from afar.
+// Fitted circles over the surface: visible lines from near, no solid patch of ink from afar.
 
 import { openExample, runToTheEnd, showPanel } from '../actions.mjs';
 import { decodePng } from '../picture.mjs';
@@ -20,11 +20,11 @@ async function picture(page) {
   return decodePng(Buffer.from(base64, 'base64'));
 }
 
-/** Whether a pixel of two pictures differs plainly. */
+/** Whether a pixel differs clearly between two pictures. */
 const differs = (a, b, at) =>
   [0, 1, 2].some((part) => Math.abs(a.pixels[at + part] - b.pixels[at + part]) > 24);
 
-/** Of the pixels inside the box around all that differs, the part that does; and the width of the box. */
+/** The fraction of differing pixels in their bounding box, and the width of that box. */
 function covered(a, b) {
   const columns = new Set();
   const rows = new Set();

@@ -1,4 +1,4 @@
-// What the faces are coloured by.
+// The colours of the faces.
 
 import {
   addConstraint,
@@ -22,7 +22,9 @@ import {
   waitForState,
 } from '../support.mjs';
 
-test('faces are coloured by what is asked of them, until somebody chooses', async ({ page }) => {
+test("faces are coloured by their constraint's measure until the user chooses another", async ({
+  page,
+}) => {
   await openPage(page);
   await showPanel(page, 'Energies and display');
   const colours = page.getByLabel('Colour by');
@@ -32,7 +34,7 @@ test('faces are coloured by what is asked of them, until somebody chooses', asyn
   await openExample(page, 'Hypar');
   await expect(colours).toHaveValue('planarity');
 
-  // Nothing is asked of a mesh from a file.
+  // A mesh from a file has no constraints.
   await openText(page, 'grid.obj', wavyGrid(4), 25);
   await expect(colours).toHaveValue('');
   await expect(legend).toBeHidden();
@@ -49,7 +51,7 @@ test('faces are coloured by what is asked of them, until somebody chooses', asyn
   await expect(colours).toHaveValue('planarity');
 });
 
-test('faces are coloured by how far they are from any constraint', async ({ page }) => {
+test('faces can be coloured by their distance from any constraint', async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(4), 25);
   await addConstraint(page, 'Square', 'each face');
@@ -62,15 +64,15 @@ test('faces are coloured by how far they are from any constraint', async ({ page
   await expect.poll(() => worst(page)).toBeLessThan(0.2 * before);
 });
 
-/** The number behind "worst panel" in the status line. */
+/** The value of "worst panel" in the status line. */
 async function worst(page) {
   const text = await page.getByTitle('Constraints: ').first().textContent();
   return Number.parseFloat(text.match(/\d[\d.e-]*/)[0]);
 }
 
-test('flat faces are not coloured by rounding', async ({ page }) => {
+test('rounding does not colour flat faces', async ({ page }) => {
   await openPage(page);
-  // Exactly flat, but for the last digits of these decimals.
+  // Exactly flat, up to rounding of these decimals.
   const corners = [0, 0.1, 0.2, 0.3].flatMap((x) => [0, 0.7].map((y) => [x, y, x / 3 + y / 7]));
   const rows = corners.map((corner) => `v ${corner.join(' ')}`);
   await openText(page, 'flat.obj', `${rows.join('\n')}\nf 1 2 4 3\nf 3 4 6 5\nf 5 6 8 7\n`, 8);
@@ -80,7 +82,7 @@ test('flat faces are not coloured by rounding', async ({ page }) => {
   await expect(page.getByTitle('Shape energy, without its weight')).toHaveText('0');
 });
 
-/** How much bluer than red the middle of a face of a grid of n by n quads is, in a picture. */
+/** How much bluer than red the centre of a face of an n by n grid is in a picture. */
 async function bluerThanRed(page, picture, n, face) {
   const first = Math.floor(face / n) * (n + 1) + (face % n);
   const [a, b] = [await screenOf(page, first), await screenOf(page, first + n + 2)];
@@ -90,7 +92,7 @@ async function bluerThanRed(page, picture, n, face) {
 }
 
 test(
-  'while colours say nothing else, faces have those of their constraints',
+  'if no measure is shown, faces have the colours of their constraints',
   looks,
   async ({ page }) => {
     const n = 4;
@@ -99,7 +101,7 @@ test(
     await openText(page, 'grid.obj', wavyGrid(n), 25);
     const tints = async () => {
       await hidePanels(page);
-      // Neither pointing at a row nor in its fields.
+      // Moves pointer and focus away from the rows.
       const view = page.getByRole('application', { name: '3D view' });
       await view.focus();
       await view.hover({ position: { x: 5, y: 5 } });
@@ -128,7 +130,7 @@ test(
     expect(round).toBeLessThan(plain - 20);
     expect(others).toBeGreaterThan(plain + 20);
 
-    // A row that is off has no colour; the one behind it has.
+    // A constraint that is off has no colour; the one behind it shows.
     await showPanel(page, 'Model');
     await page.getByRole('switch', { name: /^Sphere/ }).uncheck();
     await waitForState(page, (now) => now.constraints.sphere === undefined);
@@ -139,7 +141,7 @@ test(
   },
 );
 
-/** The middle of the picture once nothing changes any more: light from all around comes after the shape. */
+/** The middle of the picture once it is final: ambient occlusion is added after the shape. */
 async function stillPicture(page) {
   let last = await middleOfPicture(page);
   await expect
@@ -154,14 +156,14 @@ async function stillPicture(page) {
 }
 
 test(
-  'residuals are arrows to the projected shapes, until there are none',
+  'residuals are arrows to the projected shapes, until they are zero',
   looks,
   async ({ page }) => {
     await openPage(page);
     await waitForState(page, (now) => now.renderer !== 'none');
     await openText(page, 'grid.obj', wavyGrid(4), 25);
     await addConstraint(page, 'Plane', 'each face');
-    /** How many bytes of the picture the arrows change, beside outlines. */
+    /** The number of bytes of the picture that the arrows change, with outlines shown. */
     const changes = async () => {
       await showPanel(page, 'Energies and display');
       const [outlines, arrows] = ['Projected shapes', 'Residual arrows'].map((name) =>
@@ -175,7 +177,7 @@ test(
       const changed = differingBytes(await stillPicture(page), outlined);
       await arrows.uncheck();
       await outlines.uncheck();
-      // Of a million: the light from all around is found anew.
+      // Out of a million: ambient occlusion is computed anew.
       expect(differingBytes(await stillPicture(page), before)).toBeLessThan(1500);
       return changed;
     };
@@ -217,57 +219,53 @@ test('the legend counts the faces within a tolerance', async ({ page }) => {
   await expect(page.getByLabel('Colours to')).toHaveValue('2.50');
 });
 
-/** So many bytes of a picture may differ where the light from all around is found anew: of a million. */
+/** Bytes, of a million, that may differ when ambient occlusion is computed anew. */
 const FOUND_ANEW = 60;
 
-/** The ends of the range as the legend has them. */
+/** The ends of the range as shown in the legend. */
 const rangeOf = async (page) =>
   Promise.all(['Colours from', 'Colours to'].map((name) => page.getByLabel(name).inputValue()));
 
-test(
-  'choosing a measure again gives the same picture, whatever came between',
-  looks,
-  async ({ page }) => {
-    await openPage(page);
-    await waitForState(page, (now) => now.renderer !== 'none');
-    // On the way, better than at the start and not exact yet.
-    const press = (name) => page.getByRole('button', { name, exact: true }).click();
-    await press('Reset');
-    await waitForState(page, (now) => now.iteration === 0);
-    for (let k = 1; k <= 5; k++) {
-      await press('Step');
-      await waitForState(page, (now, steps) => now.iteration === steps, k);
-    }
-    await showPanel(page, 'Energies and display');
-    const colours = page.getByLabel('Colour by');
-    // So that there is something beyond it.
-    await page.getByLabel('Tolerance').fill('0.1');
-    await page.getByLabel('Tolerance').press('Enter');
-    await expect(page.getByLabel('Colours from')).toHaveValue('0.100');
-    await drawn(page);
-    const before = [await rangeOf(page), await middleOfPicture(page)];
-    await page.getByRole('button', { name: 'Fit range' }).click();
-    await expect.poll(() => rangeOf(page)).not.toEqual(before[0]);
-    await colours.selectOption('planarity');
-    await expect(page.locator('#legend')).toContainText('Planarity');
-    await drawn(page);
-    await colours.selectOption('circularity');
-    await expect.poll(() => rangeOf(page)).toEqual(before[0]);
-    expect(differingBytes(await middleOfPicture(page), before[1])).toBeLessThan(FOUND_ANEW);
-    // All values and back.
-    const map = page.getByLabel('Colour map', { exact: true });
-    await map.selectOption('Viridis');
-    await expect(page.getByLabel('Colours from')).toHaveValue('0');
-    expect(differingBytes(await middleOfPicture(page), before[1])).toBeGreaterThan(2000);
-    const viridis = await middleOfPicture(page);
-    for (const other of ['Diverging', 'Grey']) {
-      await map.selectOption(other);
-      expect(differingBytes(await middleOfPicture(page), viridis)).toBeGreaterThan(2000);
-    }
-    await map.selectOption('Beyond tolerance');
-    expect(differingBytes(await middleOfPicture(page), before[1])).toBeLessThan(FOUND_ANEW);
-  },
-);
+test('choosing a measure again restores the same picture', looks, async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  // An intermediate shape, better than the start but not exact yet.
+  const press = (name) => page.getByRole('button', { name, exact: true }).click();
+  await press('Reset');
+  await waitForState(page, (now) => now.iteration === 0);
+  for (let k = 1; k <= 5; k++) {
+    await press('Step');
+    await waitForState(page, (now, steps) => now.iteration === steps, k);
+  }
+  await showPanel(page, 'Energies and display');
+  const colours = page.getByLabel('Colour by');
+  // A tolerance that some errors exceed.
+  await page.getByLabel('Tolerance').fill('0.1');
+  await page.getByLabel('Tolerance').press('Enter');
+  await expect(page.getByLabel('Colours from')).toHaveValue('0.100');
+  await drawn(page);
+  const before = [await rangeOf(page), await middleOfPicture(page)];
+  await page.getByRole('button', { name: 'Fit range' }).click();
+  await expect.poll(() => rangeOf(page)).not.toEqual(before[0]);
+  await colours.selectOption('planarity');
+  await expect(page.locator('#legend')).toContainText('Planarity');
+  await drawn(page);
+  await colours.selectOption('circularity');
+  await expect.poll(() => rangeOf(page)).toEqual(before[0]);
+  expect(differingBytes(await middleOfPicture(page), before[1])).toBeLessThan(FOUND_ANEW);
+  // Shows all values, then returns to the range.
+  const map = page.getByLabel('Colour map', { exact: true });
+  await map.selectOption('Viridis');
+  await expect(page.getByLabel('Colours from')).toHaveValue('0');
+  expect(differingBytes(await middleOfPicture(page), before[1])).toBeGreaterThan(2000);
+  const viridis = await middleOfPicture(page);
+  for (const other of ['Diverging', 'Grey']) {
+    await map.selectOption(other);
+    expect(differingBytes(await middleOfPicture(page), viridis)).toBeGreaterThan(2000);
+  }
+  await map.selectOption('Beyond tolerance');
+  expect(differingBytes(await middleOfPicture(page), before[1])).toBeLessThan(FOUND_ANEW);
+});
 
 test(
   'the ends of the range are dragged and moved by keys; the scale can be logarithmic',
@@ -306,16 +304,14 @@ test(
   },
 );
 
-test('errors have one unit, that of the tolerance, beside how far the mesh moved', async ({
-  page,
-}) => {
+test('errors are in the unit of the tolerance, beside how far the mesh moved', async ({ page }) => {
   await openPage(page);
   const scene = {
     ...{ format: 'shape-up-scene', version: 1, units: 'm', up: 'z' },
     mesh: { positions: [], faces: [] },
     constraints: [{ kind: 'plane', on: 'faces' }],
   };
-  // One face of four is off by much more than a decimetre.
+  // One of the four faces has an error of much more than a decimetre.
   for (let i = 0; i < 9; i++)
     scene.mesh.positions.push([i % 3, Math.floor(i / 3), i === 8 ? 2 : 0]);
   scene.mesh.faces = [0, 1, 3, 4].map((at) => [at, at + 1, at + 4, at + 3]);
@@ -336,6 +332,6 @@ test('errors have one unit, that of the tolerance, beside how far the mesh moved
   // Another measure keeps the tolerance.
   await page.getByLabel('Tolerance').fill('200');
   await page.getByLabel('Tolerance').press('Enter');
-  // What is left is rounding.
+  // The remaining error is rounding.
   await expect(legend).toContainText(/Worst 0 m\s+Moved/);
 });

@@ -1,4 +1,4 @@
-// Handles: the gizmo, made and moved at once, numbers, keys, the menu.
+// Handles: the gizmo, making and moving in one drag, numbers, keys, and the menu.
 
 import { addConstraint, hidePanels, openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -31,7 +31,7 @@ async function makeHandles(page, vertices) {
   return waitForState(page, (now, count) => now.handles.length === count, vertices.length);
 }
 
-/** Where a part of the gizmo is. */
+/** The position of a part of the gizmo. */
 async function partOf(page, part) {
   let at = null;
   const look = async () => (at = await page.evaluate((name) => window.shapeUp.gizmo(name), part));
@@ -39,7 +39,7 @@ async function partOf(page, part) {
   return at;
 }
 
-/** Drags a part of the gizmo, and leaves the pointer pressed. */
+/** Drags a part of the gizmo without releasing the button. */
 async function pull(page, part, [dx, dy]) {
   const [x, y] = await partOf(page, part);
   await page.mouse.move(x, y);
@@ -53,7 +53,9 @@ const ways = (before, after) =>
   );
 const undoButton = (page) => page.getByRole('button', { name: 'Undo' });
 
-test('an arrow moves all selected handles along its axis, and says how far', async ({ page }) => {
+test('an arrow moves all selected handles along its axis and shows the distance', async ({
+  page,
+}) => {
   await addConstraint(page, 'Plane', 'each face');
   const before = await makeHandles(page, [MIDDLE, MIDDLE + 1]);
   await pull(page, 'z', [0, -40]);
@@ -67,7 +69,7 @@ test('an arrow moves all selected handles along its axis, and says how far', asy
   await expect(undoButton(page)).toHaveAttribute('title', /Move 2 handles/);
 });
 
-test('a square moves them in its plane; Escape puts them back exactly', async ({ page }) => {
+test('a square moves the handle in its plane, and Escape restores it exactly', async ({ page }) => {
   await addConstraint(page, 'Plane', 'each face');
   const before = await makeHandles(page, [MIDDLE]);
   const exact = await everything(page);
@@ -82,7 +84,7 @@ test('a square moves them in its plane; Escape puts them back exactly', async ({
   await expect(undoButton(page)).toHaveAttribute('title', /Make 1 handle/);
 });
 
-test('the gizmo is there for a selected handle only, and can be switched off', async ({ page }) => {
+test('the gizmo is shown for selected handles only, and can be switched off', async ({ page }) => {
   const gizmo = () => page.evaluate(() => window.shapeUp.gizmo('z'));
   await hidePanels(page);
   await page.mouse.click(...(await screenOf(page, MIDDLE)));
@@ -102,7 +104,7 @@ test('the gizmo is there for a selected handle only, and can be switched off', a
   await expect.poll(gizmo).toBeNull();
 });
 
-test('Alt and a drag make a handle and move it: one step of undo', async ({ page }) => {
+test('Alt and a drag make a handle and move it in one undo step', async ({ page }) => {
   await addConstraint(page, 'Plane', 'each face');
   await hidePanels(page);
   const before = await everything(page);
@@ -134,7 +136,9 @@ test('Alt and a drag make a handle and move it: one step of undo', async ({ page
   await expect.poll(() => everything(page)).toEqual(before);
 });
 
-test('keys: Shift at its height, an axis, numbers, soft or fixed', async ({ page }) => {
+test('keys move a handle at its height or along an axis; numbers and Fixed work too', async ({
+  page,
+}) => {
   const before = await makeHandles(page, [MIDDLE]);
   await page.getByRole('application', { name: '3D view' }).focus();
   await page.keyboard.press('Enter');
@@ -159,7 +163,7 @@ test('keys: Shift at its height, an axis, numbers, soft or fixed', async ({ page
   await waitForState(page, (now) => now.handles[0].fixed);
 });
 
-test('Ctrl moves a dragged handle straight up, Shift on the level', async ({ page }) => {
+test('Ctrl moves a dragged handle vertically, Shift horizontally', async ({ page }) => {
   const before = await makeHandles(page, [MIDDLE]);
   const [x, y] = await screenOf(page, MIDDLE);
   await page.mouse.move(x, y);
@@ -176,7 +180,7 @@ test('Ctrl moves a dragged handle straight up, Shift on the level', async ({ pag
   await page.mouse.up();
 });
 
-test('a right click and the menu key show what can be done here', async ({ page }) => {
+test('a right click and the menu key show the commands available here', async ({ page }) => {
   await hidePanels(page);
   const menu = page.getByRole('menu', { name: 'What is here' });
   await page.mouse.click(...(await screenOf(page, MIDDLE)), { button: 'right' });

@@ -1,4 +1,4 @@
-// What is on the screen before the page can draw, and what becomes of presses on it.
+// The first picture, shown before the page can draw, and the presses made meanwhile.
 
 import { hidePanels } from '../actions.mjs';
 import { file, wavyGrid } from '../meshes.mjs';
@@ -7,7 +7,7 @@ import { coloursOfView, expect, looks, screenOf, state, test, waitForState } fro
 
 const viewOf = (page) => page.getByRole('application', { name: '3D view' });
 
-/** Holds requests until the function that it gives is called. */
+/** Holds requests back; returns a function that releases them. */
 async function hold(page, address) {
   let release;
   const released = new Promise((done) => (release = done));
@@ -19,13 +19,13 @@ async function hold(page, address) {
   return release;
 }
 
-// What is loaded late may still be held when a test is over.
+// Requests may still be held back when a test ends.
 test.afterEach(({ page }) => page.unrouteAll({ behavior: 'ignoreErrors' }));
 
-/** Holds the view's module, and no other. */
+/** Holds back the view's module only. */
 const holdView = (page) => hold(page, '**/view-*.wasm');
 
-/** The part of the pixels between two heights, parts of the whole, whose colours differ plainly. */
+/** The fraction of pixels that differ clearly, between two heights given as fractions. */
 function differing(a, b, [top, bottom]) {
   const rows = [top, bottom].map((part) => Math.round(part * a.height) * a.width * a.channels);
   let count = 0;
@@ -53,15 +53,15 @@ for (const colorScheme of ['light', 'dark']) {
       await expect(page.locator('#first-picture')).toHaveCount(0);
       expect((await state(page)).renderer).not.toBe('none');
       const drawn = decodePng(await viewOf(page).screenshot());
-      // Between the card above and the legend below. One pixel aside, more than a tenth would differ: it is circles.
-      // The shadow on the ground, the light from all around and fainter circles far away come with the view: they
-      // are less.
+      // Compares the part between the card and the legend. If the pictures were shifted by one
+      // pixel, more than a tenth would differ, because of the circles. The ground shadow, ambient
+      // occlusion and fainter distant circles, which come with the view, change less.
       expect(differing(still, drawn, [0.16, 0.68])).toBeLessThan(0.09);
     },
   );
 }
 
-test('the picture is that of the solved shape, and nothing moves when that comes', async ({
+test('the first picture shows the solved shape, and nothing moves when the solver takes over', async ({
   page,
 }) => {
   const releaseScript = await hold(page, '**/*.js');
@@ -73,7 +73,7 @@ test('the picture is that of the solved shape, and nothing moves when that comes
       all.flatMap((panel) => {
         const text = panel.getAttribute('d');
         const places = text.match(/-?[\d.]+/g).map(Number);
-        // The build writes each corner as seen from the one before.
+        // The build writes each corner relative to the one before.
         if (text.includes('l')) for (let i = 2; i < places.length; i++) places[i] += places[i - 2];
         return places;
       }),
@@ -83,10 +83,10 @@ test('the picture is that of the solved shape, and nothing moves when that comes
   releaseScript();
   const { iteration } = await waitForState(page, (now) => now.converged);
   expect(iteration).toBeGreaterThan(0);
-  // The picture is drawn after the state: of an earlier iteration still, at first.
+  // The picture is updated after the state, so it shows an earlier iteration at first.
   const farthest = async () => {
     const live = await corners();
-    // The build writes whole pixels, the page tenths.
+    // The build writes whole pixels, the page tenths of a pixel.
     const isDrawn = live.some((at) => !Number.isInteger(at)) && live.length === built.length;
     return isDrawn ? Math.max(...live.map((at, i) => Math.abs(at - built[i]))) : Infinity;
   };
@@ -94,13 +94,13 @@ test('the picture is that of the solved shape, and nothing moves when that comes
   release();
 });
 
-test('presses count before anything is there to act on', looks, async ({ page }) => {
+test('presses made before anything has loaded take effect later', looks, async ({ page }) => {
   const releaseScript = await hold(page, '**/*.js');
   const releaseModules = await hold(page, '**/*.wasm');
   const mesh = page.waitForResponse(/\/examples\/[^/]+\.obj$/);
   await page.goto('./', { waitUntil: 'commit' });
   expect(await coloursOfView(page)).toBeGreaterThan(50);
-  // A phone's tools are in their place when the script is there.
+  // On a phone the tools are in place only once the script has loaded.
   const run = page.getByRole('button', { name: 'Run' });
   const early = await run.isVisible();
   if (early) await run.click();
@@ -108,17 +108,17 @@ test('presses count before anything is there to act on', looks, async ({ page })
   if (!early) await run.click();
   const said = page.getByRole('status');
   await expect(said).toHaveText('Starts when the model is loaded');
-  // Also when the example is here, and only the solver is not.
+  // Also if the example has loaded and only the solver is missing.
   await (await mesh).finished();
   await expect(said).toHaveText('Starts when the model is loaded');
   releaseModules();
-  // Of what is exact already there is nothing to do.
+  // A shape that is already exact would leave nothing to run.
   const undo = page.getByRole('button', { name: 'Undo' });
   await expect(undo).toHaveAttribute('title', /^Undo: Run, \d+ iterations/);
   await expect(said).toHaveText(/^Converged after \d+ iterations$/);
 });
 
-test('the picture goes when something else is opened', async ({ page }) => {
+test('the first picture is removed when another model is opened', async ({ page }) => {
   const release = await holdView(page);
   await page.goto('./');
   await waitForState(page, (now) => now.vertices > 0);
@@ -143,7 +143,7 @@ test('a handle can be dragged before anything can draw, and the mesh follows', a
     const { x, y, width, height } = await dot.boundingBox();
     return [x + width / 2, y + height / 2];
   };
-  // The style sheet says which of the two pictures it is.
+  // The style sheet selects one of the two pictures.
   await expect(picture).toHaveCount(1);
   const vertex = Number(await grip.getAttribute('data-vertex'));
   const [x, y] = await placeOf(handle);
@@ -157,7 +157,7 @@ test('a handle can be dragged before anything can draw, and the mesh follows', a
   expect(dragged[1] - before[1]).toBeCloseTo(-60, 0);
   expect(await placeOf(handle)).toEqual([x, y]);
 
-  // The solver comes: the mesh follows within the picture, also when it has been let go.
+  // Once the solver has loaded the mesh follows in the picture, even after the drag has ended.
   const panel = picture.locator(':scope > path').last();
   const still = await panel.getAttribute('d');
   releaseScript();

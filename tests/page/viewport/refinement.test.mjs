@@ -1,4 +1,4 @@
-// When light from all around is shown: with every picture where that is fast, else once nothing moves.
+// When ambient occlusion is shown: in every picture if that is fast, else once nothing moves.
 
 import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
@@ -8,7 +8,7 @@ const several = (budget, count, milliseconds) => {
   for (let i = 0; i < count; i++) budget.took(milliseconds);
 };
 
-test('it is live where pictures are fast, and not where one would take over 50 ms', () => {
+test('ambient occlusion is live if pictures are fast, and not if one would take over 50 ms', () => {
   const budget = new Budget();
   assert.equal(budget.isLive, false);
   several(budget, 30, 40);
@@ -21,16 +21,16 @@ test('it is live where pictures are fast, and not where one would take over 50 m
   assert.equal(budget.isLive, false);
 });
 
-test('it does not flicker', () => {
+test('ambient occlusion does not flicker', () => {
   const budget = new Budget();
   several(budget, 20, 16);
-  // One slow picture in between is none.
+  // Single slow pictures are ignored.
   for (let i = 0; i < 10; i++) {
     several(budget, 2, 80);
     budget.took(16);
     assert.equal(budget.isLive, true);
   }
-  // A machine that can do only the one without: each change of mind takes longer than the one before.
+  // A machine that is fast enough only without it: each change takes longer than the one before.
   let changes = 0;
   for (let i = 0, was = true; i < 2000; i++) {
     budget.took(budget.isLive ? 60 : 16);
@@ -40,7 +40,7 @@ test('it does not flicker', () => {
   assert.ok(changes < 9, `${changes} changes`);
 });
 
-/** A view that knows what it was asked for, and a page that draws as the viewport does. */
+/** A view that records its settings, and a page that draws like the viewport. */
 function page() {
   const view = {
     amount: 0,
@@ -71,7 +71,7 @@ function page() {
   return { view, shown, refinement, draw, drawAsked };
 }
 
-test('software shows it once nothing moves, and keeps it until something does', (t) => {
+test('in software ambient occlusion is shown once nothing moves, and stays until something does', (t) => {
   t.mock.timers.enable({ apis: ['setTimeout'] });
   globalThis.requestAnimationFrame = mock.fn();
   const { view, shown, draw, drawAsked } = page();
@@ -87,7 +87,7 @@ test('software shows it once nothing moves, and keeps it until something does', 
   assert.ok(steps.length > 1, 'it fades in');
   assert.deepEqual(steps, [...steps].sort());
   assert.equal(steps.at(-1), 1);
-  // A mark that changes does not take it away.
+  // A changed mark does not remove it.
   view.changed = true;
   draw();
   assert.deepEqual(shown.splice(0), [1]);
@@ -96,7 +96,7 @@ test('software shows it once nothing moves, and keeps it until something does', 
   assert.deepEqual(shown.splice(0), [0]);
 });
 
-test('what moves while it fades in is shown without it', (t) => {
+test('motion during the fade-in is shown without ambient occlusion', (t) => {
   t.mock.timers.enable({ apis: ['setTimeout'] });
   globalThis.requestAnimationFrame = mock.fn();
   const { view, shown, draw } = page();
@@ -108,13 +108,13 @@ test('what moves while it fades in is shown without it', (t) => {
   assert.equal(shown.at(-1), 0);
 });
 
-test('who cannot wait has all of it with the next picture', () => {
+test('a caller that cannot wait gets full ambient occlusion in the next picture', () => {
   globalThis.requestAnimationFrame = mock.fn();
   const { view, shown, refinement, draw, drawAsked } = page();
   refinement.finish();
   drawAsked();
   assert.deepEqual(shown.splice(0), [1]);
-  // Nor is there another one when it is there; what moves then is not held up.
+  // There is no further picture once it is shown; later motion is not held up.
   refinement.finish();
   drawAsked();
   view.moved = true;

@@ -1,4 +1,4 @@
-// Fingers: one orbits or moves a handle, two pan and zoom, a long press shows the menu.
+// Touch: one finger orbits or moves a handle, two pan and zoom, a long press shows the menu.
 
 import { openText } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -10,7 +10,7 @@ const MIDDLE = (VERTICES - 1) / 2;
 
 test.use({ hasTouch: true, isMobile: true });
 
-/** Fingers on the page's screen, by the browser's own touch events. */
+/** Simulates fingers on the screen by the browser's own touch events. */
 async function fingers(page) {
   const devtools = await page.context().newCDPSession(page);
   const send = (type, points) =>
@@ -21,7 +21,7 @@ async function fingers(page) {
   return {
     down: (...points) => send('touchStart', points),
     up: () => send('touchEnd', []),
-    /** From place to place, as quickly as a person: a finger that rests asks for the menu. */
+    /** Moves as fast as a person: a finger at rest would open the menu. */
     swipe: (...places) =>
       Promise.all([
         ...places.map((points, i) => send(i === 0 ? 'touchStart' : 'touchMove', points)),
@@ -110,7 +110,7 @@ test('a long press shows the menu; a handle and its arrows follow a finger', asy
   let arrow = null;
   const look = async () => (arrow = await page.evaluate(() => window.shapeUp.gizmo('z')));
   await expect.poll(look).not.toBeNull();
-  // Beside the arrow, as fingers are.
+  // Beside the arrow, as a finger would be.
   await touch.swipe(
     [[arrow[0] - 14, arrow[1]]],
     [[arrow[0] - 14, arrow[1] - 15]],
@@ -125,9 +125,7 @@ test('a long press shows the menu; a handle and its arrows follow a finger', asy
   expect(lifted.handles[0].target.slice(0, 2)).toEqual(before.target.slice(0, 2));
 });
 
-test('a finger that rests on a button without a name is told what it is, and presses nothing', async ({
-  page,
-}) => {
+test('a long press on an icon button shows its name and does not press it', async ({ page }) => {
   const touch = await fingers(page);
   const undo = page.getByRole('button', { name: 'Undo' });
   await page.mouse.dblclick(...(await screenOf(page, MIDDLE)));
