@@ -1,11 +1,11 @@
-// What page and worker share: events, and which of several files is opened.
+// Shared by page and worker: events, and the choice of the file to open.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.js';
 import { filesNamed, mainOf, worthReading } from '../../../www/solver/opened-files.js';
 
-test('listeners are called in their order, once is once, and one that throws hurts no other', () => {
+test('listeners are called in order, a one-time listener only once, and one that throws does not affect the others', () => {
   const reported = [];
   globalThis.reportError = (error) => reported.push(error.message);
   const emitter = new Emitter();
@@ -27,7 +27,7 @@ test('listeners are called in their order, once is once, and one that throws hur
   assert.equal(reported.length, 3);
 });
 
-test('a scene is opened with the mesh that it names, else the first file that can be read', () => {
+test('a scene is opened with the mesh that it names, else the first readable file', () => {
   const file = (name) => ({ name, bytes: new Uint8Array() });
   const [scene, mesh, words] = ['roof.shapeup.json', 'roof.obj', 'notes.txt'].map(file);
   assert.equal(mainOf([mesh, scene]), scene);

@@ -1,4 +1,4 @@
-// Numbers, lengths and keys as the page writes and reads them.
+// How the page writes and reads numbers, lengths and keys.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -6,25 +6,25 @@ import { count, length, limit, number, part, ratio } from '../../../www/ui/forma
 import { coordinate, decimalsFor, readLength } from '../../../www/ui/number-entry.js';
 import { chordOf, digitOf, keyName } from '../../../www/ui/keys.js';
 
-test('a number has three digits, a sign that is one, and powers of ten where they are shorter', () => {
+test('a number has three digits, a true minus sign, and a power of ten where that is shorter', () => {
   const cases = { 1.2345: '1.23', [-0.5]: '−0.500', 12345: '12345', 0: '0', 2.5e-7: '2.50e−7' };
   for (const [value, text] of Object.entries(cases)) assert.equal(number(Number(value)), text);
   assert.equal(number(3e7), '3.00e7');
   assert.equal(number(NaN), '–');
 });
 
-test('metres below a decimetre are millimetres, other units stay', () => {
+test('metres below a decimetre are shown in millimetres, other units are kept', () => {
   assert.equal(length(0.0421, 'm'), '42.1 mm');
   assert.equal(length(0.0421, 'ft'), '0.0421 ft');
   assert.equal(length(1e-9, 'm'), '< 0.001 mm');
   assert.equal(length(2, ''), '2.00');
-  // Next to another length the unit is that one's.
+  // Beside another length, both have the same unit.
   assert.equal(length(0.0421, 'm', 3), '0.0421 m');
   assert.equal(limit(0.005, 'm'), '5 mm');
   assert.equal(limit(5e-6, ''), '5e−6');
 });
 
-test('parts, ratios and counts read as words do', () => {
+test('fractions, ratios and counts are shown in words', () => {
   assert.deepEqual([part(0), part(0.004), part(0.5)], ['0 %', '< 1 %', '50 %']);
   assert.deepEqual([ratio(1.5), ratio(Infinity), ratio(NaN)], ['1.5000', '∞', '–']);
   assert.equal(count(1, 'vertex', 'vertices'), '1 vertex');
@@ -48,7 +48,7 @@ test('coordinates have as many decimals as their mesh needs', () => {
   assert.equal(coordinate(-0.00001, 3), '0.000');
 });
 
-test('keys are letters by what they print, and digits by where they are', () => {
+test('letter keys are identified by character, digit keys by position', () => {
   const press = (key, more = {}) => ({
     key,
     code: '',
@@ -59,7 +59,7 @@ test('keys are letters by what they print, and digits by where they are', () => 
   });
   assert.equal(chordOf(press('z', { ctrlKey: true })), 'Ctrl+Z');
   assert.equal(chordOf(press('Z', { metaKey: true, shiftKey: true })), 'Ctrl+Shift+Z');
-  // What is written on the key says that it was Shift already.
+  // The character already implies Shift.
   assert.equal(chordOf(press('?', { shiftKey: true })), '?');
   assert.equal(digitOf(press('&', { code: 'Digit1' })), '1');
   assert.equal(digitOf(press('!', { code: 'Digit1', shiftKey: true })), 'Shift+1');

@@ -11,7 +11,7 @@ import {
   valueAt,
 } from '../../../www/ui/plot/value-axis.js';
 
-test('a place on an axis and its value are each other’s inverse, evenly and by the logarithm', () => {
+test('position and value on an axis are inverse to each other, on linear and logarithmic axes', () => {
   for (const axis of [axisOf(0, 8, false), axisOf(0.001, 8, true)])
     for (const value of [0.001, 0.5, 8]) {
       const there = valueAt(axis, positionOf(axis, value));
@@ -21,18 +21,18 @@ test('a place on an axis and its value are each other’s inverse, evenly and by
   assert.equal(positionOf(axisOf(3, 3, false), 3), 0);
 });
 
-test('the ticks of a logarithmic axis are whole powers, at equal distances, at most seven', () => {
+test('the ticks of a logarithmic axis are whole powers of ten, evenly spaced, at most seven', () => {
   assert.deepEqual(tickExponents(-2, 1), [-2, -1, 0, 1]);
   assert.deepEqual(tickExponents(-14, 0), [-14, -11, -8, -5, -2]);
   assert.deepEqual(tickExponents(1, 0), []);
 });
 
-test('ends are round, and never below what they hold', () => {
+test('ends are rounded up', () => {
   assert.deepEqual([0.9, 1.2, 7.3, 10, 1e-300].map(roundUp), [1, 1.5, 8, 10, 1e-300]);
   assert.deepEqual([0, NaN, Infinity].map(roundUp), [0, 0, 0]);
 });
 
-test('every face with a value is in one bar, the greatest in the last', () => {
+test('every face with a value is in one bar, those with the largest values in the last', () => {
   const values = Float32Array.of(0, 0.5, 1, NaN, 2);
   const counts = countsOf(values, axisOf(0, 1, false));
   assert.equal(counts.length, BINS);
@@ -51,7 +51,7 @@ test('every face with a value is in one bar, the greatest in the last', () => {
   assert.deepEqual([faces, within, greatest, original.greatest], [4, 2, 2, 2]);
 });
 
-test('values of both signs are counted on an axis around zero, and the greatest is of either sign', () => {
+test('values of both signs have an axis around zero, and the largest is that of either sign', () => {
   const values = Float32Array.of(-3, -1, 0, 0.5, 2, NaN);
   const axis = axisOf(-4, 4, false);
   const { greatest, faces, counts } = spreadOf('gauss', values, axis, null);

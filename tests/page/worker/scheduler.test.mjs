@@ -1,21 +1,21 @@
-// How a run shares the worker's time between iterations and what the page sees of them.
+// How a run divides the worker's time between iterations and the frames sent to the page.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Scheduler } from '../../../www/worker/scheduler.js';
 
-/** Time passes only when something is done. */
+/** A clock that advances only when the test does work. */
 function clock() {
   let now = 0;
   return { now: () => now, pass: (ms) => (now += ms) };
 }
 
 test('a run spends most of its time on iterations, however long a frame takes', async (context) => {
-  // Frames went out whenever the page gave a buffer back: colours that took as long as an iteration halved
-  // the iterations, because the time of those frames was not counted.
+  // Frames used to be sent whenever the page returned a buffer: colours that took as long as an
+  // iteration halved the number of iterations, because the time of those frames was not counted.
   const time = clock();
   context.mock.method(performance, 'now', time.now);
-  // Node does not end while one is open.
+  // Node does not exit while a channel is open.
   const channel = new MessageChannel();
   context.mock.method(globalThis, 'MessageChannel', function () {
     return channel;
@@ -44,7 +44,7 @@ test('a run spends most of its time on iterations, however long a frame takes', 
   const scheduler = new Scheduler(
     solver,
     (message) => {
-      // The page is quick: it gives each buffer back at once.
+      // A fast page, which returns each buffer at once.
       if (message.type === 'frame') {
         queueMicrotask(() => {
           scheduler.frames.takeBack(message.positions);

@@ -4,17 +4,17 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isTrap } from '../../../www/worker/wasm-errors.js';
 
-/** A module whose one function, f, does nothing but call itself. */
+/** A module whose only function, f, calls itself. */
 const recursive = new Uint8Array([
   ...[0, 97, 115, 109, 1, 0, 0, 0],
   ...[1, 4, 1, 96, 0, 0],
   ...[3, 2, 1, 0],
   ...[7, 5, 1, 1, 102, 0, 0],
-  // Not the last thing that it does, or it were a loop.
+  // The call is not the last instruction, or it could become a loop.
   ...[10, 8, 1, 6, 0, 16, 0, 16, 0, 11],
 ]);
 
-test('only what passes through the machine of wasm has trapped it', () => {
+test('only an error thrown inside wasm counts as a trap', () => {
   const thrownBy = (action) => {
     try {
       action();
