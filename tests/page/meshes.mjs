@@ -1,6 +1,6 @@
-// Meshes for the page tests, small enough to be solved in a blink.
+// Meshes for the page tests, small enough to be solved in an instant.
 
-/** A grid of n by n quads, one unit each, at these heights: the text of an OBJ file. */
+/** The OBJ text of a grid of n by n unit quads with these heights. */
 function gridText(n, height) {
   const lines = [];
   for (let y = 0; y <= n; y++) {
@@ -15,17 +15,17 @@ function gridText(n, height) {
   return `${lines.join('\n')}\n`;
 }
 
-/** A wavy one. */
+/** A wavy grid. */
 export const wavyGrid = (n) =>
   gridText(n, (x, y) => 0.4 * Math.sin(1.3 * x + 0.4 * y) + 0.3 * Math.cos(0.9 * y));
 
-/** One over bumps so steep that some circular panels fold. */
+/** A grid over bumps so steep that some circular panels fold. */
 export const bumpyGrid = (n) => gridText(n, (x, y) => 2 * Math.sin(0.5 * x) * Math.sin(0.5 * y));
 
-/** One of steps that cannot be flat without folds. */
+/** A grid of steps that cannot be flat without folds. */
 export const steppedGrid = (n) => gridText(n, (x, y) => 0.3 * ((x * y) % 5));
 
-/** A tube of 12 by 4 quads, open at both ends: the text of an OBJ file. */
+/** The OBJ text of a tube of 12 by 4 quads, open at both ends. */
 export function tube() {
   const [around, along] = [12, 4];
   const lines = [];
@@ -42,10 +42,10 @@ export function tube() {
   return `${lines.join('\n')}\n`;
 }
 
-/** A number from -1 to 1 for each seed, the same on every machine. */
+/** Returns a number from -1 to 1 for a seed, the same on every machine. */
 const noise = (seed) => ((seed * 7919 + 104729) % 2003) / 1001.5 - 1;
 
-/** A scene whose mesh starts away from its rest shape, so that every kind has something to do. */
+/** A scene whose mesh starts away from its rest shape, so that every kind has an effect. */
 function disturbed(mesh) {
   const current = mesh.positions.map((point, v) =>
     point.map((x, axis) => x + 0.12 * noise(3 * v + axis + 1)),
@@ -53,7 +53,7 @@ function disturbed(mesh) {
   return JSON.stringify({ format: 'shape-up-scene', version: 1, mesh, current });
 }
 
-/** The corners of a grid of n by n squares, bumpy, and the corners of each square in turn. */
+/** The corners of a bumpy grid of n by n squares, and the corners of each square in order. */
 function grid(n) {
   const positions = [];
   const squares = [];
@@ -67,13 +67,13 @@ function grid(n) {
   return { positions, squares };
 }
 
-/** n by n quads: the text of a scene. */
+/** The scene text of n by n quads. */
 export function quadScene(n) {
   const { positions, squares } = grid(n);
   return disturbed({ positions, faces: squares });
 }
 
-/** n by n squares of two triangles each: the text of a scene. */
+/** The scene text of n by n squares of two triangles each. */
 export function triangleScene(n) {
   const { positions, squares } = grid(n);
   const faces = squares.flatMap(([a, b, c, d]) => [
@@ -83,7 +83,7 @@ export function triangleScene(n) {
   return disturbed({ positions, faces });
 }
 
-/** A cube of five tetrahedra: the text of a scene. */
+/** The scene text of a cube of five tetrahedra. */
 export function tetScene() {
   const corners = [0, 1].flatMap((z) => [0, 1].flatMap((y) => [0, 1].map((x) => [x, y, z])));
   const tets = [
@@ -96,7 +96,7 @@ export function tetScene() {
   return disturbed({ positions: corners, tets });
 }
 
-/** A closed box that leans: the text of an OBJ file. */
+/** The OBJ text of a closed, leaning box. */
 export function box() {
   const places = [0, 3].flatMap((z) => [0, 2].flatMap((y) => [0, 1].map((x) => [x, y, z])));
   const corners = places.map(

@@ -1,8 +1,8 @@
-// A screenshot as pixels. Decodes what Chromium writes: 8-bit RGB or RGBA, not interlaced.
+// Screenshots as pixels. Decodes the PNG files of Chromium: 8-bit RGB or RGBA, not interlaced.
 
 import { inflateSync } from 'node:zlib';
 
-/** The prediction of a byte from its left, upper and upper left neighbours (PNG, filter type 4). */
+/** Predicts a byte from its left, upper and upper left neighbours (PNG filter type 4). */
 function paeth(left, up, corner) {
   const estimate = left + up - corner;
   const [a, b, c] = [left, up, corner].map((value) => Math.abs(estimate - value));
@@ -10,7 +10,7 @@ function paeth(left, up, corner) {
   return b <= c ? up : corner;
 }
 
-/** { width, height, channels, pixels } of a PNG file's bytes; pixels is height * width * channels. */
+/** Decodes a PNG to { width, height, channels, pixels }, height * width * channels bytes. */
 export function decodePng(bytes) {
   let [width, height, channels] = [0, 0, 0];
   const parts = [];
@@ -52,11 +52,11 @@ export function colourAt(picture, x, y) {
   return [...picture.pixels.subarray(at, at + 3)];
 }
 
-/** How many bytes two pictures of the same size do not share. */
+/** The number of bytes that differ between two pictures of the same size. */
 export const differingBytes = (a, b) =>
   a.pixels.reduce((sum, byte, at) => sum + Number(byte !== b.pixels[at]), 0);
 
-/** How many different colours a region has; the whole picture when none is given. */
+/** The number of different colours in a region, by default the whole picture. */
 export function distinctColours(picture, region = {}) {
   const { x = 0, y = 0, width = picture.width - x, height = picture.height - y } = region;
   const colours = new Set();

@@ -1,10 +1,10 @@
-// The page tests: dist/ on a port of its own, in a desktop and in a phone window.
+// The page tests: dist/ on its own port, in a desktop and a phone window.
 
 import { defineConfig } from '@playwright/test';
 import { createServer } from 'node:net';
 import { browserFlags, findBrowser, webgl2Flags } from '../../.scripts/browser.mjs';
 
-/** A port that nobody listens on now. */
+/** Returns a free port. */
 function freePort() {
   return new Promise((done) => {
     const probe = createServer().listen(0, '127.0.0.1', () => {
@@ -14,14 +14,14 @@ function freePort() {
   });
 }
 
-// This file is read again in every worker process, which inherits the choice of the first.
+// This file is read again in every worker process, which inherits the port of the first.
 process.env.SHAPE_UP_TEST_PORT ??= String(await freePort());
 const port = process.env.SHAPE_UP_TEST_PORT;
-// Not the top of the host: the site has to work from any sub-path.
+// Not the root of the host: the site must work under any path.
 const base = '/some/sub-path/';
 const url = `http://127.0.0.1:${port}${base}`;
 
-/** What a phone shows in another arrangement than other windows. The rest lies behind it. */
+/** Specs that depend on the layout of a phone; the others run on the desktop only. */
 const ARRANGED = [
   'axe',
   'placeholder',
@@ -33,10 +33,10 @@ const ARRANGED = [
   'touch',
 ];
 
-/** What tells WebGPU from WebGL2, in a browser that has both. */
+/** The spec that compares WebGPU and WebGL2, in a browser that has both. */
 const BOTH = 'backends';
 
-/** What measures time has the machine to itself: `npm test` runs it before the others. */
+/** The spec that measures time; `npm test` runs it alone, before the others. */
 const ALONE = 'drag-speed';
 
 const specs = (names) => names.map((name) => `**/${name}.spec.mjs`);
@@ -48,7 +48,8 @@ export default defineConfig({
   testMatch: '*.spec.mjs',
   outputDir: '../../test-results',
   reporter: 'list',
-  // What passes only the second time is told of, and fails the run: see .scripts/count.mjs.
+  // A test that passes only on the second try is reported and fails the run: see
+  // .scripts/count.mjs.
   retries: 1,
   workers: 2,
   fullyParallel: true,
@@ -58,7 +59,7 @@ export default defineConfig({
   expect: { timeout: 30_000 },
   use: {
     baseURL: url,
-    // It would answer for the server, whose answers tests hold back.
+    // A service worker would answer in place of the server, whose answers some tests hold back.
     serviceWorkers: 'block',
     screenshot: 'only-on-failure',
     ...launched(webgl2Flags),
@@ -67,7 +68,7 @@ export default defineConfig({
     {
       name: 'desktop',
       use: { viewport: { width: 1440, height: 900 } },
-      // Fingers are the phone's.
+      // Touch tests are for the phone.
       testIgnore: specs(['phone', 'touch', BOTH, ALONE]),
       grepInvert: /@phone/,
     },

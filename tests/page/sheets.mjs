@@ -1,13 +1,16 @@
-// The sheets in the panel of parts: each kind of line, and each mark, is one path on a sheet.
+// The sheets in the parts panel: each kind of line and each mark is one path per sheet.
 
-/** The outlines that the paths of a kind hold, sheet by sheet. */
+/** The outlines in the paths of a kind, sheet by sheet. */
 export async function outlinesOf(region, kind) {
   const paths = region.locator(`.sheets .${kind}`);
   const lines = await paths.evaluateAll((all) => all.map((path) => path.getAttribute('d')));
   return lines.flatMap((line) => line.match(/M[^M]+/g) ?? []);
 }
 
-/** Moves the pointer to the middle of a part of the first sheet: where that is, and the outline of the part. */
+/**
+ * Moves the pointer to the centre of a part on the first sheet; returns that position and the
+ * outline of the part.
+ */
 export async function overPart(region, part) {
   const outline = (await outlinesOf(region, 'cut'))[part];
   const sheet = region.getByRole('img').first();

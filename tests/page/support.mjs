@@ -1,22 +1,22 @@
-// What the page tests share: a `test` that fails on any complaint of the browser, and the page's
-// own scripting interface, `window.shapeUp`.
+// Shared by the page tests: a `test` that fails on any complaint of the browser, and the scripting
+// interface of the page, `window.shapeUp`.
 
 import { test as base, expect } from '@playwright/test';
 import { decodePng, distinctColours } from './picture.mjs';
 
 export { expect };
 
-/** What the console may say, and why. */
+/** Allowed console messages, with the reason. */
 const allowed = [
-  // wgpu says so where WebGPU has no adapter, then takes WebGL2.
+  // wgpu, if WebGPU has no adapter; it then uses WebGL2.
   /No available adapters\./,
-  // Those tests that are not about it do without.
+  // Service workers are blocked except in the tests about them.
   /Service Worker registration blocked by Playwright/,
   // Chromium, while a screenshot reads the canvas back.
   /GPU stall due to ReadPixels/,
 ];
 
-/** Runs in the page: the view does all of its own work, and nothing fills its pixels. */
+/** Runs in the page: the view does all of its own work, but no pixels are filled. */
 function leaveOutPixels() {
   const { prototype } = WebGL2RenderingContext;
   for (const name of [
@@ -26,7 +26,7 @@ function leaveOutPixels() {
     prototype[name] = () => {};
 }
 
-/** Runs in the page: it begins with every control, as somebody left it. */
+/** Runs in the page: it starts with every control shown, as if the user had chosen that. */
 function showAdvanced() {
   // A blank page has no storage.
   if (self === top && location.protocol === 'http:' && !location.search.includes('embed'))
@@ -34,18 +34,18 @@ function showAdvanced() {
 }
 
 /**
- * The tag of a test that looks at the picture. Software takes more time to fill pixels than for all
- * the rest of a page: without the tag none are filled, and with it a quarter of them, as in a window
- * that is zoomed out to half.
+ * The tag of a test that examines the picture. Filling pixels in software takes longer than the
+ * rest of a page: without the tag none are filled, and with it a quarter of them, as in a window
+ * zoomed out to 50 %.
  */
 export const looks = { tag: '@looks' };
 
-/** Pixels of the screen per CSS pixel. */
+/** Device pixels per CSS pixel. */
 const HALF = 0.5;
 
 /**
- * Fails a test when the page throws, or when the console has an error or a warning. `advanced` is
- * whether the page begins with every control.
+ * Fails a test if the page throws or the console has an error or a warning. `advanced`: whether the
+ * page starts with every control shown.
  */
 export const test = base.extend({
   advanced: [true, { option: true }],
@@ -75,23 +75,23 @@ export const test = base.extend({
 const meshIsThere = (page) => page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
 
 /**
- * Opens the page as it is, which begins with the work of last time, or else with the first example,
- * solved. `query`: the address's, without "?".
+ * Opens the page itself, which starts with the saved work or else the first example, solved.
+ * `query`: that of the address, without "?".
  */
 export async function visit(page, query = '') {
   await page.goto(query ? `./?${query}` : './');
   await meshIsThere(page);
 }
 
-/** Opens the first example at its start, unsolved, as its link does. */
+/** Opens the first example by its link, at its start and unsolved. */
 export async function openPage(page, query = '') {
-  // What is there already would only be told of another fragment.
+  // If the page is already open, changing the fragment would not reload it.
   if (page.url() !== 'about:blank') await page.goto('about:blank');
   await page.goto(`./?${query}#example=canopy`);
   await meshIsThere(page);
 }
 
-/** Waits until the built files are kept and the service worker answers for them. */
+/** Waits until the built files are cached and the service worker serves them. */
 export async function keptOffline(page) {
   await page.evaluate(() => navigator.serviceWorker.ready);
   await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
@@ -102,16 +102,16 @@ export const state = (page) => page.evaluate(() => window.shapeUp.state());
 
 /**
  * Waits until `condition(state, argument)` holds and returns the state. The condition runs in the
- * page: it sees nothing of the test but its argument.
+ * page, so it can use only its arguments.
  */
 export async function waitForState(page, condition, argument, options) {
-  // It is not there yet while another page is on its way.
+  // `shapeUp` does not exist while another page is loading.
   const body = `const now = window.shapeUp?.state(); return now ? (${condition})(now, given) : false;`;
   await page.waitForFunction(new Function('given', body), argument, options);
   return state(page);
 }
 
-/** The scene, as of the last edit or the end of the last run. */
+/** The scene after the last edit or the end of the last run. */
 export const sceneOf = (page) => page.evaluate(() => window.shapeUp.scene());
 
 /** The whole document and the exact shape. */
@@ -127,8 +127,8 @@ export const positionOf = (page, vertex) =>
   page.evaluate((v) => [...window.shapeUp.positions().slice(3 * v, 3 * v + 3)], vertex);
 
 /**
- * Where a vertex is on the page, [x, y] in CSS pixels. Waits for the view; fails when the vertex is
- * hidden.
+ * The position of a vertex on the page, [x, y] in CSS pixels. Waits for the view; fails if the
+ * vertex is hidden.
  */
 export async function screenOf(page, vertex) {
   let point = null;
@@ -146,12 +146,11 @@ export async function dragVertex(page, vertex, [dx, dy]) {
   await page.mouse.up();
 }
 
-/** Waits until the picture shows all that was asked for so far. */
+/** Waits until the picture is up to date. */
 export const drawn = (page) => page.evaluate(() => window.shapeUp.drawn());
 
 /**
- * The middle of the picture, as pixels, once it shows all that was asked for: nothing lies over it
- * there.
+ * The middle of the picture, which nothing covers, as pixels; waits until it is up to date.
  */
 export async function middleOfPicture(page) {
   await drawn(page);
@@ -161,7 +160,7 @@ export async function middleOfPicture(page) {
   return decodePng(await page.screenshot({ clip }));
 }
 
-/** How many different colours the 3D view shows; a blank one has one. */
+/** The number of different colours in the 3D view; a blank one has one. */
 export async function coloursOfView(page) {
   const view = page.getByRole('application', { name: '3D view' });
   return distinctColours(decodePng(await view.screenshot()));

@@ -26,7 +26,7 @@ async function showTab(page, name) {
   await expect(page.getByRole('tabpanel', { name })).toBeVisible();
 }
 
-/** Leaves the page without anything that draws. */
+/** Makes all graphics contexts unavailable to the page. */
 export const withoutGraphics = (page) =>
   page.addInitScript(() => {
     const { getContext } = HTMLCanvasElement.prototype;
@@ -41,13 +41,12 @@ const view = (page) => page.getByRole('application', { name: '3D view' });
 
 /**
  * A state of the page: its name, how it is reached from the one before, how it is left for the next
- * one, and the project that is asked for it, if it is one: a phone shows much as every other window
- * does.
+ * one, and optionally the only project that tests it, because most states look the same on a phone.
  * @typedef {{ name: string, reach?: (page) => unknown, leave?: (page) => unknown, only?: string }} State
  */
 
 /**
- * Walks through the page, each of which begins on the page that was just opened.
+ * Walks through the page, each starting from a newly opened page.
  * @type {Record<string, State[]>}
  */
 export const walks = {
@@ -458,7 +457,8 @@ export const walks = {
       name: 'a graphics context that was lost for good',
       only: 'desktop',
       reach: async (page) => {
-        // Each new one too, as soon as it is there: one that has drawn makes up for those that were lost.
+        // Every new canvas loses its context too, as soon as it exists: once one has drawn, earlier
+        // losses are forgiven.
         await page.evaluate(() => {
           const place = document.querySelector('#viewport');
           const lose = () =>
