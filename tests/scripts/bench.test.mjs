@@ -1,4 +1,4 @@
-// What the benchmark makes of its measurements.
+// The evaluation of the benchmark's measurements.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -11,13 +11,13 @@ import { firstToConverge } from '../../.scripts/bench/tables.mjs';
 import { targetRows } from '../../.scripts/bench/targets.mjs';
 import { at } from '../../.scripts/project.mjs';
 
-test('a spread is the least, the median and the tenths', () => {
+test('a spread has the minimum, the median and the 10 % and 90 % quantiles', () => {
   const values = Array.from({ length: 11 }, (_, k) => 10 - k);
   assert.deepEqual(spread(values), { least: 0, median: 5, p10: 1, p90: 9 });
   assert.deepEqual(spread([]), { least: null, median: null, p10: null, p90: null });
 });
 
-test('an energy is reached at the first iteration that is as near', () => {
+test('an energy counts as reached at the first iteration that is as close', () => {
   const run = { energies: [9, 1.5, 1.009, 1.00001], steps: [3, 4, 5] };
   const [near, nearer, nearest] = reached(run, 1, [1e-2, 1e-4, 1e-6]);
   assert.deepEqual(
@@ -26,14 +26,14 @@ test('an energy is reached at the first iteration that is as near', () => {
   );
 });
 
-test('what grows as n log n has a ratio of one', () => {
+test('n log n growth has a ratio of one', () => {
   const cost = (n) => 3 * n * Math.log(n);
   const { exponent, overLinearithmic } = growth([100, cost(100)], [10_000, cost(10_000)]);
   assert.ok(Math.abs(overLinearithmic - 1) < 1e-12);
   assert.ok(exponent > 1 && exponent < 1.2);
 });
 
-test('numbers keep three digits that count', () => {
+test('numbers keep three significant digits', () => {
   assert.deepEqual([0.01234, 1.234, 12.34, 123.4, 12345, null].map(number), [
     '0.012',
     '1.23',
@@ -44,7 +44,7 @@ test('numbers keep three digits that count', () => {
   ]);
 });
 
-test('the words of the command line are looked at', () => {
+test('command line options are checked', () => {
   assert.throws(() => optionsOf(['--sizes', 'many']), /--sizes many/);
   assert.throws(() => optionsOf(['--problems', 'A,Q']), /Q: expected some of A, B, C, D/);
   assert.throws(() => optionsOf(['--fast']), /--fast/);
@@ -53,7 +53,7 @@ test('the words of the command line are looked at', () => {
   assert.ok(parts.has('peers') && !parts.has('operators'));
 });
 
-test('the accelerator that is near first is named', () => {
+test('the accelerator that converges first is named', () => {
   const run = (accelerator, vertices, ms) => ({
     ...{ problem: 'B', vertices, where: 'browser', accelerator },
     reached: [{ iterations: 1, ms: 1 }, ms && { iterations: 2, ms }, null],
@@ -77,7 +77,7 @@ const entry = (problem, vertices, ms) => ({
   bytes: { opened: 2e6 },
 });
 
-test('a target is met or missed by what was measured, and left out where nothing was', () => {
+test('a target is met or missed by its measurement, and left out without one', () => {
   const rows = targetRows({ iterations: [entry('A', 10_000, 1.4), entry('B', 10_000, 1.4)] });
   const perIteration = rows.filter(({ name }) => name.endsWith('ms per iteration'));
   assert.deepEqual(
@@ -90,7 +90,7 @@ test('a target is met or missed by what was measured, and left out where nothing
   assert.deepEqual(targetRows({}), []);
 });
 
-test('the README has a place for the numbers, and they are those of the browser', () => {
+test('the README has a place for the numbers, which are those of the browser', () => {
   const readme = readFileSync(at('README.md'), 'utf8');
   for (const mark of marks) assert.equal(readme.split(mark).length, 2, mark);
   const native = { ...entry('A', 2500, 77), where: 'native' };
@@ -99,7 +99,7 @@ test('the README has a place for the numbers, and they are those of the browser'
   assert.doesNotMatch(text, /77/);
 });
 
-test('the README compares the accelerators where the converged energy is certain', () => {
+test('the README compares accelerators only if the converged energy is certain', () => {
   const run = (vertices, accelerator, found, certain = true) => {
     const reached = [null, found && { ms: 500, iterations: found }, null];
     return { problem: 'B', vertices, accelerator, where: 'browser', ms: 3000, reached, certain };

@@ -1,4 +1,5 @@
-// The numbers at the end of `npm test` are those of the test programs, and none of them looks away.
+// The totals of `npm test` match those of the test programs, and no skipped or flaky test is
+// overlooked.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -6,7 +7,7 @@ import { countTests, inexcusable } from '../../.scripts/count.mjs';
 
 const none = { skipped: [], flaky: [] };
 
-test('cargo: all test programs are added up', () => {
+test('cargo: the results of all test programs are added up', () => {
   const output = `
 test factor::agrees ... ok
 test result: ok. 12 passed; 0 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.02s
@@ -14,7 +15,7 @@ test result: FAILED. 3 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; 
   assert.deepEqual(countTests('cargo', output), { passed: 15, failed: 2, ...none });
 });
 
-test('cargo: what is ignored is named', () => {
+test('cargo: ignored tests are named', () => {
   const output = `
 test factor::agrees ... ok
 test factor::large ... ignored
@@ -24,7 +25,7 @@ test result: ok. 1 passed; 0 failed; 2 ignored; 0 measured; 0 filtered out; fini
   assert.deepEqual(countTests('cargo', output), { passed: 1, failed: 0, skipped, flaky: [] });
 });
 
-test('playwright: what did not run has not passed', () => {
+test('playwright: tests that did not run have not passed', () => {
   const output = `
   ✘  1 [desktop] › page.spec.mjs:5:1 › first paint (3.1s)
 
@@ -35,7 +36,7 @@ test('playwright: what did not run has not passed', () => {
   assert.deepEqual(countTests('playwright', output), { passed: 7, failed: 3, ...none });
 });
 
-test('playwright: what was skipped, and what passed only the second time, is named', () => {
+test('playwright: skipped and flaky tests are named', () => {
   const output = `
   -  1 [phone] › app/axe.spec.mjs:48:3 › axe: plots
   ✘  2 [desktop] › page.spec.mjs:5:1 › first paint (3.1s)
@@ -53,13 +54,13 @@ test('playwright: what was skipped, and what passed only the second time, is nam
   });
 });
 
-test('node: the summary of its TAP form', () => {
+test('node: the TAP summary is read', () => {
   const output = `ok 1 - reads\nok 2 - writes # SKIP no disk\n# tests 3\n# pass 2\n# fail 1\n# skipped 1\n`;
   const skipped = ['writes'];
   assert.deepEqual(countTests('node', output), { passed: 2, failed: 1, skipped, flaky: [] });
 });
 
-test('only what is on the list is excused', () => {
+test('only listed tests are excused', () => {
   const excused = [{ name: 'touch.spec', reason: 'the machine has no fingers' }];
   const tests = ['[phone] › touch.spec.mjs:9:1 › pinch', '[desktop] › page.spec.mjs:5:1 › paint'];
   assert.deepEqual(inexcusable(tests, excused), [tests[1]]);

@@ -1,4 +1,4 @@
-// Everything that is shipped has a licence that is allowed, with its text; and nothing else gets in.
+// Everything shipped has an allowed licence and its text; anything else is refused.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -15,10 +15,10 @@ const component = (expression, name = 'newcomer') => ({
   ...{ name, version: '1.0.0', expression, authors: 'somebody', folder: null, address: '' },
 });
 
-test('what is shipped is under licences that are allowed, and brings their texts', () => {
+test('shipped components have allowed licences and bring their texts', () => {
   const all = shipped();
   const names = all.map(({ name }) => name);
-  // Of the solver, of the view, of the page, and of what only the page's bundler adds.
+  // From the solver, the view, the page, and the code added by the bundler.
   for (const name of [
     'sprs-ldl',
     'amd',
@@ -29,7 +29,7 @@ test('what is shipped is under licences that are allowed, and brings their texts
     'Rust standard library',
   ])
     assert.ok(names.includes(name), name);
-  // What makes code while Cargo compiles is not in the modules, nor is what only tests use.
+  // Build-time code generators and test dependencies are not shipped.
   for (const name of ['serde_derive', 'proptest', 'wasm-bindgen-test', 'eslint'])
     assert.ok(!names.includes(name), name);
   for (const one of all) for (const text of textsOf(one)) assert.ok(text.length > 200, one.name);
@@ -37,7 +37,7 @@ test('what is shipped is under licences that are allowed, and brings their texts
   assert.match(lgpl, /GNU LESSER GENERAL PUBLIC LICENSE\s+Version 2\.1/);
 });
 
-test('a newcomer under another licence, or under none, is refused', () => {
+test('a new component under another licence, or under none, is refused', () => {
   for (const expression of ['GPL-3.0-only', 'LGPL-2.1', 'MIT AND GPL-2.0', '', 'SEE LICENSE'])
     assert.throws(() => licencesOf(component(expression)), /newcomer 1\.0\.0 is under/, expression);
   assert.throws(() => licencesOf(component('GPL-3.0', 'sprs-ldl')), /sprs-ldl/);
@@ -53,7 +53,7 @@ test('a newcomer under another licence, or under none, is refused', () => {
   assertLicensed(at('www', 'app', 'main.js'));
 });
 
-test('of a choice the first that is allowed is taken', () => {
+test('of several licences the first allowed one is taken', () => {
   assert.deepEqual(alternatives('(MIT OR Apache-2.0) AND Unicode-3.0'), [
     ['MIT', 'Unicode-3.0'],
     ['Apache-2.0', 'Unicode-3.0'],

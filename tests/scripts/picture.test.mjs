@@ -1,4 +1,4 @@
-// The page tests judge pixels, so the pixels have to be right: every filter type of PNG is decoded.
+// The page tests compare pixels, so the decoder is tested with every PNG filter type.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -8,11 +8,11 @@ import { decodePng, distinctColours } from '../page/picture.mjs';
 const chunk = (type, data) => {
   const length = Buffer.alloc(4);
   length.writeUInt32BE(data.length);
-  // The check sum is not looked at.
+  // The checksum is not read.
   return Buffer.concat([length, Buffer.from(type, 'latin1'), data, Buffer.alloc(4)]);
 };
 
-/** A PNG of RGB rows, each already filtered as its first byte says. */
+/** A PNG of RGB rows, each already filtered as its first byte states. */
 function png(width, rows) {
   const header = Buffer.alloc(13);
   header.writeUInt32BE(width, 0);

@@ -1,4 +1,4 @@
-// The rooms of the page: who imports whom, without cycles, and how full they are.
+// The rooms of the page: their imports, free of cycles, and their number of files.
 
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
@@ -11,7 +11,7 @@ import { APART, CONTEXT, MOST_FILES, ROOMS, TYPES } from '../../.scripts/rooms.m
 const WWW = at('www');
 const ROOM_NAMES = Object.keys(ROOMS);
 
-/** The files of the rooms, by their paths in `www/`. */
+/** The files of the rooms, as paths in `www/`. */
 const files = ROOM_NAMES.flatMap((room) =>
   readdirSync(join(WWW, room), { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
@@ -22,13 +22,13 @@ const scripts = files.filter((file) => file.endsWith('.js'));
 const IMPORT = /(?:\bfrom|^import|\bimport\()\s*'(\.[^']+)'/gm;
 const TYPE = /\bimport\("(\.[^"]+)"\)/g;
 
-/** What a script names, as paths in `www/`. */
+/** The paths in `www/` that a script names. */
 const named = (file, pattern) =>
   [...readFileSync(join(WWW, file), 'utf8').matchAll(pattern)].map(([, name]) =>
     join(dirname(file), name).split(sep).join('/'),
   );
 
-/** The room of a file, and its part of the room where parts are apart. */
+/** The room of a file, and its part if the parts of the room are separate. */
 function placeOf(file) {
   const [room, part] = file.split('/');
   return { room, part: APART.includes(room) ? part : '' };
@@ -36,21 +36,21 @@ function placeOf(file) {
 
 const isOfRoom = (file) => ROOM_NAMES.includes(placeOf(file).room);
 
-/** Whether a file may name another that is in a room. */
+/** Whether a file may refer to another one in a room. */
 function may(from, to, beyond = []) {
   const [a, b] = [placeOf(from), placeOf(to)];
   if (a.room === b.room) return a.part === b.part;
   return ROOMS[a.room].includes(b.room) || beyond.includes(b.room);
 }
 
-test('the rooms are one below the other', () => {
+test('each room depends only on rooms below it', () => {
   ROOM_NAMES.forEach((room, i) => {
     const higher = ROOMS[room].filter((other) => ROOM_NAMES.indexOf(other) >= i);
     assert.deepEqual(higher, [], room);
   });
 });
 
-test('what a file imports is in its room, or in one that it may know', () => {
+test('a file imports only from its own room or from rooms that it may use', () => {
   const wrong = scripts.flatMap((file) =>
     named(file, IMPORT)
       .filter((to) => isOfRoom(to) && !may(file, to))
@@ -59,7 +59,7 @@ test('what a file imports is in its room, or in one that it may know', () => {
   assert.deepEqual(wrong, []);
 });
 
-test('the types that a file names are those of rooms that it may know, or of the context', () => {
+test('the types that a file names come from rooms that it may use or from the context', () => {
   const wrong = scripts.flatMap((file) =>
     named(file, TYPE)
       .filter((to) => isOfRoom(to) && to !== CONTEXT && !may(file, to, TYPES[placeOf(file).room]))
@@ -70,26 +70,26 @@ test('the types that a file names are those of rooms that it may know, or of the
   assert.equal(runs.trim(), 'export {};', `${CONTEXT} has only types`);
 });
 
-test('no file imports itself, over however many others', () => {
+test('there are no import cycles', () => {
   const done = new Set();
   const walk = (file, path) => {
     assert.ok(!path.includes(file), `a cycle: ${[...path, file].join(' -> ')}`);
     if (done.has(file)) return;
-    // What the build writes is no room, and imports none; a fresh clone does not have it.
+    // Files written by the build are in no room and import none; a fresh clone lacks them.
     for (const to of named(file, IMPORT)) if (scripts.includes(to)) walk(to, [...path, file]);
     done.add(file);
   };
   for (const file of scripts) if (isOfRoom(file)) walk(file, []);
 });
 
-test('no folder has more files than a reader takes in', () => {
+test('no folder has more files than the limit', () => {
   const count = new Map();
   for (const file of files) count.set(dirname(file), (count.get(dirname(file)) ?? 0) + 1);
   const full = [...count].filter(([, inside]) => inside > MOST_FILES);
   assert.deepEqual(full, []);
 });
 
-test('the linter refuses what crosses the rooms', async () => {
+test('the linter refuses code that breaks the rules of the rooms', async () => {
   const linter = new ESLint({ cwd: at(), overrideConfigFile: at('.scripts', 'eslint.config.mjs') });
   const rulesBroken = async (file, code) => {
     const [{ messages }] = await linter.lintText(code, { filePath: at('www', file) });

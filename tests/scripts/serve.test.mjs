@@ -1,4 +1,4 @@
-// The server gives what a browser insists on, from under a sub-path, and nothing from outside.
+// The local server: the types that browsers require, a base path, and no files from outside.
 
 import assert from 'node:assert/strict';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -19,7 +19,7 @@ after(() => {
   rmSync(folder, { recursive: true });
 });
 
-/** Status, type and body of a path as it is written: `fetch` would resolve the dots itself. */
+/** The status, type and body of an unnormalised path; `fetch` would resolve the dots itself. */
 function get(path) {
   return new Promise((done, reject) => {
     const { hostname, port } = new URL(address);
@@ -33,22 +33,22 @@ function get(path) {
   });
 }
 
-test('the folder is its index.html', async () => {
+test('a folder is answered with its index.html', async () => {
   const { status, type, body } = await get('/sub/');
   assert.deepEqual([status, type, body], [200, 'text/html; charset=utf-8', '<p>page</p>']);
 });
 
-test('wasm has the type that lets it compile while it arrives', async () => {
+test('wasm has the type that allows streaming compilation', async () => {
   assert.equal((await get('/sub/module.wasm')).type, 'application/wasm');
 });
 
-test('nothing outside the folder or the base is served', async () => {
+test('nothing outside the folder or the base path is served', async () => {
   for (const path of ['/', '/sub/../secret.txt', '/sub/..%2fsecret.txt', '/sub/none', '/sub/%zz']) {
     assert.equal((await get(path)).status, 404, path);
   }
 });
 
-test('a port that is taken is passed over', async () => {
+test('a port that is in use is skipped', async () => {
   const taken = Number(new URL(address).port);
   const second = await serve(join(folder, 'site'), { port: taken });
   assert.ok(Number(new URL(second.address).port) > taken);
