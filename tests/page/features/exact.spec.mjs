@@ -80,7 +80,7 @@ test('a contradictory constraint is named, and one click makes it soft', async (
   await expect(page.getByRole('spinbutton', { name: /: within$/ })).toBeVisible();
 });
 
-test('an exact shape is improved, the gain is shown, and it is an undo step', async ({ page }) => {
+test('an exact shape is improved in one undo step, and the gain is shown', async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
   await page.getByRole('button', { name: 'Make panels circular', exact: true }).click();
