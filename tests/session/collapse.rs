@@ -1,14 +1,15 @@
-//! The guard against shapes that collapse while nobody drags.
+//! The guard against shapes that collapse during a run without a drag.
 
 use shape_up::example::EXAMPLES;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Closeness, Scene, Smoothness, Weights};
 use shape_up::session::{CollapseReason, Edit, Session};
 
-/// The weights of Fig. 5, which take an open mesh for one whose boundary is held.
+/// The weights of Fig. 5, which are unsuitable for an open mesh whose boundary is free.
 const FIG_5: Weights = Weights { shape: 5.0, close: 10.0, smooth: 2.0 };
 
-/// Circular panels with the weights of Fig. 5, as the page offered them: nothing else is set with them.
+/// Circular panels with the weights of Fig. 5 and otherwise default settings, as the page offered
+/// them.
 fn with_weights_of_fig_5(mesh: Mesh) -> Session {
     let mut scene = Scene::opened("own.obj");
     scene.closeness = Closeness::default();
@@ -21,7 +22,7 @@ fn with_weights_of_fig_5(mesh: Mesh) -> Session {
     session
 }
 
-/// A run as hosts make it, of so many iterations at most; whether it ended by itself.
+/// Runs as hosts do, at most `iterations` iterations; returns whether the run ended by itself.
 fn run(session: &mut Session, iterations: u32, goes_on: bool) -> bool {
     session.begin_run();
     if goes_on {
@@ -34,7 +35,7 @@ fn run(session: &mut Session, iterations: u32, goes_on: bool) -> bool {
 
 #[test]
 fn a_roof_that_shrinks_to_a_dot_stops_and_is_never_called_converged() {
-    // It ended as a dot: "converged", "worst panel 0 mm".
+    // Without the guard the mesh shrank to a dot: "converged", "worst panel 0 mm".
     for file in ["botanic-garden-bubble-0.obj", "compas_hypar.obj", "pillow_1.obj"] {
         let Some(mesh) = crate::shared::mesh(file) else { return };
         let before = mesh.positions.clone();
@@ -44,11 +45,11 @@ fn a_roof_that_shrinks_to_a_dot_stops_and_is_never_called_converged() {
         assert!(!session.converged() && session.report().stopped_by == "iterations", "{file}");
         assert!(session.moved().max > 0.0);
 
-        // Whoever wants to may go on; then too it is not converged.
+        // The user may continue the run; it still does not count as converged.
         run(&mut session, 1000, true);
         assert!(session.collapse().is_some() && !session.converged(), "{file}");
 
-        // Undo and redo know of it.
+        // Undo and redo restore the collapse state.
         session.undo().unwrap();
         session.undo().unwrap();
         assert_eq!(session.collapse(), None);
@@ -56,7 +57,7 @@ fn a_roof_that_shrinks_to_a_dot_stops_and_is_never_called_converged() {
         session.redo().unwrap();
         assert_eq!(session.collapse(), Some(collapse), "{file}");
 
-        // Holding closer helps, from where it began.
+        // Holding closer helps, starting from the shape before the run.
         session.edit(Edit::HoldCloser).unwrap();
         assert_eq!(session.collapse(), None);
         assert_eq!(session.positions(), before);
@@ -138,7 +139,7 @@ fn a_scene_that_was_edited_is_watched_over_after_a_reload_too() {
     let mut opened = Session::open(session.scene(), mesh).unwrap();
     opened.restore(&session.saved_history(), &[]).unwrap();
     assert!(run(&mut session, 5000, false) && session.collapse().is_some());
-    // It was taken for a scene whose author meant it.
+    // The reopened scene was once taken for a scene whose author intends the collapse.
     assert!(run(&mut opened, 5000, false));
     assert_eq!(opened.collapse(), session.collapse());
 }

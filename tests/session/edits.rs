@@ -1,11 +1,11 @@
-//! Edits of rows as a whole, of settings, and of how things are held: each acts, each is undone.
+//! Edits of whole constraint rows, settings and handles: each has an effect and can be undone.
 
 use crate::grid::grid;
 use serde_json::json;
 use shape_up::scene::{Accelerator, ClosenessTo, Hold, MeshSource, Scene, Weights};
 use shape_up::session::{Edit, Session};
 
-/// A bumpy grid of five by five quads with planes on all faces, kept close to where it was.
+/// A bumpy grid of five by five quads with planes on all faces and closeness to the rest shape.
 fn session() -> Session {
     let mesh =
         grid(5, 5, |i, j| [f64::from(i), f64::from(j), f64::from((i * 5 + j * 7) % 4) / 8.0]);
@@ -95,7 +95,7 @@ fn settings_act_on_the_solver_and_are_undone() {
     assert_eq!(session.solver().energy().close, 0.0);
     session.edit(set("accelerator", json!("none"))).expect("it is declared");
     assert_eq!(session.document().solver.accelerator, Accelerator::None);
-    // Cotangents need triangles: nothing has changed, and the error says where.
+    // Cotangent weights need triangles: the edit changes nothing and the error gives the reason.
     let refused = session.edit(set("weighting", json!("cotangent"))).expect_err("these are quads");
     assert!(refused.to_string().contains("triangle"), "{refused}");
     assert_eq!(session.undo().expect("undo works").as_deref(), Some("Change setting: Accelerator"));

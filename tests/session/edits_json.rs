@@ -1,4 +1,4 @@
-//! What hosts that speak JSON ask of a session, and what is said where it has no meaning.
+//! JSON requests of hosts to a session, and the messages for those without meaning.
 
 use serde_json::json;
 use shape_up::constraint::{Element, Selector, Set};

@@ -1,4 +1,4 @@
-//! An iteration in its two halves, and the measures of the shape that it started from.
+//! The two halves of an iteration, and the measures of the shape that it started from.
 
 use crate::grid::bumpy;
 use shape_up::example::EXAMPLES;
@@ -17,11 +17,11 @@ fn squares(rest: &str) -> Session {
     Session::open(scene, bumpy(4)).expect("it can be solved")
 }
 
-/// Both halves.
+/// One whole iteration: the local half, then the global half.
 fn whole(session: &mut Session) -> HalfStep {
     let local = session.half_step().expect("nothing moves");
     assert!(matches!(local, HalfStep::Local { .. }));
-    // Looking at what is fitted changes nothing.
+    // Reading the projections changes nothing.
     session.projections();
     session.half_step().expect("positions stay finite")
 }
@@ -58,7 +58,7 @@ fn two_halves_are_one_step_on_every_example() {
             Session::open(scene, mesh).expect("it can be solved")
         };
         let (mut halves, mut steps) = (open(), open());
-        // The second one may be accelerated.
+        // The second iteration may be accelerated.
         for _ in 0..2 {
             whole(&mut halves);
             step(&mut steps);
@@ -81,7 +81,7 @@ fn the_local_step_tells_what_is_fitted_and_moves_nothing() {
     assert_eq!(global, HalfStep::Global { converged: false, accelerated: false });
     assert_ne!(session.positions(), before);
     assert_eq!(session.undo_and_redo()[0], Some("Run, 1 iteration"));
-    // What has been learnt from it makes the next one another.
+    // The accelerator has a history now and accelerates the second iteration.
     let HalfStep::Global { accelerated, .. } = whole(&mut session) else {
         panic!("it is the second")
     };
@@ -91,8 +91,8 @@ fn the_local_step_tells_what_is_fitted_and_moves_nothing() {
     assert_eq!(whole(&mut plain), HalfStep::Global { converged: false, accelerated: false });
 }
 
-/// Without acceleration, closeness and smoothness, the global step puts every vertex where the
-/// squares meet: in the middle between its projected points, up to the translation of each.
+/// Without acceleration, closeness and smoothness, the global step places every vertex at the mean
+/// of its projected points, up to the translation of each square.
 #[test]
 fn the_global_step_is_the_least_squares_answer() {
     let mut session =
@@ -105,7 +105,7 @@ fn the_global_step_is_the_least_squares_answer() {
         .map(|(k, &v): (usize, _)| add(before[v as usize], found.displacements[k]))
         .collect();
     session.half_step().expect("positions stay finite");
-    // The sum of |N (V - P)|^2 over the squares, which are four points each, one after another.
+    // The sum of `|N (V - P)|^2` over the squares, whose four points are consecutive.
     let misfit = |positions: &[Point]| -> f64 {
         let apart = (0..).zip(&found.vertices).map(|(k, &v): (usize, _)| {
             let (p, q) = (positions[v as usize], moved[k]);
@@ -132,7 +132,7 @@ fn add(a: Point, b: Point) -> Point {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-/// The sum of squared distances from their mean.
+/// Sum of squared distances from the mean.
 fn spread(points: &[Point]) -> f64 {
     let mean = points.iter().copied().fold([0.0; 3], add).map(|sum| sum / points.len() as f64);
     points.iter().flatten().zip(mean.iter().cycle()).map(|(x, m)| (x - m) * (x - m)).sum()
@@ -182,7 +182,7 @@ fn the_original_keeps_its_measures_while_the_shape_changes() {
     }
     assert_ne!(values(&mut session, Shape::Now), original);
     assert_eq!(session.angles(Shape::Original), angles);
-    // Squares have right angles: more corners come near to 90 degrees.
+    // Squares have right angles: more corners come near 90 degrees.
     let right = |angles: &[u32]| angles[17] + angles[18];
     assert!(right(&session.angles(Shape::Now)) > right(&angles));
 }

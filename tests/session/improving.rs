@@ -1,11 +1,11 @@
-//! An improvement of an exact shape in a session, and single steps on a scene with hard constraints.
+//! Improving an exact shape in a session, and single steps on a scene with hard constraints.
 
 use crate::grid::grid;
 use serde_json::json;
 use shape_up::scene::Scene;
 use shape_up::session::Session;
 
-/// Rough bumps on which all panels are to be flat.
+/// Rough bumps on which all panels are required to be flat.
 fn rough() -> Session {
     let mesh = grid(6, 6, |i, j| {
         let (x, y) = (f64::from(i), f64::from(j));
@@ -36,7 +36,7 @@ fn an_improvement_is_one_step_of_undo_and_as_exact() {
     run(&mut session);
     let before = session.positions();
     let mut trial = session.improvement().expect("regular").expect("all is met");
-    // Stopped after some steps it has gained what it gained until then.
+    // A trial that is stopped after some steps keeps the gain so far.
     for _ in 0..3 {
         trial.step(&session).expect("regular");
     }
@@ -49,7 +49,7 @@ fn an_improvement_is_one_step_of_undo_and_as_exact() {
     assert_ne!(session.positions(), before);
     session.undo().expect("regular");
     assert_eq!(session.positions(), before);
-    // It began at another shape than that of now.
+    // The trial began at another shape than the current one.
     run(&mut session);
     session.redo().expect("regular");
     assert!(!session.make_exact(&trial, false).expect("regular"));
@@ -65,7 +65,7 @@ fn a_single_step_iterates_softly_and_leaves_the_rest_to_a_run() {
         assert!(steps < 1000, "it converges");
     }
     assert!(session.exact().is_none_or(|exact| !exact.met), "steps meet nothing");
-    // One step more stays where it is, and says nothing of what cannot be met.
+    // One more step leaves the shape unchanged and does not report unmet constraints.
     let there = session.positions();
     session.single_step().expect("positions stay finite");
     assert!(session.exact().is_none(), "nobody has tried");

@@ -1,4 +1,4 @@
-//! Lengths, areas, angles and volumes that constraints keep or bring about while handles move.
+//! Lengths, areas, angles and volumes that constraints keep or establish while handles move.
 
 use crate::asked::{new, scene};
 use crate::grid::{bumpy, grid};
@@ -21,8 +21,8 @@ fn lengths(mesh: &Mesh, positions: &[[f64; 3]]) -> Vec<f64> {
     lengths
 }
 
-/// A strip of four panels, hinged at its cross edges, is carried off and folded by its last two
-/// vertices.
+/// A strip of four panels, hinged at its cross edges: its last two vertices are moved away and fold
+/// it.
 const FOLD: &str = r#", "constraints": [{ "kind": "rigid", "on": "faces" }],
     "handles": [{ "vertices": [0, 5], "fixed": true },
                 { "vertices": [4, 9], "targets": [[2.5, 0, 0.5], [2.5, 1, 0.5]], "weight": 1 }]"#;
@@ -75,7 +75,7 @@ fn relative_shapes_never_raise_the_energy_of_the_plain_iteration() {
     }
 }
 
-/// The lengths of the edges among `vertices`.
+/// Lengths of the edges between `vertices`.
 fn edge_lengths(session: &Session, vertices: &[u32]) -> Vec<f64> {
     let positions = session.positions();
     let among = |v: &u32| vertices.contains(v);
@@ -88,7 +88,7 @@ fn edge_lengths(session: &Session, vertices: &[u32]) -> Vec<f64> {
         .collect()
 }
 
-/// The greatest over the least, less one.
+/// Greatest length divided by the least, minus one.
 fn spread(lengths: &[f64]) -> f64 {
     let greatest = lengths.iter().fold(0.0, |m: f64, x| m.max(*x));
     greatest / lengths.iter().fold(f64::INFINITY, |m, x| m.min(*x)) - 1.0
@@ -110,14 +110,14 @@ fn the_sides_of_faces_sets_and_curves_become_equally_long() {
         mesh.faces.push(&[4, 5, 6]);
         mesh
     };
-    // Each face has a length of its own.
+    // Each face has its own length.
     let on_faces = r#", "constraints": [{ "kind": "equal-length", "on": "faces" }]"#;
     let session = solved(on_faces, separate());
     assert!(spread(&edge_lengths(&session, &[0, 1, 2, 3])) <= 1e-6);
     assert!(spread(&edge_lengths(&session, &[4, 5, 6])) <= 1e-6);
     assert!(spread(&edge_lengths(&session, &[0, 1, 2, 3, 4, 5, 6])) > 0.1);
 
-    // A set has one, over all edges between its vertices, and those only.
+    // A set has one length, for exactly the edges between its vertices.
     let on_set = r#", "constraints": [{ "kind": "equal-length", "on": { "set": "corner" } }],
                       "sets": { "corner": { "vertices": "0-2,5-7,10-12" } }"#;
     let session = solved(on_set, bumpy(4));
@@ -126,7 +126,7 @@ fn the_sides_of_faces_sets_and_curves_become_equally_long() {
     assert!(spread(&edge_lengths(&session, &corner)) <= 1e-6);
     assert!(spread(&edge_lengths(&session, &[20, 21, 22, 23, 24])) > 1e-3, "others are free");
 
-    // A path whose segments share vertices, between fixed ends.
+    // A path between fixed ends whose segments share vertices.
     let mut path = Mesh {
         positions: [0.0, 0.1, 0.5, 2.0, 2.1, 4.0].map(|x: f64| [x, x * x / 4.0, 0.0]).to_vec(),
         ..Mesh::default()
@@ -165,7 +165,7 @@ fn thousands_of_equal_edges_couple_only_their_ends() {
     let before = session.solver().energy().total;
     run(&mut session, 10);
     assert!(session.solver().energy().total < 0.5 * before);
-    // No extra unknowns, and a factor as sparse as that of the smoothness of the same mesh.
+    // No extra unknowns, and a factor as sparse as the factor of smoothness on the same mesh.
     let report = session.report();
     assert_eq!(report.unknowns, mesh.positions.len() - 1, "one vertex is pinned");
     let smooth = r#", "weights": { "shape": 1, "smooth": 1 }"#;
@@ -177,7 +177,7 @@ fn thousands_of_equal_edges_couple_only_their_ends() {
 
 #[test]
 fn corners_areas_and_hinges_of_a_mesh_come_to_what_is_asked() {
-    // Two triangles for each quad.
+    // Two triangles per quad.
     let quads = bumpy(3);
     let mut mesh = Mesh { positions: quads.positions.clone(), ..Mesh::default() };
     for quad in quads.faces.iter() {

@@ -1,4 +1,4 @@
-//! Lessons: goals are measured on the shape as it is, and what a student hands in is measured again.
+//! Lessons: goals are measured on the current shape, and handed-in results are measured again.
 
 use crate::grid::bumpy;
 use shape_up::mesh::Mesh;
@@ -6,7 +6,7 @@ use shape_up::scene::{Lesson, Results, Scene};
 use shape_up::session::{Edit, Session, check_results};
 use shape_up::solve::Require;
 
-/// Planes on all faces, which is to be reached without going far.
+/// Planes on all faces, to be reached without large displacements.
 fn scene() -> Scene {
     let text = r#"{ "format": "shape-up-scene", "version": 1, "title": "Roof", "units": "m",
         "mesh": { "file": "grid.obj" },
@@ -88,7 +88,7 @@ fn a_row_stays_what_a_goal_is_on() {
         assert!(refused.contains("\"Panels\"") && refused.contains(expected), "{refused}");
         assert_eq!(session.document(), solved().document());
     }
-    // Of two that are called so, one can go; and both when there is no lesson any more.
+    // One of two rows with the same name can be removed; both once the lesson is gone.
     session.edit(Edit::DuplicateConstraint { index: 0 }).expect("there is a row");
     session.edit(removed.clone()).expect("another one is called so");
     session.edit(Edit::SetLesson { lesson: None, unsolved: false }).expect("it can be taken away");
@@ -222,7 +222,7 @@ fn results_of_another_mesh_or_lesson_are_refused() {
     let mut easier = scene();
     easier.lesson.as_mut().expect("it has one").goals[0].at_most = 1.0;
     assert!(check_results(&results, easier, bumpy(5)).is_err());
-    // What students change does not make it another exercise.
+    // A student's changes do not make it another exercise.
     let mut changed = scene();
     changed.constraints.clear();
     changed.weights.close = 3.0;
@@ -267,7 +267,7 @@ fn goals_on_what_is_built_are_told_and_measured_again_when_they_are_handed_in() 
     session.edit(Edit::Reset).expect("it can be reset");
     assert_eq!(session.goals()[0].value, None, "of another shape nothing was told");
 
-    // What was told is not believed: the shape is built, at 1:50 on one sheet of A3.
+    // Reported numbers are not trusted: the shape is built again, at 1:50 on one sheet of A3.
     let text = results.to_json();
     let results = Results::from_json(&text).expect("it reads what it writes");
     let checked = check_results(&results, own, bumpy(5)).expect("it is of the scene");
@@ -277,7 +277,7 @@ fn goals_on_what_is_built_are_told_and_measured_again_when_they_are_handed_in() 
     assert!((flatness - session_flatness(&results)).abs() < 1e-9);
 }
 
-/// The largest distance of a panel to its plane, as the session measures it.
+/// Largest distance of a panel to its plane, as the session measures it.
 fn session_flatness(results: &Results) -> f64 {
     let mut own = scene();
     own.current = Some(results.positions.clone());

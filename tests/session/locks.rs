@@ -1,4 +1,4 @@
-//! What a lesson locks stays as it is, whoever asks; and what was altered in a file is found.
+//! Locks of a lesson refuse every edit of the locked part, and alterations in a file are detected.
 
 use crate::grid::bumpy;
 use shape_up::error::Error;
@@ -7,7 +7,7 @@ use shape_up::session::{DragPhase, Edit, Session, check_results};
 
 const VARIANT: &str = r#"{ "type": "goToVariant", "index": 0 }"#;
 
-/// An edit of each locked part.
+/// Edits of each locked part.
 const EDITS: &[(Lock, &str)] = &[
     (Lock::Weights, r#"{ "type": "setWeights", "close": 3 }"#),
     (Lock::Weights, r#"{ "type": "set", "id": "closeness", "value": "rest" }"#),
@@ -61,7 +61,7 @@ fn each_lock_refuses_the_edits_of_its_part_and_no_other() {
             let before = session.scene();
             let edit = Edit::from_json(edit, session.document()).expect("it is an edit");
             let outcome = session.edit(edit.clone());
-            // A weight of a constraint is of both.
+            // The weight of a constraint belongs to both locks, weights and constraints.
             let of_both = matches!(edit, Edit::SetConstraint { weight: Some(_), .. });
             let expected = *part == lock.1 || of_both && lock.1 == Lock::Constraints;
             assert_eq!(refused(outcome), expected, "{edit:?} under {lock:?}");
@@ -99,7 +99,7 @@ fn nothing_gets_round_a_lock() {
         }
         assert!(refused(session.drag([(0, [9.0; 3])]).map_err(Error::from).map(|()| true)));
         assert_eq!(session.scene(), before);
-        // To solve, to go back, and how it is solved, are the student's.
+        // Solving, undo and solver settings remain available to the student.
         let solver = r#"{ "type": "set", "id": "window", "value": 3 }"#;
         let solver = Edit::from_json(solver, session.document()).expect("it is an edit");
         session.edit(solver).expect("it is not locked");
@@ -177,7 +177,7 @@ fn what_was_altered_is_found_by_the_part_that_is_locked() {
     let all = handed_in(r#"["weights", "constraints", "handles", "mesh"]"#);
     assert_eq!(all.altered, [Lock::Weights, Lock::Constraints, Lock::Handles]);
     assert!(all.changed.is_empty());
-    // What is handed in as it was given is not.
+    // Results handed in without any change are recognised.
     let mut untouched = session("[\"weights\"]");
     let results = untouched.results("Ada", "").expect("it is a lesson");
     let results = Results::from_json(&results.to_json()).expect("it was written here");

@@ -1,4 +1,4 @@
-//! Sessions: what hosts do with them, from the first press to undo.
+//! Sessions as hosts use them, from the first edit to undo.
 
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 

@@ -1,5 +1,5 @@
-//! One press for all panels: it ends with all of them within the tolerance, at a price that is told, and is
-//! one step of undo.
+//! "Make panels" in one press: all panels end within the tolerance, the displacement is bounded,
+//! and the press is one step of undo.
 
 use crate::grid::grid;
 use serde_json::{Value, json};
@@ -9,7 +9,7 @@ use shape_up::scene::Scene;
 use shape_up::session::{Session, Verdict};
 use shape_up::solve::Require;
 
-/// With the weights of a mesh that somebody opens.
+/// A session with the weights of an opened mesh.
 fn session(mesh: Mesh, more: &str) -> Session {
     let text = format!(
         r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "mesh.obj" }},
@@ -24,10 +24,10 @@ fn wave() -> Session {
     session(grid(8, 8, |i, j| [f64::from(i), f64::from(j), f64::from(i * j % 5) * 0.3]), "")
 }
 
-/// Bumps whose edges run across the lines of curvature: circular panels would crumple it.
+/// Bumps with edges across the lines of curvature: circular panels would crumple it.
 fn bumps() -> Mesh {
     let sine = |n: u32| libm::sin(f64::from(n) / 2.0);
-    // To six digits, as in a file.
+    // Rounded to six digits, as in a file.
     let height = |i: u32, j: u32| (2e6 * sine(i) * sine(j)).round() / 1e6;
     grid(12, 12, |i, j| [f64::from(i), f64::from(j), height(i, j)])
 }
@@ -36,7 +36,7 @@ fn folded(session: &Session) -> usize {
     folded_faces(session.mesh(), session.topology(), &session.positions()).len()
 }
 
-/// Until it ends, and the iterations that it took.
+/// Runs to the end and returns the number of iterations.
 fn run(session: &mut Session) -> usize {
     let ended = (1..20_000).find(|_| session.step().expect("it stays finite").ended);
     session.end_run();
@@ -49,7 +49,7 @@ fn verdict(session: &mut Session) -> Verdict {
 
 #[test]
 fn a_press_brings_panels_of_real_meshes_within_the_tolerance_but_those_that_would_fold() {
-    // With the weights of an opened mesh alone, 36 of 871 panels of the roof were within half a millimetre.
+    // With only the weights of an opened mesh, 36 of 871 panels of the roof were within 0.5 mm.
     for file in ["M2_eq_quad2.obj", "botanic-garden-bubble-0.obj", "pillow_1.obj", "halftunnel.off"]
     {
         for kind in ["circle", "plane"] {
@@ -72,7 +72,8 @@ fn a_press_brings_panels_of_real_meshes_within_the_tolerance_but_those_that_woul
             let eased = eased.map_or(0, |eased| eased.panels);
             assert!(within >= panels - eased, "{file} {kind}: worst {worst:e}");
             assert!(eased <= panels * 2 / 5, "{file} {kind}: {eased} of {panels} are eased");
-            // It costs not much more than to be nearly there, although edges keep their length and nothing folds.
+            // The mean displacement is close to the soft result, although edges keep their length
+            // and nothing folds.
             assert_eq!(folded(&session), 0, "{file} {kind}");
             let size = BoundingSphere::of(&session.mesh().positions).diameter();
             assert!(moved.mean < 2.5 * cheaper.mean + 1e-3 * size, "{file} {kind}");
@@ -139,7 +140,7 @@ fn a_press_changes_no_weight_and_without_tolerance_requires_nothing() {
 
 #[test]
 fn what_cannot_be_had_ends_with_what_was_reached_and_says_so() {
-    // Four fixed corners out of a plane.
+    // Four fixed corners that are not coplanar.
     let fixed = r#", "handles": [{ "vertices": [0, 1, 2, 3], "fixed": true }]"#;
     let mesh = grid(1, 1, |i, j| [f64::from(i), f64::from(j), f64::from(i * j)]);
     let mut session = session(mesh, fixed);
@@ -188,7 +189,7 @@ fn a_press_that_would_fold_eases_the_panels_that_would_and_no_others() {
         assert!(2 * eased.panels < verdict.panels, "{verdict:?}");
         assert!(verdict.worst > asked && verdict.worst <= eased.within, "{verdict:?}");
         assert!(exact.eased.is_some_and(|it| it.folded > 0 && it.panels == eased.panels));
-        // Another run has nothing to do, and it is one step of undo.
+        // Another run changes nothing and is one step of undo.
         let after = session.scene();
         session.begin_run();
         run(&mut session);
@@ -197,7 +198,7 @@ fn a_press_that_would_fold_eases_the_panels_that_would_and_no_others() {
         assert_eq!(session.scene(), before);
         session.redo().expect("solvable");
         assert_eq!(session.scene(), after);
-        // A file keeps it, and what it says of it.
+        // A file keeps the exact shape and its report.
         let text = session.scene().to_json(session.mesh());
         let mut again =
             Session::open(Scene::from_json(&text).expect("its own"), session.mesh().clone())
@@ -217,14 +218,15 @@ fn a_press_that_would_fold_a_few_panels_may_end_exactly() {
     let (verdict, exact) = (verdict(&mut session), session.exact().expect("it was met"));
     assert_eq!((verdict.within, verdict.folded, verdict.eased), (verdict.panels, 0, None));
     assert!(exact.met && exact.attempts == 2 && exact.max_distance < 1e-6 * asked, "{exact:?}");
-    // What is required stays what was asked.
+    // The requirement keeps the requested tolerance.
     assert_eq!(exact.tolerance, asked);
     assert_eq!(session.document().constraints[0].require, Require::Within(asked));
 }
 
 #[test]
 fn exact_panels_are_those_near_the_shape_where_others_crumple() {
-    // A roof over a plan, on its four corners: approached again it became a heap, 4.6 m away, with 43 times the energy.
+    // A roof over a plan, on its four corners: when the approach started again it crumpled into a
+    // heap, 4.6 m away, with 43 times the energy.
     let corners = [[-6.0, -2.0], [28.0, -2.0], [28.0, 8.0], [-6.0, 12.0]];
     let plan = Plan {
         outline: corners.map(|at| PlanPoint { at, bulge: 0.0, corner: true }).to_vec(),

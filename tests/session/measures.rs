@@ -1,11 +1,11 @@
-//! What the measures of faces are.
+//! Values of the face measures.
 
 use crate::grid::grid;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{MeshSource, Scene};
 use shape_up::session::{FACE_MEASURES, Session};
 
-/// A unit square, two of whose opposite corners are lifted by 0.02, opened from a flat one.
+/// A unit square with two opposite corners lifted by 0.02; its rest shape is flat.
 fn lifted() -> Session {
     let square = |lift| vec![[0.0, 0.0, lift], [1.0, 0.0, 0.0], [1.0, 1.0, lift], [0.0, 1.0, 0.0]];
     let mesh = Mesh {
@@ -57,7 +57,7 @@ fn every_measure_is_nothing_for_a_square_at_rest() {
     session = Session::open(scene, session.mesh().clone()).expect("it opens");
     for measure in FACE_MEASURES {
         let value = session.face_values(measure.id).expect("it is declared")[0];
-        // A lone face has no curvature.
+        // A single face has no curvature.
         let none = measure.id.contains("curvature") && value.is_nan();
         assert!(none || value.abs() < 1e-12, "{}: {value}", measure.id);
     }
@@ -66,7 +66,7 @@ fn every_measure_is_nothing_for_a_square_at_rest() {
 
 #[test]
 fn curvatures_of_faces_have_both_signs_and_the_units_that_they_say() {
-    // A dome, a saddle and a vault, once more at ten times the size, and with all faces the other way.
+    // A dome, a saddle and a vault; also at ten times the size, and with all faces reversed.
     let surface = |bend: [f64; 2], size: f64, flip: bool| {
         let mut mesh = grid(16, 16, |i, j| {
             let [x, y] = [i, j].map(|k| 0.05 * (f64::from(k) - 8.0));

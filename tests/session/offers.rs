@@ -1,4 +1,4 @@
-//! What a host offers to add, and parameters that are changed later.
+//! Constraint kinds that hosts may offer, and parameters that are changed later.
 
 use crate::grid::bumpy;
 use serde_json::{Value, json};
@@ -87,7 +87,7 @@ fn what_a_kind_is_not_meant_for_is_not_offered() {
     }
 }
 
-/// The kinds that are the usual choice at a place.
+/// The kinds marked as usual for a target.
 fn usual(session: &Session, place: ConstraintTarget) -> Vec<&'static str> {
     let previews = session.previews(&[place]).expect("everything is there");
     let is_usual = |row: &[Option<Preview>]| row[0].is_some_and(|one| one.usual);
@@ -104,7 +104,7 @@ fn the_usual_kind_follows_from_what_the_place_is_to_the_mesh() {
     assert_eq!(usual(&session, each(Element::Face)), ["plane", "circle"]);
     assert_eq!(usual(&session, each(Element::Boundary)), ["circle"]);
     assert_eq!(usual(&session, each(Element::Edge)), ["line-segment"]);
-    // A cap of two by two faces, one face, the boundary, a loop inside, a chain, an edge.
+    // A cap of two by two faces, one face, the boundary, an inner loop, a chain, an edge.
     assert_eq!(selected(&[0, 1, 2, 5, 6, 7, 10, 11, 12]), ["sphere"]);
     assert_eq!(selected(&[0, 1, 5, 6]), ["plane", "circle"]);
     let boundary = [0, 1, 2, 3, 4, 9, 14, 19, 24, 23, 22, 21, 20, 15, 10, 5];
@@ -112,7 +112,8 @@ fn the_usual_kind_follows_from_what_the_place_is_to_the_mesh() {
     assert_eq!(selected(&[6, 7, 8, 13, 18, 17, 16, 11]), ["circle"]);
     assert_eq!(selected(&[10, 11, 12, 13]), ["line"]);
     assert_eq!(selected(&[0, 1]), ["line-segment"]);
-    // Two chains apart are no chain; the whole mesh is no patch of it; one vertex is nothing.
+    // Two separate chains are not a chain; the whole mesh is not a patch; one vertex has no usual
+    // kind.
     assert_eq!(selected(&[0, 1, 2, 20, 21, 22]), ["plane"]);
     assert_eq!(selected(&(0..25).collect::<Vec<_>>()), [""; 0]);
     assert_eq!(selected(&[12]), [""; 0]);

@@ -1,4 +1,4 @@
-//! Stories of single operators in a session: what people ask of them, not how they do it.
+//! Single operators in a session: the results that users expect, not the method.
 
 use crate::grid::grid;
 use shape_up::math::{Vec3, cosine, sine};
@@ -6,7 +6,7 @@ use shape_up::mesh::{Mesh, Point, Surface, Topology, hinges, stars};
 use shape_up::scene::Scene;
 use shape_up::session::Session;
 
-/// The positions after solving a scene on `mesh` with `rest` after the mesh.
+/// A solved session of a scene on `mesh` with the keys in `rest` appended.
 fn solved(mesh: &Mesh, rest: &str) -> Session {
     let text = format!(
         r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "grid.obj" }}, {rest},
@@ -22,12 +22,12 @@ fn distance(a: Point, b: Point) -> f64 {
     (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>().sqrt()
 }
 
-/// Nine by nine vertices, a unit apart, four to each side of the origin.
+/// Nine by nine vertices at unit distance, centred at the origin.
 fn square() -> Mesh {
     grid(8, 8, |i, j| [f64::from(i) - 4.0, f64::from(j) - 4.0, 0.0])
 }
 
-/// Where a vertex of the square comes to lie.
+/// Map of a vertex of the square to its expected position.
 type Image = fn(Point) -> Point;
 
 #[test]
@@ -68,13 +68,13 @@ fn a_symmetry_says_how_many_vertices_have_an_image() {
             .map(|row| (row.constraint, row.paired.vertices, row.paired.of))
             .collect::<Vec<_>>()
     };
-    // All, a side without its middle and one vertex more, and a direction in which nothing is alike.
+    // All vertices, a side without its middle plus one vertex, and a direction without symmetry.
     assert_eq!(found("[1, 0, 0]", "0-80"), []);
     assert_eq!(found("[1, 0, 0]", "0-3,5-8,20"), [(1, 8, 9)]);
     assert_eq!(found("[1, 0.2, 0]", "0-3,5-9"), [(1, 0, 9)]);
 }
 
-/// The vertices on the border of the square.
+/// Returns whether a vertex is on the border of the square.
 fn is_border(v: usize) -> bool {
     [v % 9, v / 9].iter().any(|&k| k == 0 || k == 8)
 }
@@ -95,7 +95,7 @@ fn a_border_glides_along_its_sides_while_the_inside_is_pulled() {
     for v in (0..81).filter(|&v| is_border(v)) {
         let (rest, found) = (mesh.positions[v], found[v]);
         let [x, y] = [0, 1].map(|i| (rest[i].abs() == 4.0, (found[i] - rest[i]).abs()));
-        // Across the side nothing moves, along it the pull is seen; a corner is across both.
+        // Nothing moves across a side; the pull shows along it. A corner belongs to two sides.
         for (is_across, moved) in [x, y] {
             assert!(!is_across || moved < 0.01, "{rest:?} has left the border: {found:?}");
         }
@@ -106,13 +106,13 @@ fn a_border_glides_along_its_sides_while_the_inside_is_pulled() {
     }
 }
 
-/// A ring of `n` vertices on the unit circle around another ring, in a strip of quads.
+/// A strip of quads between two concentric rings of `n` vertices; the outer one is the unit circle.
 fn annulus(n: u32) -> Mesh {
     let mut mesh = grid(n, 1, |i, j| {
         let (turn, radius) = (f64::from(i % n) / f64::from(n), 1.0 - 0.4 * f64::from(j));
         [radius * cosine(turn), radius * sine(turn), 0.0]
     });
-    // The last column is the first one.
+    // Identifies the last column with the first.
     let around = |v: u32| v / (n + 1) * (n + 1) + v % (n + 1) % n;
     let faces = mesh.faces.iter().map(|face| face.iter().map(|&v| around(v)).collect::<Vec<_>>());
     mesh.faces = faces.collect();
@@ -134,14 +134,14 @@ fn a_rim_glides_on_the_spline_through_its_vertices() {
         );
         solved(&mesh, &row).positions()
     };
-    // The farthest from the circle that the rim is on at rest, of those that have moved along it.
+    // Greatest distance of a rim vertex from the unit circle, the rest shape of the rim.
     let off = |found: &[Point]| {
         let away = rim.clone().map(|v| (Vec3::from(found[v]).length() - 1.0).abs());
         away.fold(0.0, f64::max)
     };
     let [straight, spline] = ["straight", "spline"].map(glided);
     assert!(distance(spline[1], mesh.positions[1]) > 0.1, "it glides: {:?}", spline[1]);
-    // Sides of a polygon with 16 corners are up to 0.019 inside the circle, cubics through them 2e-4.
+    // Sides of a 16-gon are up to 0.019 inside the circle, cubics through its corners 2e-4.
     let [straight, spline] = [off(&straight), off(&spline)];
     assert!(spline < 3e-3 && straight > 5.0 * spline, "{straight} {spline}");
 }
@@ -183,7 +183,7 @@ fn a_place_is_kept_with_and_without_mean_centring() {
 
 #[test]
 fn some_vertices_stay_on_the_surface_while_the_others_leave_it() {
-    // A saddle; the middle of its border is pulled away from it, and up.
+    // A saddle; the middle of its border is pulled outwards and up.
     let mesh = grid(8, 8, |i, j| {
         let (x, y) = (f64::from(i) - 4.0, f64::from(j) - 4.0);
         [x, y, 0.1 * x * y]
@@ -218,7 +218,7 @@ fn triangles() -> Mesh {
 #[test]
 fn incircles_of_neighbouring_triangles_come_to_touch() {
     let mesh = triangles();
-    // Where the incircle of `abc` touches `ab`, as a distance from `a`.
+    // Distance from `a` to the point where the incircle of `abc` touches `ab`.
     let touching = |at: &[Point], [a, b, c]: [u32; 3]| {
         let side = |u: u32, v: u32| distance(at[u as usize], at[v as usize]);
         0.5 * (side(a, b) + side(a, c) - side(b, c))

@@ -1,5 +1,5 @@
-//! What the first press does to a mesh that somebody opens: the real quad meshes of `../shared/meshes`,
-//! and what the press does to a document.
+//! Effect of the first "make panels" on an opened mesh: the real quad meshes of `../shared/meshes`,
+//! and the changes of the document.
 
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Topology};
@@ -7,9 +7,9 @@ use shape_up::scene::{Scene, UnitsAndUp, Up, panel_offers};
 use shape_up::session::{Edit, Session};
 use shape_up::solve::Require;
 
-/// How far a mesh may move, and the largest and the mean way, in per cent of the diagonal of its
-/// bounding box, and how far its worst panel may be off, as a part of it: what these settings gave when
-/// they were chosen, circular and flat.
+/// Largest and mean displacement, in per cent of the diagonal of the bounding box, and worst panel
+/// as a fraction of it, for circular and flat panels: the results of these settings when they were
+/// chosen.
 #[rustfmt::skip]
 const WANTED: &[(&str, [f64; 3], [f64; 3])] = &[
     ("M2_eq_quad2.obj", [3.41, 0.76, 3e-4], [2.64, 0.58, 2.3e-4]),
@@ -27,7 +27,7 @@ const WANTED: &[(&str, [f64; 3], [f64; 3])] = &[
     ("trimesh_quadknot.obj", [2.50, 0.78, 2.2e-4], [1.43, 0.54, 2e-4]),
 ];
 
-/// A mesh whose panels are asked for `kind`, after the press.
+/// A session after the request for panels of `kind`.
 fn pressed(mesh: Mesh, kind: &str) -> Session {
     let mut session = Session::open(Scene::opened("own.obj"), mesh).unwrap();
     session.edit(Edit::MakePanels { kind: kind.to_owned(), within: None, afresh: false }).unwrap();
@@ -43,7 +43,7 @@ fn diagonal(points: &[Point]) -> f64 {
 
 #[test]
 fn real_meshes_stay_whole_while_their_panels_become_circular_or_flat() {
-    // With the defaults of a scene file 20 of 28 such meshes moved by 20 to 60 per cent.
+    // With the defaults of a scene file, 20 of 28 such meshes moved by 20 to 60 per cent.
     for (file, circular, flat) in WANTED {
         let Some(mesh) = crate::shared::mesh(file) else { return };
         let size = diagonal(&mesh.positions);
@@ -80,7 +80,7 @@ fn the_press_is_one_step_and_a_choice_between_shapes() {
         .edit(Edit::MakePanels { kind: "plane".to_owned(), within: None, afresh: false })
         .unwrap();
     assert_eq!(rows(&session), [("plane", true), ("circle", false)]);
-    // What is none of the choice stays.
+    // Rows of kinds other than circular and flat stay.
     session
         .edit(Edit::MakePanels { kind: "rectangle".to_owned(), within: None, afresh: false })
         .unwrap();
@@ -100,7 +100,7 @@ fn a_scene_that_would_not_keep_its_mesh_whole_gets_the_weights_that_do() {
     scene.request_panels("circle", Require::Soft, &mesh).unwrap();
     assert_eq!(scene.weights, opened.weights);
     assert_eq!((scene.closeness, scene.smoothness), (opened.closeness, opened.smoothness));
-    // Weights that somebody chose stay.
+    // Weights that the user chose stay.
     let mut own = Scene::opened("own.obj");
     own.weights.close = 10.0;
     own.request_panels("circle", Require::Soft, &mesh).unwrap();
@@ -150,7 +150,7 @@ fn a_verdict_counts_panels_within_the_tolerance() {
 
 #[test]
 fn real_meshes_are_opened_the_right_way_up() {
-    // As one sees them: roofs and shells lie on their openings, animals stand on their feet.
+    // The visual up direction: roofs and shells lie on their openings, animals stand on their feet.
     const Z: &[&str] = &[
         "M2_eq_quad2.obj",
         "botanic-garden-bubble-0.obj",
@@ -165,7 +165,7 @@ fn real_meshes_are_opened_the_right_way_up() {
     ];
     const Y: &[&str] =
         &["bunny_poly.obj", "camelhead.off", "decimated-knight.off", "horse_quad.obj", "igloo.obj"];
-    // Others are the same either way: a knot, a dodecahedron, half a sphere askew.
+    // The others have no clear direction: a knot, a dodecahedron, a tilted half sphere.
     for (files, up) in [(Z, Up::Z), (Y, Up::Y)] {
         for file in files {
             let Some(mesh) = crate::shared::mesh(file) else { return };
@@ -183,7 +183,7 @@ fn real_meshes_are_not_welded_but_what_is_in_pieces_is() {
             let name = path.file_name().unwrap().to_string_lossy().into_owned();
             let Ok(bytes) = std::fs::read(&path) else { continue };
             let Ok(mut read) = shape_up::mesh::read(&name, &bytes) else { continue };
-            // A room of eighteen walls with corners of their own, and eight boxes that touch.
+            // A room of eighteen walls with separate corners, and eight boxes that touch.
             let left = read.weld().map(|_| read.mesh.positions.len());
             let expected = match &*name {
                 "tinyobj_no_material.obj" => Some(29),
@@ -193,7 +193,7 @@ fn real_meshes_are_not_welded_but_what_is_in_pieces_is() {
             assert_eq!(left, expected, "{name}");
         }
     }
-    // The same faces with vertices of their own.
+    // The same faces with separate vertices each.
     for file in ["pillow_1.obj", "horse_quad.obj", "compas_tubemesh.obj"] {
         let Some(mesh) = crate::shared::mesh(file) else { return };
         let mut text = String::new();
@@ -212,7 +212,7 @@ fn real_meshes_are_not_welded_but_what_is_in_pieces_is() {
         assert_eq!(read.mesh.positions.len(), mesh.positions.len(), "{file}");
         let edges = |mesh: &Mesh| Topology::new(mesh).edges().len();
         assert_eq!(edges(&read.mesh), edges(&mesh), "{file}");
-        // Circles on it do what they do on the mesh that was whole.
+        // Circular panels have the same effect as on the original mesh.
         let mut session = pressed(read.mesh, "circle");
         session.solve(false).unwrap();
         assert!(session.verdict(1.0).unwrap().moved.max < 0.06 * diagonal(&mesh.positions));

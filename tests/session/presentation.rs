@@ -1,11 +1,11 @@
-//! Presentations: steps are part of the scene, and showing one is a step of undo.
+//! Presentations: steps are part of the scene, and showing one can be undone.
 
 use crate::grid::bumpy;
 use serde_json::{Value, json};
 use shape_up::scene::{Scene, Slide, Variant, Variants, Weights};
 use shape_up::session::{Edit, Session};
 
-/// Two steps: the rest shape with other weights, and a shape that was kept.
+/// Two steps: the rest shape with other weights, and a kept shape.
 fn scene_with(steps: &Value) -> Scene {
     let text = json!({ "format": "shape-up-scene", "version": 1, "mesh": { "file": "grid.obj" },
         "constraints": [{ "kind": "plane", "on": "faces" }],
@@ -39,7 +39,7 @@ fn showing_a_step_gives_its_shape_and_weights_and_is_undone() {
     assert!(session.edit(Edit::ShowStep { index: 0 }).expect("it is there"));
     assert_eq!(session.positions(), bumpy(3).positions);
     assert_eq!(session.document().weights, Weights { shape: 5.0, close: 2.0, smooth: 0.0 });
-    // Again, it changes nothing.
+    // Showing the same step again changes nothing.
     assert!(!session.edit(Edit::ShowStep { index: 0 }).expect("it is there"));
 
     assert!(session.edit(Edit::ShowStep { index: 1 }).expect("it is there"));

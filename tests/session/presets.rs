@@ -1,4 +1,4 @@
-//! Settings that belong together: each keeps real meshes whole where it has what it needs.
+//! Presets of settings: each keeps real meshes intact if its requirements are met.
 
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Topology};
@@ -17,7 +17,7 @@ fn a_preset_is_one_step_and_known_by_its_settings() {
         session.edit(Edit::Preset { id: preset.id.to_owned() }).unwrap();
         assert_eq!(Preset::of(session.document()), Some(preset));
     }
-    // Weights alone are not what the figure did.
+    // The weights alone are not the preset of the figure.
     session.edit(Edit::Preset { id: "fig-5".to_owned() }).unwrap();
     let weights = session.document().weights;
     session.edit(Edit::Preset { id: "opened".to_owned() }).unwrap();
@@ -71,7 +71,7 @@ fn presets_of_the_paper_keep_real_meshes_whole_when_they_do_not_warn() {
     }
 }
 
-/// Points near a sphere of radius 5, on a spiral around it.
+/// Points near a sphere of radius 5, along a spiral.
 fn spiral() -> Vec<[f64; 3]> {
     let point = |k: u32| {
         let (turn, t) = (0.11 * f64::from(k), f64::from(k) / 20.0 - 1.0);
@@ -83,13 +83,13 @@ fn spiral() -> Vec<[f64; 3]> {
 
 #[test]
 fn points_and_curves_stay_near_what_they_are_without_a_surface() {
-    // Files with nothing but `v`, or `v` and `l`: "surface" was refused there, although it is the default of
-    // scenes and a part of presets.
+    // Files with only `v`, or `v` and `l`: "surface" was refused for them, although it is the
+    // default of scenes and part of presets.
     let points = Mesh { positions: spiral(), ..Mesh::default() };
     let curve: Vec<u32> = (0..40).collect();
     let curve = Mesh { curves: [curve].into_iter().collect(), ..points.clone() };
     for (what, mesh) in [("points", points), ("curve", curve)] {
-        // The others need handles, or a boundary against the smoothing.
+        // The other presets need handles, or a boundary against the smoothing.
         for id in ["opened", "fig-7"] {
             let mut session = opened(mesh.clone());
             session.edit(Edit::Preset { id: id.to_owned() }).unwrap();

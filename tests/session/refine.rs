@@ -1,5 +1,5 @@
-//! A session whose mesh is refined: what goes along, what is left out and said, undo, and the shape at once and level
-//! by level.
+//! Refining the mesh of a session: what is carried over, what is dropped and reported, undo, and
+//! refining at once or level by level.
 
 use crate::grid::{bumpy, grid};
 use crate::shared;
@@ -22,7 +22,7 @@ pub(crate) fn everything(session: &Session) -> (String, Vec<[u64; 3]>) {
     (session.scene().to_json(session.mesh()), bits)
 }
 
-/// A wavy grid of 4 by 4 quads, with something of everything.
+/// Sets, constraints and handles of every sort, for a wavy grid of 4 by 4 quads.
 const ALL: &str = r#"
     "sets": { "eaves": { "vertices": "0-4" }, "corner": { "vertices": [0, 1, 5, 6], "faces": [0] } },
     "constraints": [
@@ -51,9 +51,10 @@ fn sets_constraints_handles_and_weights_go_along_to_the_new_mesh() {
     let corner = &scene.sets["corner"];
     assert_eq!((corner.vertices.len(), &corner.faces[..]), (9, &[0, 1, 2, 3][..]));
     let sizes = session.rows().iter().map(|row| row.constraints.members.indices().len());
-    // All quads; the eaves; the line with its new vertices; edges of the corner; four vertices are a square.
+    // All quads; the eaves; the line with its new vertices; the edges of the corner; four vertices
+    // of a square.
     assert_eq!(sizes.collect::<Vec<_>>(), [256, 9, 9, 24, 4]);
-    // Vertex 0 and 1 are fixed, and so is the one between them.
+    // Vertices 0 and 1 and the new one between them are fixed.
     let handles = session.solver().handles();
     assert_eq!(handles.len(), 4);
     let target = handles.iter().find(|h| h.vertex == 12).expect("it stays at its vertex").target;
@@ -64,7 +65,7 @@ fn sets_constraints_handles_and_weights_go_along_to_the_new_mesh() {
     }
     assert_eq!(session.lost().len(), 1, "{:?}", session.lost());
     assert!(session.lost()[0].contains("keeps its given sizes"), "{:?}", session.lost());
-    // The file opens as what it was made from.
+    // The saved file opens to the same scene and mesh.
     let again = Scene::from_json(&session.scene_with_mesh()).expect("it can be read");
     let MeshSource::Inline(mesh) = again.mesh.clone() else { panic!("the mesh is in the file") };
     assert_eq!(&*mesh, session.mesh());
@@ -165,7 +166,7 @@ fn level_by_level_the_panels_of_a_real_mesh_become_flat_and_it_is_as_good_as_all
     let mut at_once = start();
     at_once.edit(refine(Scheme::CatmullClark, 2)).expect("it can be refined");
     at_once.solve(false).expect("it can be solved");
-    // The same original, to compare energies on.
+    // Both have the same original mesh, so that energies are comparable.
     for (a, b) in level_by_level.mesh().positions.iter().zip(&at_once.mesh().positions) {
         (0..3).for_each(|i| {
             assert!((a[i] - b[i]).abs() < 1e-9 * level_by_level.mean_edge().max(1.0));
@@ -193,7 +194,7 @@ fn where_each_level_is_the_original_of_the_next_it_is_smoother_and_folds_nowhere
                     adopt,
                 };
                 session.edit(once).expect("it can be refined");
-                // The refined shape is where it starts, and what "moved" is measured from.
+                // The refined shape is the new rest shape: "moved" is measured from it.
                 assert_eq!(session.moved().max, 0.0);
             }
         } else {
@@ -238,7 +239,7 @@ fn what_refining_makes_is_said_beforehand() {
         assert!((0.8..1.1).contains(&edge), "about: {edge}");
         session.undo().expect("it was solvable");
     }
-    // No scheme for triangles on quads, and no more faces than anybody solves here.
+    // No triangle scheme on quads, and at most 100,000 faces.
     assert!(said(&session, Scheme::Loop).is_err());
     assert!(made.iter().all(|one| one.faces <= 100_000));
 }

@@ -1,5 +1,5 @@
-//! Constraints on a region of a mesh that somebody opened: the region takes the shape, the rest follows
-//! smoothly, and nothing stands still. Five real meshes each.
+//! Constraints on a region of an opened mesh: the region takes the shape, and the rest follows
+//! smoothly and without frozen vertices. Five real meshes each.
 
 use shape_up::constraint::{Selector, Set};
 use shape_up::math::Vec3;
@@ -15,16 +15,16 @@ const MESHES: [&str; 5] = [
     "compas_tubemesh.obj",
 ];
 
-/// What became of a region.
+/// Result for a region.
 #[derive(Debug)]
 struct Outcome {
-    /// The worst vertex of the region, as a part of the mean edge.
+    /// Error of the worst vertex of the region, relative to the mean edge.
     off: f64,
-    /// The worst vertex of the region before.
+    /// The same error before the run.
     off_before: f64,
-    /// The largest change of the length of an edge, as a part of it.
+    /// Largest relative change of an edge length.
     edge_change: f64,
-    /// Vertices outside of the region that moved, as a part of those within two edges of it.
+    /// Moved vertices outside the region, as a fraction of those within two edges of it.
     follow: f64,
 }
 
@@ -32,7 +32,7 @@ fn at(mesh: &Mesh, v: u32) -> Vec3<f64> {
     mesh.positions[v as usize].into()
 }
 
-/// Puts a constraint on `region` of a mesh that is opened and runs to the end.
+/// Adds a constraint on `region` of an opened mesh and runs to the end.
 fn constrained(mesh: Mesh, kind: &str, region: &[u32]) -> Outcome {
     let mut session = Session::open(Scene::opened("own.obj"), mesh).unwrap();
     let entry = format!(r#"{{ "kind": "{kind}", "on": "faces" }}"#);
@@ -76,7 +76,7 @@ fn constrained(mesh: Mesh, kind: &str, region: &[u32]) -> Outcome {
     }
 }
 
-/// The faces whose middle is in the upper part of the extent along z, as their vertices.
+/// Vertices of the faces whose centre is in the upper `part` of the extent along z.
 fn cap(mesh: &Mesh, part: f64) -> Vec<u32> {
     let heights = mesh.positions.iter().map(|p| p[2]);
     let (low, high) =
@@ -91,7 +91,7 @@ fn cap(mesh: &Mesh, part: f64) -> Vec<u32> {
     region
 }
 
-/// Checks the five meshes: no edge may change its length by more than a part of it.
+/// Checks the five meshes; `edge_change` bounds the relative change of edge lengths.
 fn check(kind: &str, region: impl Fn(&Mesh) -> Vec<u32>, edge_change: f64) {
     for file in MESHES {
         let Some(mesh) = crate::shared::mesh(file) else { return };
@@ -107,7 +107,7 @@ fn check(kind: &str, region: impl Fn(&Mesh) -> Vec<u32>, edge_change: f64) {
 
 #[test]
 fn a_sphere_on_a_cap_makes_it_round_and_the_rest_follows() {
-    // With the defaults of a scene the cap ballooned, and 876 other vertices stood still.
+    // With the defaults of a scene the cap ballooned, and 876 other vertices did not move.
     check("sphere", |mesh| cap(mesh, 0.25), 0.9);
 }
 

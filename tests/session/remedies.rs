@@ -1,11 +1,11 @@
-//! What is offered where constraints are not met: whatever it is, it lowers the worst distance.
+//! Remedies that are offered for unmet constraints: each lowers the worst distance.
 
 use crate::grid::grid;
 use shape_up::mesh::Mesh;
 use shape_up::scene::Scene;
 use shape_up::session::{Edit, Remedies, Remedy, Session};
 
-/// The weights of a mesh that somebody opens, and `more` of the scene.
+/// A session with the weights of an opened mesh and the scene keys `more`.
 fn session(mesh: Mesh, more: &str) -> Session {
     let text = format!(
         r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "mesh.obj" }},
@@ -15,7 +15,7 @@ fn session(mesh: Mesh, more: &str) -> Session {
     Session::open(Scene::from_json(&text).expect("the scene is valid"), mesh).expect("it fits")
 }
 
-/// Until nothing would change, as a run of the page, or for so many iterations.
+/// Iterates until convergence, as a run of the page, or at most `most` times.
 fn run(session: &mut Session, most: u32) {
     for _ in 0..most {
         if session.step().expect("it stays finite").converged {
@@ -30,13 +30,13 @@ fn remedies(session: &Session) -> Vec<Remedy> {
     remedies.found().to_vec()
 }
 
-/// Takes each remedy as the page does, from the shape that the run led to.
+/// Applies each remedy as the page does, starting at the shape of the run.
 fn each_helps(session: &mut Session, remedies: &[Remedy]) {
     let before = session.worst_distance();
     for Remedy { label, edit, worst } in remedies {
         let edit = Edit::from_json(&edit.to_string(), session.document()).expect("it is an edit");
         session.edit(edit).expect("it was tried");
-        // The rest of the way is long, and as good or better.
+        // Convergence takes long; 250 iterations already lower the error.
         run(session, 250);
         let after = session.worst_distance();
         println!("  {label}: {before:.3e} -> {after:.3e}, tried {worst:.3e}");
@@ -46,7 +46,7 @@ fn each_helps(session: &mut Session, remedies: &[Remedy]) {
     }
 }
 
-/// On a mesh of `../shared/meshes`, circles on all faces.
+/// Circles on all faces of a mesh of `../shared/meshes`.
 fn on_real_mesh(file: &str) {
     let Some(mesh) = crate::shared::mesh(file) else { return };
     let mut session = session(mesh, r#""constraints": [{ "kind": "circle", "on": "faces" }]"#);
@@ -99,7 +99,7 @@ fn handles_that_are_in_the_way_can_be_released() {
 
 #[test]
 fn where_nothing_helps_nothing_is_offered() {
-    // A square cannot be collinear, whatever its weight is, unless it collapses.
+    // A square cannot be collinear at any weight unless it collapses.
     let square = grid(1, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);
     let mut session = session(
         square,
@@ -112,7 +112,7 @@ fn where_nothing_helps_nothing_is_offered() {
 
 #[test]
 fn weighing_constraints_more_brings_all_panels_within_the_tolerance() {
-    // Ten times the weight, which was offered first, left the worst at twice the tolerance.
+    // Ten times the weight, which was offered first, left the worst panel at twice the tolerance.
     let Some(mesh) = crate::shared::mesh("M2_eq_quad2.obj") else { return };
     let mut session = session(mesh, r#""constraints": [{ "kind": "circle", "on": "faces" }]"#);
     run(&mut session, 3000);

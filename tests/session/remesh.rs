@@ -1,4 +1,5 @@
-//! A session whose mesh is edited: what goes along, what is left out and said, undo, and what is said beforehand.
+//! Editing the mesh of a session: what is carried over, what is dropped and reported, undo, and the
+//! forecast.
 
 use crate::grid::{bumpy, grid};
 use crate::refine::{everything, open};
@@ -18,7 +19,7 @@ fn flat(columns: u32, rows: u32) -> Mesh {
     grid(columns, rows, |i, j| [f64::from(i), f64::from(j), 0.0])
 }
 
-/// A grid of 4 by 4 quads, with something of everything.
+/// Sets, constraints and handles of every sort, for a grid of 4 by 4 quads.
 const ALL: &str = r#"
     "sets": { "left": { "faces": [0, 4, 8, 12] }, "corner": { "vertices": [23, 24], "faces": [15] } },
     "constraints": [
@@ -33,7 +34,7 @@ const ALL: &str = r#"
 fn what_is_left_goes_along_and_what_is_gone_is_said() {
     let mut session = open(ALL, bumpy(4));
     let before = everything(&session);
-    // The corner face goes, with vertex 24.
+    // The corner face is deleted together with vertex 24.
     let asked = remeshing("delete", &[], &[], &[15]);
     let said = session.remeshing(&asked).expect("it can be deleted");
     assert_eq!(everything(&session), before, "asking changes nothing");
@@ -45,7 +46,7 @@ fn what_is_left_goes_along_and_what_is_gone_is_said() {
         (&scene.sets["corner"].vertices[..], scene.sets["corner"].faces.len()),
         (&[23][..], 0)
     );
-    // The line keeps what is left of it; a segment needs both of its ends.
+    // The line keeps its remaining vertices; a segment needs both ends.
     let labels: Vec<_> = scene.constraints.iter().map(|row| row.kind.info().id).collect();
     assert_eq!(labels, ["circle", "plane", "line"]);
     assert_eq!(session.rows()[2].constraints.members.row(0), [20, 21, 22, 23]);
@@ -88,10 +89,10 @@ fn the_mesh_is_edited_as_it_is_seen_and_moved_stays_what_it_was() {
         .expect("it has a boundary");
     let now = session.positions();
     assert_eq!(now[..shape.len()], shape[..], "what was there stays where it is");
-    // A new vertex has moved as far as the one that it hangs on.
+    // A new vertex is displaced as far as the vertex that it is attached to.
     let after = session.moved();
     assert!((after.max - moved.max).abs() < 1e-12 * moved.max, "{moved:?} {after:?}");
-    // And the row goes on with the new faces.
+    // The row also acts on the new faces.
     assert_eq!(session.rows()[0].constraints.members.len(), 16 + 16);
 }
 

@@ -1,4 +1,4 @@
-//! One scene after another in the same place: what is refused leaves the one before as it was.
+//! Replacing a scene by another: a refused scene leaves the previous one unchanged.
 
 use crate::grid::grid;
 use shape_up::mesh::Mesh;
@@ -20,10 +20,10 @@ fn scene(handles: &str) -> Scene {
 
 const HELD: &str =
     r#"[ { "vertices": [0, 6], "weight": 10 }, { "vertices": [41], "fixed": true } ]"#;
-/// The weight is nothing beside those of the planes.
+/// The weight is negligible beside the weights of the planes.
 const SINGULAR: &str = r#"[ { "vertices": [0], "weight": 1e-20 } ]"#;
 
-/// A session in the middle of work: iterated, a handle added, iterated again.
+/// A session in use: iterated, a handle added, iterated again.
 fn begun() -> Session {
     let mut session = Session::open(scene(HELD), bumpy()).expect("the scene can be opened");
     session.start_trace();
@@ -54,7 +54,7 @@ fn a_scene_that_is_refused_leaves_the_one_before_as_it_was() {
         assert_eq!(after.solver().handles(), before.solver().handles());
         assert_eq!(after.iteration(), 10);
         assert_eq!(after.trace(), before.trace());
-        // Everything can be undone, and goes on from there.
+        // Everything can be undone, and the session can continue from there.
         for _ in 0..3 {
             assert_eq!(after.undo(), before.undo());
             assert_eq!(after.positions(), before.positions());

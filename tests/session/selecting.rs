@@ -1,4 +1,4 @@
-//! Selecting by what the mesh is like: properties on random meshes, and what people expect on a
+//! Selection by properties of the mesh: properties on random meshes, and expected results on a
 //! torus, a box and a roof.
 
 use crate::meshes::{grid, mixed, wavy};
@@ -48,7 +48,7 @@ fn ask(
         .map_err(|error| error.to_string())
 }
 
-/// The items after an operation without parameters on `from`.
+/// Items after an operation without parameters on `from`.
 fn after(session: &mut Session, operation: &str, mode: Mode, from: &[u32]) -> Vec<u32> {
     let found = ask(session, operation, mode, &of(mode, from.to_vec()), json!({}));
     items(mode, &found.expect("the operation is known"))
@@ -58,7 +58,7 @@ fn within(inner: &[u32], outer: &[u32]) -> bool {
     inner.iter().all(|item| outer.contains(item))
 }
 
-/// `around` quads round a tube of `along` rows, closed to a torus.
+/// A torus of `around` quads around the tube and `along` rows.
 fn torus(around: u32, along: u32) -> Mesh {
     let mut mesh = Mesh::default();
     let at = |i: u32, j: u32| (j % along) * around + i % around;
@@ -72,7 +72,7 @@ fn torus(around: u32, along: u32) -> Mesh {
     mesh
 }
 
-/// The six sides of a cube, each of two by two quads.
+/// The six sides of a cube, of two by two quads each.
 fn cube() -> Mesh {
     let mut mesh = Mesh::default();
     let vertex = |at: [f64; 3], mesh: &mut Mesh| {
@@ -92,7 +92,8 @@ fn cube() -> Mesh {
                         at[(axis + 2) % 3] = f64::from(j + dj);
                         at
                     };
-                    // Opposite sides face the same way: the surface has no orientation of its own.
+                    // Opposite sides have the same orientation: the surface is not consistently
+                    // oriented.
                     let corners = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
                     let face = corners.map(|at| vertex(at, &mut mesh));
                     mesh.faces.push(&face);
@@ -129,7 +130,7 @@ proptest! {
             let others = step("invert", &some);
             prop_assert_eq!(others.len() + some.len(), all.len());
             prop_assert_eq!(&step("invert", &others), &some);
-            // Growing on and on ends at what is connected.
+            // Repeated growing ends at the connected component.
             let connected = step("connected", &some);
             let mut reached = some;
             loop {
@@ -185,10 +186,10 @@ fn loops_rings_and_strips_close_on_a_torus() {
     }
     let both = after(&mut session, "strip", Mode::Faces, &[3]);
     assert_eq!(both.len(), (around + along - 1) as usize);
-    // Two in a row: the one strip through both.
+    // Two adjacent faces select the one strip through both.
     assert_eq!(after(&mut session, "strip", Mode::Faces, &[3, 4]).len(), around as usize);
     assert!(after(&mut session, "boundary", Mode::Edges, &[]).is_empty());
-    // Two neighbours mean the line through them.
+    // Two adjacent vertices select the line through them.
     let line = after(&mut session, "loop", Mode::Vertices, &[0, 1]);
     assert_eq!(line, (0..around).collect::<Vec<_>>());
 }
@@ -209,7 +210,7 @@ fn a_flat_patch_ends_at_the_edges_of_a_cube_however_its_faces_run() {
 
 #[test]
 fn a_boundary_loop_is_that_of_the_selection() {
-    // A frame: a grid of five by five without its middle.
+    // A frame: a grid of five by five quads without its middle.
     let whole = wavy(5, 5);
     let mut mesh = Mesh { positions: whole.positions, ..Mesh::default() };
     whole.faces.iter().enumerate().filter(|(f, _)| *f != 12).for_each(|(_, f)| mesh.faces.push(f));
@@ -217,13 +218,13 @@ fn a_boundary_loop_is_that_of_the_selection() {
     assert_eq!(after(&mut session, "boundary", Mode::Vertices, &[]).len(), 20 + 4);
     assert_eq!(after(&mut session, "boundary", Mode::Vertices, &[0]).len(), 20);
     assert_eq!(after(&mut session, "boundary", Mode::Edges, &[]).len(), 20 + 4);
-    // Face 7 lies below the hole. The faces along a loop would bring a second ring of vertices, which
-    // was fixed with the first: picked by a face it is the edges of the loop.
+    // Face 7 lies below the hole. The faces along the loop would add a second ring of vertices to
+    // what is fixed, so a pick by face selects the edges of the loop.
     let from = Selection { faces: vec![7], ..Selection::default() };
     let found = ask(&mut session, "boundary", Mode::Faces, &from, json!({}));
     let found = found.expect("it is no error");
     assert_eq!((found.edges.len(), found.faces.len()), (4, 0));
-    // The faces along it are another thing.
+    // The faces along the boundary are a separate operation.
     assert_eq!(after(&mut session, "boundary-faces", Mode::Faces, &[7]).len(), 4);
 }
 
@@ -241,7 +242,7 @@ fn vertices_that_nothing_acts_on_are_found() {
     assert_eq!(find(&mut session), 32);
     session.edit(Edit::AddHandles { vertices: vec![35], fixed: true }).expect("it is there");
     assert_eq!(find(&mut session), 31);
-    // A mesh that is opened has none.
+    // An opened mesh has none.
     session.edit(Edit::Preset { id: "opened".to_owned() }).expect("it is declared");
     assert_eq!((find(&mut session), session.free().len()), (0, 0));
 }
@@ -284,7 +285,7 @@ fn a_selection_goes_from_one_kind_of_element_to_another() {
     assert_eq!(back, Ok(faces.clone()));
     let edges = ask(&mut session, "to-edges", Mode::Faces, &faces, json!({})).unwrap_or_default();
     assert_eq!(edges.edges.len(), 7);
-    // In between two selected faces there may be one that is not.
+    // There may be an unselected face between two selected ones.
     let apart = of(Mode::Faces, vec![0, 2]);
     assert_eq!(
         items(
@@ -360,7 +361,7 @@ fn what_is_not_there_is_refused_by_its_place() {
     assert!(session.select(&request).expect_err("it is not declared").message.contains("guess"));
 }
 
-/// Every operation answers on meshes with nothing to find, with its declared defaults.
+/// Every operation with its default parameters succeeds on meshes with nothing to find.
 #[test]
 fn every_declared_operation_can_be_asked_of_every_mesh() {
     let curve = Mesh {

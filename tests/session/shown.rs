@@ -1,4 +1,4 @@
-//! What hosts show of the constraints of a session: what they act on, and their projections.
+//! Data for the display of constraints: the elements that they act on, and their projections.
 
 use crate::asked::{new, scene};
 use crate::grid::bumpy;
@@ -8,8 +8,8 @@ use shape_up::session::{Edit, Session};
 
 #[test]
 fn a_face_shows_the_row_that_says_the_most_about_it() {
-    // Three by three quads: a plane on all of them, a sphere on the one in the middle, and a line
-    // along one side, which covers no face.
+    // Three by three quads: a plane on all of them, a sphere on the middle one, and a line along
+    // one side, which covers no face.
     let sets = r#", "sets": { "middle": { "faces": [4] }, "side": { "vertices": [0, 1, 2, 3] } }"#;
     let mut session = Session::open(scene(sets), bumpy(3)).expect("it is regular");
     let shown = |session: &Session| {
@@ -24,7 +24,7 @@ fn a_face_shows_the_row_that_says_the_most_about_it() {
     session.edit(new("plane", r#""faces""#)).expect("quads fit");
     session.edit(new("line", r#"{ "set": "side" }"#)).expect("four vertices fit");
     assert_eq!(shown(&session), ([1, 8, 0], Some(0), vec![0, 1, 2, 3]));
-    // The side's corners are corners of faces too, but no face is on the line.
+    // The vertices of the side are face corners too, but no face is on the line.
     assert_eq!(session.members(2), [vec![], vec![0, 1, 2, 3]]);
     let [faces, vertices] = session.members(1);
     assert_eq!((faces.len(), vertices.len()), (9, 16));
@@ -43,8 +43,8 @@ fn a_face_shows_the_row_that_says_the_most_about_it() {
 
 #[test]
 fn projections_are_those_that_the_energy_measures() {
-    // Kinds that may be anywhere and one that acts on edges; with the guard a projection may be
-    // that of an earlier step.
+    // Kinds with their own position and a kind on edges; with the guard, a projection may be from
+    // an earlier step.
     for guard in ["", r#", "solver": { "monotone": true }"#] {
         let constraints = r#", "constraints": [
             { "kind": "circle", "on": "faces", "weight": 2 },
@@ -58,7 +58,7 @@ fn projections_are_those_that_the_energy_measures() {
             session.step().expect("positions stay finite");
         }
         let found = session.projections();
-        // Of equal lengths each side of a panel has its own two ends.
+        // An equal-length constraint has two points of its own for each side of a panel.
         let counts = [(0, 16 * 4), (1, 0), (3, 40 * 2), (4, 16 * 8)];
         for (row, count) in counts {
             assert_eq!(found.rows.iter().filter(|&&r| r == row).count(), count, "row {row}");
@@ -73,7 +73,7 @@ fn projections_are_those_that_the_energy_measures() {
         let expected = session.solver().energy().shape;
         assert!((energy - expected).abs() < 1e-12 * expected, "{energy} is not {expected}");
 
-        // What a panel is coloured by: its worst corner in any of its constraints.
+        // A panel is coloured by its worst corner in any of its constraints.
         let worst = |points: &mut dyn Iterator<Item = usize>| {
             points
                 .map(|k| found.displacements[k].iter().map(|x| x * x).sum::<f64>().sqrt())
@@ -100,7 +100,7 @@ fn projections_are_those_that_the_energy_measures() {
             let ends = (found.vertices[a], found.vertices[b]);
             assert!(session.topology().edge(ends.0, ends.1).is_some());
         }
-        // The circles of the first panel: four points in a plane, as far from one centre.
+        // The circle of the first panel: four coplanar points at equal distance from a centre.
         let at = |point: usize| -> [f64; 3] {
             let vertex = session.positions()[found.vertices[point] as usize];
             std::array::from_fn(|i| vertex[i] + found.displacements[point][i])

@@ -1,4 +1,4 @@
-//! Stories of a session: what hosts do with it, in the order in which people do it.
+//! Sequences of session calls in the order in which a user causes them.
 
 use crate::asked::{new, scene};
 use crate::grid::bumpy;
@@ -19,7 +19,7 @@ pub(crate) fn run(session: &mut Session, steps: usize) {
 
 #[test]
 fn a_part_that_nothing_holds_is_pinned_and_named() {
-    // Two separate quads, and a vertex of nothing.
+    // Two separate quads and an isolated vertex.
     let mut mesh = bumpy(1);
     let second: Vec<_> = mesh.positions.iter().map(|p| [p[0] + 5.0, p[1], p[2]]).collect();
     mesh.positions.extend(second);
@@ -32,14 +32,15 @@ fn a_part_that_nothing_holds_is_pinned_and_named() {
     for v in [0, 4, 8] {
         assert_eq!(session.positions()[v], mesh.positions[v], "a pinned vertex stays");
     }
-    // A handle on the second quad takes the place of its pin.
+    // A handle on the second quad replaces its pin.
     session.edit(Edit::AddHandles { vertices: vec![6], fixed: false }).expect("it is regular");
     assert_eq!(session.report().pinned, [0, 8]);
 }
 
 #[test]
 fn what_only_constraints_without_weight_act_on_is_pinned() {
-    // They were counted as if they held their vertices together, and the system was singular.
+    // Constraints of weight 0 were counted as if they connected their vertices, and the system was
+    // singular.
     let rows = r#", "constraints": [{ "kind": "plane", "on": "faces", "weight": 0 },
         { "kind": "sphere", "on": { "vertices": "0-35" }, "weight": 0 },
         { "kind": "plane", "on": { "vertices": "0-3" } }]"#;
@@ -51,7 +52,7 @@ fn what_only_constraints_without_weight_act_on_is_pinned() {
 
 #[test]
 fn a_mesh_of_one_vertex_stays_where_it_is() {
-    // The factorisation underneath panics below two unknowns.
+    // The underlying factorisation panics below two unknowns.
     let mesh = Mesh { positions: vec![[1.0, 2.0, 3.0]], ..Mesh::default() };
     for handles in ["", r#", "handles": [{ "vertices": [0], "targets": [[4, 5, 6]] }]"#] {
         let mut session = Session::open(scene(handles), mesh.clone()).expect("it is regular");
@@ -156,7 +157,7 @@ fn a_drag_is_one_step_and_can_be_cancelled() {
     assert!(!session.is_dragging());
     assert_eq!(session.undo(), Ok(Some("Move 2 handles".to_owned())));
 
-    // A drag that ends where it began is no step.
+    // A drag that ends at its start is not a step of undo.
     session.begin_drag();
     session.end_drag(true);
     assert_eq!(session.undo_and_redo()[0], None);
@@ -225,7 +226,8 @@ fn far_from_the_origin_and_at_any_scale_the_answer_is_the_same() {
         run(&mut session, iterations);
         session.solver().energy().total / (scale * scale)
     };
-    // Accelerated steps are of single precision: on the way to the minimum they part by its rounding.
+    // Accelerated steps use single precision: before the minimum their totals differ by its
+    // rounding.
     for (accelerator, iterations, tolerance) in
         [(Accelerator::None, 30, 1e-7), (Accelerator::QuasiNewton, 20, 1e-5)]
     {
@@ -242,8 +244,8 @@ fn far_from_the_origin_and_at_any_scale_the_answer_is_the_same() {
 
 #[test]
 fn a_big_set_has_the_same_minimiser_with_its_extra_unknown() {
-    // 36 vertices take an extra unknown for their mean, 30 do not; one step of the plain iteration
-    // solves the same dense problem either way, so that the energy of neither can rise.
+    // 36 vertices need an extra unknown for their mean, 30 do not; one plain iteration solves the
+    // same dense problem either way, so the energy cannot rise in either.
     for last in [29, 35] {
         let extra = format!(
             r#", "constraints": [{{ "kind": "sphere", "on": {{ "vertices": "0-{last}" }} }}],
@@ -307,7 +309,7 @@ fn a_handle_group_is_written_as_it_holds() {
 
 #[test]
 fn a_target_that_a_scene_could_not_have_is_refused_and_nothing_moves() {
-    // A fixed vertex went to NaN, and the error named another one.
+    // A fixed vertex became NaN, and the error named another vertex.
     let handles = r#", "handles": [{ "vertices": [3, 20], "fixed": true }, { "vertices": [24] }]"#;
     let mut session =
         Session::open(scene(&format!("{PLANES}{handles}")), bumpy(4)).expect("it is regular");
@@ -329,7 +331,7 @@ fn a_target_that_a_scene_could_not_have_is_refused_and_nothing_moves() {
 
 #[test]
 fn handles_are_found_by_their_vertex() {
-    // They were searched for in their list: with 100,000 of them fixing all took 3.0 s, moving all 5.4 s.
+    // A linear search per handle took 3.0 s for fixing 100,000 vertices and 5.4 s for moving them.
     let mut session = Session::open(scene(PLANES), bumpy(200)).expect("it is regular");
     let all: Vec<u32> = (0..201 * 201).collect();
     let timed = |session: &mut Session, what: &mut dyn FnMut(&mut Session)| {
@@ -346,7 +348,7 @@ fn handles_are_found_by_their_vertex() {
         let time = timed(&mut session, &mut |session| {
             session.edit(edit.clone()).expect("every vertex is there");
         });
-        // A search among all of them took hundreds of steps, and a factor takes some.
+        // The linear search took as long as hundreds of steps; a new factor takes as long as a few.
         assert!(time < 30.0 * step, "{words}: {time} s, where three steps take {step} s");
     }
     let targets: Vec<(u32, [f64; 3])> =

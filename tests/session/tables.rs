@@ -1,4 +1,4 @@
-//! The tables that a session gives away say what its report says.
+//! The tables that a session exports agree with its report.
 
 use crate::grid::grid;
 use shape_up::mesh::{Group, GroupKeyword};
@@ -24,11 +24,11 @@ fn open() -> Session {
     session
 }
 
-/// The numbers of a column, by the beginning of its head.
+/// Numbers of the column whose head begins with `name`.
 fn column(csv: &str, name: &str) -> Vec<f64> {
     let mut lines = csv.lines();
     let heads: Vec<&str> = lines.next().expect("there is a head").split(',').collect();
-    // From the right: a field that is quoted may have commas of its own.
+    // Counted from the right: a quoted field may contain commas.
     let from_right =
         heads.len() - heads.iter().position(|head| head.starts_with(name)).expect(name);
     lines

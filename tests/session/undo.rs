@@ -1,4 +1,4 @@
-//! Undo of everything: whatever is done to a session, in whatever order, is taken back exactly.
+//! Undo: every sequence of operations on a session is reversed exactly.
 
 use crate::asked::new;
 use crate::grid::grid;
@@ -13,7 +13,7 @@ use shape_up::session::{Edit, SETTINGS, Session};
 const SIDE: u32 = 4;
 const VERTICES: u32 = (SIDE + 1) * (SIDE + 1);
 
-/// A bumpy grid, as far from the origin as a building site may be.
+/// A bumpy grid with coordinates as far from the origin as those of a building site.
 fn site() -> Mesh {
     grid(SIDE, SIDE, |i, j| {
         let bump = f64::from((i * 5 + j * 7) % 4) / 7.0;
@@ -21,7 +21,7 @@ fn site() -> Mesh {
     })
 }
 
-/// What a person does, by the numbers that a strategy draws.
+/// An action of a user, drawn by a strategy.
 #[derive(Clone, Debug)]
 enum Deed {
     Edit(Box<Edit>),
@@ -37,14 +37,14 @@ fn lesson() -> Lesson {
     Lesson { text: "Make it flat.".to_owned(), goals: vec![goal], lock: Vec::new() }
 }
 
-/// One of the declared settings, at one of its values.
+/// One of the declared settings, with one of its values.
 fn setting() -> impl Strategy<Value = Edit> {
     (0..SETTINGS.len(), 0..3usize, 0.0..1.0).prop_map(|(index, form, part)| {
         let param = SETTINGS[index].param;
         let [least, greatest] = param.range;
         let value = match param.forms[form % param.forms.len()] {
             Form::Word(word) => json!(word),
-            // A run does not end where the tolerance is 0, and windows are whole.
+            // A run does not end at tolerance 0; windows are integers.
             _ => json!(f64::ceil(least + part * (greatest - least))),
         };
         Edit::Set { id: param.id.to_owned(), value }
@@ -119,7 +119,7 @@ fn deed() -> impl Strategy<Value = Deed> {
     ]
 }
 
-/// One of these, or the mesh is refined.
+/// One of these actions, or a refinement of the mesh.
 fn deed_or_refine() -> impl Strategy<Value = Deed> {
     let schemes = prop::sample::select(vec![Scheme::CatmullClark, Scheme::Linear, Scheme::Loop]);
     let refine = schemes.prop_map(|scheme| Edit::Refine {
@@ -131,7 +131,7 @@ fn deed_or_refine() -> impl Strategy<Value = Deed> {
     prop_oneof![12 => deed(), 1 => refine.prop_map(|edit| Deed::Edit(Box::new(edit)))]
 }
 
-/// Does it; edits that make no sense are refused, which is no step.
+/// Performs the action; an edit that makes no sense is refused and is not a step.
 fn act(session: &mut Session, deed: Deed) {
     let steps = |session: &mut Session, count| {
         for _ in 0..count {
@@ -170,7 +170,7 @@ fn act(session: &mut Session, deed: Deed) {
     }
 }
 
-/// All of it: document, handles, positions to the last bit, and the count of iterations.
+/// The whole state: document with handles, positions to the last bit, and iteration count.
 fn everything(session: &Session) -> (String, Vec<[u64; 3]>, u32) {
     let scene = session.scene();
     let bits = session.positions().iter().map(|point| point.map(f64::to_bits)).collect();
@@ -216,7 +216,7 @@ fn an_edit_that_changes_nothing_is_no_step() {
         Edit::WeighHandles { vertices: vec![3], weight: 7.0 },
         Edit::RemoveHandles { vertices: vec![3, 7] },
     ];
-    // What was undone can still be done again.
+    // The undone step can still be redone.
     act(&mut session, Deed::Run(2));
     act(&mut session, Deed::Undo);
     let steps = [Some("Fix 1 vertex"), Some("Run, 2 iterations")];
@@ -241,7 +241,7 @@ proptest! {
         for deed in deeds {
             act(&mut session, deed);
         }
-        // What was undone on the way is not part of the state at the end.
+        // Steps that were undone on the way are not part of the final state.
         while session.redo().expect("the state was solvable").is_some() {}
         let end = everything(&session);
         let again = Session::open(session.scene(), session.mesh().clone()).map(|_| ());
@@ -252,7 +252,7 @@ proptest! {
             done.push(name);
         }
         prop_assert_eq!(everything(&session), start);
-        // The table of the iterations ends where the session is.
+        // The table of iterations ends at the iteration of the session.
         prop_assert_eq!(session.convergence_csv().lines().count(), 2);
         let mut again = Vec::new();
         while let Some(name) = session.redo().expect("the state was solvable") {
@@ -264,7 +264,7 @@ proptest! {
     }
 }
 
-/// Opens anew what was written of a session, as a page does after a reload.
+/// Opens a saved session again, as the page does after a reload.
 fn reopened(text: &str, iteration: u32, history: &[u8], progress: &[u8]) -> Session {
     let scene = Scene::from_json(text).expect("what was written can be read");
     let mut session = Session::open(scene, site()).expect("it can be opened");
@@ -280,7 +280,7 @@ fn written(session: &Session) -> String {
 /// The scene as text, the bits of the positions, the iteration.
 type State = (String, Vec<[u64; 3]>, u32);
 
-/// All states on the way back to the start, and on the way forward to the end, each with its step.
+/// All states back to the start and forward to the end, each with the name of its step.
 fn all_states(session: &mut Session) -> Vec<(String, State)> {
     let mut states = Vec::new();
     while let Some(name) = session.undo().expect("the state was solvable") {
@@ -295,7 +295,7 @@ fn all_states(session: &mut Session) -> Vec<(String, State)> {
 proptest! {
     #![proptest_config(crate::fuzz::cases(48))]
 
-    // It was lost with every reload, and with every worker that was replaced.
+    // The history was lost with every reload and with every replacement of the worker.
     #[test]
     fn a_session_that_is_opened_again_can_undo_and_redo_all_that_it_could(
         deeds in proptest::collection::vec(deed(), 1..24),
@@ -366,7 +366,7 @@ fn saved_steps_that_are_damaged_are_refused_and_leave_the_scene_as_it_was() {
     assert!(error.starts_with("saved steps: damaged 8 bytes before their end"), "{error}");
     assert_eq!(again.undo_and_redo(), [None, None]);
     assert_eq!(everything(&again), everything(&open_again()));
-    // Of a scene with fewer vertices.
+    // A scene with fewer vertices.
     let small = grid(1, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);
     let scene = Scene::new(MeshSource::File("small.obj".to_owned()));
     let mut small = Session::open(scene, small).expect("the scene is valid");
@@ -379,7 +379,7 @@ fn of_a_long_history_of_a_large_mesh_the_newest_steps_are_saved() {
     let mut scene = Scene::new(MeshSource::File("large.obj".to_owned()));
     scene.weights = Weights { shape: 1.0, close: 0.1, smooth: 0.1 };
     let mut session = Session::open(scene, mesh).expect("the scene is valid");
-    // Each moves every vertex: 240 kB.
+    // Each step moves every vertex: 240 kB.
     for _ in 0..45 {
         act(&mut session, Deed::Run(1));
         act(&mut session, Deed::Edit(Box::new(Edit::Reset)));

@@ -1,4 +1,4 @@
-//! Variations in a session: shown, brought back, kept, undone, and read again.
+//! Variations in a session: showing, projecting, keeping, undo, and reading from a file.
 
 use crate::grid::grid;
 use serde_json::json;
@@ -43,7 +43,7 @@ fn farthest(a: &[Point], b: &[Point]) -> f64 {
     away.fold(0.0, f64::max)
 }
 
-/// Goes along the first two variations and keeps that.
+/// Moves along the first two variations and keeps the result.
 fn keep_one(session: &mut Session) -> Vec<Point> {
     let mut variations = found(session);
     assert_eq!(session.project_variation(&mut variations, &[0.05, 0.02]), Ok(Some(1.0)));
@@ -105,7 +105,8 @@ fn a_design_that_was_kept_is_held_to() {
     let start = session.positions();
     let kept = keep_one(&mut session);
     let way = farthest(&kept, &start);
-    // A drag and its end: soft at first, then exact again; to the side a little, and it stays near the new design.
+    // A drag, soft at first and exact at its end, by a small distance: the shape stays near the new
+    // design.
     let target = [kept[14][0], kept[14][1], kept[14][2] + 0.01 * way];
     session.drag_through(DragPhase::Start, &[14], &[target]).expect("a handle");
     for _ in 0..30 {
@@ -117,7 +118,7 @@ fn a_design_that_was_kept_is_held_to() {
     let after = session.positions();
     assert!(session.exact().is_some_and(|exact| exact.met));
     assert!(farthest(&after, &kept) < 0.1 * way, "{} of {way}", farthest(&after, &kept));
-    // A reset is one of the design too.
+    // A reset also discards the design.
     session.edit(Edit::Reset).expect("it was solvable");
     assert_eq!(session.document().variants.design, None);
 }

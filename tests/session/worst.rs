@@ -1,4 +1,4 @@
-//! The list of the worst elements: it agrees with the values that colour the faces, and with the worst
+//! The list of the worst elements agrees with the values that colour the faces and with the worst
 //! error of each row of constraints.
 
 use crate::grid::grid;
@@ -6,7 +6,7 @@ use shape_up::mesh::{Group, GroupKeyword};
 use shape_up::scene::Scene;
 use shape_up::session::{Edit, FACE_MEASURES, Session};
 
-/// Six by six bumpy quads, the first row of which is a group.
+/// Six by six bumpy quads; the first row is a group.
 fn session(constraints: &str) -> Session {
     let mut mesh = grid(6, 6, |i, j| {
         let bump = f64::from((i * i * 5 + j * 7 + i * j * 3) % 11) / 16.0;
@@ -25,7 +25,7 @@ fn session(constraints: &str) -> Session {
     Session::open(Scene::from_json(&text).expect("the scene is valid"), mesh).expect("it fits")
 }
 
-/// The worst error of every enabled row, as the solver found it.
+/// Worst error of every enabled row, as the solver found it.
 fn worst_of_rows(session: &Session) -> Vec<f64> {
     session.solver().found().map(|found| found.worst_squared.sqrt()).collect()
 }
