@@ -177,7 +177,7 @@ fn what_was_altered_is_found_by_the_part_that_is_locked() {
     let all = handed_in(r#"["weights", "constraints", "handles", "mesh"]"#);
     assert_eq!(all.altered, [Lock::Weights, Lock::Constraints, Lock::Handles]);
     assert!(all.changed.is_empty());
-    // Results handed in without any change are recognised.
+    // Results without any change are not reported as altered.
     let mut untouched = session("[\"weights\"]");
     let results = untouched.results("Ada", "").expect("it is a lesson");
     let results = Results::from_json(&results.to_json()).expect("it was written here");
