@@ -1,4 +1,4 @@
-//! Meshes to begin with: sound, as large as they were asked to be, and refused where sizes are wrong.
+//! Meshes to begin with: sound, of the requested size, and refused for wrong sizes.
 
 use shape_up::begin::{NEW_KINDS, NewKind, NewMeshError};
 use shape_up::math::{Vec3, twice_vector_area};
@@ -8,12 +8,12 @@ fn of(id: &str) -> &'static NewKind {
     NewKind::of(id).unwrap()
 }
 
-/// Vertices minus edges plus faces.
+/// The Euler number.
 fn euler(mesh: &Mesh, topology: &Topology) -> i64 {
     mesh.positions.len() as i64 - topology.edges().len() as i64 + mesh.faces.len() as i64
 }
 
-/// Of some sizes: the defaults, and the fewest panels.
+/// Two sets of sizes: the defaults, and the fewest panels.
 fn variants(kind: &NewKind) -> [Vec<f64>; 2] {
     let fewest = kind.sizes.iter().map(|size| match size.of {
         SizeOf::Count => size.least,
@@ -33,7 +33,7 @@ fn every_kind_is_a_sound_manifold_whose_faces_turn_one_way() {
             let whole = euler(&mesh, &topology);
             let ring = ["dome", "cone", "funnel", "tube"].contains(&kind.id);
             assert_eq!(whole, if ring { 0 } else { 1 }, "{at:?}");
-            // An edge is walked once each way by its two faces.
+            // The two faces of an edge traverse it in opposite directions.
             let mut walked = std::collections::BTreeSet::new();
             for face in mesh.faces.iter() {
                 for i in 0..face.len() {

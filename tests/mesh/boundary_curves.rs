@@ -1,4 +1,4 @@
-//! The boundary as curves: corners, the closest point, and what boundary closeness does to a shape.
+//! Boundary curves: corners, the closest point, and the effect of boundary closeness on a shape.
 
 use crate::meshes::grid;
 use crate::random::Random;
@@ -13,7 +13,7 @@ fn curves(mesh: &Mesh, corners: f64) -> BoundaryCurves {
     BoundaryCurves::new(&mesh.positions, &Topology::new(mesh), cosine(corners / 360.0))
 }
 
-/// The point of a closed polyline closest to `p`, by looking at each of its segments.
+/// Point of a closed polyline closest to `p`, by brute force over its segments.
 fn closest_of_all(polyline: &[Vec3<f64>], p: Vec3<f64>) -> Vec3<f64> {
     let ends = polyline.iter().zip(polyline.iter().cycle().skip(1));
     let points = ends.map(|(&a, &b)| {
@@ -38,7 +38,7 @@ fn the_closest_point_is_that_of_brute_force_and_of_the_own_loop() {
         let mut hint = Surface::NO_HINT;
         let mut p = polyline[0];
         for k in 0..500 {
-            // Mostly small moves, as vertices make them, and some far ones.
+            // Mostly small moves, as those of vertices, and some large ones.
             let size = if k % 10 == 0 { 20.0 } else { 0.3 };
             p = closest_of_all(&polyline, p) + random.vector() * size;
             let found = Vec3::from(curve.polyline.closest(p.into(), &mut hint));
@@ -56,18 +56,18 @@ fn corners_are_where_the_boundary_turns() {
     assert_eq!(curves(&square, 89.0).corners, [0, 3, 12, 15]);
     assert!(curves(&square, 91.0).corners.is_empty());
     assert!(curves(&square, 180.0).corners.is_empty());
-    // Without its last panel a corner turns inwards.
+    // Without its last panel the outline has a reflex corner.
     let notched = Mesh { faces: square.faces.iter().take(8).collect(), ..square.clone() };
     assert_eq!(curves(&notched, 45.0).corners, [0, 3, 10, 11, 12, 14]);
-    // Two vertices in the same point: the edges beyond them turn.
+    // Two vertices at the same point: the turn is measured between the edges next to them.
     let mut doubled = square.clone();
     doubled.positions[1] = doubled.positions[0];
     assert_eq!(curves(&doubled, 45.0).corners, [0, 1, 3, 12, 15]);
-    // 48 vertices go round the eaves; the greatest turn is at the round corners.
+    // 48 vertices on the eaves; the greatest turn is at the rounded corners.
     let dome = Dome::default().mesh();
     assert!(curves(&dome, 45.0).corners.is_empty());
     assert!(!curves(&dome, 10.0).corners.is_empty());
-    // The same at any scale and far away.
+    // The same corners at any scale and far from the origin.
     for (scale, offset) in [(1e-6, 0.0), (1e6, 0.0), (1.0, 1e6)] {
         let mut moved = dome.clone();
         moved.positions.as_flattened_mut().iter_mut().for_each(|x| *x = *x * scale + offset);
@@ -85,7 +85,7 @@ fn a_vertex_on_two_loops_and_the_end_of_an_open_row_are_corners() {
         ..Mesh::default()
     };
     assert_eq!(curves(&mesh, 180.0).corners, [2]);
-    // Three triangles at one edge: each leaves an open row from one of its ends to the other.
+    // Three triangles at one edge: each has an open boundary chain between the ends of the edge.
     let fins = Mesh {
         positions: vec![[0., 0., 0.], [1., 0., 0.], [0.5, 1., 0.], [0.5, -1., 0.], [0.5, 0., 1.]],
         faces: Ragged::from_iter([[0, 1, 2], [0, 1, 3], [0, 1, 4]]),
@@ -114,14 +114,14 @@ proptest! {
     }
 }
 
-/// A flat grid of 8 by 8 that is finer at one corner.
+/// A flat grid of 8 by 8 quads that is finer at one corner.
 fn graded() -> Mesh {
     let at = |k: u32| f64::from(k * (k + 4)) / 12.0;
     grid(8, 8, |i, j| [at(i), at(j), 0.0])
 }
 
-/// Panels shall be squares, so that vertices have far to go along the border; the border shall be
-/// a circle, and a handle lifts the middle.
+/// Square panels, so that vertices move far along the border; a circle on the border, and a handle
+/// that lifts the middle.
 fn shaped(closeness: &str) -> Session {
     let scene = Scene::from_json(&format!(
         r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "grid.obj" }},
@@ -137,12 +137,13 @@ fn shaped(closeness: &str) -> Session {
 const HELD: &str =
     r#""boundary": { "corners": 45 }, "weights": [{ "on": "boundary", "weight": 1e9 }]"#;
 
-/// The greatest distance of a border vertex from the line of its side, and along it from where it was.
+/// Greatest distance of a border vertex from the line of its side, and its greatest displacement
+/// along the side.
 fn border_moves(positions: &[Point]) -> [f64; 2] {
     let rest = graded().positions;
     let [mut off, mut along] = [0.0f64; 2];
     for k in 0..=8 {
-        // Of each side, the vertex and the coordinate along the side.
+        // For each side, the vertex and the coordinate along the side.
         for (v, i) in [(k, 0), (72 + k, 0), (9 * k, 1), (9 * k + 8, 1)] {
             let moved: [f64; 3] = std::array::from_fn(|c| (positions[v][c] - rest[v][c]).abs());
             off = off.max(moved[1 - i]).max(moved[2]);
@@ -188,7 +189,7 @@ fn a_corner_that_becomes_a_handle_follows_it_and_comes_back() {
     assert_eq!(session.positions()[80], corner);
     session.undo().expect("undo works");
     assert!(session.positions()[80] != corner, "undo gives it back to its handle");
-    // A fixed handle holds it where the handle is.
+    // A fixed handle takes precedence over the boundary.
     session.edit(Edit::AddHandles { vertices: vec![0], fixed: true }).expect("it fits");
     session.drag([(0, [-1.0, 0.0, 0.0])]).expect("the targets are near");
     assert_eq!(session.positions()[0], [-1.0, 0.0, 0.0]);
@@ -196,8 +197,8 @@ fn a_corner_that_becomes_a_handle_follows_it_and_comes_back() {
 
 #[test]
 fn the_interior_is_as_close_to_the_surface_as_without() {
-    // Off the surface by half a unit everywhere: with and without the boundary, the sum has the same
-    // term for every vertex but the corners, which are back in their places.
+    // Half a unit off the surface everywhere: the term of every vertex is the same with and without
+    // the boundary, except for the corners, which are back at their positions.
     let raised: Vec<Point> = graded().positions.iter().map(|&[x, y, z]| [x, y, z + 0.5]).collect();
     let close = |closeness: &str| {
         let mut scene = shaped(closeness).scene();

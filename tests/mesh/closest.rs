@@ -1,4 +1,4 @@
-//! The closest point of a surface: against brute force, from every hint.
+//! The closest point of a surface against brute force, from every hint.
 
 use crate::meshes::{mixed, wavy};
 use proptest::prelude::*;
@@ -23,8 +23,8 @@ fn segment_distance(p: Point, a: Point, b: Point) -> f64 {
     distance(p, [a[0] + t * side[0], a[1] + t * side[1], a[2] + t * side[2]])
 }
 
-/// Distance to a triangle: the foot on its plane where the barycentric coordinates are positive,
-/// else the nearest side. Written for clarity, and shares nothing with the library.
+/// Distance to a triangle: to the foot on its plane if the barycentric coordinates are positive,
+/// else to the nearest side. Simple, and independent of the library.
 fn triangle_distance(p: Point, [a, b, c]: [Point; 3]) -> f64 {
     let (u, v, w) = (sub(b, a), sub(c, a), sub(p, a));
     let (uu, uv, vv, wu, wv) = (dot(u, u), dot(u, v), dot(v, v), dot(w, u), dot(w, v));
@@ -56,7 +56,7 @@ fn size(mesh: &Mesh) -> f64 {
     mesh.positions.iter().map(far).fold(1e-300, f64::max)
 }
 
-/// Points at and around the vertices of a mesh, `by` times a random step away.
+/// Each vertex of a mesh, offset by `by` times a random step.
 fn queries(mesh: &Mesh, steps: &[Point], by: f64) -> Vec<Point> {
     let around = mesh.positions.iter().zip(steps.iter().cycle());
     around.map(|(at, step)| [0, 1, 2].map(|k| at[k] + by * step[k])).collect()
@@ -75,14 +75,14 @@ proptest! {
         let surface = Surface::new(&mesh.positions, &mesh);
         let tolerance = 1e-13 * size(&mesh);
         for by in [0.0, 1e-9, 1e-3, 0.1, 0.4, 1.0, 10.0] {
-            // Each search starts from what another point left.
+            // Each search starts from the hint of another point.
             let mut hint = Surface::NO_HINT;
             for p in queries(&mesh, &steps, by) {
                 let expected = brute_force(&mesh, p);
                 let from_hint = surface.closest(p, &mut hint);
                 prop_assert!((distance(p, from_hint) - expected).abs() <= tolerance);
-                // It is a point of the surface, up to what rounding makes of a thin face, and another search from the
-                // same start agrees.
+                // The result is on the surface, up to the rounding at a thin face, and another
+                // search from the same hint agrees.
                 let off = brute_force(&mesh, from_hint);
                 prop_assert!(off <= 10.0 * tolerance, "{off:e} off, with {tolerance:e} at {by}, {p:?}");
                 let again = surface.closest(p, &mut hint.clone());
@@ -99,7 +99,7 @@ proptest! {
         let surface = Surface::new(&mesh.positions, &mesh);
         let start = vec![(Surface::NO_HINT, ClosestPointCache::unknown(), Surface::NO_HINT); mesh.positions.len()];
         let mut left = start;
-        // Each vertex wanders, and is searched for with what its own last search left.
+        // Each vertex moves, and its search starts from its own last hint.
         for by in [0.0, 0.01, 0.02, -0.1, 0.1, 0.4, -1.0, 0.4, 0.41] {
             for (p, (hint, footing, other)) in queries(&mesh, &steps, by).into_iter().zip(&mut left) {
                 let found = surface.closest_from(p, hint, footing);
@@ -137,7 +137,8 @@ proptest! {
         axis in 0_usize..3,
     ) {
         prop_assume!(!mesh.faces.is_empty());
-        // Halving the plan folds the surface over itself, squeezing makes slivers and coplanar faces.
+        // Mirroring half of the plan folds the surface over itself; squeezing makes slivers and
+        // coplanar faces.
         let mut mesh = mesh;
         for p in &mut mesh.positions {
             p[0] = (p[0] - 2.0).abs();
@@ -195,7 +196,7 @@ fn curves_stand_for_a_mesh_without_faces_and_points_for_one_without_either() {
 
 #[test]
 fn ten_thousand_triangles_around_one_corner_are_no_burden() {
-    // The list of surroundings of each triangle would hold all others.
+    // The neighbourhood list of each triangle would contain all others.
     let mut fan = Mesh { positions: vec![[0.0; 3]], ..Mesh::default() };
     for k in 0..10_000_u32 {
         let t = f64::from(k) / 10_000.0;

@@ -1,4 +1,5 @@
-//! Principal curvatures of meshes on surfaces where they are known, and the angles of edges to them.
+//! Principal curvatures of meshes on surfaces with known curvatures, and the angles of edges to the
+//! principal directions.
 
 use crate::shared;
 use shape_up::math;
@@ -14,7 +15,8 @@ fn sine(radians: f64) -> f64 {
     math::sine(radians / TAU)
 }
 
-/// A patch of a surface by its parameters, turned by `turn` in them; neither rows nor columns are even.
+/// A patch of a parametric surface, rotated by `turn` in the parameter domain; rows and columns are
+/// unevenly spaced.
 fn patch(n: u32, turn: f64, surface: Surface) -> Mesh {
     let point = |i: u32, j: u32| {
         let even = [i, j].map(|k| f64::from(k) / f64::from(n) - 0.5);
@@ -38,12 +40,13 @@ fn torus(u: f64, v: f64) -> [f64; 3] {
 fn saddle(u: f64, v: f64) -> [f64; 3] {
     [u, v, u * u - v * v]
 }
-/// Around an end of its second axis.
+/// Ellipsoid around an end of its third axis.
 fn ellipsoid(u: f64, v: f64) -> [f64; 3] {
     [3.0 * u, 2.0 * v, (1.0 - u * u - v * v).sqrt()]
 }
 
-/// The sizes of the principal curvatures in the middle; the Gauss curvature and the size of the mean one.
+/// At the middle: magnitudes of the principal curvatures; Gauss curvature and magnitude of the mean
+/// curvature.
 fn middle(surface: Surface, n: u32, turn: f64) -> ([f64; 2], [f64; 2]) {
     let mesh = patch(n, turn, surface);
     let topology = Topology::new(&mesh);
@@ -84,7 +87,7 @@ fn curvatures_tend_to_those_of_the_surface() {
             let [coarse, fine] = [8, 32].map(error);
             println!("surface {place}, turn {turn}: {coarse:e} {fine:e}");
             assert!(fine <= 0.01, "surface {place}, turn {turn}: {fine}");
-            // At least as the length of the edges, which is a fourth.
+            // At least first order in the edge length, which is divided by four.
             assert!(fine <= 0.35 * coarse || fine < 1e-9, "surface {place}, turn {turn}");
         }
     }
@@ -116,7 +119,8 @@ fn edges_along_lines_of_curvature_have_no_angle_to_them_and_turned_ones_theirs()
     let straight = lines(cylinder, 0.0);
     assert!(straight.mean.unwrap() < 1e-3 && straight.directed > 0.999, "{:?}", straight.mean);
     assert!(lines(torus, 0.0).mean.unwrap() < 1.0);
-    // On a net of equal lengths an angle of parameters is one of the surface.
+    // For a parametrisation of equal lengths, angles in the parameter domain are those on the
+    // surface.
     let equal: Surface = |u, v| [cosine(u), sine(u), v];
     for degrees in [10.0, 30.0, 45.0] {
         let turned = lines(equal, degrees * PI / 180.0).mean.unwrap();
@@ -126,7 +130,7 @@ fn edges_along_lines_of_curvature_have_no_angle_to_them_and_turned_ones_theirs()
 
 #[test]
 fn a_face_has_the_mean_angle_of_its_edges_and_none_where_the_surface_is_flat() {
-    // A vault beside which the ground is flat.
+    // A vault next to flat ground.
     let mesh = crate::grid::grid(24, 6, |i, j| {
         let u = (f64::from(i) - 12.0).max(0.0) / 12.0;
         [12.0 + if i < 12 { f64::from(i) - 12.0 } else { sine(u) }, f64::from(j), cosine(u)]
@@ -137,11 +141,11 @@ fn a_face_has_the_mean_angle_of_its_edges_and_none_where_the_surface_is_flat() {
     assert_eq!(values.len(), mesh.faces.len());
     for (face, value) in mesh.faces.iter().zip(&values) {
         let x = face.iter().map(|&v| mesh.positions[v as usize][0]).fold(f64::MIN, f64::max);
-        // Beside the line where the vault begins there are points of both in a fit.
+        // Near the line where the vault begins, fits include points of both parts.
         let right = if x < 9.5 { value.is_nan() } else { x < 12.3 || *value < 0.1 };
         assert!(right, "{x}: {value}");
     }
-    // Turned edges: the faces' values have the mean of all edges.
+    // Rotated edges: the values of the faces average to the mean of all edges.
     let mesh = patch(24, PI / 9.0, |u, v| [cosine(u), sine(u), v]);
     let topology = Topology::new(&mesh);
     let lines = CurvatureLines::new(&mesh.positions, &mesh.faces, &topology);
@@ -180,7 +184,7 @@ fn a_lone_face_and_points_have_no_curvature() {
     assert!(found.iter().all(Option::is_none));
 }
 
-/// The mean angle, in degrees, of meshes that people made, and the part of their edges that has one.
+/// Mean angle, in degrees, of known meshes, and the fraction of their edges that have one.
 #[test]
 fn edges_of_known_meshes_lie_as_measured() {
     for (file, mean) in [

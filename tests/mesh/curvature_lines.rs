@@ -1,4 +1,4 @@
-//! Lines of curvature that are traced over meshes on surfaces where they are known.
+//! Lines of curvature traced on meshes of surfaces with known lines.
 
 use crate::shared;
 use shape_up::math;
@@ -11,7 +11,7 @@ fn field(mesh: &Mesh) -> CurvatureField {
     CurvatureField::new(&mesh.positions, mesh, &Topology::new(mesh))
 }
 
-/// A closed net of quads around a torus, whose lines are turned against its circles.
+/// A closed quad mesh of a torus, whose edges are at an angle to the circles of the torus.
 fn torus(around: u32, along: u32) -> Mesh {
     net([around, along], [true, true], |u, v| {
         let (u, v) = (u + 0.04 * math::sine(v), v + u);
@@ -20,7 +20,8 @@ fn torus(around: u32, along: u32) -> Mesh {
     })
 }
 
-/// Semi-axes 3, 2 and 1.5: the sides of a cube of n by n quads each, blown up.
+/// An ellipsoid with semi-axes 3, 2 and 1.5: the sides of a cube, of n by n quads each, projected
+/// onto it.
 fn ellipsoid(n: u32) -> Mesh {
     let mut mesh = Mesh::default();
     let mut known = BTreeMap::new();
@@ -51,7 +52,8 @@ fn ellipsoid(n: u32) -> Mesh {
     mesh
 }
 
-/// Quads over the square of turns from 0 to 1, closed or not; vertices on the seam are there once.
+/// Quads over the unit square of parameters, in turns, closed or open; seam vertices are not
+/// duplicated.
 fn net([n, m]: [u32; 2], closed: [bool; 2], point: impl Fn(f64, f64) -> Point) -> Mesh {
     let columns = if closed[0] { n } else { n + 1 };
     let rows = if closed[1] { m } else { m + 1 };
@@ -70,7 +72,7 @@ fn net([n, m]: [u32; 2], closed: [bool; 2], point: impl Fn(f64, f64) -> Point) -
     mesh
 }
 
-/// The lines through every so many faces, of both families.
+/// The lines of both families through every `every`-th face.
 fn some_lines(mesh: &Mesh, every: usize) -> Vec<CurvatureLine> {
     let field = field(mesh);
     let points: Vec<_> = field.centres().step_by(every).collect();
@@ -80,7 +82,7 @@ fn some_lines(mesh: &Mesh, every: usize) -> Vec<CurvatureLine> {
     lines.concat()
 }
 
-/// How far a quantity is from the same all along a line.
+/// Range of a quantity along a line.
 fn spread(line: &CurvatureLine, quantity: impl Fn(Point) -> f64) -> f64 {
     let values = line.positions().map(quantity);
     let (low, high) =
@@ -88,8 +90,8 @@ fn spread(line: &CurvatureLine, quantity: impl Fn(Point) -> f64) -> f64 {
     high - low
 }
 
-/// The angle around the tube of the torus, as a point of the unit circle, and that around the axis: a line of curvature
-/// has one of them.
+/// Spread of the angle around the tube, as a point of the unit circle, or of the angle around the
+/// axis, whichever is less: one of them is constant on a line of curvature.
 fn off_the_circles(line: &CurvatureLine) -> f64 {
     let tube = |[x, y, z]: Point| [(x * x + y * y).sqrt() - 3.0, z];
     let around = |[x, y, _]: Point| {
@@ -104,7 +106,8 @@ fn off_the_circles(line: &CurvatureLine) -> f64 {
 
 #[test]
 fn on_a_torus_lines_of_curvature_tend_to_its_circles() {
-    // A line that drifts by more than half an edge in a turn is not closed, and goes on for a turn at most.
+    // A line that drifts by more than half an edge per turn is not closed, and continues for at
+    // most a turn.
     let measured = |n: u32| {
         let lines = some_lines(&torus(2 * n, n), (n * n / 6) as usize);
         let closed = lines.iter().filter(|line| line.closed).count();
@@ -118,7 +121,8 @@ fn on_a_torus_lines_of_curvature_tend_to_its_circles() {
 
 #[test]
 fn on_an_ellipsoid_lines_of_curvature_are_closed_confocal_curves() {
-    // Lines of curvature are where a confocal quadric cuts it: one ellipsoidal coordinate is the same all along.
+    // Lines of curvature are the intersections with confocal quadrics: one ellipsoidal coordinate
+    // is constant along each.
     let coordinates = |[x, y, z]: Point| {
         let [a, b, c] = [9.0, 4.0, 2.25];
         // The two roots other than 0 of x^2/(a-t) + y^2/(b-t) + z^2/(c-t) = 1.
@@ -134,7 +138,7 @@ fn on_an_ellipsoid_lines_of_curvature_are_closed_confocal_curves() {
             let [low, high] = [0, 1].map(|k| spread(line, |point| coordinates(point)[k]));
             low.min(high)
         });
-        // Those that are not closed end at the umbilics, at x = 2.58.
+        // Open lines end at the umbilics, at x = 2.58.
         let ends = lines.iter().filter(|line| !line.closed).flat_map(|line| {
             let ends: Vec<Point> = line.positions().collect();
             [ends[0], ends[ends.len() - 1]]
@@ -152,7 +156,7 @@ fn on_an_ellipsoid_lines_of_curvature_are_closed_confocal_curves() {
 
 #[test]
 fn on_a_cylinder_and_a_saddle_lines_of_curvature_are_as_known() {
-    // A quarter of a cylinder, in triangles across its lines.
+    // A quarter of a cylinder, with triangles at an angle to its lines.
     let mesh = net([24, 40], [false, false], |u, v| {
         let turn = 0.25 * u + 0.05 * v;
         [2.0 * math::cosine(turn), 2.0 * math::sine(turn), 3.0 * v]
@@ -165,7 +169,7 @@ fn on_a_cylinder_and_a_saddle_lines_of_curvature_are_as_known() {
         };
         assert!(off < 0.01 && !line.closed, "{:?}: {off}", line.family);
     }
-    // z = x^2 - y^2: through the middle they are the parabolas over the axes.
+    // z = x^2 - y^2: the lines through the middle are the parabolas over the axes.
     let mesh = net([41, 37], [false, false], |u, v| {
         let (x, y) = (1.6 * u - 0.8 + 0.1 * v, 1.6 * v - 0.8 - 0.1 * u);
         [x, y, x * x - y * y]
@@ -199,7 +203,8 @@ fn spaced_lines_keep_their_distance_and_cover_the_surface() {
         for (i, one) in points.iter().enumerate() {
             for other in &points[..i] {
                 let nearest = one.iter().flat_map(|a| other.iter().map(|b| gap(a, b)));
-                // What has ended near another is half the distance away, and a step.
+                // A line that ends near another one is up to half the distance and a step away from
+                // it.
                 assert!(nearest.fold(f64::MAX, f64::min) > 0.3 * distance);
             }
         }
@@ -255,17 +260,17 @@ fn strokes_lie_along_the_edges_of_a_net_that_follows_the_lines() {
         for [[x, y, z], [u, v, w]] in strokes {
             let way = [u - x, v - y, w - z];
             let length = way.iter().map(|x| x * x).sum::<f64>().sqrt();
-            // Across the plane through the axis and the middle.
+            // Component across the plane through the axis and the midpoint.
             let [a, b] = [0.5 * (x + u), 0.5 * (y + v)];
             let around = (a * way[1] - b * way[0]).abs() / ((a * a + b * b).sqrt() * length);
-            // Around the axis, or in a plane through it.
+            // Either around the axis, or in a plane through it.
             let off = around.min((1.0 - around * around).max(0.0).sqrt());
             assert!(off < 1e-6, "{off}");
         }
     }
 }
 
-/// Every line ends somewhere, on meshes that people made.
+/// Every line ends, on known meshes.
 #[test]
 fn lines_of_known_meshes_are_finite_and_on_the_mesh() {
     for file in ["compas_tubemesh.obj", "horse_quad.obj", "cmc1.obj", "M2_eq_quad2.obj"] {
@@ -288,7 +293,7 @@ fn lines_of_known_meshes_are_finite_and_on_the_mesh() {
 #[test]
 fn a_vertex_is_found_in_a_triangle_with_area_if_its_first_one_has_none() {
     let whole = net([6, 4], [false, false], |u, v| [6.0 * u, 4.0 * v, u * u]);
-    // Vertex 9 first has a triangle whose three corners are on one line.
+    // The first face of vertex 9 is a triangle with three collinear corners.
     let mut mesh = Mesh { positions: whole.positions.clone(), ..Mesh::default() };
     mesh.faces.push(&[8, 9, 10]);
     whole.faces.iter().for_each(|face| mesh.faces.push(face));

@@ -1,4 +1,4 @@
-//! What can be laid flat: strips of flat quads, and surfaces without Gauss curvature.
+//! Unrolling: strips of planar quads, and surfaces without Gauss curvature.
 
 use crate::grid::grid;
 use shape_up::example::model::{Court, Strip};
@@ -6,7 +6,7 @@ use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::{Mesh, Point, Topology, UnrolledStrip, gauss_curvature, strips};
 use std::f64::consts::TAU;
 
-/// A piece of a cone, whose quads are flat.
+/// A piece of a cone with planar quads.
 fn cone() -> Mesh {
     grid(9, 3, |i, j| {
         let (turn, radius) = (f64::from(i) / 16.0, 2.0 + f64::from(j));
@@ -30,7 +30,7 @@ fn check_unrolled(mesh: &Mesh, closed: usize) {
         let last = flat.outline.len() - 1;
         let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
         for k in 0..flat.quads {
-            // The four sides of the quad, and its diagonals: it is as it was.
+            // The sides and diagonals of the quad keep their length, so the quad is congruent.
             let ends = [edges[k][0], edges[k][1], edges[k + 1][0], edges[k + 1][1]];
             let places = [k, last - k, k + 1, last - k - 1];
             for (i, j) in [(0, 1), (2, 3), (0, 2), (1, 3), (0, 3), (1, 2)] {
@@ -66,7 +66,7 @@ fn gauss_curvature_is_zero_on_a_cone_and_that_of_the_sphere_on_a_sphere() {
     let inside = |all: Vec<f64>| all.into_iter().filter(|k| k.is_finite());
     assert!(inside(of(&cone())).all(|k| k.abs() < 1e-12));
     assert_eq!(inside(of(&cone())).count(), 8 * 2);
-    // A band of a sphere with the radius 2 around its equator.
+    // A band of a sphere of radius 2 around its equator.
     let sphere = grid(40, 40, |i, j| {
         let [turn, up] = [f64::from(i) / 160.0, (f64::from(j) - 20.0) / 320.0];
         [2.0 * cosine(up) * cosine(turn), 2.0 * cosine(up) * sine(turn), 2.0 * sine(up)]
@@ -87,7 +87,7 @@ fn quads_that_are_not_flat_have_their_curvature_too() {
 
 #[test]
 fn curvature_over_a_closed_surface_is_that_of_its_shape() {
-    // Gauss and Bonnet: twice a full turn for a box, whatever its corners are moved by.
+    // Gauss-Bonnet: the angle defects of a box add up to 4 pi, wherever its corners are.
     let corner = |k: u32| {
         let [x, y, z] = [k & 1, k >> 1 & 1, k >> 2].map(f64::from);
         [x + 0.1 * y, y * (1.0 + 0.2 * z), z + 0.1 * x * y]

@@ -1,5 +1,5 @@
-//! Every mesh file that nobody here made: what is read from it, what is said of it, and what is
-//! refused. The files lie beside the project; where they are absent, these tests say that they skip.
+//! Every mesh file of foreign origin: what is read, the messages, and what is refused. The files
+//! are beside the project; if they are absent, these tests report that they are skipped.
 
 use std::path::PathBuf;
 
@@ -9,7 +9,7 @@ use shape_up::mesh::{
     Read, read, write_obj,
 };
 
-/// The files of a folder beside the project, by name.
+/// Files of a folder beside the project, sorted by name.
 fn files(folder: &str) -> Vec<(String, PathBuf)> {
     let Some(folder) = crate::shared::path(folder) else { return Vec::new() };
     let entries = std::fs::read_dir(folder).expect("the folder can be listed");
@@ -28,7 +28,7 @@ fn read_file((name, path): &(String, PathBuf)) -> Result<Read, String> {
     read(name, &std::fs::read(path).expect("the file can be read")).map_err(|e| e.to_string())
 }
 
-/// What is expected of an awkward file. The default is what its fields say: nothing.
+/// Expected result for an awkward file. By default there is nothing in any field.
 #[derive(Clone, Copy, Default)]
 struct Expected {
     file: &'static str,
@@ -40,7 +40,7 @@ struct Expected {
     /// Kind, count, first line.
     problems: &'static [(ProblemKind, usize, usize)],
     notes: &'static [&'static str],
-    /// The message, where the file is refused.
+    /// The error message if the file is refused.
     refused: &'static str,
 }
 
@@ -66,7 +66,7 @@ fn awkward() -> Vec<Expected> {
             ..cube
         },
         Expected {
-            // A ring in one polygon, whose inner and outer side are joined by a slit.
+            // A ring as one polygon: a slit joins its inner and outer outline.
             file: "assimp_concave_polygon.obj",
             vertices: 64,
             problems: &[(SelfTouchingFace, 1, 77)],

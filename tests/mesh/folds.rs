@@ -1,4 +1,4 @@
-//! Faces that a change of shape has folded over or dented.
+//! Faces that are folded over or dented by a change of shape.
 
 use crate::meshes::grid;
 use proptest::prelude::*;
@@ -21,7 +21,7 @@ fn column(mesh: &Mesh, x: f64) -> Vec<usize> {
 fn a_strip_that_lies_on_its_neighbour_is_folded_with_it() {
     let mesh = flat();
     let mut now = mesh.positions.clone();
-    // The last column comes back over the one before it.
+    // The last column is folded back over the one before it.
     column(&mesh, 4.0).into_iter().for_each(|v| now[v] = [2.2, now[v][1], 0.1]);
     let strip =
         |f: &u32| mesh.faces.row(*f as usize).iter().any(|&v| mesh.positions[v as usize][0] >= 3.0);
@@ -33,7 +33,7 @@ fn a_strip_that_lies_on_its_neighbour_is_folded_with_it() {
         .collect();
     assert_eq!(folded(&mesh, &now), of_last);
     assert_eq!(of_last.len(), 6);
-    // Which way round a face runs makes no difference.
+    // The orientation of faces makes no difference.
     let turned = mesh.faces.iter().enumerate().map(|(f, face)| {
         let mut face = face.to_vec();
         if f % 3 == 0 {
@@ -43,7 +43,7 @@ fn a_strip_that_lies_on_its_neighbour_is_folded_with_it() {
     });
     let turned = Mesh { faces: Ragged::from_iter(turned.collect::<Vec<_>>()), ..mesh.clone() };
     assert_eq!(folded(&turned, &now), of_last);
-    // What the mesh has already is meant.
+    // Folds of the rest mesh are not reported.
     assert_eq!(folded(&Mesh { positions: now.clone(), ..mesh }, &now), Vec::<u32>::new());
 }
 
@@ -57,7 +57,7 @@ fn a_face_is_dented_where_a_corner_turns_the_other_way() {
         folded(&mesh, &now).len()
     };
     assert_eq!([0.2, 0.4, 0.6, 0.9].map(moved), [1, 1, 0, 0]);
-    // Two corners that changed places: the outline crosses itself.
+    // Two corners are swapped: the outline crosses itself.
     let mut now = mesh.positions.clone();
     let other = (0..4).find(|&v| mesh.positions[v] == [1.0, 0.0, 0.0]).unwrap();
     now[corner] = [1.0, -0.4, 0.0];

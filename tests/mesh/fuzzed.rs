@@ -1,4 +1,4 @@
-//! No bytes make a reader panic, hang, or return a mesh that is not one.
+//! No input makes a reader panic, hang, or return an invalid mesh.
 
 use std::time::{Duration, Instant};
 
@@ -8,7 +8,7 @@ use shape_up::mesh::{read, write_obj};
 
 const NAMES: [&str; 4] = ["a.obj", "a.off", "a.mesh", "a"];
 
-/// Reads the bytes as every format, and checks what `Mesh` promises of the result.
+/// Reads the bytes as every format and checks the invariants of `Mesh` on the result.
 fn check(bytes: &[u8]) {
     for name in NAMES {
         let read = match read(name, bytes) {
@@ -58,14 +58,14 @@ const SOUND: [&str; 3] = [
      Triangles 1\n1 2 3 0\nNormals 1\n0 0 1\nEdges 1\n1 2 0\nTetrahedra 1\n1 2 3 4 0\nEnd\n",
 ];
 
-/// One change to a file: where, what is put there, how much is taken out.
+/// One change to a file: position, inserted bytes, number of bytes removed.
 fn mutate(bytes: &mut Vec<u8>, (place, put, take): (prop::sample::Index, Vec<u8>, usize)) {
     let begin = place.index(bytes.len() + 1);
     let end = bytes.len().min(begin + take);
     bytes.splice(begin..end, put);
 }
 
-/// Pieces that mean something to a reader.
+/// Tokens that mean something to a reader.
 fn piece() -> impl Strategy<Value = Vec<u8>> {
     let words = [
         "v ",
@@ -169,7 +169,7 @@ fn time_grows_no_faster_than_the_file() {
     for file in files {
         let start = Instant::now();
         check(file.as_bytes());
-        // Each takes well under a second; in the square of its size, each would take minutes.
+        // Each takes well under a second; quadratic time would be minutes.
         let start_of_file: String = file.chars().take(60).collect();
         assert!(start.elapsed() < Duration::from_secs(20), "{start_of_file:?}");
     }

@@ -1,4 +1,4 @@
-//! Meshes: files in and out, topology, measures, closest points, Laplacians.
+//! Meshes: reading and writing files, topology, measures, closest points, Laplacians.
 
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 

@@ -23,13 +23,13 @@ fn point() -> impl Strategy<Value = Point> {
     prop::array::uniform3(-1.0..1.0)
 }
 
-/// Points of a unit circle, by their tangents of half the angle.
+/// Point of the unit circle for the tangent `t` of half its angle.
 fn on_unit_circle(t: f64) -> Point {
     let d = 1.0 + t * t;
     [(1.0 - t * t) / d, 2.0 * t / d, 0.0]
 }
 
-/// Any rotation, from a quaternion.
+/// Rotates `p` by a quaternion, which need not be normalised.
 fn rotate([w, x, y, z]: [f64; 4], p: Point) -> Point {
     let n = w * w + x * x + y * y + z * z;
     let rows = [
@@ -153,7 +153,7 @@ fn degenerate_faces_have_finite_errors() {
         assert!(planarity.max_distance < 1e-15 && circularity.max_distance < 1e-14, "{corners:?}");
         assert!(planarity.diagonal_ratio_max.is_finite());
     }
-    // Nearly collinear: about as far from the circle as from the line.
+    // Nearly collinear: the distance to the circle is about the distance to the line.
     let bent = [[0.0, 1e-9, 0.0], [1.0, -1e-9, 0.0], [2.0, 1e-9, 0.0], [3.0, 0.0, 0.0]];
     let far = one_face(&bent).circularity.max_distance;
     assert!(far < 1e-8, "{far:e}");
@@ -162,7 +162,7 @@ fn degenerate_faces_have_finite_errors() {
 #[test]
 fn the_diagonal_ratio_is_finite_for_parallel_and_collapsed_diagonals() {
     let at = |x: f64, y: f64| [x, y, 0.0];
-    // Diagonals along x, at a distance of 1, both of length 2.
+    // Diagonals along x, at distance 1, both of length 2.
     assert_eq!(diagonal_ratio([at(0.0, 0.0), at(0.5, 1.0), at(2.0, 0.0), at(2.5, 1.0)]), 0.5);
     // One diagonal is a point at distance 1 from the other, which has length 2.
     assert_eq!(diagonal_ratio([at(0.0, 0.0), at(1.0, 1.0), at(2.0, 0.0), at(1.0, 1.0)]), 1.0);
@@ -211,7 +211,7 @@ fn agrees_with_the_expected_errors_before_the_iteration() {
         };
         let diameter = crate::shared::diameter(&expected, &mesh);
 
-        // Theirs comes from an iteration that ends above the smallest ball.
+        // The reference diameter is from an iteration that ends above the smallest ball.
         let smallest = BoundingSphere::of(&mesh.positions).diameter();
         println!("{name}: diameter {smallest}, theirs {diameter}, {:e}", diameter / smallest - 1.0);
         assert!(smallest <= diameter * (1.0 + 1e-12), "{name}");
@@ -219,7 +219,8 @@ fn agrees_with_the_expected_errors_before_the_iteration() {
 
         let measured = Measures::new(&mesh.positions, &mesh.faces, diameter);
         let before = &expected["before"];
-        // Their circles are moved to the mean of the corners, as in the shape energy: see the next test.
+        // The reference moves its circles to the mean of the corners, as in the shape energy: see
+        // the next test.
         let faces: Vec<Vec<Point>> = mesh.faces.iter().map(|face| corners(&mesh, face)).collect();
         let moved = faces.iter().map(|face| mean_square(&ways_to_circle(face), true));
         let moved: Vec<f64> = moved.map(|square| square / diameter / diameter).collect();
@@ -232,7 +233,7 @@ fn agrees_with_the_expected_errors_before_the_iteration() {
         for (ours, theirs) in pairs {
             let theirs = theirs.as_f64().expect("a number");
             println!("{name}: {ours:e}, theirs {theirs:e}");
-            // The plane errors of halftunnel are rounding of its file: 1e-14 of the square. The circles
+            // The plane errors of halftunnel are rounding of its file: 1e-14, squared. The circles
             // of nearly straight faces have a far centre, which costs the linear equations digits.
             assert!((ours - theirs).abs() <= 1e-4 * theirs + 1e-20, "{name}: {ours:e} {theirs:e}");
         }
@@ -243,9 +244,9 @@ fn corners(mesh: &Mesh, face: &[u32]) -> Vec<Point> {
     face.iter().map(|&v| mesh.positions[v as usize]).collect()
 }
 
-/// From each corner to the circle of the definition: that which minimises `sum (|p - c|^2 - r^2)^2`
-/// (Thomas, Chan 1989) for the corners in their least-squares plane, found by the linear equations of
-/// `|p|^2 = a x + b y + c`.
+/// Vectors from the corners to the circle of the definition, which minimises `sum (|p - c|^2 -
+/// r^2)^2` (Thomas, Chan 1989) for the corners in their least-squares plane; it is found by the
+/// linear equations of `|p|^2 = a x + b y + c`.
 fn ways_to_circle(corners: &[Point]) -> Vec<Vector3<f64>> {
     let points: Vec<Vector3<f64>> = corners.iter().map(|&p| p.into()).collect();
     let mean = points.iter().sum::<Vector3<f64>>() / points.len() as f64;
@@ -273,7 +274,7 @@ fn ways_to_circle(corners: &[Point]) -> Vec<Vector3<f64>> {
     ways.collect()
 }
 
-/// The mean square of ways; `moved` takes their mean off first.
+/// Mean squared length of the vectors; if `moved`, their mean is subtracted first.
 fn mean_square(ways: &[Vector3<f64>], moved: bool) -> f64 {
     let n = ways.len() as f64;
     let off = if moved { ways.iter().sum::<Vector3<f64>>() / n } else { Vector3::zeros() };
@@ -283,8 +284,8 @@ fn mean_square(ways: &[Vector3<f64>], moved: bool) -> f64 {
 proptest! {
     #![proptest_config(crate::fuzz::cases(256))]
 
-    /// The error was once that to the circle moved to the mean of the corners, as in the shape energy,
-    /// which is less.
+    /// The error was once computed for the circle moved to the mean of the corners, as in the shape
+    /// energy, and too small.
     #[test]
     fn e_c_and_every_distance_are_those_to_the_circle_of_the_definition(
         angles in prop::collection::vec(0.0..1.0, 4..8),
@@ -292,7 +293,7 @@ proptest! {
         noise in prop::sample::select(vec![1e-4, 1e-2, 0.1, 0.3]),
         q in prop::array::uniform4(0.1..1.0),
     ) {
-        // One corner in each part of the circle.
+        // One corner in each sector of the circle.
         let n = angles.len() as f64;
         let place = |(k, (angle, off)): (usize, (&f64, &Point))| {
             let turn = (k as f64 + angle) / n;
@@ -307,7 +308,7 @@ proptest! {
         prop_assert!((measured.e_c_max - e_c).abs() <= 1e-9 * e_c, "{} {e_c}", measured.e_c_max);
         prop_assert!((measured.max_distance - largest).abs() <= 1e-9 * largest);
 
-        // What is shown of a row that asks for circles is the same.
+        // The error shown for a row of circle constraints is the same.
         let mesh = Mesh {
             positions: corners.clone(),
             faces: Ragged::from_iter([(0..corners.len() as u32).collect::<Vec<_>>()]),

@@ -1,4 +1,5 @@
-//! Operations on meshes: counts, Euler number, orientation, areas, where parts come from, and what is refused.
+//! Operations on meshes: counts, Euler number, orientation, areas, origins of the new elements, and
+//! refusals.
 
 use crate::grid::grid;
 use crate::subdivide::{boundary_edges, cube, euler, most_alike, most_faces};
@@ -9,7 +10,7 @@ use shape_up::mesh::{
     SizeOf, Subdivision, Task, Topology, read,
 };
 
-/// What is picked for an operation.
+/// Selected elements for an operation.
 #[derive(Clone, Debug, Default)]
 struct Picked {
     vertices: Vec<u32>,
@@ -43,7 +44,7 @@ fn with_vertices(vertices: &[u32]) -> Picked {
     Picked { vertices: vertices.to_vec(), ..Picked::default() }
 }
 
-/// The way across the surface that the triangles from the first corner of each face have, added up.
+/// Area of the surface, as the sum over the triangle fan at the first corner of each face.
 fn area(mesh: &Mesh) -> f64 {
     let at = |v: u32| mesh.positions[v as usize];
     let twice = |[a, b, c]: [Point; 3]| {
@@ -56,7 +57,7 @@ fn area(mesh: &Mesh) -> f64 {
     fans.map(|fan| 0.5 * twice(fan.map(at))).sum()
 }
 
-/// What holds of every operation on every mesh.
+/// Checks that hold for every operation on every mesh.
 fn check(mesh: &Mesh, id: &str, picked: &Picked) {
     let Ok(Edited { mesh: edited, origins }) = apply(mesh, id, None, picked) else { return };
     assert!(edited.positions.as_flattened().iter().all(|x| x.is_finite()), "{id}");
@@ -71,7 +72,7 @@ fn check(mesh: &Mesh, id: &str, picked: &Picked) {
         let sum: f64 = row.iter().map(|(_, weight)| weight).sum();
         assert!((sum - 1.0).abs() < 1e-12, "{id}: an affine combination: {sum}");
     }
-    // What is left of a file comes first, in its order.
+    // Vertices that are kept come first, in their order.
     let left: std::collections::BTreeSet<u32> =
         origins.vertices.iter().flatten().copied().collect();
     assert!((0..left.len() as u32).eq(left.iter().copied()), "{id}: {left:?}");
@@ -86,7 +87,7 @@ fn check(mesh: &Mesh, id: &str, picked: &Picked) {
         assert!(most_faces(&after) <= 2, "{id}");
         assert_eq!(most_alike(&edited), 1, "{id}: faces run as they did");
     }
-    // In the state that it was made of it is what it is.
+    // In the state that it was made from, the result is unchanged.
     assert_eq!(
         Edited { mesh: edited.clone(), origins }.in_other_state(&mesh.positions, &mesh.positions),
         edited.positions
@@ -126,7 +127,7 @@ proptest! {
             let face = f.index(mesh.faces.len()) as u32;
             let corners = mesh.faces.row(face as usize);
             let first = v.index(corners.len());
-            // An edge of a face, which most of them can do something with.
+            // The vertices of an edge and its face, a valid selection for most operations.
             let picked = Picked {
                 vertices: vec![corners[first], corners[(first + 1) % corners.len()]],
                 faces: vec![face],
@@ -194,7 +195,7 @@ fn quads_cut_to_triangles_are_found_again() {
     };
     assert_eq!(sorted(&paired.mesh), sorted(&quads));
     assert!(paired.origins.faces.iter().all(|parents| parents.len() == 2));
-    // A triangle that would be left over finds a partner: five in a row have two pairs and one left.
+    // A left-over triangle can regroup: of five in a row, two pairs and one triangle remain.
     let mut row = flat(5, 1);
     row = done(&row, "triangles").mesh;
     row.faces = row.faces.iter().take(9).collect();
@@ -216,7 +217,7 @@ fn the_dual_of_a_grid_is_a_grid_with_its_outline() {
     let Edited { mesh: dual, .. } = done(&mesh, "dual");
     assert_eq!(dual.faces.len(), 7 * 5);
     assert!(dual.faces.iter().all(|face| face.len() == 4));
-    // Middles of faces, of boundary edges, and the four corners.
+    // Centres of faces and of boundary edges, and the four corners.
     assert_eq!(dual.positions.len(), 24 + 20 + 4);
     assert!((area(&dual) - 24.0).abs() < 1e-12);
     let topology = Topology::new(&dual);
@@ -257,7 +258,7 @@ fn diagonal_quads_are_one_for_each_edge() {
 #[test]
 fn a_strip_that_is_put_in_can_be_taken_out() {
     let mesh = flat(6, 4);
-    // Across the edge between the columns 2 and 3.
+    // Across the edge between columns 2 and 3.
     let Edited { mesh: wider, origins } =
         apply(&mesh, "insert-strip", None, &with_vertices(&[2, 3])).unwrap();
     assert_eq!((wider.faces.len(), wider.positions.len()), (28, 40));
@@ -269,12 +270,12 @@ fn a_strip_that_is_put_in_can_be_taken_out() {
     let Edited { mesh: again, .. } = apply(&wider, "remove-strip", None, &ends).unwrap();
     assert_eq!((again.faces.len(), again.positions.len()), (24, 35));
     assert!((area(&again) - 24.0).abs() < 1e-12);
-    // The outermost strip goes, and the outline stays.
+    // The outermost strip is removed, and the outline stays.
     let Edited { mesh: narrower, .. } =
         apply(&mesh, "remove-strip", None, &with_vertices(&[0, 1])).unwrap();
     assert_eq!(narrower.faces.len(), 20);
     assert!((area(&narrower) - 24.0).abs() < 1e-12);
-    // A strip ends at a triangle, which gets a corner.
+    // A strip ends at a triangle, which gets an additional corner.
     let mut mixed = flat(3, 1);
     mixed.faces = [&[0, 1, 5, 4][..], &[1, 2, 5], &[2, 6, 5], &[2, 3, 7, 6]].into_iter().collect();
     let cut = apply(&mixed, "insert-strip", None, &with_vertices(&[1, 5])).unwrap().mesh;
@@ -438,7 +439,8 @@ fn curves_and_groups_go_along() {
     assert_eq!(merged.curves.row(0).len(), 4);
 }
 
-/// Real meshes: what becomes of them is sound, and a dual of a dual has its faces back.
+/// On real meshes every operation gives a sound mesh, and the dual of a dual has the original
+/// faces.
 #[test]
 fn real_meshes_go_through_every_operation() {
     let names = [

@@ -1,4 +1,5 @@
-//! Meshes from plans: sound, inside their outline, as high as they were asked to be, and refused where they are wrong.
+//! Meshes from plans: sound, inside their outline, of the requested height, and refused for wrong
+//! plans.
 
 use proptest::prelude::*;
 use shape_up::begin::{Plan, PlanError, PlanLayout, PlanPoint, PlanSurface, Support};
@@ -31,7 +32,7 @@ const RECTANGLE: [[f64; 2]; 4] = [[0.0, 0.0], [20.0, 0.0], [20.0, 12.0], [0.0, 1
 const ELL: [[f64; 2]; 6] =
     [[0.0, 0.0], [20.0, 0.0], [20.0, 7.0], [9.0, 7.0], [9.0, 16.0], [0.0, 16.0]];
 
-/// The areas of the faces seen from above.
+/// Areas of the faces projected onto the plan.
 fn areas(mesh: &Mesh) -> Vec<f64> {
     let corners = |face: &[u32]| -> Vec<_> {
         face.iter().map(|&v| Vec3::from(mesh.positions[v as usize])).collect()
@@ -65,20 +66,21 @@ fn the_direction_of_the_points_does_not_matter() {
     let mut outline = points(&RECTANGLE);
     outline[1].bulge = 0.5;
     let there = plan(outline.clone(), PlanLayout::Cut).mesh().unwrap();
-    // A side belongs to the point where it begins.
+    // The bulge of a side is stored at its first point.
     let back: Vec<PlanPoint> =
         (0..4).map(|k| PlanPoint { bulge: outline[(6 - k) % 4].bulge, ..outline[3 - k] }).collect();
     let back = plan(back, PlanLayout::Cut).mesh().unwrap();
     assert_eq!(there.faces.len(), back.faces.len());
     let sum = |mesh: &Mesh| areas(mesh).iter().sum::<f64>();
     assert!((sum(&there) - sum(&back)).abs() < 1e-9);
-    // The half ellipse-like bay lies outside the rectangle.
+    // The bay is outside the rectangle.
     assert!(sum(&there) > 240.0 + 10.0, "{}", sum(&there));
 }
 
 #[test]
 fn inward_arcs_can_turn_an_outline_around() {
-    // The arc of the first side passes over the other three: they are the inner side of an arch.
+    // The arc of the first side passes beyond the other three, which form the inner side of an
+    // arch.
     let mut outline = points(&[[0.0, 0.0], [20.0, 0.0], [18.0, 1.0], [2.0, 1.0]]);
     outline[0].bulge = -1.0;
     outline[2].bulge = 0.4;
@@ -175,7 +177,7 @@ fn what_is_wrong_is_said() {
 }
 
 prop_compose! {
-    /// A star-shaped outline with straight and arc sides.
+    /// A star-shaped outline with straight sides and arcs.
     fn outlines()(
         radii in prop::collection::vec((4.0..12.0_f64, -0.2..0.6_f64, any::<bool>()), 4..11),
         turn in 0.0..1.0_f64,

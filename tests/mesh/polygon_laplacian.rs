@@ -1,5 +1,5 @@
-//! The Laplacian of polygons (Alexa, Wardetzky 2011): against the matrices of its definition, against
-//! cotangents, and by what it is for: linear precision, and convergence on curved surfaces.
+//! The polygon Laplacian (Alexa, Wardetzky 2011) against the matrices of its definition and against
+//! cotangents; linear precision, and convergence on curved surfaces.
 
 use crate::random::Random;
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
@@ -20,8 +20,8 @@ fn dense(laplacian: &Laplacian) -> DMatrix<f64> {
     matrix
 }
 
-/// A grid of quads, of which some are two triangles and some pairs are hexagons: the middle of their
-/// common side is away from it. Vertex `(i, j)` is at `point(i / n, j / n)`.
+/// A grid of quads, some of which are split into two triangles; some pairs are merged to hexagons,
+/// whose common side has its midpoint displaced. Vertex `(i, j)` is at `point(i / n, j / n)`.
 fn mixed_grid(n: u32, point: impl Fn(f64, f64) -> Point) -> Mesh {
     let step = 1.0 / f64::from(n);
     let quads = crate::meshes::grid(n, n, |i, j| point(f64::from(i) * step, f64::from(j) * step));
@@ -44,14 +44,14 @@ fn mixed_grid(n: u32, point: impl Fn(f64, f64) -> Point) -> Mesh {
     Mesh { positions: quads.positions, faces, ..Mesh::default() }
 }
 
-/// The matrix of one face, step by step as section 3 of the paper has it.
+/// The matrix of one face, following section 3 of the paper step by step.
 fn by_definition(corners: &[Vector3<f64>]) -> DMatrix<f64> {
     let n = corners.len();
     let at = |k: usize| corners[k % n];
     let rows = |of: &dyn Fn(usize) -> Vector3<f64>| DMatrix::from_fn(n, 3, |i, k| of(i)[k]);
     let sides = rows(&|i| at(i + 1) - at(i));
     let middles = rows(&|i| (at(i) + at(i + 1)) / 2.0);
-    // Its vector area, as a skew matrix.
+    // The vector area as a skew-symmetric matrix.
     let skew: Matrix3<f64> = (sides.transpose() * &middles).fixed_view::<3, 3>(0, 0).into();
     let area = Vector3::new(skew[(2, 1)], skew[(0, 2)], skew[(1, 0)]);
     let normal = area.normalize();
@@ -73,7 +73,7 @@ fn it_is_the_matrix_of_its_definition_on_polygons_that_are_not_planar() {
     let mut random = Random::new(11);
     for n in 3..9 {
         for _ in 0..20 {
-            // Around a circle, away from it by up to half of its radius.
+            // On a circle, displaced by up to half of its radius.
             let corner = |k: usize| {
                 let turn = k as f64 / n as f64;
                 Vec3::new(cosine(turn), cosine(turn - 0.25), 0.0) + random.vector() * 0.5
@@ -130,7 +130,7 @@ proptest! {
 
 #[test]
 fn linear_functions_have_none_inside_planar_meshes() {
-    // The corners of hexagons and quads are anywhere, some of them turn inwards.
+    // The corners of hexagons and quads are displaced at random; some are reflex.
     let mut random = Random::new(5);
     let mut plane = mixed_grid(9, |x, y| [x, y, 0.0]);
     for p in &mut plane.positions {
@@ -176,7 +176,7 @@ fn smoothness_with_it_is_the_sum_of_eq_12() {
             .sum();
         let found = session.solver().energy().smooth;
         assert!((found - expected).abs() <= 1e-12 * expected, "{of:?} {found} {expected}");
-        // Its part of the normal matrix is of the same weights: one plain step minimises it.
+        // The normal matrix uses the same weights: one plain step minimises the energy.
         session.solve(false).expect("positions stay finite");
         let left = session.solver().energy().smooth;
         assert!(left <= 1e-20 * expected, "{of:?}: {left:e} of {expected:e}");
@@ -206,7 +206,7 @@ fn a_face_with_too_many_corners_is_refused_by_its_number() {
     scene("uniform").expect("it does not mind");
 }
 
-/// A third of the area of triangles, and so on: the part of each face that each of its corners has.
+/// Lumped masses: each corner gets an equal part of the area of its face.
 fn masses(mesh: &Mesh) -> DVector<f64> {
     let mut masses = DVector::zeros(mesh.positions.len());
     for face in mesh.faces.iter() {
@@ -217,12 +217,12 @@ fn masses(mesh: &Mesh) -> DVector<f64> {
     masses
 }
 
-/// The root mean square over the surface.
+/// Root mean square over the surface.
 fn size(values: &DVector<f64>, masses: &DVector<f64>) -> f64 {
     (values.component_mul(values).dot(masses) / masses.sum()).sqrt()
 }
 
-/// The solution of `L u = M f` where it is not `known`, by conjugate gradients.
+/// Solves `L u = M f` at the vertices that are not `known`, by conjugate gradients.
 fn poisson(laplacian: &Laplacian, right: &DVector<f64>, known: &[Option<f64>]) -> DVector<f64> {
     let n = laplacian.len();
     let apply = |u: &DVector<f64>| {
@@ -252,8 +252,8 @@ fn poisson(laplacian: &Laplacian, right: &DVector<f64>, known: &[Option<f64>]) -
     u
 }
 
-/// The error of a solution, relative, and with uniform weights, whose solution may be of any size:
-/// that of the best multiple of it.
+/// Relative error of a solution; for uniform weights, whose solution has an arbitrary scale, the
+/// error of the best multiple.
 fn errors(
     mesh: &Mesh,
     exact: &DVector<f64>,
@@ -271,8 +271,8 @@ fn errors(
     [polygon - exact, uniform * scale - exact].map(|off| size(&off, &masses) / size(exact, &masses))
 }
 
-/// A cube whose faces are grids of `n` by `n` quads that are finer at one side, on the unit sphere. The
-/// quads are not planar.
+/// A cube on the unit sphere, whose faces are grids of `n` by `n` quads that are finer at one side.
+/// The quads are not planar.
 fn sphere(n: u32) -> Mesh {
     let mut mesh = Mesh::default();
     let at = |k: u32| {
@@ -317,7 +317,7 @@ fn it_converges_on_the_sphere_where_uniform_weights_do_not() {
             DVector::from_iterator(mesh.positions.len(), mesh.positions.iter().map(value))
         };
         let (exact, minus_laplacian) = (of(1.0, 1.0), of(2.0, 6.0));
-        // A constant is free: it is taken off.
+        // The solution is defined up to a constant, which is subtracted.
         let masses = masses(&mesh);
         let mean = |u: &DVector<f64>| u.dot(&masses) / masses.sum();
         let exact_mean = mean(&exact);
@@ -325,7 +325,7 @@ fn it_converges_on_the_sphere_where_uniform_weights_do_not() {
             let by = exact_mean - mean(&u);
             u.add_scalar(by)
         };
-        // What the right side sums up to is not zero but by its error.
+        // The sum of the right side is zero up to discretisation error.
         let minus_laplacian = minus_laplacian.add_scalar(-mean(&minus_laplacian));
         let none = vec![None; mesh.positions.len()];
         let now = errors(&mesh, &exact, &minus_laplacian, &none, shift);
@@ -342,13 +342,13 @@ fn it_converges_on_the_graph_of_a_function_where_uniform_weights_do_not() {
     // The grid is finer on one side; z = h(x, y).
     let warp = |t: f64| 0.5 * t + 0.5 * t * t;
     let height = |x: f64, y: f64| 0.3 * x * x - 0.4 * x * y + 0.2 * y * y * y;
-    // Zero on the boundary, so that a multiple of the right side makes the same multiple of it.
+    // Zero on the boundary, so that the solution is linear in the right side.
     let function = |x: f64, y: f64| x * (1.0 - x) * y * (1.0 - y) * (1.0 + 2.0 * x - y);
     let step = 1e-3;
     let slope = |f: &dyn Fn(f64, f64) -> f64, x: f64, y: f64| {
         [f(x + step, y) - f(x - step, y), f(x, y + step) - f(x, y - step)].map(|d| d / (2.0 * step))
     };
-    // The gradient in the metric of the graph, times its density of area.
+    // The gradient in the metric of the graph, times its area density.
     let flow = |x: f64, y: f64| {
         let ([a, b], [u, v]) = (slope(&height, x, y), slope(&function, x, y));
         let density = (1.0 + a * a + b * b).sqrt();

@@ -1,5 +1,5 @@
-//! What a person relies on when a mesh file is opened: that every spelling of the same mesh is the
-//! same mesh, that nothing is lost silently, and that a message says where and what.
+//! Reading a mesh file: every spelling of a mesh gives the same mesh, nothing is lost silently, and
+//! messages give the position and the reason.
 
 use shape_up::mesh::{
     ElementKind, GroupKeyword, Mesh,
@@ -112,7 +112,8 @@ fn counts_that_do_not_fit_are_refused() {
 fn bad_coordinates_keep_the_numbers_of_vertices() {
     let text = "v 0 0 0\nv nan 1 2\nv 4 x\nv 4 1,5 1e999\nf 1 2 3\nf 2 3 4\n";
     let read = ok("a.obj", text);
-    // The middle of the extent stands in for what is bad: x in 0 to 4, y in 0 to 1.5, z in 0 to 2.
+    // Bad coordinates are replaced by the middle of the extent: x in 0 to 4, y in 0 to 1.5, z in 0
+    // to 2.
     let expected = [[0.0, 0.0, 0.0], [2.0, 1.0, 2.0], [4.0, 0.75, 1.0], [4.0, 1.5, 1.0]];
     assert_eq!(read.mesh.positions, expected);
     assert_eq!(rows(&read.mesh.faces), [[0, 1, 2], [1, 2, 3]]);

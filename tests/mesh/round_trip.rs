@@ -1,16 +1,16 @@
-//! A mesh that is written as OBJ and read again is the same mesh, bit for bit.
+//! A mesh that is written as OBJ and read again is the same, bit for bit.
 
 use proptest::collection::{hash_set, vec};
 use proptest::prelude::*;
 use shape_up::mesh::{Group, GroupKeyword, Mesh, Point, Ragged, read, write_obj};
 
-/// Any finite number, subnormal and negative zero included.
+/// Any finite number, including subnormal numbers and negative zero.
 fn number() -> impl Strategy<Value = f64> {
     use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
     prop_oneof![POSITIVE | NEGATIVE | NORMAL | SUBNORMAL | ZERO, -1e3..1e3]
 }
 
-/// Which groups an element is in: at most one `o`, any `g`, at most one `usemtl`.
+/// Groups of an element: at most one `o`, any `g`, at most one `usemtl`.
 type Membership = (Option<usize>, Vec<bool>, Option<usize>);
 
 const OBJECTS: [&str; 3] = ["part.001", "two words", "#1"];
@@ -25,7 +25,7 @@ fn membership() -> impl Strategy<Value = Membership> {
     )
 }
 
-/// The groups of faces, then curves, with these memberships, in the order that files have.
+/// Groups of faces, then of curves, for these memberships, in the order of a file.
 fn groups(faces: &[Membership], curves: &[Membership]) -> Vec<Group> {
     use GroupKeyword::{Group as Named, Material, Object};
     let names = OBJECTS.iter().map(|name| (Object, *name));
@@ -100,7 +100,7 @@ proptest! {
         let text = write_obj(&mesh, &mesh.positions);
         let word = text.split_ascii_whitespace().nth(1).expect("a vertex has coordinates");
         prop_assert_eq!(word.parse().map(f64::to_bits), Ok(x.to_bits()));
-        // At most 17 digits, a sign, leading zeros of 0.00001 and the point, or an exponent.
+        // At most 17 digits, a sign, the leading zeros of 0.00001 and the point, or an exponent.
         prop_assert!(word.len() <= 25, "{}", word);
     }
 }

@@ -1,11 +1,11 @@
-//! Meshes between curves of a file: on the curves, sound, the same whichever way the curves run, and refused where they
-//! cannot be.
+//! Meshes between curves of a file: on the curves, sound, independent of the direction of the
+//! curves, and refused if they are impossible.
 
 use shape_up::begin::{SpanCurve, SpanError, fill, loft};
 use shape_up::math::{Vec3, cosine, sine, twice_vector_area};
 use shape_up::mesh::{Mesh, Point, Topology, diagnose};
 
-/// Polylines, each with vertices of its own; a closed one names its first vertex again.
+/// Polylines with separate vertices; a closed one repeats its first vertex.
 fn curves(polylines: &[(Vec<Point>, bool)]) -> Vec<SpanCurve> {
     let mut mesh = Mesh::default();
     for (points, closed) in polylines {
@@ -38,7 +38,7 @@ fn assert_sound(mesh: &Mesh) {
     assert!(diagnose(mesh).is_empty(), "{:?}", diagnose(mesh));
     let topology = Topology::new(mesh);
     assert!(topology.edge_faces().iter().all(|faces| (1..=2).contains(&faces.len())));
-    // Neighbours turn the same way: no side is there twice in the same direction.
+    // Adjacent faces have the same orientation: no side occurs twice in the same direction.
     let mut sides: Vec<[u32; 2]> = mesh
         .faces
         .iter()
@@ -67,11 +67,11 @@ fn a_loft_goes_from_curve_to_curve_whichever_way_they_run() {
     let mesh = made(&low, &high);
     assert_sound(&mesh);
     assert_eq!(mesh.faces.len() % 10, 0, "15 m in rows of 1.5");
-    // Its ends are where those of the curves are, exactly.
+    // Its ends are exactly at the ends of the curves.
     for end in [low[0], low[24], high[0], high[40]] {
         assert!(mesh.positions.contains(&end));
     }
-    // Every vertex is in a plane between the two, and seen from above it turns counterclockwise.
+    // Every vertex is between the two curves, and faces are counterclockwise seen from above.
     assert!(mesh.positions.iter().all(|p| p[1] >= 0.0 && p[1] <= 15.0 && p[2] >= -1e-12));
     for other in [made(&low, &reversed(&high)), made(&reversed(&low), &high), made(&high, &low)] {
         assert_sound(&other);
@@ -118,7 +118,7 @@ fn closed_curves_are_joined_where_they_are_nearest() {
 
 #[test]
 fn a_filled_boundary_is_a_surface_with_that_boundary() {
-    // A rectangle with bent sides, a circle in space, an opening of a mesh.
+    // A rectangle with bent sides, a circle in space, and an opening of a mesh.
     let mut loops: Vec<(Vec<Point>, usize)> = Vec::new();
     let mut frame: Vec<Point> = arch(20, 0.0, 3.0);
     frame.extend(reversed(&arch(20, 9.0, 5.0)));
@@ -132,7 +132,7 @@ fn a_filled_boundary_is_a_surface_with_that_boundary() {
         assert_eq!(topology.boundary_loops().len(), 1);
         let rim: Vec<Point> =
             topology.boundary_loops().row(0).iter().map(|&v| mesh.positions[v as usize]).collect();
-        // The rim is on the curve: as long, up to what its chords cut off.
+        // The rim is on the curve: it has its length, up to the chord error.
         let length = |points: &[Point]| {
             let ends = points.iter().zip(points.iter().cycle().skip(1));
             ends.map(|(&a, &b)| (Vec3::from(b) - Vec3::from(a)).length()).sum::<f64>()
@@ -148,7 +148,7 @@ fn a_filled_boundary_is_a_surface_with_that_boundary() {
         });
         assert!(up.sum::<f64>() > 0.0, "seen from above counterclockwise");
     }
-    // The boundary of a mesh is a curve as well, after its polylines.
+    // Boundary loops of a mesh are curves too, listed after its polylines.
     let grid = crate::grid::grid(6, 4, |i, j| [f64::from(i), f64::from(j), 0.0]);
     let curves = SpanCurve::all(&grid);
     let words = SpanCurve::labels(&curves);
@@ -177,7 +177,7 @@ fn what_cannot_be_is_refused_with_the_reason() {
     assert!(matches!(fill(&known[2], 1e-4), Err(SpanError::TooManyFaces(_))));
     assert_eq!(SpanCurve::of(&known, 3), Err(SpanError::NoLength));
     assert_eq!(SpanCurve::of(&known, 9), Err(SpanError::Missing { asked: 9, found: 4 }));
-    // A star whose arms lie across Coons' patch.
+    // A star whose arms overlap in a Coons patch.
     let star: Vec<Point> = (0..16)
         .map(|k| {
             let radius = if k % 2 == 0 { 5.0 } else { 0.6 };

@@ -1,4 +1,4 @@
-//! Face strips: the quads that one crosses through opposite edges.
+//! Face strips: quads that are adjacent across opposite edges.
 
 use crate::meshes::{mixed, wavy};
 use proptest::prelude::*;
@@ -10,7 +10,7 @@ fn rows(mesh: &Mesh) -> Vec<Vec<u32>> {
     strips(mesh, &Topology::new(mesh)).iter().map(<[u32]>::to_vec).collect()
 }
 
-/// A mesh of these faces, in no particular place.
+/// A mesh of these faces; the positions do not matter.
 fn faces<const N: usize>(rows: impl IntoIterator<Item = [u32; N]>) -> Mesh {
     let faces: Ragged = rows.into_iter().collect();
     let n = faces.indices().iter().max().expect("there are faces") + 1;
@@ -19,14 +19,14 @@ fn faces<const N: usize>(rows: impl IntoIterator<Item = [u32; N]>) -> Mesh {
 
 #[test]
 fn a_grid_has_its_columns_and_rows_of_faces() {
-    // 4 5 6 7     the first side of a face runs to the right: through it, strips go up
+    // 4 5 6 7     The first side of a face runs to the right: strips through it go up.
     // 0 1 2 3
     let row = rows(&wavy(3, 1));
     assert_eq!(
         row,
         [
             vec![0, 1, 4, 5],
-            // Through the second side, which runs up, into the first face: to the left.
+            // Strips through the second side, which runs up, go to the left, into the first face.
             vec![3, 7, 2, 6, 1, 5, 0, 4],
             vec![1, 2, 5, 6],
             vec![2, 3, 6, 7],
@@ -37,7 +37,7 @@ fn a_grid_has_its_columns_and_rows_of_faces() {
 
 #[test]
 fn a_closed_strip_comes_once_and_does_not_repeat_its_first_edge() {
-    // A tube of six faces round and one up, and a band with one twist.
+    // A tube of six faces around and one up, and a band with one twist.
     let tube = faces((0..6).map(|i| [i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6]));
     let found = rows(&tube);
     assert_eq!(found.len(), 1 + 6, "{found:?}");
@@ -53,7 +53,7 @@ fn a_closed_strip_comes_once_and_does_not_repeat_its_first_edge() {
 
 #[test]
 fn strips_end_at_faces_that_are_no_quads_and_at_edges_of_three_faces() {
-    // The meridians of the dome end at its pentagons; its rows of quads go round.
+    // The meridians of the dome end at its pentagons; its rows of quads are closed.
     let dome = Dome::default();
     let found = rows(&dome.mesh());
     let round: Vec<_> = found.iter().filter(|strip| strip.len() > 30).map(Vec::len).collect();
@@ -61,11 +61,11 @@ fn strips_end_at_faces_that_are_no_quads_and_at_edges_of_three_faces() {
     let up: Vec<_> = found.iter().filter(|strip| strip.len() <= 30).map(Vec::len).collect();
     let [below, above] = dome.rows.map(|rows| 2 * (rows + 1));
     assert_eq!(up, [vec![below; 48], vec![above; 24]].concat());
-    // Three quads at one edge: none goes on there.
+    // Three quads at one edge: no strip continues across it.
     let fins = faces([[0, 1, 2, 3], [0, 1, 4, 5], [0, 1, 6, 7]]);
     assert!(rows(&fins).iter().all(|strip| strip.len() == 4));
     assert_eq!(rows(&fins).len(), 6);
-    // A mesh that is mostly of triangles has none.
+    // A mesh of mostly triangles has none.
     assert!(rows(&faces([[0, 1, 2], [1, 2, 3]])).is_empty());
 }
 
@@ -85,7 +85,7 @@ proptest! {
     fn each_quad_is_crossed_once_in_each_direction(mesh in mixed()) {
         let topology = Topology::new(&mesh);
         let found = strips(&mesh, &topology);
-        // What is crossed: two opposite edges of a quad, by their ends.
+        // A crossing: two opposite edges of a quad, given by their ends.
         let edge = |a: u32, b: u32| [a.min(b), a.max(b)];
         let crossing = |e: [u32; 2], f: [u32; 2]| [e.min(f), e.max(f)];
         let mut expected = BTreeMap::new();
@@ -101,7 +101,7 @@ proptest! {
         for strip in found.iter() {
             let (pairs, rest) = strip.as_chunks::<2>();
             prop_assert!(rest.is_empty() && pairs.len() >= 2);
-            // No strip of a height field is closed, and none goes on at its ends.
+            // No strip of a height field is closed, and none can be extended at its ends.
             for next in pairs.windows(2) {
                 let ([l, r], [m, s]) = (next[0], next[1]);
                 // Left to left and right to right are sides too.

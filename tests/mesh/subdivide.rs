@@ -1,5 +1,5 @@
-//! Subdivision of meshes: counts, Euler number, manifoldness, orientation, limits against closed forms, and what
-//! stays sharp.
+//! Subdivision: counts, Euler number, manifoldness, orientation, limits against closed forms, and
+//! creases.
 
 use crate::grid::grid;
 use crate::{meshes, shared};
@@ -19,12 +19,12 @@ fn subdivided(mesh: &Mesh, how: Subdivision) -> Edited {
     how.apply(mesh, &Topology::new(mesh)).expect("it can be subdivided")
 }
 
-/// The number of vertices less that of edges plus that of faces.
+/// The Euler number: vertices - edges + faces.
 pub(crate) fn euler(mesh: &Mesh, topology: &Topology) -> i64 {
     mesh.positions.len() as i64 - topology.edges().len() as i64 + mesh.faces.len() as i64
 }
 
-/// How many sides of faces run from one vertex to another, most of all.
+/// Greatest number of face sides in the same direction between two vertices.
 pub(crate) fn most_alike(mesh: &Mesh) -> usize {
     let mut sides = BTreeMap::new();
     for face in mesh.faces.iter() {
@@ -43,7 +43,7 @@ pub(crate) fn boundary_edges(topology: &Topology) -> usize {
     topology.edge_faces().iter().filter(|faces| faces.len() == 1).count()
 }
 
-/// What holds of every mesh and every scheme.
+/// Checks that hold for every mesh and every scheme.
 fn check(mesh: &Mesh, how: Subdivision) {
     let topology = Topology::new(mesh);
     let counts = match how.counts(mesh, &topology) {
@@ -55,9 +55,9 @@ fn check(mesh: &Mesh, how: Subdivision) {
     let found = (refined.positions.len(), refined.faces.len());
     assert_eq!((counts.vertices, counts.faces), found, "what it said beforehand");
     assert_eq!(euler(&refined, &after), euler(mesh, &topology));
-    // Loops that touch can be cut in several ways: their edges are what is twice as many.
+    // Loops that touch can be split in several ways, so edges are counted: their number doubles.
     assert_eq!(boundary_edges(&after), boundary_edges(&topology) << how.levels);
-    // Those that were one face share edges.
+    // Parts of one face share edges.
     assert_eq!(most_faces(&after), most_faces(&topology).max(2));
     assert_eq!(most_alike(&refined), most_alike(mesh), "faces run as they did");
     assert_eq!(origins.positions.apply(&mesh.positions).len(), refined.positions.len());
@@ -96,7 +96,8 @@ proptest! {
 
 #[test]
 fn a_paraboloid_rises_as_the_spline_of_its_squares_does() {
-    // The uniform cubic B-spline with coefficients i^2 is x^2 + 1/3; after k levels (1 - 4^-k) of that are there.
+    // The uniform cubic B-spline with coefficients i^2 is x^2 + 1/3; after k levels the rise is (1
+    // - 4^-k) of 1/3.
     let mesh = grid(10, 10, |i, j| {
         let (x, y) = (f64::from(i) - 5.0, f64::from(j) - 5.0);
         [x, y, 0.01 * (x * x + y * y)]
@@ -115,7 +116,8 @@ fn a_paraboloid_rises_as_the_spline_of_its_squares_does() {
 
 #[test]
 fn triangles_rise_as_the_box_spline_does() {
-    // On the lattice of equilateral triangles a level adds 3/8 of the square of an edge: 1/2 in the limit.
+    // On the lattice of equilateral triangles a level adds 3/8 of the squared edge length: 1/2 in
+    // the limit.
     let lattice = grid(10, 10, |i, j| {
         let (x, y) =
             (f64::from(i) + 0.5 * f64::from(j) - 7.5, (f64::from(j) - 5.0) * 0.75_f64.sqrt());
@@ -152,7 +154,7 @@ fn a_cube_stays_a_cube_or_becomes_round() {
 
 #[test]
 fn a_crease_stays_sharp_at_every_level_and_runs_smoothly_along_itself() {
-    // A roof over a bent ridge: its sides meet at 100 degrees.
+    // A roof with a bent ridge: its sides meet at 100 degrees.
     let ridge = 5.0 / 6.0;
     let roof = grid(2, 6, |i, j| {
         let (across, along) = (f64::from(i) - 1.0, f64::from(j));
@@ -163,7 +165,7 @@ fn a_crease_stays_sharp_at_every_level_and_runs_smoothly_along_itself() {
     let on_ridge = |between: &[u32]| between.len() < 3 && between.iter().all(|v| v % 3 == 1);
     let ridge = origins.between.iter().zip(&refined.positions).filter(|(b, _)| on_ridge(b));
     assert_eq!(ridge.clone().count(), 6 * 8 + 1);
-    // Three levels of the spline of squares, away from the ends.
+    // Three levels of the spline with coefficients i^2, away from the ends.
     let rises = 0.02 / 3.0 * (1.0 - 0.25_f64.powi(3));
     for (_, [x, y, z]) in ridge.filter(|(_, p)| p[1] > 1.0 && p[1] < 5.0) {
         assert!(x.abs() < 1e-14 && (z - 0.02 * y * y - rises).abs() < 1e-12, "{y}: {z}");

@@ -16,7 +16,7 @@ fn rows(ragged: &Ragged) -> Vec<Vec<u32>> {
     ragged.iter().map(<[u32]>::to_vec).collect()
 }
 
-/// The edges along a row, with the one from its end to its start.
+/// Edges of a closed row of vertices.
 fn edges_around(row: &[u32]) -> Vec<[u32; 2]> {
     let next = row.iter().cycle().skip(1);
     row.iter().zip(next).map(|(&a, &b)| [a.min(b), a.max(b)]).collect()
@@ -147,7 +147,8 @@ proptest! {
                 prop_assert_eq!(of_j[place], w);
             }
         }
-        // On a flat mesh without folds the Laplacian of a linear function is 0 at interior vertices.
+        // On a flat mesh without folds the Laplacian of a linear function is 0 at interior
+        // vertices.
         let mut flat = mesh;
         for p in &mut flat.positions {
             *p = [0.5 * (p[0] + p[0].round()), 0.5 * (p[1] + p[1].round()), 0.0];
@@ -208,7 +209,7 @@ fn a_tube_has_closed_edge_lines_that_repeat_their_first_vertex() {
 
 #[test]
 fn edge_lines_end_at_irregular_vertices() {
-    // A cube: every vertex has three edges, so every edge is a line of its own.
+    // A cube: every vertex has three edges, so every edge is a separate line.
     let cube = with_faces(
         8,
         &[[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]],
@@ -220,7 +221,7 @@ fn edge_lines_end_at_irregular_vertices() {
 
 #[test]
 fn loops_that_touch_are_told_apart() {
-    // Two triangles with one vertex in common, then a ring of quads whose hole touches the outside.
+    // Two triangles with one common vertex, then a ring of quads whose hole touches the outside.
     let bow_tie = Topology::new(&with_faces(5, &[[0, 1, 2], [2, 3, 4]]));
     assert_eq!(rows(bow_tie.boundary_loops()).len(), 2);
 
@@ -228,7 +229,7 @@ fn loops_that_touch_are_told_apart() {
     let hole = [5, 6];
     mesh.faces =
         mesh.faces.iter().enumerate().filter(|(f, _)| !hole.contains(f)).map(|(_, f)| f).collect();
-    // Vertex 10 of the hole becomes the corner 0 of the outside.
+    // Vertex 6 of the hole is identified with the corner 0 of the outside.
     mesh.faces = mesh
         .faces
         .iter()
@@ -312,7 +313,7 @@ fn the_kind_of_mesh_is_told_by_its_faces() {
     assert!(quads.is_quad_dominant() && !quads.is_triangle_mesh());
     let nothing = Topology::new(&Mesh::default());
     assert!(!nothing.is_quad_dominant() && !nothing.is_triangle_mesh());
-    // A curve off the surface is more than triangles.
+    // A mesh with a curve off the surface is not a pure triangle mesh.
     let mut with_curve = with_faces(5, &[[0, 1, 2]]);
     with_curve.curves.push(&[3, 4]);
     assert!(!Topology::new(&with_curve).is_triangle_mesh());
@@ -339,7 +340,7 @@ fn the_cotangents_of_a_regular_hexagon_are_equal() {
     assert!(spokes.iter().all(|w| (w - cot_60).abs() < 1e-15));
     let (neighbours, weights) = laplacian.row(1);
     assert_eq!(neighbours, [0, 2, 6]);
-    // One term on the boundary.
+    // An edge on the boundary has one term.
     assert!((weights[1] - 0.5 * cot_60).abs() < 1e-15);
 }
 
