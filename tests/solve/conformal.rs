@@ -1,5 +1,5 @@
-//! Conformal maps against an independent implementation (`../shared/expected`; says so where it is
-//! absent), and what such a map must be on surfaces whose flat map is known.
+//! Conformal maps against an independent implementation (`../shared/expected`; reports its
+//! absence), and on surfaces whose flat map is known.
 
 use crate::grid::grid;
 use shape_up::mesh::{Mesh, Topology};
@@ -41,7 +41,7 @@ fn maps_agree_with_an_independent_implementation() {
                         "{name} {variant}: {what} is {found}, expected {expected}"
                     );
                 };
-                // The inverse area has a unit, and the reference does not say which it chose.
+                // The inverse area has a unit, and the reference does not state which one it uses.
                 if weights != ConformalWeights::InverseArea {
                     let expected = number(&expected["eigenvalues"][0]);
                     close("eigenvalue", found.eigenvalue, expected, 1e-6);
@@ -54,9 +54,9 @@ fn maps_agree_with_an_independent_implementation() {
     }
 }
 
-/// Half a cylinder of planar quads: it unrolls without any error, whatever the weights.
+/// Half a cylinder of planar quads: it unrolls without distortion for any weights.
 fn roll(scale: f64) -> Mesh {
-    // Chords of equal length: multiples of the angle whose cosine is 0.96.
+    // Chords of equal length: the angle of each has the cosine 0.96.
     let mut corners = vec![[1.0, 0.0]];
     for _ in 0..10 {
         let [x, y] = corners[corners.len() - 1];
@@ -77,7 +77,8 @@ fn what_can_be_unrolled_is_unrolled_in_any_unit() {
                 let found = map(&roll(scale), weights, norm);
                 assert!((found.errors.quasi_conformal.max - 1.0).abs() < 1e-6, "{found:?}");
                 assert_eq!((found.errors.flipped, found.parts, found.closed_parts), (0, 1, 0));
-                // Its longest axis is that of the ten chords, and its area that of the surface.
+                // The longest axis of the map is the length of the ten chords, and its area is the
+                // area of the surface.
                 let extent = |i: usize| found.uv.iter().map(|uv| uv[i]).fold(0.0, f64::max);
                 assert!((extent(0) / scale - 10.0 * chord).abs() < 1e-5, "{}", extent(0));
                 assert!((extent(1) / scale - 1.2).abs() < 1e-5, "{}", extent(1));
@@ -120,7 +121,7 @@ fn a_closed_surface_is_mapped_over_all_its_vertices() {
     assert!(found.uv.iter().flatten().all(|value| value.is_finite()));
 }
 
-/// Maps it, and checks that every number of the map is one.
+/// Maps the mesh and checks that all numbers of the map are finite.
 fn finite_map(mesh: &Mesh) -> Parametrization {
     let found = map(mesh, ConformalWeights::InverseArea, ConformalNorm::Boundary);
     assert!(found.uv.as_flattened().iter().all(|value| value.is_finite()));
@@ -147,12 +148,12 @@ fn faces_without_area_are_left_out_and_a_surface_without_any_is_refused() {
 #[test]
 fn a_face_that_has_shrunk_to_a_point_or_a_line_does_not_take_the_map_with_it() {
     let sound = finite_map(&crate::grid::bumpy(4));
-    // Two vertices where a third one is: nothing held them but the norm, which took all of its length from
-    // them. The mean error was infinite, and the exit code 0.
+    // Two vertices at the position of a third: only the norm constrained them, and they took up the
+    // whole norm. The mean error was infinite, and the exit code 0.
     let mut point = crate::grid::bumpy(4);
     point.positions.extend([point.positions[6]; 2]);
     point.faces.push(&[6, 25, 26]);
-    // A sliver that is as thin as rounding: its weight was 1e14 times that of the others.
+    // A sliver with a height near rounding: its weight was 1e14 times the other weights.
     let mut sliver = crate::grid::bumpy(4);
     let [a, b] = [0, 1].map(|k| sliver.positions[k]);
     sliver.positions.push(std::array::from_fn(|i| 0.5 * a[i] + 0.5 * b[i] + [0.0, 1e-14, 0.0][i]));
@@ -167,14 +168,14 @@ fn a_face_that_has_shrunk_to_a_point_or_a_line_does_not_take_the_map_with_it() {
 
 #[test]
 fn faces_of_an_edge_that_is_not_manifold_do_not_make_the_map_collapse() {
-    // A fin stands on an inner edge: three faces share it. It is mapped with the rest.
+    // A fin on an inner edge, so that three faces share the edge. It is mapped with the rest.
     let mut fin = crate::grid::bumpy(4);
     fin.positions.extend([[1.0, 1.0, 2.0], [2.0, 1.0, 2.0]]);
     fin.faces.push(&[6, 7, 26, 25]);
     let found = finite_map(&fin);
     assert!(found.left_out.is_empty() && found.errors.quasi_conformal.max < 1.2, "{found:?}");
-    // The fin has a back, a face on the same vertices in the other direction: no map is conformal on both,
-    // and the part that they are collapsed, with a mean error of 1e14.
+    // The back of the fin, a face on the same vertices in the other direction: no map is conformal
+    // on both faces, and the part they belong to collapsed, with a mean error of 1e14.
     fin.faces.push(&[25, 26, 7, 6]);
     let with_back = finite_map(&fin);
     assert_eq!(with_back.left_out, [17]);
@@ -183,10 +184,10 @@ fn faces_of_an_edge_that_is_not_manifold_do_not_make_the_map_collapse() {
 
 #[test]
 fn a_polygon_of_many_corners_is_mapped_in_time_that_grows_with_them() {
-    // Its corners were coupled with each other, a dense block of the matrix: 4,000 took 34 s and 1.4 GB,
-    // and 20,000 aborted.
+    // Its corners were coupled with each other, a dense block of the matrix: 4,000 corners took 34
+    // s and 1.4 GB, and 20,000 aborted.
     let mut polygon = Mesh::default();
-    // Points of a circle without any angle function: those of slopes that are fractions.
+    // Rational points of a circle, without trigonometric functions.
     let n = 20_000;
     polygon.positions.extend((0..n).map(|k| {
         let slope = 2.0 * f64::from(k % (n / 2)) / f64::from(n / 2) - 1.0;

@@ -1,5 +1,5 @@
-//! The total energy never rises (paper section 2.2): both steps of an iteration minimise it, where the
-//! projections are the closest points. Where they are not, the guard sees to it.
+//! The total energy never rises (paper section 2.2): both steps of an iteration minimise it if the
+//! projections are the closest points. If they are not, the guard prevents a rise.
 
 use crate::meshes::wavy;
 use crate::random::Random;
@@ -14,7 +14,8 @@ use shape_up::session::Session;
 
 const ITERATIONS: usize = 200;
 
-/// Iterates, and says where the total rises by more than rounding; gives the first and the last total.
+/// Iterates and fails if the total rises by more than rounding; returns the first and the last
+/// total.
 fn descend(session: &mut Session, what: &str) -> [f64; 2] {
     let first = session.solver().energy().total;
     let mut before = first;
@@ -32,12 +33,12 @@ fn descend(session: &mut Session, what: &str) -> [f64; 2] {
 
 #[test]
 fn the_total_never_rises_on_any_example() {
-    // Where nothing is asked of the shape there is nothing to descend.
+    // Without constraints there is nothing to descend.
     let asks = |example: &&Example| !example.build().0.constraints.is_empty();
     for example in EXAMPLES.iter().filter(asks) {
         for (word, accelerator) in Accelerator::WORDS {
             let (mut scene, mesh) = example.build();
-            // The weights that a lesson begins with are to be changed: its energies pull against each other.
+            // The initial weights of a lesson are meant to be changed: its energies conflict.
             let least = if scene.lesson.is_some() { 0.9 } else { 0.5 };
             let can_rise = scene.constraints.iter().any(|c| c.kind.can_rise());
             scene.solver.accelerator = *accelerator;
@@ -50,7 +51,7 @@ fn the_total_never_rises_on_any_example() {
     }
 }
 
-/// Quads, triangles, quads with pentagons, and tetrahedra.
+/// Meshes of quads, of triangles, of quads with pentagons, and of tetrahedra.
 fn sorts_of_meshes() -> Vec<(&'static str, Mesh)> {
     let quads = wavy(5, 4);
     let halves = |f: &[u32]| [[f[0], f[1], f[2]], [f[0], f[2], f[3]]];
@@ -64,7 +65,7 @@ fn sorts_of_meshes() -> Vec<(&'static str, Mesh)> {
     ]
 }
 
-/// A block of `n` cubes each way, each cut into the six tetrahedra around its diagonal.
+/// A block of `n` cubes in each direction, each split into the six tetrahedra around its diagonal.
 fn tetrahedra(n: u32) -> Mesh {
     const WAYS: [[usize; 3]; 6] =
         [[0, 1, 2], [1, 2, 0], [2, 0, 1], [1, 0, 2], [0, 2, 1], [2, 1, 0]];
@@ -81,7 +82,7 @@ fn tetrahedra(n: u32) -> Mesh {
                 *corner = vertex(at);
             }
             if k >= 3 {
-                // The odd ways round are mirrored.
+                // Odd permutations are mirrored.
                 tet.swap(2, 3);
             }
             mesh.tets.push(tet);
@@ -90,7 +91,7 @@ fn tetrahedra(n: u32) -> Mesh {
     mesh
 }
 
-/// The scene of a kind on all elements of one sort, disturbed and held by a handle.
+/// A scene with the kind on all elements of one type, disturbed, with a handle.
 fn scene(kind: &Kind, element: Element, mesh: &Mesh, mean_centring: bool) -> Scene {
     let (id, on) = (kind.info().id, element.id());
     let to = if mesh.faces.is_empty() { "rest" } else { "surface" };
@@ -116,7 +117,7 @@ fn scene(kind: &Kind, element: Element, mesh: &Mesh, mean_centring: bool) -> Sce
 fn the_total_never_rises_with_any_kind() {
     let kind = |id, params| Kind::new(id, params).expect("the parameters are known");
     let mut kinds: Vec<Kind> = KINDS.iter().map(|info| kind(info.id, json!({}))).collect();
-    // It was declared exact, ran without the guard, and the total rose by 0.3 % a step.
+    // It was declared exact and ran without the guard, and the total rose by 0.3 % per step.
     kinds.push(kind("rectangle", json!({ "fit": "lines" })));
     for kind in &kinds {
         let info = kind.info();
@@ -150,8 +151,8 @@ fn the_total_never_rises_with_any_kind() {
     }
 }
 
-/// A scene like [`scene`] with default settings and weights, but for the guard; of every other seed only
-/// the handle and the constraints act.
+/// A scene like [`scene`] with default settings and weights, except for the guard; for every other
+/// seed there are only the handle and the constraints.
 fn wild_scene(kind: &Kind, element: Element, mesh: &Mesh, seed: u64, guarded: bool) -> Scene {
     let mut scene = scene(kind, element, mesh, true);
     let SolverSettings { accelerator, .. } = SolverSettings::default();
@@ -166,7 +167,7 @@ fn wild_scene(kind: &Kind, element: Element, mesh: &Mesh, seed: u64, guarded: bo
     scene
 }
 
-/// The greatest rise of the total in one iteration, as a part of the total before it.
+/// Greatest relative rise of the total in one iteration.
 fn greatest_rise(kind: &Kind, element: Element, mesh: &Mesh, guarded: bool) -> f64 {
     let mut greatest = 0.0f64;
     for seed in 0..48 {
@@ -177,7 +178,7 @@ fn greatest_rise(kind: &Kind, element: Element, mesh: &Mesh, guarded: bool) -> f
         for _ in 0..60 {
             session.step().expect("positions stay finite");
             let now = session.solver().energy().total;
-            // What is left at the end is rounding.
+            // Near the end only rounding is left.
             greatest = greatest.max((now - before) / before.max(1e-9 * first));
             before = now;
         }
@@ -195,7 +196,7 @@ fn in_wild_scenes_the_guard_holds_whoever_asks_for_it() {
         ("sphere", json!({}), Element::Ring, quads, true),
         ("planar-similar", json!({}), Element::Face, quads, true),
         ("rectangle", json!({ "fit": "lines" }), Element::Face, quads, true),
-        // Guarded in every scene: the total of conical vertices rose sevenfold.
+        // These are guarded in every scene: the total of conical vertices rose sevenfold.
         ("conical", json!({}), Element::Star, quads, false),
         ("incircle", json!({}), Element::Face, quads, false),
         ("tangent-incircles", json!({}), Element::Hinge, triangles, false),

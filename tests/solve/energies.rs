@@ -1,4 +1,4 @@
-//! The energies of Eq. 13, each against its definition, written out as sums over the mesh.
+//! The energies of Eq. 13, each against its definition as explicit sums over the mesh.
 
 use crate::random::Random;
 use shape_up::math::Vec3;
@@ -13,7 +13,7 @@ fn scene(rest: &str) -> Scene {
     Scene::from_json(&text).expect("the scene is valid")
 }
 
-/// The wavy grid, its quads cut in two where the mesh shall be of triangles.
+/// The wavy grid; with `triangles`, its quads are split.
 fn grid(triangles: bool) -> Mesh {
     let mut mesh = crate::meshes::wavy(4, 3);
     if triangles {
@@ -36,20 +36,20 @@ fn assert_close(found: f64, expected: f64, what: &str) {
     assert!((found - expected).abs() <= 1e-12 * expected.max(1.0), "{what}: {found}, {expected}");
 }
 
-/// A scene that starts from the disturbed positions.
+/// A session that starts from the disturbed positions.
 fn disturbed_session(rest: &str, mesh: &Mesh) -> Session {
     let mut scene = scene(rest);
     scene.current = Some(disturbed(mesh));
     Session::open(scene, mesh.clone()).expect("the scene fits the mesh")
 }
 
-/// `cot` of the angle at `at`.
+/// Cotangent of the angle at `at`.
 fn cotangent(at: Point, a: Point, b: Point) -> f64 {
     let (u, v) = (Vec3::from(a) - Vec3::from(at), Vec3::from(b) - Vec3::from(at));
     u.dot(v) / u.cross(v).length()
 }
 
-/// `sum_i |sum_j w_ij (l_j - l_i)|^2`, side of face by side of face.
+/// `sum_i |sum_j w_ij (l_j - l_i)|^2`, by face sides.
 fn smooth(mesh: &Mesh, l: &[Vec3<f64>], cotangents: bool) -> f64 {
     let mut rows = vec![Vec3::zero(); l.len()];
     let topology = Topology::new(mesh);
@@ -98,7 +98,7 @@ fn smoothness_is_that_of_eq_12_for_every_choice() {
     }
 }
 
-/// Of the grid of 4 by 3 quads: its first row five times as much, its first vertex not at all.
+/// For the grid of 4 by 3 quads: closeness of the first row times 5, of the first vertex times 0.
 const WEIGHTS: &str = r#""weights": [{ "on": { "set": "row" }, "weight": 5 },
     { "on": { "vertices": [0] }, "weight": 0 }]"#;
 const ROW: &str = r#", "sets": { "row": { "vertices": "0-4" } }, "weights": { "close": 2 }"#;
@@ -146,9 +146,9 @@ fn all_energies_add_up_to_the_total() {
 
 #[test]
 fn the_step_minimises_what_the_energies_say() {
-    // Every part is quadratic once its targets are given, and those of closeness to the rest
-    // positions and of smoothness are: one plain step goes to the minimum, where the energy can only
-    // rise, whichever vertex moves and wherever.
+    // Every part is quadratic for given targets, and the targets of closeness to the rest positions
+    // and of smoothness are fixed: one plain step reaches the minimum, from where the energy can
+    // only rise, whichever vertex moves in any direction.
     let mesh = grid(true);
     let rest = format!(
         r#"{ROW}, "closeness": {{ "to": "rest", {WEIGHTS} }}, "smoothness": {{ "of": "displacement" }},
@@ -195,7 +195,7 @@ fn without_mean_centring_the_energy_is_the_same_and_the_step_is_shorter() {
 
 #[test]
 fn a_part_all_of_whose_weights_are_zero_is_pinned() {
-    // Two grids; nothing keeps the second one close.
+    // Two grids; the second one has no closeness.
     let mut mesh = grid(false);
     let n = mesh.positions.len() as u32;
     let beside = mesh.positions.iter().map(|p| [p[0] + 9.0, p[1], p[2]]).collect::<Vec<_>>();
@@ -232,7 +232,7 @@ fn what_weighs_more_moves_less() {
         session.solve(false).expect("positions stay finite");
         let positions = session.positions();
         let of = |v: usize| squared(positions[v], mesh.positions[v]);
-        // A corner, and the sum over the inner vertices.
+        // Squared displacement of a corner, and the sum over the inner vertices.
         (of(4), [6, 7, 8, 11, 12, 13].map(of).iter().sum::<f64>())
     };
     let (some, more, none) = (moved(1.0), moved(100.0), moved(0.0));

@@ -1,4 +1,4 @@
-//! Constraints that are met, not weighed: what holds of every answer, and answers where there is none.
+//! Hard constraints: properties of every solution, and reports for problems without one.
 
 #[allow(dead_code, reason = "of its functions, the operators need a type only")]
 use crate::grid::grid;
@@ -11,7 +11,7 @@ use shape_up::math::{self, Vec3};
 use shape_up::mesh::{Mesh, Point};
 use shape_up::solve::{ExactAnswer, Handle, Hold, Require, Requirements, Stage};
 
-/// A square of quads over bumps, each vertex a little off.
+/// A square of quads over bumps, with each vertex slightly displaced.
 fn bumps(n: u32) -> Mesh {
     grid(n, n, |i, j| {
         let (x, y) = (f64::from(i), f64::from(j));
@@ -29,7 +29,7 @@ fn run(case: &Case, start: &[Point]) -> (Vec<Point>, ExactAnswer) {
     (positions, exact.answer())
 }
 
-/// The greatest distance of a point to the least-squares plane, and to the algebraic circle in it.
+/// Greatest distance of a point to the least-squares plane, and to the algebraic circle in it.
 fn plane_and_circle(points: &[Point]) -> [f64; 2] {
     let points: Vec<Vector3<f64>> = points.iter().map(|p| Vector3::from(*p)).collect();
     let mean = points.iter().sum::<Vector3<f64>>() / points.len() as f64;
@@ -38,7 +38,8 @@ fn plane_and_circle(points: &[Point]) -> [f64; 2] {
     let axes = SymmetricEigen::new(scatter);
     let normal = axes.eigenvectors.column(axes.eigenvalues.imin()).into_owned();
     let flat: Vec<Vector3<f64>> = away.iter().map(|v| v - normal * normal.dot(v)).collect();
-    // The centre c and s = r^2 - c^2 of 2 c . v + s = v^2, by least squares along two axes of the plane.
+    // The centre c and s = r^2 - c^2 of 2 c . v + s = v^2, by least squares along two axes of the
+    // plane.
     let e = flat
         .iter()
         .fold(Vector3::zeros(), |a: Vector3<f64>, v| if v.norm() > a.norm() { *v } else { a });
@@ -61,7 +62,7 @@ fn plane_and_circle(points: &[Point]) -> [f64; 2] {
     [off_plane.fold(0.0, f64::max), off_circle.fold(0.0, f64::max)]
 }
 
-/// The greatest of these distances over all faces with more than three corners.
+/// Greatest of these distances over all faces with more than three corners.
 pub(crate) fn worst_face(mesh: &Mesh, positions: &[Point], which: usize) -> f64 {
     let faces = mesh.faces.iter().filter(|face| face.len() > 3);
     let distances = faces.map(|face| {
@@ -71,7 +72,8 @@ pub(crate) fn worst_face(mesh: &Mesh, positions: &[Point], which: usize) -> f64 
     distances.fold(0.0, f64::max)
 }
 
-/// A real mesh all of whose faces are to be exact, and what an independent implementation found on it.
+/// A real mesh on which all faces are required to be exact, with the result of an independent
+/// implementation.
 pub(crate) struct Known {
     pub(crate) name: &'static str,
     pub(crate) case: Case,
@@ -81,13 +83,13 @@ pub(crate) struct Known {
 }
 
 impl Known {
-    /// The greatest distance of a corner to the plane or circle of its face, as a part of the size.
+    /// Greatest distance of a corner to the plane or circle of its face, relative to the diameter.
     pub(crate) fn worst(&self, positions: &[Point]) -> f64 {
         worst_face(&self.case.mesh, positions, usize::from(self.is_circle)) / self.diameter
     }
 }
 
-/// Those whose files are here.
+/// The cases whose files are present.
 pub(crate) fn known() -> impl Iterator<Item = Known> {
     let cases = [
         ("exact_tubemesh_circle", "compas_tubemesh.obj", "circle", None),
@@ -121,7 +123,8 @@ fn it_is_as_good_as_the_best_known_on_real_meshes() {
 
 #[test]
 fn an_approach_that_begins_slowly_is_not_cut_short() {
-    // Its first rounds hardly move anything: taken for a contradiction, they cost twenty times the energy.
+    // The first rounds hardly move anything: when this was taken for a contradiction, the energy
+    // was twenty times as high.
     let Some(mesh) = crate::shared::mesh("pillow_1.obj") else { return };
     let case = Case::new(mesh).on_faces("plane", Require::Exact);
     let start = case.soft();
@@ -134,7 +137,8 @@ fn an_approach_that_begins_slowly_is_not_cut_short() {
 
 #[test]
 fn circles_far_from_any_curvature_line_are_exact() {
-    // Many edges end on the guard. The first polish ended at 2e-5 of the size, and so did all others.
+    // Many edges end at the guard. The first polish ended at 2e-5 of the size, and so did all
+    // others.
     let Some(mesh) = crate::shared::mesh("horse_quad.obj") else { return };
     let case = Case::new(mesh).on_faces("circle", Require::Exact);
     let (positions, answer) = run(&case, &case.soft());
@@ -200,7 +204,7 @@ fn site_coordinates_cost_no_more_than_their_digits() {
     let far = Case::new(mesh).on_faces("circle", Require::Exact);
     let (positions, answer) = run(&far, &far.mesh.positions);
     assert!(answer.met, "{answer:?}");
-    // Coordinates have digits down to 2.3e-10 there.
+    // Coordinates of this size have a resolution of 2.3e-10.
     assert!(worst_face(&far.mesh, &positions, 1) <= 1e-9);
     assert!((answer.moved.max - expected.moved.max).abs() < 1e-4, "{answer:?} {expected:?}");
 }
@@ -216,7 +220,7 @@ fn one_length_too_many_is_named_and_all_else_is_met() {
     rows.sort_unstable();
     assert_eq!(rows, [1, 2], "{answer:?}");
     for unmet in &answer.unmet {
-        // Halfway between the lengths, each end misses by half of the difference to either.
+        // Halfway between the lengths, each end is off by half of the difference to either.
         assert!((unmet.distance - 0.05).abs() < 1e-3 && unmet.vertices == [14, 15], "{unmet:?}");
     }
     assert!(!answer.met);
@@ -291,7 +295,7 @@ fn it_can_be_stopped_after_any_round_and_begun_again() {
 fn what_is_too_large_to_be_exact_is_said_beforehand() {
     let mesh = bumps(67);
     let all: Vec<u32> = (0..mesh.positions.len() as u32).collect();
-    // One plane through all vertices couples each with each.
+    // One plane through all vertices couples every pair of vertices.
     let asked = |require| {
         let case = Case::new(mesh.clone()).with("plane", json!({}), [all.clone()], require);
         (case.nearest(0), case)
@@ -333,8 +337,7 @@ fn without_anything_to_stay_close_to_it_is_met_too() {
     assert!(answer.met, "{answer:?}");
 }
 
-/// The members of a kind on a mesh that has what it takes, and its parameters; none where it takes what no small
-/// mesh has.
+/// Members for the kind on a mesh with suitable elements; `None` if no small mesh has any.
 fn members(info: &Info) -> Option<(Mesh, Vec<Vec<u32>>)> {
     let mut mesh = bumps(4);
     let takes_quads = info.arity.fits(4) && info.elements.iter().all(|e| *e == Element::Face);
@@ -368,8 +371,8 @@ fn members(info: &Info) -> Option<(Mesh, Vec<Vec<u32>>)> {
     (n <= 5).then(|| (mesh, all.collect()))
 }
 
-/// The greatest distance of a point of a constraint to its projection by the operator itself, called as plain
-/// scalars: no batch, no shift, no metric.
+/// Greatest distance of a point of a constraint to its projection by the operator itself, called
+/// with plain scalars: no batch, no shift, no metric.
 fn miss(kind: &Kind, rest: &Mesh, positions: &[Point], members: &[u32]) -> f64 {
     let centred = |all: &[Point]| -> Vec<Vec3<f64>> {
         let mut points: Vec<_> = members.iter().map(|&v| Vec3::from(all[v as usize])).collect();
@@ -387,7 +390,7 @@ fn miss(kind: &Kind, rest: &Mesh, positions: &[Point], members: &[u32]) -> f64 {
     points.iter().zip(&projected).map(|(v, p)| (*v - *p).length()).fold(0.0, f64::max)
 }
 
-/// The greatest distance over all hard rows, without the kinds that have a place.
+/// Greatest distance over all hard rows, except for kinds with a fixed position.
 fn worst_miss(case: &Case, positions: &[Point]) -> f64 {
     let rows = case.rows.iter().zip(&case.requires);
     let hard =
@@ -398,7 +401,7 @@ fn worst_miss(case: &Case, positions: &[Point]) -> f64 {
     misses.fold(0.0, f64::max)
 }
 
-/// Positions, each off by up to a part of an edge.
+/// Positions, each displaced by up to a fraction of an edge.
 fn off(mesh: &Mesh, part: f64) -> Vec<Point> {
     let by = |v: usize, k: usize| part * (((v * 7 + k * 5) % 11) as f64 / 11.0 - 0.5);
     let points = mesh.positions.iter().enumerate();
@@ -407,13 +410,14 @@ fn off(mesh: &Mesh, part: f64) -> Vec<Point> {
 
 #[test]
 fn every_kind_can_be_exact() {
-    // Right angles at all corners make every quad flat, and the conditions dependent there: Newton's steps lose
-    // their pace before the last digits, and the polish has to go on as long as it gains.
+    // Right angles at all corners make every quad planar, where the conditions are dependent:
+    // Newton steps slow down before the last digits, and the polish has to continue as long as it
+    // gains.
     let mut tried = 0;
     for info in KINDS {
         let Some((mesh, members)) = members(info) else { continue };
         let mut case = Case::new(mesh).with(info.id, json!({}), members, Require::Exact);
-        // Some lengths are asked for that are shorter.
+        // Some kinds require lengths that are shorter.
         case.shortest_edge = None;
         let (positions, answer) = run(&case, &off(&case.mesh, 0.04));
         let worst = worst_miss(&case, &positions);
@@ -425,8 +429,8 @@ fn every_kind_can_be_exact() {
     assert!(tried >= 20, "{tried} kinds were tried");
 }
 
-/// Rounds of the approach that end before they have settled crumple a smooth surface: its way was many times as long
-/// as to exact panels.
+/// Rounds of the approach that ended before they settled crumpled a smooth surface: the
+/// displacement was many times as long as to exact panels.
 #[test]
 fn a_smooth_surface_is_within_a_tolerance_at_no_more_than_exactness_costs() {
     let mesh = grid(36, 36, |i, j| {

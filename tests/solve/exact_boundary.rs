@@ -1,5 +1,5 @@
-//! A boundary that is held exactly: on its curve after every iteration, gliding along it, corners fixed, energies
-//! that never rise.
+//! A boundary that is held exactly: on its curve after every iteration, gliding along it, with
+//! fixed corners and energies that never rise.
 
 use crate::meshes::grid;
 use shape_up::math::{Vec3, cosine};
@@ -27,8 +27,8 @@ fn opened(mesh: &Mesh, rest: &str) -> Session {
     Session::open(scene.expect("the scene is valid"), mesh.clone()).expect("it is regular")
 }
 
-/// The greatest distance of a boundary vertex from its own loop, by looking at each segment, and the greatest move
-/// of a corner.
+/// Greatest distance of a boundary vertex from its own loop, by brute force over the segments, and
+/// greatest displacement of a corner.
 fn off_curve(mesh: &Mesh, positions: &[Point]) -> [f64; 2] {
     let topology = Topology::new(mesh);
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
@@ -66,7 +66,8 @@ const OWN: &str = r#""constraints": [{ "kind": "plane", "on": "faces" }],
     "smoothness": { "of": "displacement", "weighting": "uniform" },
     "closeness": { "to": "rest", "boundary": { "require": "exact" } }"#;
 
-/// Iterates; the total must not rise, and the boundary be on its curve after every iteration.
+/// Iterates; after every iteration the total must not have risen and the boundary must be on its
+/// curve.
 fn run_on_curve(session: &mut Session, mesh: &Mesh, iterations: u32, name: &str) {
     let mut before = session.solver().energy().total;
     for k in 0..iterations {
@@ -97,7 +98,7 @@ fn on_real_meshes_the_boundary_is_on_its_curve_and_the_energy_never_rises() {
     }
 }
 
-/// What a soft boundary tends to with its weight, at less cost: the exact answer is no worse.
+/// The limit of a soft boundary for increasing weight: the exact result has no higher energy.
 #[test]
 fn its_energy_is_the_limit_of_soft_boundaries() {
     for file in ["M2_eq_quad2.obj", "compas_tubemesh.obj", "halftunnel.off"] {
@@ -134,7 +135,7 @@ fn vertices_glide_along_straight_sides_to_where_a_squared_grid_has_them() {
         "closeness": { "to": "none", "boundary": { "require": "exact" } }"#,
     );
     run_on_curve(&mut session, &mesh, 400, "graded");
-    // Sides of equal length that keep their corners: the squares are those of a regular grid.
+    // Sides of equal length with fixed corners: the squares are the cells of a regular grid.
     let positions = session.positions();
     for (v, p) in positions.iter().enumerate() {
         let expected = [(v % 9) as f64, (v / 9) as f64];

@@ -1,22 +1,22 @@
-//! Agreement with an independent implementation (slow, direct, double precision), whose energies
-//! over the iterations of the plain scheme lie in `../shared/expected`. Says so where they are absent.
+//! Agreement with an independent implementation (slow, direct, double precision): its energies over
+//! the iterations of the plain scheme are in `../shared/expected`. Reports their absence.
 
 use serde_json::Value;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{HandleSpec, Hold, Scene};
 use shape_up::session::Session;
 
-/// One case: the energies of `name`, a kind on a selector.
+/// One case: the expected energies `name` for a kind on a selector.
 struct Case {
     name: &'static str,
     mesh: &'static str,
     kind: &'static str,
     on: &'static str,
-    /// What else the scene says.
+    /// The other settings of the scene.
     settings: &'static str,
-    /// What is different from the mesh at rest.
+    /// Changes of the scene before the start.
     begin: fn(&mut Scene, &Mesh),
-    /// What happens before each iteration.
+    /// Called before each iteration.
     before: fn(&mut Session),
     /// Iterations to compare, and the relative tolerance of the energy.
     agreement: &'static [(u64, f64)],
@@ -38,7 +38,7 @@ const REST_DISPLACEMENT_GUARDED: &str = r#""closeness": { "to": "rest" },
     "smoothness": { "of": "displacement" }, "solver": { "monotone": true }"#;
 const UNCENTRED: &str = r#""solver": { "mean_centring": false }"#;
 
-/// A case like most of them.
+/// Defaults of the cases.
 const FACES: Case = Case {
     name: "",
     mesh: "",
@@ -50,8 +50,8 @@ const FACES: Case = Case {
     agreement: &[(300, 1e-9)],
 };
 
-// Of the three collapses of the knight, the one from a random start is not here: neither its start nor
-// the generator of it is told.
+// Of the three collapses of the knight, the one from a random start is missing: the reference gives
+// neither its start nor its generator.
 #[rustfmt::skip]
 const CASES: &[Case] = &[
     Case { name: "halftunnel_circle_5_10_2_surface_surface", mesh: HALFTUNNEL, kind: "circle", ..FACES },
@@ -61,9 +61,9 @@ const CASES: &[Case] = &[
     Case { name: "halftunnel_circle_5_10_2_vertex_displacement_guarded", mesh: HALFTUNNEL, kind: "circle", settings: REST_DISPLACEMENT_GUARDED, ..FACES },
     Case { name: "compas_hypar_circle_5_10_2_surface_displacement", mesh: HYPAR, kind: "circle", settings: SURFACE_DISPLACEMENT, ..FACES },
     Case { name: "compas_hypar_circle_5_10_2_vertex_displacement", mesh: HYPAR, kind: "circle", settings: REST_DISPLACEMENT, ..FACES },
-    // The mesh is its own mirror image in x = y, and six of its vertices come to lie exactly above
-    // a valley of the triangulated surface, where two points are equally close. Rounding decides
-    // which one is taken, and two runs may part by 2e-9 from the second iteration on.
+    // The mesh is symmetric about x = y, and six of its vertices come to lie exactly above a valley
+    // of the triangulated surface, where two points are equally close. Rounding decides between
+    // them, and two runs may differ by 2e-9 from the second iteration on.
     Case { name: "compas_hypar_plane_5_10_2_surface_displacement", mesh: HYPAR, kind: "plane", settings: SURFACE_DISPLACEMENT, agreement: &[(1, 1e-9), (20, 1e-8), (100, 1e-8)], ..FACES },
     Case { name: "M2_eq_quad2_circle_5_10_2_surface_displacement", mesh: SHELL, kind: "circle", settings: SURFACE_DISPLACEMENT, ..FACES },
     Case { name: "M2_eq_quad2_plane_5_10_2_surface_displacement", mesh: SHELL, kind: "plane", settings: SURFACE_DISPLACEMENT, ..FACES },
@@ -74,13 +74,13 @@ const CASES: &[Case] = &[
     Case { name: "tet_octopus-low", mesh: OCTOPUS, kind: "rigid", on: "tets", begin: turned_and_lifted, ..FACES },
 ];
 
-/// All vertices in one plane. Nothing holds them, so that the first is pinned.
+/// All vertices in one plane. They are not held, so the first is pinned.
 fn flattened(scene: &mut Scene, mesh: &Mesh) {
     scene.current = Some(mesh.positions.iter().map(|&[x, y, _]| [x, y, 0.0]).collect());
 }
 
-/// Without mean-centring nothing needs a pin; there, the first vertex has one more on the diagonal,
-/// which draws it to where it is.
+/// Without mean-centring no pin is needed. The reference adds one to the diagonal of the first
+/// vertex, which attracts it to its current position.
 fn flattened_and_held(scene: &mut Scene, mesh: &Mesh) {
     flattened(scene, mesh);
     let hold = Hold::Soft { weight: 1.0 };
@@ -92,7 +92,7 @@ fn hold_first_where_it_is(session: &mut Session) {
     session.drag([(0, first)]).expect("the targets are near");
 }
 
-/// The lowest 22 vertices stay; the highest 22 are turned by 90 degrees about the upright axis
+/// The lowest 22 vertices stay; the highest 22 are rotated by 90 degrees about the vertical axis
 /// through their mean, and moved.
 fn turned_and_lifted(scene: &mut Scene, mesh: &Mesh) {
     let at = |v: &u32| mesh.positions[*v as usize];

@@ -1,5 +1,5 @@
-//! The global step: both factorisations give the same shapes, and edits that keep the factor or its
-//! order end where opening the edited scene anew does.
+//! The global step: both factorisations give the same shapes, and edits that reuse the factor or
+//! its ordering give the same result as opening the edited scene.
 
 use crate::grid::grid;
 use crate::random::Random;
@@ -7,13 +7,13 @@ use shape_up::mesh::{Mesh, Point};
 use shape_up::scene::{Accelerator, Factorization, Scene, Weights};
 use shape_up::session::{Edit, NewConstraint, Session};
 
-/// The paper's problem A in small: circles, closeness to the surface, smoothness.
+/// The paper's problem A at a small size: circles, closeness to the surface, smoothness.
 const CIRCLES: &str = r#""constraints": [{ "kind": "circle", "on": "faces" }],
     "weights": { "shape": 5, "close": 10, "smooth": 2 }"#;
-/// Problem B in small: rigid tiles that only handles hold.
+/// Problem B at a small size: rigid tiles that are held by handles only.
 const TILES: &str = r#""constraints": [{ "kind": "rigid", "on": "faces" }],
     "handles": [{ "vertices": [0, 11], "weight": 100 }, { "vertices": [143], "fixed": true }]"#;
-/// A constraint of many vertices has an unknown of its own.
+/// A constraint of many vertices has its own unknown.
 const SPHERE: &str = r#""constraints": [{ "kind": "plane", "on": "faces" },
     { "kind": "sphere", "on": { "vertices": "0-59" } }], "weights": { "shape": 1, "close": 0.1 },
     "closeness": { "to": "rest" }"#;
@@ -62,7 +62,7 @@ fn both_factorisations_give_the_same_shapes() {
                 run(&mut session, 20);
                 (session.positions(), session.report().factor_nonzeros)
             });
-            // In single precision the two round differently, and the steps are not the same.
+            // In single precision the two round differently, so the steps differ.
             let tolerance = if accelerator == Accelerator::None { 1e-11 } else { 1e-4 };
             let [(own, own_nonzeros), (reference, nonzeros)] = &shapes;
             let far = farthest(own, reference);
@@ -72,7 +72,7 @@ fn both_factorisations_give_the_same_shapes() {
     }
 }
 
-/// One plain step of the edited session against one of a session that is opened on the same scene.
+/// Compares one plain step of the edited session with one of a session opened on the same scene.
 fn check_as_opened_anew(session: &mut Session, seed: u64, what: &str) {
     let mut anew = open(&session.scene(), seed);
     let (energy, expected) = (session.solver().energy(), anew.solver().energy());
@@ -169,8 +169,9 @@ fn a_refused_weight_leaves_everything_as_it_was() {
 
 #[test]
 fn at_the_upper_end_a_global_step_reads_few_numbers_for_each_vertex() {
-    // What a global step takes is the time to read the factor once forward and once back: its numbers are the
-    // bound of the interactive rate that no load of the machine changes. 78.6 for each vertex here.
+    // The time of a global step is the time to read the factor once forward and once backward: its
+    // number of entries bounds the interactive rate independently of machine load. Here 78.6 per
+    // vertex.
     let mesh =
         grid(169, 169, |i, j| [f64::from(i), f64::from(j), f64::from((i * 5 + j * 7) % 4) / 8.0]);
     let vertices = mesh.positions.len();

@@ -1,4 +1,4 @@
-//! From an exact shape to a better one: it never costs energy, and never exactness.
+//! Improving an exact shape: the energy never rises, and the shape stays exact.
 
 use crate::exact::{Known, known, worst_face};
 use crate::grid::grid;
@@ -42,7 +42,7 @@ fn a_poor_valley_is_left() {
     assert!(after < 0.7 * before, "{before} to {after}");
 }
 
-/// Bumps whose vertices are off by these, with one handle that is pulled.
+/// Bumps displaced by `off`, with one pulled handle.
 fn pulled(off: &[f64], kind: &str, pull: f64) -> Case {
     let n = 5;
     let mesh: Mesh = grid(n, n, |i, j| {

@@ -1,4 +1,5 @@
-//! The solver: energies, factors, hard constraints, maps; against definitions and an independent implementation.
+//! The solver: energies, factors, hard constraints and maps, against definitions and an independent
+//! implementation.
 
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 

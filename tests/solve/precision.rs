@@ -1,5 +1,5 @@
-//! Accelerated steps are made in single precision. Nobody should notice: not in the units of the mesh,
-//! not in its weights, not in where it ends.
+//! Accelerated steps use single precision. This must not be noticeable for any unit of the mesh,
+//! any weights, or in the final shape.
 
 use crate::grid::grid;
 use shape_up::mesh::{Mesh, Point};
@@ -89,7 +89,7 @@ fn what_is_far_from_the_origin_moves_as_it_does_near_it() {
 
 #[test]
 fn weights_far_apart_neither_stop_nor_mislead_it() {
-    // What an f32 factor loses: something stiff that moves as a whole against something weak.
+    // The weak point of an f32 factor: a stiff part that moves as a whole against a weak one.
     for (shape, close, handle) in
         [(1.0, 1e-6, 1e4), (1e6, 1e-6, 1.0), (1e-6, 1e-9, 1e6), (1e3, 1e-7, 1e-4)]
     {
@@ -132,8 +132,9 @@ fn it_converges_to_the_last_digits_of_double_precision() {
 
 #[test]
 fn plain_steps_on_a_large_mesh_are_those_of_its_parts() {
-    // Large factors are in single precision for plain steps too, small ones in double. Copies of one part, which
-    // share nothing, are large together: each shall move as it does alone, and as far.
+    // Large factors are in single precision for plain steps too, small ones in double. Many
+    // disconnected copies of one part make a large factor: each must move in the same direction and
+    // as far as alone.
     const COPIES: usize = 50;
     let one = bumpy(20);
     let n = one.positions.len();

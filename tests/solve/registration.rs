@@ -1,5 +1,5 @@
-//! Other uses of paper section 6 with a second file: closeness to another surface, to which panels come to lie on
-//! it (registration), and the shapes of another pose (deformation transfer).
+//! Other uses from paper section 6, with a second file: closeness to another surface, which
+//! attracts the panels (registration), and the shapes of another pose (deformation transfer).
 
 use crate::meshes::grid;
 use shape_up::math::{cosine, sine};
@@ -7,7 +7,7 @@ use shape_up::mesh::{Mesh, Point, Ragged, Surface, write_obj};
 use shape_up::scene::{Scene, SceneError};
 use shape_up::session::{Edit, Session};
 
-/// A wave over the square from -1 to 1, of triangles that have nothing in common with the panels.
+/// A wave over the square from -1 to 1, of triangles that are unrelated to the panels.
 fn wave() -> Mesh {
     let quads = grid(37, 31, |i, j| {
         let [x, y] = [f64::from(i) / 18.5 - 1.0, f64::from(j) / 15.5 - 1.0];
@@ -21,7 +21,7 @@ fn panels() -> Mesh {
     grid(12, 12, |i, j| [f64::from(i) / 6.7 - 0.9, f64::from(j) / 6.7 - 0.9, 0.4])
 }
 
-/// The greatest distance from the surface, by a search of its own.
+/// Greatest distance from the surface, by a separate search.
 fn off(surface: &Mesh, positions: &[Point]) -> f64 {
     let surface = Surface::new(&surface.positions, surface);
     let distance = |p: &Point| {
@@ -77,7 +77,7 @@ fn a_file_is_fitted_to_in_one_step_that_is_undone_and_shared() {
     session.edit(fit).expect("it is a mesh");
     session.solve(false).expect("positions stay finite");
     assert!(off(&wave(), &session.positions()) < 5e-3);
-    // What is shared has the surface inside.
+    // A shared scene contains the surface.
     let shared = session.scene_with_mesh();
     let again = Scene::from_json(&shared).expect("it is valid");
     assert_eq!(again.closeness, session.scene().closeness);
@@ -106,7 +106,7 @@ fn a_file_that_was_not_read_is_named_and_other_words_are_refused() {
 
 #[test]
 fn the_shapes_of_another_pose_are_taken_in_one_step_and_left_in_another() {
-    // A sheet, and the same one rolled up: it stays where its first column is.
+    // A sheet, and the same sheet rolled up: its first column stays.
     let flat = grid(6, 2, |i, j| [f64::from(i), f64::from(j), 0.0]);
     let rolled = grid(6, 2, |i, j| {
         let turn = f64::from(i) / 24.0;
@@ -126,14 +126,14 @@ fn the_shapes_of_another_pose_are_taken_in_one_step_and_left_in_another() {
     };
     session.edit(take(&rolled)).expect("it has the same faces");
     session.solve(false).expect("positions stay finite");
-    // As far between its ends as the rolled one, which is 6 long when it is flat.
+    // The distance between its ends is that of the rolled sheet; it is 6 for the flat one.
     let across = |positions: &[Point]| {
         let [a, b] = [positions[0], positions[6]];
         (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
     };
     let (found, wanted) = (across(&session.positions()), across(&rolled.positions));
     assert!((found - wanted).abs() < 0.2, "{found} {wanted}");
-    // What is shared has the pose inside.
+    // A shared scene contains the pose.
     let again = Scene::from_json(&session.scene_with_mesh()).expect("it is valid");
     assert_eq!(again.pose, session.scene().pose);
     session.edit(Edit::LeavePose).expect("there is one");

@@ -1,4 +1,5 @@
-//! Ways to change a shape while its hard constraints stay met: what holds of every mode and of every step.
+//! Variations of a shape whose hard constraints stay met: properties of every mode and of every
+//! step.
 
 use crate::grid::grid;
 use crate::hard::Case;
@@ -7,7 +8,8 @@ use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point};
 use shape_up::solve::{Handle, Hold, Require, SLIDE, ShapeSpace};
 
-/// A part of a torus along its lines of curvature, on which all circles are met; symmetric in x and y.
+/// A part of a torus along its lines of curvature, on which all circles are met; symmetric in x and
+/// y.
 fn torus(n: u32) -> Mesh {
     grid(n, n, |i, j| {
         let angle = |k: u32, range: f64| range * (f64::from(k) / f64::from(n) - 0.5);
@@ -26,7 +28,7 @@ fn exact_case(mesh: Mesh, kind: &str) -> (Case, Vec<Point>) {
     (case, positions)
 }
 
-/// With all modes, and, where they are asked for, their ranges.
+/// The shape space with all modes and, if requested, their ranges.
 fn space(case: &Case, shape: &[Point], ranges: bool) -> ShapeSpace {
     let mut space = case.shape_space(shape);
     while (ranges || !space.has_modes()) && space.step().expect("its systems are regular") {}
@@ -57,7 +59,8 @@ fn a_step_stays_tangent_to_a_millionth_of_it() {
                 coefficients[k] = coefficient;
                 space.measure(&space.towards(&coefficients)).max_distance / case.size()
             };
-            // What curves away grows by the square of the step; what is left of this small one is not tangent.
+            // The curvature error grows with the square of the step; at this small step the rest is
+            // an error of the tangent.
             let step = 1e-6;
             assert!(distance(step) <= 1e-6 * step + 1e-11 * step.sqrt(), "{kind}, mode {k}");
         }
@@ -92,7 +95,7 @@ fn modes_are_the_softest_first_apart_from_motions_and_from_each_other() {
     }
 }
 
-/// The diagonal of the bounding box, by which coefficients are measured.
+/// Diagonal of the bounding box, the unit of the coefficients.
 fn space_size(case: &Case) -> f64 {
     let side = |c: usize| {
         let values = || case.mesh.positions.iter().map(|p| p[c]);
@@ -123,10 +126,11 @@ fn steps_and_sums_of_them_end_on_the_constraints_and_nothing_stays() {
         let reached = space.go(&sum).expect("its systems are regular");
         assert!(reached.part == 1.0 && reached.answer.met);
         assert!(reached.answer.moved.max >= 0.01 * case.size());
-        // The same step from the same shape is the same, and none leaves every bit in its place.
+        // The same step from the same shape gives the same bits, and a step of zero leaves every
+        // bit.
         assert_eq!(space.go(&sum).expect("regular").positions, reached.positions);
         assert_eq!(space.go(&[0.0; 8]).expect("regular").positions, shape);
-        // From there, nothing brings it elsewhere.
+        // A step of zero from there leaves the shape.
         let again = self::space(&case, &reached.positions, false).go(&[0.0; 8]);
         assert_eq!(again.expect("regular").positions, reached.positions);
     }
@@ -136,7 +140,7 @@ fn steps_and_sums_of_them_end_on_the_constraints_and_nothing_stays() {
 fn modes_turn_and_grow_with_the_shape() {
     let (case, shape) = exact_case(torus(6), "circle");
     let plain = space(&case, &shape, false);
-    // A turn about x and y with rational entries, three times the size, and far away.
+    // A rotation about y and x with rational entries, three times the size, and far away.
     let moved = |p: &Point| {
         let q = [0.8 * p[0] + 0.6 * p[2], p[1], -0.6 * p[0] + 0.8 * p[2]];
         let r = [q[0], 0.28 * q[1] - 0.96 * q[2], 0.96 * q[1] + 0.28 * q[2]];
