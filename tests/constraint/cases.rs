@@ -1,4 +1,4 @@
-//! What the properties of every kind are tried on: kinds, numbers of points, and points.
+//! Test inputs for the properties of every kind: kinds, numbers of points, and points.
 
 use crate::project::project;
 use crate::random::{Points, Random, centred, farthest, in_frame, size};
@@ -8,7 +8,7 @@ use shape_up::constraint::{Arity, Centring, Form, Info, KINDS, Kind, Param};
 use shape_up::math::Vec3;
 use std::fmt;
 
-/// One constraint to try: centred points and centred rest points.
+/// One test input: centred points and centred rest points.
 pub(crate) struct Case {
     pub(crate) kind: Kind,
     pub(crate) shape: Shape,
@@ -46,7 +46,7 @@ impl Case {
     }
 }
 
-/// The points, centred as a kind declares.
+/// The points, centred as the kind declares.
 pub(crate) fn centred_as(centring: Centring, points: &[Vec3<f64>]) -> Points {
     match centring {
         Centring::Together => centred(points),
@@ -55,7 +55,7 @@ pub(crate) fn centred_as(centring: Centring, points: &[Vec3<f64>]) -> Points {
     }
 }
 
-/// Every kind with the parameters of each of its accounts.
+/// Every kind with the parameters of each of its descriptions.
 pub(crate) fn kinds() -> Vec<(Kind, Shape)> {
     let with_accounts = KINDS.iter().flat_map(|info| {
         let accounts = shapes(info).into_iter();
@@ -69,7 +69,7 @@ pub(crate) fn kind(id: &str, params: Value) -> Kind {
     Kind::new(id, params).unwrap_or_else(|error| panic!("{id}: {error:?}"))
 }
 
-/// The kind with its parameters changed one by one.
+/// The kind with each parameter changed by `change`.
 pub(crate) fn with_params(kind: &Kind, change: impl Fn(&Param, Value) -> Value) -> Kind {
     let info = kind.info();
     let mut params = kind.params();
@@ -79,7 +79,7 @@ pub(crate) fn with_params(kind: &Kind, change: impl Fn(&Param, Value) -> Value) 
     self::kind(info.id, params)
 }
 
-/// What the kind means when all lengths are `scale` times as great.
+/// The equivalent kind for lengths multiplied by `scale`.
 pub(crate) fn scaled(kind: &Kind, scale: f64) -> Kind {
     with_params(kind, |param, value| {
         let factor = match param.unit {
@@ -96,7 +96,7 @@ pub(crate) fn scaled(kind: &Kind, scale: f64) -> Kind {
     })
 }
 
-/// What the kind means when space is turned.
+/// The equivalent kind in rotated space.
 pub(crate) fn turned(kind: &Kind, frame: [Vec3<f64>; 3]) -> Kind {
     with_params(kind, |param, value| match value.as_array().map(Vec::as_slice) {
         Some([x, y, z]) if param.forms.contains(&Form::Vector) => {
@@ -107,7 +107,8 @@ pub(crate) fn turned(kind: &Kind, frame: [Vec3<f64>; 3]) -> Kind {
     })
 }
 
-/// Whether the kind knows directions or places in space, so that its rest shape has to move along.
+/// Whether the kind depends on directions or positions in space, so that its rest shape has to move
+/// along.
 pub(crate) fn is_oriented(kind: &Kind) -> bool {
     let info = kind.info();
     let params = kind.params();
@@ -152,7 +153,7 @@ pub(crate) fn cases(seeds: u64) -> Vec<Case> {
     cases
 }
 
-/// The same of the kinds whose set is told.
+/// The same, only for kinds with a described set.
 pub(crate) fn told(seeds: u64) -> impl Iterator<Item = Case> {
     cases(seeds).into_iter().filter(|case| case.shape.tells_the_set)
 }

@@ -1,5 +1,5 @@
-//! The one property suite over the list of kinds: a new kind is tested by existing. What a kind
-//! means is told independently in `support/shapes`: with that it is also compared with its set.
+//! The property suite over the list of kinds, which covers a new kind automatically. With an
+//! independent description in `support/shapes`, a kind is also compared with its set.
 
 use crate::cases::{
     Case, assert_close, cases, centred_as, is_oriented, kind, kinds, scaled, sizes, told, turned,
@@ -35,7 +35,7 @@ fn every_kind_is_declared_for_people() {
         }
         assert_eq!(shapes(info)[0].exact, info.exact, "{id}: whether it is exact");
         let of_id = kinds().into_iter().filter(|(kind, _)| kind.info().id == id);
-        // Least-squares lines were declared exact, because the closest rectangle is.
+        // Least-squares lines were declared exact, as is the closest rectangle.
         of_id.for_each(|(kind, shape)| assert_eq!(kind.is_exact(), shape.exact, "{kind:?}"));
         for param in info.params {
             let [least, greatest] = param.range;
@@ -112,7 +112,7 @@ fn equivariant_under_rigid_motion() {
     }
 }
 
-/// A rest shape says what it is, not where.
+/// Only the shape of the rest points counts, not their position.
 #[test]
 fn the_place_of_the_rest_shape_does_not_matter() {
     for case in cases(40).into_iter().filter(|case| !is_oriented(&case.kind)) {
@@ -151,9 +151,8 @@ fn equivariant_under_relabelling() {
     }
 }
 
-/// Bit for bit: a lane goes through the same operations as a scalar, in the same order, and IEEE 754
-/// leaves no choice about their results. A lane that needs the accurate path does not disturb its
-/// neighbours.
+/// Bit for bit: a lane performs the same operations as a scalar, in the same order, and IEEE 754
+/// defines their results. A lane that needs the accurate path does not disturb its neighbours.
 #[test]
 fn lanes_and_scalars_give_the_same_bits() {
     let cases = cases(80);
@@ -192,7 +191,7 @@ fn exact_projections_are_never_farther_than_brute_force_finds() {
     }
 }
 
-/// The bounds are in `support/shapes`; what is measured is printed (`--nocapture`).
+/// The bounds are in `support/shapes`; the measured values are printed (`--nocapture`).
 #[test]
 fn approximate_projections_stay_within_their_stated_excess() {
     for (kind, shape) in
@@ -254,7 +253,7 @@ fn finite_and_feasible_on_degenerate_input() {
                 }
                 let projected = project(&kind, &rest, &points);
                 let found = centred_as(info.centring, &projected);
-                // All points have met, as far as rounding lets them.
+                // All points coincide, up to rounding.
                 if size(&found) <= 1e-15 * size(&projected) || !shape.tells_the_set {
                     continue;
                 }
@@ -269,7 +268,7 @@ fn finite_and_feasible_on_degenerate_input() {
     }
 }
 
-/// Where many are equally close, any of them will do, but nothing farther.
+/// If many points are equally close, any of them is accepted, but none that is farther.
 #[test]
 fn exact_projections_are_closest_on_degenerate_input_too() {
     for (kind, shape) in kinds().into_iter().filter(|(_, shape)| shape.exact && shape.tells_the_set)
@@ -278,7 +277,7 @@ fn exact_projections_are_closest_on_degenerate_input_too() {
         for n in sizes(kind.info()).into_iter().filter(|n| *n <= 6) {
             let rest = centred_as(centring, &(shape.rest)(&mut Random::new(1), n));
             for (name, set) in degenerate(n) {
-                // Twice: far away, the first mean is off by its own rounding.
+                // Twice: far away, the first mean has a rounding error.
                 let points = centred_as(centring, &centred_as(centring, &set));
                 if size(&points) == 0.0 {
                     continue;
@@ -346,7 +345,7 @@ fn exact_projections_have_the_gradient_of_appendix_a() {
     }
 }
 
-/// The set of a shape is translated into itself, so the closest point to centred points is centred.
+/// The set of a shape is translation-invariant, so the closest point to centred points is centred.
 #[test]
 fn centring_a_projection_again_brings_it_nearer() {
     for case in cases(80) {

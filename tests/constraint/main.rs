@@ -1,4 +1,4 @@
-//! Operators and selectors: what holds of every kind, and what holds of one.
+//! Operators and selectors: properties of every kind, and of single kinds.
 
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 

@@ -1,5 +1,5 @@
-//! Circles and spheres whose radius is given: far from the radius of the vertices, at the limits, in
-//! degenerate places, and what is drawn of them.
+//! Circles and spheres of given radius: far from the radius of the vertices, at the limits, on
+//! degenerate points, and their drawing.
 
 use crate::project::project;
 use crate::random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
@@ -20,8 +20,8 @@ fn with_radius(id: &str, radius: Value) -> Kind {
     Kind::new(id, json!({ "radius": radius })).expect("the radius is valid")
 }
 
-/// Vertices near a circle (or sphere) of radius one, in the plane of x and y (in space); `cap` of 1 is all of it, and less
-/// a part of it.
+/// Vertices near a unit circle in the xy plane, or a unit sphere; `cap` is the fraction of it that
+/// is covered.
 fn near_round(random: &mut Random, id: &str, n: usize, cap: f64, noise: f64) -> Points {
     let mut point = || {
         let v = random.vector();
@@ -33,14 +33,15 @@ fn near_round(random: &mut Random, id: &str, n: usize, cap: f64, noise: f64) -> 
     centred(&std::iter::repeat_with(&mut point).flatten().take(n).collect::<Points>())
 }
 
-/// The least sum of squared distances to a circle (in the plane of the points) or sphere with this radius:
-/// from many starts the centre goes to where the projections have the mean of the points.
+/// Least sum of squared distances to a circle (in the plane of the points) or sphere of this
+/// radius: from many starts, the centre is iterated until the projections have the mean of the
+/// points.
 fn least_distance_squared(points: &Points, radius: f64, random: &mut Random) -> f64 {
     let energy =
         |c: Vec3<f64>| -> f64 { points.iter().map(|v| ((*v - c).length() - radius).powi(2)).sum() };
     let mut least = f64::INFINITY;
     for _ in 0..12 {
-        // Combinations of points are in their plane.
+        // Linear combinations of the points are in their plane.
         let mut c = points.iter().fold(Vec3::zero(), |sum, v| sum + *v * random.uniform());
         for _ in 0..3000 {
             let sum = points.iter().fold(Vec3::zero(), |sum, v| {
@@ -152,12 +153,12 @@ fn degenerate_places_are_as_documented() {
     };
     for id in ["circle", "sphere"] {
         assert_eq!(apart(&equal, id, 2.0), 0.0, "{id}: coincident vertices moved");
-        // The arc over the line is as high as its sagitta, and no vertex goes all of it.
+        // The arc over the line is as high as its sagitta, and no vertex moves as far as that.
         let (moved, sagitta) = (apart(&line, id, 2.0), 2.0 - 3.0f64.sqrt());
         assert!(moved > 0.2 * sagitta && moved < sagitta, "{id}: a line moved by {moved}");
         assert!(apart(&line, id, 1e7) <= 1e-14, "{id}: a straight line moved");
     }
-    // These are on a sphere of any radius that is great enough already.
+    // These are on a sphere of any radius that is large enough.
     assert!(apart(&square, "sphere", 1.6) <= 1e-3, "a square moved");
     assert!(apart(&square, "sphere", 1e7) <= 1e-14, "a square moved");
     let line_drawn = with_radius("circle", json!(1e7)).visit(Draw(&line));
@@ -168,7 +169,7 @@ fn degenerate_places_are_as_documented() {
 
 #[test]
 fn a_radius_of_zero_takes_all_points_to_their_mean() {
-    // A point at the centre has no direction from it, and its distance was divided by the radius.
+    // A point at the centre has no direction, and its distance was divided by the radius.
     let cross = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0], [0.0, 0.0]];
     let line = [[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [-2.0, 0.0]];
     for points in [cross, line, [[0.0; 2]; 5]] {

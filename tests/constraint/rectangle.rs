@@ -1,5 +1,5 @@
-//! The rectangle of the paper (Eq. 10) against the method that it names, written down with nalgebra:
-//! least-squares plane, QR decomposition, eigenvector of a 2x2 matrix, intersections of lines.
+//! The rectangle of the paper (Eq. 10) against its method, implemented with nalgebra: least-squares
+//! plane, QR decomposition, eigenvector of a 2x2 matrix, intersections of lines.
 
 use crate::random::{Points, Random, centred, farthest, in_frame, size};
 use nalgebra::{Matrix2, Matrix3, SMatrix, SymmetricEigen, Vector2, Vector3};
@@ -41,7 +41,7 @@ fn intersected_lines(v: &[Vector2<f64>]) -> [Vector2<f64>; 4] {
     let offsets: Matrix2<f64> = r.fixed_view::<2, 2>(0, 0).into_owned();
     let right: Vector2<f64> = -(r.fixed_view::<2, 2>(0, 2) * n);
     let c = offsets.solve_upper_triangular(&right).expect("the columns are independent");
-    // c1 + n.v = 0 and c2 + n'.v = 0, and both with the other sign opposite.
+    // c1 + n.v = 0 and c2 + n'.v = 0, and the opposite lines with the other sign.
     let across = Vector2::new(-n.y, n.x);
     let corner = |first: f64, second: f64| n * (-first * c[0]) + across * (-second * c[1]);
     [corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0), corner(-1.0, -1.0)]
@@ -75,7 +75,7 @@ fn fitting_lines_agrees_with_equation_10() {
     assert!(apart > 1e-2, "the two fits are the same");
 }
 
-/// The plane is all in which the two fits differ.
+/// The two fits differ only in the plane.
 #[test]
 fn of_a_planar_quad_both_fits_are_the_same() {
     for seed in 0..200 {

@@ -1,5 +1,5 @@
-//! Relative shapes (paper section 3.2) against the methods that the paper names, written down with
-//! nalgebra, and what is special about them.
+//! Relative shapes (paper section 3.2) against the paper's methods, implemented with nalgebra, and
+//! their special cases.
 
 use crate::random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
 use nalgebra::{DMatrix, Matrix3, SymmetricEigen, Vector3};
@@ -21,7 +21,7 @@ fn cloud(random: &mut Random, n: usize, sides: [f64; 3]) -> Points {
     centred(&points)
 }
 
-/// Turned at random and disturbed.
+/// The rest points, rotated at random and disturbed.
 fn moved(random: &mut Random, rest: &Points, noise: f64) -> Points {
     let frame = random.frame();
     let points: Points =
@@ -78,7 +78,7 @@ impl KindVisitor for ClosedForm<'_> {
     }
 }
 
-/// Speed rests on it: what meshes are made of does not need the careful path. Regular solids, whose
+/// The speed depends on it: common shapes do not need the careful path. Regular solids, whose
 /// singular values are equal, are the hard case.
 #[test]
 fn the_closed_form_serves_ordinary_shapes() {
@@ -150,7 +150,7 @@ fn the_scale_stays_within_its_limits_and_is_the_best_there() {
     }
 }
 
-/// Eq. 7 and 8 word for word: `P = A (A^T A)^-1 A^T` of the flattened rest points, applied to the
+/// Eq. 7 and 8 literally: `P = A (A^T A)^-1 A^T` of the flattened rest points, applied to the
 /// flattened points, for both orientations of their plane.
 fn eq_8(rest: &Points, points: &Points) -> Points {
     let flat = |points: &Points| {
@@ -209,7 +209,7 @@ fn two_vertices_keep_their_distance() {
     assert!(farthest(&project("similar", json!({}), &rest, &points), &points) <= 1e-14);
 }
 
-/// The paper's Fig. 10 begins with it.
+/// The paper's Fig. 10 starts with this case.
 #[test]
 fn collapsed_vertices_take_the_rest_shape_as_it_is() {
     let rest = cloud(&mut Random::new(3), 6, [1.0, 1.0, 1.0]);

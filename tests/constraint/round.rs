@@ -1,5 +1,4 @@
-//! Circle and sphere where they are delicate: shallow arcs and caps, their limits, and what is
-//! drawn of them.
+//! Difficult cases of circle and sphere: shallow arcs and caps, their limits, and their drawing.
 
 use crate::random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
 use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen, Vector3};
@@ -28,8 +27,8 @@ fn placed(frame: [Vec3<f64>; 3], points: &[Vec3<f64>]) -> Points {
     points.iter().map(|v| in_frame(frame, *v)).collect()
 }
 
-/// Paper section 3.1 word for word, with nalgebra: the plane of the two greatest eigenvectors, and
-/// the centre of Thomas and Chan from a 2x2 system in it.
+/// Paper section 3.1 literally, with nalgebra: the plane of the two greatest eigenvectors, and the
+/// centre of Thomas and Chan from a 2x2 system in it.
 fn plane_then_fit(v: &Points) -> Points {
     let points: Vec<Vector3<f64>> = v.iter().map(|p| Vector3::new(p.x, p.y, p.z)).collect();
     let scatter: Matrix3<f64> = points.iter().map(|p| p * p.transpose()).sum();
@@ -113,7 +112,7 @@ fn sphere_agrees_with_linear_least_squares() {
     }
 }
 
-/// Height over the tangent at the middle of a circle on which a half chord of one has this sagitta.
+/// Height above the tangent at the middle of an arc; `sagitta` is for a half chord of one.
 fn height(sagitta: f64, square: f64) -> f64 {
     let radius = (1.0 + sagitta * sagitta) / (2.0 * sagitta);
     square / (radius + (radius * radius - square).sqrt())
@@ -146,7 +145,7 @@ fn shallow_arcs_and_caps_stay() {
     }
 }
 
-/// Heights are solved for in units of the sagitta, where the least-squares problem is well
+/// Heights are solved for in units of the sagitta, for which the least-squares problem is well
 /// conditioned; the step to a circle of such a radius is its first-order distance.
 #[test]
 fn disturbed_shallow_arcs_and_caps_are_right() {

@@ -1,4 +1,4 @@
-//! Selectors: which vertices the constraints of a scene act on.
+//! Selectors: the vertices that the constraints of a scene act on.
 
 use crate::meshes::{mixed, wavy};
 use proptest::prelude::*;
@@ -78,7 +78,7 @@ fn a_set_with_faces_keeps_those_and_one_with_vertices_the_faces_inside() {
 #[test]
 fn a_radius_adds_rings_of_neighbours_after_the_element() {
     let grown = rows(&each(Element::Face, Some("corner"), 1));
-    // The curve from 0 over 5 to 10 makes 10 a neighbour of 5.
+    // The curve from 0 through 5 to 10 makes 10 a neighbour of 5.
     assert_eq!(grown, [[0, 1, 5, 4, 2, 6, 8, 9, 10]]);
 }
 
@@ -109,7 +109,7 @@ fn curves_are_those_of_the_file_and_the_straight_lines_of_the_grid() {
     assert_eq!(curves[1], [1, 2, 6, 5]);
     assert_eq!(curves.len(), 2 + 4 + 4);
     assert!(curves[2..].iter().all(|line| line.len() == 4));
-    // A group of curves keeps those, and the lines that lie in it.
+    // A group of curves selects its curves, and the lines within it.
     assert_eq!(rows(&each(Element::Curve, Some("ribs"), 0)), [[1, 2, 6, 5]]);
 }
 
@@ -120,7 +120,7 @@ fn polylines_and_edge_lines_can_be_had_apart_and_sets_restrict_both() {
     let lines = rows(&each(Element::EdgeLine, None, 0));
     assert_eq!(lines.len(), 4 + 4);
     assert_eq!(lines, rows(&each(Element::Curve, None, 0))[2..]);
-    // A group that lists curves keeps these; one of faces those that lie in it.
+    // A group of curves selects its curves, a group of faces the lines within it.
     assert_eq!(rows(&each(Element::Polyline, Some("ribs"), 0)), [[1, 2, 6, 5]]);
     assert!(rows(&each(Element::EdgeLine, Some("ribs"), 0)).is_empty());
     let mesh = roof();
@@ -133,7 +133,7 @@ fn polylines_and_edge_lines_can_be_had_apart_and_sets_restrict_both() {
     assert_eq!(left(Element::EdgeLine), [[0, 4, 8, 12], [1, 5, 9, 13]]);
 }
 
-/// Each of the two was a constraint of its own, so that the same vertices were pulled twice as much.
+/// Both were separate constraints, so the same vertices were pulled twice as much.
 #[test]
 fn a_polyline_along_an_edge_line_counts_once() {
     let curves = |polylines: &[&[u32]], within: Option<&str>| {
@@ -152,21 +152,21 @@ fn a_polyline_along_an_edge_line_counts_once() {
         found.expect("it is valid").iter().map(<[u32]>::to_vec).collect::<Vec<_>>()
     };
     let all_lines = 4 + 4;
-    // The same one in either direction: it is that of the file.
+    // The same line in either direction: the direction of the file is kept.
     for polyline in [[4, 5, 6, 7], [7, 6, 5, 4]] {
         let found = curves(&[&polyline], None);
         assert_eq!((found.len(), &found[0][..]), (all_lines, &polyline[..]));
         assert!(found[1..].iter().all(|line| line != &[4, 5, 6, 7]));
         assert_eq!(curves(&[&polyline], Some("ribs")), [polyline]);
     }
-    // A part of a line is in the line, unless that is not in the group.
+    // A part of a line is covered by the line, unless the line is not in the group.
     assert_eq!(curves(&[&[5, 6, 7]], None).len(), all_lines);
     assert_eq!(curves(&[&[5, 6, 7], &[4, 5, 6, 7]], None).len(), all_lines);
     assert_eq!(curves(&[&[5, 6, 7]], Some("ribs")), [[5, 6, 7]]);
-    // One that turns from line to line covers those that it has as a whole.
+    // A polyline that turns from line to line covers the lines that it contains whole.
     let turning = curves(&[&[4, 5, 6, 7, 11, 15]], None);
     assert_eq!((turning.len(), &turning[0][..]), (all_lines, &[4, 5, 6, 7, 11, 15][..]));
-    // Neither of two that only meet, or of which one skips a vertex, runs along the other.
+    // Two lines that only meet, or of which one skips a vertex, do not cover each other.
     assert_eq!(curves(&[&[4, 5, 9]], None).len(), all_lines + 1);
     assert_eq!(curves(&[&[4, 6, 7]], None).len(), all_lines + 1);
 }
@@ -195,7 +195,7 @@ fn corners_stars_and_hinges_come_in_the_order_of_their_meaning() {
     let corners = of(&mesh, Element::Corner, None);
     assert_eq!(corners.len(), 4 * 9);
     assert_eq!(corners[..4], [[4, 0, 1], [0, 1, 5], [1, 5, 4], [5, 4, 0]]);
-    // The corners of the faces that a set lists.
+    // The corners of the faces of a set.
     assert_eq!(of(&mesh, Element::Corner, Some("skylight")).len(), 8);
     let stars = of(&mesh, Element::Star, None);
     assert_eq!(stars[0], [5, 1, 4, 9, 6]);
@@ -219,7 +219,7 @@ fn strips_run_side_by_side_and_count_when_they_lie_in_the_set() {
     let mesh = roof();
     let of_group = resolve(&left, &mesh, &Topology::new(&mesh), &Sets::new());
     assert_eq!(of_group, Ok(Ragged::from_iter([[0, 1, 4, 5, 8, 9, 12, 13]])));
-    // A closed strip has its vertices once.
+    // A closed strip has each vertex once.
     let tube = Mesh {
         positions: vec![[0.0; 3]; 10],
         faces: (0..5_u32).map(|i| [i, (i + 1) % 5, (i + 1) % 5 + 5, i + 5]).collect(),
@@ -287,7 +287,7 @@ fn elements_have_ids_and_words_of_their_own() {
     words.sort_unstable();
     let all = words.len();
     words.dedup();
-    // "boundary" is both one loop and all of them.
+    // "boundary" is both one loop and all loops.
     assert_eq!(words.len(), all - 1);
     assert!(Element::ALL.iter().all(|element| !element.label().is_empty()));
 }

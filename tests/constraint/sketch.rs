@@ -43,7 +43,8 @@ fn the_points_of_a_drawing_are_seen_to_move_but_stay_recognisable() {
     }
 }
 
-/// What is drawn is the projection: four points of a square are one on the paper too, seen askew.
+/// The drawing shows the projection: four points of a square form a square on paper too, in an
+/// oblique view.
 #[test]
 fn a_drawing_shows_the_shape() {
     let kind = |id| KINDS.iter().find(|info| info.id == id).map(default).expect("it is listed");
