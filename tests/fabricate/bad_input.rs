@@ -1,4 +1,4 @@
-//! Meshes that cannot be built, or not all of it: a sentence each, and what is possible all the same.
+//! Meshes that cannot be built completely: one sentence for each, and the parts that are possible.
 
 use super::grid::grid;
 use super::identities::revolution;
@@ -49,7 +49,7 @@ fn a_moebius_strip_is_cut_and_has_no_offset() {
         let w = f64::from(j) - 0.5;
         [(3.0 + w * d) * c, (3.0 + w * d) * s, w * u]
     });
-    // The last column is the first one, upside down.
+    // Glues the last column to the first one, upside down: a Moebius strip.
     let mut faces = Ragged::new();
     for face in mesh.faces.iter() {
         let glued = |v: u32| match v {
@@ -73,7 +73,7 @@ fn a_moebius_strip_is_cut_and_has_no_offset() {
 #[test]
 fn panels_that_are_folded_over_leave_no_offset() {
     let mut mesh = grid(3, 3, |i, j| [f64::from(i), f64::from(j), 0.0]);
-    // An inner vertex beyond its neighbour.
+    // An inner vertex that is moved past its neighbour.
     mesh.positions[5] = [2.6, 2.5, 0.0];
     let made = build(&mesh, &BuildSettings::default());
     assert!(made.offset.is_none() && made.faults[0].0.contains("folded over"), "{:?}", made.faults);
@@ -107,7 +107,7 @@ fn edges_and_panels_without_size_are_survived() {
     assert_eq!(made.names.len(), 9);
     let report = made.report();
     assert!(serde_json::to_string(&report).is_ok());
-    // Nothing at all has a size.
+    // All vertices coincide.
     let flat = faces(&[&[0, 1, 2]], &[[1.0; 3]; 3]);
     let report = build(&flat, &BuildSettings::default()).report();
     assert_eq!((report.placed, report.not_cut.len(), report.sheets), (0, 1, 0));
@@ -123,7 +123,7 @@ fn several_parts_and_triangles_are_built() {
         let made = build(&mesh, &BuildSettings { kind: Some(kind), ..BuildSettings::default() });
         let report = made.report();
         assert_eq!((report.components, report.nodes, report.placed), (2, 12, 5));
-        // A vertex of no panel has no axis.
+        // A vertex without panels has no axis.
         let axes = &made.offset.as_ref().unwrap().0.axes;
         assert_eq!(<[f64; 3]>::from(axes[n as usize + 3]), [0.0; 3]);
     }
@@ -150,7 +150,7 @@ fn real_and_awkward_meshes_are_built_without_a_panic() {
         let files = std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
         for path in files.filter(|path| path.is_file()) {
             let bytes = std::fs::read(&path).unwrap();
-            // The largest take longer than they tell.
+            // The largest files take too long for what they test.
             if bytes.len() > 150_000 {
                 continue;
             }
@@ -170,7 +170,7 @@ fn real_and_awkward_meshes_are_built_without_a_panic() {
 
 #[test]
 fn panels_with_an_edge_without_length_are_cut_as_what_they_are() {
-    // A quad with two corners at one place is a triangle; that it touches itself there is no crossing.
+    // A quad with two coincident corners is a triangle, not an outline that crosses itself.
     let positions = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]];
     let made = build(&faces(&[&[0, 1, 2, 3], &[1, 4, 2]], &positions), &BuildSettings::default());
     assert_eq!(made.not_cut, []);

@@ -71,7 +71,8 @@ fn plates_of_a_node_touch_and_do_not_meet() {
                 if own.dot(other) < -0.99 * other.length() {
                     continue;
                 }
-                // The corner of the plate on the side of its neighbour, and the middle of that one.
+                // Distance of the plate's corner on the side of the neighbour from the neighbour's
+                // middle plane.
                 let other = other * (1.0 / other.length());
                 let side = node.axis.cross(own);
                 let side = side * side.dot(other).signum();
@@ -130,7 +131,8 @@ fn prisms_are_closed_flat_and_as_large_as_they_should_be() {
 fn nodes_of_a_surface_of_revolution_have_a_type_for_each_row_and_rim() {
     let made = build(&revolution(9, 7), &settings());
     let frame = made.frame.as_ref().unwrap();
-    // Eight rings of nodes; on each, those inside are alike, and the two at the ends are mirror images.
+    // Eight rings of nodes; on each, the inner ones are equal and the two end ones are mirror
+    // images.
     assert_eq!(node_types(&frame.nodes, 1e-6, true).leaders.len(), 16);
     assert_eq!(node_types(&frame.nodes, 1e-6, false).leaders.len(), 24);
     let all = node_types(&frame.nodes, 360.0, false);
@@ -179,7 +181,7 @@ fn what_is_no_fin_is_named_and_the_rest_is_cut() {
     let report = build(&mesh, &settings()).report();
     assert_eq!(report.not_cut, ["B5-6: its edge has no length"]);
     assert_eq!(report.placed + 1, report.edges);
-    // Plates as thick as edges are long.
+    // Plates as thick as the edges are long.
     let report = build(&mesh, &BuildSettings { thickness: 120.0, ..settings() }).report();
     assert!(report.not_cut.iter().any(|line| line.contains("it is cut away at its nodes")));
     assert!(!serde_json::to_string(&report).unwrap().contains("NaN"));
@@ -203,7 +205,7 @@ fn fins_have_a_hole_at_each_end_where_there_is_room() {
     assert_eq!((report.holes, report.dropped_holes), (24, 0));
     for part in &made.parts {
         let [p, q] = [part.holes[0].centre, part.holes[1].centre];
-        // Half a metre and more between them at 1:10, on the middle line of the fin.
+        // More than half a metre apart at 1:10, on the middle line of the fin.
         assert!(crate::length([p[0] - q[0], p[1] - q[1]]) > 50.0, "{}", part.name);
     }
     let none = build(&cube(), &BuildSettings { hole: 15.0, ..settings() }).report();
@@ -223,7 +225,8 @@ fn the_nodes_of_a_fin_are_named_beyond_the_holes_at_its_ends() {
 
 #[test]
 fn a_short_fin_names_both_of_its_nodes_beside_its_long_name() {
-    // Of the upper ring of a conical roof, in mm: between its name and its ends there is no room for those of the nodes.
+    // A fin of the upper ring of a conical roof, in mm: there is no room for the node names between
+    // its name and its ends.
     let outline = &[[0.0, 0.0], [25.99, 0.0], [24.65, 12.72], [1.34, 12.72]][..];
     let neighbours = &[None, Some("N193".to_owned()), None, Some("N192".to_owned())][..];
     for turn in [[1.0, 0.0], [-1.0, 0.0]] {

@@ -1,4 +1,4 @@
-//! The build check: what fails, where it is worst, and what would help.
+//! The build check: failures, their worst location, and remedies.
 
 use super::build;
 use super::grid::grid;
@@ -41,7 +41,7 @@ fn what_fails_is_listed_and_the_worst_of_it_is_named() {
     let (_, found) = made.offset.as_ref().unwrap();
     assert!((1000.0 * found.beams[edge].warp - warp.value.unwrap()).abs() < 1e-12);
 
-    // Limits that nothing reaches leave nothing.
+    // With limits that are never reached nothing fails.
     let limits = CheckLimits { warp: 1e9, distance: 1e9, lean: 180.0, flatness: 1e9 };
     let made = build(&wavy(), &BuildSettings { limits, ..own });
     assert_eq!(made.failed(), shape_up::fabricate::Failed::default());

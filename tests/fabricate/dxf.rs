@@ -1,5 +1,5 @@
-//! A reader of DXF for tests: pairs of a group code and a value. (The story on the page reads one with the npm
-//! package `dxf-parser`.)
+//! A DXF reader for tests: pairs of a group code and a value. (The page's test reads DXF with the
+//! npm package `dxf-parser`.)
 
 /// A polyline of a drawing.
 #[derive(Debug, Default)]
@@ -9,21 +9,21 @@ pub(crate) struct Polyline {
     pub(crate) points: Vec<[f64; 2]>,
 }
 
-/// The pairs of a file, each line ended by CRLF.
+/// Pairs of a file; every line ends with CRLF.
 fn pairs(text: &str) -> Vec<(u32, &str)> {
     let lines: Vec<&str> = text.strip_suffix("\r\n").unwrap().split("\r\n").collect();
     assert!(lines.iter().all(|line| !line.contains(['\r', '\n'])));
     lines.chunks(2).map(|pair| (pair[0].parse().expect("a group code"), pair[1])).collect()
 }
 
-/// The value of a variable of the header: its first pair.
+/// Value of a header variable: its first pair.
 pub(crate) fn variable(text: &str, name: &str) -> String {
     let pairs = pairs(text);
     let at = pairs.iter().position(|pair| *pair == (9, name)).expect("it is in the header");
     pairs[at + 1].1.to_owned()
 }
 
-/// The handles of all objects, where the version has them.
+/// Handles of all objects, if the version has handles.
 pub(crate) fn handles(text: &str) -> Vec<String> {
     let own = pairs(text).into_iter().skip_while(|pair| *pair != (2, "TABLES"));
     own.filter(|(code, _)| *code == 5 || *code == 105).map(|(_, value)| value.to_owned()).collect()

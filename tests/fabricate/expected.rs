@@ -1,4 +1,4 @@
-//! The numbers of an independent implementation.
+//! Comparison with the numbers of an independent implementation.
 
 use super::shared;
 use serde_json::Value;
@@ -12,7 +12,7 @@ use shape_up::mesh::Mesh;
 
 const CASES: [&str; 4] = ["circular", "conical", "dodecahedron", "halftunnel"];
 
-/// What is expected in a case, its mesh, and by how much numbers in its unit may differ.
+/// Expected values of a case, its mesh, and the tolerance in the unit of the mesh.
 fn case(name: &str) -> Option<(Value, Mesh, f64)> {
     let expected = shared::expected(&format!("fabrication_{name}"))?;
     let mesh = match expected["mesh"]["file"].as_str() {
@@ -140,7 +140,8 @@ fn node_axes_and_the_build_check_agree() {
         for kind in OffsetKind::ALL {
             for way in ["exact", "fit"] {
                 let own = &expected["axes"][format!("{way}_{}", kind.id())];
-                // On a mesh without exact axes what the proximal steps leave is no target.
+                // On a mesh without exact axes the remainder of the proximal steps is not
+                // comparable.
                 if own.is_null() || (way == "exact" && name == "halftunnel") {
                     continue;
                 }
@@ -169,7 +170,8 @@ fn node_axes_and_the_build_check_agree() {
     assert_eq!(compared, 11);
 }
 
-/// The beams around a node, from the first of the expected ones on, and the steps of their prisms.
+/// Compares the beams around a node, starting at the first expected one, and the steps of their
+/// prisms.
 fn compare_node(
     surface: &PanelSurface,
     axes: &[Vec3<f64>],

@@ -1,4 +1,4 @@
-//! Files, read back by other readers: what they hold is what was built, in mm.
+//! Exported files, read back by other readers: their contents match the built parts, in mm.
 
 use super::grid::grid;
 use super::identities::revolution;
@@ -9,7 +9,7 @@ use shape_up::fabricate::{Build, BuildSettings, Dxf, Pieces, Product};
 use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
 
-/// A vault in metres, 1:10 on several sheets.
+/// A vault in metres; at 1:10 it needs several sheets.
 fn vault() -> Mesh {
     revolution(9, 7)
 }
@@ -18,7 +18,7 @@ fn settings() -> BuildSettings {
     BuildSettings { joint: 0.01, scale: 10.0, sheet: [300.0, 200.0], ..BuildSettings::default() }
 }
 
-/// The texts of the files with this ending.
+/// Contents of the files with this extension.
 fn texts(build: &Build, ending: &str) -> Vec<String> {
     let files = build.files().into_iter().filter(|file| file.name.ends_with(ending));
     files.map(|file| file.text).collect()
@@ -33,10 +33,10 @@ fn assert_areas(found: f64, build: &Build) {
     assert!((found - expected).abs() <= 1e-6 * expected, "{found} {expected}");
 }
 
-/// The layer of an outline, and its corners.
+/// Layer and corners of an outline.
 type Outline = (String, Vec<[f64; 2]>);
 
-/// The closed polylines of a DXF, and how many are open.
+/// Closed polylines of a DXF, and the number of open ones.
 fn polylines(text: &str) -> (Vec<Outline>, usize) {
     assert_eq!(dxf::variable(text, "$INSUNITS"), "4", "mm");
     assert_eq!(dxf::variable(text, "$MEASUREMENT"), "1", "metric");
@@ -98,7 +98,7 @@ fn an_svg_is_in_mm_and_names_every_panel_once() {
             assert!(line.starts_with('M') && line.ends_with('Z'));
             let points = line.trim_matches(['M', 'Z']).split('L').map(|pair| {
                 let (x, y) = pair.split_once(',').unwrap();
-                // y is downwards.
+                // The y axis points down.
                 [x.parse::<f64>().unwrap(), 200.0 - y.parse::<f64>().unwrap()]
             });
             sum += area(&points.collect::<Vec<_>>());
@@ -171,7 +171,7 @@ fn tables_have_a_row_for_each_and_areas_that_add_up() {
 
 #[test]
 fn every_name_is_once_on_its_panel_and_every_inner_edge_is_named_from_both_sides() {
-    // Panels that have room for all names.
+    // Panels with room for all names.
     let mesh = grid(4, 3, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
     let made = build(&mesh, &BuildSettings { sheet: [900.0, 900.0], scale: 10.0, ..settings() });
     assert_eq!((made.dropped_names, made.small_names), (0, 0));
@@ -215,7 +215,7 @@ fn names_stand_on_their_feet_on_the_sheet_though_parts_do_not() {
     };
     for place in &places {
         let [x, y] = upwards(place);
-        // At most turned to the left, to read upwards.
+        // Rotated to the left at most, so that it reads upwards.
         assert!(x < 0.25 && y > -0.25, "{x} {y}");
     }
     assert!(places.iter().any(|place| place.turn_deg().abs() > 100.0), "some lie on their heads");
@@ -231,7 +231,7 @@ fn engraved_lines_stay_inside_of_their_outline() {
     }
 }
 
-/// Convex, counterclockwise.
+/// Whether the point is inside a convex, counterclockwise outline.
 fn is_inside(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
     (0..outline.len()).all(|k| {
         let ([a, b], [c, d]) = (outline[k], outline[(k + 1) % outline.len()]);
@@ -273,7 +273,7 @@ fn parts_lie_on_their_sheet_and_keep_the_gap() {
 
 #[test]
 fn trapezoids_lie_alternately_and_cover_most_of_the_sheet() {
-    // Much narrower at the top: in boxes of their own they would cover two thirds of a row.
+    // Much narrower at the top: arranged by bounding boxes they would cover two thirds of a row.
     let cone = grid(24, 2, |i, j| {
         let (turns, radius) = (f64::from(i) / 24.0, 1.0 + 2.0 * f64::from(j));
         let (c, s) = (shape_up::math::cosine(turns), shape_up::math::sine(turns));
@@ -288,7 +288,7 @@ fn trapezoids_lie_alternately_and_cover_most_of_the_sheet() {
 
 #[test]
 fn arcs_lie_in_each_other() {
-    // A ring of paper, cut into strips that are arcs: their boxes would fill a sheet each.
+    // A ring of paper, cut into arc-shaped strips: by bounding boxes each would fill a sheet.
     let ring = grid(24, 1, |i, j| {
         let (turns, radius) = (0.25 * f64::from(i) / 24.0, 10.0 + f64::from(j));
         [radius * shape_up::math::cosine(turns), radius * shape_up::math::sine(turns), 0.0]
@@ -321,7 +321,7 @@ fn arcs_lie_in_each_other() {
     }
 }
 
-/// Whether any side of one polygon crosses one of another.
+/// Whether any sides of the two polygons cross.
 fn cross(a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
     let sides = |polygon: &[[f64; 2]]| -> Vec<[[f64; 2]; 2]> {
         (0..polygon.len()).map(|k| [polygon[k], polygon[(k + 1) % polygon.len()]]).collect()
@@ -337,13 +337,13 @@ fn cross(a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
     })
 }
 
-/// The distance of two convex polygons that do not overlap; negative where no edge of either separates them.
+/// Distance between two convex polygons; negative if they overlap.
 fn distance(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
     let inside = a.iter().any(|&p| is_inside(b, p)) || b.iter().any(|&p| is_inside(a, p));
     if inside { -1.0 } else { between_sides(a, b) }
 }
 
-/// The least distance of a corner of one polygon to a side of the other.
+/// Least distance of a corner of `a` or `b` to a side of the other polygon.
 fn between_sides(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
     let corner_to_side = |p: [f64; 2], a: [f64; 2], b: [f64; 2]| {
         let (s, t) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
@@ -376,7 +376,8 @@ fn holes_lie_opposite_each_other_and_nothing_is_written_over_them() {
             assert!(part.engraved.iter().flatten().all(|&point| away(point) > hole.radius));
         }
     }
-    // Across an edge, the joint between them, each 1.5 diameters from its side.
+    // Holes across an edge match: the joint is between them, and each is 1.5 diameters from its
+    // side.
     for (edge, e) in made.surface.edges.iter().zip(0..) {
         let [Some(f), Some(g)] = edge.panels else { continue };
         let along = |f: u32| -> Vec<f64> {
@@ -390,7 +391,7 @@ fn holes_lie_opposite_each_other_and_nothing_is_written_over_them() {
                 [x * t[0] + y * t[1], x * -t[1] + y * t[0]]
             });
             let beside = local.filter(|[_, y]| (y - (0.5 + 6.0)).abs() < 1e-9);
-            // As shares: panels that are not flat are a little longer or shorter on the sheet.
+            // As fractions: non-planar panels are slightly longer or shorter on the sheet.
             let mut found: Vec<f64> = beside.map(|[x, _]| x / length).collect();
             found.sort_by(f64::total_cmp);
             found
@@ -402,7 +403,7 @@ fn holes_lie_opposite_each_other_and_nothing_is_written_over_them() {
     let [text] = &texts(&made, ".dxf")[..] else { panic!("one sheet") };
     let (closed, _) = polylines(text);
     assert_eq!(closed.iter().filter(|(layer, _)| layer == "HOLE").count(), 4 * inner);
-    // Panels that are too small have none, and it is said how many are missing.
+    // Panels that are too small have no holes, and the number of missing holes is reported.
     let small = build(&mesh, &BuildSettings { scale: 100.0, ..own }).report();
     assert_eq!((small.holes, small.dropped_holes), (0, 4 * inner));
 }

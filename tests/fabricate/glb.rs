@@ -7,7 +7,7 @@ use shape_up::fabricate::BuildSettings;
 use shape_up::fabricate::file::{GlbPart, glb};
 use shape_up::math::Vec3;
 
-/// The JSON and the numbers of a file.
+/// The JSON and the binary chunk of a file.
 fn read(bytes: &[u8]) -> (Value, Vec<u8>) {
     let number = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
     assert_eq!((&bytes[..4], number(4), number(8)), (&b"glTF"[..], 2, bytes.len()));
@@ -22,7 +22,7 @@ fn read(bytes: &[u8]) -> (Value, Vec<u8>) {
     (json, bytes[next + 8..].to_vec())
 }
 
-/// The triangles of a mesh of a file, checked against what is said of them.
+/// Triangles of a mesh of a file, checked against its metadata.
 fn triangles((json, data): &(Value, Vec<u8>), mesh: usize) -> Vec<[Vec3<f64>; 3]> {
     let primitive = &json["meshes"][mesh]["primitives"][0];
     let accessor = |key: &Value| &json["accessors"][key.as_u64().unwrap() as usize];
@@ -61,7 +61,7 @@ fn panels_offset_and_beams_are_parts_in_metres_with_the_areas_of_the_mesh() {
         assert_eq!(file.0["nodes"][k + 1]["name"], name);
         assert!(area(k) > 0.0);
     }
-    // The depth of a beam is the distance.
+    // The depth of a beam is the offset distance.
     let deep =
         made.distance() * made.surface.edges.iter().map(|e| made.surface.length(e)).sum::<f64>();
     assert!((area(2) / deep - 1.0).abs() < 0.2, "{} {deep}", area(2));

@@ -1,4 +1,4 @@
-//! What has to hold of offsets and panels whatever the mesh, with the bounds up to which it does.
+//! Identities of offsets and panels that hold for every mesh, with their tolerances.
 
 use super::grid::grid;
 use super::{build, shared};
@@ -9,8 +9,8 @@ use shape_up::math::plane::area;
 use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::{Mesh, Ragged};
 
-/// Quads of a surface of revolution about z: each is an isosceles trapezium, with its corners on a circle, and
-/// the four around a vertex touch a cone.
+/// Quads of a surface of revolution about z: each is an isosceles trapezium, whose corners are on a
+/// circle, and the four around a vertex are tangent to a cone.
 pub(crate) fn revolution(around: u32, rows: u32) -> Mesh {
     grid(around, rows, |i, j| {
         let turns = f64::from(i) / 24.0;
@@ -20,12 +20,12 @@ pub(crate) fn revolution(around: u32, rows: u32) -> Mesh {
     })
 }
 
-/// The same with every position moved by `map`.
+/// The mesh with every position mapped by `map`.
 fn moved(mesh: &Mesh, map: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
     Mesh { positions: mesh.positions.iter().map(|&p| map(p)).collect(), ..mesh.clone() }
 }
 
-/// An inversion keeps circles: no symmetry is left.
+/// An inversion preserves circles but no symmetry.
 fn inverted(mesh: &Mesh) -> Mesh {
     moved(mesh, |[x, y, z]| {
         let [x, y, z] = [x + 4.0, y + 1.0, z + 2.5];
@@ -104,7 +104,7 @@ fn the_offset_of_a_shape_that_moves_is_that_of_a_new_build() {
         assert_eq!(made.card().check, again.card().check);
         assert_eq!(made.layer(), again.layer());
     }
-    // An inner vertex beyond its neighbour, and back.
+    // An inner vertex past its neighbour, then back.
     let mut folded = before.positions.clone();
     let inner = 3 * 10 + 4;
     folded[inner] = std::array::from_fn(|k| 2.2 * folded[inner + 1][k] - 1.2 * folded[inner][k]);
@@ -118,7 +118,7 @@ fn the_offset_of_a_shape_that_moves_is_that_of_a_new_build() {
 #[test]
 fn three_flat_panels_at_every_vertex_have_an_exact_offset_of_panels() {
     let Some(mesh) = shared::mesh("gc_dodecahedron_poly.obj") else { return };
-    // Any affine image of flat panels has flat panels.
+    // Affine images of flat panels are flat.
     let mesh = moved(&mesh, |[x, y, z]| [1.3 * x + 0.2 * y, y - 0.4 * z, 0.7 * z + 0.1 * x]);
     let surface = PanelSurface::new(&mesh).unwrap();
     let found = check(&surface, &exact(&surface, OffsetKind::Face), OffsetKind::Face, 0.2);
@@ -134,7 +134,7 @@ fn axes_do_not_depend_on_place_size_numbering_or_first_corners() {
     for kind in OffsetKind::ALL {
         let own = fit(&PanelSurface::new(&mesh).unwrap(), kind, 0.01);
         for scale in [1e-3, 1.0, 1e3] {
-            // A turn by a right angle about z, moved, scaled.
+            // A right-angle rotation about z, a translation, and a scale.
             let other = moved(&mesh, |[x, y, z]| [scale * (5.0 - y), scale * (x - 3.0), scale * z]);
             let found = fit(&PanelSurface::new(&other).unwrap(), kind, 0.01);
             for (a, b) in own.iter().zip(&found) {

@@ -1,5 +1,5 @@
-//! From a shape to parts: against an independent implementation, the identities of offsets and panels, files that
-//! are read back by other readers, and meshes that cannot be built.
+//! From a shape to parts: an independent implementation, identities of offsets and panels, files
+//! that are read back by other readers, and meshes that cannot be built.
 
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 
@@ -35,7 +35,7 @@ pub(crate) fn build(mesh: &Mesh, settings: &BuildSettings) -> Build {
     Build::new(mesh, settings, metres()).expect("it can be built")
 }
 
-/// The length of a vector of the plane.
+/// Length of a vector in the plane.
 fn length([x, y]: [f64; 2]) -> f64 {
     (x * x + y * y).sqrt()
 }

@@ -1,4 +1,4 @@
-//! Paper models: nothing overlaps, tabs hide, folds and lengths are those of the shape.
+//! Paper models: no overlaps, hidden tabs, and folds and lengths of the shape.
 
 use super::grid::grid;
 use super::identities::revolution;
@@ -16,7 +16,7 @@ pub(super) fn model(build: &Build) -> &PaperModel {
     build.paper.as_ref().unwrap()
 }
 
-/// A pyramid of panels that are not flat, with ridges and valleys.
+/// Panels that are not flat, with ridges and valleys.
 fn waves() -> Mesh {
     grid(6, 5, |i, j| {
         let [x, y] = [f64::from(i), f64::from(j)];
@@ -28,7 +28,8 @@ fn dodecahedron() -> Option<Mesh> {
     shared::mesh("gc_dodecahedron_poly.obj")
 }
 
-/// All that is looked at: flat quads in both directions, panels that are not flat, a closed surface, triangles.
+/// The test cases: flat quads in both directions, panels that are not flat, a closed surface,
+/// triangles.
 pub(super) fn cases() -> Vec<(&'static str, Mesh, Pieces)> {
     let mut cases = vec![
         ("nets", revolution(9, 7), Pieces::Nets),
@@ -51,7 +52,7 @@ pub(super) fn cases() -> Vec<(&'static str, Mesh, Pieces)> {
     cases
 }
 
-/// The scale at which a mean edge is 30 mm.
+/// The scale at which the mean edge is 30 mm long.
 pub(super) fn scale(mesh: &Mesh) -> f64 {
     let made = build(mesh, &BuildSettings::default());
     made.surface.mean_edge() * 1000.0 / 30.0
@@ -61,7 +62,7 @@ fn made(mesh: &Mesh, pieces: Pieces) -> Build {
     build(mesh, &BuildSettings { scale: scale(mesh), ..settings(pieces) })
 }
 
-/// The area that two polygons have in common, of which the second is convex, by clipping (Sutherland, Hodgman).
+/// Common area of two polygons, the second of them convex, by clipping (Sutherland, Hodgman).
 fn common_area(polygon: &[Point2], convex: &[Point2]) -> f64 {
     let mut left = polygon.to_vec();
     for k in 0..convex.len() {
@@ -84,7 +85,7 @@ fn common_area(polygon: &[Point2], convex: &[Point2]) -> f64 {
     area(&left)
 }
 
-/// The facets and the tabs of a piece.
+/// The facets and tabs of a piece.
 fn polygons(model: &PaperModel, piece: u32) -> Vec<Vec<Point2>> {
     let facets = model.net.pieces[piece as usize].iter();
     let mut all: Vec<Vec<Point2>> = facets.map(|&f| model.net.corners(f)).collect();
@@ -123,7 +124,7 @@ fn no_piece_overlaps_itself_and_its_outline_holds_its_facets_and_tabs() {
     }
 }
 
-/// Whether two sides cross that are not neighbours.
+/// Whether two non-adjacent sides cross.
 fn crosses_itself(polygon: &[Point2]) -> bool {
     let n = polygon.len();
     let side = |p: Point2, q: Point2, r: Point2| {
@@ -168,7 +169,8 @@ fn tabs_hide_behind_the_neighbour() {
             tabs += 1;
             let own = (tab.side.facet, tab.side.side);
             let other = if joint.sides[0] == own { joint.sides[1] } else { joint.sides[0] };
-            // In the frame of the edge, the tab away from its piece and the neighbour away from the edge.
+            // In the frame of the edge, in which the tab points away from its piece and the
+            // neighbour away from the edge.
             let [p, q] = model.net.ends(own);
             let [r, s] = model.net.ends(other);
             let frame = |at: Point2, to: Point2| {
@@ -179,7 +181,7 @@ fn tabs_hide_behind_the_neighbour() {
                     [c * x + d * y, d * x - c * y]
                 }
             };
-            // The frame is a mirror.
+            // The frame is a reflection.
             let back = |points: &[Point2], to_frame: &dyn Fn(Point2) -> Point2| -> Vec<Point2> {
                 points.iter().rev().map(|&point| to_frame(point)).collect()
             };
@@ -295,7 +297,7 @@ fn tables_tell_what_becomes_of_every_edge() {
 
 #[test]
 fn what_cannot_be_folded_is_told_and_the_rest_is_made() {
-    // No quads.
+    // Triangles instead of quads.
     let mut triangles = Mesh { positions: revolution(6, 4).positions, ..Mesh::default() };
     for face in revolution(6, 4).faces.iter() {
         triangles.faces.push(&[face[0], face[1], face[2]]);
@@ -304,14 +306,14 @@ fn what_cannot_be_folded_is_told_and_the_rest_is_made() {
     let made = build(&triangles, &settings(Pieces::Strips));
     assert!(made.report().problems.iter().any(|problem| problem.contains("nets are made instead")));
     assert!(made.report().placed > 0);
-    // A panel that crosses itself, beside one that does not, and one without area.
+    // A panel that crosses itself, a sound one beside it, and one without area.
     let positions =
         vec![[0.0; 3], [2.0, 0.0, 0.0], [0.5, 1.0, 0.0], [2.0, 1.0, 0.0], [3.0, 0.0, 0.0]];
     let mut mesh = Mesh { positions, ..Mesh::default() };
     [&[0, 1, 2, 3][..], &[1, 4, 3], &[4, 4, 4]].iter().for_each(|face| mesh.faces.push(face));
     let report = build(&mesh, &settings(Pieces::Nets)).report();
     assert_eq!((report.placed, report.not_cut.len()), (1, 2), "{:?}", report.not_cut);
-    // Three panels at an edge, and no tabs at all.
+    // Three panels at one edge, and no tabs.
     let positions = [[0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [-1.0, 0.1, 0.0], [0.1, 1.0, 0.0]];
     let mut mesh = Mesh { positions: positions.to_vec(), ..Mesh::default() };
     [[0, 1, 2], [0, 1, 3], [0, 1, 4]].iter().for_each(|face| mesh.faces.push(face));
@@ -347,7 +349,7 @@ fn real_and_awkward_meshes_are_folded_without_a_panic() {
 
 #[test]
 fn strips_that_are_longer_than_the_sheet_are_cut_evenly() {
-    // 23 panels of 30 mm, of which some 13 fit on a sheet of A3.
+    // 23 panels of 30 mm, of which about 13 fit on a sheet of A3.
     let vault = grid(23, 3, |i, j| [f64::from(i), f64::from(j), 0.002 * f64::from(i * i)]);
     let made = build(
         &vault,

@@ -1,5 +1,5 @@
-//! Names on the pieces of a paper model: on their panels, on their tabs, beside pieces without room; and what has room
-//! nowhere is told.
+//! Names on the pieces of a paper model: on their panels, on their tabs, or beside pieces without
+//! room; names that fit nowhere are reported.
 
 use super::build;
 use super::grid::grid;
@@ -18,7 +18,7 @@ fn contains(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
     (0..outline.len()).filter(crosses).count() % 2 == 1
 }
 
-/// The distance of a point from a segment.
+/// Distance of a point from a segment.
 fn to_segment([x, y]: Point2, [a, b]: Point2, [c, d]: Point2) -> f64 {
     let (u, v) = (c - a, d - b);
     let along = (((x - a) * u + (y - b) * v) / (u * u + v * v)).clamp(0.0, 1.0);
@@ -27,7 +27,7 @@ fn to_segment([x, y]: Point2, [a, b]: Point2, [c, d]: Point2) -> f64 {
 
 #[test]
 fn a_piece_says_which_it_is_on_a_panel_that_has_room_for_that() {
-    // Those at the ends are narrow.
+    // The panels at the ends are narrow.
     let x = [0.0, 0.02, 1.0, 2.0, 3.0, 3.02];
     let mesh = grid(5, 1, |i, j| [x[i as usize], f64::from(j), 0.05 * x[i as usize].powi(2)]);
     let made = build(&mesh, &settings(Pieces::Nets));
@@ -111,7 +111,7 @@ fn a_piece_without_room_for_its_name_has_it_beside_itself_and_on_no_other() {
 
 #[test]
 fn a_piece_without_room_for_its_name_anywhere_is_told_by_that_name() {
-    // Edges of 7 mm, on sheets on which no name has room between the pieces.
+    // Edges of 7 mm, on sheets without room for a name between the pieces.
     let mesh = revolution(24, 7);
     let scale = scale(&mesh) * 30.0 / 7.0;
     let own = BuildSettings {
@@ -135,7 +135,7 @@ fn a_piece_without_room_for_its_name_anywhere_is_told_by_that_name() {
     let mut nowhere = rows("pieces.csv", ",nowhere");
     nowhere.sort();
     assert_eq!(told, nowhere);
-    // Whose name is somewhere has more lines than those of its panels.
+    // A piece whose name is beside it has more lines than the names of its panels.
     for (k, part) in made.parts.iter().enumerate() {
         let mut bare = part.clone();
         bare.engraved.clear();

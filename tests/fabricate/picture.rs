@@ -1,4 +1,4 @@
-//! The pictures of sheets on the page: the same lines as in the files, as few paths.
+//! The pictures of sheets on the page: the same lines as in the files, in few paths.
 
 use super::build;
 use super::identities::revolution;
@@ -6,10 +6,10 @@ use shape_up::fabricate::BuildSettings;
 use shape_up::fabricate::file::{picture, svg};
 use shape_up::fabricate::sheet::Role;
 
-/// Half of a step of a picture in mm.
+/// Half of the resolution of a picture, in mm.
 const ROUNDING: f64 = 0.005 + 1e-9;
 
-/// The lines of a path, in mm with y downwards, and how many are closed.
+/// Lines of a path, in mm with y down, and the number of closed ones.
 fn lines(path: &str) -> (Vec<Vec<[f64; 2]>>, usize) {
     let mut lines: Vec<Vec<[f64; 2]>> = Vec::new();
     for own in path.split('M').skip(1) {
@@ -58,7 +58,7 @@ fn a_picture_has_the_lines_of_its_drawing_to_a_hundredth_of_a_millimetre() {
         }
         assert_eq!(count, drawing.lines.len(), "no line is left out");
         assert_eq!(found.outlines.len(), found.panels.len());
-        // Each outline is that of the part of this name.
+        // Each outline belongs to the part of this name.
         let named = drawing.lines.iter().filter(|line| line.role == Role::Cut);
         assert_eq!(found.parts, named.map(|line| line.part.clone()).collect::<Vec<_>>());
         let letters = found.layers.iter().map(|layer| layer.path.len()).sum::<usize>();

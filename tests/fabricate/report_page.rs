@@ -1,4 +1,4 @@
-//! The report on one page: the numbers of the card, on one page of A4, with the link.
+//! The report page: the numbers of the card on one page of A4, with the link.
 
 use super::build;
 use super::grid::grid;
@@ -57,7 +57,7 @@ fn its_numbers_are_those_of_the_card() {
         let [value, limit, state] = [1, 2, 3].map(|k| &words[at + k]);
         let number = |words: &str| words.split([' ', '\u{b0}']).next().unwrap().parse::<f64>();
         match number(value) {
-            // Three digits, metres from ten of them on.
+            // Three digits; metres from 10 m on.
             Ok(found) => {
                 let shown = if value.ends_with(" m") { 1000.0 * found } else { found };
                 let expected = row.value.unwrap();

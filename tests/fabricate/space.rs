@@ -1,4 +1,4 @@
-//! What is built as objects on layers: every part is there, where it is and as large as it is.
+//! The built parts as objects on layers: every part is present, at its position and size.
 
 use super::build;
 use super::identities::revolution;
@@ -38,7 +38,7 @@ fn sheets_have_their_real_size_beside_the_shape() {
     let made = made();
     let parts = made.spatial_parts(true);
     let cut = on(&parts, "Sheets CUT");
-    // A mesh in metres.
+    // The mesh is in metres.
     let found: f64 = cut
         .iter()
         .map(|part| area(&part.points.iter().map(|p| [1e3 * p[0], 1e3 * p[1]]).collect::<Vec<_>>()))
