@@ -1,11 +1,11 @@
-//! How long tests with random input run: seconds in `npm test`, longer with `SHAPE_UP_FUZZ=N`, which
-//! multiplies the cases by N and draws others every time.
+//! Run time of tests with random input: seconds in `npm test`, longer with `SHAPE_UP_FUZZ=N`, which
+//! multiplies the number of cases by N and uses random seeds.
 #![allow(dead_code, reason = "each test uses some of these")]
 
 use proptest::prelude::ProptestConfig;
 use proptest::test_runner::RngSeed;
 
-/// `cases` of a seed of their own, or more of random seeds where that is asked for.
+/// `cases` cases with a fixed seed, or a multiple with random seeds if requested.
 pub(crate) fn cases(cases: u32) -> ProptestConfig {
     let factor: Option<u32> =
         std::env::var("SHAPE_UP_FUZZ").ok().map(|n| n.parse().expect("SHAPE_UP_FUZZ is a number"));

@@ -3,8 +3,8 @@
 
 use shape_up::mesh::{Mesh, Point};
 
-/// `columns * rows` quads. The vertices come row by row, the one of column `i` and row `j` at
-/// `point(i, j)`; so do the faces.
+/// A grid of `columns * rows` quads. Vertices and faces are ordered row by row; the vertex of
+/// column `i` and row `j` is at `point(i, j)`.
 pub(crate) fn grid(columns: u32, rows: u32, point: impl Fn(u32, u32) -> Point) -> Mesh {
     let mut mesh = Mesh::default();
     for j in 0..=rows {
@@ -20,7 +20,7 @@ pub(crate) fn grid(columns: u32, rows: u32, point: impl Fn(u32, u32) -> Point) -
     mesh
 }
 
-/// `n * n` quads over bumps that repeat after four steps.
+/// `n * n` quads over bumps with a period of four.
 pub(crate) fn bumpy(n: u32) -> Mesh {
     grid(n, n, |i, j| [f64::from(i), f64::from(j), f64::from((i * 5 + j * 7) % 4) / 8.0])
 }

@@ -1,4 +1,4 @@
-//! Meshes with hard constraints: the problem of the study that they are measured by.
+//! Meshes with hard constraints: the problem of the study that they are compared with.
 #![allow(dead_code, reason = "each test uses some of these")]
 
 use shape_up::constraint::{Element, Kind, Selector, Sets, resolve};
@@ -21,8 +21,8 @@ pub(crate) struct Case {
 }
 
 impl Case {
-    /// Without constraints: closeness to rest with weight 10, smoothness of the displacement with weight 2, and the
-    /// usual guard.
+    /// No constraints: closeness to rest with weight 10, smoothness of the displacement with weight
+    /// 2, and the default guard.
     pub(crate) fn new(mesh: Mesh) -> Case {
         Case {
             topology: Topology::new(&mesh),
@@ -36,7 +36,7 @@ impl Case {
         }
     }
 
-    /// With one more row of constraints.
+    /// Adds a row of constraints.
     pub(crate) fn with(
         mut self,
         kind: &str,
@@ -51,7 +51,7 @@ impl Case {
         self
     }
 
-    /// With a kind on all faces that can have it.
+    /// Adds a kind on all faces that fit it.
     pub(crate) fn on_faces(self, kind: &str, require: Require) -> Case {
         let selector = Selector::Each { element: Element::Face, within: None, radius: 0 };
         let faces = resolve(&selector, &self.mesh, &self.topology, &Sets::default());
@@ -98,7 +98,7 @@ impl Case {
         solver.positions().collect()
     }
 
-    /// What is to be met, from these positions.
+    /// The exact problem, starting at these positions.
     pub(crate) fn exact(&self, start: &[Point]) -> Exact {
         let requirements = Requirements {
             rows: &self.requires,
@@ -108,7 +108,7 @@ impl Case {
         Exact::new(&self.problem(), &requirements, &self.handles, start, SetupCache::default())
     }
 
-    /// Where being exact would not fit in memory, how near it comes instead.
+    /// The distance that is reached instead if the exact solution does not fit in memory.
     pub(crate) fn nearest(&self, nonzeros: usize) -> Option<f64> {
         let requirements = Requirements {
             rows: &self.requires,
@@ -118,7 +118,7 @@ impl Case {
         Exact::nearest(&self.problem(), &requirements, nonzeros)
     }
 
-    /// The ways to change a shape where all is met.
+    /// The variations of a shape on which all constraints are met.
     pub(crate) fn shape_space(&self, shape: &[Point]) -> ShapeSpace {
         let requirements = Requirements {
             rows: &self.requires,
@@ -130,7 +130,7 @@ impl Case {
         space.expect("its systems are regular")
     }
 
-    /// The diameter of the bounding sphere.
+    /// Diameter of the bounding sphere.
     pub(crate) fn size(&self) -> f64 {
         BoundingSphere::of(&self.mesh.positions).diameter()
     }

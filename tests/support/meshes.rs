@@ -1,11 +1,11 @@
-//! Meshes for tests of meshes: a wavy grid, and random ones.
+//! Meshes for tests: a wavy grid, and random meshes.
 #![allow(dead_code, reason = "each test uses some of these")]
 
 pub(crate) use crate::grid::grid;
 use proptest::prelude::*;
 use shape_up::mesh::Mesh;
 
-/// `columns * rows` quads over a wavy ground; the vertices come row by row.
+/// `columns * rows` quads over a wavy surface; the vertices are ordered row by row.
 pub(crate) fn wavy(columns: u32, rows: u32) -> Mesh {
     grid(columns, rows, |i, j| {
         let (x, y) = (f64::from(i), f64::from(j));
@@ -13,7 +13,7 @@ pub(crate) fn wavy(columns: u32, rows: u32) -> Mesh {
     })
 }
 
-/// What stands in a cell of a random mesh.
+/// Content of a cell of a random mesh.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Cell {
     Quad,
@@ -22,7 +22,8 @@ pub(crate) enum Cell {
     Hole,
 }
 
-/// Random meshes: grids whose cells are quads, two triangles or holes, with moved vertices.
+/// Random meshes: grids with displaced vertices, whose cells are quads, pairs of triangles or
+/// holes.
 pub(crate) fn mesh(cells: impl Strategy<Value = Cell> + Clone) -> impl Strategy<Value = Mesh> {
     (1_u32..7, 1_u32..7)
         .prop_flat_map(move |(columns, rows)| {
@@ -59,13 +60,13 @@ pub(crate) fn mesh(cells: impl Strategy<Value = Cell> + Clone) -> impl Strategy<
         })
 }
 
-/// Quads, triangles and holes.
+/// Meshes of quads, triangles and holes.
 pub(crate) fn mixed() -> impl Strategy<Value = Mesh> {
     use Cell::*;
     mesh(prop::sample::select(vec![Quad, Triangles, OtherTriangles, Hole]))
 }
 
-/// Triangles and holes.
+/// Meshes of triangles and holes.
 pub(crate) fn triangles() -> impl Strategy<Value = Mesh> {
     use Cell::*;
     mesh(prop::sample::select(vec![Triangles, OtherTriangles, Triangles, Hole]))

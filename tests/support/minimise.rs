@@ -1,4 +1,4 @@
-//! Brute force: the least squared distance of points to a shape with free parameters, found by
+//! Brute force: the least squared distance of points to a shape with free parameters, by
 //! Levenberg-Marquardt with numerical derivatives from many random starts.
 
 use crate::random::{Random, size};
@@ -6,8 +6,8 @@ use crate::shapes::{Closest, Vertex};
 use nalgebra::{DMatrix, DVector};
 use shape_up::math::Vec3;
 
-/// The least sum of squared distances that `starts` searches find. `closest` gives the point of
-/// the shape with the given parameters that is closest to a vertex.
+/// Least sum of squared distances found by `starts` searches. `closest` returns the point of the
+/// shape with the given parameters that is closest to a vertex.
 pub(crate) fn least_distance_squared(
     points: &[Vec3<f64>],
     rest: &[Vec3<f64>],
@@ -35,7 +35,7 @@ pub(crate) fn least_distance_squared(
         .fold(f64::INFINITY, f64::min)
 }
 
-/// The energy at the local minimum below `p`.
+/// Energy at the local minimum reached from `p`.
 fn descend(
     mut p: DVector<f64>,
     extent: f64,

@@ -7,7 +7,7 @@ use shape_up::math::{LANES, Lanes, Vec3};
 use shape_up::mesh::{Mesh, Point, Ragged, Surface};
 use std::rc::Rc;
 
-/// Projects as plain scalars, or with [`Lanes`] when there are as many point sets as lanes.
+/// Projects as plain scalars, or with [`Lanes`] if there are as many point sets as lanes.
 pub(crate) struct Project<'a> {
     pub(crate) rest: &'a [Points],
     pub(crate) points: &'a mut [Points],
@@ -43,8 +43,8 @@ impl KindVisitor for Project<'_> {
     }
 }
 
-/// The surface that operators may refer to: a strip of triangles through the rest points in turn, a
-/// segment between two, or one point.
+/// The surface for operators that refer to one: a triangle strip through the rest points, a segment
+/// between two, or one point.
 fn strip(rest: &[Vec3<f64>]) -> Surface {
     let positions: Vec<Point> = rest.iter().map(|r| (*r).into()).collect();
     let mut mesh = Mesh::default();

@@ -1,9 +1,9 @@
-//! Random points for tests: seeded, the same on every machine.
+//! Seeded random points for tests, the same on every machine.
 #![allow(dead_code, reason = "each test uses some of these")]
 
 use shape_up::math::Vec3;
 
-/// A point set in one constraint.
+/// The points of one constraint.
 pub(crate) type Points = Vec<Vec3<f64>>;
 
 /// Marsaglia's xorshift.
@@ -18,7 +18,7 @@ impl Random {
         random
     }
 
-    /// Between -1 and 1.
+    /// Uniform between -1 and 1.
     pub(crate) fn uniform(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -26,12 +26,12 @@ impl Random {
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 
-    /// In the cube from -1 to 1.
+    /// Uniform in the cube from -1 to 1.
     pub(crate) fn vector(&mut self) -> Vec3<f64> {
         Vec3::new(self.uniform(), self.uniform(), self.uniform())
     }
 
-    /// On the unit sphere, evenly.
+    /// Uniform on the unit sphere.
     pub(crate) fn direction(&mut self) -> Vec3<f64> {
         loop {
             let v = self.vector();
@@ -67,12 +67,12 @@ pub(crate) fn centred(points: &[Vec3<f64>]) -> Points {
     points.iter().map(|v| *v - sum * (1.0 / points.len() as f64)).collect()
 }
 
-/// The greatest distance from the origin.
+/// Greatest distance from the origin.
 pub(crate) fn size(points: &[Vec3<f64>]) -> f64 {
     points.iter().fold(0.0, |m, v| v.length().max(m))
 }
 
-/// The greatest distance between points of the same index.
+/// Greatest distance between points of the same index.
 pub(crate) fn farthest(a: &[Vec3<f64>], b: &[Vec3<f64>]) -> f64 {
     a.iter().zip(b).fold(0.0, |m, (p, q)| {
         let distance = (*p - *q).length();
@@ -80,7 +80,7 @@ pub(crate) fn farthest(a: &[Vec3<f64>], b: &[Vec3<f64>]) -> f64 {
     })
 }
 
-/// The sum of squared distances between points of the same index.
+/// Sum of squared distances between points of the same index.
 pub(crate) fn distance_squared(a: &[Vec3<f64>], b: &[Vec3<f64>]) -> f64 {
     a.iter().zip(b).map(|(p, q)| (*p - *q).length_squared()).sum()
 }

@@ -1,5 +1,5 @@
-//! The material beside the project, in `../shared`: meshes that nobody here made, and what an
-//! independent implementation found. Where it is absent, tests print that they skip.
+//! Material beside the project, in `../shared`: foreign meshes, and results of an independent
+//! implementation. If it is absent, tests print that they skip.
 #![allow(dead_code, reason = "each test uses some of these")]
 
 use serde_json::Value;
@@ -7,7 +7,7 @@ use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, read};
 use std::path::{Path, PathBuf};
 
-/// The path of a file or folder; none, and a line that says so, where it is absent.
+/// Path of a file or folder; if it is absent, prints a line and returns `None`.
 pub(crate) fn path(name: &str) -> Option<PathBuf> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared").join(name);
     if path.exists() {
@@ -27,15 +27,15 @@ pub(crate) fn mesh(file: &str) -> Option<Mesh> {
     Some(read(file, &bytes).expect("the meshes are valid").mesh)
 }
 
-/// What is expected in the case `name`, for the mesh scaled so that its bounding sphere has
-/// diameter 1, as [`diameter`] says.
+/// Expected results of the case `name`, for the mesh scaled to a bounding sphere of diameter 1; see
+/// [`diameter`].
 pub(crate) fn expected(name: &str) -> Option<Value> {
     let bytes = bytes(&format!("expected/{name}.json"))?;
     Some(serde_json::from_slice(&bytes).expect("it is JSON"))
 }
 
-/// The diameter of the bounding sphere, up to 2e-6 of it, by which the independent implementation
-/// divided the mesh: a number, part of a sentence, or to be had from the volume before and after.
+/// Diameter of the bounding sphere, accurate to 2e-6 of it, by which the independent implementation
+/// divided the mesh: a number, part of a sentence, or from the volume before and after.
 pub(crate) fn diameter(expected: &Value, mesh: &Mesh) -> f64 {
     if let Some(diameter) = expected["diameter"].as_f64() {
         return diameter;

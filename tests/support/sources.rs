@@ -1,4 +1,4 @@
-//! The modules of `src/` as text, and which names what of which.
+//! The modules of `src/` as text, and the names that they use of each other.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -6,22 +6,22 @@ use std::path::Path;
 /// The path of a module below the crate.
 pub(crate) type Module = Vec<String>;
 
-/// Which modules each module names something of.
+/// For each module, the modules that it names something of.
 pub(crate) type Uses = BTreeMap<Module, BTreeSet<Module>>;
 
-/// One file.
+/// One source file.
 pub(crate) struct Text {
-    /// Its path below `src`.
+    /// Path below `src`.
     pub(crate) file: String,
-    /// Its documentation at the top.
+    /// Module documentation.
     pub(crate) head: String,
-    /// The code without comments, strings and tests.
+    /// Code without comments, strings and tests.
     pub(crate) code: String,
-    /// The modules below it that are files or folders.
+    /// Child modules that are files or folders.
     pub(crate) children: BTreeSet<String>,
-    /// Public structs, enums, traits and type aliases that it defines.
+    /// Public structs, enums, traits and type aliases defined here.
     pub(crate) public_types: Vec<String>,
-    /// What each imported name stands for; that of a glob import is `*`.
+    /// Path of each imported name; a glob import has the name `*`.
     imports: Vec<(String, Module)>,
 }
 
@@ -31,7 +31,7 @@ pub(crate) struct Sources {
 }
 
 impl Sources {
-    /// Reads all files of the library; `src/bin` is no part of it.
+    /// Reads all files of the library, without `src/bin`.
     pub(crate) fn read() -> Sources {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
         let mut modules = BTreeMap::new();
@@ -60,13 +60,13 @@ impl Sources {
         Sources { modules }
     }
 
-    /// Modules that have modules below them.
+    /// Modules that have child modules.
     pub(crate) fn folders(&self) -> Vec<Module> {
         let with = self.modules.iter().filter(|(_, text)| !text.children.is_empty());
         with.map(|(module, _)| module.clone()).collect()
     }
 
-    /// What every module names, in its code and its imports.
+    /// All modules named by each module, in its code and its imports.
     pub(crate) fn uses(&self) -> Uses {
         let of = |(module, text): (&Module, &Text)| {
             let named = paths(&text.code).into_iter();
@@ -76,9 +76,9 @@ impl Sources {
         self.modules.iter().map(of).collect()
     }
 
-    /// The module in which the item is defined that `path` names in `module`; none outside the crate.
+    /// The module that defines the item that `path` names in `module`; `None` outside the crate.
     fn home(&self, module: &Module, path: &[String], depth: usize) -> Option<Module> {
-        // Imports that go in circles are modules that are named like their items.
+        // Circular imports: modules with the names of their items.
         if depth > 12 {
             return None;
         }
@@ -122,7 +122,7 @@ impl Text {
         let code = without_comments_and_strings(
             text.split("#[cfg(test)]\nmod").next().unwrap_or_default(),
         );
-        // What a module hands on is not what it needs itself.
+        // A module does not depend on its re-exports.
         let statements = use_statements(&code);
         let imports = statements.iter().flat_map(|(_, tree)| names(tree)).collect();
         let mut own = code.clone();
@@ -150,7 +150,7 @@ impl Text {
     }
 }
 
-/// A way around a circle of the files and folders in `folder`: who names something of whom.
+/// A dependency cycle between the files and folders in `folder`, with an example for each step.
 pub(crate) fn cycle(folder: &Module, uses: &Uses) -> Option<Vec<String>> {
     let child = |module: &Module| {
         module
@@ -167,7 +167,7 @@ pub(crate) fn cycle(folder: &Module, uses: &Uses) -> Option<Vec<String>> {
             steps.entry(from.clone()).or_default().entry(to).or_insert(example);
         }
     }
-    // What leads nowhere is in no circle.
+    // A module without outgoing steps is in no cycle.
     loop {
         let all: BTreeSet<String> = steps.keys().cloned().collect();
         for ways in steps.values_mut() {
@@ -229,7 +229,7 @@ fn use_statements(code: &str) -> Vec<(String, String)> {
     found
 }
 
-/// The names that a tree of imports brings, and what they stand for.
+/// The names that a tree of imports introduces, and their paths.
 fn names(tree: &str) -> Vec<(String, Module)> {
     let steps = |path: &str| -> Module {
         path.split("::")
@@ -272,7 +272,7 @@ fn names(tree: &str) -> Vec<(String, Module)> {
     found
 }
 
-/// All paths in the code, those of imports written out.
+/// All paths in the code, with imports expanded.
 fn paths(code: &str) -> Vec<Module> {
     let mut found: Vec<Module> = Vec::new();
     let mut own = code.to_owned();

@@ -43,7 +43,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
     Some(shapes)
 }
 
-/// One of the three neighbours that may be anywhere.
+/// One of the three neighbours whose position is free.
 fn corner(p: &[f64], k: usize) -> Vec3<f64> {
     at(p, 12) + at(p, 3 * k)
 }
@@ -53,14 +53,14 @@ fn angle(a: Vec3<f64>, b: Vec3<f64>) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// The edge to the first neighbour: its angles with the second and fourth edge differ
-/// as the angles of these with the third, so that it lies on one sheet of a quadratic cone.
+/// Direction of the edge to the first neighbour: its angles with the second and fourth edges differ
+/// as much as the angles of these with the third, so it is on one sheet of a quadratic cone.
 #[expect(clippy::disallowed_methods, reason = "independent of the operator")]
 fn ray(p: &[f64]) -> Vec3<f64> {
     let [second, third, fourth] =
         [3, 6, 9].map(|i| at(p, i).length_and_direction().1.unwrap_or(Vec3::new(1.0, 0.0, 0.0)));
     let direction = |v: Vec3<f64>| v.length_and_direction().1.unwrap_or(Vec3::new(0.0, 1.0, 0.0));
-    // From the second to the fourth, and half way between.
+    // From the second to the fourth, and the bisector.
     let (along, between) = (direction(fourth - second), direction(fourth + second));
     let across = between.cross(along);
     let sine_between = 0.5 * (fourth - second).length();

@@ -63,7 +63,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
     Some(shapes)
 }
 
-/// The other way round the angle is the same.
+/// Reversing the order keeps the angle.
 fn corners() -> Shape {
     Shape { relabellings: |_, _| vec![vec![2, 1, 0]], parameters: 8, ..Shape::ANY }
 }
@@ -78,8 +78,8 @@ fn sample(random: &mut Random, degrees: f64) -> Points {
     (0..3).map(corner).collect()
 }
 
-/// A vertex of the centred corner whose first edge has the direction `p[0..3]`, in a plane with `p[3..6]`;
-/// `p[6]` and `p[7]` give the lengths.
+/// A vertex of the centred corner whose first edge has the direction `p[0..3]` and whose plane
+/// contains `p[3..6]`; `p[6]` and `p[7]` give the lengths.
 fn corner(p: &[f64], degrees: f64, vertex: Vertex) -> Vec3<f64> {
     let direction = |v: Vec3<f64>| v.length_and_direction().1.unwrap_or(Vec3::new(1.0, 0.0, 0.0));
     let (e, aside) = (direction(at(p, 0)), at(p, 3));
@@ -91,8 +91,8 @@ fn corner(p: &[f64], degrees: f64, vertex: Vertex) -> Vec3<f64> {
     [x, Vec3::zero(), y][vertex.index] - middle
 }
 
-/// How far the angle is from the range, as sine of the difference times both edges: so that an edge
-/// may vanish, with its angle.
+/// Distance of the angle from the range, as the sine of the difference times both edge lengths, so
+/// that an edge of length zero is allowed.
 fn beyond(v: &[Vec3<f64>], least: f64, greatest: f64) -> f64 {
     let (x, y) = (v[0] - v[1], v[2] - v[1]);
     let (cross, dot) = (x.cross(y).length(), x.dot(y));
@@ -115,13 +115,14 @@ fn turn(y: f64, x: f64) -> f64 {
     y.atan2(x)
 }
 
-/// Between both, and near either for great `x`, which brute force takes in long strides.
+/// A value within the limits, near a limit for large `|x|`, which brute force reaches in long
+/// steps.
 fn between(x: f64, least: f64, greatest: f64) -> f64 {
     let part = x / (1.0 + x * x).sqrt();
     0.5 * (least + greatest) + 0.5 * (greatest - least) * part
 }
 
-/// Above zero for every `x`, and near it for great negative ones.
+/// Positive for every `x`, and near zero for large negative ones.
 fn positive(x: f64) -> f64 {
     0.5 * (x + (x * x + 0.01).sqrt())
 }

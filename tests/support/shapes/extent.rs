@@ -86,7 +86,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
     Some(shapes)
 }
 
-/// Of area one at rest, and so as they are.
+/// Triangles with a rest area of one, which they keep.
 fn triangles() -> Shape {
     Shape {
         rest: |random, _| triangle(random, 1.0),
@@ -98,13 +98,13 @@ fn triangles() -> Shape {
     }
 }
 
-/// Of volume 0.2 at rest, and so as they are.
+/// Tetrahedra with a rest volume of 0.2, which they keep.
 fn tetrahedra() -> Shape {
     Shape {
         rest: |random, _| tetrahedron(random, 0.2),
         sample: |random, _| tetrahedron(random, 0.2),
         residual: |v, _| beyond(volume(v), 0.2, 0.2) / size(v).powi(3),
-        // The even ones.
+        // Even permutations.
         relabellings: |_, _| vec![vec![1, 2, 0, 3], vec![1, 0, 3, 2]],
         parameters: 9,
         closest: |p, _, vertex| resized_tetrahedron(p, [0.2; 2], vertex),
@@ -145,11 +145,11 @@ fn tetrahedron(random: &mut Random, of: f64) -> Points {
     }
 }
 
-/// The centred points 0, `p[0..3]`, `p[3..6]` and so on.
+/// The points 0, `p[0..3]`, `p[3..6]` and so on, centred.
 fn points<const N: usize>(p: &[f64]) -> [Vec3<f64>; N] {
     let corners: [Vec3<f64>; N] =
         std::array::from_fn(|k| if k == 0 { Vec3::zero() } else { at(p, 3 * k - 3) });
-    // Only ratios count; where they run away, brute force is to turn back.
+    // Only ratios count; NaN stops brute force if the parameters diverge.
     let extent = size(&corners);
     if !(1e-20..1e20).contains(&extent) {
         return [Vec3::zero() * f64::NAN; N];
@@ -165,7 +165,7 @@ fn resized_triangle(p: &[f64], [least, greatest]: [f64; 2], vertex: Vertex) -> V
     v[vertex.index] * (own.clamp(least, greatest) / own).sqrt()
 }
 
-/// The same for a tetrahedron; one that is inside out is reflected.
+/// The same for a tetrahedron; an inverted one is reflected.
 fn resized_tetrahedron(p: &[f64], [least, greatest]: [f64; 2], vertex: Vertex) -> Vec3<f64> {
     let v = points::<4>(p);
     let own = volume(&v);

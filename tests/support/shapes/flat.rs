@@ -14,7 +14,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
     Some(shapes)
 }
 
-/// The direction of the accounts below with one: `(2, -1, 2)`, and two across it.
+/// The direction `(2, -1, 2)` of the descriptions below, normalised, and two directions across it.
 const FRAME: [Vec3<f64>; 3] = [
     Vec3 { x: 2.0 / 3.0, y: -1.0 / 3.0, z: 2.0 / 3.0 },
     Vec3 { x: 2.0 / 3.0, y: 2.0 / 3.0, z: -1.0 / 3.0 },

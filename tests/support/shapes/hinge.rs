@@ -1,7 +1,7 @@
 //! Hinges between two triangles.
 //!
-//! Independently of cotangents: unfolded, the four rest points have one affine dependency, and each of
-//! its coefficients is the area of the triangle of the other three.
+//! Independent of cotangents: when unfolded, the four rest points have one affine dependency, and
+//! each of its coefficients is the area of the triangle of the other three.
 
 use super::{Shape, Vertex, at};
 use crate::random::{Points, Random, in_frame, size};
@@ -53,17 +53,18 @@ fn hinges() -> Shape {
     Shape {
         rest: |_, _| REST.map(Vec3::from).to_vec(),
         sample: |random, rest| sample(random, rest, 0.0),
-        // The ends, the corners, both.
+        // Swapped ends, swapped corners, both.
         relabellings: |_, _| vec![vec![1, 0, 2, 3], vec![0, 1, 3, 2], vec![1, 0, 3, 2]],
         parameters: 12,
         ..Shape::ANY
     }
 }
 
-/// The same for all, as brute force sees one vertex at a time: edge along z, the corners on both sides.
+/// One rest shape for all, since brute force handles one vertex at a time: the edge along z, a
+/// corner on each side.
 const REST: [[f64; 3]; 4] = [[0.1, 0.0, -0.6], [0.1, 0.0, 0.9], [0.8, 0.5, 0.2], [-0.7, 0.6, -0.4]];
 
-/// The affine dependency of the unfolded hinge, of length one, negative at the corners.
+/// The affine dependency of the unfolded hinge, normalised, negative at the corners.
 fn dependency(v: &[Vec3<f64>]) -> [f64; 4] {
     let edge = v[1] - v[0];
     let length = edge.length();
@@ -83,7 +84,7 @@ fn dependency(v: &[Vec3<f64>]) -> [f64; 4] {
     w.map(|w| w * sign / size)
 }
 
-/// The vector that says how much the hinge is bent.
+/// The bending vector of the hinge.
 fn bending(v: &[Vec3<f64>], rest: &[Vec3<f64>]) -> Vec3<f64> {
     dependency(rest).iter().zip(v).fold(Vec3::zero(), |sum, (w, v)| sum + *v * *w)
 }
@@ -93,7 +94,7 @@ fn residual(v: &[Vec3<f64>], rest: &[Vec3<f64>], [least, greatest]: [f64; 2]) ->
     (now - now.clamp(least * at_rest, greatest * at_rest)).abs() / size(v)
 }
 
-/// The rest shape flattened by an affine map, turned, and bent by so many times the rest vector.
+/// The rest shape flattened by an affine map, rotated, and bent to `times` the rest vector.
 fn sample(random: &mut Random, rest: &[Vec3<f64>], times: f64) -> Points {
     let w = dependency(rest);
     let frame = random.frame();
@@ -105,8 +106,8 @@ fn sample(random: &mut Random, rest: &[Vec3<f64>], times: f64) -> Points {
         .collect()
 }
 
-/// A vertex of four free points, whose vector is brought within limits, times that at rest, by moving the
-/// first corner alone.
+/// A vertex of four free points, whose bending vector is brought within the limits, as multiples of
+/// the rest length, by moving the first corner.
 fn bent(p: &[f64], [least, greatest]: [f64; 2], vertex: Vertex) -> Vec3<f64> {
     let rest = REST.map(Vec3::from);
     let points = [at(p, 0), at(p, 3), at(p, 6), at(p, 9)];

@@ -24,7 +24,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
                 quad
             },
             residual: |v, _| uneven([v[0], v[2], v[1], v[3]]),
-            // The ends for each other, the opposite corners, and the ends for the corners.
+            // Swapped ends, swapped corners, and ends swapped with corners.
             relabellings: |_, _| vec![vec![1, 0, 2, 3], vec![0, 1, 3, 2], vec![2, 3, 0, 1]],
             closest: |p, _, vertex| corners(p)[[0, 2, 1, 3][vertex.index]],
             parameters: 12,
@@ -37,7 +37,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
     Some(shapes)
 }
 
-/// How much the sums of opposite sides differ.
+/// Difference of the sums of opposite sides, relative to the size.
 fn uneven([a, b, c, d]: [Vec3<f64>; 4]) -> f64 {
     let difference = (b - a).length() + (d - c).length() - (c - b).length() - (a - d).length();
     difference.abs() / size(&[a, b, c, d])
@@ -47,15 +47,15 @@ fn quad(random: &mut Random) -> Points {
     loop {
         let parameters: Vec<f64> = (0..12).map(|_| random.uniform()).collect();
         let quad = corners(&parameters);
-        // Not where it is negative, and not too far away.
+        // Rejects negative (NaN) and large distances.
         if (quad[3] - quad[0]).length() < 2.0 {
             return quad.to_vec();
         }
     }
 }
 
-/// Three corners are anywhere, and the last one in any direction from the first: how far away is
-/// then told by a linear equation, as for a hyperbola around one of its foci.
+/// Three free corners, and the last one in a free direction from the first: its distance follows
+/// from a linear equation, as for a hyperbola around one of its foci.
 fn corners(p: &[f64]) -> [Vec3<f64>; 4] {
     let (a, b, c) = (at(p, 0), at(p, 3), at(p, 6));
     let longer = (b - a).length() - (c - b).length();

@@ -28,7 +28,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
                 },
                 parameters: 4,
                 closest: |p, v, vertex| {
-                    // The way along the direction is free, within half of the limits.
+                    // The position along the direction is free, within half of the limits.
                     let side = [-1.0, 1.0][vertex.index];
                     let direction = direction(at(p, 0)) * side;
                     direction * v.dot(direction).clamp(0.25, 0.45)
@@ -71,7 +71,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
                 (most - least) / size(v)
             },
             relabellings: |random, n| {
-                // Edges in another order, some of them the other way round.
+                // Edges in another order, some of them reversed.
                 let pairs = any_order(random, n / 2).remove(0).into_iter();
                 vec![pairs.flat_map(|k| [2 * k + k % 2, 2 * k + 1 - k % 2]).collect()]
             },
@@ -85,7 +85,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
     Some(shapes)
 }
 
-/// As long as at rest.
+/// A segment that keeps its rest length.
 fn segment() -> Shape {
     Shape {
         rest: |random, n| cloud(random, n, 1.0),
@@ -100,13 +100,13 @@ fn segment() -> Shape {
     }
 }
 
-/// The centred segment with this direction and length.
+/// The ends of the centred segment with this direction and length.
 fn ends(along: Vec3<f64>, length: f64) -> [Vec3<f64>; 2] {
     let half = direction(along) * (0.5 * length);
     [-half, half]
 }
 
-/// However long or short the vector is.
+/// Unit direction of a vector of any length.
 fn direction(v: Vec3<f64>) -> Vec3<f64> {
     v.length_and_direction().1.unwrap_or(Vec3::new(1.0, 0.0, 0.0))
 }

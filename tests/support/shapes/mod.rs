@@ -1,7 +1,6 @@
-//! What each kind means, told a second time and without its operator: rest points, points that have
-//! the shape, a measure of how far points are from having it, and its set described by free
+//! Independent descriptions of the kinds, without their operators: rest points, points that have
+//! the shape, a residual that measures the distance from it, and the set of the shape by free
 //! parameters, for brute force.
-//!
 //! A kind without an account is tested by the properties that need none. With one, its projection is
 //! also compared with the set itself: add it to one of the files here, or a file to the list in [`shapes`].
 
@@ -29,46 +28,46 @@ pub(crate) type Residual = fn(&[Vec3<f64>], &[Vec3<f64>]) -> f64;
 /// See [`Shape::closest`].
 pub(crate) type Closest = fn(&[f64], Vec3<f64>, Vertex) -> Vec3<f64>;
 
-/// An independent account of one kind with certain parameters. The points are centred as the kind
-/// declares; where that is by edge, they come in pairs.
+/// Independent description of a kind with certain parameters. The points are centred as the kind
+/// declares; if that is by edge, they come in pairs.
 #[derive(Clone, Copy)]
 pub(crate) struct Shape {
-    /// The parameters as JSON: an object.
+    /// The parameters as a JSON object.
     pub(crate) params: &'static str,
     /// `n` rest points, of size about one.
     pub(crate) rest: fn(&mut Random, usize) -> Points,
     /// Points that have the shape, of size about one, as many as the rest points.
     pub(crate) sample: fn(&mut Random, &[Vec3<f64>]) -> Points,
-    /// Zero exactly where the centred points have the shape, given the centred rest points; relative
-    /// to their size.
+    /// Zero exactly if the centred points have the shape, for the centred rest points; relative to
+    /// their size.
     pub(crate) residual: Residual,
-    /// Some orders of the vertices that mean the same, when that of the rest points is the same.
+    /// Permutations of the vertices that keep the meaning, if the rest points are permuted too.
     pub(crate) relabellings: fn(&mut Random, usize) -> Vec<Vec<usize>>,
-    /// How many free parameters describe the shape.
+    /// Number of free parameters of the shape.
     pub(crate) parameters: usize,
-    /// The point closest to `v` on the shape with these parameters; it may depend on which vertex
-    /// `v` is, the last argument.
+    /// The point closest to `v` on the shape with these parameters; it may depend on the vertex,
+    /// the last argument.
     pub(crate) closest: Closest,
-    /// Whether the projection is the closest point of the set; what the kind declares is that of its
-    /// first account.
+    /// Whether the projection is the closest point of the set; the kind declares the value of its
+    /// first description.
     pub(crate) exact: bool,
-    /// Whether it tells what the set is; without, only properties that need no set are tested.
+    /// Whether the set is described; if not, only properties that need no set are tested.
     pub(crate) tells_the_set: bool,
-    /// For accounts that are not exact: how much greater than the least the squared distance may be,
-    /// as a fraction, for shapes disturbed by [`NOISE`].
+    /// If not exact: bound on the relative excess of the squared distance over the least one, for
+    /// shapes disturbed by [`NOISE`].
     pub(crate) excess: [f64; 3],
 }
 
-/// Which vertex of a constraint it is.
+/// Identifies a vertex of a constraint.
 #[derive(Clone, Copy)]
 pub(crate) struct Vertex {
     pub(crate) index: usize,
-    /// How many vertices there are.
+    /// Number of vertices.
     pub(crate) of: usize,
     pub(crate) rest: Vec3<f64>,
 }
 
-/// Disturbance of a shape of size about one, for [`Shape::excess`].
+/// Disturbances of a shape of size about one, for [`Shape::excess`].
 pub(crate) const NOISE: [f64; 3] = [0.01, 0.1, 0.3];
 
 impl Shape {
@@ -86,7 +85,7 @@ impl Shape {
         excess: [0.0; 3],
     };
 
-    /// Of a kind without an account.
+    /// Placeholder for a kind without a description.
     fn unknown(info: &Info) -> Shape {
         Shape {
             sample: |random, rest| cloud(random, rest.len(), 1.0),
@@ -98,7 +97,7 @@ impl Shape {
     }
 }
 
-/// The accounts of a kind, the first with its default parameters.
+/// The descriptions of a kind, the first with its default parameters.
 pub(crate) fn shapes(info: &Info) -> Vec<Shape> {
     let accounts = [
         flat::shapes,
@@ -128,7 +127,7 @@ pub(crate) fn any_order(random: &mut Random, n: usize) -> Vec<Vec<usize>> {
     vec![order]
 }
 
-/// The same turn, begun elsewhere or the other way round.
+/// The same cycle with another start, and reversed.
 pub(crate) fn in_turn_or_back(_: &mut Random, n: usize) -> Vec<Vec<usize>> {
     vec![(0..n).map(|i| (i + 1) % n).collect(), (0..n).rev().collect()]
 }
@@ -138,25 +137,25 @@ fn any(random: &mut Random, n: usize) -> Points {
     cloud(random, n, 1.0)
 }
 
-/// The rest points scaled, turned and moved.
+/// The rest points scaled, rotated and moved.
 fn placed(random: &mut Random, rest: &[Vec3<f64>], scale: f64) -> Points {
     let (offset, frame) = (random.vector(), random.frame());
     rest.iter().map(|r| offset + in_frame(frame, *r) * scale).collect()
 }
 
-/// `q r q*` for the quaternion `q`: turned, and scaled by `|q|^2`.
+/// `q r q*` for the quaternion `q`: rotated, and scaled by `|q|^2`.
 fn turned_and_scaled([w, x, y, z]: [f64; 4], r: Vec3<f64>) -> Vec3<f64> {
     let q = Vec3::new(x, y, z);
     r * (w * w - q.length_squared()) + q * (2.0 * q.dot(r)) + q.cross(r) * (2.0 * w)
 }
 
-/// The root of the sum of squares.
+/// Square root of the sum of squared lengths.
 fn extent(v: &[Vec3<f64>]) -> f64 {
     v.iter().map(|v| v.length_squared()).sum::<f64>().sqrt()
 }
 
-/// How much inner products of pairs of points differ from those of the rest points times `scale`;
-/// relative to the size of the points.
+/// Greatest difference of inner products of pairs of points from those of the rest points times
+/// `scale`; relative to the size of the points.
 fn different(v: &[Vec3<f64>], rest: &[Vec3<f64>], scale: f64) -> f64 {
     let mut worst = 0.0f64;
     for (a, r) in v.iter().zip(rest) {
@@ -167,7 +166,7 @@ fn different(v: &[Vec3<f64>], rest: &[Vec3<f64>], scale: f64) -> f64 {
     worst / size(v).powi(2)
 }
 
-/// The same for the volumes that triples of points span, which have a sign.
+/// The same for the signed volumes of triples of points.
 fn mirrored(v: &[Vec3<f64>], rest: &[Vec3<f64>], scale: f64) -> f64 {
     let mut worst = 0.0f64;
     let n = v.len();
@@ -182,7 +181,7 @@ fn mirrored(v: &[Vec3<f64>], rest: &[Vec3<f64>], scale: f64) -> f64 {
     worst / size(v).powi(3)
 }
 
-/// `n` points in a box whose sides are up to 1, 1 and `flatness`, turned at random.
+/// `n` points in a box with sides of up to 1, 1 and `flatness`, rotated at random.
 pub(crate) fn cloud(random: &mut Random, n: usize, flatness: f64) -> Points {
     let frame = random.frame();
     (0..n)
@@ -208,7 +207,7 @@ fn on_circle(random: &mut Random, e: Vec3<f64>, f: Vec3<f64>) -> Vec3<f64> {
     }
 }
 
-/// `e` turned towards `f` to the corner of a regular polygon whose first corner is at `e`.
+/// Corner of the regular polygon whose first corner is `e`, in the direction of `f`.
 #[expect(clippy::disallowed_methods, reason = "independent of the corners of the operator")]
 fn turned(e: Vec3<f64>, f: Vec3<f64>, vertex: Vertex) -> Vec3<f64> {
     let angle = std::f64::consts::TAU * vertex.index as f64 / vertex.of as f64;
@@ -220,12 +219,13 @@ fn side(v: &[Vec3<f64>], i: usize) -> Vec3<f64> {
     v[(i + 1) % v.len()] - v[i % v.len()]
 }
 
-/// How far opposite sides of a quad are from being parallel and equally long.
+/// How far opposite sides of a quad are from parallel and equal length.
 fn parallel_sides(v: &[Vec3<f64>]) -> f64 {
     (side(v, 0) + side(v, 2)).length() / size(v)
 }
 
-/// How far the angles are from being right, as products of sides, so that a side may vanish.
+/// How far the angles are from right angles, as inner products of sides, so that a side of length
+/// zero is allowed.
 fn right_angles(v: &[Vec3<f64>]) -> f64 {
     let products = (0..v.len()).map(|i| side(v, i).dot(side(v, i + 1)).abs());
     products.fold(0.0, f64::max) / size(v).powi(2)
@@ -236,8 +236,8 @@ fn equal_sides(v: &[Vec3<f64>]) -> f64 {
     (0..v.len()).map(longer).fold(0.0, f64::max) / size(v)
 }
 
-/// How far centred points are from going around an ellipse in equal turns:
-/// `v_(k+1) + v_(k-1) = 2 cos(2 pi / n) v_k`; and how far that is from a circle.
+/// Deviation of centred points from equal steps around an ellipse, `v_(k+1) + v_(k-1) = 2 cos(2 pi
+/// / n) v_k`, and of the ellipse from a circle.
 #[expect(clippy::disallowed_methods, reason = "independent of the corners of the operator")]
 fn in_turn(v: &[Vec3<f64>]) -> f64 {
     let n = v.len();
@@ -265,9 +265,9 @@ fn singular_values(v: &[Vec3<f64>]) -> [f64; 3] {
     [values[0], values[1], values[2]]
 }
 
-/// How far the points are from one circle or line (2 dimensions), one sphere or plane (3): they are
-/// on one exactly when `A |x|^2 + b.x + c = 0` has a solution, that is when the rows
-/// `(|x|^2, x, 1)` have not full rank.
+/// Distance of the points from a common circle or line (2 dimensions), or sphere or plane (3): they
+/// are on one exactly if `A |x|^2 + b.x + c = 0` has a solution, that is, if the rows `(|x|^2, x,
+/// 1)` are rank-deficient.
 fn round_residual(v: &[Vec3<f64>], dimensions: usize) -> f64 {
     let columns = dimensions + 2;
     if v.len() < columns {

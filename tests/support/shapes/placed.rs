@@ -1,5 +1,5 @@
-//! Shapes that stay in their place. Their rest points depend on nothing but how many there are, so
-//! that the account of one vertex can know those of the others.
+//! Shapes with a fixed position. Their rest points depend only on the number of points, so that the
+//! description of one vertex can use the other rest points.
 
 use super::{Shape, Vertex, in_turn_or_back, turned};
 use crate::random::{Points, Random, size};
@@ -67,7 +67,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
     Some(shapes)
 }
 
-/// The corners of a regular polygon in space.
+/// Corners of a regular polygon in space.
 fn ring(n: usize) -> Points {
     let (e, f) = (Vec3::new(0.8, 0.0, 0.6), Vec3::new(-0.48, 0.6, 0.64));
     let vertices = (0..n).map(|index| Vertex { index, of: n, rest: e });
@@ -85,7 +85,7 @@ fn bent(n: usize) -> Points {
         .collect()
 }
 
-/// The segments on which vertex `i` of [`bent`] glides; none where it stays.
+/// The segments on which vertex `i` of [`bent`] glides; none if it is fixed.
 fn piece(i: usize, n: usize) -> Range<usize> {
     let middle = n / 2;
     match i {
@@ -96,7 +96,7 @@ fn piece(i: usize, n: usize) -> Range<usize> {
     }
 }
 
-/// A point on one of the segments, which begin at these points.
+/// A random point on one of the segments, which begin at these points.
 fn between(random: &mut Random, points: &[Vec3<f64>], segments: Range<usize>) -> Vec3<f64> {
     let n = segments.len();
     let k =
@@ -108,7 +108,7 @@ fn between(random: &mut Random, points: &[Vec3<f64>], segments: Range<usize>) ->
     points[k] * (1.0 - t) + points[(k + 1) % points.len()] * t
 }
 
-/// The closest point to `v` on the segments, or the point where they would begin if there are none.
+/// Closest point to `v` on the segments, or their first point if there are none.
 fn closest_on(points: &[Vec3<f64>], segments: Range<usize>, v: Vec3<f64>) -> Vec3<f64> {
     let start = points[segments.start];
     let closest = segments.map(|k| {
@@ -119,13 +119,13 @@ fn closest_on(points: &[Vec3<f64>], segments: Range<usize>, v: Vec3<f64>) -> Vec
     closest.fold(start, |best, p| if (v - p).length() < (v - best).length() { p } else { best })
 }
 
-/// The greatest distance of a vertex from where it should be.
+/// Greatest distance of a vertex from its closest point, relative to the size.
 fn off(v: &[Vec3<f64>], closest: impl Fn(usize, Vec3<f64>) -> Vec3<f64>) -> f64 {
     let off = v.iter().enumerate().map(|(i, v)| (*v - closest(i, *v)).length());
     off.fold(0.0, f64::max) / size(v)
 }
 
-/// A strip of triangles between two rows of points that rise and fall.
+/// A triangle strip between two rows of points at varying heights.
 fn zigzag(n: usize) -> Points {
     (0..n)
         .map(|i| {
@@ -135,13 +135,13 @@ fn zigzag(n: usize) -> Points {
         .collect()
 }
 
-/// The corners of the triangles: three in turn, less where there are less.
+/// Corners of the triangles: three consecutive points, the last one repeated if there are fewer.
 fn triangles(rest: &[Vec3<f64>]) -> impl Iterator<Item = [Vec3<f64>; 3]> {
     let last = rest.len() - 1;
     (0..(rest.len().max(3) - 2)).map(move |k| [k, k + 1, k + 2].map(|k| rest[k.min(last)]))
 }
 
-/// A point of the strip.
+/// A random point of the strip.
 fn on_strip(random: &mut Random, rest: &[Vec3<f64>]) -> Vec3<f64> {
     let all: Vec<_> = triangles(rest).collect();
     let k = ((random.uniform() + 1.0) / 2.0 * all.len() as f64) as usize;
@@ -151,7 +151,7 @@ fn on_strip(random: &mut Random, rest: &[Vec3<f64>]) -> Vec3<f64> {
     a * (1.0 - s - t) + b * s + c * t
 }
 
-/// The closest of the feet of the perpendiculars on the triangles and on their sides.
+/// Closest of the feet of the perpendiculars to the triangles and their sides.
 fn closest_on_strip(rest: &[Vec3<f64>], v: Vec3<f64>) -> Vec3<f64> {
     let mut best = rest[0];
     let mut consider = |p: Vec3<f64>| {

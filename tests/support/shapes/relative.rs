@@ -1,4 +1,4 @@
-//! Relative shapes: rest points, moved.
+//! Relative shapes: displaced rest points.
 
 use super::{Shape, at, cloud, different, extent, mirrored, placed, turned_and_scaled};
 

@@ -92,7 +92,7 @@ fn ball(random: &mut Random, n: usize, radius: f64) -> Vec<Vec3<f64>> {
     (0..n).map(|_| centre + random.direction() * radius).collect()
 }
 
-/// The parameters are centre and normal.
+/// Closest point of a circle; the parameters are its centre and normal.
 fn closest_on_circle(p: &[f64], radius: f64, v: Vec3<f64>) -> Vec3<f64> {
     let (c, n) = (at(p, 0), at(p, 3));
     let d = v - c;
@@ -100,13 +100,13 @@ fn closest_on_circle(p: &[f64], radius: f64, v: Vec3<f64>) -> Vec3<f64> {
     c + d * (radius / d.length())
 }
 
-/// The parameters are the centre.
+/// Closest point of a sphere; the parameters are its centre.
 fn closest_on_sphere(p: &[f64], radius: f64, v: Vec3<f64>) -> Vec3<f64> {
     let d = v - at(p, 0);
     at(p, 0) + d * (radius / d.length())
 }
 
-/// Any number to one within limits.
+/// Maps any number into the limits.
 fn between(least: f64, greatest: f64, x: f64) -> f64 {
     0.5 * (least + greatest + (greatest - least) * x / (1.0 + x * x).sqrt())
 }
@@ -115,7 +115,7 @@ fn circle_off(v: &[Vec3<f64>]) -> f64 {
     (singular_values(v)[2] / size(v)).max(round_residual(v, 2))
 }
 
-/// For each triangle of points four times its area, and that times its circumradius; both times a
+/// For each triangle of points, four times its area, and that times its circumradius; both times a
 /// length, as for tetrahedra.
 fn triangles(v: &[Vec3<f64>]) -> impl Iterator<Item = [f64; 2]> {
     let (n, size) = (v.len(), size(v));
@@ -141,7 +141,7 @@ fn tetrahedra(v: &[Vec3<f64>]) -> impl Iterator<Item = [f64; 2]> {
     })
 }
 
-/// How far circumradii are out of limits, relative to the size of the points or to the limit,
+/// How far circumradii are beyond the limits, relative to the size of the points or to the limit,
 /// whichever is greater.
 fn radius_off(
     v: &[Vec3<f64>],

@@ -12,7 +12,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
                 rest: |random, n| orbits::<2>(random, n, |v| mirrored(v, X)),
                 sample: |random, rest| orbits::<2>(random, rest.len(), |v| mirrored(v, X)),
                 residual: |v, _| asymmetry::<2>(v, |v| mirrored(v, X)),
-                // A point for each pair, and where the plane is.
+                // A point for each pair, and the position of the plane.
                 parameters: 13,
                 closest: |p, v, vertex| {
                     let place = X * p[12];
@@ -47,7 +47,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
                 rest: |random, n| orbits::<3>(random, n, third_of_a_turn),
                 sample: |random, rest| orbits::<3>(random, rest.len(), third_of_a_turn),
                 residual: |v, _| asymmetry::<3>(v, third_of_a_turn),
-                // A point for each three, and where the axis is.
+                // A point for each three, and the position of the axis.
                 parameters: 12,
                 closest: |p, v, vertex| {
                     let place = at(p, 9);
@@ -72,13 +72,13 @@ fn mirrored(v: Vec3<f64>, normal: Vec3<f64>) -> Vec3<f64> {
     v - normal * (2.0 * v.dot(normal))
 }
 
-/// Turned by 120 degrees around the tilted axis, by Rodrigues' formula.
+/// Rotated by 120 degrees about the tilted axis, by Rodrigues' formula.
 fn third_of_a_turn(v: Vec3<f64>) -> Vec3<f64> {
     let along = TILTED * TILTED.dot(v);
     along - (v - along) * 0.5 + TILTED.cross(v) * 0.75f64.sqrt()
 }
 
-/// Points, each followed by its images; those that are left over at the end are their own images.
+/// Points, each followed by its images; points that are left over at the end are their own images.
 fn orbits<const N: usize>(
     random: &mut Random,
     n: usize,
@@ -104,7 +104,7 @@ fn orbits<const N: usize>(
     points
 }
 
-/// How far images are from where they should be. The points are centred, and so is the symmetry.
+/// Greatest error of an image. The points are centred, and so is the symmetry.
 fn asymmetry<const N: usize>(v: &[Vec3<f64>], image: impl Fn(Vec3<f64>) -> Vec3<f64>) -> f64 {
     let in_orbits = v.len() / N * N;
     let off = (0..v.len()).map(|i| {
