@@ -1,4 +1,4 @@
-//! Constraints from a few words, for tests of scenes.
+//! Constraints for the scene tests.
 
 use shape_up::constraint::{Kind, Selector};
 use shape_up::scene::ConstraintSpec;

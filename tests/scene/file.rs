@@ -1,4 +1,4 @@
-//! The scene file: what is read, what is refused and how it is said, and that writing loses nothing.
+//! The scene file: reading, refusals and their messages, and writing without loss.
 
 use crate::asked::constraint;
 use shape_up::constraint::{Element, Selector, Set};
@@ -16,7 +16,7 @@ fn two_squares() -> Mesh {
     Mesh { positions, faces, ..Mesh::default() }
 }
 
-/// A scene file whose mesh is a file, with `rest` after the mesh.
+/// A scene file that refers to a mesh file, with the keys in `rest` appended.
 pub(crate) fn file_with(rest: &str) -> String {
     format!(
         r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "roof.obj" }}{rest} }}"#
@@ -151,7 +151,7 @@ fn a_byte_order_mark_is_no_syntax_error() {
     assert!(Scene::from_json(&format!("\u{feff}{}", file_with(""))).is_ok());
 }
 
-/// A mesh object, the JSON path below `mesh`, and words that the message must have.
+/// A mesh object, the JSON path below `mesh`, and required words of the message.
 #[rustfmt::skip]
 const REFUSED_MESHES: &[(&str, &str, &[&str])] = &[
     (r#"{}"#, "mesh", &["`positions` is missing", "\"file\""]),
@@ -200,7 +200,7 @@ fn the_limits_of_a_scale_are_written_where_there_are_any() {
     }
 }
 
-/// A change that makes the scene unfit for the two squares, and the path of what is then wrong.
+/// A change that makes the scene unfit for the two squares; used with the path of the error.
 type Unfit = (&'static str, fn(&mut Scene));
 
 const EACH_FACE: Selector = Selector::Each { element: Element::Face, within: None, radius: 0 };

@@ -1,4 +1,4 @@
-//! How far a mesh will move for panels of one shape, said before it is solved.
+//! Forecast of the displacement of a mesh for panels of one kind, before solving.
 
 use crate::grid::grid;
 use shape_up::constraint::{KINDS, Kind};
@@ -8,7 +8,7 @@ use shape_up::scene::{Forecast, ForecastOfKind, HowFar, Scene};
 use shape_up::session::Session;
 use shape_up::solve::{Constraints, Require, least_move};
 
-/// A vault, whose panels are all circular, with every vertex off by up to `off` of an edge.
+/// A vault, whose panels are all circular, with every vertex displaced by up to `off` of an edge.
 fn vault(off: f64) -> Mesh {
     let mut noise = crate::random::Random::new(7);
     let mut mesh = grid(12, 9, |i, j| {
@@ -24,7 +24,7 @@ fn forecast(mesh: &Mesh) -> Forecast {
     Forecast::of(mesh, &Topology::new(mesh)).unwrap()
 }
 
-/// How far the mesh moves on average to have exact panels of this kind, as a part of its mean edge, and the forecast.
+/// Mean displacement for exact panels of this kind, relative to the mean edge, and the forecast.
 fn moved_and_forecast(mesh: &Mesh, kind: &str) -> (f64, ForecastOfKind, Forecast) {
     let forecast = forecast(mesh);
     let of_kind = *forecast.kinds.iter().find(|one| one.kind == kind).unwrap();
@@ -49,7 +49,7 @@ fn what_is_as_asked_does_not_move() {
         faces: [[0, 1, 2]].into_iter().collect(),
         ..Mesh::default()
     };
-    // Every triangle is flat: nothing is offered, and rounding is no movement.
+    // Every triangle is flat: nothing is offered, and the displacement is rounding only.
     assert_eq!(Forecast::of(&triangle, &Topology::new(&triangle)), None);
     let kind = Kind::new("circle", serde_json::json!({})).unwrap();
     let row = Constraints { kind, weight: 1.0, members: triangle.faces.clone() };
@@ -81,7 +81,7 @@ fn it_does_not_depend_on_the_unit_and_on_where_a_mesh_lies() {
 
 #[test]
 fn every_kind_has_a_least_movement_on_degenerate_faces() {
-    // A face without size, one that is folded to a line, and one that is far from flat.
+    // A face without area, one that is folded to a line, and one that is far from flat.
     let mesh = Mesh {
         positions: vec![
             [0.0; 3],
@@ -106,7 +106,7 @@ fn every_kind_has_a_least_movement_on_degenerate_faces() {
 
 #[test]
 fn flat_panels_of_six_corners_on_a_saddle_are_said_to_be_impossible() {
-    // Two rows of bricks: each has six corners.
+    // Rows of bricks, offset so that each brick has six corners.
     let bricks = |saddle: f64| {
         let point = |i: u32, j: u32| {
             let [x, y] = [f64::from(i) - 8.0, f64::from(j) - 8.0];
@@ -133,11 +133,11 @@ fn flat_panels_of_six_corners_on_a_saddle_are_said_to_be_impossible() {
     );
     assert!(words.contains(&sentence), "{words}");
     assert!(bowl.saddles.unwrap()[0] == 0 && !bowl.words().contains("convex"));
-    // The edges of what is no mesh of quads need not follow anything.
+    // Only the edges of quad meshes are compared with the lines of curvature.
     assert_eq!(saddle.off_curvature_lines, None);
 }
 
-/// Quad meshes of `../shared/meshes` that are solved in a second.
+/// Quad meshes of `../shared/meshes` that are solved within a second.
 const MESHES: [&str; 9] = [
     "M2_eq_quad2.obj",
     "botanic-garden-bubble-0.obj",
@@ -166,7 +166,8 @@ fn what_is_said_of_real_meshes_is_what_becomes_of_them() {
                 HowFar::Nothing => moved < 1e-6,
             };
             assert!(is_true, "{file} {kind}: said {how_far:?}, moved {moved:.3}");
-            // Far away the constraints bend, and the straight way is too long.
+            // For large displacements the constraints are nonlinear, and the linear estimate is too
+            // large.
             let ratio = least_move / moved;
             let near = if moved < 0.2 && least_move < 0.2 { 0.65..1.2 } else { 0.8..4.6 };
             assert!(moved < 1e-4 || near.contains(&ratio), "{file} {kind}: {least_move} {moved}");

@@ -1,12 +1,12 @@
-//! No text makes the reader of scenes panic, hang, or take memory that the text cannot fill; and what it
-//! takes for a scene can be opened, iterated, reported and written, or is refused.
+//! No text makes the scene reader panic, hang, or allocate memory out of proportion to the text;
+//! every scene that it accepts can be opened, iterated, reported and written, or is refused.
 
 use proptest::collection::vec;
 use proptest::prelude::*;
 use shape_up::scene::{MeshSource, Scene};
 use shape_up::session::{Edit, Session};
 
-/// Scenes with all that the format has, on a mesh of two squares and a tetrahedron.
+/// Scenes with all keys of the format, on a mesh of two squares and a tetrahedron.
 const SOUND: [&str; 2] = [
     r#"{ "format": "shape-up-scene", "version": 1, "title": "Roof", "units": "m", "up": "z",
     "mesh": { "positions": [[0,0,0],[1,0,0],[2,0,0.1],[0,1,0],[1,1,0.2],[2,1,0],[1,1,1]],
@@ -35,7 +35,7 @@ const SOUND: [&str; 2] = [
     "lesson": { "text": "Make it flat.", "goals": [ { "measure": "planarity", "at_most": 0.001 } ] } }"#,
 ];
 
-/// Pieces that mean something to the reader.
+/// Tokens that mean something to the reader.
 fn piece() -> impl Strategy<Value = String> {
     const PIECES: [&str; 40] = [
         "0",
@@ -85,7 +85,7 @@ fn piece() -> impl Strategy<Value = String> {
     ]
 }
 
-/// Where the values of a text of JSON begin and end, roughly: at its words, numbers and brackets.
+/// Approximate ranges of the values in a JSON text: words, numbers and brackets.
 fn values(text: &str) -> Vec<(usize, usize)> {
     let mut found = Vec::new();
     let mut begin = None;
@@ -108,7 +108,7 @@ fn values(text: &str) -> Vec<(usize, usize)> {
     found
 }
 
-/// Reads the text, and does with the scene what a host does.
+/// Reads the text and uses the scene as a host does.
 fn check(text: &str) {
     let scene = match Scene::from_json(text) {
         Ok(scene) => scene,
@@ -121,7 +121,7 @@ fn check(text: &str) {
     let Ok(mut session) = Session::open(scene, mesh) else { return };
     session.begin_run();
     for _ in 0..3 {
-        // Positions may leave the finite numbers, where weights are 1e308: the last good ones stay.
+        // With weights of 1e308 positions may become non-finite: the last finite ones are kept.
         if session.step().is_err() {
             break;
         }
@@ -136,7 +136,7 @@ fn check(text: &str) {
     assert!(session.errors_csv().starts_with("face,"));
 }
 
-/// The most memory that this process has had, in bytes, where the system tells.
+/// Peak memory of this process in bytes, if the system reports it.
 fn most_memory() -> Option<usize> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;

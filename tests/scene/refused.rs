@@ -1,9 +1,9 @@
-//! What of a scene file is refused, where it is, and how that is said.
+//! Refused scene files: the error, its JSON path, and its message.
 
 use crate::file::{file_with, refused};
 use shape_up::scene::Scene;
 
-/// What is wrong, the JSON path, and words that the message must have.
+/// The faulty keys, the JSON path, and required words of the message.
 #[rustfmt::skip]
 const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "require": "hard" }]"#, "constraints[0].require", &["found \"hard\"", "soft", "exact", "within"]),
@@ -75,7 +75,7 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "handles": [{ "targets": [[0, 0, 0]] }]"#, "handles[0]", &["`vertices` is missing"]),
     (r#", "handles": [{ "vertices": [] }]"#, "handles[0].vertices", &["empty"]),
     (r#", "handles": [{ "vertices": [0, 1], "targets": [[0, 0, 0]] }]"#, "handles[0].targets", &["found 1", "2 vertices"]),
-    // A key that may be absent is not null where it is there.
+    // An optional key must not be null if it is present.
     (r#", "current": null"#, "current", &["found null"]),
     (r#", "lesson": null"#, "lesson", &["found null"]),
     (r#", "build": null"#, "build", &["found null"]),
@@ -164,7 +164,7 @@ fn what_is_not_json_is_refused_with_line_and_column() {
 
 #[test]
 fn no_size_in_a_file_takes_memory_that_the_file_cannot_fill() {
-    // Each list was checked by itself: forty of them, 1.5 kB of text, asked for 16 GB.
+    // Each list was checked separately: forty of them, in 1.5 kB of text, requested 16 GB.
     for last in [99_999_998, 999_999] {
         let set = |k: u32| format!(r#""s{k}": {{ "vertices": "0-{last}" }}"#);
         let sets = (0..40).map(set).collect::<Vec<_>>().join(", ");
@@ -172,10 +172,10 @@ fn no_size_in_a_file_takes_memory_that_the_file_cannot_fill() {
         assert!(error.path.starts_with("sets.s") && error.path.ends_with(".vertices"), "{error}");
         assert!(error.message.contains("too many indices"), "{error}");
     }
-    // As many as a large mesh has are no matter.
+    // As many vertices as in a large mesh are accepted.
     let one = file_with(r#", "sets": { "all": { "vertices": "0-999999" } }"#);
     assert_eq!(Scene::from_json(&one).unwrap().sets["all"].vertices.len(), 1_000_000);
-    // An accelerator keeps as many shapes as its window is wide.
+    // An accelerator stores as many shapes as its window is wide.
     let error = refused(&file_with(r#", "solver": { "window": 4294967295 }"#));
     assert_eq!(error.path, "solver.window");
     assert!(error.message.contains("from 0 to 50"), "{error}");
