@@ -1,4 +1,4 @@
-//! The picture that the build puts into the page.
+//! The picture that the build inserts into the page.
 
 use shape_up::example::EXAMPLES;
 use std::process::Command;
@@ -11,7 +11,7 @@ fn picture(name: &str) -> String {
     std::fs::read_to_string(file).expect("it wrote its file")
 }
 
-/// The numbers of an attribute.
+/// Numbers of an attribute.
 fn attribute(html: &str, name: &str) -> Vec<f64> {
     let text = html.split(&format!("{name}=\"")).nth(1).expect("it is there");
     let numbers = text.split('"').next().expect("it has an end");
@@ -36,9 +36,9 @@ fn it_shows_every_panel_and_every_handle_of_the_first_example() {
         assert_eq!(svg.matches(r#"<rect class="fixed""#).count(), fixed);
         assert_eq!(svg.matches(r#"<circle class="handle""#).count(), 1);
         assert_eq!(svg.matches(r#"<path class="pull""#).count(), 1);
-        // Their circles, two arcs each.
+        // The circles of the panels, two arcs each.
         assert_eq!(svg.matches(" 1 0 ").count(), 2 * mesh.faces.len());
-        // What a script needs to move it.
+        // Data for the script that moves the picture.
         assert_eq!(svg.matches("<g data-vertex=").count(), fixed + 1);
         assert_eq!(attribute(svg, "data-eye").len(), 12);
         for number in ["NaN", "inf", "e-", "e+"] {

@@ -1,18 +1,19 @@
-//! Marks over the colour maps, for everybody: a selected face, or one of a constraint that is pointed at, is
-//! filled and hatched, a selected vertex is a dot with a rim, and one of the two colours is seen on any value.
+//! Visibility of marks on the colour maps for all types of colour vision: a selected face, or a
+//! face of a highlighted constraint, is filled and hatched, a selected vertex is a dot with a rim,
+//! and at least one of the two colours contrasts with any value.
 
 use glam::{Mat3, Vec3};
 use shape_up::constraint::KINDS;
 use shape_up::view::appearance::{ColourMap, DARK, DotKind, LIGHT, Palette};
 
-/// Differences in CIELAB: just noticeable is 2.3, and seven of these nobody overlooks.
+/// Clearly visible difference in CIELAB: seven times the just noticeable difference of 2.3.
 const PLAIN: f32 = 16.1;
-/// As `shaders/faces.wgsl` hatches.
+/// The hatching of `shaders/faces.wgsl`.
 const HATCH: f32 = 0.92;
 const HATCH_OF_SELECTED: Vec3 = Vec3::new(0.06, 0.08, 0.11);
 const TINT: f32 = 0.55;
 
-/// Linear light as the eye without one kind of cones has it (Machado, Oliveira and Fernandes 2009).
+/// Linear light as perceived without one type of cones (Machado, Oliveira and Fernandes 2009).
 fn visions() -> [(&'static str, Mat3); 4] {
     let rows = |r: [[f32; 3]; 3]| Mat3::from_cols_array_2d(&r).transpose();
     [
@@ -44,7 +45,7 @@ fn visions() -> [(&'static str, Mat3); 4] {
     ]
 }
 
-/// CIE L*a*b* of an sRGB colour as it is seen, white D65.
+/// CIE L*a*b* of an sRGB colour for a type of vision, white D65.
 fn seen(colour: Vec3, vision: Mat3) -> Vec3 {
     let linear = |part: f32| {
         if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
@@ -63,7 +64,7 @@ fn seen(colour: Vec3, vision: Mat3) -> Vec3 {
     Vec3::new(116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z))
 }
 
-/// The colours of every map, in little and in much light.
+/// Colours of every map, in dim and in bright light.
 fn values() -> Vec<(ColourMap, Vec3, f32)> {
     let maps = [ColourMap::Viridis, ColourMap::Grey, ColourMap::Diverging(0.4), ColourMap::Beyond];
     let texels = (0..=255).step_by(15);
@@ -73,7 +74,8 @@ fn values() -> Vec<(ColourMap, Vec3, f32)> {
     maps.into_iter().flat_map(|map| texels.clone().flat_map(move |texel| lit(map, texel))).collect()
 }
 
-/// The least difference between a value and the nearer to it of a mark's two colours, over all values and eyes.
+/// Fails unless, for every value and vision, one of the mark's two colours is clearly different
+/// from the value.
 fn assert_seen(what: &str, mark: impl Fn(Vec3, f32) -> [Vec3; 2]) {
     for (name, vision) in visions() {
         for (map, value, light) in values() {

@@ -1,4 +1,4 @@
-//! Ways of seeing, as a user meets them: parallel projection, ghost and ground, the measuring tape.
+//! Display modes of the view: parallel projection, ghost and ground, the measuring tape.
 
 use glam::{DVec3, Vec2};
 use shape_up::view::appearance::LineKind;
@@ -37,7 +37,7 @@ fn seen_from_above_in_parallel_the_upper_floor_covers_the_lower_one_exactly() {
         let [a, b] = [below, below + 4].map(|v| eye.project(state.mesh().positions[v]).0);
         assert!((a - b).length() < 1e-2, "{a} {b}");
     }
-    // The floor fills the height of the canvas but for the margin.
+    // The floor fills the height of the canvas except for the margin.
     let corner = eye.project(state.mesh().positions[4]).0;
     assert!((corner.y - CANVAS.y).abs() < 0.06 * CANVAS.y);
     assert_eq!(state.pick_face(CANVAS * 0.5), Some(1));
@@ -67,7 +67,7 @@ fn in_parallel_everything_can_be_pointed_at_and_taken_with_a_box() {
     let seen = state.vertices_in(&all, false);
     let expected: Vec<u32> = (0..8).filter(|&v| state.screen(v).is_some()).collect();
     assert_eq!(seen, expected);
-    // The lower floor's corner behind the upper floor is not taken.
+    // The corner of the lower floor behind the upper floor is not selected.
     assert!(!seen.contains(&3) && seen.contains(&4));
     let taking = RegionMode { touching: true, through: false };
     assert_eq!(state.faces_in(&all, taking), [0, 1]);
@@ -138,7 +138,7 @@ fn the_ghost_stays_where_the_mesh_was() {
     let moved: Vec<f64> = floors().into_iter().map(|x| x + 3.0).collect();
     state.set_positions(&moved).unwrap();
     assert!(state.surrounding_points().eq(ghost.iter().copied()));
-    // What is far from the mesh is not cut off.
+    // Parts far from the mesh are not clipped.
     let away: Vec<f64> = floors().into_iter().map(|x| x + 300.0).collect();
     state.set_positions(&away).unwrap();
     state.fit();
@@ -206,7 +206,7 @@ fn a_layer_is_joined_to_the_surface_and_what_fails_is_drawn_over_it() {
     assert!(state.set_layer(&above[..9], &[], vec![]).is_err());
     assert!(state.set_layer(&above, &[0, 8], vec![]).is_err());
     assert_eq!(state.layer_lines().len(), lines.len(), "what does not fit changes nothing");
-    // Another mesh has no layer of the one before.
+    // A new mesh does not keep the layer of the previous one.
     state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &floors()[..9]).unwrap();
     assert!(state.layer_lines().is_empty());
 }
@@ -217,7 +217,7 @@ fn a_section_lets_one_see_and_take_what_was_behind() {
     state.preset("top").unwrap();
     let middle = CANVAS * 0.5;
     assert_eq!((state.pick_face(middle), state.screen(0)), (Some(1), None));
-    // Across z, just below the upper floor.
+    // A section across z, just below the upper floor.
     state.set_section(Some((2, 0.9, false))).unwrap();
     assert_eq!(state.pick_face(middle), Some(0));
     let corner = state.screen(0).unwrap();
@@ -228,7 +228,7 @@ fn a_section_lets_one_see_and_take_what_was_behind() {
     state.set_section(Some((2, 0.9, true))).unwrap();
     assert_eq!(state.pick_face(middle), Some(1));
     assert!(state.set_section(Some((3, 0.5, false))).is_err());
-    // Another mesh is whole.
+    // A new mesh has no section.
     let other = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &other).unwrap();
     assert_eq!(state.camera().section, None);
@@ -240,10 +240,10 @@ fn a_line_drawing_ends_at_the_section() {
     state.preset("top").unwrap();
     let drawn = |state: &ViewState| shape_up::view::svg::line_drawing::line_drawing(state);
     let whole = drawn(&state);
-    // Only the half to the left is left: it is not as wide.
+    // Only the left half remains, so the drawing is narrower.
     state.set_section(Some((0, 0.5, false))).unwrap();
     let half = drawn(&state);
-    // Where lines begin, from left to right.
+    // Greatest x at which a line begins.
     let right = |svg: &str| {
         let begins = svg.split('M').skip(1).filter_map(|line| line.split([' ', '-']).next());
         begins.filter_map(|x| x.parse::<f64>().ok()).fold(0.0, f64::max)
@@ -281,7 +281,7 @@ fn lines_over_the_surface_are_of_two_kinds_and_go_with_the_mesh() {
     assert!(SurfaceLines::new(&points, vec![0, 3, 6], 1).is_err());
     assert!(SurfaceLines::new(&points[..4], vec![0, 1], 1).is_err());
     assert!(SurfaceLines::new(&[f64::NAN; 3], vec![0, 1], 1).is_err());
-    // Another mesh has none of the one before.
+    // A new mesh does not keep the lines of the previous one.
     state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &floors()[..9]).unwrap();
     assert_eq!(state.take_changed_surface_lines(), Some((vec![], vec![])));
 }

@@ -1,4 +1,4 @@
-//! The view without a GPU, as a user meets it: framing, pointing, boxes, dragging.
+//! The view without a GPU: framing, picking, selection boxes, dragging.
 
 use glam::{DVec3, Vec2, Vec3};
 use shape_up::view::camera::UpAxis;
@@ -153,7 +153,7 @@ fn a_box_around_everything_takes_what_is_in_front() {
     assert_eq!(state.vertices_in(&Outline::around(CANVAS, Vec2::ZERO), false), [0, 1, 2, 3]);
 }
 
-/// Seen from above a bump hides nothing; its rim is the outline.
+/// Seen from above, a bump hides nothing; its rim is the outline.
 #[test]
 fn a_box_misses_no_vertex_of_a_sheet_seen_from_above() {
     let mut state = state(60, bump);
@@ -167,7 +167,7 @@ fn a_window_takes_whole_faces_and_a_crossing_takes_touched_ones() {
     let mut state = state(4, |_, _| 0.0);
     state.preset("top").unwrap();
     let at = |vertex: u32| state.screen(vertex).unwrap();
-    // From the middle of face 0 to the middle of face 10: face 5 is between them.
+    // From the centre of face 0 to the centre of face 10: face 5 is between them.
     let from = (at(0) + at(6)) * 0.5;
     let to = (at(12) + at(18)) * 0.5;
     assert_eq!(state.faces_in(&Outline::around(from, to), WHOLE), [5]);
@@ -206,7 +206,7 @@ fn an_edge_is_picked_where_it_is_seen_and_marked_by_its_number() {
     let other = (at(&state, 6) + at(&state, 11)) * 0.5;
     assert_eq!(state.pick_edge(other, 8.0), Some(2));
     assert_eq!(state.pick_edge(middle + Vec2::new(0.0, 30.0), 8.0), None);
-    // A stroke across the first one touches it and holds none.
+    // A stroke across the first edge touches it but does not contain it.
     let across = Outline::around(middle - Vec2::splat(5.0), middle + Vec2::splat(5.0));
     assert_eq!(state.edges_in(&across, TOUCHING), [1]);
     assert!(state.edges_in(&across, WHOLE).is_empty());
@@ -333,7 +333,7 @@ fn handles_that_do_not_fit_are_refused_and_the_old_ones_stay() {
     }
     assert_eq!(state.handles().len(), 2);
     assert!(!state.changes().any());
-    // A target that moves is nothing else: the vertices and the dots stay the same.
+    // A moved target changes only the targets: the vertices and the dots stay the same.
     state.set_handles(&[1, 2], &[0, 2], &[1.0; 6]).unwrap();
     assert_eq!(state.changes(), Changes { targets: true, ..Changes::default() });
 }
@@ -373,7 +373,7 @@ fn a_flat_map_is_seen_from_above_without_distortion() {
     assert_eq!(checks.extent(), Vec2::splat(4.0));
     map.resize(CANVAS);
     let at = |map: &ViewState, v: u32| map.screen(v).unwrap();
-    // The first coordinate to the right, the second up, and squares are squares.
+    // The first coordinate points right, the second up, and the scale is uniform.
     let [origin, right, up] = [0, 4, 20].map(|v| at(&map, v));
     let (along, across) = (right - origin, up - origin);
     assert!(along.x > 100.0 && along.y.abs() < 0.1 && across.x.abs() < 0.1, "{along} {across}");
@@ -406,7 +406,7 @@ fn faces_that_a_flat_map_turns_over_are_outlined_on_it_alone() {
     let model = state(2, |_, _| 0.0);
     let uv = [0.0; 18];
     let (map, _) = flat_map(&model, &uv, &[0, 1]).unwrap();
-    // Two quads with a side between them.
+    // The outline of two adjacent quads, including their common side.
     assert_eq!(map.flipped(), [[0, 1], [0, 3], [1, 2], [1, 4], [2, 5], [3, 4], [4, 5]]);
     assert!(model.flipped().is_empty());
     assert!(flat_map(&model, &uv, &[4]).is_err());
@@ -414,7 +414,7 @@ fn faces_that_a_flat_map_turns_over_are_outlined_on_it_alone() {
 
 #[test]
 fn what_a_flat_map_turns_over_is_shown_large_and_from_its_front() {
-    // Two floors that face each other: the lower one hides the upper one from below.
+    // Two facing floors: the lower one hides the upper one from below.
     let mut model = two_floors();
     let uv: Vec<f64> = (0..8).flat_map(|v| [f64::from(v % 4 / 2), f64::from(v / 4)]).collect();
     let uv: Vec<f64> = uv.iter().map(|x| x * 50.0).collect();
@@ -434,7 +434,7 @@ fn what_a_flat_map_turns_over_is_shown_large_and_from_its_front() {
     }
     let large = |state: &ViewState| (state.screen(6).unwrap() - state.screen(4).unwrap()).length();
     assert!(large(&model) > 0.5 * CANVAS.y, "{}", large(&model));
-    // Seen along its normal it is as wide as it is high.
+    // Seen along its normal, it is as wide as it is high.
     let side = |a: u32, b: u32| (model.screen(a).unwrap() - model.screen(b).unwrap()).length();
     assert!((side(4, 5) - side(5, 6)).abs() < 1.0);
 }
@@ -449,7 +449,7 @@ fn a_kept_camera_comes_back_in_another_window_too() {
     second.place_camera(&kept);
     assert_eq!(second.camera(), first.camera());
 
-    // One that framed everything frames it in a narrower window as well.
+    // A camera that frames everything does so in a narrower window too.
     let mut framed = state(4, bump);
     framed.preset("top").unwrap();
     let mut narrow = state(4, bump);
@@ -458,7 +458,7 @@ fn a_kept_camera_comes_back_in_another_window_too() {
     framed.resize(Vec2::new(300.0, 600.0));
     assert_eq!(narrow.camera(), framed.camera());
 
-    // Nonsense changes nothing.
+    // Invalid numbers change nothing.
     second.place_camera(&[0.0; 3]);
     second.place_camera(&[f64::NAN; 7]);
     second.place_camera(&[0.0; 7]);
@@ -473,7 +473,8 @@ fn a_drag_turns_about_what_is_under_the_cursor() {
     state.begin_turn(before);
     state.turn(60.0, 10.0);
     assert!((state.screen(vertex).unwrap() - before).length() < 1.0);
-    // Beside the model it turns about its middle, however it was moved before.
+    // Beside the model the camera turns about the middle of the model, however it was panned
+    // before.
     let mut other = self::state(6, bump);
     other.pan(80.0, 30.0);
     let middle = |state: &ViewState| {
