@@ -1,4 +1,4 @@
-//! Scenes whose positions after 30 steps have a known digest, for native and wasm tests alike.
+//! Scenes with a known digest of the positions after 30 steps, for native and wasm tests.
 
 #[path = "../support/grid.rs"]
 mod grid;
@@ -19,8 +19,8 @@ fn bumpy(n: u32) -> Mesh {
     })
 }
 
-/// What is put on the grid, with the digest for each accelerator (none, quasi-newton, anderson) where the
-/// supernodal factor is used.
+/// Constraints and settings on the grid, with the digest for each accelerator (none, quasi-newton,
+/// anderson) with the supernodal factor.
 const SCENES: &[(&str, [u64; 3])] = &[
     (
         r#""constraints": [{ "kind": "circle", "on": "faces" }],
@@ -59,8 +59,8 @@ const SCENES: &[(&str, [u64; 3])] = &[
     ),
 ];
 
-/// The same of each scene with the factor of `sprs-ldl`, the default of scenes of this size: it sums in
-/// another order.
+/// Digests of the same scenes with the factor of `sprs-ldl`, the default at this size, which sums
+/// in another order.
 const SPRS_LDL_DIGESTS: &[[u64; 3]] = &[
     [0x9fb0_5a7e_7d37_ea4e, 0x60ff_6af2_76b7_5e76, 0x2a3f_a789_f79f_9ea5],
     [0x96e3_0d30_446d_f889, 0x9299_e1c9_3a9f_ab1f, 0xfc29_f76b_f2c9_503b],
@@ -68,7 +68,7 @@ const SPRS_LDL_DIGESTS: &[[u64; 3]] = &[
     [0x872d_600e_80b9_4040, 0x30bf_13d5_43e7_8702, 0xe941_e20f_fd53_4c83],
 ];
 
-/// The digest of each kind with its defaults, on every sort of element that fits it.
+/// Digest of each kind with its defaults, on every type of element that fits it.
 const KIND_DIGESTS: &[(&str, u64)] = &[
     ("line", 0x4643_e80b_2071_e317),
     ("plane", 0xf3ff_95bc_d509_1c0d),
@@ -95,7 +95,7 @@ const KIND_DIGESTS: &[(&str, u64)] = &[
     ("conical", 0x7f83_a4e3_fb28_eb0a),
 ];
 
-/// Quads, triangles and tetrahedra, apart from each other.
+/// Separate quads, triangles and tetrahedra.
 fn sampler() -> Mesh {
     let mut mesh = bumpy(5);
     let quads = mesh.faces.clone();
@@ -107,7 +107,7 @@ fn sampler() -> Mesh {
         mesh.faces.push(&[a, b, c]);
         mesh.faces.push(&[a, c, d]);
     }
-    // A prism on each of some triangles, cut into three tetrahedra.
+    // A prism on each of some triangles, split into three tetrahedra.
     for face in 0..4 {
         let first = mesh.positions.len() as u32;
         let triangle = mesh.faces.row(quads.len() + 2 * face);
@@ -123,7 +123,7 @@ fn sampler() -> Mesh {
     mesh
 }
 
-/// The digest of ten steps with a kind on each sort of element that fits it.
+/// Digest of ten steps with a kind on each type of element that fits it.
 fn kind_digest(info: &Info) -> u64 {
     let elements = if info.elements.is_empty() { &Element::ALL } else { info.elements };
     // Curves are polylines and edge lines.
@@ -142,7 +142,7 @@ fn kind_digest(info: &Info) -> u64 {
         );
         let scene = Scene::from_json(&text).expect("the scene is valid");
         let Ok(mut session) = Session::open(scene, mesh.clone()) else {
-            // No element has as many vertices as the kind takes.
+            // No element has a suitable number of vertices.
             return combined;
         };
         for _ in 0..10 {
@@ -152,7 +152,7 @@ fn kind_digest(info: &Info) -> u64 {
     })
 }
 
-/// Panels that are required to be exact, and what their positions are then, and after a step along the softest
+/// Digests of the positions with panels required to be exact, and after a step along the softest
 /// variation.
 const EXACT_DIGESTS: [(&str, [u64; 2]); 2] = [
     ("circle", [0x9377_1fda_7cb0_5e54, 0x53df_e972_6b6d_4b5d]),
