@@ -138,14 +138,14 @@ fn what_cannot_be_written_leaves_every_file_as_it_was_and_no_folder_behind() {
     std::fs::create_dir_all(folder.0.join("parts/sheets.pdf")).unwrap();
     folder.write("parts/panels.csv", "of before").write("parts/sheet-01.svg", "of before");
     let mut places = vec![
-        // One of the drawings is a folder: some come before it, and some after.
+        // One of the drawings is a folder: some files are written before it, and some after.
         ["parts", "r.json"],
         ["new/deep", "gone/r.json"],
         ["new/deep", "parts"],
         ["busy", "r.json"],
         ["busy/parts", "r.json"],
     ];
-    // A disk that is full when everything but the last file is written.
+    // A full disk when only the last file is left to write.
     if std::path::Path::new("/dev/full").exists() {
         places.push(["new/deep", "/dev/full"]);
     }

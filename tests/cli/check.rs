@@ -1,4 +1,4 @@
-//! `check MESH`: what there is to say of a mesh.
+//! `check MESH`: the report on a mesh.
 
 use crate::folder::{Folder, ROOF};
 
@@ -17,7 +17,7 @@ fn rows_of_quads_are_told_with_their_size_laid_flat() {
     let report = folder.json("report.json");
     let strips = report["strips"].as_array().unwrap();
     assert_eq!(strips.len(), 3, "one along the bend, two across");
-    // No vertex is inside.
+    // There are no interior vertices.
     assert!(report.get("gauss_curvature").is_none());
     folder.write("roof.obj", ROOF).run(&["check", "roof.obj", "--report", "roof.json"]).done();
     assert!(folder.json("roof.json")["gauss_curvature"]["max"].is_number());

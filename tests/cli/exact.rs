@@ -1,4 +1,4 @@
-//! `shape-up solve` with constraints that are met.
+//! `shape-up solve` with hard constraints.
 
 use crate::folder::{Folder, ROOF};
 use serde_json::Value;
@@ -95,7 +95,7 @@ fn a_boundary_is_held_exactly_or_nearly() {
         folder.run(&[&asked[..], boundary].concat()).done();
         let read = |name: &str| shape_up::mesh::read(name, folder.read(name).as_bytes()).unwrap();
         let (rest, now) = (read("roof.obj").mesh.positions, read("out.obj").mesh.positions);
-        // Each vertex of the border but the corner is on two straight segments, between these.
+        // Each border vertex except the corners is on the straight segments between these vertices.
         let segments = [[0, 1], [1, 2], [2, 5], [5, 8], [8, 7], [7, 6], [6, 3], [3, 0]];
         let distance = |p: [f64; 3]| {
             let to = |[a, b]: [usize; 2]| {

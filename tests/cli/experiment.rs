@@ -23,7 +23,7 @@ fn experiments_are_listed_and_run() {
 
 #[test]
 fn a_limit_of_no_iterations_leaves_the_start() {
-    // The limit was looked at after the first iteration only.
+    // The limit was checked only after the first iteration.
     let folder = Folder::new("start");
     folder.run(&["experiment", "fig-11-strip", "--iterations=0", "--csv=start.csv"]).done();
     let csv = folder.read("start.csv");

@@ -1,8 +1,8 @@
-//! Every way in which the input or the call can be at fault: exit code, one line, no file left.
+//! Faults of the input or the call: exit code, one line, no file left.
 
 use crate::folder::{Folder, ROOF, scene};
 
-/// A scene that is at fault, and words of the one line that says so.
+/// A faulty scene, and words of its one-line message.
 #[rustfmt::skip]
 const FAULTY: &[(&str, &[&str])] = &[
     ("", &["s.json: ", "empty"]),
@@ -61,7 +61,8 @@ fn a_faulty_mesh_is_one_line_with_its_place() {
 
 #[test]
 fn a_mesh_that_is_too_large_to_be_measured_is_refused_and_no_report_has_holes() {
-    // Squares of such lengths are infinite: energies and measures were not numbers, null in reports.
+    // Squares of such lengths are infinite: energies and measures were not numbers, and null in
+    // reports.
     let folder = Folder::new("large");
     folder.write("large.obj", "v 1e200 0 0\nv 0 1e200 0\nv 0 0 1e200\nf 1 2 3\n");
     for command in ["solve", "check", "parametrize"] {
@@ -88,7 +89,7 @@ fn a_surface_without_area_is_called_so_when_it_is_flattened() {
 #[cfg(unix)]
 #[test]
 fn a_scene_that_names_a_device_as_its_mesh_is_refused_before_it_is_read() {
-    // It has no end: 8 GB of it were read.
+    // The device has no end: 8 GB of it were read.
     let folder = Folder::new("device");
     let scene = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "/dev/zero" } }"#;
     folder.write("zero.shapeup.json", scene);
@@ -104,7 +105,7 @@ fn a_flat_map_says_what_is_left_out_of_it() {
     let done = folder.run(&["parametrize", "roof.obj", "--report", "r.json"]).done();
     assert!(done.contains("left out         1 face without area"), "{done}");
     assert_eq!(folder.json("r.json")["left_out"], 1);
-    // A face and its back: no map is conformal on both sides of it, and what is left is one face.
+    // A face and its back: no map is conformal on both, so one is left out.
     folder.write("back.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 3 2 1\n");
     folder.run(&["parametrize", "back.obj", "--report", "r.json"]).done();
     assert_eq!(folder.json("r.json")["left_out"], 1);
@@ -185,7 +186,7 @@ fn a_wrong_call_says_how_it_is_called() {
         assert!(help.contains(&format!(" {}", info.id)), "{help}");
     }
     assert!(help.lines().all(|line| line.len() <= 106), "{help}");
-    // Wherever it stands; behind two dashes it is the name of a file.
+    // In any position; after `--` it is a file name.
     for asked in [&["-h"][..], &["help"], &["solve", "--help"], &["check", "roof.obj", "-h"]] {
         assert_eq!(folder.run(asked).done(), help);
     }

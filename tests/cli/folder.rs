@@ -1,10 +1,10 @@
-//! A folder in which the program is run, how it ended, and the roof that it is run on.
+//! A folder in which the program runs, the result of a run, and the roof as its input.
 
 use serde_json::Value;
 use std::path::PathBuf;
 use std::process::Command;
 
-/// A folder of one test's own, removed at its end.
+/// A separate folder for each test, removed at its end.
 pub(crate) struct Folder(pub(crate) PathBuf);
 
 impl Folder {
@@ -71,7 +71,8 @@ impl Ended {
         self.out
     }
 
-    /// The input is at fault: one line on standard error with these words, and nothing else.
+    /// Checks that the input was at fault: one line on standard error with these words, and nothing
+    /// else.
     #[track_caller]
     pub(crate) fn refused(self, words: &[&str]) {
         assert_eq!(self.code, Some(1), "{self:?}");
@@ -91,8 +92,8 @@ impl Ended {
     }
 }
 
-/// Four bent quads with everything that must come out as it went in: a group of two words, a
-/// polyline, names of its own, and positions that no short decimal gives.
+/// Four bent quads with everything that must be preserved: a group of two words, a polyline, its
+/// own names, and positions without a short decimal form.
 pub(crate) const ROOF: &str = "\
 o roof
 v 0 0 0
@@ -114,7 +115,7 @@ f 5 6 9 8
 l 1 2 3
 ";
 
-/// A scene file on the roof, with `rest` after the mesh.
+/// A scene file on the roof, with the keys in `rest` appended.
 pub(crate) fn scene(rest: &str) -> String {
     format!(
         r#"{{ "format": "shape-up-scene", "version": 1, "units": "m", "mesh": {{ "file": "roof.obj" }}{rest} }}"#

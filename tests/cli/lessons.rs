@@ -1,11 +1,11 @@
-//! `check RESULTS --scene SCENE`: what a student hands in is measured again.
+//! `check RESULTS --scene SCENE`: handed-in results are measured again.
 
 use crate::folder::{Folder, PLANES, ROOF, scene};
 
 const LESSON: &str = r#", "lesson": { "text": "Make it flat.", "goals": [
     { "measure": "planarity", "at_most": 0.001 }, { "constraint": "Plane", "at_most": 0.01 }] }"#;
 
-/// What Ada hands in of that scene: as it is opened, or solved.
+/// Results of the student Ada for that scene: as opened, or solved.
 fn results(solved: bool) -> String {
     let mesh = shape_up::mesh::read("roof.obj", ROOF.as_bytes()).unwrap().mesh;
     let scene = shape_up::scene::Scene::from_json(&scene(&format!("{PLANES}{LESSON}"))).unwrap();
@@ -82,7 +82,7 @@ fn a_folder_of_results_becomes_a_table() {
     let table = folder.read("t.csv");
     assert!(table.contains("\"'=HYPERLINK(\"\"x\"\")\",\"0\",\"2\""), "{table}");
     assert_eq!(table.lines().count(), 4);
-    // What cannot be read is a row too, and the end says so.
+    // An unreadable file has a row too, and the summary reports it.
     folder.write("class/4.results.json", "{");
     let ended = folder.run(&["check", "class", "--scene", "s.json"]);
     assert_eq!(ended.code, Some(1), "{ended:?}");

@@ -1,4 +1,4 @@
-//! The command line, run as its users run it: what it writes, how it ends, and what it says.
+//! The command line as users run it: written files, exit codes, and messages.
 
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 
@@ -42,7 +42,7 @@ fn no_iteration_gives_back_the_same_positions() {
     let read = |name: &str| shape_up::mesh::read(name, folder.read(name).as_bytes()).unwrap().mesh;
     let (before, after) = (read("roof.obj").positions, read("out.obj").positions);
     for (a, b) in before.as_flattened().iter().zip(after.as_flattened()) {
-        // The solver works around the centre of the mesh: a last digit may go.
+        // The solver works relative to the centre of the mesh: the last digit may differ.
         assert!((a - b).abs() <= 2.0 * f64::EPSILON, "{a} {b}");
     }
 }
@@ -186,7 +186,7 @@ fn a_scene_says_what_is_kept_close_and_how_much() {
     };
     let (plain, all) = close_and_moved(r#"{ "to": "rest" }"#);
     assert_eq!(all, 9);
-    // Corners are fixed; what weighs nothing adds nothing.
+    // Corners are fixed; zero weights add nothing.
     assert_eq!(close_and_moved(r#"{ "to": "rest", "boundary": {} }"#).1, 5);
     let (none, _) =
         close_and_moved(r#"{ "to": "rest", "weights": [{ "on": "faces", "weight": 0 }] }"#);
@@ -217,7 +217,7 @@ fn elements_that_do_not_fit_a_kind_are_counted_and_named() {
     };
     for (on, kind, fit, skipped, words) in [
         ("\"faces\"", "square", 3, 1, "square on all faces: 1 of 4 skipped; it takes exactly 4"),
-        // One strip along, of eight vertices, and three across.
+        // One strip along the row, of eight vertices, and three across.
         ("\"strips\"", "square", 3, 1, "square on all strips of faces: 1 of 4 skipped"),
         // Four ribs have two vertices, one of them the curve of the file; the two sides have five.
         (
@@ -289,7 +289,7 @@ fn check_says_what_a_mesh_is_like() {
     }
 }
 
-/// The form that a value of a parameter has, as README.md tells it.
+/// The form of a parameter value, as README.md describes it.
 fn form_of(value: &Value) -> Value {
     match value {
         Value::Null => "nothing".into(),
@@ -342,12 +342,12 @@ fn a_mesh_is_refined_and_solved_at_every_level() {
     assert_eq!(levels.len(), 3);
     assert_eq!(levels[1]["faces"], fine_faces);
     assert_eq!(levels[2]["faces"], report["report"]["faces"]);
-    // The scene that is written opens as what it was.
+    // The written scene opens with the same energy.
     folder.run(&["solve", "fine.json", "--iterations", "0", "--report", "again.json"]).done();
     let total = |json: &Value| json["energy"]["final"]["total"].as_f64().unwrap();
     let (again, last) = (total(&folder.json("again.json")), total(&report["report"]));
     assert!((again - last).abs() <= 1e-9 * last, "{again} {last}");
-    // Where each level is the original of the next, the last one has hardly moved from it.
+    // If each level is the original of the next, the last one has hardly moved from it.
     folder.run(&[&asked[..], &["--adopt", "--report", "adopt.json"]].concat()).done();
     let moved = |file: &str| folder.json(file)["levels"][2]["verdict"]["moved"]["max"].as_f64();
     assert!(2.0 * moved("adopt.json").unwrap() < moved("r.json").unwrap());
@@ -405,7 +405,7 @@ fn examples_are_written_and_can_be_solved() {
         let energy = &folder.json("r.json")["energy"];
         let [initial, reached] =
             ["initial", "final"].map(|when| energy[when]["total"].as_f64().unwrap());
-        // Where nothing is asked of the shape it stays.
+        // Without constraints the shape stays.
         let asks = entry["kinds"].as_array().is_some_and(|kinds| !kinds.is_empty());
         assert!(if asks { reached < initial } else { reached == initial }, "{entry}");
         let mesh = Path::new("a/b").join(entry["mesh"].as_str().unwrap());

@@ -58,7 +58,7 @@ fn a_loft_between_two_curves_and_a_filled_boundary_are_made_from_files() {
     let loft = ["new", "loft", "curves.obj", "--size", "1.5", "--out", "loft.obj"];
     assert_eq!(folder.run(&loft).done(), "loft.obj: 70 vertices, 54 faces\n");
     folder.run(&["check", "loft.obj"]).done();
-    // The boundary of what was made, filled again: its four corners are those of the curves.
+    // Filling the boundary of the new mesh: its four corners are the corners of the curves.
     let fill = ["new", "fill", "loft.obj", "--size=1.5", "--out", "fill.obj"];
     let filled = folder.run(&fill).done();
     assert!(filled.starts_with("fill.obj: ") && filled.ends_with(" faces\n"), "{filled}");

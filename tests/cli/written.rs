@@ -1,4 +1,4 @@
-//! What is written where: links, pipes, formats, and what a format has no place for.
+//! Written files: links, pipes, formats, and data that a format cannot store.
 
 use crate::folder::{Folder, PLANES, ROOF, scene};
 
@@ -9,7 +9,7 @@ fn mesh(folder: &Folder, name: &str) -> shape_up::mesh::Mesh {
 #[cfg(unix)]
 #[test]
 fn a_link_stays_and_the_file_behind_it_is_written() {
-    // A file that is renamed to the name of a link would take its place.
+    // Renaming a file to the name of a link would replace the link.
     let folder = Folder::new("link");
     std::fs::create_dir(folder.0.join("store")).unwrap();
     folder.write("roof.obj", ROOF).write("store/out.obj", "");
@@ -23,7 +23,7 @@ fn a_link_stays_and_the_file_behind_it_is_written() {
 #[cfg(unix)]
 #[test]
 fn a_pipe_is_written_to_and_stays() {
-    // As is a device: renaming a file to the name of one would take its place.
+    // The same holds for a device: renaming a file to its name would replace it.
     use std::os::unix::fs::FileTypeExt;
     let folder = Folder::new("pipe");
     let pipe = folder.0.join("out.obj");
@@ -52,7 +52,7 @@ fn one_file_cannot_take_two_outputs_whatever_it_is_called() {
 
 #[test]
 fn an_ending_of_another_format_is_refused_before_anything_is_solved() {
-    // OBJ in a file that is called OFF cannot be read by anything.
+    // OBJ text in a file named .off cannot be read by any program.
     let folder = Folder::new("ending");
     folder.write("roof.obj", ROOF);
     for (command, out, words) in [
@@ -99,7 +99,7 @@ fn one_of_something_is_not_several() {
 
 #[test]
 fn faces_with_vertices_of_their_own_are_solved_together_and_come_out_as_they_came() {
-    // Solved apart they would be torn from each other.
+    // If they were solved separately, they would move apart.
     let folder = Folder::new("pieces");
     let mut text = String::new();
     for (x, y) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
@@ -117,14 +117,14 @@ fn faces_with_vertices_of_their_own_are_solved_together_and_come_out_as_they_cam
     let (before, after) = (mesh(&folder, "pieces.obj"), mesh(&folder, "out.obj"));
     assert_eq!((after.faces, after.positions.len()), (before.faces, 16));
     assert_ne!(after.positions, before.positions);
-    // The middle is four vertices, which are still at one place.
+    // The middle has four vertices, which still coincide.
     let middle = [2, 7, 9, 12].map(|v| after.positions[v]);
     assert!(middle.iter().all(|at| *at == middle[0]), "{middle:?}");
 }
 
 #[test]
 fn a_mesh_that_shrinks_to_a_dot_is_told() {
-    // It was written without a word.
+    // It was once written without a message.
     let folder = Folder::new("dot");
     folder.write("roof.obj", ROOF);
     folder.write("s.json", scene(r#", "weights": { "shape": 1, "smooth": 10 }"#));
