@@ -1,4 +1,4 @@
-//! The examples that are lessons: they are missed as they stand, and can be met and handed in.
+//! Examples that are lessons: their goals are missed at first, and can be met and handed in.
 
 use shape_up::example::{EXAMPLES, Example};
 use shape_up::scene::{Results, Weights};
@@ -9,7 +9,7 @@ fn lessons() -> impl Iterator<Item = &'static Example> {
     EXAMPLES.iter().filter(|example| example.build().0.lesson.is_some())
 }
 
-/// What the goals are after a run.
+/// Values of the goals after a run.
 fn run(session: &mut Session) -> Vec<f64> {
     session.solve(false).expect("positions stay finite");
     let goals = session.goals();
@@ -32,7 +32,7 @@ fn the_glass_roof_pulls_both_ways_and_can_be_met() {
     let [flat, near] = run(&mut session)[..] else { panic!("it has two goals") };
     assert!(flat > 0.001 && (0.05..0.06).contains(&near), "{flat} {near}");
 
-    // Flatter alone is farther from where it was drawn.
+    // Flatter panels alone are farther from the drawn shape.
     let weights = |shape, close| Edit::SetWeights(Weights { shape, close, smooth: 0.5 });
     session.edit(weights(1e4, 10.0)).expect("weights can be changed");
     let [flat, near] = run(&mut session)[..] else { panic!("it has two goals") };
@@ -42,7 +42,7 @@ fn the_glass_roof_pulls_both_ways_and_can_be_met() {
     let [flat, near] = run(&mut session)[..] else { panic!("it has two goals") };
     assert!(flat < 0.001 && near < 0.05, "{flat} {near}");
 
-    // Who gets the results measures them again, on the lesson as it is in the files.
+    // The recipient of the results measures them again, on the lesson as it is in the files.
     let results = session.results("Ada", "").expect("it is a lesson");
     assert!(results.passed);
     let results = Results::from_json(&results.to_json()).expect("it was written here");
@@ -51,7 +51,7 @@ fn the_glass_roof_pulls_both_ways_and_can_be_met() {
     assert!(goals.iter().all(|goal| goal.met), "{goals:?}");
 }
 
-/// What the goals are after the row of a lesson is required so, before or after a run.
+/// Which goals are met after the row of a lesson gets this requirement, before or after a run.
 fn required(id: &str, require: Require, runs_first: bool) -> Vec<bool> {
     let example = lessons().find(|example| example.id == id).expect("it is a lesson");
     let (scene, mesh) = example.build();

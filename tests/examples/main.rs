@@ -1,4 +1,4 @@
-//! The example scenes: their meshes are clean, their scenes fit, and there is something to do.
+//! The example scenes: clean meshes, scenes that fit them, and something to optimise.
 
 mod exercise;
 mod statements;
@@ -16,7 +16,7 @@ fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Twice the area vector of a polygon.
+/// Twice the vector area of a polygon.
 fn area_vector(points: &[Point]) -> Point {
     let mut sum = [0.0; 3];
     for k in 0..points.len() {
@@ -30,7 +30,7 @@ fn area_vector(points: &[Point]) -> Point {
     sum
 }
 
-/// How many boundary loops the mesh of an example has.
+/// Number of boundary loops of the mesh of an example.
 fn loops(id: &str) -> usize {
     match id {
         "dome" | "fig-01-triangles" | "fig-06-exploration" | "fig-09-polygons" => 2,
@@ -63,7 +63,7 @@ fn meshes_are_manifold_and_in_one_piece() {
         if !mesh.faces.is_empty() {
             let tets = mesh.tets.iter().map(|tet| tet.as_slice());
             let labels = components(mesh.positions.len(), mesh.faces.iter().chain(tets));
-            // The same vault twice, to compare them.
+            // The same vault twice, for comparison.
             let pieces = if name == "lesson-curvature-and-panels" { 2 } else { 1 };
             let most = labels.iter().max().copied().unwrap_or_default() as usize;
             assert_eq!(most + 1, pieces, "{name}");

@@ -1,4 +1,4 @@
-//! What each example states of itself, measured when it is solved with its own settings.
+//! The statements of each example, measured after solving it with its own settings.
 
 use shape_up::constraint::Selector;
 use shape_up::example::model::Court;
@@ -13,19 +13,19 @@ use shape_up::scene::{Scene, Target};
 use shape_up::session::{Report, Session};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Parametrization};
 
-/// An example, solved.
+/// A solved example.
 struct Run {
     before: Report,
     after: Report,
-    /// Of each row of constraints, before and after: the largest distance of a vertex from its
+    /// For each row of constraints, before and after: largest distance of a vertex from its
     /// projection.
     worst: Vec<[f64; 2]>,
-    /// The total energy at the start and after each iteration.
+    /// Total energy at the start and after each iteration.
     totals: Vec<f64>,
     mesh: Mesh,
     positions: Vec<Point>,
     scene: Scene,
-    /// Of the lesson, if it is one.
+    /// Met goals of the lesson, if it is one.
     goals_met: usize,
 }
 
@@ -52,24 +52,24 @@ impl Run {
         }
     }
 
-    /// How far a vertex of the first half of the mesh has moved, at most.
+    /// Greatest displacement of a vertex of the first half of the mesh.
     fn first_half_moved(&self) -> f64 {
         let half = self.positions.len() / 2;
         let pairs = self.positions[..half].iter().zip(&self.mesh.positions);
         pairs.map(|(now, rest)| (Vec3::from(*now) - Vec3::from(*rest)).length()).fold(0.0, f64::max)
     }
 
-    /// How many iterations bring the total to this part of what it was at the start.
+    /// Number of iterations until the total is this fraction of its initial value.
     fn iterations_to(&self, part: f64) -> Option<usize> {
         self.totals.iter().position(|&total| total < part * self.totals[0])
     }
 
-    /// The volume inside a closed surface now, as a part of what it was at rest.
+    /// Volume inside a closed surface, as a fraction of the rest volume.
     fn volume_left(&self) -> f64 {
         volume(&self.mesh, &self.positions) / volume(&self.mesh, &self.mesh.positions)
     }
 
-    /// The shortest edge, before and after.
+    /// Shortest edge, before and after.
     fn shortest_edge(&self) -> [f64; 2] {
         let topology = Topology::new(&self.mesh);
         [&self.mesh.positions, &self.positions].map(|positions| {
@@ -88,8 +88,7 @@ impl Run {
         [&self.before, &self.after].map(|report| report.planarity.e_p_mean)
     }
 
-    /// The part of the corners of faces whose angle is within 10 degrees of a right one, before and
-    /// after.
+    /// Fraction of face corners with an angle within 10 degrees of a right angle, before and after.
     fn right_angles(&self) -> [f64; 2] {
         [&self.mesh.positions, &self.positions].map(|positions| {
             let counts = angle_histogram(positions, &self.mesh.faces, 18);
@@ -97,12 +96,12 @@ impl Run {
         })
     }
 
-    /// The largest distance of a vertex from its projection in all rows together, before and after.
+    /// Largest distance of a vertex from its projection over all rows, before and after.
     fn worst_of_all(&self) -> [f64; 2] {
         [0, 1].map(|when| self.worst.iter().map(|row| row[when]).fold(0.0, f64::max))
     }
 
-    /// Errors of the flat map of the mesh, with the settings that the page begins with.
+    /// Errors of the flat map of the mesh, with the initial settings of the page.
     fn flat_map(&self, mean_below: f64) -> Measured {
         let (weights, norm) = (ConformalWeights::default(), ConformalNorm::default());
         let map = Parametrization::new(&self.mesh, &Topology::new(&self.mesh), weights, norm);
@@ -115,7 +114,7 @@ impl Run {
         ]
     }
 
-    /// The greatest distance from the surface that the scene is fitted to, before and after.
+    /// Greatest distance from the target surface of the scene, before and after.
     fn off_the_other_surface(&self) -> [f64; 2] {
         let target = self
             .scene
@@ -134,7 +133,7 @@ impl Run {
         })
     }
 
-    /// The longest over the shortest edge of the rim of the court, before and after.
+    /// Longest edge of the rim of the court divided by the shortest, before and after.
     fn rim_unevenness(&self) -> [f64; 2] {
         let rim = Court::default().ring(0);
         [&self.mesh.positions, &self.positions].map(|positions| {
@@ -145,7 +144,7 @@ impl Run {
         })
     }
 
-    /// How far the rim of the court comes from the edges that it had.
+    /// Distance of the rim of the court from its original edges.
     fn off_the_first_rim(&self) -> f64 {
         let rim = Court::default().ring(0);
         let around = Ragged::from_iter([rim.clone().chain([rim.start]).collect::<Vec<_>>()]);
@@ -158,7 +157,7 @@ impl Run {
         off.fold(0.0, f64::max)
     }
 
-    /// Length and width of the smallest rectangles that the strips of most panels fit in, laid flat.
+    /// Length and width of the smallest rectangles that contain the unrolled strips of most panels.
     fn longest_strip(&self) -> [f64; 2] {
         let topology = Topology::new(&self.mesh);
         let strips = strips(&self.mesh, &topology);
@@ -170,13 +169,13 @@ impl Run {
         sizes.fold([0.0, 0.0], |[a, b], [c, d]| [f64::max(a, c), f64::max(b, d)])
     }
 
-    /// The greatest Gauss curvature.
+    /// Greatest magnitude of the Gauss curvature.
     fn gauss_curvature(&self) -> f64 {
         let all = gauss_curvature(&self.positions, &self.mesh, &Topology::new(&self.mesh));
         all.into_iter().filter(|k| k.is_finite()).fold(0.0, |most, k| most.max(k.abs()))
     }
 
-    /// How wide the stretched sheet is at its middle, where it was 18 m wide.
+    /// Width of the stretched sheet at its middle; it was 18 m wide.
     fn width_at_middle(&self) -> f64 {
         let middle = |&v: &usize| self.mesh.positions[v][0].abs() < 0.1;
         let ys = (0..self.positions.len()).filter(middle).map(|v| self.positions[v][1]);
@@ -193,7 +192,7 @@ fn volume(mesh: &Mesh, positions: &[Point]) -> f64 {
     fans.map(|[a, b, c]| at(a).dot(at(b).cross(at(c)))).sum::<f64>() / 6.0
 }
 
-/// How far a sheet of 25 by 17 vertices is from its mirror image, at most.
+/// Greatest distance of a sheet of 25 by 17 vertices from its mirror image.
 fn halves_apart(positions: &[Point]) -> f64 {
     let apart = |k: usize| {
         let ([x, y, z], [u, v, w]) = (positions[k], positions[k / 25 * 25 + 24 - k % 25]);
@@ -202,7 +201,7 @@ fn halves_apart(positions: &[Point]) -> f64 {
     (0..positions.len()).map(apart).fold(0.0, f64::max)
 }
 
-/// Where the sheet comes to when each of its constraints has the vertices of one column.
+/// Solution for the sheet if each of its constraints has the vertices of one column.
 fn with_own_vertices(run: &Run) -> Vec<Point> {
     let mut scene = run.scene.clone();
     for (i, row) in (1..).zip(&mut scene.constraints) {
@@ -213,10 +212,10 @@ fn with_own_vertices(run: &Run) -> Vec<Point> {
     session.positions()
 }
 
-/// What is measured of an example, with the bounds that its statement names.
+/// Measured values of an example, with the bounds of its statement.
 type Measured = Vec<(&'static str, f64, std::ops::Range<f64>)>;
 
-/// The id of an example, and how its statement is measured.
+/// The id of an example, and the measurement of its statement.
 type Statement = (&'static str, fn(&Run) -> Measured);
 
 /// In the order of the examples.
@@ -425,7 +424,7 @@ fn every_example_does_what_it_states() {
         let run = Run::of(example);
         let (before, after) = (run.before.energy.initial, run.after.energy.last);
         assert_eq!(run.after.skipped, 0, "{id}");
-        // Where nothing is asked of the shape there is a flat map to look at.
+        // An example without constraints shows a flat map.
         if !run.after.constraints.is_empty() {
             let pinned: &[u32] = if id.starts_with("fig-10") { &[0] } else { &[] };
             assert_eq!(run.after.pinned, pinned, "{id}");
