@@ -1,4 +1,5 @@
-// The benchmark compiles and runs on its smallest size. After `npm run build`, which it measures.
+// The benchmark builds and runs at its smallest size. It measures the result of `npm run build`,
+// which must run first.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -44,7 +45,7 @@ test('every problem is measured natively and in the browser', () => {
   assert.match(text, /\| A \| 400 \| browser \| quasi-newton \|/);
 });
 
-test('both numeric factors are measured from changed constraints to the first iteration', () => {
+test('both factorisations are timed from changed constraints to the first iteration', () => {
   assert.deepEqual(
     results.factors.map(({ problem }) => problem),
     ['A', 'B', 'C'],
@@ -61,7 +62,7 @@ test('both numeric factors are measured from changed constraints to the first it
   assert.match(text, /Both numeric factors/);
 });
 
-test('the browser goes the way of the native program, to the last bit of the energy', () => {
+test('the browser converges like the native program, to the last bit of the energy', () => {
   const { convergence } = results;
   const inBrowser = convergence.filter(({ where }) => where === 'browser');
   assert.equal(inBrowser.length, 6);
@@ -77,7 +78,7 @@ test('the browser goes the way of the native program, to the last bit of the ene
   assert.ok(quick.some(({ reached }) => reached[0]?.iterations > 1));
 });
 
-test('the flat map in the browser is the native one, to the last bit', () => {
+test('the flat map in the browser equals the native one to the last bit', () => {
   const [native, browser] = ['native', 'browser'].map((place) =>
     results.maps.find(({ where }) => where === place),
   );
@@ -87,7 +88,7 @@ test('the flat map in the browser is the native one, to the last bit', () => {
   assert.match(text, /\| D \| 400 \| browser \|/);
 });
 
-test('ten models are opened in turn', () => {
+test('memory is measured while ten models are opened in turn', () => {
   const { empty, opened } = results.models;
   assert.equal(opened.length, 10);
   assert.ok(empty > 0 && opened.every((bytes, k) => bytes >= (opened[k - 1] ?? empty)));
@@ -106,7 +107,7 @@ test('parts are measured natively and in WebAssembly', () => {
   assert.match(text, /## Parts and sheets/);
 });
 
-test('hard constraints are met natively and in the browser, by the same way to the same digit', () => {
+test('native and browser runs meet hard constraints with the same numbers', () => {
   const of = (place) => results.exact.filter(({ where }) => where === place);
   const [native, browser] = ['native', 'browser'].map(of);
   assert.equal(native.length, 4);

@@ -1,9 +1,9 @@
-//! Hard constraints on meshes of quads, natively: a row of the table for each mesh and kind.
+//! Hard constraints on quad meshes, natively: a table row for each mesh and kind.
 //!
-//! `bench_exact MESH[:KIND]... grid:N:JITTER[:KIND]...`: circle and plane where no kind is named. A grid has N by N
-//! vertices over bumps, moved at random by so much of an edge. Closeness to rest with weight 10, smoothness of the
-//! displacement with weight 2, edges at least 0.3 of their length; energies and distances are for a bounding sphere
-//! of diameter 1.
+//! `bench_exact MESH[:KIND]... grid:N:JITTER[:KIND]...`: circle and plane if no kind is given. A
+//! grid has N by N vertices over bumps, displaced at random by JITTER of an edge. Closeness to rest
+//! with weight 10, smoothness of the displacement with weight 2, edges at least 0.3 of their
+//! length; energies and distances are for a bounding sphere of diameter 1.
 
 #[path = "../support/grid.rs"]
 mod grid;
@@ -55,7 +55,8 @@ fn main() {
     }
 }
 
-/// A square of bumps with `n` by `n` vertices, moved at random by `jitter` of an edge, and half of that in height.
+/// A square of bumps with `n` by `n` vertices, displaced at random by `jitter` of an edge, and by
+/// half of it in height.
 fn bumps(n: u32, jitter: f64) -> Mesh {
     let edge = 1.0 / f64::from(n - 1);
     let mut state = 1_u64;

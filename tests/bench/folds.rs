@@ -1,8 +1,9 @@
-//! Panels of real meshes as somebody opens them, made circular and flat: how many faces fold, natively.
+//! Folded faces of real meshes after their panels are made circular and flat, natively.
 //!
-//! `bench_folds MESH...`: a row for each kind and way, which are `press` (within a thousandth of the mean edge, and panels
-//! that would fold within more), `within` (that tolerance for all) and `exact`. Lengths are parts of the mean edge,
-//! energies without the constraints in its square.
+//! `bench_folds MESH...`: a row for each kind and way: `press` (within a thousandth of the mean
+//! edge, with a larger tolerance for panels that would fold), `within` (that tolerance for all) and
+//! `exact`. Lengths are relative to the mean edge, energies are without the constraints and
+//! relative to its square.
 
 use shape_up::mesh::{Mesh, folded_faces, read};
 use shape_up::scene::{Require, Scene};

@@ -1,8 +1,8 @@
-//! What is said of meshes before they are solved, and what becomes of them: a row for each mesh and kind of panel.
+//! Forecasts for meshes against their solutions: a row for each mesh and kind of panel.
 //!
-//! `bench_forecast MESH...`: the mean angle of the edges to the lines of curvature, how far vertices have to move by the
-//! estimate and what is said of it, and how far they have moved on average when all panels are exact; distances are parts
-//! of the mean edge.
+//! `bench_forecast MESH...`: mean angle of the edges to the lines of curvature, estimated
+//! displacement and its wording, and mean displacement when all panels are exact; distances are
+//! relative to the mean edge.
 
 use shape_up::mesh::{Topology, read};
 use shape_up::scene::{Forecast, HowFar, Scene};

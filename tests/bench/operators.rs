@@ -1,9 +1,9 @@
-//! Nanoseconds per constraint of every operator: gather, centring, projection and scatter, as in the
-//! local step. In lanes, as the solver does it, against one constraint after the other with the
-//! same formulas.
+//! Nanoseconds per constraint of every operator: gather, centring, projection and scatter, as in
+//! the local step. In lanes, as in the solver, against one constraint after the other with the same
+//! formulas.
 //!
-//! `cargo bench --bench operators` measures natively; `npm run bench` also in the browser, where
-//! `operators_wasm.rs` offers the same to a page.
+//! `cargo bench --bench operators` measures natively; `npm run bench` also in the browser, for
+//! which `operators_wasm.rs` exports the same to a page.
 
 #[path = "../support/random.rs"]
 mod random;
@@ -18,13 +18,13 @@ use shape_up::solve::clock;
 use std::fmt::Write;
 use std::rc::Rc;
 
-/// Constraints that are measured together.
+/// Number of constraints measured together.
 const COUNT: u32 = 2048;
-/// Rounds whose median counts, each long against the steps of a browser's clock.
+/// Rounds, whose median counts; each is long compared to the resolution of a browser's clock.
 const ROUNDS: usize = 9;
 const SECONDS_PER_ROUND: f64 = 0.02;
 
-/// Constraints of one kind on vertices that nearly have its shape, as they do in use.
+/// Constraints of one kind on vertices that nearly have its shape, as in typical use.
 struct Work {
     kind: Kind,
     members: Ragged,
@@ -34,7 +34,7 @@ struct Work {
 }
 
 impl Work {
-    /// Of `n` vertices each.
+    /// Constraints of `n` vertices each.
     fn new(info: &Info, n: usize) -> Work {
         let kind = Kind::new(info.id, serde_json::json!({})).expect("defaults are valid");
         let mut random = Random::new(1);
@@ -49,7 +49,7 @@ impl Work {
         mesh.positions.extend(rest.iter().map(|row| [row[0], row[1], row[2]]));
         members.iter().for_each(|row| mesh.faces.push(&row[..n.min(3)]));
         let mut work = Work { kind, members, rest, x: Vec::new(), mesh };
-        // Half the gradient is what the points are away from their projections.
+        // The residual is the vector from the projection to the point.
         work.x = cloud(
             &|k| {
                 let [x, y, z, _] = work.rest[k as usize];
@@ -68,7 +68,7 @@ impl Work {
         work
     }
 
-    /// Calls `run` with what operators may look up.
+    /// Calls `run` with the reference data that operators may use.
     fn with_reference<T>(&self, run: impl FnOnce(&Reference<'_>) -> T) -> T {
         let surface = Rc::new(Surface::new(&self.mesh.positions, &self.mesh));
         run(&Reference { surface: &|| Rc::clone(&surface), pose: None })
@@ -169,7 +169,7 @@ fn centre_as<P: Projection>(points: &mut [Vec3<f64>]) {
     }
 }
 
-/// A table in Markdown of every kind.
+/// A Markdown table of every kind.
 pub(crate) fn table() -> String {
     let mut table =
         "| kind | vertices | ns in lanes | ns one by one | ratio |\n|---|---|---|---|---|\n"
@@ -194,7 +194,7 @@ pub(crate) fn table() -> String {
 
 #[cfg(not(target_arch = "wasm32"))]
 fn main() {
-    // `cargo test` runs it too, with `--test`: that it compiles is all it wants to know.
+    // `cargo test` runs it too, with `--test`, only to check that it compiles.
     if std::env::args().any(|word| word == "--bench") {
         print!("{}", table());
     }

@@ -1,4 +1,5 @@
-//! Times of parts and sheets: what `.scripts/bench/parts.mjs` measures in WebAssembly, in the same words.
+//! Times of parts and sheets: the measurements of `.scripts/bench/parts.mjs` in WebAssembly, with
+//! the same names.
 
 use super::{black_box, timed};
 use serde::Serialize;
@@ -9,7 +10,7 @@ use shape_up::mesh::read;
 /// Milliseconds of each round.
 #[derive(Serialize, Default)]
 pub(super) struct Parts {
-    /// Panels flat, named, laid out; the offset with the smaller errors.
+    /// Flattening, naming and layout of panels; the offset with the smaller errors.
     build: Vec<f64>,
     /// The same with fins along the edges instead of panels.
     fins: Vec<f64>,
@@ -25,7 +26,7 @@ pub(super) struct Parts {
     files: Vec<f64>,
 }
 
-/// Builds the mesh of a file so many times.
+/// Builds the mesh of a file `rounds` times.
 pub(super) fn parts(path: &str, rounds: usize) -> Parts {
     let mesh = read(path, &std::fs::read(path).expect("the mesh was written"));
     let mesh = mesh.expect("the mesh can be read").mesh;

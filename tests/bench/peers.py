@@ -1,7 +1,7 @@
 """Times of other libraries on one mesh, for `npm run bench -- --peers`.
 
-peers.py TASK.json RESULT.json. The task names an OBJ file of quads or triangles and what to do with it; the
-result is in milliseconds. One thread, as the caller sets OMP_NUM_THREADS.
+peers.py TASK.json RESULT.json. The task gives an OBJ file of quads or triangles and the call; the result is
+in milliseconds. Single-threaded: the caller sets OMP_NUM_THREADS.
 """
 
 import json
@@ -10,7 +10,7 @@ import time
 
 
 def read_obj(path):
-    """Vertices and faces of an OBJ file that holds nothing else."""
+    """Vertices and faces of an OBJ file that contains nothing else."""
     vertices, faces = [], []
     with open(path, encoding="utf-8") as file:
         for line in file:
@@ -23,14 +23,14 @@ def read_obj(path):
 
 
 def timed(call):
-    """What the call gives, and its milliseconds."""
+    """Result of the call, and its milliseconds."""
     start = time.perf_counter()
     value = call()
     return value, 1e3 * (time.perf_counter() - start)
 
 
 def compas_circles(task):
-    """Circles and closeness to where the vertices were: one iteration per call."""
+    """Circles and closeness to the initial positions: one iteration per call."""
     import numpy
     from compas_shapeop._shapeop import SolverWrapper
 
@@ -47,7 +47,7 @@ def compas_circles(task):
 
 
 def libigl_arap(task):
-    """As rigid as possible with the handles held, the middle one lifted: whole runs."""
+    """As-rigid-as-possible with fixed handles, the middle one lifted: whole runs."""
     import igl
     import numpy
 
@@ -81,7 +81,7 @@ def libigl_planes(task):
 
 
 def libigl_lscm(task):
-    """Least-squares conformal map with two vertices held: whole calls."""
+    """Least-squares conformal map with two fixed vertices: whole calls."""
     import igl
     import numpy
 
@@ -93,7 +93,8 @@ def libigl_lscm(task):
     return {"setUp": None, "steps": runs[1:]}
 
 
-# Weights of the circles or planes: one after the other, each from the shape before, and the weight of closeness.
+# Weights of the circles or planes, used in sequence, each starting at the previous shape, and the
+# weight of closeness.
 COMPAS_WAYS = [
     ([10.0], 10.0),
     ([1e3], 10.0),
@@ -105,8 +106,8 @@ COMPAS_WAYS = [
 
 
 def compas_exact(task):
-    """Circles or planes by their weight beside closeness, in each of the ways above: the least distance that is left,
-    the way that has it, and all of its time."""
+    """Circles or planes by their weight against closeness, for each setting above: the least remaining distance,
+    its setting, and the total time of that setting."""
     import numpy
     from compas_shapeop._shapeop import SolverWrapper
 
@@ -139,7 +140,7 @@ def compas_exact(task):
 
 
 def collapsed(points, vertices, faces):
-    """Whether an edge has less than a hundredth of its length: then everything is met."""
+    """Whether an edge has shrunk below a hundredth of its length: a collapsed mesh meets every constraint."""
     import numpy
 
     faces, before = numpy.array(faces), numpy.array(vertices)
@@ -151,7 +152,7 @@ def collapsed(points, vertices, faces):
 
 
 def libigl_exact(task):
-    """Planes; the threshold is never reached, so that all iterations are made."""
+    """Planes; with threshold 0 all iterations are made."""
     import igl
     import numpy
 
@@ -161,7 +162,7 @@ def libigl_exact(task):
 
 
 def worst(points, faces, kind):
-    """The greatest distance of a corner to the least-squares plane of its quad, or to the algebraic circle in it."""
+    """Greatest distance of a corner to the least-squares plane of its quad, or to the algebraic circle in it."""
     import numpy
 
     corners = points[numpy.array(faces)]
@@ -182,7 +183,7 @@ def worst(points, faces, kind):
 
 
 def differences(run, steps):
-    """Milliseconds of one iteration, from runs of two lengths, some times."""
+    """Milliseconds of one iteration, as the difference of runs of two lengths, three times."""
     run(1)
     return [(run(1 + steps) - run(1)) / steps for _ in range(3)]
 

@@ -1,8 +1,9 @@
-//! Times of one problem, natively: what `worker.mjs` measures in the browser, in the same words.
+//! Times of one problem, natively: the measurements of `worker.mjs` in the browser, with the same
+//! names.
 //!
-//! `npm run bench` writes the problems, calls this program, and makes the tables:
-//! `bench_problems TASK.json RESULT.json`. A task is a scene with its mesh and what to do with it; times in
-//! the result are milliseconds.
+//! `npm run bench` writes the problems, calls this program, and makes the tables: `bench_problems
+//! TASK.json RESULT.json`. A task is a scene with its mesh and the measurement; times in the result
+//! are milliseconds.
 
 mod parts;
 mod stream;
@@ -14,21 +15,21 @@ use shape_up::session::{Edit, ExactReport, Report, Session};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Parametrization, clock};
 use std::hint::black_box;
 
-/// What to measure.
+/// A measurement.
 #[derive(Deserialize)]
 #[serde(tag = "measure", rename_all = "kebab-case")]
 enum Task {
-    /// Setting up, single iterations, edits.
+    /// Set-up, single iterations, edits.
     Iterations {
         #[serde(flatten)]
         problem: Problem,
-        /// Times that it is opened, the first one not counted.
+        /// Number of openings; the first one is not counted.
         loads: usize,
-        /// Runs from the start, the first one not counted.
+        /// Number of runs from the start; the first one is not counted.
         rounds: usize,
         /// Iterations of each run, and how many at its start are not counted.
         steps: [usize; 2],
-        /// Times that each edit is made.
+        /// Number of times that each edit is made.
         edits: usize,
     },
     /// Energy and time of every iteration.
@@ -37,12 +38,13 @@ enum Task {
         problem: Problem,
         /// Ends at this energy.
         goal: f64,
-        /// Ends after as many milliseconds.
+        /// Ends after this number of milliseconds.
         limit: f64,
-        /// Ends after as many iterations in which the energy hardly fell; 0 never does.
+        /// Ends after this number of iterations in which the energy hardly fell; 0 disables it.
         patience: usize,
     },
-    /// Hard constraints met from the soft solution, and steps of so much of the size along each variation.
+    /// Hard constraints met from the soft solution, and steps along each variation by a fraction of
+    /// the size.
     Exact {
         #[serde(flatten)]
         problem: Problem,
@@ -62,14 +64,14 @@ enum Task {
     Stream { bytes: Vec<usize> },
 }
 
-/// A scene, where its mesh is, and the handles that are moved at the start.
+/// A scene, the path of its mesh, and the handles that are moved at the start.
 #[derive(Deserialize)]
 struct Problem {
     scene: String,
     mesh: String,
     #[serde(rename = "move")]
     moved: Vec<(u32, Point)>,
-    /// Vertices that edits make handles.
+    /// Vertices that become handles in edits.
     spare: Vec<u32>,
     /// Whether the energies of every iteration are recorded, as on the page.
     traced: bool,
@@ -87,14 +89,14 @@ impl Problem {
         session
     }
 
-    /// Opens it and moves its handles.
+    /// Opens the problem and moves its handles.
     fn begin(&self) -> Session {
         let mut session = self.open();
         self.drag(&mut session, 1.0);
         session
     }
 
-    /// Moves the handles by a part of the way.
+    /// Moves the handles by a fraction of their displacement.
     fn drag(&self, session: &mut Session, part: f64) {
         let rest = &session.mesh().positions;
         let targets = self.moved.iter().map(|&(v, to)| {
@@ -108,7 +110,7 @@ impl Problem {
     }
 }
 
-/// Milliseconds of one iteration: the whole, and the parts that the solver reports.
+/// Milliseconds of one iteration: the total, and the parts that the solver reports.
 #[derive(Serialize)]
 struct Step {
     total: f64,
@@ -125,7 +127,7 @@ struct Opening {
     assemble: f64,
     order: f64,
     factor: f64,
-    /// To the end of the first iteration.
+    /// Until the end of the first iteration.
     first: f64,
 }
 
@@ -134,7 +136,7 @@ struct Iterations {
     report: Report,
     openings: Vec<Opening>,
     steps: Vec<Step>,
-    /// The first iteration of each run: nothing is remembered yet, as in every step of a drag.
+    /// The first iteration of each run: the accelerator has no history, as in every step of a drag.
     fresh: Vec<Step>,
     /// A handle is added.
     handle: Vec<f64>,
@@ -175,7 +177,7 @@ struct HandleEdit {
     iteration: f64,
 }
 
-/// What a call gives, and its milliseconds.
+/// Result of a call, and its milliseconds.
 fn timed<T>(run: impl FnOnce() -> T) -> (T, f64) {
     let started = clock::now();
     let value = black_box(run());
@@ -331,7 +333,7 @@ fn map(path: &str, weights: &str, rounds: usize) -> Map {
     Map { eigenvalue: first.eigenvalue, runs: runs.collect() }
 }
 
-/// Milliseconds of the soft solution and of meeting hard constraints together, and what the report says of the latter.
+/// Milliseconds of the soft solution and the exact one together, and the report of the exact one.
 #[derive(Serialize)]
 struct Exact {
     total: f64,
@@ -339,7 +341,7 @@ struct Exact {
     varied: Option<Varied>,
 }
 
-/// Milliseconds until the modes are there, and steps along each of them.
+/// Milliseconds until the modes are computed, and steps along each of them.
 #[derive(Serialize)]
 struct Varied {
     modes: f64,

@@ -1,10 +1,11 @@
-//! Solving level by level while a mesh is refined, against solving the fine mesh at once: a row for each way.
+//! Solving level by level while a mesh is refined, against solving the fine mesh at once: a row for
+//! each way.
 //!
-//! `bench_refine MESH:KIND:LEVELS...`: panels of that kind, after so many levels of Catmull-Clark, exact ones as one press
-//! makes them; `MESH:KIND:LEVELS:soft` only attracts them. Energies, shape and smoothness are those of the fine mesh with
-//! the weights of a mesh that is opened, against the refined original, for all ways; `off` and `moved` are in mean edges
-//! of the fine mesh, `within` counts panels within its tolerance.
-//!
+//! `bench_refine MESH:KIND:LEVELS...`: panels of that kind, after LEVELS levels of Catmull-Clark,
+//! exact as with "make panels"; with `MESH:KIND:LEVELS:soft` they are soft. For all ways, energies,
+//! shape and smoothness are those of the fine mesh with the weights of an opened mesh, against the
+//! refined original; `off` and `moved` are in mean edges of the fine mesh, `within` counts panels
+//! within its tolerance.
 //! | way | does |
 //! |---|---|
 //! | at once | refines the original and solves it |
@@ -19,7 +20,7 @@ use shape_up::session::{Edit, Session};
 use shape_up::solve::Require;
 use std::time::Instant;
 
-/// A level that is refined further ends at so many times the tolerance.
+/// Factor of the tolerance for levels that are refined further.
 const ROUGH: f64 = 1e3;
 
 fn main() {
@@ -68,7 +69,7 @@ fn refine(session: &mut Session, levels: u32, adopt: bool) {
     session.edit(edit).expect("it can be refined");
 }
 
-/// Iterates until a thousand times the tolerance, with panels that are attracted only.
+/// Iterates up to a thousand times the tolerance, with soft panels.
 fn solve_roughly(session: &mut Session) {
     let solver = session.document().solver;
     let mut last = session.solver().energy().total;
@@ -108,7 +109,7 @@ fn row(name: &str, kind: &str, way: &str, mesh: &Mesh, levels: u32, require: Req
     let before = begun.elapsed().as_secs_f64();
     solve(&mut session);
     let seconds = begun.elapsed().as_secs_f64();
-    // All ways by the same measure: against the refined original.
+    // The same measure for all ways: against the refined original.
     let mut measured = opened(mesh.clone(), kind, require);
     refine(&mut measured, levels, false);
     let mut scene = measured.scene();

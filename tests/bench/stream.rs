@@ -1,16 +1,16 @@
-//! How fast this machine reads memory: what no solve can be faster than, since it reads the factor
-//! once downwards and once upwards.
+//! Memory read speed of this machine: a lower bound for every solve, which reads the factor once
+//! downwards and once upwards.
 
 use shape_up::solve::clock;
 use std::hint::black_box;
 
-/// Readings, of which the fastest counts: others were disturbed.
+/// Number of rounds; the fastest counts, as the others were disturbed.
 const ROUNDS: usize = 15;
-/// Each round is long against the steps of a browser's clock.
+/// Each round is long compared to the resolution of a browser's clock.
 const SECONDS_PER_ROUND: f64 = 0.002;
 
-/// Milliseconds to read as many bytes once. What fits into a cache is read from there, as by a solver
-/// that repeats itself.
+/// Milliseconds to read this number of bytes once. Data that fits in a cache is read from there, as
+/// by a solver that iterates.
 pub(crate) fn milliseconds(bytes: usize) -> f64 {
     let values = vec![1.0_f32; bytes / size_of::<f32>()];
     let timed = |repeats: usize| {
@@ -28,7 +28,7 @@ pub(crate) fn milliseconds(bytes: usize) -> f64 {
     1e3 * fastest / repeats as f64
 }
 
-/// Eight registers of four: enough additions under way that the reading is what takes the time.
+/// Eight registers of four: enough additions in flight that reading is the bottleneck.
 #[inline(never)]
 fn sum(values: &[f32]) -> f32 {
     let mut sums = [0.0; 32];
