@@ -1,8 +1,10 @@
 //! Independent descriptions of the kinds, without their operators: rest points, points that have
 //! the shape, a residual that measures the distance from it, and the set of the shape by free
 //! parameters, for brute force.
-//! A kind without an account is tested by the properties that need none. With one, its projection is
-//! also compared with the set itself: add it to one of the files here, or a file to the list in [`shapes`].
+//!
+//! A kind without a description is tested only by the properties that need none. With one, its
+//! projection is also compared with the set itself: add it to a file here, or a new file to the
+//! list in [`shapes`].
 
 mod conical;
 mod corner;
