@@ -1,4 +1,4 @@
-//! The table of the paper's capabilities names files, tests and examples that there are.
+//! The table of the paper's capabilities refers to existing files, tests and examples.
 
 use shape_up::example::EXAMPLES;
 use std::fs::read_to_string;
@@ -12,7 +12,7 @@ fn rows() -> Vec<Vec<&'static str>> {
     lines.map(|line| line.trim_matches('|').split('|').map(str::trim).collect()).collect()
 }
 
-/// What stands between backticks, with the word before.
+/// Quoted text in backticks, with the word before it.
 fn quoted(cell: &str) -> Vec<(&str, &str)> {
     let parts: Vec<&str> = cell.split('`').collect();
     parts.chunks_exact(2).map(|pair| (pair[0].trim_start_matches(',').trim(), pair[1])).collect()

@@ -1,4 +1,5 @@
-//! The paper's comparisons (Fig. 10 and 11): what each method promises, and what the figures claim.
+//! The paper's comparisons (Fig. 10 and 11): properties of the methods, and the claims of the
+//! figures.
 
 #[path = "support/random.rs"]
 mod random;
@@ -13,7 +14,7 @@ use shape_up::mesh::Point;
 use shape_up::scene::{ClosenessTo, Hold, Weights};
 use shape_up::session::Session;
 
-/// Runs the experiment of an example to its end; gives the series with the ids of their methods.
+/// Runs the experiment of an example to its end; returns the series with the ids of their methods.
 fn run(example: &str, limits: impl Fn(Limits) -> Limits) -> Vec<(&'static str, Series)> {
     let experiment = Experiment::of(example).expect("it has one");
     let (scene, mesh) = EXAMPLES.iter().find(|e| e.id == example).expect("there is one").build();
@@ -46,7 +47,8 @@ fn every_experiment_has_examples_and_every_example_at_most_one() {
     assert!(Experiment::of("canopy").is_none());
 }
 
-/// Fig. 10: the energy of each method after the same iterations, and in the time of the paper's own.
+/// Fig. 10: energy of each method after the same number of iterations, and after the time of the
+/// paper's method.
 #[test]
 fn mean_centring_beats_all_but_the_accelerated_solver() {
     const ITERATIONS: u32 = 150;
@@ -72,7 +74,7 @@ fn mean_centring_beats_all_but_the_accelerated_solver() {
     assert!(last("l-bfgs") < 0.8 * last("gradient-descent"));
     assert_eq!(of(&all, "accelerated").ended_by, Some(EndedBy::Reached));
     assert_eq!(of(&all, "l-bfgs").ended_by, Some(EndedBy::Iterations));
-    // After the seconds that the slow ones have taken, the centred one is far below them all.
+    // After the time of the slow methods, the centred one is far below all of them.
     for slow in ["not-centred", "gradient-descent", "l-bfgs"] {
         let given = of(&all, slow).samples.last().expect("it has samples").seconds;
         let centred = of(&all, "centred").samples.iter().take_while(|s| s.seconds <= given).last();
@@ -81,7 +83,7 @@ fn mean_centring_beats_all_but_the_accelerated_solver() {
     }
 }
 
-/// Any scene has the comparison; a matrix over all coordinates is made where it fits.
+/// Every scene can be compared; a matrix over all coordinates is used if it fits in memory.
 #[test]
 fn whatever_is_open_can_be_compared_with_bfgs_where_it_fits() {
     let compared = |example: &str, iterations| {
@@ -132,7 +134,7 @@ fn fitted_circles_are_smoother_than_penalised_angles_at_the_same_error() {
     assert!(penalised[2] > 5.0 * fitted[2], "{fitted:?} {penalised:?}");
 }
 
-/// Where closeness keeps edges from collapsing, angle sums and fitted circles ask for the same.
+/// If closeness keeps edges from collapsing, angle sums and fitted circles have the same solution.
 #[test]
 fn both_find_the_same_shape_where_no_edge_collapses() {
     let experiment = Experiment::of("fig-11-strip").expect("it has one");
@@ -274,7 +276,7 @@ fn the_derivatives_of_the_angle_sums_are_those_of_their_differences() {
 fn the_residuals_vanish_on_circles_only() {
     let mut random = Random::new(5);
     for _ in 0..50 {
-        // Four points around a circle in a plane of any direction.
+        // Four points around a circle in an inclined plane.
         let (u, v) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 1.0, 0.0));
         let turns = [0.0, 0.25, 0.5, 0.75].map(|t| t + 0.1 * random.uniform());
         let at = |t: f64| u * shape_up::math::cosine(t) + v * shape_up::math::sine(t);

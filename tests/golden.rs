@@ -1,5 +1,5 @@
 //! Native and wasm give the same bits: the digest of the positions after 30 steps is one constant.
-//! `wasm_solver.rs` holds the same scenes to the same constants in a browser.
+//! `wasm_solver.rs` compares the same scenes with the same constants in a browser.
 
 #[path = "data/golden.rs"]
 mod golden;

@@ -1,11 +1,11 @@
 //! The structure of `src/`, read from its text:
 //!
-//! - The rooms know of each other what the table in `src/lib.rs` says, and no more.
-//! - In every folder, the files and folders in it know of each other in one direction only. What a
-//!   `mod.rs` only hands on counts as known where it is.
-//! - A folder holds about a dozen files.
-//! - The table at the head of a `mod.rs` lists the files and folders beside it, all of them.
-//! - No name is that of two public types.
+//! - A room uses only the rooms that the table in `src/lib.rs` allows.
+//! - Dependencies between the files and folders of a folder have no cycles. An item that a `mod.rs`
+//!   re-exports counts as used at its definition.
+//! - A folder contains about a dozen files.
+//! - The table at the head of a `mod.rs` lists all files and folders beside it.
+//! - No two public types have the same name.
 
 #[path = "support/sources.rs"]
 mod sources;
@@ -13,14 +13,14 @@ mod sources;
 use sources::{Sources, cycle};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// More files than this in one folder, and nobody reads the list.
+/// Limit of files per folder; a longer list would not be read.
 const MOST_FILES: usize = 15;
 
 /// Folders with more files.
 const LARGE_FOLDERS: &[(&str, &str)] =
     &[("constraint/kinds", "the operators, one file each: their list is the table of contents")];
 
-/// Folders whose files know of each other in circles.
+/// Folders whose files have cyclic dependencies.
 const CIRCLES: &[(&str, &str)] = &[];
 
 /// Names of several public types.
@@ -59,7 +59,7 @@ fn every_room_is_in_the_table() {
     assert_eq!(rooms, table.keys().collect(), "the rooms and the table in src/lib.rs");
 }
 
-/// Per room what it knows of, as the table in `src/lib.rs` says.
+/// For each room, the rooms that it may use, from the table in `src/lib.rs`.
 fn table(sources: &Sources) -> BTreeMap<String, Vec<String>> {
     let mut known: Vec<(String, Vec<String>)> = Vec::new();
     for line in sources.modules[&Vec::new()].head.lines() {

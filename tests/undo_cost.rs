@@ -1,9 +1,9 @@
-//! What a step of undo costs: it moves what it changes, copies nothing else of the scene, and the
-//! history is bounded in bytes, whatever they are of.
+//! Cost of a step of undo: it moves the data that it changes, copies nothing else of the scene, and
+//! the history is bounded in bytes of any data.
 //!
-//! Every step held a copy of the whole scene, and going to another one copied it three times more:
-//! renaming a row took as long as two iterations at 100,000 vertices. Only positions were counted towards
-//! the bound.
+//! Each step used to hold a copy of the whole scene, and undo copied it three more times: renaming
+//! a row took as long as two iterations at 100,000 vertices. Only positions counted towards the
+//! bound.
 
 #[path = "support/grid.rs"]
 mod grid;
@@ -116,7 +116,7 @@ fn steps_are_forgotten_by_the_bytes_that_they_hold() {
     let steps = undone(&mut session);
     assert!((30..=64).contains(&steps), "{steps}");
     assert_eq!(session.undo_and_redo()[1], Some("Change lesson"));
-    // What is undone holds as much.
+    // Undone steps need as much memory.
     let mut redone = 0;
     while session.redo().expect("the state was solvable").is_some() {
         redone += 1;
@@ -126,7 +126,7 @@ fn steps_are_forgotten_by_the_bytes_that_they_hold() {
 
 #[test]
 fn steps_that_leave_the_shape_as_it_is_do_not_hold_it() {
-    // 252 kB of positions: 266 times that are 64 MB.
+    // 252 kB of positions: 266 copies would be 64 MB.
     let mut session = open(bumpy(102));
     for k in 0..300 {
         session.edit(rename(&format!("roof {k}"))).expect("the row is there");

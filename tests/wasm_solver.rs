@@ -1,4 +1,4 @@
-//! The solver's face, in a worker of a real browser, as the page uses it.
+//! The solver's wasm class, in a worker of a real browser, as the page uses it.
 
 #![cfg(all(target_arch = "wasm32", feature = "solver"))]
 
@@ -115,7 +115,8 @@ fn a_handle_is_dragged() {
 
 #[wasm_bindgen_test]
 fn a_drag_that_makes_no_sense_is_refused_and_moves_nothing() {
-    // Any unknown phase was a move, and of arrays of unequal length the rest was dropped.
+    // Any unknown phase was taken for a move, and for arrays of unequal length the rest was
+    // ignored.
     let mut solver = loaded();
     solver.drag(&[4], &[2.0, 0.0, 1.0], "make").expect("the vertex is there");
     let target = |solver: &Solver| {
@@ -166,14 +167,14 @@ fn a_selection_becomes_a_set_of_the_scene() {
     let faces: Uint32Array = get(&members, "faces").unchecked_into();
     assert_eq!(faces.to_vec(), [1]);
 
-    // The face is shown in the only colour that there is.
+    // The face has the only colour of the palette.
     let colours = solver.row_colours().expect("a model is open");
     let places: Uint8Array = get(&colours, "faces").unchecked_into();
     assert_eq!(places.to_vec(), [0, 1]);
     let palette: Float32Array = get(&colours, "palette").unchecked_into();
     assert_eq!(palette.length(), 3);
 
-    // What is saved opens again, with the set.
+    // The saved scene opens again, with the set.
     let scene = solver.scene().expect("a model is open");
     let mut again = Solver::new();
     assert_eq!(again.scene_files(scene.as_bytes()), Ok(Vec::new()), "the mesh is inline");
@@ -282,7 +283,7 @@ fn what_cannot_be_flattened_is_told() {
     assert_eq!(number(&map, "closedParts"), 1.0);
 }
 
-/// A bumpy grid of quads, `side` vertices along a side: the text of an OBJ file.
+/// OBJ text of a bumpy grid of quads with `side` vertices per side.
 fn bumpy(side: u32) -> String {
     let mut obj = String::new();
     for v in 0..side * side {

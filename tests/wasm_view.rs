@@ -1,4 +1,4 @@
-//! The page's view in a real browser: it draws, and it answers where things are.
+//! The page's view in a real browser: it draws, and it returns positions on the screen.
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 #![cfg(all(target_arch = "wasm32", feature = "view"))]
 
@@ -9,7 +9,7 @@ use web_sys::HtmlCanvasElement;
 
 wasm_bindgen_test_configure!(run_in_browser);
 
-/// Of the variant that is tested.
+/// Backend of the tested variant.
 const BACKEND: &str = if cfg!(feature = "view-webgl2") { "webgl2" } else { "webgpu" };
 
 const WIDTH: u32 = 320;
@@ -27,25 +27,25 @@ async fn open(canvas: &HtmlCanvasElement) -> View {
     view
 }
 
-/// A square of two by two quads with its middle raised.
+/// Shows a square of two by two quads with its middle raised.
 fn show_tent(view: &mut View) {
     let indices = vec![0, 1, 4, 3, 1, 2, 5, 4, 3, 4, 7, 6, 4, 5, 8, 7];
     view.set_mesh(vec![0, 4, 8, 12, 16], indices, vec![], vec![], &tent()).unwrap();
 }
 
-/// Its vertices.
+/// Vertices of the tent.
 fn tent() -> Vec<f64> {
     let mut positions = flat_square();
     positions[14] = 1.0;
     positions
 }
 
-/// Three by three vertices.
+/// Three by three vertices in a plane.
 fn flat_square() -> Vec<f64> {
     (0..9).flat_map(|v| [f64::from(v % 3), f64::from(v / 3), 0.0]).collect()
 }
 
-/// The canvas as RGBA bytes; right only in the same task as the drawing.
+/// RGBA bytes of the canvas; valid only in the same task as the drawing.
 fn pixels(canvas: &HtmlCanvasElement) -> Vec<u8> {
     let copy = new_canvas();
     copy.set_width(canvas.width());
@@ -129,7 +129,7 @@ async fn every_switch_changes_the_picture() {
     check(&mut view, "circle");
     view.set_shapes(&[1.0, 1.0, 1.0, 0.5, 0.0, 0.0, 1.0, 1.1]).unwrap();
     check(&mut view, "sphere");
-    // The raised middle goes down, the middle of a side goes up.
+    // The raised middle moves down, the middle of a side moves up.
     let displacements = [0.0, 0.0, -0.6, 0.5, 0.0, 0.4];
     view.set_projections(&[4, 1], &displacements, &[1, 2], &[0, 1], &two_colours).unwrap();
     view.set_display(false, false, false, true, false);
@@ -162,7 +162,7 @@ async fn within_the_tolerance_faces_look_as_without_values() {
     let values = || Some(vec![0.0, 0.01, 0.3, 0.6]);
     view.set_face_values(values(), 0.0, 1.0, Some(1.0), None).unwrap();
     assert_eq!(differing(&plain, &drawn(&mut view)), 0);
-    // Two faces of four are beyond this one.
+    // Two of four faces are beyond this limit.
     view.set_face_values(values(), 0.01, 1.0, Some(0.01), None).unwrap();
     let beyond = drawn(&mut view);
     assert!(differing(&plain, &beyond) > 100);
@@ -170,7 +170,7 @@ async fn within_the_tolerance_faces_look_as_without_values() {
     assert!(differing(&beyond, &drawn(&mut view)) > 100, "by logarithms");
     view.set_face_values(values(), 0.0, 1.0, None, None).unwrap();
     assert!(differing(&plain, &drawn(&mut view)) > differing(&plain, &beyond), "all values");
-    // In bands through the faces, too: with all vertices within, nothing has a colour.
+    // In bands through the faces, too: if all vertices are within the limit, nothing is coloured.
     view.set_bands(true);
     view.set_corner_values(Some(vec![0.005; 9])).unwrap();
     view.set_face_values(Some(vec![0.005; 4]), 0.01, 1.0, Some(0.01), None).unwrap();
@@ -270,7 +270,7 @@ async fn a_flat_map_shares_the_canvas_and_goes_away_again() {
     assert!(differing(&alone, &plain) > 5000);
     assert!(!view.needs_draw());
 
-    // Columns of the picture on the left and on the right that differ.
+    // Numbers of differing pixels in the left and the right half of the picture.
     let sides = |a: &[u8], b: &[u8]| {
         let differs = |left: bool| {
             let of_side = |&(k, _): &(usize, _)| (k % 600 < 300) == left;
@@ -293,7 +293,7 @@ async fn a_flat_map_shares_the_canvas_and_goes_away_again() {
     view.draw().unwrap();
     let [model, map] = sides(&coloured, &pixels(&canvas));
     assert!(model == 0 && map > 2000, "{model} {map}");
-    // The map does not get in the way of pointing at the model.
+    // The map does not prevent picking on the model.
     let at = view.screen(4).unwrap();
     assert_eq!(view.pick_vertex(at[0] as f32, at[1] as f32, 12.0), Some(4));
 
@@ -324,7 +324,7 @@ async fn faces_that_the_flat_map_turns_over_are_outlined_in_red() {
     view.set_map(&uv, &[2]).unwrap();
     let [model, map] = red(&mut view);
     assert!(model == 0 && map > 300, "{model} {map}");
-    // Near, its outline is longer.
+    // Closer up, its outline is longer.
     view.show_flipped();
     let [_, nearer] = red(&mut view);
     assert!(nearer > map, "{nearer} {map}");
@@ -343,7 +343,7 @@ async fn another_mesh_takes_the_flat_map_away() {
     assert!(view.draw().unwrap());
 }
 
-/// How many pixels of the left and of the right half of a canvas `width` wide differ.
+/// Number of differing pixels in the left and the right half of a canvas `width` wide.
 fn differing_halves(a: &[u8], b: &[u8], width: usize) -> [usize; 2] {
     let differs = |left: bool| {
         let both = a.chunks(4).zip(b.chunks(4)).enumerate();
@@ -378,7 +378,7 @@ async fn both_sides_of_a_split_picture_have_what_the_single_one_has() {
     let steps = [Some(0), Some(1), None].map(|side| view.band_step(side));
     assert_eq!(steps, [Some(0.2), Some(2.0), None]);
     assert_eq!(view.ramp_colours(Some(1)).len(), view.band_limits(Some(1)).len() + 1);
-    // Isolines go through the faces by the values of the vertices.
+    // Isolines follow the values of the vertices through the faces.
     let corners = |k: f32| Some((0..9).map(|v| 0.1 * k * v as f32).collect());
     view.set_split_side(0, original, values(1.0), corners(1.0), 0.0, 1.0, None).unwrap();
     view.set_split_side(1, None, values(20.0), corners(20.0), 0.0, 20.0, None).unwrap();
@@ -400,7 +400,7 @@ async fn the_ghost_is_a_veil_that_never_stains_a_surface_in_the_same_place() {
     let canvas = new_canvas();
     let mut view = open(&canvas).await;
     view.set_rest(&tent()).unwrap();
-    // The middles of the faces, away from all lines.
+    // Colours at the centres of the faces, away from all lines.
     let middles = |view: &View| {
         let drawn = pixels(&canvas);
         let colour = |face: [u32; 4]| {
@@ -430,7 +430,7 @@ async fn the_ghost_is_a_veil_that_never_stains_a_surface_in_the_same_place() {
     }
     assert!(seen > 40, "{seen}");
 
-    // Where the mesh has gone away from it, it is seen, in front of the mesh and beside it.
+    // After the mesh has moved away, the original is visible in front of the mesh and beside it.
     view.set_surroundings(false, false);
     view.set_parallel(false);
     view.preset("top").unwrap();
@@ -464,6 +464,6 @@ async fn projected_shapes_have_an_inside_where_they_lie_beside_their_faces() {
     let bare = pixels(&canvas);
     let lying = differing(&bare, &show(&mut view, 0.0));
     let clear = differing(&bare, &show(&mut view, 0.4));
-    // Lines alone, and then most of a quarter of the tent.
+    // Only lines at first, then most of a quarter of the tent.
     assert!(lying > 50 && clear > 3 * lying, "{lying} {clear}");
 }
