@@ -1,6 +1,6 @@
-//! The README is correct: its table of operators is the list of kinds (`UPDATE=1 cargo test --test
-//! readme` writes it), its scene can be read, and the description of the scene file has every
-//! selector.
+//! The README is correct: its table of operators is the list of kinds
+//! (`UPDATE=1 cargo test --test readme` writes it), its scene can be read, and the description of
+//! the scene file has every selector.
 
 use shape_up::constraint::{Element, Info, KINDS};
 use shape_up::scene::Scene;

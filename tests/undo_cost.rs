@@ -1,9 +1,9 @@
 //! Cost of a step of undo: it moves the data that it changes, copies nothing else of the scene, and
 //! the history is bounded in bytes of any data.
 //!
-//! Each step used to hold a copy of the whole scene, and undo copied it three more times: renaming
-//! a row took as long as two iterations at 100,000 vertices. Only positions counted towards the
-//! bound.
+//! Each step used to hold a copy of the whole scene, and undo or redo copied it three more times:
+//! renaming a row took as long as two iterations at 100,000 vertices. Only positions counted
+//! towards the bound.
 
 #[path = "support/grid.rs"]
 mod grid;

@@ -1,9 +1,9 @@
 //! Times of one problem, natively: the measurements of `worker.mjs` in the browser, with the same
 //! names.
 //!
-//! `npm run bench` writes the problems, calls this program, and makes the tables: `bench_problems
-//! TASK.json RESULT.json`. A task is a scene with its mesh and the measurement; times in the result
-//! are milliseconds.
+//! `npm run bench` writes the problems, calls this program, and makes the tables:
+//! `bench_problems TASK.json RESULT.json`. A task is a scene with its mesh and the measurement;
+//! times in the result are milliseconds.
 
 mod parts;
 mod stream;

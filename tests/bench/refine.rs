@@ -6,13 +6,14 @@
 //! shape and smoothness are those of the fine mesh with the weights of an opened mesh, against the
 //! refined original; `off` and `moved` are in mean edges of the fine mesh, `within` counts panels
 //! within its tolerance.
+//!
 //! | way | does |
 //! |---|---|
 //! | at once | refines the original and solves it |
 //! | levels | solves each level and refines it; closeness is to the refined original |
 //! | adopt | the same, but each solved level is the original of the next one |
-//! | rough | as levels, but what is refined further is not exact and ends at a thousand times the tolerance |
-//! | start | solves only the coarse mesh, and refines it all the way |
+//! | rough | as levels, but levels that are refined further are soft and end at a thousand times the tolerance |
+//! | start | solves only the coarse mesh, and refines it to the finest level |
 
 use shape_up::mesh::{KEPT_TURN, Mesh, Scheme, read};
 use shape_up::scene::Scene;

@@ -75,7 +75,7 @@ fn fitting_lines_agrees_with_equation_10() {
     assert!(apart > 1e-2, "the two fits are the same");
 }
 
-/// The two fits differ only in the plane.
+/// The two fits differ only in their choice of plane.
 #[test]
 fn of_a_planar_quad_both_fits_are_the_same() {
     for seed in 0..200 {

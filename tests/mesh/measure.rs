@@ -233,7 +233,7 @@ fn agrees_with_the_expected_errors_before_the_iteration() {
         for (ours, theirs) in pairs {
             let theirs = theirs.as_f64().expect("a number");
             println!("{name}: {ours:e}, theirs {theirs:e}");
-            // The plane errors of halftunnel are rounding of its file: 1e-14, squared. The circles
+            // The plane errors of halftunnel are rounding of its file: 1e-14 of the square. The circles
             // of nearly straight faces have a far centre, which costs the linear equations digits.
             assert!((ours - theirs).abs() <= 1e-4 * theirs + 1e-20, "{name}: {ours:e} {theirs:e}");
         }
@@ -244,9 +244,9 @@ fn corners(mesh: &Mesh, face: &[u32]) -> Vec<Point> {
     face.iter().map(|&v| mesh.positions[v as usize]).collect()
 }
 
-/// Vectors from the corners to the circle of the definition, which minimises `sum (|p - c|^2 -
-/// r^2)^2` (Thomas, Chan 1989) for the corners in their least-squares plane; it is found by the
-/// linear equations of `|p|^2 = a x + b y + c`.
+/// Vectors from the corners to the circle of the definition, which minimises
+/// `sum (|p - c|^2 - r^2)^2` (Thomas, Chan 1989) for the corners in their least-squares plane; it
+/// is found by the linear equations of `|p|^2 = a x + b y + c`.
 fn ways_to_circle(corners: &[Point]) -> Vec<Vector3<f64>> {
     let points: Vec<Vector3<f64>> = corners.iter().map(|&p| p.into()).collect();
     let mean = points.iter().sum::<Vector3<f64>>() / points.len() as f64;

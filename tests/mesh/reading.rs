@@ -112,8 +112,8 @@ fn counts_that_do_not_fit_are_refused() {
 fn bad_coordinates_keep_the_numbers_of_vertices() {
     let text = "v 0 0 0\nv nan 1 2\nv 4 x\nv 4 1,5 1e999\nf 1 2 3\nf 2 3 4\n";
     let read = ok("a.obj", text);
-    // Bad coordinates are replaced by the middle of the extent: x in 0 to 4, y in 0 to 1.5, z in 0
-    // to 2.
+    // Bad coordinates are replaced by the middle of the extent: 0 to 4 in x, 0 to 1.5 in y, 0 to 2
+    // in z.
     let expected = [[0.0, 0.0, 0.0], [2.0, 1.0, 2.0], [4.0, 0.75, 1.0], [4.0, 1.5, 1.0]];
     assert_eq!(read.mesh.positions, expected);
     assert_eq!(rows(&read.mesh.faces), [[0, 1, 2], [1, 2, 3]]);

@@ -96,8 +96,8 @@ proptest! {
 
 #[test]
 fn a_paraboloid_rises_as_the_spline_of_its_squares_does() {
-    // The uniform cubic B-spline with coefficients i^2 is x^2 + 1/3; after k levels the rise is (1
-    // - 4^-k) of 1/3.
+    // The uniform cubic B-spline with coefficients i^2 is x^2 + 1/3; after k levels the rise is
+    // (1 - 4^-k) of 1/3.
     let mesh = grid(10, 10, |i, j| {
         let (x, y) = (f64::from(i) - 5.0, f64::from(j) - 5.0);
         [x, y, 0.01 * (x * x + y * y)]

@@ -72,8 +72,8 @@ fn a_press_brings_panels_of_real_meshes_within_the_tolerance_but_those_that_woul
             let eased = eased.map_or(0, |eased| eased.panels);
             assert!(within >= panels - eased, "{file} {kind}: worst {worst:e}");
             assert!(eased <= panels * 2 / 5, "{file} {kind}: {eased} of {panels} are eased");
-            // The mean displacement is close to the soft result, although edges keep their length
-            // and nothing folds.
+            // The mean displacement is not much larger than in the soft result, although edges keep
+            // their length and nothing folds.
             assert_eq!(folded(&session), 0, "{file} {kind}");
             let size = BoundingSphere::of(&session.mesh().positions).diameter();
             assert!(moved.mean < 2.5 * cheaper.mean + 1e-3 * size, "{file} {kind}");

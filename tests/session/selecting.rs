@@ -218,8 +218,8 @@ fn a_boundary_loop_is_that_of_the_selection() {
     assert_eq!(after(&mut session, "boundary", Mode::Vertices, &[]).len(), 20 + 4);
     assert_eq!(after(&mut session, "boundary", Mode::Vertices, &[0]).len(), 20);
     assert_eq!(after(&mut session, "boundary", Mode::Edges, &[]).len(), 20 + 4);
-    // Face 7 lies below the hole. The faces along the loop would add a second ring of vertices to
-    // what is fixed, so a pick by face selects the edges of the loop.
+    // Face 7 lies below the hole. A pick by face selects the edges of the loop: the faces along the
+    // loop would add a second ring of vertices, which would be fixed too.
     let from = Selection { faces: vec![7], ..Selection::default() };
     let found = ask(&mut session, "boundary", Mode::Faces, &from, json!({}));
     let found = found.expect("it is no error");

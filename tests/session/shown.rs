@@ -43,8 +43,8 @@ fn a_face_shows_the_row_that_says_the_most_about_it() {
 
 #[test]
 fn projections_are_those_that_the_energy_measures() {
-    // Kinds with their own position and a kind on edges; with the guard, a projection may be from
-    // an earlier step.
+    // Translation-invariant kinds and a kind on edges; with the guard, a projection may be from an
+    // earlier step.
     for guard in ["", r#", "solver": { "monotone": true }"#] {
         let constraints = r#", "constraints": [
             { "kind": "circle", "on": "faces", "weight": 2 },

@@ -174,8 +174,8 @@ fn faces_of_an_edge_that_is_not_manifold_do_not_make_the_map_collapse() {
     fin.faces.push(&[6, 7, 26, 25]);
     let found = finite_map(&fin);
     assert!(found.left_out.is_empty() && found.errors.quasi_conformal.max < 1.2, "{found:?}");
-    // The back of the fin, a face on the same vertices in the other direction: no map is conformal
-    // on both faces, and the part they belong to collapsed, with a mean error of 1e14.
+    // With a back of the fin, a face on the same vertices in the other direction, no map is
+    // conformal on both faces, and their part collapsed, with a mean error of 1e14.
     fin.faces.push(&[25, 26, 7, 6]);
     let with_back = finite_map(&fin);
     assert_eq!(with_back.left_out, [17]);
@@ -184,8 +184,8 @@ fn faces_of_an_edge_that_is_not_manifold_do_not_make_the_map_collapse() {
 
 #[test]
 fn a_polygon_of_many_corners_is_mapped_in_time_that_grows_with_them() {
-    // Its corners were coupled with each other, a dense block of the matrix: 4,000 corners took 34
-    // s and 1.4 GB, and 20,000 aborted.
+    // Its corners were coupled with each other, a dense block of the matrix: 4,000 corners took
+    // 34 s and 1.4 GB, and 20,000 aborted.
     let mut polygon = Mesh::default();
     // Rational points of a circle, without trigonometric functions.
     let n = 20_000;

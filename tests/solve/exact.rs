@@ -417,7 +417,7 @@ fn every_kind_can_be_exact() {
     for info in KINDS {
         let Some((mesh, members)) = members(info) else { continue };
         let mut case = Case::new(mesh).with(info.id, json!({}), members, Require::Exact);
-        // Some kinds require lengths that are shorter.
+        // Some kinds require shorter edges than the guard allows.
         case.shortest_edge = None;
         let (positions, answer) = run(&case, &off(&case.mesh, 0.04));
         let worst = worst_miss(&case, &positions);

@@ -78,7 +78,7 @@ impl Sources {
 
     /// The module that defines the item that `path` names in `module`; `None` outside the crate.
     fn home(&self, module: &Module, path: &[String], depth: usize) -> Option<Module> {
-        // Circular imports: modules with the names of their items.
+        // Imports are circular if a module has the name of its item.
         if depth > 12 {
             return None;
         }

@@ -238,8 +238,8 @@ fn equal_sides(v: &[Vec3<f64>]) -> f64 {
     (0..v.len()).map(longer).fold(0.0, f64::max) / size(v)
 }
 
-/// Deviation of centred points from equal steps around an ellipse, `v_(k+1) + v_(k-1) = 2 cos(2 pi
-/// / n) v_k`, and of the ellipse from a circle.
+/// Deviation of centred points from equal steps around an ellipse,
+/// `v_(k+1) + v_(k-1) = 2 cos(2 pi / n) v_k`, and of the ellipse from a circle.
 #[expect(clippy::disallowed_methods, reason = "independent of the corners of the operator")]
 fn in_turn(v: &[Vec3<f64>]) -> f64 {
     let n = v.len();
@@ -268,8 +268,8 @@ fn singular_values(v: &[Vec3<f64>]) -> [f64; 3] {
 }
 
 /// Distance of the points from a common circle or line (2 dimensions), or sphere or plane (3): they
-/// are on one exactly if `A |x|^2 + b.x + c = 0` has a solution, that is, if the rows `(|x|^2, x,
-/// 1)` are rank-deficient.
+/// are on one exactly if `A |x|^2 + b.x + c = 0` has a solution, that is, if the rows
+/// `(|x|^2, x, 1)` are rank-deficient.
 fn round_residual(v: &[Vec3<f64>], dimensions: usize) -> f64 {
     let columns = dimensions + 2;
     if v.len() < columns {
