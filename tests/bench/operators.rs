@@ -3,7 +3,7 @@
 //! formulas.
 //!
 //! `cargo bench --bench operators` measures natively; `npm run bench` also in the browser, for
-//! which `operators_wasm.rs` exports the same to a page.
+//! which `browser.rs` exports the same to a page.
 
 #[path = "../support/random.rs"]
 mod random;
