@@ -165,13 +165,13 @@ function variations(solver, step) {
       if (found !== null && found !== undefined) return found;
     }
   });
-  const reach = (k) => {
+  const project = (k) => {
     const coefficients = new Float64Array(found);
     coefficients[k] = step;
-    const [part, ms] = timed(() => solver.reachVariation(coefficients));
+    const [part, ms] = timed(() => solver.projectVariation(coefficients));
     return { part, ms, distance: solver.report().exact.max_distance };
   };
-  return { modes, steps: Array.from({ length: found }, (_, k) => reach(k)) };
+  return { modes, steps: Array.from({ length: found }, (_, k) => project(k)) };
 }
 
 /** Bytes of memory initially, and after opening each of some models in turn. */
