@@ -16,13 +16,13 @@ export function offsetLayer({ store, actions, viewport }) {
   /** The model of that tint. @type {import("../../store/state.js").State["model"]} */
   let tinted = null;
 
+  /** Whether the layer is of the current mesh; another one may have been opened since. */
+  const fits = () => layer?.points.length === 3 * (store.get().model?.vertices ?? 0);
+
   function draw() {
     const { points = new Float64Array(0), edges = NONE, vertices = NONE } = layer ?? {};
-    // Another mesh may have been opened since.
-    const { model } = store.get();
-    const fits = points.length === 3 * (model?.vertices ?? 0);
     viewport.unmeasured((view) =>
-      fits
+      fits()
         ? view.setLayer(points, edges, vertices)
         : view.setLayer(new Float64Array(0), NONE, NONE),
     );
@@ -33,7 +33,8 @@ export function offsetLayer({ store, actions, viewport }) {
     layer = next;
     draw();
     const before = tint;
-    tint = layer?.panels.length ? { faces: layer.panels, vertices: NONE, colour: FAILED } : null;
+    const failed = fits() ? (layer?.panels ?? NONE) : NONE;
+    tint = failed.length > 0 ? { faces: failed, vertices: NONE, colour: FAILED } : null;
     const { tint: shown, model } = store.get();
     tinted = model;
     if (shown === before || shown === null) actions.tint(tint);
