@@ -9,9 +9,13 @@ import { root } from './project.mjs';
 import { main, Problem } from './run.mjs';
 import { testRunner } from './setup-bindgen.mjs';
 
+/** The longest time of one test, in milliseconds: software rendering on a busy host is slow. */
 const limit = 3 * 60_000;
-/** Software rendering can crash a browser independently of the tests, which are then repeated. */
-const attempts = 2;
+/**
+ * Software rendering can crash a browser, or hang in it, independently of the tests, which are then
+ * repeated.
+ */
+const attempts = 3;
 
 /** Starts the server and resolves with its address; null if there is no test to serve. */
 function addressOf(server) {
@@ -44,17 +48,27 @@ async function runTests(address) {
   try {
     const page = await browser.newPage();
     const messages = [];
-    page.on('console', (message) => messages.push(`${message.type()}: ${message.text()}`));
-    page.on('pageerror', (error) => messages.push(`error: ${error.stack}`));
-    const crashed = new Promise((done) => page.on('crash', () => done(false)));
+    const begun = performance.now();
+    const note = (text) =>
+      messages.push(`${((performance.now() - begun) / 1000).toFixed(1)} s: ${text}`);
+    page.on('pageerror', (error) => note(`error: ${error.stack}`));
+    const stopped = new Promise((done) => {
+      const hung = setTimeout(() => done(false), limit);
+      page.on('console', (message) => {
+        note(`${message.type()}: ${message.text()}`);
+        hung.refresh();
+      });
+      page.on('crash', () => done(false));
+      page.on('close', () => clearTimeout(hung));
+    });
     await page.goto(address);
     const output = page.locator('#output');
     const whole = output.filter({ hasText: 'test result: ' });
-    const came = whole.waitFor({ state: 'attached', timeout: limit }).then(
+    const came = whole.waitFor({ state: 'attached', timeout: 0 }).then(
       () => true,
       () => false,
     );
-    const ended = await Promise.race([came, crashed]);
+    const ended = await Promise.race([came, stopped]);
     // A page that crashed has no text.
     const text = await output.textContent({ timeout: 5000 }).catch(() => '');
     const ok = ended && text.includes('test result: ok');
