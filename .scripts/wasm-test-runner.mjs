@@ -10,7 +10,7 @@ import { main, Problem } from './run.mjs';
 import { testRunner } from './setup-bindgen.mjs';
 
 /** The longest time of one test, in milliseconds: software rendering on a busy host is slow. */
-const limit = 3 * 60_000;
+const limit = 2 * 60_000;
 /**
  * Software rendering can crash a browser, or hang in it, independently of the tests, which are then
  * repeated.
