@@ -14,16 +14,26 @@ export const featureCommands = (app) =>
   Object.values(FEATURES).flatMap(({ commands }) => commands?.(app) ?? []);
 
 /**
- * Loads a part when it is first needed.
+ * Loads a part when it is first needed, and after a failure when it is needed anew.
  * @param {import("./context.js").AppContext} app
  * @param {import("./context.js").Part} part
  */
 export function loadWhenNeeded(app, { keys, isNeeded, load }) {
   let isLoaded = false;
-  app.store.subscribe(keys, (state) => {
-    if (isLoaded || !isNeeded(state)) return;
+  let wasNeeded = false;
+  const loadIt = async () => {
     isLoaded = true;
-    app.actions.reportErrors(load(app));
+    try {
+      await load(app);
+    } catch (error) {
+      isLoaded = false;
+      throw error;
+    }
+  };
+  app.store.subscribe(keys, (state) => {
+    const begins = !wasNeeded && isNeeded(state);
+    wasNeeded = isNeeded(state);
+    if (begins && !isLoaded) app.actions.reportErrors(loadIt());
   });
 }
 

@@ -144,7 +144,7 @@ bindViewMenu(byId('view-menu'), byId('view-menu-button'), commands, app);
 selecting.bindKeys(commands);
 
 viewport.on('none', (why) => {
-  import('../viewport/no-picture.js').then((module) => module.explainNoPicture(why));
+  actions.reportErrors(import('../viewport/no-picture.js').then((it) => it.explainNoPicture(why)));
 });
 
 Object.assign(window, { shapeUp: app.script });
@@ -172,9 +172,11 @@ actions.reportErrors(
     it.bindHandleKeys(viewport, store, solver, actions),
   ),
 );
-import('./arrangement/next-step.js').then((it) => it.followNextStep(store));
-import('../panels/status-bar/environment-status.js').then((module) =>
-  module.environmentStatus(byId('numbers'), app),
+actions.reportErrors(import('./arrangement/next-step.js').then((it) => it.followNextStep(store)));
+actions.reportErrors(
+  import('../panels/status-bar/environment-status.js').then((it) =>
+    it.environmentStatus(byId('numbers'), app),
+  ),
 );
 
 /** Loads and shows the legend. */
@@ -214,11 +216,13 @@ function bindSolver(client) {
       section: null,
     }),
   );
-  client.on('loading', ({ bytes, all }) =>
-    import('./progress/solver-loading.js').then(({ showLoading }) =>
-      showLoading(store, bytes, all),
-    ),
-  );
+  client.on('loading', ({ bytes, all }) => {
+    // Without it only the progress is not shown.
+    import('./progress/solver-loading.js').then(
+      ({ showLoading }) => showLoading(store, bytes, all),
+      () => {},
+    );
+  });
   client.on('document', ({ document }) => store.set({ document }));
   client.on('frame', ({ numbers, answers }) =>
     store.set({

@@ -1,9 +1,9 @@
-// Parts of the panels that cannot be fetched at first: an error is shown, and they load at the next
+// Parts of the page that cannot be fetched at first: an error is shown, and they load at the next
 // attempt.
 
 import { addConstraint, hidePanels, openText, showPanel } from '../actions.mjs';
 import { file, wavyGrid } from '../meshes.mjs';
-import { expect, openPage, screenOf, test, waitForState } from '../support.mjs';
+import { dragVertex, expect, openPage, screenOf, test, waitForState } from '../support.mjs';
 
 const N = 6;
 const VERTICES = (N + 1) ** 2;
@@ -76,5 +76,23 @@ test('a file is refused with its reason, even without the offer of other files',
   await page.route('**/missing-files-*.js', (route) => route.abort());
   await page.getByLabel('Open file').setInputFiles(file('bad.obj', 'hello\n'));
   await expect(alert(page)).toContainText('bad.obj');
+  expectOnlyAborted(complaints);
+});
+
+test('the label of a drag comes at the next drag', async ({ page, complaints }) => {
+  const part = '**/drag-label-*.js';
+  await page.route(part, (route) => route.abort());
+  await hidePanels(page);
+  await page.mouse.click(...(await screenOf(page, MIDDLE)));
+  await page.keyboard.press('h');
+  await dragVertex(page, MIDDLE, [60, 0]);
+  await expect(alert(page)).toHaveText(WORDS);
+  await page.unroute(part);
+  const [x, y] = await screenOf(page, MIDDLE);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 60, y, { steps: 5 });
+  await expect(page.locator('#moved')).toHaveText(/ m$/);
+  await page.mouse.up();
   expectOnlyAborted(complaints);
 });

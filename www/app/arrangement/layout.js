@@ -40,9 +40,11 @@ export function arrangeForWidth(store) {
   }
   PHONE.addEventListener('change', arrange);
   arrange();
-  import('../../ui/controls/toolbar.js').then(({ oneTabStop }) => {
-    [tools, bar, byId('select-bar')].forEach(oneTabStop);
-  });
+  // Without it each control is its own tab stop.
+  import('../../ui/controls/toolbar.js').then(
+    ({ oneTabStop }) => [tools, bar, byId('select-bar')].forEach(oneTabStop),
+    () => {},
+  );
   more.addEventListener('click', (event) => {
     const inside = event.target instanceof Element && event.target.closest('button');
     if (inside && !inside.hasAttribute('popovertarget')) more.hidePopover();
