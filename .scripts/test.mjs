@@ -140,6 +140,8 @@ await main(async () => {
       const [unrun, unsteady] = [inexcusable(skipped), inexcusable(flaky)];
       for (const test of unrun) console.log(`    skipped without a reason: ${test}`);
       for (const test of unsteady) console.log(`    flaky without a reason: ${test}`);
+      // How they failed at first: Playwright numbers its reports.
+      if (ok && unsteady.length > 0) console.log(output.slice(output.search(/^ +1\) /m)));
       if (unrun.length > 0 || unsteady.length > MOST_FLAKY) process.exitCode = 1;
     }
     if (show && ok) console.log(output);
