@@ -81,7 +81,7 @@ await main(() => {
   const module = (name, folder, budget) =>
     row(name, [at('www', 'pkg', folder, 'shape_up_bg.wasm')], budget * kB);
   const rows = [
-    module('solver module', 'solver', 704),
+    module('solver module', 'solver', 703),
     module('parts module', 'build', 298),
     module('view, WebGPU', 'view-webgpu', 189),
     module('view, WebGL2', 'view-webgl2', 900),

@@ -28,11 +28,11 @@ impl MeshBuilder {
     /// Appends a vertex. Bad coordinates are NaN until [`MeshBuilder::finish`].
     pub(crate) fn vertex(&mut self, words: [&str; 3], line: usize) {
         let [x, y, z] = words.map(coordinate);
-        let mut problems = [x.1, y.1, z.1];
-        problems.sort_unstable();
-        let mut last = None;
-        for problem in problems.into_iter().flatten().filter(|&p| last.replace(p) != Some(p)) {
-            self.counts.add(problem, Some(line));
+        let problems = [x.1, y.1, z.1];
+        for (i, problem) in problems.iter().enumerate() {
+            if let Some(new) = problem.filter(|_| !problems[..i].contains(problem)) {
+                self.counts.add(new, Some(line));
+            }
         }
         self.mesh.positions.push([x.0, y.0, z.0]);
         self.vertex_lines.push(line as u32);

@@ -1,6 +1,6 @@
 //! The rest mesh: as opened, or derived from the opened one.
 
-use crate::math::Vec3;
+use crate::math::{Vec3, key_of_pair, sort_by_number};
 use crate::mesh::{BoundingSphere, Group, Mesh, Point, Topology, folded_faces};
 use crate::solve::Moved;
 
@@ -112,7 +112,7 @@ impl RestMesh {
     /// Indices in [`Topology::edges`] of the edges with these ends, ascending.
     pub(crate) fn edges_between(&self, ends: &[[u32; 2]]) -> Vec<u32> {
         let mut ends = ends.to_vec();
-        ends.sort_unstable();
+        sort_by_number(&mut ends, |&ends| key_of_pair(ends));
         let edges = (0..).zip(self.topology.edges());
         edges
             .filter(|(_, [a, b])| ends.binary_search(&[*a.min(b), *a.max(b)]).is_ok())

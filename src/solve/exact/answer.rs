@@ -4,7 +4,7 @@ use super::guard;
 use super::hard_rows::HardBatch;
 use super::model::Model;
 use crate::constraint::Row;
-use crate::math::Lane;
+use crate::math::{Lane, key_of_number, sort_by_number};
 use crate::mesh::Point;
 use crate::solve::local_frame::centre_and_extent;
 use serde::Serialize;
@@ -146,7 +146,7 @@ impl Model {
                 }
             });
         }
-        unmet.sort_by(|a: &Unmet, b| b.distance.total_cmp(&a.distance));
+        sort_by_number(&mut unmet, |miss: &Unmet| key_of_number(-miss.distance));
         let (on_guard, shortest_edge) = self.guarded_edges(x);
         ExactAnswer {
             max_distance,
