@@ -50,7 +50,9 @@ pub use error::SceneError;
 pub use frame::UnitsAndUp;
 pub use json::{FORMAT, VERSION};
 pub use lesson::{Goal, GoalOf, Lesson, Lock};
-pub use panels::{Forecast, ForecastOfKind, HowFar, PanelOffer, panel_offers};
+pub use panels::{
+    Forecast, ForecastOfKind, HowFar, PanelOffer, PanelRemedy, panel_offers, panel_remedy,
+};
 pub use presentation::Slide;
 pub use presets::{PRESETS, Preset, PresetOffer};
 pub use results::{GoalResult, Results};

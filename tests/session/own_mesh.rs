@@ -3,8 +3,8 @@
 
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Topology};
-use shape_up::scene::{Scene, UnitsAndUp, Up, panel_offers};
-use shape_up::session::{Edit, Session};
+use shape_up::scene::{Scene, UnitsAndUp, Up, panel_offers, panel_remedy};
+use shape_up::session::{Edit, Remeshing, Session};
 use shape_up::solve::Require;
 
 /// Largest and mean displacement, in per cent of the diagonal of the bounding box, and worst panel
@@ -119,6 +119,8 @@ fn where_it_means_nothing_the_press_is_refused_in_words() {
     for (offer, words) in offers.iter().zip(["always flat", "always circular"]) {
         assert!(offer.reason.as_ref().unwrap().contains(words), "{offer:?}");
     }
+    // Nothing can be joined to a single triangle.
+    assert_eq!(panel_remedy(&triangles), None);
     let mut scene = Scene::opened("own.obj");
     for (kind, mesh, words) in [
         ("circle", &triangles, "All panels are triangles, which are always circular."),
@@ -131,6 +133,22 @@ fn where_it_means_nothing_the_press_is_refused_in_words() {
         assert_eq!(scene, Scene::opened("own.obj"));
     }
     assert!(panel_offers(&crate::grid::bumpy(4)).iter().all(|offer| offer.reason.is_none()));
+}
+
+#[test]
+fn triangles_can_be_joined_to_quads_for_which_panels_are_offered() {
+    let quads = crate::grid::bumpy(4);
+    assert_eq!(panel_remedy(&quads), None);
+    let remesh = |operation: &str, sizes: &[f64]| {
+        let (operation, sizes) = (operation.to_owned(), sizes.to_vec());
+        Edit::Remesh(Remeshing { operation, sizes, ..Remeshing::default() })
+    };
+    let mut session = Session::open(Scene::opened("own.obj"), quads).unwrap();
+    session.edit(remesh("triangles", &[])).unwrap();
+    let remedy = panel_remedy(session.mesh()).unwrap();
+    assert!(remedy.words.contains("triangles, which are always flat and circular"), "{remedy:?}");
+    session.edit(remesh(remedy.operation, &[160.0])).unwrap();
+    assert!(panel_offers(session.mesh()).iter().all(|offer| offer.reason.is_none()));
 }
 
 #[test]

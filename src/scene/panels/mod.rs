@@ -9,4 +9,4 @@ mod forecast;
 mod request;
 
 pub use forecast::{Forecast, ForecastOfKind, HowFar};
-pub use request::{PanelOffer, panel_offers};
+pub use request::{PanelOffer, PanelRemedy, panel_offers, panel_remedy};

@@ -163,14 +163,20 @@ test('Something else opens the constraint dialog, and the offer disappears once 
   await expect(offer(page)).toBeHidden();
 });
 
-test('on triangles the buttons are disabled, with the reason', async ({ page }) => {
+test('triangles are joined to quads first, and then the press is offered', async ({ page }) => {
   await openPage(page);
   await openText(page, 'triangles.shapeup.json', triangleScene(3), 16);
-  for (const adjective of ['circular', 'flat']) {
-    const button = press(page, adjective);
-    await expect(button).toBeDisabled();
-    await expect(button).toHaveAccessibleDescription(/triangle/i);
-  }
+  await expect(press(page, 'flat')).toBeHidden();
+  const join = page.getByRole('button', { name: 'Triangles to quads', exact: true });
+  await expect(join).toHaveAccessibleDescription(/triangles, which are always flat and circular/);
+  await join.click();
+  const dialog = page.getByRole('dialog', { name: 'Edit mesh' });
+  await expect(dialog.getByText('18 faces become 9 quads, with 16 vertices.')).toBeVisible();
+  await dialog.getByRole('button', { name: 'Apply' }).click();
+  await waitForState(page, (now) => now.faces === 9);
+  await expect(join).toBeHidden();
+  await press(page, 'flat').click();
+  await waitForState(page, (now) => !now.running && now.constraints.plane === 9);
 });
 
 test('a run that collapses the mesh is stopped, and can be undone, held closer or continued', async ({

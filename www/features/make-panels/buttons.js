@@ -1,5 +1,9 @@
-/** Buttons that make all panels one shape; a disabled one gives the reason. */
+/**
+ * Buttons that make all panels one shape; a disabled one gives the reason. If a change of the mesh is
+ * needed first, there is a button for that instead.
+ */
 
+import { button } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
 import { sketch } from '../../ui/kinds/sketch.js';
 
@@ -9,9 +13,19 @@ import { sketch } from '../../ui/kinds/sketch.js';
  * @param {Readonly<import("../../store/state.js").State>} state
  * @param {string} id of the element with the reasons, which describes the buttons
  * @param {(kind: KindInfo) => void} press
+ * @param {(operation: string) => void} change opens the operation on the mesh
  * @returns {{ buttons: HTMLButtonElement[], reasons: HTMLElement[] }}
  */
-export function panelButtons({ kinds, model }, id, press) {
+export function panelButtons({ kinds, model }, id, press, change) {
+  const remedy = model?.panelRemedy;
+  if (remedy) {
+    const act = () => change(remedy.operation);
+    const dialog = { 'aria-haspopup': 'dialog', 'aria-describedby': id };
+    return {
+      buttons: [button(remedy.label, act, dialog)],
+      reasons: [element('p.quiet', { id }, remedy.words)],
+    };
+  }
   /** @type {Map<string, string | null>} */
   const reasonOf = new Map(model?.panels.map(({ kind, reason }) => [kind, reason]));
   // Kinds are listed from the weakest to the strongest requirement; here the strongest comes first.

@@ -150,7 +150,8 @@ export class MakePanels {
 
     const here = this.#shows === 'offer' ? this.#card : this.#panel;
     const press = (/** @type {KindInfo} */ kind) => this.#make(kind);
-    const { buttons, reasons } = panelButtons(state, 'make-panels-reason', press);
+    const change = (/** @type {string} */ operation) => this.#change(operation);
+    const { buttons, reasons } = panelButtons(state, 'make-panels-reason', press, change);
     this.#panel.hidden = !offers || here !== this.#panel;
     if (here === this.#panel) renew(here, element('div', ...buttons), ...reasons);
     else {
@@ -159,6 +160,12 @@ export class MakePanels {
       this.#showForecast();
     }
     this.#cover();
+  }
+
+  /** Opens an operation on the mesh. @param {string} operation */
+  #change(operation) {
+    const dialog = import('./refine-operation.js');
+    this.#app.actions.reportErrors(dialog.then((it) => it.openEdit(this.#app, operation)));
   }
 
   /** Shows how far the mesh will move for the offer; requested once for each model. */

@@ -12,8 +12,11 @@ import { count } from '../../ui/format.js';
 /** The last operation, suggested for the next time. */
 let last = '';
 
-/** @param {import("../../app/context.js").AppContext} app */
-export async function openEdit({ store, solver, actions, alerts }) {
+/**
+ * @param {import("../../app/context.js").AppContext} app
+ * @param {string} [suggested] the operation to begin with
+ */
+export async function openEdit({ store, solver, actions, alerts }, suggested) {
   const mesh = meshActions(store, solver, actions);
   const operations = await mesh.operations();
   const { selection, document: scene } = store.get();
@@ -81,7 +84,7 @@ export async function openEdit({ store, solver, actions, alerts }) {
   }
 
   // Set before the dialog is visible, so that it cannot replace the user's choice.
-  operation.value = last || (await firstThatFits());
+  operation.value = suggested || last || (await firstThatFits());
   const dialog = openDialog(
     { id: 'edit-mesh', title: 'Edit mesh', light: true },
     element(

@@ -1,7 +1,7 @@
 //! The summary of a file that was opened.
 
 use crate::mesh::{Read, Weld};
-use crate::scene::{NamedEnum, PanelOffer, panel_offers};
+use crate::scene::{NamedEnum, PanelOffer, PanelRemedy, panel_offers, panel_remedy};
 use crate::session::{Guessed, Session, flaw_of};
 use serde::Serialize;
 
@@ -28,6 +28,9 @@ pub(crate) struct Loaded {
     tolerance: f64,
     /// The kinds that are offered for making all panels.
     panels: Vec<PanelOffer>,
+    /// A change of the mesh after which they apply.
+    #[serde(rename = "panelRemedy")]
+    panel_remedy: Option<PanelRemedy>,
     /// None if nothing was welded.
     welded: Option<Welded>,
     problems: Vec<Problem>,
@@ -91,6 +94,7 @@ impl Loaded {
             mean_edge: session.mean_edge(),
             tolerance: session.tolerance(),
             panels: panel_offers(mesh),
+            panel_remedy: panel_remedy(mesh),
             welded: weld.map(|weld| Welded {
                 before: weld.to.len(),
                 after: mesh.positions.len(),
