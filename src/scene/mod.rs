@@ -51,7 +51,7 @@ pub use frame::UnitsAndUp;
 pub use json::{FORMAT, VERSION};
 pub use lesson::{Goal, GoalOf, Lesson, Lock};
 pub use panels::{
-    Forecast, ForecastOfKind, HowFar, PanelOffer, PanelRemedy, panel_offers, panel_remedy,
+    Forecast, ForecastOfKind, HowFar, MeshRemedy, PanelOffer, panel_offers, panel_remedy,
 };
 pub use presentation::Slide;
 pub use presets::{PRESETS, Preset, PresetOffer};

@@ -9,4 +9,4 @@ mod forecast;
 mod request;
 
 pub use forecast::{Forecast, ForecastOfKind, HowFar};
-pub use request::{PanelOffer, PanelRemedy, panel_offers, panel_remedy};
+pub use request::{MeshRemedy, PanelOffer, panel_offers, panel_remedy};

@@ -30,7 +30,7 @@ pub fn panel_offers(mesh: &Mesh) -> Vec<PanelOffer> {
 /// A change of the mesh after which the offered kinds apply.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct PanelRemedy {
+pub struct MeshRemedy {
     /// Why none applies now, and what the operation does.
     pub words: String,
     /// The id of one of the [`MESH_OPERATIONS`].
@@ -41,11 +41,11 @@ pub struct PanelRemedy {
 
 /// Returns the change of the mesh after which the offered kinds apply, if there is one: none applies
 /// to triangles, which can be joined to quads.
-pub fn panel_remedy(mesh: &Mesh) -> Option<PanelRemedy> {
+pub fn panel_remedy(mesh: &Mesh) -> Option<MeshRemedy> {
     let can_join = mesh.faces.len() > 1 && mesh.tets.is_empty() && is_of_triangles(mesh);
     let operation = MESH_OPERATIONS.iter().find(|operation| operation.id == "quads")?;
     let adjectives: Vec<&str> = KINDS.iter().filter_map(|info| info.panels).collect();
-    can_join.then(|| PanelRemedy {
+    can_join.then(|| MeshRemedy {
         words: format!(
             "All panels are triangles, which are always {}. Pairs of them can be joined to quads.",
             adjectives.join(" and ")

@@ -1,7 +1,7 @@
 //! The summary of a file that was opened.
 
 use crate::mesh::{Read, Weld};
-use crate::scene::{NamedEnum, PanelOffer, PanelRemedy, panel_offers, panel_remedy};
+use crate::scene::{MeshRemedy, NamedEnum, PanelOffer, panel_offers, panel_remedy};
 use crate::session::{Guessed, Session, flaw_of};
 use serde::Serialize;
 
@@ -30,7 +30,7 @@ pub(crate) struct Loaded {
     panels: Vec<PanelOffer>,
     /// A change of the mesh after which they apply.
     #[serde(rename = "panelRemedy")]
-    panel_remedy: Option<PanelRemedy>,
+    panel_remedy: Option<MeshRemedy>,
     /// None if nothing was welded.
     welded: Option<Welded>,
     problems: Vec<Problem>,
