@@ -116,7 +116,7 @@ test('the offset of 2500 panels follows the slider and a drag, and the sheets co
       (type) => window.asked.filter((own) => own.type === type).map((own) => own.took),
       type,
     );
-  const unit = await otherWork(page);
+  const before = await otherWork(page);
   await panel(page).getByLabel('Distance').press('ArrowRight');
   await expect.poll(async () => (await took('moveLayer')).length).toBeGreaterThan(0);
   const slides = median(await took('moveLayer'));
@@ -136,6 +136,8 @@ test('the offset of 2500 panels follows the slider and a drag, and the sheets co
   await page.mouse.up();
   // When the drag ends, all parts are made.
   await expect.poll(async () => (await took('build')).length).toBeGreaterThan(0);
+  // Other tests run beside this one, and not evenly.
+  const unit = Math.max(before, await otherWork(page));
   const said = `drag ${follows} ms, slider ${slides} ms, other work ${unit} ms`;
   test.info().annotations.push({ type: 'measured', description: said });
   expect(follows, said).toBeLessThan(FOLLOWS * unit);
