@@ -179,6 +179,17 @@ test('triangles are joined to quads first, and then the press is offered', async
   await waitForState(page, (now) => !now.running && now.constraints.plane === 9);
 });
 
+test('triangles are not offered to be joined where a lesson locks the mesh', async ({ page }) => {
+  await openPage(page);
+  const goals = [{ measure: 'planarity', beyond: 0.001, at_most: 3 }];
+  const lesson = { text: 'Look at it.', lock: ['mesh'], goals };
+  const scene = { ...JSON.parse(triangleScene(3)), lesson };
+  await openText(page, 'triangles.shapeup.json', JSON.stringify(scene), 16);
+  const join = page.getByRole('button', { name: 'Triangles to quads', exact: true });
+  await expect(join).toBeDisabled();
+  await expect(join).toHaveAttribute('title', 'Locked by the lesson');
+});
+
 test('a run that collapses the mesh is stopped, and can be undone, held closer or continued', async ({
   page,
 }) => {

@@ -16,13 +16,15 @@ import { sketch } from '../../ui/kinds/sketch.js';
  * @param {(operation: string) => void} change opens the operation on the mesh
  * @returns {{ buttons: HTMLButtonElement[], reasons: HTMLElement[] }}
  */
-export function panelButtons({ kinds, model }, id, press, change) {
+export function panelButtons({ kinds, model, document }, id, press, change) {
   const remedy = model?.panelRemedy;
   if (remedy) {
     const act = () => change(remedy.operation);
+    const disabled = document?.lesson?.lock.includes('mesh') ?? false;
+    const title = disabled ? 'Locked by the lesson' : '';
     const dialog = { 'aria-haspopup': 'dialog', 'aria-describedby': id };
     return {
-      buttons: [button(remedy.label, act, dialog)],
+      buttons: [button(remedy.label, act, { ...dialog, disabled, title })],
       reasons: [element('p.quiet', { id }, remedy.words)],
     };
   }
