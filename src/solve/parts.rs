@@ -145,6 +145,8 @@ impl Parts {
             held.iter().zip(system.node_of()).for_each(|(&h, &node)| by_node[node as usize] = h);
             by_node
         };
+        // Those on curves that they may not leave are where the curves of the mesh end.
+        let shape = problem.design.filter(|_| gliding.is_none()).unwrap_or(&mesh.positions);
         system.seconds.assemble += before_system - started + clock::now() - after_system;
         Parts {
             centre,
@@ -158,7 +160,7 @@ impl Parts {
             rest,
             pose,
             held,
-            corners: corners.into_iter().map(|v| (v, mesh.positions[v as usize])).collect(),
+            corners: corners.into_iter().map(|v| (v, shape[v as usize])).collect(),
             gliding,
         }
     }

@@ -6,7 +6,9 @@ use crate::hard::Case;
 use libm::{cos, sin};
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point};
-use shape_up::solve::{Handle, Hold, Require, SLIDE, ShapeSpace};
+use shape_up::solve::{
+    BoundaryCloseness, Handle, Hold, Require, Requirements, SLIDE, SetupCache, ShapeSpace, Solver,
+};
 
 /// A part of a torus along its lines of curvature, on which all circles are met; symmetric in x and
 /// y.
@@ -250,4 +252,39 @@ fn shapes_without_ways_and_degenerate_ones_end_too() {
             assert!(!all_fixed || space.modes().is_empty());
         }
     }
+}
+
+#[test]
+fn corners_that_closeness_to_the_boundary_fixes_stay_in_every_variation() {
+    let (case, shape) = exact_case(torus(6), "circle");
+    let mut problem = case.problem();
+    problem.boundary_closeness = Some(BoundaryCloseness::default());
+    let requirements = Requirements {
+        rows: &case.requires,
+        shortest_edge: case.shortest_edge,
+        iterations: Requirements::ITERATIONS,
+    };
+    let space = ShapeSpace::new(&problem, &requirements, &[], &shape, SetupCache::default());
+    let mut space = space.expect("its systems are regular");
+    while !space.has_modes() && space.step().expect("its systems are regular") {}
+    let reached = space.go(&[0.03, 0.02, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).expect("regular");
+    assert!(reached.part > 0.0 && reached.answer.met);
+    assert!(longest(&difference(&reached.positions, &shape)) > 0.01);
+    // What a solver of the same problem would move the corners back from.
+    for corner in [0, 6, 42, 48] {
+        assert_eq!(reached.positions[corner], shape[corner]);
+    }
+}
+
+#[test]
+fn corners_of_the_boundary_are_those_of_the_kept_shape() {
+    let case = Case::new(grid(3, 3, |i, j| [f64::from(i), f64::from(j), 0.0]));
+    let kept: Vec<Point> = case.mesh.positions.iter().map(|&[x, y, _]| [x, y, 1.0]).collect();
+    let mut problem = case.problem();
+    problem.design = Some(&kept);
+    problem.boundary_closeness = Some(BoundaryCloseness::default());
+    let solver = Solver::new(&problem, SetupCache::default(), Vec::new(), &kept);
+    let mut solver = solver.expect("the problem is regular");
+    solver.step().expect("positions stay finite");
+    assert!(longest(&difference(&solver.positions().collect::<Vec<_>>(), &kept)) < 1e-12);
 }

@@ -5,16 +5,16 @@ use super::modes::{SLIDE, Variation, goes_outwards, modes};
 use super::motions::kept_motions;
 use super::subspace::Subspace;
 use crate::constraint::Row;
-use crate::math::{Vec3, twice_vector_area};
-use crate::mesh::{Mesh, Point};
+use crate::math::{Vec3, cosine, twice_vector_area};
+use crate::mesh::{BoundaryCurves, Mesh, Point};
 use crate::solve::energy::{smooth_terms, springs};
 use crate::solve::error::SolveError;
 use crate::solve::exact::block_system::BlockSystem;
 use crate::solve::exact::model::Model;
 use crate::solve::exact::polish::{Polish, Polished};
 use crate::solve::{
-    Constraints, ExactAnswer, Handle, Hold, Problem, Require, Requirements, SetupCache, Smoothness,
-    SmoothnessOf, Weighting, Weights,
+    BoundaryRequire, Constraints, ExactAnswer, Handle, Hold, Problem, Require, Requirements,
+    SetupCache, Smoothness, SmoothnessOf, Weighting, Weights,
 };
 use std::collections::VecDeque;
 
@@ -93,6 +93,7 @@ impl ShapeSpace {
         shape: &[Point],
         cache: SetupCache,
     ) -> Result<ShapeSpace, SolveError> {
+        let corners = fixed_corners(problem, handles);
         let rows = problem.constraints.iter().zip(requirements.rows);
         let (constraints, requires): (Vec<Constraints>, Vec<Require>) = rows
             .filter(|(_, require)| require.is_hard())
@@ -110,6 +111,10 @@ impl ShapeSpace {
         let requirements = Requirements { rows: &requires, ..*requirements };
         let is_fixed = |handle: &&Handle| handle.hold == Hold::Fixed;
         let mut held: Vec<Handle> = handles.iter().filter(is_fixed).copied().collect();
+        held.extend(corners.into_iter().map(|vertex| {
+            let target = shape[vertex as usize];
+            Handle { vertex, target, hold: Hold::Fixed }
+        }));
         held.extend(alone(&problem, &held, shape));
         let mut model = Model::new(&problem, &requirements, &held, shape, cache);
         // The small addition to the metric holds them: the shape is free to move.
@@ -313,6 +318,22 @@ fn by_node(system: &BlockSystem, model: &Model) -> Vec<Row> {
         at[own as usize] = model.x[node as usize];
     }
     at
+}
+
+/// The corners that closeness to the boundary fixes, except those with a handle.
+fn fixed_corners(problem: &Problem<'_>, handles: &[Handle]) -> Vec<u32> {
+    let boundary = problem.boundary_closeness.filter(|_| problem.weights.close > 0.0);
+    // On curves that the vertices may not leave, the corners are fixed anyway.
+    let Some(soft) = boundary.filter(|it| it.require == BoundaryRequire::Soft) else {
+        return Vec::new();
+    };
+    let shape = problem.design.unwrap_or(&problem.mesh.positions);
+    let found = BoundaryCurves::new(shape, problem.topology, cosine(soft.corners / 360.0));
+    let is_fixed = |v: &u32| {
+        let has_handle = handles.iter().any(|handle| handle.vertex == *v);
+        problem.closeness_factors[*v as usize] != 0.0 && !has_handle
+    };
+    found.corners.into_iter().filter(is_fixed).collect()
 }
 
 /// Handles for the vertices without a face or a constraint, which nothing else determines.
