@@ -217,3 +217,23 @@ fn where_faces_are_turned_over_settings_are_offered_that_turn_fewer() {
     assert_eq!(flipped(offered.weights, offered.norm), offered.flipped);
     assert_eq!(FewerFlips::of(&mesh, &topology, offered.flipped), None, "there are no fewer");
 }
+
+#[test]
+fn the_map_of_a_closed_surface_has_its_area() {
+    let mut mesh = Mesh::default();
+    mesh.positions.extend([[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+    mesh.positions.extend([[0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]]);
+    for [a, b] in [[0, 2], [2, 1], [1, 3], [3, 0]] {
+        mesh.faces.push(&[a, b, 4]);
+        mesh.faces.push(&[b, a, 5]);
+    }
+    let map = map(&mesh, ConformalWeights::default(), ConformalNorm::default());
+    let area = |face: &[u32]| {
+        let [a, b, c] = [0, 1, 2].map(|k| map.uv[face[k] as usize]);
+        0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).abs()
+    };
+    let flat: f64 = mesh.faces.iter().map(area).sum();
+    // Eight equilateral triangles with sides of the square root of two.
+    let expected = 4.0 * f64::sqrt(3.0);
+    assert!((flat - expected).abs() < 1e-9 * expected, "{flat}");
+}

@@ -279,8 +279,9 @@ impl Part {
             [1.0, 0.0]
         };
         let area: f64 = self.faces.iter().map(|face| face.area).sum();
-        let flat_area: f64 = self.faces.iter().map(|face| face.area_in(&map)).sum();
-        let scale = if flat_area != 0.0 { (area / flat_area.abs()).sqrt() } else { 1.0 };
+        // Signed, the areas of a closed surface would add up to zero.
+        let flat_area: f64 = self.faces.iter().map(|face| face.area_in(&map).abs()).sum();
+        let scale = if flat_area != 0.0 { (area / flat_area).sqrt() } else { 1.0 };
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for p in &mut map {
             let [x, y] = *p;
