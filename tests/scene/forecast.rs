@@ -178,3 +178,16 @@ fn what_is_said_of_real_meshes_is_what_becomes_of_them() {
         }
     }
 }
+
+#[test]
+fn a_face_of_many_corners_is_left_out_since_it_would_take_too_long() {
+    let around = 100;
+    let mut mesh = grid(around, 1, |i, j| {
+        let turn = f64::from(i % around) / f64::from(around);
+        let twist = 0.2 * f64::from((i % around * 7 + j) % 5);
+        [16.0 * math::cosine(turn), 16.0 * math::sine(turn), f64::from(j) + twist]
+    });
+    let open = forecast(&mesh);
+    mesh.faces.push(&(0..around).collect::<Vec<u32>>());
+    assert_eq!(forecast(&mesh).kinds, open.kinds);
+}

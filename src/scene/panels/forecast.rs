@@ -14,6 +14,8 @@ const A_LITTLE: f64 = 0.03;
 const NOTHING: f64 = 1e-6;
 /// Least angle in degrees between edges and lines of curvature that is reported as the cause.
 const OFF: f64 = 10.0;
+/// Faces with more corners are left out: the time grows with the cube of their number.
+const MOST_CORNERS: usize = 64;
 /// A face counts as on a saddle if the product of the principal curvatures, averaged over its
 /// corners, is below this fraction of the sum of their squares.
 const SADDLE: f64 = -0.02;
@@ -149,8 +151,13 @@ impl ForecastOfKind {
     fn of(id: &str, mesh: &Mesh, edge: f64) -> Option<ForecastOfKind> {
         let info = KINDS.iter().find(|info| info.id == id)?;
         let kind = Kind::new(id, serde_json::json!({})).ok()?;
-        let fitting = mesh.faces.iter().filter(|face| info.arity.fits(face.len()));
-        let row = Constraints { kind, weight: 1.0, members: fitting.collect() };
+        let fits = |face: &&[u32]| info.arity.fits(face.len()) && face.len() <= MOST_CORNERS;
+        let fitting = mesh.faces.iter().filter(fits);
+        let members: Ragged = fitting.collect();
+        if members.is_empty() {
+            return None;
+        }
+        let row = Constraints { kind, weight: 1.0, members };
         let moved = least_move(mesh, &[row]).mean;
         let least_move = if edge > 0.0 { moved / edge } else { 0.0 };
         let how_far = match least_move {
