@@ -40,7 +40,9 @@ pub struct Problem<'a> {
 impl Problem<'_> {
     /// Number of vertices and of extra unknowns, which are numbered after them.
     pub(super) fn n_unknowns(&self) -> usize {
-        self.mesh.positions.len() + extra_unknowns(self.constraints, self.settings.mean_centring)
+        let extra = || extra_unknowns(self.constraints, self.settings.mean_centring);
+        // Without the shape energy no term holds a mean.
+        self.mesh.positions.len() + if self.weights.shape > 0.0 { extra() } else { 0 }
     }
 
     /// The part of the shape energy in the normal matrix, over all unknowns.

@@ -66,7 +66,8 @@ impl Model {
             }
         }
         let n_vertices = problem.mesh.positions.len();
-        let first_mean = n_vertices + extra_unknowns(&soft, problem.settings.mean_centring);
+        let soft_problem = Problem { constraints: &soft, ..*problem };
+        let first_mean = soft_problem.n_unknowns();
         let ratio = requirements.shortest_edge.filter(|ratio| *ratio > 0.0);
         let guard = ratio.and_then(|ratio| {
             let guard = Guard::new(&hard, problem, ratio, requirements.all_within())?;
@@ -75,7 +76,6 @@ impl Model {
             places.push((None, guard.require));
             Some((ends, ratio))
         });
-        let soft_problem = Problem { constraints: &soft, ..*problem };
         let added = Added {
             terms: Some(shape_terms(&hard, first_mean, true)),
             unknowns: extra_unknowns(&hard, true),
