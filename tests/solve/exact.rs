@@ -309,6 +309,47 @@ fn what_is_too_large_to_be_exact_is_said_beforehand() {
     let panels = Case::new(bumps(8)).on_faces("plane", Require::Exact);
     assert_eq!(panels.nearest(1000), None);
     assert!(panels.nearest(7_000_000).is_some(), "a factor of half a gigabyte");
+    // Normal spaces cost the cube of the number of points.
+    for (n, is_too_large) in [(20, false), (25, true)] {
+        let mesh = bumps(n);
+        let all: Vec<u32> = (0..mesh.positions.len() as u32).collect();
+        let case = Case::new(mesh).with("plane", json!({}), [all], Require::Exact);
+        assert_eq!(case.nearest(0).is_some(), is_too_large, "{n}");
+    }
+}
+
+#[test]
+fn means_of_large_constraints_without_weight_are_no_unknowns() {
+    let mesh = bumps(6);
+    let all: Vec<u32> = (0..mesh.positions.len() as u32).collect();
+    for require in [Require::Soft, Require::Exact] {
+        let mut case = Case::new(mesh.clone())
+            .with("plane", json!({}), [all.clone()], Require::Soft)
+            .with("plane", json!({}), [all.clone()], require);
+        case.weights.shape = 0.0;
+        let soft = case.soft();
+        assert!(!require.is_hard() || run(&case, &soft).1.met);
+    }
+}
+
+#[test]
+fn a_larger_tolerance_is_met_wherever_a_smaller_one_is() {
+    for seed in 1..=8 {
+        let noise = std::cell::RefCell::new(crate::random::Random::new(seed));
+        let mesh = grid(16, 16, |i, j| {
+            let (x, y) = (f64::from(i), f64::from(j));
+            let off = |by: f64| by * noise.borrow_mut().uniform();
+            let height = math::sine(0.05 * x) * math::cosine(0.04 * y);
+            [x + off(0.15), y + off(0.15), height + off(0.4)]
+        });
+        let ask = |require| {
+            let case = Case::new(mesh.clone()).on_faces("circle", require);
+            let (_, answer) = run(&case, &case.soft());
+            answer.met
+        };
+        let met = [Require::Exact, Require::Within(0.01), Require::Within(0.05)].map(ask);
+        assert!(!met[0] || (met[1] && met[2]), "{seed}: {met:?}");
+    }
 }
 
 #[test]

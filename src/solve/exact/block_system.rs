@@ -116,6 +116,13 @@ impl BlockSystem {
         }
     }
 
+    /// Lets steps lead to the shapes themselves where a distance from them is permitted; returns
+    /// whether that changes anything.
+    pub(super) fn aim_at_shapes(&mut self) -> bool {
+        let bands = self.batches.iter_mut().filter_map(|batch| batch.band.take());
+        bands.count() > 0
+    }
+
     /// The block node of each vertex.
     pub(in crate::solve) fn node_of(&self) -> &[u32] {
         &self.node_of

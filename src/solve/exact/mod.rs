@@ -89,6 +89,10 @@ const COUPLED: f64 = 0.6;
 /// points in the system of the polish.
 const MOST_COUPLED: usize = 20_000_000;
 
+/// Greatest sum of the cubes of the numbers of coordinates of the constraints: what their normal
+/// spaces cost. One constraint on 500 points takes a second natively, and a few in a browser.
+const MOST_CUBES: f64 = 3.5e9;
+
 /// The stage after a call of [`Exact::step`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
@@ -243,7 +247,8 @@ impl Exact {
         }
         self.stage = Stage::Round;
         let worst = self.keep_best();
-        if self.near > 0.0 && self.approach.iterations >= PATIENCE && self.tries == 0 {
+        let is_long = self.approach.iterations >= PATIENCE && self.tries == 0;
+        if self.near > 0.0 && self.can_polish && is_long {
             self.near = NEAR_ENOUGH * self.model.parts.extent;
         }
         let near = if self.can_polish { worst <= self.near } else { self.model.is_met(self.near) };
@@ -320,7 +325,8 @@ impl Exact {
     }
 
     /// Tries again from the best positions with steps that gain, as long as they do. Otherwise
-    /// continues the approach to a smaller distance, if it may go on.
+    /// continues the approach to a smaller distance, if it may go on. At last the steps lead to the
+    /// shapes themselves instead of to the edge of what is tolerated.
     fn polish_failed(&mut self) {
         let gained = self.best.0 <= GAINED * self.polished_from;
         if let Some(polish) = &mut self.polish
@@ -342,6 +348,14 @@ impl Exact {
             self.near = nearer;
             self.model.x.copy_from_slice(&self.began.1);
             self.stage = Stage::Round;
+        } else if is_far
+            && let Some(polish) = &mut self.polish
+            && polish.system.aim_at_shapes()
+        {
+            self.model.x.copy_from_slice(&self.best.1);
+            polish.restart(false);
+            self.began.0 = polish.factors;
+            (self.polishes, self.polished_from) = (1, self.best.0);
         } else {
             self.end();
         }
@@ -432,8 +446,12 @@ impl Exact {
 /// Whether the system of the polish fits in memory, given the `nonzeros` of the scalar factor.
 fn polish_fits(problem: &Problem<'_>, requirements: &Requirements<'_>, nonzeros: usize) -> bool {
     let hard = problem.constraints.iter().zip(requirements.rows).filter(|(_, it)| it.is_hard());
-    let coupled: usize = hard
-        .flat_map(|(row, _)| row.members.iter().map(|members| members.len() * members.len()))
-        .sum();
-    coupled <= MOST_COUPLED && !Exact::is_too_large(nonzeros, problem.weights.smooth > 0.0)
+    let (mut coupled, mut cubes) = (0, 0.0);
+    for members in hard.flat_map(|(row, _)| row.members.iter()) {
+        coupled += members.len() * members.len();
+        cubes += (3.0 * members.len() as f64).powi(3);
+    }
+    coupled <= MOST_COUPLED
+        && cubes <= MOST_CUBES
+        && !Exact::is_too_large(nonzeros, problem.weights.smooth > 0.0)
 }
