@@ -21,8 +21,9 @@ export function number(value) {
       .toExponential(DIGITS - 1)
       .replace('-', '−')
       .replace('e+', 'e');
-  if (size >= 1000) return String(Math.round(value));
-  return value.toPrecision(DIGITS).replace('-', '−');
+  // Three digits would round the numbers just below to 1000, with a power of ten.
+  const text = size >= 999.5 ? String(Math.round(value)) : value.toPrecision(DIGITS);
+  return text.replace('-', '−');
 }
 
 /**
@@ -91,7 +92,7 @@ export function part(share) {
  * @returns {string}
  */
 export function duration(milliseconds) {
-  return `${milliseconds >= 100 ? Math.round(milliseconds) : milliseconds.toPrecision(2)} ms`;
+  return `${milliseconds >= 99.5 ? Math.round(milliseconds) : milliseconds.toPrecision(2)} ms`;
 }
 
 /**

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { count, length, limit, number, part, ratio } from '../../../www/ui/format.js';
+import { count, duration, length, limit, number, part, ratio } from '../../../www/ui/format.js';
 import { coordinate, decimalsFor, readLength } from '../../../www/ui/number-entry.js';
 import { chordOf, digitOf, keyName } from '../../../www/ui/keys.js';
 
@@ -11,6 +11,12 @@ test('a number has three digits, a true minus sign, and a power of ten where tha
   for (const [value, text] of Object.entries(cases)) assert.equal(number(Number(value)), text);
   assert.equal(number(3e7), '3.00e7');
   assert.equal(number(NaN), '–');
+});
+
+test('a number that rounds to a power of ten is written in full', () => {
+  // 999.7 used to be shown as 1.00e+3, and 99.7 ms as 1.0e+2 ms.
+  assert.deepEqual([number(999.4), number(999.7), number(-999.7)], ['999', '1000', '−1000']);
+  assert.deepEqual([duration(99.4), duration(99.7), duration(9.96)], ['99 ms', '100 ms', '10 ms']);
 });
 
 test('metres below a decimetre are shown in millimetres, other units are kept', () => {
