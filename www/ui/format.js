@@ -38,8 +38,8 @@ export function lengthUnit(size, units) {
   return { unit: units, factor: 1 };
 }
 
-/** Lengths below this many millimetres are irrelevant for buildings. */
-const LEAST_MM = 0.001;
+/** Lengths below these are irrelevant for buildings, by unit. @type {Record<string, number>} */
+const LEAST = { mm: 0.001, m: 1e-6 };
 
 /**
  * Formats a length with its unit.
@@ -51,11 +51,10 @@ const LEAST_MM = 0.001;
 export function length(value, units, like = value) {
   const { unit, factor } = lengthUnit(like, units);
   const scaled = value * factor;
-  if (!unit) return number(scaled);
-  if (unit === 'mm' && scaled !== 0 && Math.abs(scaled) < 1) {
-    return Math.abs(scaled) < LEAST_MM ? `< ${LEAST_MM} mm` : `${scaled.toFixed(3)} mm`;
-  }
-  return `${number(scaled)} ${unit}`;
+  const size = Math.abs(scaled);
+  if (size > 0 && size < LEAST[unit]) return `< ${LEAST.mm} mm`;
+  if (unit === 'mm' && size > 0 && size < 1) return `${scaled.toFixed(3)} mm`;
+  return `${number(scaled)} ${unit}`.trim();
 }
 
 /**

@@ -30,6 +30,16 @@ test('metres below a decimetre are shown in millimetres, other units are kept', 
   assert.equal(limit(5e-6, ''), '5e−6');
 });
 
+test('an irrelevant length is shown alike beside any other length', () => {
+  // Beside a length in metres an exact shape used to be off by "4.99e−12 m".
+  assert.equal(length(4.99e-12, 'm', 0.105), '< 0.001 mm');
+  assert.equal(length(-4.99e-12, 'm'), '< 0.001 mm');
+  assert.equal(length(4.99e-12, 'mm'), '< 0.001 mm');
+  assert.equal(length(0.0000421, 'm', 3), '4.21e−5 m');
+  assert.equal(length(4.99e-12, 'ft', 3), '4.99e−12 ft');
+  assert.equal(length(0, 'm', 3), '0 m');
+});
+
 test('fractions, ratios and counts are shown in words', () => {
   assert.deepEqual([part(0), part(0.004), part(0.5)], ['0 %', '< 1 %', '50 %']);
   assert.deepEqual([ratio(1.5), ratio(Infinity), ratio(NaN)], ['1.5000', '∞', '–']);
