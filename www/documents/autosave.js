@@ -9,12 +9,18 @@
 import { viewOf } from '../viewport/saved-view.js';
 import { getItem, setItem } from '../ui/safe-storage.js';
 import { recoverUnsaved, forgetUnsaved, storeUnsaved } from './last-moment.js';
-import { contentsOf, pruneOldest, keep, recentDocuments } from './recent-documents.js';
+import {
+  LOCK_PREFIX,
+  contentsOf,
+  keep,
+  openWorks,
+  pruneOldest,
+  recentDocuments,
+} from './recent-documents.js';
 
 /** @typedef {import("./recent-documents.js").Work} Work */
 /** @typedef {import("./recent-documents.js").Contents} Contents */
 
-const LOCK_PREFIX = 'shape-up.work.';
 /** Key in session storage: the id of this tab's work. */
 const OWN_KEY = 'shape-up.work';
 /** Key in local storage: set when this browser has saved any work. */
@@ -92,7 +98,7 @@ export class Autosave {
     // A resumed work was claimed before it was opened.
     this.#release = claims.get(id) ?? (await claim(id)) ?? (() => {});
     await this.save();
-    await pruneOldest((other) => claims.has(other)).catch(() => {});
+    await pruneOldest().catch(() => {});
   }
 
   /** Saves all unsaved changes, including those made while saving. */
@@ -236,7 +242,7 @@ export async function lastWork() {
     return taken;
   }
   // A link in the address takes precedence over the last work.
-  if (mine || location.hash || (await othersAreOpen())) return null;
+  if (mine || location.hash || (await openWorks()).length > 0) return null;
   const last = list.find(({ unreadable }) => !unreadable);
   return last ? take(last) : null;
 }
@@ -267,11 +273,6 @@ export async function take(work, how) {
 export async function releaseWork(work) {
   claims.get(work.id)?.();
   await keep({ ...work, unreadable: true }, {}).catch(() => {});
-}
-
-async function othersAreOpen() {
-  const { held = [] } = (await navigator.locks?.query()) ?? {};
-  return held.some(({ name }) => name?.startsWith(LOCK_PREFIX));
 }
 
 function newId() {

@@ -33,8 +33,10 @@ const TEXT = 'text ';
 const PARTS = [ABOUT, TEXT, 'history ', 'progress '];
 /** Earlier versions stored a list instead. */
 const OLD_LIST = 'list';
-/** Number of works kept. */
+/** Number of works kept, beside those that are open. */
 const MOST = 8;
+/** A tab holds a lock with this prefix and the id of its work. */
+export const LOCK_PREFIX = 'shape-up.work.';
 const database = createStore('shape-up', 'works');
 
 /** Returns all works, newest first. @returns {Promise<Work[]>} */
@@ -71,7 +73,7 @@ export async function contentsOf(id) {
 
 /**
  * Stores a work and the given parts of its contents in one transaction. If there is no room, all
- * other works are deleted first.
+ * works that no tab has open are deleted first.
  * @param {Work} work
  * @param {Partial<Contents>} contents
  */
@@ -85,18 +87,23 @@ export async function keep(work, contents) {
   }
 }
 
-/**
- * Deletes the oldest works beyond the limit.
- * @param {(id: string) => boolean} isOpen whether a tab has the work open
- */
-export async function pruneOldest(isOpen) {
+/** Deletes the oldest works beyond the limit, except those that are open. */
+export async function pruneOldest() {
   const newest = (await recentDocuments()).slice(0, MOST).map(({ id }) => id);
-  await deleteExcept(({ id }) => newest.includes(id) || isOpen(id));
+  await deleteExcept(({ id }) => newest.includes(id));
 }
 
-/** @param {(work: Work) => boolean} stays */
+/** Returns the ids of the works that are open in this tab or another one. */
+export async function openWorks() {
+  const { held = [] } = (await navigator.locks?.query()) ?? {};
+  const names = held.map(({ name = '' }) => name).filter((name) => name.startsWith(LOCK_PREFIX));
+  return names.map((name) => name.slice(LOCK_PREFIX.length));
+}
+
+/** Also spares the works that are open. @param {(work: Work) => boolean} stays */
 async function deleteExcept(stays) {
-  const gone = (await recentDocuments()).filter((work) => !stays(work));
+  const open = await openWorks();
+  const gone = (await recentDocuments()).filter((work) => !open.includes(work.id) && !stays(work));
   if (gone.length === 0) return;
   await database('readwrite', (store) => {
     for (const { id } of gone) for (const part of PARTS) store.delete(part + id);
