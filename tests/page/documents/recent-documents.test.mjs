@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
 import { locks, records } from './storage.mjs';
+import { recoverUnsaved, storeUnsaved } from '../../../www/documents/last-moment.js';
 import {
   LOCK_PREFIX,
   contentsOf,
@@ -47,4 +48,20 @@ test('a full database loses only works that no tab has open', async (context) =>
   });
   await keep(work('new'), contents('a model'));
   assert.deepEqual(await ids(), ['new', 'other-tab']);
+});
+
+test('the fallback copy leaves saved progress that is too long for it', async () => {
+  const [saved, short, long] = [3, 4, 1_000_001].map((size) => new Uint8Array(size));
+  const progressAfter = async (later) => {
+    await keep(work('run'), { ...contents('a large mesh'), progress: saved });
+    storeUnsaved(work('run'), later);
+    await recoverUnsaved();
+    return (await contentsOf('run')).progress ?? null;
+  };
+  // It used to be deleted.
+  assert.deepEqual(await progressAfter({ progress: long }), saved);
+  assert.deepEqual(await progressAfter({ progress: short }), short);
+  assert.equal(await progressAfter({ progress: null }), null);
+  // Progress of an earlier scene does not fit another.
+  assert.equal(await progressAfter({ text: 'another', history: null, progress: long }), null);
 });
