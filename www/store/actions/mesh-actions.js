@@ -16,7 +16,8 @@ export function meshActions(store, solver, actions) {
     /** @type {() => void} */
     let stop = () => {};
     const ended = new Promise((settle) => {
-      let began = false;
+      // A current run goes on, and is waited for.
+      let began = store.get().running;
       stop = solver.on('activity', ({ running, converged }) => {
         began ||= running;
         if (began && !running) settle(converged);
@@ -96,6 +97,7 @@ export function meshActions(store, solver, actions) {
       store.set({ refining: true });
       try {
         let goesOn = store.get().converged || (await untilEnd(() => solver.send({ type: 'run' })));
+        goesOn &&= store.get().refining;
         for (let level = 1; level <= how.levels && goesOn; level++) {
           const ended = await untilEnd(() => solver.request({ type: 'editAndRun', edit: once }));
           const words = `${refined()}${await verdict()}`;
