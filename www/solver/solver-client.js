@@ -300,6 +300,7 @@ export class SolverClient extends Emitter {
     const notice = (/** @type {string} */ text) => wanted || this.#notice(text);
     if (!lastScene) return void notice(`The solver stopped (${reason}) and was restarted.`);
     this.#restoring = true;
+    const worker = this.#worker;
     const { saved } = this;
     try {
       const bytes = new TextEncoder().encode(lastScene);
@@ -309,12 +310,13 @@ export class SolverClient extends Emitter {
       const but = undoLost ? `, but its undo history is lost: ${undoLost}.` : '.';
       notice(`The solver stopped (${reason}) and was restarted; ${back}${but}`);
     } catch (error) {
-      if (this.#worker)
+      // Not if this worker has been replaced in its turn.
+      if (this.#worker === worker)
         this.#notice(
           `The solver was restarted, but could not reopen the scene: ${messageOf(error)}`,
         );
     } finally {
-      this.#restoring = false;
+      if (this.#worker === worker) this.#restoring = false;
     }
   }
 
