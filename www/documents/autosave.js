@@ -39,6 +39,8 @@ export class Autosave {
   #seen;
   /** Id of the current work; empty while another model is being opened. */
   #id = '';
+  /** The same, kept until that model has opened: its opening may be cancelled. */
+  #lastId = '';
   /** Releases the lock. @type {() => void} */
   #release = () => {};
   /** State saved last, or being written to the database. */
@@ -63,7 +65,7 @@ export class Autosave {
     this.#seen = seen;
     solver.on('model', () => {
       // Scenes that arrive before the new model has opened belong to no work.
-      if (!solver.restoring) this.#id = '';
+      this.#id = solver.restoring ? this.#lastId : '';
     });
     files.on('opened', () => this.#begin());
     solver.on('scene', () => {
@@ -91,7 +93,7 @@ export class Autosave {
     // The user may already have edited the model since it was opened.
     this.#kept = work && !saved?.progress ? { ...NOTHING, text } : NOTHING;
     this.#confirmed = this.#kept;
-    this.#id = id;
+    this.#id = this.#lastId = id;
     this.#seen.actions.describeFile({ saved: '' });
     setItem(OWN_KEY, id, 'sessionStorage');
     this.#release();

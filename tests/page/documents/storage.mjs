@@ -25,7 +25,7 @@ const objectStore = () => ({
   delete: (key) => void records.delete(key),
 });
 
-/** Local storage: its keys are its own properties. */
+/** Storage: its keys are its own properties. */
 class Storage {
   getItem(key) {
     return this[key] ?? null;
@@ -42,7 +42,17 @@ const define = (name, value) =>
   Object.defineProperty(globalThis, name, { value, configurable: true });
 define('indexedDB', { open: () => request({ transaction: () => ({ objectStore }) }) });
 define('IDBKeyRange', { bound: (low, high) => [low, high] });
-define('window', { localStorage: new Storage() });
+define('window', {
+  ...{ localStorage: new Storage(), sessionStorage: new Storage() },
+  addEventListener() {},
+});
 define('navigator', {
-  locks: { query: async () => ({ held: Array.from(locks, (name) => ({ name })) }) },
+  locks: {
+    query: async () => ({ held: Array.from(locks, (name) => ({ name })) }),
+    async request(name, _, hold) {
+      locks.add(name);
+      await hold({ name });
+      locks.delete(name);
+    },
+  },
 });

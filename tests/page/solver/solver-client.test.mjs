@@ -59,6 +59,24 @@ globalThis.Worker = /** @type {any} */ (FakeWorker);
 // Node does not exit while the client watches its worker.
 mock.method(globalThis, 'setInterval', () => 0);
 
+test('a file whose opening is cancelled before its answer does not replace the scene', async () => {
+  const client = await clientWithRoof();
+  const names = [];
+  client.on('model', ({ loaded }) => names.push(loaded.name));
+  const refused = assert.rejects(client.request({ type: 'open', files: [] }));
+  FakeWorker.latest.model('large.obj');
+  FakeWorker.latest.scene('the large mesh', 0);
+  client.abandon();
+  await refused;
+  // The cancelled file used to be restored.
+  assert.equal(client.sceneText, 'the roof');
+  assert.equal(client.saved.iteration, 7);
+  FakeWorker.latest.say({ type: 'ready' });
+  assert.equal(FakeWorker.latest.reopened, 'the roof');
+  FakeWorker.latest.model('restored.shapeup.json');
+  assert.deepEqual(names, ['large.obj', 'roof.obj']);
+});
+
 test('work cancelled while the scene is being restored restores it without a notice', async () => {
   const client = await clientWithRoof();
   const events = [];
