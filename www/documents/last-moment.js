@@ -17,7 +17,7 @@ const MOST_BYTES = 1_000_000;
 /** @param {Work} work @param {Partial<Contents>} contents what the database lacks */
 export function storeUnsaved(work, contents) {
   // Null deletes what the database has, which is right only if it belongs to an earlier scene.
-  const tooLong = contents.text === undefined ? undefined : null;
+  const tooLong = 'text' in contents ? null : undefined;
   const write = (/** @type {string} */ _, /** @type {unknown} */ value) => {
     if (!(value instanceof Uint8Array)) return value;
     return value.length > MOST_BYTES ? tooLong : lettersOf(value);

@@ -88,22 +88,22 @@ export async function keep(work, contents) {
 }
 
 /** Deletes the oldest works beyond the limit, except those that are open. */
-export async function pruneOldest() {
-  const newest = (await recentDocuments()).slice(0, MOST).map(({ id }) => id);
-  await deleteExcept(({ id }) => newest.includes(id));
-}
+export const pruneOldest = () => deleteExcept((_, rank) => rank < MOST);
 
 /** Returns the ids of the works that are open in this tab or another one. */
 export async function openWorks() {
   const { held = [] } = (await navigator.locks?.query()) ?? {};
-  const names = held.map(({ name = '' }) => name).filter((name) => name.startsWith(LOCK_PREFIX));
-  return names.map((name) => name.slice(LOCK_PREFIX.length));
+  return held.flatMap(({ name }) => name?.split(LOCK_PREFIX)[1] ?? []);
 }
 
-/** Also spares the works that are open. @param {(work: Work) => boolean} stays */
+/**
+ * Also spares the works that are open.
+ * @param {(work: Work, rank: number) => boolean} stays gets the works in order, the newest first
+ */
 async function deleteExcept(stays) {
   const open = await openWorks();
-  const gone = (await recentDocuments()).filter((work) => !open.includes(work.id) && !stays(work));
+  const all = await recentDocuments();
+  const gone = all.filter((work, rank) => !open.includes(work.id) && !stays(work, rank));
   if (gone.length === 0) return;
   await database('readwrite', (store) => {
     for (const { id } of gone) for (const part of PARTS) store.delete(part + id);
