@@ -13,22 +13,18 @@ import { count, length } from '../../ui/format.js';
 export function meshActions(store, solver, actions) {
   /** Runs to the end; false if stopped before convergence. @param {() => unknown} begin */
   async function untilEnd(begin) {
-    /** @type {() => void} */
-    let stop = () => {};
+    // A current run goes on, and is waited for.
+    let began = store.get().running;
     const ended = new Promise((settle) => {
-      // A current run goes on, and is waited for.
-      let began = store.get().running;
-      stop = solver.on('activity', ({ running, converged }) => {
+      const stop = solver.on('activity', ({ running, converged }) => {
         began ||= running;
-        if (began && !running) settle(converged);
+        if (running || !began) return;
+        stop();
+        settle(converged);
       });
     });
-    try {
-      await begin();
-      return await ended;
-    } finally {
-      stop();
-    }
+    await begin();
+    return ended;
   }
 
   /** Summarises the panels' distances from their constraints, for the status line. */
