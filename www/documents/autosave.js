@@ -9,12 +9,18 @@
 import { viewOf } from '../viewport/saved-view.js';
 import { getItem, setItem } from '../ui/safe-storage.js';
 import { recoverUnsaved, forgetUnsaved, storeUnsaved } from './last-moment.js';
-import { contentsOf, pruneOldest, keep, recentDocuments } from './recent-documents.js';
+import {
+  LOCK_PREFIX,
+  contentsOf,
+  keep,
+  openWorks,
+  pruneOldest,
+  recentDocuments,
+} from './recent-documents.js';
 
 /** @typedef {import("./recent-documents.js").Work} Work */
 /** @typedef {import("./recent-documents.js").Contents} Contents */
 
-const LOCK_PREFIX = 'shape-up.work.';
 /** Key in session storage: the id of this tab's work. */
 const OWN_KEY = 'shape-up.work';
 /** Key in local storage: set when this browser has saved any work. */
@@ -33,6 +39,8 @@ export class Autosave {
   #seen;
   /** Id of the current work; empty while another model is being opened. */
   #id = '';
+  /** The same, kept until that model has opened: its opening may be cancelled. */
+  #lastId = '';
   /** Releases the lock. @type {() => void} */
   #release = () => {};
   /** State saved last, or being written to the database. */
@@ -57,7 +65,7 @@ export class Autosave {
     this.#seen = seen;
     solver.on('model', () => {
       // Scenes that arrive before the new model has opened belong to no work.
-      if (!solver.restoring) this.#id = '';
+      this.#id = solver.restoring ? this.#lastId : '';
     });
     files.on('opened', () => this.#begin());
     solver.on('scene', () => {
@@ -85,14 +93,14 @@ export class Autosave {
     // The user may already have edited the model since it was opened.
     this.#kept = work && !saved?.progress ? { ...NOTHING, text } : NOTHING;
     this.#confirmed = this.#kept;
-    this.#id = id;
+    this.#id = this.#lastId = id;
     this.#seen.actions.describeFile({ saved: '' });
     setItem(OWN_KEY, id, 'sessionStorage');
     this.#release();
     // A resumed work was claimed before it was opened.
     this.#release = claims.get(id) ?? (await claim(id)) ?? (() => {});
     await this.save();
-    await pruneOldest((other) => claims.has(other)).catch(() => {});
+    await pruneOldest().catch(() => {});
   }
 
   /** Saves all unsaved changes, including those made while saving. */
@@ -236,7 +244,7 @@ export async function lastWork() {
     return taken;
   }
   // A link in the address takes precedence over the last work.
-  if (mine || location.hash || (await othersAreOpen())) return null;
+  if (mine || location.hash || (await openWorks()).length > 0) return null;
   const last = list.find(({ unreadable }) => !unreadable);
   return last ? take(last) : null;
 }
@@ -267,11 +275,6 @@ export async function take(work, how) {
 export async function releaseWork(work) {
   claims.get(work.id)?.();
   await keep({ ...work, unreadable: true }, {}).catch(() => {});
-}
-
-async function othersAreOpen() {
-  const { held = [] } = (await navigator.locks?.query()) ?? {};
-  return held.some(({ name }) => name?.startsWith(LOCK_PREFIX));
 }
 
 function newId() {

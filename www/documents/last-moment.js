@@ -11,13 +11,17 @@ import { keep, recentDocuments } from './recent-documents.js';
 
 /** Prefix of the key; the id of the work follows, so that tabs do not overwrite each other. */
 const KEY = 'shape-up.last-moment ';
-/** Longest undo history stored: browsers allow about five million characters, scene included. */
+/** Longest undo history or progress stored: browsers allow about five million characters, scene included. */
 const MOST_BYTES = 1_000_000;
 
 /** @param {Work} work @param {Partial<Contents>} contents what the database lacks */
 export function storeUnsaved(work, contents) {
-  const write = (/** @type {string} */ _, /** @type {unknown} */ value) =>
-    value instanceof Uint8Array ? lettersOf(value) : value;
+  // Null deletes what the database has, which is right only if it belongs to an earlier scene.
+  const tooLong = 'text' in contents ? null : undefined;
+  const write = (/** @type {string} */ _, /** @type {unknown} */ value) => {
+    if (!(value instanceof Uint8Array)) return value;
+    return value.length > MOST_BYTES ? tooLong : lettersOf(value);
+  };
   setItem(KEY + work.id, JSON.stringify({ work, contents }, write));
 }
 
@@ -41,7 +45,6 @@ export async function recoverUnsaved() {
 
 /** @param {Uint8Array} bytes */
 function lettersOf(bytes) {
-  if (bytes.length > MOST_BYTES) return null;
   return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
 }
 

@@ -33,8 +33,10 @@ const TEXT = 'text ';
 const PARTS = [ABOUT, TEXT, 'history ', 'progress '];
 /** Earlier versions stored a list instead. */
 const OLD_LIST = 'list';
-/** Number of works kept. */
+/** Number of works kept, beside those that are open. */
 const MOST = 8;
+/** A tab holds a lock with this prefix and the id of its work. */
+export const LOCK_PREFIX = 'shape-up.work.';
 const database = createStore('shape-up', 'works');
 
 /** Returns all works, newest first. @returns {Promise<Work[]>} */
@@ -71,7 +73,7 @@ export async function contentsOf(id) {
 
 /**
  * Stores a work and the given parts of its contents in one transaction. If there is no room, all
- * other works are deleted first.
+ * works that no tab has open are deleted first.
  * @param {Work} work
  * @param {Partial<Contents>} contents
  */
@@ -85,18 +87,23 @@ export async function keep(work, contents) {
   }
 }
 
-/**
- * Deletes the oldest works beyond the limit.
- * @param {(id: string) => boolean} isOpen whether a tab has the work open
- */
-export async function pruneOldest(isOpen) {
-  const newest = (await recentDocuments()).slice(0, MOST).map(({ id }) => id);
-  await deleteExcept(({ id }) => newest.includes(id) || isOpen(id));
+/** Deletes the oldest works beyond the limit, except those that are open. */
+export const pruneOldest = () => deleteExcept((_, rank) => rank < MOST);
+
+/** Returns the ids of the works that are open in this tab or another one. */
+export async function openWorks() {
+  const { held = [] } = (await navigator.locks?.query()) ?? {};
+  return held.flatMap(({ name }) => name?.split(LOCK_PREFIX)[1] ?? []);
 }
 
-/** @param {(work: Work) => boolean} stays */
+/**
+ * Also spares the works that are open.
+ * @param {(work: Work, rank: number) => boolean} stays gets the works in order, the newest first
+ */
 async function deleteExcept(stays) {
-  const gone = (await recentDocuments()).filter((work) => !stays(work));
+  const open = await openWorks();
+  const all = await recentDocuments();
+  const gone = all.filter((work, rank) => !open.includes(work.id) && !stays(work, rank));
   if (gone.length === 0) return;
   await database('readwrite', (store) => {
     for (const { id } of gone) for (const part of PARTS) store.delete(part + id);

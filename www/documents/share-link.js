@@ -46,8 +46,8 @@ export async function readLink(hash) {
 export async function linkTo({ store, actions, files }) {
   const text = await actions.sceneText();
   const { numbers, tolerance, model } = store.get();
-  const { example } = files.origin;
-  const { variants, current } = JSON.parse(text);
+  const { mesh, variants, current } = JSON.parse(text);
+  const example = (await isUnchanged(mesh, files)) ? files.origin.example : undefined;
   // A kept design needs no run: it is already solved.
   const isKept = variants?.design !== undefined && !current;
   const run = (numbers?.iteration ?? 0) > 0 && !isKept;
@@ -57,6 +57,23 @@ export async function linkTo({ store, actions, files }) {
     tolerance: tolerance ?? model?.tolerance ?? 0,
   });
   return { address: new URL(fragment, location.href.split('#')[0]).href, rounded };
+}
+
+/**
+ * Whether a mesh is still that of its example: refining and other edits of the mesh change it.
+ * @param {{ positions: number[][], faces?: number[][], tets?: number[][] }} mesh
+ * @param {import("./files.js").Files} files
+ */
+async function isUnchanged({ positions, faces = [], tets }, files) {
+  const { example } = files.origin;
+  // The solver changes no mesh of tetrahedra.
+  if (!example || tets) return true;
+  const bytes = await files.exampleFile(example.mesh).catch(() => null);
+  const rows = new TextDecoder().decode(bytes ?? undefined).split(/\r?\n/);
+  const numbers = (/** @type {string} */ letter) =>
+    rows.filter((row) => row.startsWith(letter)).map((row) => row.slice(2).split(' ').map(Number));
+  const before = [numbers('v '), numbers('f ').map((face) => face.map((corner) => corner - 1))];
+  return JSON.stringify(before) === JSON.stringify([positions, faces]);
 }
 
 /**

@@ -70,6 +70,11 @@ export class SolverClient extends Emitter {
   /** The latest `model` is the previous model, in a new worker or with another mesh. */
   #isSameModel = false;
   #modelName = '';
+  /**
+   * The previous scene, while the next one is being opened.
+   * @type {{ name: string, text: string | null, saved: import("./messages.js").Saved } | null}
+   */
+  #replaced = null;
   /** Whether the worker has begun work that may take long. */
   #working = false;
   /** Number of checks since then. */
@@ -79,7 +84,7 @@ export class SolverClient extends Emitter {
   #stepMs = 0;
   /** @type {[import("./messages.js").ToWorker, Transferable[]][]} */
   #held = [];
-  /** @type {Map<number, { resolve: (value: any) => void, reject: (error: Error) => void }>} */
+  /** @type {Map<number, { type: string, resolve: (value: any) => void, reject: (error: Error) => void }>} */
   #waiting = new Map();
   #nextId = 1;
   /** A buffer that the view may still be reading. @type {Float64Array | null} */
@@ -107,7 +112,7 @@ export class SolverClient extends Emitter {
   request(request) {
     const id = this.#nextId++;
     return new Promise((resolve, reject) => {
-      this.#waiting.set(id, { resolve, reject });
+      this.#waiting.set(id, { type: request.type, resolve, reject });
       this.#post({ ...request, id });
     });
   }
@@ -215,7 +220,10 @@ export class SolverClient extends Emitter {
       case 'model':
         // A restored model keeps its file name.
         this.#isSameModel = this.#restoring || !message.loaded.name;
-        if (!this.#isSameModel) this.#modelName = message.loaded.name;
+        if (!this.#isSameModel) {
+          this.#replaced = { name: this.#modelName, text: this.sceneText, saved: this.saved };
+          this.#modelName = message.loaded.name;
+        }
         message.loaded.name = this.#modelName;
         this.#previous = null;
         this.geometry = {
@@ -266,12 +274,16 @@ export class SolverClient extends Emitter {
   #answer(id, value, error) {
     const waiting = this.#waiting.get(id);
     this.#waiting.delete(id);
+    if (waiting?.type === 'open') this.#replaced = null;
     if (error) waiting?.reject(error);
     else waiting?.resolve(value);
   }
 
   /** @param {string} reason @param {boolean} [wanted] at the user's request: show no message */
   async #died(reason, wanted = false) {
+    // A scene that has not been opened to the end is not the page's scene.
+    if (this.#replaced)
+      ({ name: this.#modelName, text: this.sceneText, saved: this.saved } = this.#replaced);
     const lastScene = this.sceneText;
     const again = this.#restoring;
     const atStart = !this.#ready;
@@ -300,6 +312,7 @@ export class SolverClient extends Emitter {
     const notice = (/** @type {string} */ text) => wanted || this.#notice(text);
     if (!lastScene) return void notice(`The solver stopped (${reason}) and was restarted.`);
     this.#restoring = true;
+    const worker = this.#worker;
     const { saved } = this;
     try {
       const bytes = new TextEncoder().encode(lastScene);
@@ -309,12 +322,13 @@ export class SolverClient extends Emitter {
       const but = undoLost ? `, but its undo history is lost: ${undoLost}.` : '.';
       notice(`The solver stopped (${reason}) and was restarted; ${back}${but}`);
     } catch (error) {
-      if (this.#worker)
+      // Not if this worker has been replaced in its turn.
+      if (this.#worker === worker)
         this.#notice(
           `The solver was restarted, but could not reopen the scene: ${messageOf(error)}`,
         );
     } finally {
-      this.#restoring = false;
+      if (this.#worker === worker) this.#restoring = false;
     }
   }
 

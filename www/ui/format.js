@@ -21,8 +21,9 @@ export function number(value) {
       .toExponential(DIGITS - 1)
       .replace('-', '−')
       .replace('e+', 'e');
-  if (size >= 1000) return String(Math.round(value));
-  return value.toPrecision(DIGITS).replace('-', '−');
+  // Three digits would round the numbers just below to 1000, with a power of ten.
+  const text = size >= 999.5 ? String(Math.round(value)) : value.toPrecision(DIGITS);
+  return text.replace('-', '−');
 }
 
 /**
@@ -37,8 +38,8 @@ export function lengthUnit(size, units) {
   return { unit: units, factor: 1 };
 }
 
-/** Lengths below this many millimetres are irrelevant for buildings. */
-const LEAST_MM = 0.001;
+/** Lengths below these are irrelevant for buildings, by unit. @type {Record<string, number>} */
+const LEAST = { mm: 0.001, m: 1e-6 };
 
 /**
  * Formats a length with its unit.
@@ -50,11 +51,10 @@ const LEAST_MM = 0.001;
 export function length(value, units, like = value) {
   const { unit, factor } = lengthUnit(like, units);
   const scaled = value * factor;
-  if (!unit) return number(scaled);
-  if (unit === 'mm' && scaled !== 0 && Math.abs(scaled) < 1) {
-    return Math.abs(scaled) < LEAST_MM ? `< ${LEAST_MM} mm` : `${scaled.toFixed(3)} mm`;
-  }
-  return `${number(scaled)} ${unit}`;
+  const size = Math.abs(scaled);
+  if (size > 0 && size < LEAST[unit]) return `< ${LEAST.mm} mm`;
+  if (unit === 'mm' && size > 0 && size < 1) return `${scaled.toFixed(3)} mm`;
+  return `${number(scaled)} ${unit}`.trim();
 }
 
 /**
@@ -91,7 +91,7 @@ export function part(share) {
  * @returns {string}
  */
 export function duration(milliseconds) {
-  return `${milliseconds >= 100 ? Math.round(milliseconds) : milliseconds.toPrecision(2)} ms`;
+  return `${milliseconds >= 99.5 ? Math.round(milliseconds) : milliseconds.toPrecision(2)} ms`;
 }
 
 /**

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
-import { readLink, writeLink } from '../../../www/documents/share-link.js';
+import { linkTo, readLink, writeLink } from '../../../www/documents/share-link.js';
 import { MOST_BYTES, inflate } from '../../../www/documents/short-link/deflated.js';
 import { wavyGrid } from '../meshes.mjs';
 
@@ -196,6 +196,32 @@ test('an example is stored by its name, and edits in the code', async () => {
   assert.deepEqual(await readLink(fragment), {
     ...{ example: 'hypar', text: JSON.stringify(edited), run: false },
   });
+});
+
+test('an example whose mesh was refined is stored with that mesh, also when it was resumed', async (context) => {
+  // The link used to name the example's mesh: constraints and handles lay on vertices it lacks.
+  context.after(() => delete globalThis.location);
+  globalThis.location = /** @type {any} */ ({ href: 'https://shape-up.test/#example=roof' });
+  const obj = `# roof\n${wavyGrid(2)}`;
+  const linkOf = (mesh, original) =>
+    linkTo({
+      store: /** @type {any} */ ({ get: () => ({ tolerance: TOLERANCE }) }),
+      actions: /** @type {any} */ ({ sceneText: async () => JSON.stringify(sceneWith(mesh)) }),
+      files: /** @type {any} */ ({
+        origin: { example: { id: 'roof', mesh: 'roof.obj' } },
+        original: original && JSON.stringify(sceneWith(original)),
+        exampleFile: async () => new TextEncoder().encode(obj),
+      }),
+    });
+  const hashOf = async (...given) => new URL((await linkOf(...given)).address).hash;
+  const [mesh, refined] = [meshOf(obj), meshOf(wavyGrid(4))];
+  assert.equal(await hashOf(mesh, mesh), '#example=roof');
+  assert.equal((await readLink(await hashOf(mesh, null))).example, 'roof');
+  for (const original of [mesh, null]) {
+    const back = await readLink(await hashOf(refined, original));
+    assert.equal(back.example, null);
+    assert.deepEqual(JSON.parse(back.text).mesh, refined);
+  }
 });
 
 test('data that unpacks to more than the limit is refused without blocking the page', async () => {

@@ -25,7 +25,7 @@ test.beforeEach(async ({ page }) => {
 
 const rows = (page) => page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
 
-test('rows show their share of the energy, can be duplicated, and select their elements', async ({
+test('rows show their share of the energy, can be duplicated, keep the focus, and select their elements', async ({
   page,
 }) => {
   await addConstraint(page, 'Plane', 'each face');
@@ -45,6 +45,14 @@ test('rows show their share of the energy, can be duplicated, and select their e
   await expect(rows(page)).toHaveCount(3);
   const { constraints } = await sceneOf(page);
   expect(constraints[0]).toEqual(constraints[1]);
+  // Their fields have equal names. The focus used to move to the first of them after a change.
+  const weight = rows(page)
+    .nth(1)
+    .getByRole('spinbutton', { name: /weight/ });
+  await weight.fill('3');
+  await weight.press('Enter');
+  await expect.poll(async () => (await sceneOf(page)).constraints[1].weight).toBe(3);
+  await expect(weight).toBeFocused();
   await rows(page)
     .first()
     .getByRole('button', { name: /select what it acts on/ })

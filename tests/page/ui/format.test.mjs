@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { count, length, limit, number, part, ratio } from '../../../www/ui/format.js';
+import { count, duration, length, limit, number, part, ratio } from '../../../www/ui/format.js';
 import { coordinate, decimalsFor, readLength } from '../../../www/ui/number-entry.js';
 import { chordOf, digitOf, keyName } from '../../../www/ui/keys.js';
 
@@ -11,6 +11,12 @@ test('a number has three digits, a true minus sign, and a power of ten where tha
   for (const [value, text] of Object.entries(cases)) assert.equal(number(Number(value)), text);
   assert.equal(number(3e7), '3.00e7');
   assert.equal(number(NaN), '–');
+});
+
+test('a number that rounds to a power of ten is written in full', () => {
+  // 999.7 used to be shown as 1.00e+3, and 99.7 ms as 1.0e+2 ms.
+  assert.deepEqual([number(999.4), number(999.7), number(-999.7)], ['999', '1000', '−1000']);
+  assert.deepEqual([duration(99.4), duration(99.7), duration(9.96)], ['99 ms', '100 ms', '10 ms']);
 });
 
 test('metres below a decimetre are shown in millimetres, other units are kept', () => {
@@ -22,6 +28,16 @@ test('metres below a decimetre are shown in millimetres, other units are kept', 
   assert.equal(length(0.0421, 'm', 3), '0.0421 m');
   assert.equal(limit(0.005, 'm'), '5 mm');
   assert.equal(limit(5e-6, ''), '5e−6');
+});
+
+test('an irrelevant length is shown alike beside any other length', () => {
+  // Beside a length in metres an exact shape used to be off by "4.99e−12 m".
+  assert.equal(length(4.99e-12, 'm', 0.105), '< 0.001 mm');
+  assert.equal(length(-4.99e-12, 'm'), '< 0.001 mm');
+  assert.equal(length(4.99e-12, 'mm'), '< 0.001 mm');
+  assert.equal(length(0.0000421, 'm', 3), '4.21e−5 m');
+  assert.equal(length(4.99e-12, 'ft', 3), '4.99e−12 ft');
+  assert.equal(length(0, 'm', 3), '0 m');
 });
 
 test('fractions, ratios and counts are shown in words', () => {

@@ -221,12 +221,8 @@ export function constraintsPanel(place, { store, actions, solver }) {
     );
     if (focused) {
       /** @type {HTMLElement | null} */
-      const again = place.querySelector(
-        renamed === null
-          ? `:is(button, input, select)[aria-label="${CSS.escape(focused)}"]`
-          : `[data-index="${renamed}"] .name`,
-      );
-      again?.focus();
+      const name = place.querySelector(`[data-index="${renamed}"] .name`);
+      (name ?? focused())?.focus();
     }
     renamed = null;
     showNumbers();
@@ -251,8 +247,19 @@ function paramsInWords(row, params, units) {
   return words.map((one) => ` · ${one}`).join('');
 }
 
-/** The accessible name of the focused field, to restore the focus. @param {HTMLElement} place */
+/**
+ * Returns a function that finds the focused field again in rebuilt rows: by its accessible name, and
+ * by its place among fields of that name, as rows on equal elements have equal names.
+ * @param {HTMLElement} place
+ */
 function focusedField(place) {
   const { activeElement } = document;
-  return place.contains(activeElement) ? activeElement?.getAttribute('aria-label') : null;
+  const label = place.contains(activeElement) && activeElement?.getAttribute('aria-label');
+  if (!label) return null;
+  const alike = () =>
+    /** @type {HTMLElement[]} */ ([
+      ...place.querySelectorAll(`:is(button, input, select)[aria-label="${CSS.escape(label)}"]`),
+    ]);
+  const nth = alike().findIndex((one) => one === activeElement);
+  return () => alike()[nth];
 }

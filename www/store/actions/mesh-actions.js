@@ -13,21 +13,18 @@ import { count, length } from '../../ui/format.js';
 export function meshActions(store, solver, actions) {
   /** Runs to the end; false if stopped before convergence. @param {() => unknown} begin */
   async function untilEnd(begin) {
-    /** @type {() => void} */
-    let stop = () => {};
+    // A current run goes on, and is waited for.
+    let began = store.get().running;
     const ended = new Promise((settle) => {
-      let began = false;
-      stop = solver.on('activity', ({ running, converged }) => {
+      const stop = solver.on('activity', ({ running, converged }) => {
         began ||= running;
-        if (began && !running) settle(converged);
+        if (running || !began) return;
+        stop();
+        settle(converged);
       });
     });
-    try {
-      await begin();
-      return await ended;
-    } finally {
-      stop();
-    }
+    await begin();
+    return ended;
   }
 
   /** Summarises the panels' distances from their constraints, for the status line. */
@@ -96,6 +93,7 @@ export function meshActions(store, solver, actions) {
       store.set({ refining: true });
       try {
         let goesOn = store.get().converged || (await untilEnd(() => solver.send({ type: 'run' })));
+        goesOn &&= store.get().refining;
         for (let level = 1; level <= how.levels && goesOn; level++) {
           const ended = await untilEnd(() => solver.request({ type: 'editAndRun', edit: once }));
           const words = `${refined()}${await verdict()}`;

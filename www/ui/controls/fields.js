@@ -69,18 +69,28 @@ export function setOptions(select, options) {
 export function amountField(name, onchange, attributes = {}) {
   const field = element('input', {
     ...{ type: 'number', min: '0', step: 'any', 'aria-label': name, ...attributes },
+    oninput: () => {
+      typed = true;
+    },
     onchange: () => {
       if (field.validity.valid && field.value !== '') onchange(field.valueAsNumber);
       else field.value = shown;
+      typed = false;
+    },
+    // Input that ends at the value shown before changes nothing.
+    onblur: () => {
+      if (typed) field.value = shown;
+      typed = false;
     },
   });
+  let typed = false;
   let shown = field.value;
   return {
     field,
     /** Shows a value, unless it is being typed. @param {number} value */
     show(value) {
       shown = String(value);
-      if (document.activeElement !== field || field.valueAsNumber !== value) field.value = shown;
+      if (!typed) field.value = shown;
     },
   };
 }

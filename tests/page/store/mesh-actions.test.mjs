@@ -1,0 +1,71 @@
+// Refining by levels: when it waits for a run, goes on, and stops.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Emitter } from '../../../www/solver/emitter.js';
+import { meshActions } from '../../../www/store/actions/mesh-actions.js';
+import { createStore } from '../../../www/store/state.js';
+
+/** A solver that runs, and whose runs end only when the test says so. */
+class RunningSolver extends Emitter {
+  refinements = 0;
+
+  constructor(store) {
+    super();
+    this.store = store;
+    this.#turn(true, false);
+  }
+
+  #turn(running, converged) {
+    this.store.set({ running, converged });
+    this.emit('activity', { running, converged });
+  }
+
+  /** `run` is ignored during a run. */
+  send({ type }) {
+    if (type === 'run' && !this.store.get().running) this.#turn(true, false);
+  }
+
+  async request({ type }) {
+    assert.equal(type, 'editAndRun');
+    this.refinements += 1;
+    this.#turn(true, false);
+  }
+
+  async endRun(converged) {
+    this.#turn(false, converged);
+    await new Promise((done) => setTimeout(done));
+  }
+}
+
+function refineDuringRun() {
+  const store = createStore();
+  const solver = new RunningSolver(store);
+  const actions = { setStatus() {}, verdict: async () => null };
+  const given = /** @type {[any, any, any]} */ ([store, solver, actions]);
+  const how = { scheme: /** @type {const} */ ('catmull-clark'), levels: 1, keep: 75 };
+  return { store, solver, ended: meshActions(...given).refine(how, true) };
+}
+
+test('Refine and solve during a run refines when that run has converged', async () => {
+  // It used to wait for the beginning of another run: the button stayed Pause.
+  const { store, solver, ended } = refineDuringRun();
+  await solver.endRun(true);
+  assert.equal(solver.refinements, 1);
+  await solver.endRun(true);
+  await ended;
+  assert.equal(store.get().refining, false);
+});
+
+test('Pause before the first level ends Refine and solve', async () => {
+  for (const converged of [false, true]) {
+    const { store, solver, ended } = refineDuringRun();
+    store.set({ refining: false });
+    await solver.endRun(converged);
+    await ended;
+    // A later run used to refine.
+    solver.send({ type: 'run' });
+    await solver.endRun(true);
+    assert.equal(solver.refinements, 0);
+  }
+});
