@@ -63,7 +63,8 @@ export async function newMesh({ store, solver, files, actions, alerts }) {
     if (!scene) return null;
     const { saved, sceneText } = solver;
     const bytes = new TextEncoder().encode(sceneText ?? (await actions.sceneText()));
-    const origin = { ...files.origin, first: false, saved };
+    const { original } = files;
+    const origin = { ...files.origin, first: false, saved, original };
     return {
       given: [{ name: `${files.name}.shapeup.json`, bytes }],
       origin: { ...origin, title: fileName },
