@@ -89,6 +89,8 @@ export class Autosave {
   async #begin() {
     const { work, saved, text = null } = this.#files.origin;
     const id = work ?? newId();
+    // A model that is reopened continues its work.
+    this.#files.origin = { ...this.#files.origin, work: id };
     this.#hash = location.hash;
     // The user may already have edited the model since it was opened.
     this.#kept = work && !saved?.progress ? { ...NOTHING, text } : NOTHING;
@@ -96,7 +98,7 @@ export class Autosave {
     this.#id = this.#lastId = id;
     this.#seen.actions.describeFile({ saved: '' });
     setItem(OWN_KEY, id, 'sessionStorage');
-    this.#release();
+    if (claims.get(id) !== this.#release) this.#release();
     // A resumed work was claimed before it was opened.
     this.#release = claims.get(id) ?? (await claim(id)) ?? (() => {});
     await this.save();

@@ -20,6 +20,7 @@ import { rememberedFrame } from './units-prompt.js';
  * @property {string} [work] id of the saved work, see `recent-documents.js`
  * @property {string} [title] title of the work
  * @property {string} [text] saved text of its scene
+ * @property {string | null} [original] text of its scene when it was opened first, if it is reopened
  * @property {import("../solver/messages.js").Saved} [saved] its saved history and progress
  * @property {boolean} [unwelded] do not weld the vertices
  * @property {Before | null} [before] the previously open model, which Undo opens again
@@ -110,7 +111,7 @@ export class Files extends Emitter {
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
       this.#given = files;
       this.origin = origin;
-      this.original = origin.work ? null : this.#solver.sceneText;
+      this.original = origin.original ?? (origin.work ? null : this.#solver.sceneText);
       this.#alerts.clear();
       if (!origin.first) removePlaceholder();
       this.#actions.describeFile({

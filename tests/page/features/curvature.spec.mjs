@@ -98,6 +98,9 @@ test('Gauss and mean curvature are coloured around zero, with units in metres', 
   await page.getByRole('button', { name: 'Close curvature' }).click();
   await expect(legend).toBeHidden();
   expect((await state(page)).problems).toEqual([]);
+  // They were not the user's own choice: the first constraints colour the faces as ever.
+  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
+  await expect(legend).toContainText('Planarity');
 });
 
 test('a tube has lines around and along it', async ({ page }) => {

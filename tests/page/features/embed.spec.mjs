@@ -96,6 +96,9 @@ test('a view in a page of another origin starts with a press and is controlled b
     /constraint/,
   );
   expect((await call(page, 'a', { name: 'dance' })).error).toMatch(/no call "dance"/);
+  expect((await call(page, 'a', { name: 'measure', measure: 'flatness' })).error).toMatch(
+    /no measure "flatness", expected null or .*planarity/,
+  );
 });
 
 test('a view leaves the wheel to the outer page until it is in use', async ({

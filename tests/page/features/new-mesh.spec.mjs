@@ -1,7 +1,7 @@
 // A mesh without a file: choosing a shape and its sizes with a live preview, keeping or cancelling
 // it.
 
-import { openText } from '../actions.mjs';
+import { openText, tool } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
 
@@ -34,16 +34,28 @@ test('a new mesh follows its sizes, is kept, and is constrained', async ({ page 
   await waitForState(page, (now) => !now.running && now.exact?.met);
 });
 
-test('Cancel restores the previous model', async ({ page }) => {
+test('Cancel restores the previous model, an edited example as edited and under the same saved work', async ({
+  page,
+}) => {
   await openPage(page);
-  await openText(page, 'grid.obj', wavyGrid(4), 25);
-  const { mesh } = await sceneOf(page);
+  const { vertices } = await state(page);
+  const weight = page.getByLabel('Shape weight', { exact: true });
+  await weight.fill('7');
+  await weight.press('Enter');
+  await expect.poll(async () => (await sceneOf(page)).weights.shape).toBe(7);
+  const before = await sceneOf(page);
+  const own = () => page.evaluate(() => sessionStorage.getItem('shape-up.work'));
+  const work = await own();
   const dialog = await openNewMesh(page);
-  await waitForState(page, (now) => now.vertices !== 25);
+  await waitForState(page, (now, count) => now.vertices !== count, vertices);
   await dialog.getByRole('button', { name: 'Cancel' }).click();
-  await waitForState(page, (now) => now.vertices === 25);
-  expect((await sceneOf(page)).mesh).toEqual(mesh);
+  await waitForState(page, (now, count) => now.vertices === count, vertices);
+  expect(await sceneOf(page)).toEqual(before);
   expect((await state(page)).running).toBe(false);
+  expect(await own()).toBe(work);
+  await tool(page, 'Share');
+  const link = page.getByRole('dialog', { name: 'Share' }).getByRole('textbox', { name: 'Link' });
+  await expect(link).toHaveValue(/#link=/);
 });
 
 test('Undo restores the model before a new mesh, with its undo history', async ({ page }) => {

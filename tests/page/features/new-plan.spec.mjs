@@ -115,7 +115,9 @@ test('an outline and a hole are drawn, panels are cut to them, and mistakes are 
   await expect(point(dialog, 6)).toBeVisible();
 });
 
-test('points are moved, added and removed by keys', async ({ page }) => {
+test('points are moved, added and removed by keys, and a number typed last is in the mesh', async ({
+  page,
+}) => {
   const dialog = await openPlan(page);
   await point(dialog, 2).focus();
   await page.keyboard.press('ArrowRight');
@@ -133,6 +135,15 @@ test('points are moved, added and removed by keys', async ({ page }) => {
   await expect(point(dialog, 3)).toBeFocused();
   await page.keyboard.press('Delete');
   await expect(point(dialog, 5)).toHaveCount(0);
+
+  await expect(point(dialog, 3)).toHaveAccessibleName('Point 3 of the outline, 20, 12 m, corner');
+  // Typed: `fill` reports the number at once.
+  await dialog.getByLabel('x', { exact: true }).press('Control+A');
+  await page.keyboard.type('24');
+  await dialog.getByRole('button', { name: 'Begin with this' }).click();
+  await expect(dialog).toBeHidden();
+  const { mesh } = await sceneOf(page);
+  expect(Math.max(...mesh.positions.map(([x]) => x))).toBe(24);
 });
 
 test('crossing sides are marked in the drawing, and the plan is there the next time', async ({

@@ -83,4 +83,15 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
   const opened = await everything(page);
   expect(opened.positions).toEqual(kept.positions);
   expect(opened.scene.variants).toEqual(kept.scene.variants);
+
+  // A second press before the strip is drawn anew does not remove the next shape.
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Variations', exact: true }).click();
+  await strip.getByRole('button', { name: 'Remove Start' }).evaluate((button) => {
+    button.click();
+    button.click();
+  });
+  await expect(table.getByRole('row')).toHaveCount(2);
+  await page.evaluate(() => window.shapeUp.settled());
+  await expect(page.getByRole('alert')).toBeEmpty();
 });

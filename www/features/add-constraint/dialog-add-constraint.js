@@ -70,6 +70,8 @@ class AddConstraintDialog {
   #isChosen = false;
   /** Offers by kind, without kinds that fit nowhere. @type {Map<string, Offer[]>} */
   #offers = new Map();
+  /** Whether the solver has yet to answer the last submission. */
+  #isAdding = false;
   /** Number of the latest request. */
   #question = 0;
 
@@ -289,13 +291,15 @@ class AddConstraintDialog {
     event.preventDefault();
     const offer = this.#chosen();
     const params = this.#parameters.values();
-    if (!offer || !params || !this.#weight.reportValidity()) return;
+    if (this.#isAdding || !offer || !params || !this.#weight.reportValidity()) return;
     const kind = this.#kindId;
     const weight = this.#weight.value === '' ? 1 : this.#weight.valueAsNumber;
+    this.#isAdding = true;
     const added = await this.#actions.edit(
       { type: 'addConstraint', kind, params, on: offer.place.on, weight },
       (error) => this.#parameters.refuse(error),
     );
+    this.#isAdding = false;
     if (added === undefined) return;
     this.#dialog.close();
     if (event.submitter === this.#addAndRun) this.#actions.run();

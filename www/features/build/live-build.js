@@ -19,10 +19,12 @@ export class LiveBuild {
   #app;
   #client = new BuildClient();
   #builds = latestOnly(() => this.#once());
-  /** State of the last build. */
+  /** State of the last build, except its mesh. */
   #key = '';
-  /** That state without the positions. @type {{ mesh: object, settings: string } | null} */
-  #unmoved = null;
+  /** Mesh of the last build. @type {object | null} */
+  #mesh = null;
+  /** Settings of the last build; empty if it was refused. */
+  #agreed = '';
   /** Duration of the last build. */
   #milliseconds = 0;
   /** @type {BuildSettings | null} */
@@ -95,11 +97,11 @@ export class LiveBuild {
     const { symbol, metres } = this.unit();
     const { connectivity: mesh } = geometry;
     const positions = geometry.positions.slice();
-    const unmoved = { mesh, settings: [symbol, JSON.stringify(settings)].join() };
-    const key = [numbers?.iteration, checksum(positions), unmoved.settings].join();
-    if (key === this.#key) return;
-    const { mesh: before, settings: agreed } = this.#unmoved ?? {};
-    const isOther = before !== mesh || agreed !== unmoved.settings;
+    const agreed = [symbol, JSON.stringify(settings)].join();
+    const key = [numbers?.iteration, checksum(positions), agreed].join();
+    // Operations such as joining triangles change the faces only.
+    if (key === this.#key && mesh === this.#mesh) return;
+    const isOther = mesh !== this.#mesh || agreed !== this.#agreed;
     const isSlow = this.#milliseconds > LIVE_MS;
     try {
       if (isMoving && isSlow && !isOther) {
@@ -107,8 +109,7 @@ export class LiveBuild {
         this.#key = '';
         return this.#showOffset(await this.#client.ask({ type: 'reshape', positions }));
       }
-      this.#key = key;
-      this.#unmoved = unmoved;
+      [this.#key, this.#mesh, this.#agreed] = [key, mesh, agreed];
       const { faceOffsets: offsets, faceIndices: indices } = mesh;
       const shape = { positions, offsets, indices, symbol, metres };
       const request = { type: /** @type {const} */ ('build'), ...shape, settings };
@@ -117,7 +118,7 @@ export class LiveBuild {
       this.#milliseconds = performance.now() - begun;
       this.#show(built);
     } catch (error) {
-      this.#unmoved = null;
+      this.#agreed = '';
       this.#refuse(messageOf(error));
     }
   }

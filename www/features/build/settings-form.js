@@ -1,6 +1,6 @@
 /** The settings: product, material, scale, sheet, joint, names and files. */
 
-import { checkbox, choice } from '../../ui/controls/fields.js';
+import { amountField, checkbox, choice } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
 
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
@@ -17,6 +17,9 @@ const valuesOf = ({ material, thickness, scale, sheet }) => ({ material, thickne
  */
 const wordChoice = (key, change, options) =>
   choice({ id: `parts-${key}` }, (word) => change({ [key]: word }), options);
+
+/** The least value of a setting that must be positive. */
+const LEAST = 1e-9;
 
 const PRODUCTS = [
   ['panels', 'Panels'],
@@ -56,21 +59,25 @@ export function settingsForm({ presets }, change) {
     (value) => change(valuesOf(presets[Number(value)])),
     [['', 'Own settings'], ...presets.map(({ label }, k) => [String(k), label])],
   );
-  const scale = number('parts-scale', (scale) => change({ scale }));
-  const thickness = number('parts-thickness', (thickness) => change({ thickness }), true);
-  const width = number('parts-width', (own) =>
-    change({ sheet: [own, height.field.valueAsNumber] }),
+  const scale = amount('parts-scale', (scale) => change({ scale }), LEAST);
+  const thickness = amount('parts-thickness', (thickness) => change({ thickness }));
+  const width = amount(
+    'parts-width',
+    (own) => change({ sheet: [own, height.field.valueAsNumber] }),
+    LEAST,
   );
-  const height = number('parts-height', (own) =>
-    change({ sheet: [width.field.valueAsNumber, own] }),
+  const height = amount(
+    'parts-height',
+    (own) => change({ sheet: [width.field.valueAsNumber, own] }),
+    LEAST,
   );
-  const joint = number('parts-joint', (joint) => change({ joint }), true);
+  const joint = amount('parts-joint', (joint) => change({ joint }));
   const product = wordChoice('product', change, PRODUCTS);
   const pieces = wordChoice('pieces', change, PIECES);
   const page = wordChoice('page', change, PAGES);
-  const tab = number('parts-tab', (tab) => change({ tab }), true);
-  const hole = number('parts-hole', (hole) => change({ hole }), true);
-  const alike = number('parts-alike', (own) => change({ alike_deg: own }), true);
+  const tab = amount('parts-tab', (tab) => change({ tab }));
+  const hole = amount('parts-hole', (hole) => change({ hole }));
+  const alike = amount('parts-alike', (own) => change({ alike_deg: own }));
   const inside = checkbox('Print on the inside', (own) => change({ print_inside: own }));
   const order = wordChoice('order', change, ORDERS);
   const names = wordChoice('names', change, NAMES);
@@ -148,30 +155,13 @@ export function settingsForm({ presets }, change) {
 }
 
 /**
- * A field for a positive number; with `fromZero`, also zero.
+ * A field for a number of at least `least`, named by the label of its row.
  * @param {string} id
  * @param {(value: number) => void} change
- * @param {boolean} [fromZero]
+ * @param {number} [least]
  */
-function number(id, change, fromZero = false) {
-  let shown = '';
-  const field = element('input', {
-    ...{ id, type: 'number', min: '0', step: 'any' },
-    onchange: () => {
-      const value = field.valueAsNumber;
-      if (field.validity.valid && (fromZero ? value >= 0 : value > 0)) change(value);
-      else field.value = shown;
-    },
-  });
-  return {
-    field,
-    /** @param {number} value */
-    show(value) {
-      shown = String(value);
-      if (document.activeElement !== field) field.value = shown;
-    },
-  };
-}
+const amount = (id, change, least = 0) =>
+  amountField('', change, { id, min: least, 'aria-label': false });
 
 /**
  * @param {string | (string | Node)[]} label

@@ -22,8 +22,8 @@ export function toggle(app) {
 /** @param {import("../../app/context.js").AppContext} app */
 function curvatureCard(app) {
   const { store, solver, viewport, actions } = app;
-  /** The colour measure before the card was opened. @type {string | null} */
-  let before = null;
+  /** The colour measure before the card was opened, and whether the user had chosen it. */
+  let before = measureNow();
   /** The model of the sentence. @type {unknown} */
   let told = null;
 
@@ -110,6 +110,11 @@ function curvatureCard(app) {
     drawing.update();
   }
 
+  function measureNow() {
+    const { measure, measureChosen } = store.get();
+    return { measure, measureChosen };
+  }
+
   /** Shows what the curvature means for panels; requested once for each model. */
   async function tell() {
     const { model } = store.get();
@@ -126,9 +131,9 @@ function curvatureCard(app) {
   function open() {
     const { measure, measures } = store.get();
     card.hidden = false;
-    before = measure;
+    before = measureNow();
     const own = measures.filter(({ curvature }) => curvature);
-    if (!own.some(({ id }) => id === measure)) actions.colourBy(own[0]?.id ?? null);
+    if (!own.some(({ id }) => id === measure)) actions.look({ measure: own[0]?.id ?? null });
     tell();
     update();
     lines.focus();
@@ -138,7 +143,7 @@ function curvatureCard(app) {
     card.hidden = true;
     const { measure } = store.get();
     const about = declared(store.get(), measure);
-    if (about?.curvature) actions.colourBy(before);
+    if (about?.curvature) actions.look(before);
     update();
   }
 

@@ -1,6 +1,7 @@
 /** The embedded view's side of the protocol: executes calls of the parent page and posts news. */
 
 import { messageOf } from '../../solver/messages.js';
+import { declared } from '../../store/colours/measures.js';
 import { callIn, post } from './protocol.js';
 
 /** @param {import("../../app/context.js").AppContext} app */
@@ -61,7 +62,7 @@ async function answer(call, app) {
     case 'handle':
       return moveHandle(app, call.vertex, call.target);
     case 'measure':
-      return actions.colourBy(call.measure);
+      return colourBy(app, call.measure);
     case 'camera':
       return actions.look({ camera: call.camera });
     case 'state':
@@ -75,6 +76,20 @@ async function answer(call, app) {
       throw new Error(`There is no call ${JSON.stringify(name)}: see embedding.html.`);
     }
   }
+}
+
+/**
+ * Colours the faces; throws for a measure that does not exist.
+ * @param {import("../../app/context.js").AppContext} app
+ * @param {string | null} measure
+ */
+function colourBy({ actions, store }, measure) {
+  const { measures } = store.get();
+  if (measure !== null && !declared(store.get(), measure)) {
+    const known = measures.map(({ id }) => id).join(', ');
+    throw new Error(`There is no measure ${JSON.stringify(measure)}, expected null or ${known}.`);
+  }
+  return actions.colourBy(measure);
 }
 
 /**

@@ -94,10 +94,11 @@ function drawLabels(context, labels, scale, dark) {
  */
 function legendsOf(state) {
   if (!state.split) return [[0, state]];
-  return state.split.sides.map(({ measure, values, top, tolerance }, i) => {
-    const spread = values ? spreadOf(measure, values, axisOf(0, top, false), tolerance) : null;
+  return state.split.sides.map(({ measure, values, low, top, tolerance }, i) => {
+    const axis = axisOf(declared(state, measure)?.signed ? -top : 0, top, false);
+    const spread = values ? spreadOf(measure, values, axis, tolerance) : null;
     const display = { ...state.display, log: false };
-    return [i / 2, { ...state, measure, spread, display, range: [tolerance ?? 0, top] }];
+    return [i / 2, { ...state, measure, spread, display, range: [low, top] }];
   });
 }
 
@@ -125,7 +126,7 @@ function drawLegend(context, state, stops, size, onLight) {
   context.font = `12px ${getComputedStyle(document.body).fontFamily}`;
   context.fillStyle = ink;
   context.fillText(about.label, left, foot - tallest - 8);
-  context.fillText(axis.log ? words(axis.low) : '0', left, bottom);
+  context.fillText(axis.low === 0 ? '0' : words(axis.low), left, bottom);
   context.textAlign = 'right';
   context.fillText(words(axis.high), left + width, bottom);
 

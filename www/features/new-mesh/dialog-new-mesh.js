@@ -32,6 +32,7 @@ export async function newMesh({ store, solver, files, actions, alerts }) {
   /** One autosave entry for all trials. */
   const work = crypto.randomUUID();
   let kept = false;
+  /** Set while a change waits to be made. */
   let timer = 0;
   /** The mesh being made, if any. @type {Promise<void> | undefined} */
   let making;
@@ -63,7 +64,8 @@ export async function newMesh({ store, solver, files, actions, alerts }) {
     if (!scene) return null;
     const { saved, sceneText } = solver;
     const bytes = new TextEncoder().encode(sceneText ?? (await actions.sceneText()));
-    const origin = { ...files.origin, first: false, saved };
+    const { original } = files;
+    const origin = { ...files.origin, first: false, saved, original };
     return {
       given: [{ name: `${files.name}.shapeup.json`, bytes }],
       origin: { ...origin, title: fileName },
@@ -111,6 +113,8 @@ export async function newMesh({ store, solver, files, actions, alerts }) {
   }
 
   function make() {
+    clearTimeout(timer);
+    timer = 0;
     again = Boolean(making);
     making ??= makeOne().finally(() => {
       making = undefined;
@@ -143,6 +147,12 @@ export async function newMesh({ store, solver, files, actions, alerts }) {
   }
 
   async function keepIt() {
+    // A number typed last is reported when its field loses the focus to this button.
+    if (timer) {
+      await make();
+      while (making) await making;
+      if (keep.disabled || !dialog.open) return;
+    }
     kept = true;
     keep.disabled = true;
     form.kept?.();

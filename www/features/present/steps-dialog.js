@@ -15,52 +15,67 @@ import { stepPictures } from './step-pictures.js';
 export function openSteps(app) {
   const { store, actions } = app;
   const slides = presentActions(store, actions);
-  const stepsNow = () => store.get().document?.steps ?? [];
+  const savedSteps = () => store.get().document?.steps ?? [];
+  /** The steps, also before the solver has answered: presses and typing can be quicker. */
+  let steps = savedSteps();
+  /** @type {Promise<unknown>} */
+  let saving = Promise.resolve();
   const list = element('ol.steps');
   const said = element('p.quiet', { 'aria-live': 'polite' });
   const start = button('Start', () => begin(false), { class: 'primary' });
   const withNotes = button('Start with notes', () => begin(true), {
     title: 'Your notes open in a separate window: put it on a screen that only you see',
   });
-  const add = button('Add this view', () => {
-    const steps = stepsNow();
-    return change([...steps, slides.stepNow(`Step ${steps.length + 1}`)]);
-  });
+  const add = button('Add this view', () =>
+    change([...steps, slides.stepNow(`Step ${steps.length + 1}`)]),
+  );
 
-  /** @param {Slide[]} steps */
-  async function change(steps) {
-    await slides.setSteps(steps);
+  /** @param {Slide[]} next */
+  function save(next) {
+    steps = next;
+    saving = slides.setSteps(next).then((done) => {
+      if (done !== undefined) return;
+      // Refused.
+      steps = savedSteps();
+      show();
+    });
+  }
+
+  /** @param {Slide[]} next */
+  function change(next) {
+    save(next);
     show();
   }
 
   /** @param {boolean} notes in a window of their own */
-  function begin(notes) {
+  async function begin(notes) {
     dialog.close();
+    await saving;
     return actions.reportErrors(present(app, notes));
   }
 
   /** @param {number} index @param {Partial<Slide>} values */
   const changed = (index, values) =>
-    stepsNow().map((step, i) => (i === index ? { ...step, ...values } : step));
+    steps.map((step, i) => (i === index ? { ...step, ...values } : step));
 
   /** Saves text without rebuilding the rows. @param {number} index @param {Partial<Slide>} words */
-  async function say(index, words) {
-    await slides.setSteps(changed(index, words));
+  function say(index, words) {
+    save(changed(index, words));
     offer();
   }
 
   /** Enables the start buttons that apply. */
   function offer() {
-    start.disabled = stepsNow().length === 0;
-    withNotes.hidden = !stepsNow().some(({ notes }) => notes);
+    start.disabled = steps.length === 0;
+    withNotes.hidden = !steps.some(({ notes }) => notes);
   }
 
   /** @param {number} index @param {number} by */
   function move(index, by) {
-    const steps = [...stepsNow()];
-    const [step] = steps.splice(index, 1);
-    steps.splice(index + by, 0, step);
-    return change(steps);
+    const moved = [...steps];
+    const [step] = moved.splice(index, 1);
+    moved.splice(index + by, 0, step);
+    change(moved);
   }
 
   /** @param {Slide} step @param {number} index @param {number} all */
@@ -128,11 +143,9 @@ export function openSteps(app) {
     const shape = choice(
       { 'aria-label': `Shape of step ${index + 1}` },
       (value) => {
-        const steps = [...stepsNow()];
         const original = value === 'original';
         const variant = original || value === '' ? undefined : Number(value);
-        steps[index] = { ...steps[index], original, variant };
-        change(steps);
+        change(changed(index, { original, variant }));
       },
       [
         ['', 'Current shape'],
@@ -146,17 +159,15 @@ export function openSteps(app) {
 
   /** @param {number} index */
   function take(index) {
-    const { title, text, notes, run } = stepsNow()[index];
-    const steps = [...stepsNow()];
-    steps[index] = { ...slides.stepNow(title), text, notes, run };
-    return change(steps);
+    const { title, text, notes, run } = steps[index];
+    const step = { ...slides.stepNow(title), text, notes, run };
+    change(steps.map((old, i) => (i === index ? step : old)));
   }
 
   /** @param {number} index */
-  const remove = (index) => change(stepsNow().filter((_, i) => i !== index));
+  const remove = (index) => change(steps.filter((_, i) => i !== index));
 
   function show() {
-    const steps = stepsNow();
     list.replaceChildren(...steps.map((step, index) => row(step, index, steps.length)));
     const draw = stepPictures(app);
     list.querySelectorAll('canvas').forEach((canvas, index) => draw(canvas, steps[index]));

@@ -9,6 +9,7 @@ import { variationActions } from '../../store/actions/variation-actions.js';
 import { drawShape } from '../../ui/plot/thumbnail.js';
 
 /** @typedef {import("../../solver/messages.js").VariantRow} VariantRow */
+/** @typedef {import("../../solver/messages.js").SceneDocument} SceneDocument */
 
 /** @param {import("../../app/context.js").AppContext} app */
 export function keptStrip(app) {
@@ -34,6 +35,7 @@ export function keptStrip(app) {
   );
   const place = element('div.kept', element('h3', 'Kept'), empty, strip, table);
   let asked = 0;
+  let isRemoving = false;
 
   async function update() {
     const mine = ++asked;
@@ -51,15 +53,32 @@ export function keptStrip(app) {
     for (const index of rows.keys()) shapes.push(await variations.positions(index));
     // A newer update has started.
     if (mine !== asked) return;
-    const cards = rows.map((row, index) => card(row, index, shapes[index]));
+    const cards = rows.map((row, index) => card(scene, row, index, shapes[index]));
     strip.replaceChildren(...cards.map(({ place }) => place));
     cards.forEach(({ canvas }, index) => drawShape(canvas, connectivity, shapes[index], { up }));
     strip.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
     body.replaceChildren(...rows.map((row) => numbers(row, units, allowed)));
   }
 
-  /** @param {VariantRow} row @param {number} index @param {Float64Array} positions */
-  function card({ name, isCurrent, isDesign }, index, positions) {
+  /**
+   * Removes a shape. Until the strip is drawn anew, an index in it may be that of another shape.
+   * @param {number} index
+   * @param {SceneDocument} scene which the strip shows
+   */
+  async function remove(index, scene) {
+    if (isRemoving || scene !== store.get().document) return;
+    isRemoving = true;
+    await actions.edit({ type: 'removeVariant', index });
+    isRemoving = false;
+  }
+
+  /**
+   * @param {SceneDocument} scene
+   * @param {VariantRow} row
+   * @param {number} index
+   * @param {Float64Array} positions
+   */
+  function card(scene, { name, isCurrent, isDesign }, index, positions) {
     const canvas = element('canvas', { 'aria-hidden': 'true' });
     const go = element(
       'button.kept-picture',
@@ -81,12 +100,8 @@ export function keptStrip(app) {
       },
       'Beside',
     );
-    const remove = closeButton(
-      `Remove ${name}`,
-      () => actions.edit({ type: 'removeVariant', index }),
-      { hidden: isDesign },
-    );
-    return { canvas, place: element('div.kept-card', go, element('div', beside, remove)) };
+    const cross = closeButton(`Remove ${name}`, () => remove(index, scene), { hidden: isDesign });
+    return { canvas, place: element('div.kept-card', go, element('div', beside, cross)) };
   }
 
   /** @param {import("../../store/view-modes.js").KeptShape} variant */

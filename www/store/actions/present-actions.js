@@ -7,6 +7,9 @@
  * @param {import("../actions.js").Actions} actions
  */
 export function presentActions(store, actions) {
+  /** Number of the latest step shown. */
+  let latest = 0;
+
   return {
     /** Returns a step that shows the current view. @param {string} title @returns {Slide} */
     stepNow(title) {
@@ -29,10 +32,12 @@ export function presentActions(store, actions) {
       const { document: scene, running } = store.get();
       const step = scene?.steps[index];
       if (!step) return;
+      const mine = ++latest;
       const { camera, measure, parallel = false, original, variant, weights, run } = step;
       if (running && !run) actions.runOrPause();
       if (original || weights || variant !== undefined)
         await actions.edit({ type: 'showStep', index });
+      if (mine !== latest) return;
       // The remaining parts apply even if the shape could not be set.
       actions.look({ parallel, measure: measure ?? null, measureChosen: true });
       if (camera) actions.look({ camera: [...camera] });

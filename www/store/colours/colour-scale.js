@@ -47,7 +47,10 @@ export function colourFaces(store, solver) {
   const updateSoon = throttled(RENEW_MS, update);
   // The first values of a measure get their range at once.
   solver.on('frame', () => (store.get().spread ? updateSoon() : update()));
-  store.subscribe(['measure', 'display', 'halfway'], ({ measure, display, halfway }) => {
+  store.subscribe(['measure', 'measures', 'display', 'halfway'], (state) => {
+    const { display, halfway } = state;
+    // Addresses, scenes and scripts may name a measure that does not exist.
+    const measure = declared(state, state.measure)?.id ?? null;
     const projections = display.outlines || display.arrows || halfway;
     const { shapes, bands } = display;
     solver.send({ type: 'show', measure, shapes, projections, corners: bands });
