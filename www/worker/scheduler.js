@@ -70,9 +70,22 @@ export class Scheduler {
     return this.#isLoaded && (this.#isRunning || this.#isDragging) && !this.#isSettled;
   }
 
-  /** Ends the run, before another mesh replaces the current one. */
-  close() {
-    if (this.#isRunning) this.#endRun();
+  /**
+   * Replaces the model, after the end of its run; if the other one is refused, it stays.
+   * @template T
+   * @param {() => T} load
+   * @returns {T}
+   */
+  replace(load) {
+    const wasRunning = this.#isRunning;
+    if (wasRunning) this.#endRun();
+    try {
+      return load();
+    } catch (thrown) {
+      // The page does not know yet that the run has ended.
+      if (wasRunning && !isTrap(thrown)) this.changed();
+      throw thrown;
+    }
   }
 
   /** Starts with another mesh. @param {boolean} solved iterate until convergence first */

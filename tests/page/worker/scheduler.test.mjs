@@ -1,4 +1,5 @@
-// How a run divides the worker's time between iterations and the frames sent to the page.
+// How a run divides the worker's time between iterations and the frames sent to the page, and what
+// the page is told.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -10,35 +11,45 @@ function clock() {
   return { now: () => now, pass: (ms) => (now += ms) };
 }
 
-test('a run spends most of its time on iterations, however long a frame takes', async (context) => {
-  // Frames used to be sent whenever the page returned a buffer: colours that took as long as an
-  // iteration halved the number of iterations, because the time of those frames was not counted.
-  const time = clock();
-  context.mock.method(performance, 'now', time.now);
-  // Node does not exit while a channel is open.
+/** Closes the channel of the scheduler at the end: Node does not exit while one is open. */
+function closeChannel(context) {
   const channel = new MessageChannel();
   context.mock.method(globalThis, 'MessageChannel', function () {
     return channel;
   });
   context.after(() => channel.port1.close());
-  const [ITERATION, COLOURS, ITERATIONS] = [40, 40, 120];
-  let [iterations, coloured] = [0, 0];
-  const solver = new Proxy(
+}
+
+/** A solver with these methods; all others do nothing. */
+const solverWith = (methods) =>
+  new Proxy(
     {
-      step() {
-        time.pass(ITERATION);
-        return ++iterations === ITERATIONS;
-      },
-      faceValues() {
-        time.pass(COLOURS);
-        coloured += 1;
-        return new Float32Array(1);
-      },
       savedHistory: () => new Uint8Array(0),
       savedProgress: () => new Uint8Array(0),
+      ...methods,
     },
-    { get: (methods, name) => methods[name] ?? (() => undefined) },
+    { get: (all, name) => all[name] ?? (() => undefined) },
   );
+
+test('a run spends most of its time on iterations, however long a frame takes', async (context) => {
+  // Frames used to be sent whenever the page returned a buffer: colours that took as long as an
+  // iteration halved the number of iterations, because the time of those frames was not counted.
+  const time = clock();
+  context.mock.method(performance, 'now', time.now);
+  closeChannel(context);
+  const [ITERATION, COLOURS, ITERATIONS] = [40, 40, 120];
+  let [iterations, coloured] = [0, 0];
+  const solver = solverWith({
+    step() {
+      time.pass(ITERATION);
+      return ++iterations === ITERATIONS;
+    },
+    faceValues() {
+      time.pass(COLOURS);
+      coloured += 1;
+      return new Float32Array(1);
+    },
+  });
   let ended;
   const end = new Promise((resolve) => (ended = resolve));
   const scheduler = new Scheduler(
@@ -68,4 +79,19 @@ test('a run spends most of its time on iterations, however long a frame takes', 
   const part = (coloured * COLOURS) / (coloured * COLOURS + iterations * ITERATION);
   assert.ok(coloured > 10, `${coloured} frames`);
   assert.ok(part < 0.3, `frames take ${part} of the time`);
+});
+
+test('a file that is refused during a run leaves the page with the ended run', (context) => {
+  closeChannel(context);
+  const sent = [];
+  const scheduler = new Scheduler(solverWith({}), (message) => sent.push(message), assert.fail);
+  scheduler.begin(false);
+  scheduler.frames.renew(3);
+  scheduler.run();
+  assert.equal(sent.at(-1).running, true);
+  const refuse = () => {
+    throw new Error('it is no mesh');
+  };
+  assert.throws(() => scheduler.replace(refuse), /it is no mesh/);
+  assert.deepEqual(sent.at(-1), { type: 'activity', running: false, converged: false });
 });
