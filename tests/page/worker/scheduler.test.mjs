@@ -3,7 +3,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { SLICE_MS } from '../../../www/solver/messages.js';
 import { Scheduler } from '../../../www/worker/scheduler.js';
+import { runInSlices } from '../../../www/worker/trials.js';
 
 /** A clock that advances only when the test does work. */
 function clock() {
@@ -94,4 +96,37 @@ test('a file that is refused during a run leaves the page with the ended run', (
   };
   assert.throws(() => scheduler.replace(refuse), /it is no mesh/);
   assert.deepEqual(sent.at(-1), { type: 'activity', running: false, converged: false });
+});
+
+test('steps that may take seconds are announced as work, so that the worker is not given up', async (context) => {
+  const time = clock();
+  context.mock.method(performance, 'now', time.now);
+  closeChannel(context);
+  const sent = [];
+  const post = ({ type }) => sent.push(type);
+  // The last message before each step.
+  const before = [];
+  let ended;
+  const end = new Promise((resolve) => (ended = resolve));
+  const solver = solverWith({
+    // The first two of five steps iterate, and the others meet hard constraints.
+    isMeeting: () => before.length >= 2,
+    step() {
+      time.pass(SLICE_MS);
+      return before.push(sent.at(-1)) === 5;
+    },
+    endRun: () => ended(),
+  });
+  const scheduler = new Scheduler(solver, post, assert.fail);
+  scheduler.begin(false);
+  scheduler.run();
+  await end;
+  // The first step may have to factor the system.
+  assert.deepEqual(before, ['working', 'pong', 'working', 'working', 'working']);
+
+  before.length = 0;
+  const trial = { advance: () => before.push(sent.at(-1)) < 3 };
+  assert.ok(await runInSlices(trial, post));
+  assert.deepEqual(before, ['working', 'working', 'working']);
+  assert.equal(sent.at(-1), 'pong', 'the work has ended');
 });
