@@ -42,8 +42,9 @@ impl Default for ViewState {
 }
 
 impl ViewState {
-    /// Shows a mesh. One of another topology starts without marks, handles and shapes, in the
-    /// three-quarter view; if faces and curves are the same, only the positions change.
+    /// Shows a mesh. One of another topology, or in another place, starts without marks, handles and
+    /// shapes, in the three-quarter view; if faces and curves are the same, and the place is about
+    /// the same, only the positions change.
     ///
     /// # Errors
     /// Arrays that do not fit together; the old mesh stays.
@@ -58,7 +59,8 @@ impl ViewState {
         let curves = Lists::new("curves", curves.0, curves.1, count)?;
         let same = faces == self.content.mesh.faces
             && curves == self.content.mesh.curves
-            && count == self.content.mesh.exact.len();
+            && count == self.content.mesh.exact.len()
+            && self.content.mesh.is_near(&read_points(coordinates)?);
         if same {
             return self.set_positions(coordinates);
         }
