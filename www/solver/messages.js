@@ -368,7 +368,7 @@
  *   | { type: "progress", bytes: Uint8Array, iteration: number }
  *   | { type: "frame", numbers: Numbers, positions: Float64Array,
  *       measure: Measure | null, values: Float32Array | null, corners: Float32Array | null,
- *       shapes: Float32Array | null, projections: Projections | null,
+ *       shapes: Float64Array | null, projections: Projections | null,
  *       answers: [number, number] | null }
  *   | { type: "activity", running: boolean, converged: boolean }
  *   | { type: "collapsed", collapse: string }

@@ -137,18 +137,18 @@ impl ViewState {
     ///
     /// # Errors
     /// A length that is not a multiple of eight.
-    pub fn set_shapes(&mut self, shapes: &[f32]) -> Result<(), ViewError> {
+    pub fn set_shapes(&mut self, shapes: &[f64]) -> Result<(), ViewError> {
         let (rows, rest) = shapes.as_chunks::<SHAPE_NUMBERS>();
         if !rest.is_empty() {
             let expected = (rows.len() + 1) * SHAPE_NUMBERS;
             return Err(ViewError::Length { what: "shapes", got: shapes.len(), expected });
         }
         self.content.shapes.clear();
-        for row in rows.iter().filter(|row| row.iter().all(|x| x.is_finite())) {
-            let centre = DVec3::new(f64::from(row[1]), f64::from(row[2]), f64::from(row[3]));
-            self.content.shapes.push(row[0]);
-            self.content.shapes.extend(self.content.mesh.relative(centre).to_array());
-            self.content.shapes.extend(&row[4..]);
+        for row in rows.iter().filter(|row| row.iter().all(|&x| (x as f32).is_finite())) {
+            let centre = self.content.mesh.relative(DVec3::new(row[1], row[2], row[3]));
+            self.content.shapes.push(row[0] as f32);
+            self.content.shapes.extend(centre.to_array());
+            self.content.shapes.extend(row[4..].iter().map(|&x| x as f32));
         }
         self.changes.shapes = true;
         Ok(())
