@@ -30,8 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let scale = pictures::scale(&session, greatest);
     state.set_face_values(pictures::values(&session), scale)?;
     let shapes = session.solver().fitted();
-    let numbers: Vec<f32> =
-        shapes.iter().flat_map(Fitted::numbers).map(|number| number as f32).collect();
+    let numbers: Vec<f64> = shapes.iter().flat_map(Fitted::numbers).collect();
     state.set_shapes(&numbers)?;
     let style = still::style(state.appearance().has_full_map());
     let faces = still::spaced(still::from_far_to_near(&state));

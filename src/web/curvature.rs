@@ -23,7 +23,6 @@ pub struct CurvatureDrawing {
 #[wasm_bindgen]
 pub struct SurfaceCurvature {
     field: CurvatureField,
-    size: f64,
 }
 
 #[wasm_bindgen]
@@ -35,13 +34,12 @@ impl SurfaceCurvature {
         log_panics();
         let mesh = mesh_of(positions, offsets, indices);
         let field = CurvatureField::new(&mesh.positions, &mesh, &Topology::new(&mesh));
-        let size = crate::mesh::BoundingSphere::of(&mesh.positions).diameter();
-        SurfaceCurvature { field, size }
+        SurfaceCurvature { field }
     }
 
     /// Returns a line distance that shows curvature without hiding the surface, in mesh units.
     pub fn distance(&self) -> f64 {
-        (0.04 * self.size).max(1.5 * self.field.mean_edge())
+        (0.04 * self.field.diameter()).max(1.5 * self.field.mean_edge())
     }
 
     /// Returns a short stroke along each direction on every face.
@@ -56,7 +54,7 @@ impl SurfaceCurvature {
     /// # Errors
     /// A distance that is not positive, or so small that there would be too many lines.
     pub fn lines(&self, distance: f64) -> Result<CurvatureDrawing, JsValue> {
-        let least = self.size / MOST_LINES;
+        let least = self.field.diameter() / MOST_LINES;
         if distance.is_nan() || distance < least || distance <= 0.0 {
             return Err(thrown(format!("expected a distance from {least:.3e}, found {distance}")));
         }

@@ -190,6 +190,15 @@ fn on_a_cylinder_and_a_saddle_lines_of_curvature_are_as_known() {
 }
 
 #[test]
+fn a_vertex_without_a_face_does_not_enlarge_the_surface() {
+    let mut mesh = torus(60, 24);
+    let alone = field(&mesh).diameter();
+    assert!((alone - 8.0).abs() < 0.1, "{alone}");
+    mesh.positions.push([1e6, 0.0, 0.0]);
+    assert_eq!(field(&mesh).diameter(), alone);
+}
+
+#[test]
 fn spaced_lines_keep_their_distance_and_cover_the_surface() {
     let mesh = torus(60, 24);
     let field = field(&mesh);

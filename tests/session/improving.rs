@@ -3,7 +3,7 @@
 use crate::grid::grid;
 use serde_json::json;
 use shape_up::scene::Scene;
-use shape_up::session::Session;
+use shape_up::session::{Edit, Session};
 
 /// Rough bumps on which all panels are required to be flat.
 fn rough() -> Session {
@@ -29,6 +29,11 @@ fn run(session: &mut Session) {
     session.end_run();
 }
 
+fn edit(session: &mut Session, text: &serde_json::Value) {
+    let edit = Edit::from_json(&text.to_string(), session.document()).expect("it is an edit");
+    session.edit(edit).expect("regular");
+}
+
 #[test]
 fn an_improvement_is_one_step_of_undo_and_as_exact() {
     let mut session = rough();
@@ -40,7 +45,7 @@ fn an_improvement_is_one_step_of_undo_and_as_exact() {
     for _ in 0..3 {
         trial.step(&session).expect("regular");
     }
-    let offer = trial.offer(&session);
+    let offer = trial.offer(&session).expect("nothing has changed");
     assert!(offer.met && offer.after.energy < offer.before.energy, "{offer:?}");
     assert_eq!(session.positions(), before, "nothing has changed yet");
     assert!(session.make_exact(&trial, false).expect("regular"));
@@ -53,6 +58,36 @@ fn an_improvement_is_one_step_of_undo_and_as_exact() {
     run(&mut session);
     session.redo().expect("regular");
     assert!(!session.make_exact(&trial, false).expect("regular"));
+}
+
+#[test]
+fn an_improvement_is_not_applied_to_constraints_that_changed_since_it_began() {
+    let mut session = rough();
+    let circles = json!({ "type": "addConstraint", "kind": "circle", "on": "faces", "weight": 1 });
+    edit(&mut session, &circles);
+    edit(&mut session, &json!({ "type": "setConstraint", "index": 1, "enabled": false }));
+    run(&mut session);
+    let begin = |session: &Session| session.improvement().expect("regular").expect("all is met");
+    let mut trial = begin(&session);
+    trial.step(&session).expect("regular");
+    let circular =
+        json!({ "type": "setConstraint", "index": 1, "enabled": true, "require": "exact" });
+    edit(&mut session, &circular);
+    assert_eq!(trial.offer(&session), None);
+    let before = session.positions();
+    assert!(!session.make_exact(&trial, false).expect("regular"));
+    assert_eq!(session.positions(), before);
+    assert!(session.exact().is_none_or(|exact| !exact.met), "nobody has made the faces circular");
+
+    // Nor to another mesh, whose faces have other vertices.
+    let mut session = rough();
+    run(&mut session);
+    let mut trial = begin(&session);
+    let larger = Session::open(
+        Scene::opened("other.obj"),
+        grid(9, 9, |i, j| [f64::from(i), f64::from(j), 0.0]),
+    );
+    assert_eq!(trial.offer(&larger.expect("it opens")), None);
 }
 
 #[test]

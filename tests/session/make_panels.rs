@@ -246,7 +246,7 @@ fn exact_panels_are_those_near_the_shape_where_others_crumple() {
     assert_eq!(folded(&session), 0);
     let mut trial = session.exact_trial().expect("regular").expect("it is within");
     while trial.step(&session).expect("regular") {}
-    let offer = trial.offer(&session);
+    let offer = trial.offer(&session).expect("nothing has changed");
     assert!(offer.met && offer.folded == 0 && offer.moved.max < 1.0, "{offer:?}");
     assert!(offer.after.energy < 4.0 * offer.before.energy, "{offer:?}");
     assert!(session.make_exact(&trial, false).expect("regular"));

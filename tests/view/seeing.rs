@@ -46,6 +46,18 @@ fn seen_from_above_in_parallel_the_upper_floor_covers_the_lower_one_exactly() {
 }
 
 #[test]
+fn another_model_of_the_same_faces_keeps_its_digits_wherever_it_is() {
+    let mut state = state();
+    let here = state.mesh().positions.clone();
+    state.select(vec![3], vec![]).unwrap();
+    let site = [2_679_500.0, 1_247_250.0, 408.0];
+    let there: Vec<f64> = floors().iter().zip(site.iter().cycle()).map(|(a, b)| a + b).collect();
+    state.set_mesh((vec![0, 4, 8], (0..8).collect()), (vec![], vec![]), &there).unwrap();
+    assert_eq!(state.mesh().positions, here);
+    assert!(state.changes().mesh && state.appearance().selected_vertices.is_empty());
+}
+
+#[test]
 fn in_parallel_everything_can_be_pointed_at_and_taken_with_a_box() {
     let mut state = parallel();
     for side in ["home", "isometric", "front", "left"] {

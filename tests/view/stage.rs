@@ -339,13 +339,19 @@ fn handles_that_do_not_fit_are_refused_and_the_old_ones_stay() {
 }
 
 #[test]
-fn fitted_shapes_come_into_view_coordinates() {
+fn fitted_shapes_come_into_view_coordinates_with_all_their_digits() {
     let mut state = state(2, |_, _| 0.0);
     state.set_shapes(&[0.0, 5.0, 5.0, 1.0, 0.0, 0.0, 1.0, 2.0]).unwrap();
     assert_eq!(state.shapes(), [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 2.0]);
-    state.set_shapes(&[1.0, f32::NAN, 5.0, 1.0, 0.0, 0.0, 1.0, 2.0]).unwrap();
+    state.set_shapes(&[1.0, f64::NAN, 5.0, 1.0, 0.0, 0.0, 1.0, 2.0]).unwrap();
     assert!(state.shapes().is_empty());
     assert!(state.set_shapes(&[0.0; 7]).is_err());
+    // At site coordinates, the centre is rounded only relative to that of the view.
+    let (faces, positions) = sheet(2, DVec3::splat(2.0e9), |_, _| 0.0);
+    state.set_mesh(faces, (vec![], vec![]), &positions).unwrap();
+    let [x, y, z] = [5.25, 5.0, 1.0].map(|at| 2.0e9 + at);
+    state.set_shapes(&[0.0, x, y, z, 0.0, 0.0, 1.0, 2.0]).unwrap();
+    assert_eq!(state.shapes()[1..4], [0.25, 0.0, 1.0]);
 }
 
 #[test]

@@ -180,7 +180,8 @@
  *   alongside everything else; ends early with null when something changes. `makeExact`: applies
  *   the exact shape tried, if it belongs to the current one, as or in a step of undo.
  * - `improvement`: searches for lower energy among equally exact shapes, until `endTrial` or a
- *   change; returns how far it came, which `makeExact` applies.
+ *   change; returns how far it came, which `makeExact` applies, or null if that no longer belongs to
+ *   the current shape and constraints.
  * - `variations`: other shapes that are equally exact, and kept shapes; see {@link VariationAsk}.
  *   `faceValues` can refer to a kept shape, a `variant`.
  * - `members`: elements on which a constraint acts. `rowColours`: the colours of all rows.
@@ -367,7 +368,7 @@
  *   | { type: "progress", bytes: Uint8Array, iteration: number }
  *   | { type: "frame", numbers: Numbers, positions: Float64Array,
  *       measure: Measure | null, values: Float32Array | null, corners: Float32Array | null,
- *       shapes: Float32Array | null, projections: Projections | null,
+ *       shapes: Float64Array | null, projections: Projections | null,
  *       answers: [number, number] | null }
  *   | { type: "activity", running: boolean, converged: boolean }
  *   | { type: "collapsed", collapse: string }

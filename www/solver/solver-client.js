@@ -20,7 +20,7 @@ import { messageOf } from './messages.js';
  * @property {Float32Array | null} values of `measure`, `#F`
  * @property {Float32Array | null} corners values of `measure` at the vertices, `#V`, if it has any
  * @property {import("./messages.js").Measure | null} measure
- * @property {Float32Array | null} shapes fitted shapes, eight numbers each
+ * @property {Float64Array | null} shapes fitted shapes, eight numbers each
  * @property {import("./messages.js").Projections | null} projections
  */
 

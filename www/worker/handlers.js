@@ -57,11 +57,11 @@ export function requestHandlers(solver, scheduler, post, died) {
     },
     async exactOffer() {
       solver.tryExact();
-      return (await runInSlices(solver)) ? solver.offer() : null;
+      return (await runInSlices(solver, post)) ? solver.offer() : null;
     },
     async improvement() {
       solver.tryImprovement();
-      await runInSlices(solver);
+      await runInSlices(solver, post);
       return solver.offer();
     },
     endTrial() {
@@ -90,7 +90,7 @@ export function requestHandlers(solver, scheduler, post, died) {
     flawed: ({ flaw }) => solver.flawed(flaw),
     verdict: ({ tolerance }) => solver.verdict(tolerance),
     forecast: () => solver.forecast(),
-    remedies: () => findRemedies(solver),
+    remedies: () => findRemedies(solver, post),
     mostFaces,
     buildNumbers: () => solver.buildNumbers(),
     setBuildNumbers({ ids, values }) {

@@ -16,13 +16,13 @@ import { isTrap } from './wasm-errors.js';
 export function open(solver, scheduler, { files, saved, frame = '', solved, weld }) {
   const main = mainOf(files);
   const named = filesNamed(files, (scene) => solver.sceneFiles(scene));
-  scheduler.close();
   solver.setDefaultFrame(frame);
   solver.keepUnwelded(weld === false);
   for (const { path, file } of named) if (file) solver.addFile(path, file.bytes);
+  const read = scheduler.replace(() => solver.load(main.name, main.bytes));
   /** @type {import("../solver/messages.js").Loaded} */
   const loaded = {
-    ...solver.load(main.name, main.bytes),
+    ...read,
     files: [main.name, ...named.map(({ file }) => file?.name ?? '')],
     undoLost: saved ? restore(solver, saved) : '',
   };

@@ -13,11 +13,12 @@ const MOST_MS = 4000;
 
 /**
  * @param {import("../pkg/solver/shape_up.js").Solver} solver
+ * @param {(message: import("../solver/messages.js").FromWorker) => void} post
  * @returns {Promise<Remedy[]>} those found so far, most effective first
  */
-export async function findRemedies(solver) {
+export async function findRemedies(solver, post) {
   const trials = new RemedyTrials(solver);
-  await runInSlices(trials, MOST_MS);
+  await runInSlices(trials, post, MOST_MS);
   const found = trials.found();
   trials.free();
   return found;

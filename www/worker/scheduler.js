@@ -47,6 +47,8 @@ export class Scheduler {
   #sliceQueued = false;
   /** Whether the next slice may have to factor the system first. */
   #sliceIsNew = false;
+  /** Whether the page was told in this slice that its work may take long. */
+  #isWorking = false;
   #yielding = new MessageChannel();
 
   /**
@@ -70,9 +72,22 @@ export class Scheduler {
     return this.#isLoaded && (this.#isRunning || this.#isDragging) && !this.#isSettled;
   }
 
-  /** Ends the run, before another mesh replaces the current one. */
-  close() {
-    if (this.#isRunning) this.#endRun();
+  /**
+   * Replaces the model, after the end of its run; if the other one is refused, it stays.
+   * @template T
+   * @param {() => T} load
+   * @returns {T}
+   */
+  replace(load) {
+    const wasRunning = this.#isRunning;
+    if (wasRunning) this.#endRun();
+    try {
+      return load();
+    } catch (thrown) {
+      // The page does not know yet that the run has ended.
+      if (wasRunning && !isTrap(thrown)) this.changed();
+      throw thrown;
+    }
   }
 
   /** Starts with another mesh. @param {boolean} solved iterate until convergence first */
@@ -292,12 +307,18 @@ export class Scheduler {
   /** Iterates for a slice, sends a frame, and queues the next slice. */
   #slice() {
     this.#sliceQueued = false;
-    const isNew = this.#sliceIsNew;
+    if (this.#sliceIsNew) this.#work();
     this.#sliceIsNew = false;
-    if (isNew) this.#post({ type: 'working' });
     this.guard(() => this.#iterateForSlice());
-    if (isNew) this.#post({ type: 'pong' });
+    if (this.#isWorking) this.#post({ type: 'pong' });
+    this.#isWorking = false;
     if (this.isIterating) this.#queueSlice();
+  }
+
+  /** Tells the page, once per slice, that its work may take long. */
+  #work() {
+    if (!this.#isWorking) this.#post({ type: 'working' });
+    this.#isWorking = true;
   }
 
   #iterateForSlice() {
@@ -311,6 +332,8 @@ export class Scheduler {
     // Shorter while the user waits for the answer of a drag.
     const until = performance.now() + (this.#answering ? SLICE_MS / 2 : SLICE_MS);
     while (this.isIterating && performance.now() < until) {
+      // Factoring all hard constraints takes seconds on a large mesh.
+      if (this.#solver.isMeeting()) this.#work();
       this.#isSettled = this.#solver.step();
       this.frames.due = true;
     }

@@ -11,18 +11,23 @@ export function stopTrials() {
 }
 
 /**
+ * Each slice is announced as work: one step of a trial may take seconds on a large mesh.
  * @param {{ advance: (milliseconds: number) => boolean }} trial
+ * @param {(message: import("../solver/messages.js").FromWorker) => void} post
  * @param {number} [most] time limit, in milliseconds
  * @returns {Promise<boolean>} whether it was completed
  */
-export function runInSlices(trial, most = Infinity) {
+export function runInSlices(trial, post, most = Infinity) {
   const mine = ++turn;
   const until = performance.now() + most;
   return new Promise((resolve, reject) => {
     const advance = () => {
       try {
-        if (mine !== turn || performance.now() > until) resolve(false);
-        else if (trial.advance(SLICE_MS)) setTimeout(advance);
+        if (mine !== turn || performance.now() > until) return resolve(false);
+        post({ type: 'working' });
+        const hasMore = trial.advance(SLICE_MS);
+        post({ type: 'pong' });
+        if (hasMore) setTimeout(advance);
         else resolve(true);
       } catch (error) {
         reject(error);

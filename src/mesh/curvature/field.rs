@@ -4,7 +4,7 @@
 use super::principal::{Curvature, curvatures};
 use super::quadric::SecondForm;
 use crate::math::{Vec3, argsort, key_of_pair};
-use crate::mesh::{Mesh, Point, Topology};
+use crate::mesh::{BoundingSphere, Mesh, Point, Topology};
 
 const NONE: u32 = u32::MAX;
 
@@ -43,6 +43,7 @@ pub struct CurvatureField {
     /// The triangles across the sides of each triangle; side 0 is from corner 0 to corner 1.
     beyond: Vec<[u32; 3]>,
     mean_edge: f64,
+    diameter: f64,
 }
 
 impl CurvatureField {
@@ -69,6 +70,11 @@ impl CurvatureField {
             }
         }
         let mean_edge = topology.mean_edge(positions);
+        let mut used = mesh.faces.indices().to_vec();
+        used.sort_unstable();
+        used.dedup();
+        let corners: Vec<Point> = used.iter().map(|&v| positions[v as usize]).collect();
+        let diameter = BoundingSphere::of(&corners).diameter();
         let mut field = CurvatureField {
             points,
             forms,
@@ -77,6 +83,7 @@ impl CurvatureField {
             triangles,
             faces,
             mean_edge,
+            diameter,
         };
         field.join();
         field.orient();
@@ -86,6 +93,11 @@ impl CurvatureField {
     /// Mean edge length of the mesh.
     pub fn mean_edge(&self) -> f64 {
         self.mean_edge
+    }
+
+    /// Diameter of the smallest ball around the surface; vertices without a face do not count.
+    pub fn diameter(&self) -> f64 {
+        self.diameter
     }
 
     /// Returns the centres of the faces in order, without faces of zero area.

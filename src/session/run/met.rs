@@ -7,11 +7,43 @@ use crate::solve::{ExactAnswer, Handle, Improved, Moved, Unmet};
 use serde::Serialize;
 use std::rc::Rc;
 
-/// How hard constraints were met, and the state of the scene that this holds for.
-pub(crate) struct Met {
+/// A shape, and the problem that it was solved for.
+pub(crate) struct SolvedFor {
     positions: Rc<[Point]>,
     handles: Rc<[Handle]>,
     document: Scene,
+}
+
+impl SolvedFor {
+    /// Records the current state of the scene.
+    pub(crate) fn new(scene: &SolvedScene) -> SolvedFor {
+        SolvedFor {
+            positions: Rc::clone(scene.positions()),
+            handles: Rc::clone(scene.handles()),
+            document: scene.document().clone(),
+        }
+    }
+
+    /// The shape, `#V by 3`.
+    pub(crate) fn positions(&self) -> &[Point] {
+        &self.positions
+    }
+
+    /// Whether shape and problem, apart from the handles, are those of the current state.
+    pub(crate) fn is_of(&self, scene: &SolvedScene) -> bool {
+        Rc::ptr_eq(&self.positions, scene.positions())
+            && same_problem(&self.document, scene.document())
+    }
+
+    /// Whether the handles are those of the current state.
+    pub(crate) fn has_handles_of(&self, scene: &SolvedScene) -> bool {
+        Rc::ptr_eq(&self.handles, scene.handles()) || self.handles == *scene.handles()
+    }
+}
+
+/// How hard constraints were met, and the state of the scene that this holds for.
+pub(crate) struct Met {
+    state: SolvedFor,
     /// Whether all attempts ended without interruption.
     is_whole: bool,
     pub(crate) report: ExactReport,
@@ -20,13 +52,7 @@ pub(crate) struct Met {
 impl Met {
     /// Records a report on the current state of the scene.
     pub(crate) fn new(scene: &SolvedScene, report: ExactReport) -> Met {
-        Met {
-            positions: Rc::clone(scene.positions()),
-            handles: Rc::clone(scene.handles()),
-            document: scene.document().clone(),
-            is_whole: true,
-            report,
-        }
+        Met { state: SolvedFor::new(scene), is_whole: true, report }
     }
 
     pub(crate) fn interrupt(&mut self) {
@@ -35,14 +61,12 @@ impl Met {
 
     /// Whether the report holds for the current state of the scene.
     pub(crate) fn is_of(&self, scene: &SolvedScene) -> bool {
-        Rc::ptr_eq(&self.positions, scene.positions())
-            && same_problem(&self.document, scene.document())
+        self.state.is_of(scene)
     }
 
     /// Whether another run cannot improve the current state of the scene.
     pub(crate) fn is_all(&self, scene: &SolvedScene) -> bool {
-        self.is_whole
-            && (Rc::ptr_eq(&self.handles, scene.handles()) || self.handles == *scene.handles())
+        self.is_whole && self.state.has_handles_of(scene)
     }
 }
 

@@ -2,14 +2,13 @@
 //! changing it.
 
 use crate::error::Error;
-use crate::mesh::Point;
 use crate::scene::ConstraintSpec;
 use crate::session::Session;
 use crate::session::requirements::Required;
+use crate::session::run::SolvedFor;
 use crate::session::state::{Part, RowValues};
 use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage};
 use serde::Serialize;
-use std::rc::Rc;
 
 /// A trial of exact constraints instead of those within a distance, or of an improvement.
 pub struct ExactTrial {
@@ -18,8 +17,8 @@ pub struct ExactTrial {
     /// The rows to be made exact, and the name of the step of undo.
     rows: Vec<usize>,
     name: &'static str,
-    /// The shape at which it began, `#V by 3`.
-    from: Rc<[Point]>,
+    /// The shape at which it began, and its problem.
+    from: SolvedFor,
     before: Cost,
 }
 
@@ -103,18 +102,18 @@ impl Session {
 
     fn trial(&self, mut exact: Exact, rows: Vec<usize>, name: &'static str) -> ExactTrial {
         let before = Cost { energy: exact.energy().total, moved: self.moved() };
-        let from = Rc::clone(self.scene.positions());
+        let from = SolvedFor::new(&self.scene);
         ExactTrial { exact, stage: TrialStage::Far, rows, name, from, before }
     }
 
     /// Accepts the current shape of a trial and its requirements, as a step of undo or as a part of
-    /// the last one. Returns false if the trial began at another shape.
+    /// the last one. Returns false if the trial began at another shape or with another problem.
     ///
     /// # Errors
     /// If the system would be singular; nothing has changed then.
     pub fn make_exact(&mut self, trial: &ExactTrial, joins_last: bool) -> Result<bool, Error> {
         self.end_transaction();
-        if !Rc::ptr_eq(&trial.from, self.scene.positions()) {
+        if !trial.is_of(self) {
             return Ok(false);
         }
         let values = |&row: &usize| {
@@ -177,16 +176,25 @@ impl ExactTrial {
 
     /// Whether this is more than the shape costs at which the trial began.
     fn costs_more(&self, (folded, energy): (usize, f64), session: &Session) -> bool {
-        energy > self.before.energy || folded > session.rest.folded_by(&self.from).len()
+        energy > self.before.energy || folded > session.rest.folded_by(self.from.positions()).len()
     }
 
-    /// Returns the current result, in the `session` of the trial.
-    pub fn offer(&mut self, session: &Session) -> ExactOffer {
+    /// Whether the session has the shape and the problem with which the trial began.
+    fn is_of(&self, session: &Session) -> bool {
+        self.from.is_of(&session.scene) && self.from.has_handles_of(&session.scene)
+    }
+
+    /// Returns the current result; none if the session has another shape or another problem than
+    /// at the beginning.
+    pub fn offer(&mut self, session: &Session) -> Option<ExactOffer> {
+        if !self.is_of(session) {
+            return None;
+        }
         let ExactAnswer { met, unmet, max_distance, moved, .. } = self.exact.answer();
         let positions = self.exact.positions();
         let moved_by = session.rest.moved_by(&positions);
         let after = Cost { energy: self.exact.energy().total, moved: moved_by };
-        ExactOffer {
+        Some(ExactOffer {
             met,
             too_large: !self.exact.can_polish(),
             misses: unmet.len(),
@@ -195,6 +203,6 @@ impl ExactTrial {
             before: self.before,
             after,
             moved,
-        }
+        })
     }
 }

@@ -40,9 +40,7 @@ impl RenderMesh {
     pub fn new(faces: Lists, curves: Lists, coordinates: &[f64]) -> Result<RenderMesh, ViewError> {
         let exact = read_points(coordinates)?;
         let used = used(&faces, &curves, exact.len());
-        let corners = used.iter().map(|&v| exact[v as usize]);
-        let low = corners.clone().reduce(DVec3::min).unwrap_or_default();
-        let high = corners.reduce(DVec3::max).unwrap_or_default();
+        let [low, high] = bounds(&used, &exact);
         let edges = polygon_edges(&faces);
         let centre = low + (high - low) * 0.5;
         let mut mesh = RenderMesh { centre, used, faces, curves, edges, ..RenderMesh::default() };
@@ -75,6 +73,13 @@ impl RenderMesh {
         self.normals.update(&self.positions, &self.faces);
     }
 
+    /// Returns whether the bounding box of other positions, #V by 3, is at most its diagonal away
+    /// from the centre, relative to which they then keep their digits.
+    pub fn is_near(&self, points: &[DVec3]) -> bool {
+        let [low, high] = bounds(&self.used, points);
+        (low + (high - low) * 0.5).distance(self.centre) <= low.distance(high)
+    }
+
     /// Returns the positions of the used vertices, relative to the centre.
     pub fn used_positions(&self) -> impl Iterator<Item = Vec3> + Clone {
         self.used.iter().map(|&v| self.positions[v as usize])
@@ -89,6 +94,12 @@ impl RenderMesh {
     pub fn relative(&self, point: DVec3) -> Vec3 {
         (point - self.centre).as_vec3()
     }
+}
+
+/// Returns the lowest and the highest corner of the bounding box of the vertices `used`.
+fn bounds(used: &[u32], points: &[DVec3]) -> [DVec3; 2] {
+    let corners = used.iter().map(|&v| points[v as usize]);
+    [DVec3::min, DVec3::max].map(|end| corners.clone().reduce(end).unwrap_or_default())
 }
 
 /// Returns the vertices of faces and curves among `count`, ascending, or all if there are neither.

@@ -42,8 +42,9 @@ impl Default for ViewState {
 }
 
 impl ViewState {
-    /// Shows a mesh. One of another topology starts without marks, handles and shapes, in the
-    /// three-quarter view; if faces and curves are the same, only the positions change.
+    /// Shows a mesh. One of another topology, or in another place, starts without marks, handles and
+    /// shapes, in the three-quarter view; if faces and curves are the same, and the place is about
+    /// the same, only the positions change.
     ///
     /// # Errors
     /// Arrays that do not fit together; the old mesh stays.
@@ -58,7 +59,8 @@ impl ViewState {
         let curves = Lists::new("curves", curves.0, curves.1, count)?;
         let same = faces == self.content.mesh.faces
             && curves == self.content.mesh.curves
-            && count == self.content.mesh.exact.len();
+            && count == self.content.mesh.exact.len()
+            && self.content.mesh.is_near(&read_points(coordinates)?);
         if same {
             return self.set_positions(coordinates);
         }
@@ -135,18 +137,18 @@ impl ViewState {
     ///
     /// # Errors
     /// A length that is not a multiple of eight.
-    pub fn set_shapes(&mut self, shapes: &[f32]) -> Result<(), ViewError> {
+    pub fn set_shapes(&mut self, shapes: &[f64]) -> Result<(), ViewError> {
         let (rows, rest) = shapes.as_chunks::<SHAPE_NUMBERS>();
         if !rest.is_empty() {
             let expected = (rows.len() + 1) * SHAPE_NUMBERS;
             return Err(ViewError::Length { what: "shapes", got: shapes.len(), expected });
         }
         self.content.shapes.clear();
-        for row in rows.iter().filter(|row| row.iter().all(|x| x.is_finite())) {
-            let centre = DVec3::new(f64::from(row[1]), f64::from(row[2]), f64::from(row[3]));
-            self.content.shapes.push(row[0]);
-            self.content.shapes.extend(self.content.mesh.relative(centre).to_array());
-            self.content.shapes.extend(&row[4..]);
+        for row in rows.iter().filter(|row| row.iter().all(|&x| (x as f32).is_finite())) {
+            let centre = self.content.mesh.relative(DVec3::new(row[1], row[2], row[3]));
+            self.content.shapes.push(row[0] as f32);
+            self.content.shapes.extend(centre.to_array());
+            self.content.shapes.extend(row[4..].iter().map(|&x| x as f32));
         }
         self.changes.shapes = true;
         Ok(())

@@ -295,7 +295,7 @@ impl View {
     /// # Errors
     /// A length that is not a multiple of eight.
     #[wasm_bindgen(js_name = setShapes)]
-    pub fn set_shapes(&mut self, shapes: &[f32]) -> Result<(), JsValue> {
+    pub fn set_shapes(&mut self, shapes: &[f64]) -> Result<(), JsValue> {
         self.model().set_shapes(shapes).map_err(thrown)
     }
 

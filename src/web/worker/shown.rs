@@ -6,7 +6,7 @@ use crate::constraint::Fitted;
 use crate::session::{RowPalette, Shape};
 use crate::web::plain::{indices, narrow, object};
 use crate::web::thrown;
-use js_sys::{Float32Array, Uint8Array};
+use js_sys::{Float32Array, Float64Array, Uint8Array};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -18,10 +18,11 @@ impl Solver {
         values.map(|values| narrow(&values)).ok_or_else(|| unknown(measure))
     }
 
-    /// Returns the fitted shapes to be drawn, eight numbers each: [`Fitted::numbers`].
-    pub fn fitted(&self) -> Result<Float32Array, JsValue> {
+    /// Returns the fitted shapes to be drawn, eight numbers each: [`Fitted::numbers`]. The centres
+    /// are in file coordinates, which single precision would round.
+    pub fn fitted(&self) -> Result<Float64Array, JsValue> {
         let shapes = self.open()?.solver().fitted();
-        Ok(narrow(&shapes.iter().flat_map(Fitted::numbers).collect::<Vec<f64>>()))
+        Ok(Float64Array::from(&shapes.iter().flat_map(Fitted::numbers).collect::<Vec<f64>>()[..]))
     }
 
     /// Returns the projections of the constraints at the current positions: the vertex of each

@@ -115,6 +115,12 @@ impl Solver {
         Ok(self.open()?.is_running())
     }
 
+    /// Returns whether the run is meeting hard constraints, a step of which may take seconds.
+    #[wasm_bindgen(js_name = isMeeting)]
+    pub fn is_meeting(&self) -> Result<bool, JsValue> {
+        Ok(self.open()?.is_meeting())
+    }
+
     /// Returns the number of the current iteration.
     pub fn iteration(&self) -> Result<u32, JsValue> {
         Ok(self.open()?.iteration())

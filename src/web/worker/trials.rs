@@ -74,10 +74,10 @@ impl Solver {
         Ok(false)
     }
 
-    /// Returns the cost of exactness; null without a trial.
+    /// Returns the cost of exactness; null without a trial of the current shape and problem.
     pub fn offer(&mut self) -> Result<JsValue, JsValue> {
         let both = self.trial.as_mut().zip(self.session.as_ref());
-        plain(&both.map(|(trial, session)| trial.offer(session)))
+        plain(&both.and_then(|(trial, session)| trial.offer(session)))
     }
 
     /// Applies the shape of the trial, as a step of undo or as part of the last one (`joins`);

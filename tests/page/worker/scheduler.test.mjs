@@ -1,8 +1,11 @@
-// How a run divides the worker's time between iterations and the frames sent to the page.
+// How a run divides the worker's time between iterations and the frames sent to the page, and what
+// the page is told.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { SLICE_MS } from '../../../www/solver/messages.js';
 import { Scheduler } from '../../../www/worker/scheduler.js';
+import { runInSlices } from '../../../www/worker/trials.js';
 
 /** A clock that advances only when the test does work. */
 function clock() {
@@ -10,35 +13,45 @@ function clock() {
   return { now: () => now, pass: (ms) => (now += ms) };
 }
 
-test('a run spends most of its time on iterations, however long a frame takes', async (context) => {
-  // Frames used to be sent whenever the page returned a buffer: colours that took as long as an
-  // iteration halved the number of iterations, because the time of those frames was not counted.
-  const time = clock();
-  context.mock.method(performance, 'now', time.now);
-  // Node does not exit while a channel is open.
+/** Closes the channel of the scheduler at the end: Node does not exit while one is open. */
+function closeChannel(context) {
   const channel = new MessageChannel();
   context.mock.method(globalThis, 'MessageChannel', function () {
     return channel;
   });
   context.after(() => channel.port1.close());
-  const [ITERATION, COLOURS, ITERATIONS] = [40, 40, 120];
-  let [iterations, coloured] = [0, 0];
-  const solver = new Proxy(
+}
+
+/** A solver with these methods; all others do nothing. */
+const solverWith = (methods) =>
+  new Proxy(
     {
-      step() {
-        time.pass(ITERATION);
-        return ++iterations === ITERATIONS;
-      },
-      faceValues() {
-        time.pass(COLOURS);
-        coloured += 1;
-        return new Float32Array(1);
-      },
       savedHistory: () => new Uint8Array(0),
       savedProgress: () => new Uint8Array(0),
+      ...methods,
     },
-    { get: (methods, name) => methods[name] ?? (() => undefined) },
+    { get: (all, name) => all[name] ?? (() => undefined) },
   );
+
+test('a run spends most of its time on iterations, however long a frame takes', async (context) => {
+  // Frames used to be sent whenever the page returned a buffer: colours that took as long as an
+  // iteration halved the number of iterations, because the time of those frames was not counted.
+  const time = clock();
+  context.mock.method(performance, 'now', time.now);
+  closeChannel(context);
+  const [ITERATION, COLOURS, ITERATIONS] = [40, 40, 120];
+  let [iterations, coloured] = [0, 0];
+  const solver = solverWith({
+    step() {
+      time.pass(ITERATION);
+      return ++iterations === ITERATIONS;
+    },
+    faceValues() {
+      time.pass(COLOURS);
+      coloured += 1;
+      return new Float32Array(1);
+    },
+  });
   let ended;
   const end = new Promise((resolve) => (ended = resolve));
   const scheduler = new Scheduler(
@@ -68,4 +81,52 @@ test('a run spends most of its time on iterations, however long a frame takes', 
   const part = (coloured * COLOURS) / (coloured * COLOURS + iterations * ITERATION);
   assert.ok(coloured > 10, `${coloured} frames`);
   assert.ok(part < 0.3, `frames take ${part} of the time`);
+});
+
+test('a file that is refused during a run leaves the page with the ended run', (context) => {
+  closeChannel(context);
+  const sent = [];
+  const scheduler = new Scheduler(solverWith({}), (message) => sent.push(message), assert.fail);
+  scheduler.begin(false);
+  scheduler.frames.renew(3);
+  scheduler.run();
+  assert.equal(sent.at(-1).running, true);
+  const refuse = () => {
+    throw new Error('it is no mesh');
+  };
+  assert.throws(() => scheduler.replace(refuse), /it is no mesh/);
+  assert.deepEqual(sent.at(-1), { type: 'activity', running: false, converged: false });
+});
+
+test('steps that may take seconds are announced as work, so that the worker is not given up', async (context) => {
+  const time = clock();
+  context.mock.method(performance, 'now', time.now);
+  closeChannel(context);
+  const sent = [];
+  const post = ({ type }) => sent.push(type);
+  // The last message before each step.
+  const before = [];
+  let ended;
+  const end = new Promise((resolve) => (ended = resolve));
+  const solver = solverWith({
+    // The first two of five steps iterate, and the others meet hard constraints.
+    isMeeting: () => before.length >= 2,
+    step() {
+      time.pass(SLICE_MS);
+      return before.push(sent.at(-1)) === 5;
+    },
+    endRun: () => ended(),
+  });
+  const scheduler = new Scheduler(solver, post, assert.fail);
+  scheduler.begin(false);
+  scheduler.run();
+  await end;
+  // The first step may have to factor the system.
+  assert.deepEqual(before, ['working', 'pong', 'working', 'working', 'working']);
+
+  before.length = 0;
+  const trial = { advance: () => before.push(sent.at(-1)) < 3 };
+  assert.ok(await runInSlices(trial, post));
+  assert.deepEqual(before, ['working', 'working', 'working']);
+  assert.equal(sent.at(-1), 'pong', 'the work has ended');
 });

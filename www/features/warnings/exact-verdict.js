@@ -77,9 +77,12 @@ async function improve(app, output) {
   const exact = exactActions(solver, actions);
   const units = store.get().document?.units ?? '';
   const stop = offer('Stop', () => exact.endTrial(), 'Keeps the improvement so far');
-  showMessage('Improving: looking for an equally exact shape with less energy …', stop);
+  const group = showMessage(
+    'Improving: looking for an equally exact shape with less energy …',
+    stop,
+  );
   const found = await actions.reportErrors(exact.improve());
-  if (!found) return;
+  if (!found) return group.remove();
   const { before, after, moved, maxDistance } = found;
   const gained = 1 - after.energy / before.energy;
   if (!(gained > LEAST_GAIN)) {
@@ -89,7 +92,7 @@ async function improve(app, output) {
     return;
   }
   const distance = store.get().numbers?.exact?.max_distance ?? maxDistance;
-  if (!(await exact.accept(false))) return;
+  if (!(await exact.accept(false))) return group.remove();
   const words = `Improved: ${part(gained)} less energy, moved by up to ${length(moved.max, units)}.`;
   showMessage(words).append(table(found, distance, units, 'Improved'));
 }

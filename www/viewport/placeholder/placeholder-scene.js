@@ -102,7 +102,7 @@ function projection(eye) {
 /**
  * Draws fitted circles as polygons.
  * @param {SVGPathElement} path
- * @param {Float32Array} shapes eight numbers each: 0 for a circle, centre, normal, radius
+ * @param {Float64Array} shapes eight numbers each: 0 for a circle, centre, normal, radius
  * @param {(point: number[]) => number[]} project
  */
 function drawCircles(path, shapes, project) {
