@@ -162,6 +162,32 @@ fn a_filled_boundary_is_a_surface_with_that_boundary() {
 }
 
 #[test]
+fn a_point_at_the_one_before_and_ends_that_meet_make_no_difference() {
+    let [low, high] = [arch(6, 0.0, 3.0), arch(9, 4.0, 5.0)];
+    let lofted = |first: Vec<Point>| {
+        let curves = curves(&[(first, false), (high.clone(), false)]);
+        loft(&curves[0], &curves[1], 0.5, UP).unwrap()
+    };
+    let expected = lofted(low.clone());
+    for k in [0, 3, 6] {
+        let mut doubled = low.clone();
+        doubled.insert(k, low[k]);
+        assert_eq!(lofted(doubled), expected, "point {k}");
+    }
+    let frame = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 3.0, 0.0], [0.0, 3.0, 0.0]];
+    let filled = |points: Vec<Point>, closed: bool| fill(&curves(&[(points, closed)])[0], 0.5, UP);
+    let expected = filled(frame.clone(), true).unwrap();
+    assert_eq!(expected.faces.len(), 48);
+    let mut doubled = frame.clone();
+    doubled.insert(1, frame[1]);
+    assert_eq!(filled(doubled, true).unwrap(), expected, "a corner twice");
+    let mut meeting = frame.clone();
+    meeting.push(frame[0]);
+    assert_eq!(filled(meeting.clone(), false).unwrap(), expected, "two vertices where it closes");
+    assert_eq!(filled(meeting, true).unwrap(), expected, "and an edge between them");
+}
+
+#[test]
 fn a_surface_looks_up_along_the_up_axis_of_its_file() {
     let frame = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 0.0, 3.0], [0.0, 0.0, 3.0]];
     let line = |z: f64| (vec![[0.0, 0.0, z], [3.0, 0.0, z]], false);
