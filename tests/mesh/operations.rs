@@ -1,13 +1,13 @@
 //! Operations on meshes: counts, Euler number, orientation, areas, origins of the new elements, and
 //! refusals.
 
-use crate::grid::grid;
+use crate::grid::{grid, wall_on_floor};
 use crate::subdivide::{boundary_edges, cube, euler, most_alike, most_faces};
 use crate::{meshes, shared};
 use proptest::prelude::*;
 use shape_up::mesh::{
-    Edited, MESH_OPERATIONS, Mesh, MeshOperation, OperationError, Point, Scheme, Size, SizeError,
-    SizeOf, Subdivision, Task, Topology, read,
+    Edited, MESH_OPERATIONS, Mesh, MeshOperation, OperationError, Point,
+    Scheme, Size, SizeError, SizeOf, Subdivision, Task, Topology, read,
 };
 
 /// Selected elements for an operation.
@@ -320,6 +320,15 @@ fn holes_are_closed_and_the_outline_stays() {
     let closed = apply(&whole, "fill", None, &with_vertices(&[0])).unwrap().mesh;
     assert_eq!(closed.faces.row(25).len(), 20);
     assert_eq!(Topology::new(&closed).boundary_loops().len(), 0);
+}
+
+#[test]
+fn the_boundary_of_a_wall_on_a_floor_is_no_hole() {
+    let mesh = wall_on_floor();
+    for picked in [Picked::default(), with_vertices(&[9])] {
+        let filled = apply(&mesh, "fill", None, &picked);
+        assert!(matches!(filled, Err(OperationError::Expected(_))), "{filled:?}");
+    }
 }
 
 #[test]

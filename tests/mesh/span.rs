@@ -188,6 +188,15 @@ fn a_point_at_the_one_before_and_ends_that_meet_make_no_difference() {
 }
 
 #[test]
+fn the_boundary_of_a_wall_on_a_floor_is_open() {
+    let curves = SpanCurve::all(&crate::grid::wall_on_floor());
+    let labels = SpanCurve::labels(&curves);
+    let found: Vec<_> = labels.iter().map(|label| (label.closed, label.length)).collect();
+    assert_eq!(found, [(true, 8.0), (false, 3.0)]);
+    assert_eq!(fill(&curves[1], 0.5, UP), Err(SpanError::Open));
+}
+
+#[test]
 fn a_surface_looks_up_along_the_up_axis_of_its_file() {
     let frame = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 0.0, 3.0], [0.0, 0.0, 3.0]];
     let line = |z: f64| (vec![[0.0, 0.0, z], [3.0, 0.0, z]], false);

@@ -38,7 +38,8 @@ impl SpanCurve {
         let topology = Topology::new(mesh);
         let polylines = mesh.curves.iter().map(|curve| (curve.to_vec(), false));
         let boundaries = topology.boundary_loops().iter().map(|row| {
-            (row.iter().copied().chain([row[0]]).collect(), true)
+            let again = topology.is_closed_loop(row).then_some(row[0]);
+            (row.iter().copied().chain(again).collect(), true)
         });
         let through = |(vertices, is_boundary): (Vec<u32>, bool)| {
             let mut points: Vec<_> =
