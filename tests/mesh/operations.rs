@@ -6,7 +6,7 @@ use crate::subdivide::{boundary_edges, cube, euler, most_alike, most_faces};
 use crate::{meshes, shared};
 use proptest::prelude::*;
 use shape_up::mesh::{
-    Edited, MESH_OPERATIONS, Mesh, MeshOperation, OperationError, Point,
+    Edited, Group, GroupKeyword, MESH_OPERATIONS, Mesh, MeshOperation, OperationError, Point,
     Scheme, Size, SizeError, SizeOf, Subdivision, Task, Topology, read,
 };
 
@@ -446,6 +446,32 @@ fn curves_and_groups_go_along() {
     assert_eq!(wider.curves.row(0).len(), 6, "the curve gets the vertex on its edge");
     let merged = apply(&mesh, "merge-vertices", None, &with_vertices(&[5, 6])).unwrap().mesh;
     assert_eq!(merged.curves.row(0).len(), 4);
+}
+
+/// How long an operation takes.
+fn seconds(mesh: &Mesh, id: &str, sizes: Option<&[f64]>) -> f64 {
+    let begun = std::time::Instant::now();
+    // Whether the operation is refused does not matter.
+    let _ = apply(mesh, id, sizes, &Picked::default());
+    begun.elapsed().as_secs_f64()
+}
+
+#[test]
+fn a_group_for_each_face_takes_not_much_longer_than_one_for_all() {
+    let mut one = flat(200, 200);
+    let group = |name: String, faces: Vec<u32>| Group {
+        name,
+        keyword: GroupKeyword::Object,
+        faces,
+        curves: Vec::new(),
+    };
+    one.groups = vec![group("all".to_owned(), (0..40_000).collect())];
+    let mut each = one.clone();
+    each.groups = (0..40_000).map(|face| group(format!("panel {face}"), vec![face])).collect();
+    let cut = done(&each, "triangles").mesh;
+    assert!((0..).zip(&cut.groups).all(|(k, group)| group.faces == [2 * k, 2 * k + 1]));
+    let [one, each] = [one, each].map(|mesh| seconds(&mesh, "flip", None));
+    assert!(each < 15.0 * one, "{each} s beside {one} s");
 }
 
 /// On real meshes every operation gives a sound mesh, and the dual of a dual has the original
