@@ -418,6 +418,28 @@ fn what_cannot_be_done_is_said() {
 }
 
 #[test]
+fn the_reason_is_the_one_that_holds() {
+    let sentence = |mesh: &Mesh, id: &str, sizes: Option<&[f64]>, picked: &[u32]| {
+        apply(mesh, id, sizes, &with_vertices(picked)).unwrap_err().to_string()
+    };
+    // Two squares that share one vertex.
+    let mut touching = flat(2, 2);
+    touching.faces = [[0, 1, 4, 3], [4, 5, 8, 7]].into_iter().collect();
+    let said = sentence(&touching, "dual", None, &[]);
+    assert!(said.contains("touch at a vertex") && !said.contains("orientation"), "{said}");
+    let mut turned = flat(2, 1);
+    turned.faces = [[0, 1, 4, 3], [1, 4, 5, 2]].into_iter().collect();
+    assert!(sentence(&turned, "dual", None, &[]).contains("unify the orientation"));
+    // A quad whose opposite corners are merged; only for welding there is a distance to change.
+    let mut slender = flat(1, 1);
+    slender.positions[3] = [0.1, 0.0, 0.0];
+    let touches = "face 0 would touch itself";
+    assert_eq!(sentence(&slender, "merge-vertices", None, &[0, 3]), touches);
+    let welded = sentence(&slender, "weld", Some(&[0.2]), &[]);
+    assert_eq!(welded, format!("{touches}; try a smaller distance"));
+}
+
+#[test]
 fn each_has_a_sentence_and_sizes_within_their_limits() {
     for operation in MESH_OPERATIONS {
         assert!(operation.summary.ends_with('.') && !operation.label.is_empty());

@@ -2,7 +2,7 @@
 
 use super::declaration::{OperationError, Task};
 use crate::mesh::edit::origins::Edited;
-use crate::mesh::edit::rebuild::Rebuild;
+use crate::mesh::edit::rebuild::{Rebuild, Touching};
 use crate::mesh::edit::weld::first_within;
 
 /// Welds each picked vertex to the first picked vertex within the size.
@@ -21,7 +21,8 @@ pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
     if welds == 0 {
         return Err(OperationError::Expected("vertices within this distance of each other"));
     }
-    rebuild.keep(task.all_faces())?;
+    let kept = rebuild.keep(task.all_faces());
+    kept.map_err(|Touching(face)| OperationError::TouchingWithin(face))?;
     Ok(rebuild.finish())
 }
 
