@@ -496,6 +496,13 @@ fn a_group_for_each_face_takes_not_much_longer_than_one_for_all() {
     assert!(each < 15.0 * one, "{each} s beside {one} s");
 }
 
+#[test]
+fn welding_at_many_edge_lengths_takes_not_much_longer_than_at_a_small_distance() {
+    let mesh = flat(200, 200);
+    let [near, far] = [0.01, 10.0].map(|distance| seconds(&mesh, "weld", Some(&[distance])));
+    assert!(far < 5.0 * near, "{far} s beside {near} s");
+}
+
 /// On real meshes every operation gives a sound mesh, and the dual of a dual has the original
 /// faces.
 #[test]
