@@ -1,5 +1,6 @@
 //! New meshes to start from: a few kinds defined by sizes, from a plan, or between curves. `z`
-//! points up, every mesh stands or lies on the ground, and has the same bits on every machine.
+//! points up, except between curves; every mesh stands or lies on the ground, and has the same bits
+//! on every machine.
 //!
 //! | file | holds |
 //! |---|---|

@@ -2,7 +2,7 @@
 
 use super::declaration::{NewMeshError, exactly};
 use super::face_count::check_face_count;
-use crate::example::model::{grid, honeycomb, triangle_rows};
+use crate::example::model::{self, grid, triangle_rows};
 use crate::math::{angle, cosine, sine};
 use crate::mesh::{Mesh, Point};
 use std::f64::consts::TAU;
@@ -46,29 +46,32 @@ pub(super) fn hypar(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
 /// Hexagons, regular if the length is a whole number of rows, with half hexagons along the
 /// boundary.
 pub(super) fn hexagons(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let (rows, across, point) = cap(sizes)?;
-    Ok(honeycomb(rows, |_| across, point))
+    let (rows, across, point) = cap(sizes, 1.0)?;
+    Ok(model::hexagons(rows, |_| across, point))
 }
 
 /// Triangles, equilateral if the length is a whole number of rows, with half triangles at the
 /// sides.
 pub(super) fn triangles(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let (rows, across, point) = cap(sizes)?;
+    let (rows, across, point) = cap(sizes, 2.0)?;
     let mut mesh = triangle_rows(rows, &|_| across);
     mesh.positions.iter_mut().for_each(|p| *p = point(p[0], p[1]));
     Ok(mesh)
 }
 
 /// The number of rows of triangle corners along the length, their number per row, and a paraboloid
-/// over the rectangle, level at its corners.
-fn cap(sizes: &[f64]) -> Result<(usize, usize, impl Fn(f64, f64) -> Point), NewMeshError> {
+/// over the rectangle, level at its corners. There are `faces` for each corner.
+fn cap(
+    sizes: &[f64],
+    faces: f64,
+) -> Result<(usize, usize, impl Fn(f64, f64) -> Point), NewMeshError> {
     let [length, width, rise, size] = exactly(sizes)?;
     if size > length || size > width {
         let expected = "panels that are smaller than length and width";
         return Err(NewMeshError::Together { expected });
     }
     let (rows, across) = ((length / (0.75_f64.sqrt() * size)).round(), (width / size).round());
-    check_face_count(2.0 * rows * across).map_err(NewMeshError::TooManyFaces)?;
+    check_face_count(faces * rows * across).map_err(NewMeshError::TooManyFaces)?;
     let point = move |x: f64, y: f64| {
         [0.5 * length * x, 0.5 * width * y, rise * (1.0 - 0.5 * (x * x + y * y))]
     };

@@ -136,11 +136,14 @@ pub fn counted(count: usize, one: &str, many: &str) -> String {
 pub(super) struct DiagnosticCounts(Vec<(ProblemKind, usize, Option<usize>)>);
 
 impl DiagnosticCounts {
-    /// Counts one problem. Problems of one kind must be added in the order of their lines.
+    /// Counts one problem.
     pub(super) fn add(&mut self, kind: ProblemKind, line: Option<usize>) {
         let place = self.0.partition_point(|&(other, ..)| other < kind);
         match self.0.get_mut(place) {
-            Some((same, count, _)) if *same == kind => *count += 1,
+            Some((same, count, first)) if *same == kind => {
+                *count += 1;
+                *first = (*first).min(line);
+            }
             _ => self.0.insert(place, (kind, 1, line)),
         }
     }

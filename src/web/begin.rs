@@ -109,10 +109,11 @@ impl NewSpans {
     }
 
     fn surface(&self, first: usize, second: Option<usize>, size: f64) -> Result<Mesh, SpanError> {
+        let up = if self.up == "y" { [0.0, 1.0, 0.0] } else { [0.0, 0.0, 1.0] };
         let first = SpanCurve::of(&self.curves, first)?;
         match second {
-            Some(second) => loft(first, SpanCurve::of(&self.curves, second)?, size),
-            None => fill(first, size),
+            Some(second) => loft(first, SpanCurve::of(&self.curves, second)?, size, up),
+            None => fill(first, size, up),
         }
     }
 }

@@ -49,6 +49,21 @@ fn a_roof_over_a_drawn_plan_becomes_circular_panels() {
 }
 
 #[test]
+fn a_surface_between_curves_keeps_the_unit_and_the_up_axis_of_their_file() {
+    let folder = Folder::new("new-span-unit");
+    let points = "v 0 0 0\nv 900 0 0\nv 900 0 700\nv 0 0 700\nl 1 2 3 4 1\n";
+    folder.write("curve.obj", "# units: mm\n# up: y\n".to_owned() + points);
+    let head = |arguments: &[&str]| {
+        let printed = folder.run(&[&["new", "fill"], arguments].concat()).done();
+        printed.lines().take_while(|line| line.starts_with('#')).collect::<Vec<_>>().join("\n")
+    };
+    assert_eq!(head(&["curve.obj"]), "# units: mm\n# up: y");
+    assert_eq!(head(&["curve.obj", "--units", "cm"]), "# units: cm\n# up: y");
+    folder.write("bare.obj", points);
+    assert_eq!(head(&["bare.obj"]), "", "the file does not say");
+}
+
+#[test]
 fn a_loft_between_two_curves_and_a_filled_boundary_are_made_from_files() {
     let folder = Folder::new("new-span");
     folder.write(

@@ -108,6 +108,17 @@ fn edges_of_what_is_turned_around_an_axis_follow_the_lines_of_curvature() {
 }
 
 #[test]
+fn small_hexagons_are_as_exact_as_large_ones_and_counted_once() {
+    let large = of("hexagons").mesh(&[20.0, 12.0, 3.0, 1.0]).unwrap();
+    let small = of("hexagons").mesh(&[0.02, 0.012, 0.003, 0.001]).unwrap();
+    assert_eq!(small.faces, large.faces);
+    let pairs = small.positions.as_flattened().iter().zip(large.positions.as_flattened());
+    pairs.for_each(|(small, large)| assert!((1000.0 * small - large).abs() < 1e-9));
+    let many = of("hexagons").mesh(&[260.0, 222.0, 3.0, 1.0]).unwrap();
+    assert!((60_000..70_000).contains(&many.faces.len()), "{}", many.faces.len());
+}
+
+#[test]
 fn wrong_sizes_are_refused_with_what_was_expected() {
     for kind in NEW_KINDS {
         for (i, size) in kind.sizes.iter().enumerate() {

@@ -53,6 +53,25 @@ fn strips_of_flat_quads_are_laid_without_stretch() {
 }
 
 #[test]
+fn a_ring_is_closed_only_by_a_quad() {
+    let mut ring = grid(8, 1, |i, j| {
+        let turn = f64::from(i) / 8.0;
+        [cosine(turn), sine(turn), f64::from(j)]
+    });
+    let joined: Vec<Vec<u32>> = ring
+        .faces
+        .iter()
+        .map(|face| face.iter().map(|&v| if v % 9 == 8 { v - 8 } else { v }).collect())
+        .collect();
+    ring.faces = joined.iter().collect();
+    check_unrolled(&ring, 1);
+    // Two triangles in place of the first quad: the ends are still joined by edges.
+    let triangles = [vec![0, 1, 10], vec![0, 10, 9]];
+    ring.faces = triangles.iter().chain(&joined[1..]).collect();
+    check_unrolled(&ring, 0);
+}
+
+#[test]
 fn an_edge_without_length_leads_nowhere() {
     let points: [Point; 6] = [[0.0; 3], [0.0; 3], [1.0; 3], [2.0; 3], [3.0; 3], [4.0; 3]];
     let mesh = grid(1, 2, |i, j| points[(2 * j + i) as usize]);

@@ -1,13 +1,13 @@
 //! Operations on meshes: counts, Euler number, orientation, areas, origins of the new elements, and
 //! refusals.
 
-use crate::grid::grid;
+use crate::grid::{grid, wall_on_floor};
 use crate::subdivide::{boundary_edges, cube, euler, most_alike, most_faces};
 use crate::{meshes, shared};
 use proptest::prelude::*;
 use shape_up::mesh::{
-    Edited, MESH_OPERATIONS, Mesh, MeshOperation, OperationError, Point, Scheme, Size, SizeError,
-    SizeOf, Subdivision, Task, Topology, read,
+    Edited, Group, GroupKeyword, MESH_OPERATIONS, Mesh, MeshOperation, OperationError, Point,
+    Scheme, Size, SizeError, SizeOf, Subdivision, Task, Topology, read,
 };
 
 /// Selected elements for an operation.
@@ -323,6 +323,15 @@ fn holes_are_closed_and_the_outline_stays() {
 }
 
 #[test]
+fn the_boundary_of_a_wall_on_a_floor_is_no_hole() {
+    let mesh = wall_on_floor();
+    for picked in [Picked::default(), with_vertices(&[9])] {
+        let filled = apply(&mesh, "fill", None, &picked);
+        assert!(matches!(filled, Err(OperationError::Expected(_))), "{filled:?}");
+    }
+}
+
+#[test]
 fn deleted_faces_take_their_own_vertices_along() {
     let mesh = flat(4, 1);
     let picked = Picked { faces: vec![0, 1], ..Picked::default() };
@@ -409,6 +418,28 @@ fn what_cannot_be_done_is_said() {
 }
 
 #[test]
+fn the_reason_is_the_one_that_holds() {
+    let sentence = |mesh: &Mesh, id: &str, sizes: Option<&[f64]>, picked: &[u32]| {
+        apply(mesh, id, sizes, &with_vertices(picked)).unwrap_err().to_string()
+    };
+    // Two squares that share one vertex.
+    let mut touching = flat(2, 2);
+    touching.faces = [[0, 1, 4, 3], [4, 5, 8, 7]].into_iter().collect();
+    let said = sentence(&touching, "dual", None, &[]);
+    assert!(said.contains("touch at a vertex") && !said.contains("orientation"), "{said}");
+    let mut turned = flat(2, 1);
+    turned.faces = [[0, 1, 4, 3], [1, 4, 5, 2]].into_iter().collect();
+    assert!(sentence(&turned, "dual", None, &[]).contains("unify the orientation"));
+    // A quad whose opposite corners are merged; only for welding there is a distance to change.
+    let mut slender = flat(1, 1);
+    slender.positions[3] = [0.1, 0.0, 0.0];
+    let touches = "face 0 would touch itself";
+    assert_eq!(sentence(&slender, "merge-vertices", None, &[0, 3]), touches);
+    let welded = sentence(&slender, "weld", Some(&[0.2]), &[]);
+    assert_eq!(welded, format!("{touches}; try a smaller distance"));
+}
+
+#[test]
 fn each_has_a_sentence_and_sizes_within_their_limits() {
     for operation in MESH_OPERATIONS {
         assert!(operation.summary.ends_with('.') && !operation.label.is_empty());
@@ -437,6 +468,39 @@ fn curves_and_groups_go_along() {
     assert_eq!(wider.curves.row(0).len(), 6, "the curve gets the vertex on its edge");
     let merged = apply(&mesh, "merge-vertices", None, &with_vertices(&[5, 6])).unwrap().mesh;
     assert_eq!(merged.curves.row(0).len(), 4);
+}
+
+/// How long an operation takes.
+fn seconds(mesh: &Mesh, id: &str, sizes: Option<&[f64]>) -> f64 {
+    let begun = std::time::Instant::now();
+    // Whether the operation is refused does not matter.
+    let _ = apply(mesh, id, sizes, &Picked::default());
+    begun.elapsed().as_secs_f64()
+}
+
+#[test]
+fn a_group_for_each_face_takes_not_much_longer_than_one_for_all() {
+    let mut one = flat(200, 200);
+    let group = |name: String, faces: Vec<u32>| Group {
+        name,
+        keyword: GroupKeyword::Object,
+        faces,
+        curves: Vec::new(),
+    };
+    one.groups = vec![group("all".to_owned(), (0..40_000).collect())];
+    let mut each = one.clone();
+    each.groups = (0..40_000).map(|face| group(format!("panel {face}"), vec![face])).collect();
+    let cut = done(&each, "triangles").mesh;
+    assert!((0..).zip(&cut.groups).all(|(k, group)| group.faces == [2 * k, 2 * k + 1]));
+    let [one, each] = [one, each].map(|mesh| seconds(&mesh, "flip", None));
+    assert!(each < 15.0 * one, "{each} s beside {one} s");
+}
+
+#[test]
+fn welding_at_many_edge_lengths_takes_not_much_longer_than_at_a_small_distance() {
+    let mesh = flat(200, 200);
+    let [near, far] = [0.01, 10.0].map(|distance| seconds(&mesh, "weld", Some(&[distance])));
+    assert!(far < 5.0 * near, "{far} s beside {near} s");
 }
 
 /// On real meshes every operation gives a sound mesh, and the dual of a dual has the original

@@ -125,6 +125,25 @@ fn a_grid_follows_arcs_and_points_between_corners() {
 }
 
 #[test]
+fn a_plan_far_from_the_origin_is_followed_as_closely_as_one_at_it() {
+    let mesh = |east: f64, north: f64| {
+        let mut outline = points(&[[0.0, 0.0], [30.0, 0.0], [34.0, 20.0], [0.0, 22.0]]);
+        for (point, bulge) in outline.iter_mut().zip([0.3, -0.2, 0.4, 0.1]) {
+            point.at = [point.at[0] + east, point.at[1] + north];
+            point.bulge = bulge;
+        }
+        plan(outline, PlanLayout::Follow).mesh().unwrap()
+    };
+    let near = mesh(0.0, 0.0);
+    let far = mesh(450_000.0, 5_500_000.0);
+    assert_eq!(near.faces, far.faces);
+    for (p, q) in near.positions.iter().zip(&far.positions) {
+        let by = [q[0] - 450_000.0 - p[0], q[1] - 5_500_000.0 - p[1]];
+        assert!(by.iter().all(|x| x.abs() < 1e-4), "{p:?} is moved by {by:?}");
+    }
+}
+
+#[test]
 fn holes_stay_open_and_the_corners_of_all_loops_are_there() {
     let hole = points(&[[3.0, 3.0], [6.3, 3.0], [6.3, 6.1], [3.0, 6.1]]);
     let plan =

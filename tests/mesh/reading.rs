@@ -185,6 +185,13 @@ fn a_corner_twice_in_a_row_is_kept_once() {
 }
 
 #[test]
+fn the_first_line_of_a_problem_is_the_least() {
+    let points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\n";
+    let read = ok("a.obj", points.to_owned() + "f 1 2 3\nf 4 5 6\nf 4 5 6\nf 1 2 3\n");
+    assert_eq!(kinds(&read), [(DuplicateFace, 2, Some(9)), (FlippedNeighbour, 6, Some(9))]);
+}
+
+#[test]
 fn faces_may_come_before_their_vertices_but_count_back_from_their_place() {
     let read = ok("a.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf -1 -2 -3\nv 2 2 2\nf -1 -2 -3\n");
     assert_eq!(rows(&read.mesh.faces), [[0, 1, 2], [2, 1, 0], [3, 2, 1]]);

@@ -5,6 +5,8 @@ use shape_up::begin::{SpanCurve, SpanError, fill, loft};
 use shape_up::math::{Vec3, cosine, sine, twice_vector_area};
 use shape_up::mesh::{Mesh, Point, Topology, diagnose};
 
+const UP: Point = [0.0, 0.0, 1.0];
+
 /// Polylines with separate vertices; a closed one repeats its first vertex.
 fn curves(polylines: &[(Vec<Point>, bool)]) -> Vec<SpanCurve> {
     let mut mesh = Mesh::default();
@@ -62,7 +64,7 @@ fn a_loft_goes_from_curve_to_curve_whichever_way_they_run() {
     let [low, high] = [arch(24, 0.0, 3.0), arch(40, 15.0, 6.0)];
     let made = |a: &[Point], b: &[Point]| {
         let curves = curves(&[(a.to_vec(), false), (b.to_vec(), false)]);
-        loft(&curves[0], &curves[1], 1.5).unwrap()
+        loft(&curves[0], &curves[1], 1.5, UP).unwrap()
     };
     let mesh = made(&low, &high);
     assert_sound(&mesh);
@@ -84,7 +86,7 @@ fn a_loft_goes_from_curve_to_curve_whichever_way_they_run() {
 fn equally_many_points_are_joined_one_to_one() {
     let [low, high] = [arch(9, 0.0, 3.0), arch(9, 4.0, 5.0)];
     let curves = curves(&[(low.clone(), false), (high.clone(), false)]);
-    let mesh = loft(&curves[0], &curves[1], 100.0).unwrap();
+    let mesh = loft(&curves[0], &curves[1], 100.0, UP).unwrap();
     assert_eq!((mesh.positions.len(), mesh.faces.len()), (20, 9));
     assert!(low.iter().chain(&high).all(|point| mesh.positions.contains(point)));
 }
@@ -94,7 +96,7 @@ fn corners_of_a_curve_stay_corners() {
     let bent = vec![[0.0, 0.0, 0.0], [4.1, 0.0, 0.0], [4.1, 7.3, 0.0]];
     let other = vec![[0.0, 3.0, 5.0], [2.0, 3.0, 5.0], [2.0, 9.0, 5.0], [2.0, 11.0, 5.0]];
     let curves = curves(&[(bent.clone(), false), (other.clone(), false)]);
-    let mesh = loft(&curves[0], &curves[1], 1.0).unwrap();
+    let mesh = loft(&curves[0], &curves[1], 1.0, UP).unwrap();
     for corner in [bent[1], other[1]] {
         assert!(mesh.positions.contains(&corner), "{corner:?}");
     }
@@ -107,7 +109,7 @@ fn closed_curves_are_joined_where_they_are_nearest() {
         [(circle(32, 3.0, 6.0, 0.3), 32), (reversed(&circle(50, 3.0, 6.0, 0.7)), 50)]
     {
         let curves = curves(&[(circle(32, 5.0, 0.0, 0.0), true), (second, true)]);
-        let mesh = loft(&curves[0], &curves[1], 1.0).unwrap();
+        let mesh = loft(&curves[0], &curves[1], 1.0, UP).unwrap();
         assert_sound(&mesh);
         let topology = Topology::new(&mesh);
         assert_eq!(topology.boundary_loops().len(), 2);
@@ -126,7 +128,7 @@ fn a_filled_boundary_is_a_surface_with_that_boundary() {
     loops.push((circle(48, 4.0, 2.0, 0.1), 0));
     for (points, corners) in loops {
         let curves = curves(&[(points.clone(), true)]);
-        let mesh = fill(&curves[0], 0.8).unwrap();
+        let mesh = fill(&curves[0], 0.8, UP).unwrap();
         assert_sound(&mesh);
         let topology = Topology::new(&mesh);
         assert_eq!(topology.boundary_loops().len(), 1);
@@ -156,7 +158,58 @@ fn a_filled_boundary_is_a_surface_with_that_boundary() {
         (words[0].label.as_str(), words[0].length, words[0].closed),
         ("Boundary 1", 20.0, true)
     );
-    assert_eq!(fill(&curves[0], 1.0).unwrap().faces.len(), 24);
+    assert_eq!(fill(&curves[0], 1.0, UP).unwrap().faces.len(), 24);
+}
+
+#[test]
+fn a_point_at_the_one_before_and_ends_that_meet_make_no_difference() {
+    let [low, high] = [arch(6, 0.0, 3.0), arch(9, 4.0, 5.0)];
+    let lofted = |first: Vec<Point>| {
+        let curves = curves(&[(first, false), (high.clone(), false)]);
+        loft(&curves[0], &curves[1], 0.5, UP).unwrap()
+    };
+    let expected = lofted(low.clone());
+    for k in [0, 3, 6] {
+        let mut doubled = low.clone();
+        doubled.insert(k, low[k]);
+        assert_eq!(lofted(doubled), expected, "point {k}");
+    }
+    let frame = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 3.0, 0.0], [0.0, 3.0, 0.0]];
+    let filled = |points: Vec<Point>, closed: bool| fill(&curves(&[(points, closed)])[0], 0.5, UP);
+    let expected = filled(frame.clone(), true).unwrap();
+    assert_eq!(expected.faces.len(), 48);
+    let mut doubled = frame.clone();
+    doubled.insert(1, frame[1]);
+    assert_eq!(filled(doubled, true).unwrap(), expected, "a corner twice");
+    let mut meeting = frame.clone();
+    meeting.push(frame[0]);
+    assert_eq!(filled(meeting.clone(), false).unwrap(), expected, "two vertices where it closes");
+    assert_eq!(filled(meeting, true).unwrap(), expected, "and an edge between them");
+}
+
+#[test]
+fn the_boundary_of_a_wall_on_a_floor_is_open() {
+    let curves = SpanCurve::all(&crate::grid::wall_on_floor());
+    let labels = SpanCurve::labels(&curves);
+    let found: Vec<_> = labels.iter().map(|label| (label.closed, label.length)).collect();
+    assert_eq!(found, [(true, 8.0), (false, 3.0)]);
+    assert_eq!(fill(&curves[1], 0.5, UP), Err(SpanError::Open));
+}
+
+#[test]
+fn a_surface_looks_up_along_the_up_axis_of_its_file() {
+    let frame = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 0.0, 3.0], [0.0, 0.0, 3.0]];
+    let line = |z: f64| (vec![[0.0, 0.0, z], [3.0, 0.0, z]], false);
+    let curves = curves(&[line(0.0), line(2.0), (frame.clone(), true), (reversed(&frame), true)]);
+    for up in [[0.0, 1.0, 0.0], [0.0, -1.0, 0.0]] {
+        let lofts = [[0, 1], [1, 0]].map(|[a, b]| loft(&curves[a], &curves[b], 0.5, up));
+        let fills = [2, 3].map(|k| fill(&curves[k], 0.5, up));
+        for mesh in lofts.into_iter().chain(fills) {
+            let mesh = mesh.unwrap();
+            let corners = mesh.faces.row(0).iter().map(|&v| Vec3::from(mesh.positions[v as usize]));
+            assert!(twice_vector_area(corners).dot(Vec3::from(up)) > 0.0, "{up:?}");
+        }
+    }
 }
 
 #[test]
@@ -168,13 +221,13 @@ fn what_cannot_be_is_refused_with_the_reason() {
         (circle(12, 2.0, 0.0, 0.0), true),
         (vec![[1.0; 3], [1.0; 3]], false),
     ]);
-    assert!(loft(&known[0], &known[1], 0.5).is_ok());
-    assert_eq!(loft(&known[0], &known[2], 0.5), Err(SpanError::OneClosed));
-    assert_eq!(loft(&known[0], &known[0], 0.5), Err(SpanError::Same));
-    assert_eq!(loft(&known[0], &known[1], 0.0), Err(SpanError::Size(0.0)));
-    assert!(matches!(loft(&known[0], &known[1], 1e-4), Err(SpanError::TooManyFaces(_))));
-    assert_eq!(fill(&known[0], 0.5), Err(SpanError::Open));
-    assert!(matches!(fill(&known[2], 1e-4), Err(SpanError::TooManyFaces(_))));
+    assert!(loft(&known[0], &known[1], 0.5, UP).is_ok());
+    assert_eq!(loft(&known[0], &known[2], 0.5, UP), Err(SpanError::OneClosed));
+    assert_eq!(loft(&known[0], &known[0], 0.5, UP), Err(SpanError::Same));
+    assert_eq!(loft(&known[0], &known[1], 0.0, UP), Err(SpanError::Size(0.0)));
+    assert!(matches!(loft(&known[0], &known[1], 1e-4, UP), Err(SpanError::TooManyFaces(_))));
+    assert_eq!(fill(&known[0], 0.5, UP), Err(SpanError::Open));
+    assert!(matches!(fill(&known[2], 1e-4, UP), Err(SpanError::TooManyFaces(_))));
     assert_eq!(SpanCurve::of(&known, 3), Err(SpanError::NoLength));
     assert_eq!(SpanCurve::of(&known, 9), Err(SpanError::Missing { asked: 9, found: 4 }));
     // A star whose arms overlap in a Coons patch.
@@ -185,5 +238,5 @@ fn what_cannot_be_is_refused_with_the_reason() {
             [radius * cosine(turn), radius * sine(turn), 0.0]
         })
         .collect();
-    assert_eq!(fill(&curves(&[(star, true)])[0], 0.3), Err(SpanError::Folded));
+    assert_eq!(fill(&curves(&[(star, true)])[0], 0.3, UP), Err(SpanError::Folded));
 }

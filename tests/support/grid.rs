@@ -24,3 +24,11 @@ pub(crate) fn grid(columns: u32, rows: u32, point: impl Fn(u32, u32) -> Point) -
 pub(crate) fn bumpy(n: u32) -> Mesh {
     grid(n, n, |i, j| [f64::from(i), f64::from(j), f64::from((i * 5 + j * 7) % 4) / 8.0])
 }
+
+/// A floor of 2 by 2 quads, and a wall of one quad on an edge inside it.
+pub(crate) fn wall_on_floor() -> Mesh {
+    let mut mesh = grid(2, 2, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    mesh.positions.extend([[1.0, 0.0, 1.0], [1.0, 1.0, 1.0]]);
+    mesh.faces.push(&[1, 4, 10, 9]);
+    mesh
+}

@@ -7,7 +7,7 @@ use crate::begin::coons_patch::coons_patch;
 use crate::begin::even_steps::even_steps;
 use crate::begin::face_count::check_face_count;
 use crate::example::model::grid;
-use crate::math::plane::{Point2, cross, dot, minus};
+use crate::math::plane::{Point2, bounds, cross, distance, dot, minus};
 
 /// Limit of vertex updates in all smoothing sweeps together: the largest grids take a second.
 const MOST_MOVES: usize = 40_000_000;
@@ -69,7 +69,8 @@ fn places(sides: &[Side], n: usize) -> Vec<Point2> {
 /// fold. Solved by Gauss-Seidel sweeps over finite differences.
 fn smooth(places: &mut [Point2], row: usize) {
     let inner = (row - 2) * (places.len() / row).saturating_sub(2);
-    let extent = places.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let [low, high] = bounds(places.iter().copied());
+    let extent = distance(low, high);
     let sweeps = (MOST_MOVES / inner.max(1)).min(4 * row * row);
     for _ in 0..sweeps {
         let mut farthest = 0.0_f64;

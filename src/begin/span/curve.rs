@@ -12,7 +12,8 @@ const CORNER: f64 = 30.0;
 /// A polyline in space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpanCurve {
-    /// In order; a closed curve does not repeat its first point.
+    /// In order, each different from the one before; a closed curve does not repeat its first
+    /// point.
     pub(super) points: Vec<Vec3<f64>>,
     pub(super) closed: bool,
     /// Whether it is a boundary of faces, not a polyline.
@@ -34,19 +35,22 @@ pub struct CurveLabel {
 impl SpanCurve {
     /// The polylines of `mesh`, then the boundaries of its faces.
     pub fn all(mesh: &Mesh) -> Vec<SpanCurve> {
-        let at = |&v: &u32| Vec3::from(mesh.positions[v as usize]);
-        let polylines = mesh.curves.iter().map(|curve| {
-            let closed = curve.len() > 3 && curve.first() == curve.last();
-            let distinct = &curve[..curve.len() - usize::from(closed)];
-            SpanCurve { points: distinct.iter().map(at).collect(), closed, is_boundary: false }
-        });
         let topology = Topology::new(mesh);
-        let loops = topology.boundary_loops().iter().map(|vertices| SpanCurve {
-            points: vertices.iter().map(at).collect(),
-            closed: true,
-            is_boundary: true,
+        let polylines = mesh.curves.iter().map(|curve| (curve.to_vec(), false));
+        let boundaries = topology.boundary_loops().iter().map(|row| {
+            let again = topology.is_closed_loop(row).then_some(row[0]);
+            (row.iter().copied().chain(again).collect(), true)
         });
-        polylines.chain(loops).collect()
+        let through = |(vertices, is_boundary): (Vec<u32>, bool)| {
+            let mut points: Vec<_> =
+                vertices.iter().map(|&v| Vec3::from(mesh.positions[v as usize])).collect();
+            // Steps without length have no direction.
+            points.dedup();
+            let closed = points.len() > 3 && points.first() == points.last();
+            points.truncate(points.len() - usize::from(closed));
+            SpanCurve { points, closed, is_boundary }
+        };
+        polylines.chain(boundaries).map(through).collect()
     }
 
     /// The labels and lengths of curves, for hosts to list.

@@ -40,7 +40,7 @@ impl fmt::Display for SpanError {
             SpanError::OneClosed => f.write_str(
                 "one curve is closed and the other is open: expected both closed or both open",
             ),
-            SpanError::Open => f.write_str("expected a closed curve or a boundary"),
+            SpanError::Open => f.write_str("expected a closed curve or boundary"),
             SpanError::Same => f.write_str("expected two different curves"),
             SpanError::Size(found) => write!(f, "expected a panel size above 0, found {found}"),
             SpanError::TooManyFaces(why) => why.fmt(f),

@@ -8,13 +8,13 @@ use crate::begin::face_count::check_face_count;
 use crate::math::{Vec3, argsort, key_of_number, twice_vector_area};
 use crate::mesh::{Mesh, Point, Topology};
 
-/// Quads of about `size` inside a closed curve, counterclockwise seen from above. Corners of the
+/// Quads of about `size` inside a closed curve, counterclockwise seen from `up`. Corners of the
 /// patch are its four sharpest corners; if it has fewer, points at quarters of its length from its
 /// first corner. The boundary has equal steps, and keeps further corners.
 ///
 /// # Errors
 /// A size that is not a positive length, an open curve, too many faces, or a folded surface.
-pub fn fill(curve: &SpanCurve, size: f64) -> Result<Mesh, SpanError> {
+pub fn fill(curve: &SpanCurve, size: f64, up: Point) -> Result<Mesh, SpanError> {
     if !(size > 0.0 && size.is_finite()) {
         return Err(SpanError::Size(size));
     }
@@ -34,7 +34,7 @@ pub fn fill(curve: &SpanCurve, size: f64) -> Result<Mesh, SpanError> {
     });
     let positions = coons_patch(&south, &east, &north, &west);
     let mut mesh = Mesh { positions, faces: quads(counts, false), ..Mesh::default() };
-    turn_up(&mut mesh);
+    turn_up(&mut mesh, up);
     if is_folded(&mesh) { Err(SpanError::Folded) } else { Ok(mesh) }
 }
 

@@ -6,14 +6,19 @@ use crate::begin::face_count::check_face_count;
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged};
 
-/// Quads of about `size` between two open or two closed curves, counterclockwise seen from above.
+/// Quads of about `size` between two open or two closed curves, counterclockwise seen from `up`.
 /// Curves with equally many points are joined point by point; else both get equal steps, and keep
 /// their corners. The directions of curves and the first points of closed ones do not matter: the
 /// pairing with the shortest connections is used.
 ///
 /// # Errors
 /// A size that is not a positive length, equal curves, only one closed curve, or too many faces.
-pub fn loft(first: &SpanCurve, second: &SpanCurve, size: f64) -> Result<Mesh, SpanError> {
+pub fn loft(
+    first: &SpanCurve,
+    second: &SpanCurve,
+    size: f64,
+    up: Point,
+) -> Result<Mesh, SpanError> {
     if !(size > 0.0 && size.is_finite()) {
         return Err(SpanError::Size(size));
     }
@@ -57,7 +62,7 @@ pub fn loft(first: &SpanCurve, second: &SpanCurve, size: f64) -> Result<Mesh, Sp
         mesh.positions.extend(sides[0].iter().zip(&other).map(point));
     }
     mesh.faces = quads([along, rows], closed);
-    turn_up(&mut mesh);
+    turn_up(&mut mesh, up);
     Ok(mesh)
 }
 
@@ -88,10 +93,11 @@ pub(super) fn quads([along, rows]: [usize; 2], closed: bool) -> Ragged {
     faces.collect()
 }
 
-/// Reverses all faces if their total area, seen from above, is negative.
-pub(super) fn turn_up(mesh: &mut Mesh) {
+/// Reverses all faces if their total area, seen from `up`, is negative.
+pub(super) fn turn_up(mesh: &mut Mesh, up: Point) {
     let area = |face: &[u32]| {
-        twice_vector_area(face.iter().map(|&v| Vec3::from(mesh.positions[v as usize]))).z
+        let corners = face.iter().map(|&v| Vec3::from(mesh.positions[v as usize]));
+        twice_vector_area(corners).dot(Vec3::from(up))
     };
     if mesh.faces.iter().map(area).sum::<f64>() < 0.0 {
         let turned = mesh.faces.iter().map(|face| face.iter().rev().copied().collect::<Vec<_>>());

@@ -84,7 +84,12 @@ fn named_mesh(scene: &Path, place: &str, file: &str) -> Result<Read, Failure> {
 
 /// Reads a mesh file for measurement, with numbers whose squares are finite.
 pub(super) fn read_mesh(path: &Path) -> Result<Read, Failure> {
-    let read = mesh::read(&path.to_string_lossy(), &bytes(path)?)
+    mesh_of(path, &bytes(path)?)
+}
+
+/// Reads a mesh as [`read_mesh`] does, from the bytes of its file.
+pub(super) fn mesh_of(path: &Path, bytes: &[u8]) -> Result<Read, Failure> {
+    let read = mesh::read(&path.to_string_lossy(), bytes)
         .map_err(|error| Failure::Input(error.to_string()))?;
     Scene::new(MeshSource::Inline(Box::default()))
         .validate(&read.mesh)

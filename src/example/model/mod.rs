@@ -12,10 +12,10 @@ mod surface;
 mod tool;
 
 pub use solid::{Archway, Blocks, Creature, Pavilion};
-pub(crate) use surface::triangle_rows;
 pub use surface::{
     Canopy, Court, Dome, Hall, Hypar, Lantern, Mask, Mounds, Net, Patch, Strip, Tower, Vase,
     honeycomb,
 };
+pub(crate) use surface::{hexagons, triangle_rows};
 pub(crate) use tool::{Noise, Rings, grid};
 pub use tool::{opened, soften};

@@ -49,20 +49,20 @@ impl BoundaryCurves {
             for (k, &v) in one.iter().enumerate() {
                 is_corner[v as usize] |= turn_cosine(one, k, positions) < corner_cosine;
             }
-            if !is_closed(one, topology) {
+            if !topology.is_closed_loop(one) {
                 is_corner[one[0] as usize] = true;
                 is_corner[one[one.len() - 1] as usize] = true;
             }
         }
         let curves = loops.iter().map(|one| {
             let mut polyline = one.to_vec();
-            if is_closed(one, topology) {
+            if topology.is_closed_loop(one) {
                 polyline.push(one[0]);
             }
             let curve = Mesh { curves: Ragged::from_iter([polyline]), ..Mesh::default() };
             BoundaryCurve {
                 polyline: Surface::new(positions, &curve),
-                pieces: pieces(one, is_closed(one, topology), &is_corner),
+                pieces: pieces(one, topology.is_closed_loop(one), &is_corner),
                 vertices: one.iter().copied().filter(|&v| !is_corner[v as usize]).collect(),
             }
         });
@@ -86,12 +86,6 @@ fn pieces(one: &[u32], closed: bool, is_corner: &[bool]) -> Vec<BoundaryPiece> {
         ends.push(first + n);
     }
     ends.windows(2).map(|ends| part(ends[0], ends[1], false)).collect()
-}
-
-/// Whether a row of the boundary loops is closed by an edge from its last to its first vertex.
-fn is_closed(one: &[u32], topology: &Topology) -> bool {
-    let closing = topology.edge(one[0], one[one.len() - 1]);
-    one.len() > 2 && closing.is_some_and(|e| topology.is_boundary_edge(e))
 }
 
 /// Returns the cosine of the turning angle of a loop at its vertex `k`; 1 if all its vertices

@@ -152,26 +152,40 @@ impl<'a> Rebuild<'a> {
             between.push(&vertex.between);
         }
         edited.faces.rename(&places);
-        let kept: Vec<bool> = curves.iter().map(|curve| curve.len() > 1).collect();
+        let mut next = 0..;
+        let curve_index: Vec<Option<u32>> =
+            curves.iter().map(|curve| if curve.len() > 1 { next.next() } else { None }).collect();
         edited.curves = curves.iter().filter(|curve| curve.len() > 1).collect();
         edited.curves.rename(&places);
-        edited.groups =
-            mesh.groups.iter().filter_map(|group| rebuilt(group, &parents, &kept)).collect();
+        if !mesh.groups.is_empty() {
+            let mut made = vec![Vec::new(); mesh.faces.len()];
+            for (face, of) in (0..).zip(parents.iter()) {
+                of.iter().for_each(|&parent| made[parent as usize].push(face));
+            }
+            let rebuilt = |group| rebuilt(group, &parents, &made, &curve_index);
+            edited.groups = mesh.groups.iter().filter_map(rebuilt).collect();
+        }
         let vertices = names.iter().map(|&name| index[name as usize]).collect();
         let origins = Origins { vertices, positions, between, faces: parents };
         Edited { mesh: edited, origins }
     }
 }
 
-/// Returns a group with the faces made from its own and the curves that were `kept`; `None` if it
-/// is empty.
-fn rebuilt(group: &Group, parents: &Ragged, kept: &[bool]) -> Option<Group> {
+/// Returns a group with the faces made from its own only and its remaining curves; `None` if it is
+/// empty. `made` are the new faces of each old one.
+fn rebuilt(
+    group: &Group,
+    parents: &Ragged,
+    made: &[Vec<u32>],
+    curve_index: &[Option<u32>],
+) -> Option<Group> {
     let is_in = |face: &u32| group.faces.binary_search(face).is_ok();
-    let made = (0..).zip(parents.iter()).filter(|(_, of)| !of.is_empty() && of.iter().all(is_in));
-    let faces: Vec<u32> = made.map(|(face, _)| face).collect();
-    let before = |curve: u32| kept[..curve as usize].iter().filter(|kept| **kept).count() as u32;
-    let curves: Vec<u32> = group.curves.iter().copied().filter(|&c| kept[c as usize]).collect();
-    let curves: Vec<u32> = curves.into_iter().map(before).collect();
+    let mut faces: Vec<u32> =
+        group.faces.iter().flat_map(|&face| &made[face as usize]).copied().collect();
+    faces.sort_unstable();
+    faces.dedup();
+    faces.retain(|&face| parents.row(face as usize).iter().all(is_in));
+    let curves: Vec<u32> = group.curves.iter().filter_map(|&c| curve_index[c as usize]).collect();
     let has_any = !faces.is_empty() || !curves.is_empty();
     has_any.then(|| Group { faces, curves, ..group.clone() })
 }

@@ -148,6 +148,11 @@ pub(super) fn first_within(positions: &[Point], parts: &[u32], tolerance: f64) -
     };
     let cell_at = |v: u32| cell_of(positions[v as usize]);
     let order = sorted_by_cell(positions.iter().copied().map(cell_of).collect());
+    let begin = |near: [f64; 3]| order.partition_point(|&v| by_cell(cell_at(v), near).is_lt());
+    // The vertices of each cell that are not merged so far, from the place where it begins in
+    // `order`, and their number.
+    let mut apart = vec![0; positions.len()];
+    let mut counts = vec![0; positions.len()];
     let mut first: Vec<u32> = (0..positions.len() as u32).collect();
     for (vertex, &here) in positions.iter().enumerate() {
         let [low, high] = [-tolerance, tolerance].map(|by| here.map(|x| cell(x + by)));
@@ -155,18 +160,22 @@ pub(super) fn first_within(positions: &[Point], parts: &[u32], tolerance: f64) -
         for corner in 0..8 {
             let near: [f64; 3] =
                 std::array::from_fn(|i| if corner >> i & 1 == 0 { low[i] } else { high[i] });
-            let begin = order.partition_point(|&v| by_cell(cell_at(v), near).is_lt());
-            let inside = order[begin..].iter().take_while(|&&v| cell_at(v) == near);
-            for &other in inside.take_while(|&&other| (other as usize) < vertex) {
+            let begin = begin(near);
+            // Without such a cell this is the next one, whose vertices are too far away.
+            let count = counts.get(begin).copied().unwrap_or(0);
+            for &other in apart.iter().skip(begin).take(count) {
                 let away = Vec3::from(positions[other as usize]) - Vec3::from(here);
-                let is_first =
-                    first[other as usize] == other && parts[other as usize] == parts[vertex];
-                if is_first && away.length() <= tolerance {
+                if parts[other as usize] == parts[vertex] && away.length() <= tolerance {
                     nearest = nearest.min(other);
                 }
             }
         }
         first[vertex] = nearest;
+        if nearest as usize == vertex {
+            let begin = begin(cell_of(here));
+            apart[begin + counts[begin]] = nearest;
+            counts[begin] += 1;
+        }
     }
     first
 }

@@ -22,8 +22,14 @@ impl UnrolledStrip {
     pub fn new(positions: &[Point], strip: &[u32], topology: &Topology) -> Option<UnrolledStrip> {
         let (edges, _) = strip.as_chunks::<2>();
         let (first, last) = (edges.first()?, edges.last()?);
-        let meet = |v: u32| first.iter().any(|&w| topology.edge(v, w).is_some());
-        let closed = edges.len() > 2 && last.iter().all(|&v| meet(v));
+        let faces = |&[l, r]: &[u32; 2]| {
+            topology.edge(l, r).map_or(&[][..], |e| topology.edge_faces().row(e as usize))
+        };
+        // The ends of an open strip can be joined by edges without a quad between them.
+        let is_shared = faces(first).iter().any(|face| faces(last).contains(face));
+        let meet =
+            |v: &u32| !first.contains(v) && first.iter().any(|&w| topology.edge(*v, w).is_some());
+        let closed = edges.len() > 2 && is_shared && last.iter().all(meet);
         let at = |v: u32| Vec3::from(positions[v as usize]);
         let mut around = edges.to_vec();
         if closed {

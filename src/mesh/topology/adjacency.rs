@@ -118,6 +118,12 @@ impl Topology {
     pub fn boundary_loops(&self) -> &Ragged {
         &self.boundary_loops
     }
+    /// Whether a row of [`Topology::boundary_loops`] is closed by an edge from its last to its
+    /// first vertex.
+    pub fn is_closed_loop(&self, row: &[u32]) -> bool {
+        let closing = self.edge(row[0], row[row.len() - 1]);
+        row.len() > 2 && closing.is_some_and(|e| self.is_boundary_edge(e))
+    }
     /// Whether the mesh consists of triangles only: it has faces, all have three corners, and every
     /// edge is a side of one.
     pub fn is_triangle_mesh(&self) -> bool {

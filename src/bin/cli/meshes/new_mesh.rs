@@ -4,14 +4,14 @@ use crate::cli::words::{Word, Words};
 use crate::cli::{Failure, input, output};
 use shape_up::begin::{NEW_KINDS, NewKind, Plan, SpanCurve, fill, loft};
 use shape_up::mesh::{Mesh, counted, write_obj};
-use shape_up::scene::{UnitsAndUp, Up};
+use shape_up::scene::UnitsAndUp;
 use std::path::{Path, PathBuf};
 
 /// `shape-up new`.
 #[derive(Debug, PartialEq)]
 pub(in crate::cli) struct New {
     from: From,
-    units: String,
+    units: Option<String>,
     out: Option<PathBuf>,
 }
 
@@ -57,7 +57,7 @@ pub(in crate::cli) fn parse(mut words: Words) -> Result<New, String> {
     }
     let kind = NewKind::of(&id).ok_or_else(|| format!("new makes {}, found `{id}`", known()))?;
     let mut sizes = kind.defaults();
-    let (mut units, mut out) = ("m".to_owned(), None);
+    let (mut units, mut out) = (None, None);
     while let Some(word) = words.next()? {
         let name = match word {
             Word::Option(name) => name,
@@ -67,7 +67,7 @@ pub(in crate::cli) fn parse(mut words: Words) -> Result<New, String> {
         };
         let size = kind.sizes.iter().position(|size| name.strip_prefix("--") == Some(size.id));
         match (name.as_str(), size) {
-            ("--units", _) => units = words.text(&name)?,
+            ("--units", _) => units = Some(words.text(&name)?),
             ("--out", _) => out = Some(words.mesh(&name, &["obj"])?),
             (_, Some(size)) => sizes[size] = words.not_negative(&name)?,
             (_, None) => {
@@ -81,10 +81,10 @@ pub(in crate::cli) fn parse(mut words: Words) -> Result<New, String> {
 }
 
 fn parse_plan(mut words: Words) -> Result<New, String> {
-    let (mut units, mut out, mut file) = ("m".to_owned(), None, None);
+    let (mut units, mut out, mut file) = (None, None, None);
     while let Some(name) = words.option(&mut file)? {
         match name.as_str() {
-            "--units" => units = words.text(&name)?,
+            "--units" => units = Some(words.text(&name)?),
             "--out" => out = Some(words.mesh(&name, &["obj"])?),
             _ => return Err(format!("new plan takes --units, --out, found `{name}`")),
         }
@@ -94,11 +94,11 @@ fn parse_plan(mut words: Words) -> Result<New, String> {
 }
 
 fn parse_span(mut words: Words, name: &str, count: usize) -> Result<New, String> {
-    let (mut units, mut out, mut file) = ("m".to_owned(), None, None);
+    let (mut units, mut out, mut file) = (None, None, None);
     let (mut curves, mut size): (Vec<usize>, _) = ((0..count).collect(), None);
     while let Some(option) = words.option(&mut file)? {
         match option.as_str() {
-            "--units" => units = words.text(&option)?,
+            "--units" => units = Some(words.text(&option)?),
             "--out" => out = Some(words.mesh(&option, &["obj"])?),
             "--size" => size = Some(words.positive(&option)?),
             "--curves" => {
@@ -124,8 +124,10 @@ fn parse_span(mut words: Words, name: &str, count: usize) -> Result<New, String>
 
 /// Makes the mesh and writes it to the file, or to standard output.
 pub(in crate::cli) fn make(command: &New) -> Result<(), Failure> {
-    let mesh = mesh(&command.from)?;
-    let text = UnitsAndUp::comments(&command.units, Up::Z) + &write_obj(&mesh, &mesh.positions);
+    let (mesh, frame) = mesh(&command.from)?;
+    let units = command.units.clone().or(frame.units).unwrap_or_default();
+    let comments = UnitsAndUp::comments(&units, frame.up.unwrap_or_default());
+    let text = comments + &write_obj(&mesh, &mesh.positions);
     let Some(path) = &command.out else { return output::print(&text) };
     output::write(&[(path as &Path, text)])?;
     let vertices = counted(mesh.positions.len(), "vertex", "vertices");
@@ -133,29 +135,40 @@ pub(in crate::cli) fn make(command: &New) -> Result<(), Failure> {
     output::print(&format!("{}: {vertices}, {faces}\n", path.display()))
 }
 
-fn mesh(from: &From) -> Result<Mesh, Failure> {
+/// The mesh, and its unit and up axis: those of the file of its curves, if it has one.
+fn mesh(from: &From) -> Result<(Mesh, UnitsAndUp), Failure> {
+    let metres = UnitsAndUp { units: Some("m".to_owned()), up: None };
     match from {
         From::Kind(id, sizes) => {
             let kind = NewKind::of(id).expect("it was found when it was read");
-            kind.mesh(sizes).map_err(|error| Failure::Input(format!("new {id}: {error}")))
+            let mesh = kind.mesh(sizes);
+            let mesh = mesh.map_err(|error| Failure::Input(format!("new {id}: {error}")))?;
+            Ok((mesh, metres))
         }
         From::Plan(file) => {
             let text = String::from_utf8_lossy(&input::bytes(file)?).into_owned();
             let plan = Plan::from_json(&text).and_then(|plan| plan.mesh());
-            plan.map_err(|error| Failure::Input(format!("{}: {error}", file.display())))
+            let mesh =
+                plan.map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
+            Ok((mesh, metres))
         }
         From::Span(Span { file, curves, size }) => {
-            let known = SpanCurve::all(&input::read_mesh(file)?.mesh);
+            let bytes = input::bytes(file)?;
+            let known = SpanCurve::all(&input::mesh_of(file, &bytes)?.mesh);
+            let frame = UnitsAndUp::stated(&bytes);
+            let up = frame.up.unwrap_or_default().direction();
             let lengths = SpanCurve::labels(&known);
             let made = curves.iter().map(|&number| SpanCurve::of(&known, number));
             let made = made.collect::<Result<Vec<_>, _>>().and_then(|asked| {
                 let size = size.unwrap_or_else(|| PANEL * lengths[curves[0]].length);
                 match asked[..] {
-                    [first, second] => loft(first, second, size),
-                    _ => fill(asked[0], size),
+                    [first, second] => loft(first, second, size, up),
+                    _ => fill(asked[0], size, up),
                 }
             });
-            made.map_err(|error| Failure::Input(format!("{}: {error}", file.display())))
+            let mesh =
+                made.map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
+            Ok((mesh, frame))
         }
     }
 }

@@ -4,10 +4,19 @@
 use crate::example::model::tool::{dual, rounded};
 use crate::mesh::{Mesh, Point, Ragged};
 
-/// The dual of rows of triangles over the square from -1 to 1 in `u` and `v`, mapped by `point`.
-/// There are `rows + 1` rows of triangle corners along `u`; an even row has `across(u)` of them, an
-/// odd row one more, shifted by half their distance.
+/// The dual of rows of triangles over the square from -1 to 1 in `u` and `v`, mapped by `point`,
+/// with few digits.
 pub fn honeycomb(
+    rows: usize,
+    across: impl Fn(f64) -> usize,
+    point: impl Fn(f64, f64) -> Point,
+) -> Mesh {
+    rounded(hexagons(rows, across, point))
+}
+
+/// [`honeycomb`] with all digits. There are `rows + 1` rows of triangle corners along `u`; an even row has `across(u)` of them, an
+/// odd row one more, shifted by half their distance.
+pub(crate) fn hexagons(
     rows: usize,
     across: impl Fn(f64) -> usize,
     point: impl Fn(f64, f64) -> Point,
@@ -19,7 +28,7 @@ pub fn honeycomb(
     };
     let mut cells = dual(&triangles, at_corner);
     cells.positions.iter_mut().for_each(|p| *p = point(p[0], p[1]));
-    rounded(cells)
+    cells
 }
 
 /// Rows of triangles over the square from -1 to 1 in x and y; [`honeycomb`] is their dual.

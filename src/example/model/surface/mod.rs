@@ -35,7 +35,7 @@ pub use court::Court;
 pub use dome::Dome;
 pub use hall::Hall;
 pub use honeycomb::honeycomb;
-pub(crate) use honeycomb::triangle_rows;
+pub(crate) use honeycomb::{hexagons, triangle_rows};
 pub use hypar::Hypar;
 pub use lantern::Lantern;
 pub use mask::Mask;

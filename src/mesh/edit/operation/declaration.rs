@@ -79,6 +79,8 @@ pub enum OperationError {
     Expected(&'static str),
     /// This face would touch itself.
     Touching(u32),
+    /// This face would touch itself if vertices at this distance were welded.
+    TouchingWithin(u32),
     /// More than two faces would meet at an edge of a mesh that has no such edge now.
     Joining,
     /// The result would have no faces.
@@ -100,8 +102,9 @@ impl fmt::Display for OperationError {
                 write!(f, "there is no {element} {index}")
             }
             OperationError::Expected(what) => write!(f, "expected {what}"),
-            OperationError::Touching(face) => {
-                write!(f, "face {face} would touch itself; try a smaller distance")
+            OperationError::Touching(face) => write!(f, "face {face} would touch itself"),
+            OperationError::TouchingWithin(face) => {
+                write!(f, "{}; try a smaller distance", OperationError::Touching(*face))
             }
             OperationError::Joining => f.write_str(
                 "more than two faces would meet at an edge: some faces have several edges in common",

@@ -4,6 +4,7 @@ use super::declaration::{OperationError, Task};
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::{Rebuild, around};
 use crate::mesh::edit::sharp::Sharp;
+use crate::mesh::{Mesh, ProblemKind, elements_with_problem};
 
 /// Builds the dual, with corners at face centres. The face of a boundary vertex also has the
 /// midpoints of its boundary edges as corners, and the vertex if the boundary turns there by more
@@ -17,9 +18,7 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
         if topology.vertex_faces().row(v as usize).is_empty() {
             continue;
         }
-        let steps = around(mesh, topology, v).ok_or(OperationError::Expected(
-            "faces with consistent orientation: unify the orientation first",
-        ))?;
+        let steps = around(mesh, topology, v).ok_or_else(|| refusal(mesh))?;
         let (Some(first), Some(last)) = (steps.first(), steps.last()) else { continue };
         let mut corners: Vec<u32> = steps.iter().map(|step| middles[step.face as usize]).collect();
         let is_open = first.out != last.back;
@@ -37,4 +36,14 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
         }
     }
     Ok(rebuild.finish())
+}
+
+/// Why the faces around some vertex have no cyclic order.
+fn refusal(mesh: &Mesh) -> OperationError {
+    let flipped = elements_with_problem(mesh, ProblemKind::FlippedNeighbour).edges;
+    OperationError::Expected(if flipped.is_empty() {
+        "one ring of faces around each vertex: some faces touch at a vertex only, or more than two at an edge"
+    } else {
+        "faces with consistent orientation: unify the orientation first"
+    })
 }

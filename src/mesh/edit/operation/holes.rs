@@ -9,7 +9,9 @@ use crate::mesh::edit::rebuild::Rebuild;
 pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     let Task { mesh, topology, .. } = task;
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
-    let loops: Vec<&[u32]> = topology.boundary_loops().iter().collect();
+    // An open chain, such as the rim of a wall on a floor, encloses no hole.
+    let loops = topology.boundary_loops().iter().filter(|row| topology.is_closed_loop(row));
+    let loops: Vec<&[u32]> = loops.collect();
     let is_picked = task.picked_vertices();
     let length = |corners: &[u32]| -> f64 {
         crate::math::polygon_sides(corners).map(|[a, b]| (at(b) - at(a)).length()).sum()
@@ -26,12 +28,12 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
         return Err(OperationError::Expected(if task.vertices.is_empty() {
             "a hole other than the outline; to close the outline, select one of its vertices"
         } else {
-            "a selected vertex on a boundary"
+            "a selected vertex on a closed boundary"
         }));
     }
     let mut rebuild = Rebuild::new(mesh);
     rebuild.keep(task.all_faces())?;
-    for corners in holes.into_iter().filter(|corners| corners.len() > 2) {
+    for corners in holes {
         // Boundary loops have the orientation of their faces, so the closing face is reversed.
         let closing: Vec<u32> = corners.iter().rev().copied().collect();
         rebuild.face(&closing, &[]);

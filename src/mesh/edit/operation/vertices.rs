@@ -1,27 +1,32 @@
 //! Welding, merging and snapping vertices.
 
 use super::declaration::{OperationError, Task};
+use crate::mesh::Point;
 use crate::mesh::edit::origins::Edited;
-use crate::mesh::edit::rebuild::Rebuild;
+use crate::mesh::edit::rebuild::{Rebuild, Touching};
 use crate::mesh::edit::weld::first_within;
 
 /// Welds each picked vertex to the first picked vertex within the size.
 pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
-    let is_picked = task.picked_vertices();
-    // Each unpicked vertex is a part of its own, so that it is not welded.
-    let parts: Vec<u32> =
-        (1..).zip(is_picked).map(|(own, picked)| if picked { 0 } else { own }).collect();
-    let first = first_within(&task.mesh.positions, &parts, task.sizes[0]);
+    let (picked, positions): (Vec<u32>, Vec<Point>) = (0..)
+        .zip(task.picked_vertices())
+        .zip(&task.mesh.positions)
+        .filter_map(|((v, is_picked), &position)| is_picked.then_some((v, position)))
+        .unzip();
+    let first = first_within(&positions, &vec![0; picked.len()], task.sizes[0]);
     let mut rebuild = Rebuild::new(task.mesh);
     let mut welds = 0;
-    for (v, &first) in (0..).zip(&first).filter(|(v, first)| *v != **first) {
-        rebuild.merge(&[v, first], &[first]);
-        welds += 1;
+    for (&v, first) in picked.iter().zip(first).map(|(v, k)| (v, picked[k as usize])) {
+        if v != first {
+            rebuild.merge(&[v, first], &[first]);
+            welds += 1;
+        }
     }
     if welds == 0 {
         return Err(OperationError::Expected("vertices within this distance of each other"));
     }
-    rebuild.keep(task.all_faces())?;
+    let kept = rebuild.keep(task.all_faces());
+    kept.map_err(|Touching(face)| OperationError::TouchingWithin(face))?;
     Ok(rebuild.finish())
 }
 
