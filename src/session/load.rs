@@ -85,9 +85,8 @@ impl Checked {
     /// # Errors
     /// If the system is singular.
     fn open(mut self) -> Result<Session, Error> {
-        let start = self.scene.current.take();
-        let design = self.scene.variants.design_positions().unwrap_or(self.rest.positions());
-        let start = start.unwrap_or_else(|| design.to_vec());
+        let start = self.scene.start(self.rest.mesh()).to_vec();
+        self.scene.current = None;
         let handles = flat(&std::mem::take(&mut self.scene.handles), self.rest.positions());
         self.set_up(handles, &start, None)
     }
