@@ -26,10 +26,19 @@ fn wave() -> Session {
 
 /// Bumps with edges across the lines of curvature: circular panels would crumple it.
 fn bumps() -> Mesh {
+    bumps_of(12)
+}
+
+/// Fewer of them: some would fold if they were made flat.
+fn few_bumps() -> Mesh {
+    bumps_of(8)
+}
+
+fn bumps_of(size: u32) -> Mesh {
     let sine = |n: u32| libm::sin(f64::from(n) / 2.0);
     // Rounded to six digits, as in a file.
     let height = |i: u32, j: u32| (2e6 * sine(i) * sine(j)).round() / 1e6;
-    grid(12, 12, |i, j| [f64::from(i), f64::from(j), height(i, j)])
+    grid(size, size, |i, j| [f64::from(i), f64::from(j), height(i, j)])
 }
 
 fn folded(session: &Session) -> usize {
@@ -206,6 +215,20 @@ fn a_press_that_would_fold_eases_the_panels_that_would_and_no_others() {
         assert!(again.exact().is_some_and(|exact| exact.met));
         assert_eq!(again.verdict(asked).expect("it is asked").eased, Some(eased));
     }
+}
+
+#[test]
+fn only_the_tolerance_of_all_panels_is_eased_where_another_row_has_the_same() {
+    let asked = session(few_bumps(), "").tolerance();
+    let own = json!([{ "kind": "plane", "on": { "vertices": [0, 1, 10, 9] },
+        "require": { "within": asked } }]);
+    let mut session = session(few_bumps(), &format!(r#", "constraints": {own}"#));
+    session.make_panels("plane", asked, false).expect("it has quads");
+    run(&mut session);
+    assert_eq!(folded(&session), 0);
+    let rows = &session.document().constraints;
+    assert_eq!((rows[0].require, &rows[0].eased), (Require::Within(asked), &None));
+    assert!(rows[1].eased.is_some(), "some panels would fold");
 }
 
 #[test]
