@@ -84,6 +84,11 @@ impl Session {
     /// Begins to meet the hard constraints; returns false if there are none.
     pub(super) fn begin_meeting(&mut self) -> Result<bool, Error> {
         self.scene.settle();
+        // What an interrupted run had eased by then may be more than is needed.
+        let parts = self.ease_rows(None);
+        if !parts.is_empty() {
+            self.go_to(&self.positions(), parts)?;
+        }
         let Some(exact) = self.meeting()? else { return Ok(false) };
         self.meeting = Some(Meeting::new(exact, self.attempts()));
         Ok(true)

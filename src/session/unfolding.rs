@@ -107,13 +107,17 @@ impl Session {
         // Use no larger tolerance than needed.
         eased.within = two_digits_above(farthest).clamp(asked, eased.within);
         let report = Eased { asked, within: eased.within, panels: eased.faces.len(), folded };
+        Some((self.ease_rows(Some(&eased)), report))
+    }
+
+    /// Returns the changes that give these eased faces to the rows that may have them.
+    pub(super) fn ease_rows(&self, eased: Option<&EasedFaces>) -> Vec<Part> {
         let rows = self.document().constraints.iter().enumerate();
-        let rows = rows.filter(|(_, row)| self.may_ease(row));
+        let rows = rows.filter(|(_, row)| self.may_ease(row) && row.eased.as_ref() != eased);
         let ease = |(index, row)| {
-            let eased = Some(eased.clone());
-            Part::RowValues(index, RowValues { eased, ..RowValues::of(row) })
+            Part::RowValues(index, RowValues { eased: eased.cloned(), ..RowValues::of(row) })
         };
-        Some((rows.map(ease).collect(), report))
+        rows.map(ease).collect()
     }
 }
 

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use shape_up::begin::{Plan, PlanLayout, PlanPoint, Support};
 use shape_up::mesh::{BoundingSphere, Mesh, folded_faces};
 use shape_up::scene::Scene;
-use shape_up::session::{Session, Verdict};
+use shape_up::session::{Edit, Session, Verdict};
 use shape_up::solve::Require;
 
 /// A session with the weights of an opened mesh.
@@ -229,6 +229,29 @@ fn only_the_tolerance_of_all_panels_is_eased_where_another_row_has_the_same() {
     let rows = &session.document().constraints;
     assert_eq!((rows[0].require, &rows[0].eased), (Require::Within(asked), &None));
     assert!(rows[1].eased.is_some(), "some panels would fold");
+}
+
+#[test]
+fn a_press_that_is_interrupted_eases_no_more_than_one_that_is_not() {
+    let asked = session(few_bumps(), "").tolerance();
+    let eased = |interruptions: &[usize]| {
+        let mut session = session(few_bumps(), "");
+        session.make_panels("plane", asked, false).expect("it has quads");
+        for (steps, units) in interruptions.iter().zip(["mm", "cm", "m"]) {
+            (0..*steps).for_each(|_| assert!(!session.step().expect("it stays finite").ended));
+            session.edit(Edit::SetUnits { units: units.to_owned() }).expect("nothing is locked");
+            session.begin_run();
+        }
+        run(&mut session);
+        assert_eq!(folded(&session), 0);
+        assert!(session.exact().is_some_and(|exact| exact.met));
+        verdict(&mut session).eased.expect("some panels would fold").panels
+    };
+    let whole = eased(&[]);
+    // While it iterates, in the first attempt, and with tolerances eased so far.
+    for interruptions in [&[20][..], &[600], &[1150], &[20, 300, 500]] {
+        assert_eq!(eased(interruptions), whole, "{interruptions:?}");
+    }
 }
 
 #[test]
