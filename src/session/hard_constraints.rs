@@ -84,13 +84,14 @@ impl Session {
     /// Begins to meet the hard constraints; returns false if there are none.
     pub(super) fn begin_meeting(&mut self) -> Result<bool, Error> {
         self.scene.settle();
+        let converged = self.converged();
         // What an interrupted run had eased by then may be more than is needed.
         let parts = self.ease_rows(None);
         if !parts.is_empty() {
             self.go_to(&self.positions(), parts)?;
         }
         let Some(exact) = self.meeting()? else { return Ok(false) };
-        self.meeting = Some(Meeting::new(exact, self.attempts()));
+        self.meeting = Some(Meeting::new(exact, self.attempts(), converged));
         Ok(true)
     }
 
@@ -129,7 +130,7 @@ impl Session {
     /// Returns false if none was under way.
     pub(super) fn end_meeting(&mut self, improves: bool) -> Result<bool, Error> {
         let Some(end) = self.meeting.take().map(Meeting::end) else { return Ok(false) };
-        let MeetingEnd { mut exact, attempt, is_whole, folded_at_first, attempts } = end;
+        let MeetingEnd { mut exact, attempt, is_whole, folded_at_first, attempts, converged } = end;
         let mut improved = Ok(());
         if improves {
             exact.improve();
@@ -148,6 +149,7 @@ impl Session {
         let allowed = self.hard_distance().filter(|_| matches!(attempt, Attempt::Exact));
         if let Some(met) = &mut self.met {
             (met.report.attempts, met.report.eased) = (attempts, eased);
+            met.converged = converged;
             if let Some((_, tolerance, _)) = allowed {
                 met.report.tolerance = tolerance;
             }

@@ -14,6 +14,8 @@ pub(crate) struct Met {
     document: Scene,
     /// Whether all attempts ended without interruption.
     is_whole: bool,
+    /// Whether the iterations before them had converged.
+    pub(crate) converged: bool,
     pub(crate) report: ExactReport,
 }
 
@@ -25,6 +27,7 @@ impl Met {
             handles: Rc::clone(scene.handles()),
             document: scene.document().clone(),
             is_whole: true,
+            converged: false,
             report,
         }
     }
