@@ -12,7 +12,7 @@ use crate::solve::{Exact, SolveError};
 
 impl Session {
     /// Returns the exact solver of the hard constraints, which starts at the current shape; none if
-    /// there are no hard constraints. The host steps it and passes it to [`Session::accept`].
+    /// there are no hard constraints.
     ///
     /// # Errors
     /// If a set of the scene does not exist.
@@ -28,16 +28,6 @@ impl Session {
         self.with_requirements(required, |problem, requirements, handles, start, cache| {
             Exact::new(&problem, &requirements, handles, start, cache)
         })
-    }
-
-    /// Accepts the shape of the solver, as a part of the run under way.
-    ///
-    /// # Errors
-    /// If the system would be singular; nothing has changed then.
-    pub fn accept(&mut self, exact: &Exact) -> Result<(), Error> {
-        self.go_to(&exact.positions(), Vec::new())?;
-        self.note_met(exact);
-        Ok(())
     }
 
     /// Meets the hard constraints, if there are any, and then improves the shape if requested.
