@@ -164,7 +164,7 @@ impl Penalised {
                 "the penalty method keeps vertices close to points, expected \"rest\" or \"none\"",
             ));
         }
-        let mut positions = scene.current.clone().unwrap_or_else(|| mesh.positions.clone());
+        let mut positions = scene.start(mesh).to_vec();
         let mut fixed = vec![false; positions.len()];
         for (k, handle) in scene.handles.iter().enumerate() {
             if handle.hold != Hold::Fixed {

@@ -126,6 +126,15 @@ impl Variants {
     }
 }
 
+impl Scene {
+    /// Returns the positions that the scene starts at, `#V by 3`: the current ones, otherwise those
+    /// of the design, which may be the rest shape `mesh`.
+    pub fn start<'a>(&'a self, mesh: &'a Mesh) -> &'a [Point] {
+        let design = || self.variants.design_positions().unwrap_or(&mesh.positions);
+        self.current.as_deref().unwrap_or_else(design)
+    }
+}
+
 fn shared<'de, D: Deserializer<'de>>(from: D) -> Result<Rc<[Point]>, D::Error> {
     Vec::deserialize(from).map(Rc::from)
 }

@@ -50,6 +50,7 @@ pub use error::SceneError;
 pub use frame::UnitsAndUp;
 pub use json::{FORMAT, VERSION};
 pub use lesson::{Goal, GoalOf, Lesson, Lock};
+pub(crate) use panels::all_faces;
 pub use panels::{
     Forecast, ForecastOfKind, HowFar, MeshRemedy, PanelOffer, panel_offers, panel_remedy,
 };

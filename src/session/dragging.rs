@@ -137,7 +137,10 @@ impl Session {
     pub fn begin_run(&mut self) {
         self.guard.set_ignore_collapse(false);
         self.leave_variation();
-        self.unfolding = Unfolding::Smoother;
+        // A run that was interrupted goes on with the tolerance that it was asked for.
+        if !self.document().constraints.iter().any(|row| self.may_ease(row)) {
+            self.unfolding = Unfolding::Smoother;
+        }
         if self.transaction.is_none() {
             self.begin(Transaction::run);
         }
@@ -193,7 +196,9 @@ impl Session {
     pub fn end_run(&mut self) {
         let met = self.end_meeting(false).expect("the state was solvable before");
         let Some(transaction) = self.transaction.take_if(|t| t.is_run()) else { return };
-        if !met && !self.is_met() {
+        if self.is_met() {
+            self.unfolding = Unfolding::Smoother;
+        } else if !met {
             self.scene.settle();
         }
         self.guard.look(&self.scene, &self.rest, false);

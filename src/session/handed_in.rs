@@ -87,6 +87,7 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     still.lesson = scene.lesson;
     still.sets = scene.sets;
     still.constraints = scene.constraints;
+    still.pose = scene.pose;
     still.current = Some(results.positions.clone());
     let mut still = Session::open(still, mesh)?;
     still.set_build_numbers(numbers);

@@ -12,7 +12,7 @@ use crate::solve::{Exact, SolveError};
 
 impl Session {
     /// Returns the exact solver of the hard constraints, which starts at the current shape; none if
-    /// there are no hard constraints. The host steps it and passes it to [`Session::accept`].
+    /// there are no hard constraints.
     ///
     /// # Errors
     /// If a set of the scene does not exist.
@@ -28,16 +28,6 @@ impl Session {
         self.with_requirements(required, |problem, requirements, handles, start, cache| {
             Exact::new(&problem, &requirements, handles, start, cache)
         })
-    }
-
-    /// Accepts the shape of the solver, as a part of the run under way.
-    ///
-    /// # Errors
-    /// If the system would be singular; nothing has changed then.
-    pub fn accept(&mut self, exact: &Exact) -> Result<(), Error> {
-        self.go_to(&exact.positions(), Vec::new())?;
-        self.note_met(exact);
-        Ok(())
     }
 
     /// Meets the hard constraints, if there are any, and then improves the shape if requested.
@@ -84,8 +74,14 @@ impl Session {
     /// Begins to meet the hard constraints; returns false if there are none.
     pub(super) fn begin_meeting(&mut self) -> Result<bool, Error> {
         self.scene.settle();
+        let converged = self.converged();
+        // What an interrupted run had eased by then may be more than is needed.
+        let parts = self.ease_rows(None);
+        if !parts.is_empty() {
+            self.go_to(&self.positions(), parts)?;
+        }
         let Some(exact) = self.meeting()? else { return Ok(false) };
-        self.meeting = Some(Meeting::new(exact, self.attempts()));
+        self.meeting = Some(Meeting::new(exact, self.attempts(), converged));
         Ok(true)
     }
 
@@ -124,7 +120,7 @@ impl Session {
     /// Returns false if none was under way.
     pub(super) fn end_meeting(&mut self, improves: bool) -> Result<bool, Error> {
         let Some(end) = self.meeting.take().map(Meeting::end) else { return Ok(false) };
-        let MeetingEnd { mut exact, attempt, is_whole, folded_at_first, attempts } = end;
+        let MeetingEnd { mut exact, attempt, is_whole, folded_at_first, attempts, converged } = end;
         let mut improved = Ok(());
         if improves {
             exact.improve();
@@ -143,6 +139,7 @@ impl Session {
         let allowed = self.hard_distance().filter(|_| matches!(attempt, Attempt::Exact));
         if let Some(met) = &mut self.met {
             (met.report.attempts, met.report.eased) = (attempts, eased);
+            met.converged = converged;
             if let Some((_, tolerance, _)) = allowed {
                 met.report.tolerance = tolerance;
             }

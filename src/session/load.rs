@@ -50,7 +50,7 @@ impl Session {
         let (positions, handles) = (scene.positions().to_vec(), scene.handles().to_vec());
         let past = Past { progress, guard, history, transaction };
         Suspended {
-            mesh: rest.into_mesh(),
+            rest: rest.into_parts(),
             document: scene.into_document(),
             handles,
             positions,
@@ -85,9 +85,8 @@ impl Checked {
     /// # Errors
     /// If the system is singular.
     fn open(mut self) -> Result<Session, Error> {
-        let start = self.scene.current.take();
-        let design = self.scene.variants.design_positions().unwrap_or(self.rest.positions());
-        let start = start.unwrap_or_else(|| design.to_vec());
+        let start = self.scene.start(self.rest.mesh()).to_vec();
+        self.scene.current = None;
         let handles = flat(&std::mem::take(&mut self.scene.handles), self.rest.positions());
         self.set_up(handles, &start, None)
     }
@@ -131,7 +130,8 @@ impl Checked {
 
 /// A session without its solver and other derived data.
 struct Suspended {
-    mesh: Mesh,
+    /// See [`RestMesh::into_parts`].
+    rest: (Mesh, u32, Vec<String>),
     document: Scene,
     handles: Vec<Handle>,
     /// Current positions, `#V by 3`.
@@ -153,7 +153,9 @@ impl Suspended {
     /// # Errors
     /// If the system is singular, which it was not before.
     fn resume(self) -> Result<Session, Error> {
-        let checked = Checked::new(self.document, self.mesh)?;
+        let (mesh, generation, lost) = self.rest;
+        let mut checked = Checked::new(self.document, mesh)?;
+        checked.rest.restore(generation, lost);
         checked.set_up(self.handles, &self.positions, Some(self.past))
     }
 }

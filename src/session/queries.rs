@@ -194,13 +194,15 @@ impl Session {
 
     /// Returns the report on the current state.
     pub fn report(&self) -> Report {
-        let collapsed = self.collapse().is_some();
+        // The steps that meet hard constraints are not iterations.
+        let converged =
+            self.scene.solver().converged() || self.met_here().is_some_and(|met| met.converged);
         Report::of(
             &self.scene,
             &self.rest,
             &self.progress,
             &self.measures(),
-            collapsed,
+            converged && self.collapse().is_none(),
             self.exact(),
         )
     }

@@ -6,7 +6,7 @@ use super::run::{Attempt, Attempts, Eased, Outcome, Tolerances, Unfolding};
 use super::state::{Part, RowValues};
 use crate::error::Error;
 use crate::mesh::Point;
-use crate::scene::{ConstraintSpec, EasedFaces, SmoothnessOf};
+use crate::scene::{ConstraintSpec, EasedFaces, SmoothnessOf, all_faces};
 use crate::solve::{Exact, ExactAnswer, Require, Requirements, Weights};
 
 impl Session {
@@ -79,9 +79,10 @@ impl Session {
         start
     }
 
-    /// Whether the tolerance of a row may be eased.
-    fn may_ease(&self, row: &ConstraintSpec) -> bool {
-        matches!(self.unfolding, Unfolding::Eased(asked) if row.require == Require::Within(asked))
+    /// Whether the tolerance of a row may be eased: it is that of all panels.
+    pub(super) fn may_ease(&self, row: &ConstraintSpec) -> bool {
+        let Unfolding::Eased(asked) = self.unfolding else { return false };
+        row.enabled && row.require == Require::Within(asked) && row.on == all_faces()
     }
 
     /// Returns the changes that ease the rows to `tolerances`, and a report. `folded` faces would
@@ -106,13 +107,17 @@ impl Session {
         // Use no larger tolerance than needed.
         eased.within = two_digits_above(farthest).clamp(asked, eased.within);
         let report = Eased { asked, within: eased.within, panels: eased.faces.len(), folded };
+        Some((self.ease_rows(Some(&eased)), report))
+    }
+
+    /// Returns the changes that give these eased faces to the rows that may have them.
+    pub(super) fn ease_rows(&self, eased: Option<&EasedFaces>) -> Vec<Part> {
         let rows = self.document().constraints.iter().enumerate();
-        let rows = rows.filter(|(_, row)| self.may_ease(row));
+        let rows = rows.filter(|(_, row)| self.may_ease(row) && row.eased.as_ref() != eased);
         let ease = |(index, row)| {
-            let eased = Some(eased.clone());
-            Part::RowValues(index, RowValues { eased, ..RowValues::of(row) })
+            Part::RowValues(index, RowValues { eased: eased.cloned(), ..RowValues::of(row) })
         };
-        Some((rows.map(ease).collect(), report))
+        rows.map(ease).collect()
     }
 }
 

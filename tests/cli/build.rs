@@ -96,6 +96,23 @@ fn the_scene_says_what_the_command_line_does_not() {
 }
 
 #[test]
+fn a_scene_saved_at_its_design_is_built_as_designed() {
+    let folder = Folder::new("build-design");
+    let square = |size: u32| format!("[[0,0,0],[{size},0,0],[{size},{size},0],[0,{size},0]]");
+    let (opened, design) = (square(1), square(3));
+    let scene = format!(
+        r#"{{ "format": "shape-up-scene", "version": 1, "units": "mm",
+            "mesh": {{ "positions": {opened}, "faces": [[0, 1, 2, 3]] }},
+            "variants": {{ "kept": [{{ "name": "Wide", "positions": {design} }}], "design": 0 }},
+            "build": {{ "scale": 1 }} }}"#
+    );
+    folder.write("s.shapeup.json", scene);
+    folder.run(&["build", "s.shapeup.json", "--report", "r.json"]).done();
+    let area = folder.json("r.json")["cut_area_mm2"].as_f64().unwrap();
+    assert!((area - 9.0).abs() < 1e-9, "{area}");
+}
+
+#[test]
 fn what_cannot_be_built_or_asked_is_refused_in_one_line() {
     let folder = Folder::new("build-faults");
     folder.write("points.obj", "v 0 0 0\nv 1 0 0\n").write("roof.obj", ROOF);

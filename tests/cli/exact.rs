@@ -40,6 +40,20 @@ fn a_tolerance_is_met_and_moves_less() {
 }
 
 #[test]
+fn meeting_constraints_leaves_what_stopped_the_iterations() {
+    let folder = Folder::new("stopped");
+    folder.write("roof.obj", ROOF);
+    let stopped_by = |limit: &str| {
+        let asked = ["solve", "roof.obj", "--panels", "circle", "--exact", "--report", "r.json"];
+        let words = folder.run(&[&asked[..], &["--iterations", limit]].concat()).done();
+        assert!(words.contains("hard constraints met: "), "{words}");
+        folder.json("r.json")["stopped_by"].clone()
+    };
+    assert_eq!(stopped_by("5000"), "tolerance");
+    assert_eq!(stopped_by("1"), "iterations");
+}
+
+#[test]
 fn an_improvement_says_what_it_gained() {
     let folder = Folder::new("improve");
     folder.write("roof.obj", ROOF);

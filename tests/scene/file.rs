@@ -8,6 +8,7 @@ use shape_up::scene::{
     ConstraintSpec, EasedFaces, Factorization, HandleSpec, Hold, MeshSource, Require, Scene,
     SceneError, Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
 };
+use std::time::Instant;
 
 /// Two squares side by side.
 fn two_squares() -> Mesh {
@@ -318,6 +319,30 @@ fn only_what_is_not_the_default_is_written() {
         "{\n  \"format\": \"shape-up-scene\",\n  \"version\": 1,\n  \
          \"mesh\": { \"file\": \"roof.obj\" },\n  \"constraints\": []\n}\n"
     );
+}
+
+#[test]
+fn a_group_for_each_panel_takes_hardly_longer_to_write_than_the_panels() {
+    let faces = Ragged::from_iter((0..20_000).map(|_| [0, 1, 4, 3]));
+    let panels = Mesh { faces, ..two_squares() };
+    let named = |face: u32| Group {
+        name: format!("panel {face}"),
+        keyword: GroupKeyword::Group,
+        faces: vec![face],
+        curves: Vec::new(),
+    };
+    let grouped = Mesh { groups: (0..20_000).map(named).collect(), ..panels.clone() };
+    let scene = Scene::new(MeshSource::Inline(Box::default()));
+    let seconds = |mesh: &Mesh| {
+        let begun = Instant::now();
+        assert!(!scene.to_json(mesh).is_empty());
+        begun.elapsed().as_secs_f64()
+    };
+    // Before and after, because other tests run beside this one.
+    let before = seconds(&panels);
+    let took = seconds(&grouped);
+    let unit = before.max(seconds(&panels));
+    assert!(took < 12.0 * unit, "{took} s, without groups {unit} s");
 }
 
 #[test]

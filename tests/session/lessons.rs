@@ -1,8 +1,10 @@
 //! Lessons: goals are measured on the current shape, and handed-in results are measured again.
 
 use crate::grid::bumpy;
+use serde_json::json;
+use shape_up::constraint::Kind;
 use shape_up::mesh::Mesh;
-use shape_up::scene::{Lesson, Results, Scene};
+use shape_up::scene::{Lesson, Pose, Results, Scene};
 use shape_up::session::{Edit, Session, check_results};
 use shape_up::solve::Require;
 
@@ -194,6 +196,22 @@ fn results_are_written_read_and_measured_again() {
             (measured.value.expect("it has one"), said.value.expect("it has one"));
         assert!((measured - said).abs() <= 1e-9 * said.abs() + 1e-12, "{measured} is not {said}");
     }
+}
+
+#[test]
+fn results_on_the_pose_of_a_scene_are_measured_against_that_pose() {
+    // Every face keeps its shape in the pose, twice as large.
+    let mut own = scene();
+    let pose: Vec<_> = bumpy(5).positions.iter().map(|point| point.map(|x| 2.0 * x)).collect();
+    own.pose = Some(Pose::Positions(pose.clone().into()));
+    own.constraints[0].kind = Kind::new("rigid", json!({})).expect("it is a kind");
+    own.lesson.as_mut().expect("it has one").goals.drain(..2);
+    own.current = Some(pose);
+    let results = Session::open(own.clone(), bumpy(5)).expect("it fits").results("Ada", "");
+    let results = results.expect("it is a lesson");
+    assert!(results.passed);
+    let checked = check_results(&results, own, bumpy(5)).expect("they are of this scene");
+    assert!(checked.goals[0].met, "{checked:?}");
 }
 
 #[test]

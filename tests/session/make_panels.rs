@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use shape_up::begin::{Plan, PlanLayout, PlanPoint, Support};
 use shape_up::mesh::{BoundingSphere, Mesh, folded_faces};
 use shape_up::scene::Scene;
-use shape_up::session::{Session, Verdict};
+use shape_up::session::{Edit, Session, Verdict};
 use shape_up::solve::Require;
 
 /// A session with the weights of an opened mesh.
@@ -26,10 +26,19 @@ fn wave() -> Session {
 
 /// Bumps with edges across the lines of curvature: circular panels would crumple it.
 fn bumps() -> Mesh {
+    bumps_of(12)
+}
+
+/// Fewer of them: some would fold if they were made flat.
+fn few_bumps() -> Mesh {
+    bumps_of(8)
+}
+
+fn bumps_of(size: u32) -> Mesh {
     let sine = |n: u32| libm::sin(f64::from(n) / 2.0);
     // Rounded to six digits, as in a file.
     let height = |i: u32, j: u32| (2e6 * sine(i) * sine(j)).round() / 1e6;
-    grid(12, 12, |i, j| [f64::from(i), f64::from(j), height(i, j)])
+    grid(size, size, |i, j| [f64::from(i), f64::from(j), height(i, j)])
 }
 
 fn folded(session: &Session) -> usize {
@@ -205,6 +214,43 @@ fn a_press_that_would_fold_eases_the_panels_that_would_and_no_others() {
                 .expect("it fits");
         assert!(again.exact().is_some_and(|exact| exact.met));
         assert_eq!(again.verdict(asked).expect("it is asked").eased, Some(eased));
+    }
+}
+
+#[test]
+fn only_the_tolerance_of_all_panels_is_eased_where_another_row_has_the_same() {
+    let asked = session(few_bumps(), "").tolerance();
+    let own = json!([{ "kind": "plane", "on": { "vertices": [0, 1, 10, 9] },
+        "require": { "within": asked } }]);
+    let mut session = session(few_bumps(), &format!(r#", "constraints": {own}"#));
+    session.make_panels("plane", asked, false).expect("it has quads");
+    run(&mut session);
+    assert_eq!(folded(&session), 0);
+    let rows = &session.document().constraints;
+    assert_eq!((rows[0].require, &rows[0].eased), (Require::Within(asked), &None));
+    assert!(rows[1].eased.is_some(), "some panels would fold");
+}
+
+#[test]
+fn a_press_that_is_interrupted_eases_no_more_than_one_that_is_not() {
+    let asked = session(few_bumps(), "").tolerance();
+    let eased = |interruptions: &[usize]| {
+        let mut session = session(few_bumps(), "");
+        session.make_panels("plane", asked, false).expect("it has quads");
+        for (steps, units) in interruptions.iter().zip(["mm", "cm", "m"]) {
+            (0..*steps).for_each(|_| assert!(!session.step().expect("it stays finite").ended));
+            session.edit(Edit::SetUnits { units: units.to_owned() }).expect("nothing is locked");
+            session.begin_run();
+        }
+        run(&mut session);
+        assert_eq!(folded(&session), 0);
+        assert!(session.exact().is_some_and(|exact| exact.met));
+        verdict(&mut session).eased.expect("some panels would fold").panels
+    };
+    let whole = eased(&[]);
+    // While it iterates, in the first attempt, and with tolerances eased so far.
+    for interruptions in [&[20][..], &[600], &[1150], &[20, 300, 500]] {
+        assert_eq!(eased(interruptions), whole, "{interruptions:?}");
     }
 }
 

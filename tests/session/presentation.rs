@@ -2,7 +2,7 @@
 
 use crate::grid::bumpy;
 use serde_json::{Value, json};
-use shape_up::scene::{Scene, Slide, Variant, Variants, Weights};
+use shape_up::scene::{Lesson, Scene, Slide, Variant, Variants, Weights};
 use shape_up::session::{Edit, Session};
 
 /// Two steps: the rest shape with other weights, and a kept shape.
@@ -75,6 +75,19 @@ fn a_variant_that_is_taken_away_is_in_no_step() {
     let mut session = session();
     session.edit(Edit::RemoveVariant { index: 0 }).expect("it is not the design");
     assert_eq!(session.document().steps[1].variant, None);
+    session.undo().expect("it was solvable");
+    assert_eq!(session.document().steps[1].variant, Some(0));
+}
+
+#[test]
+fn a_lesson_saved_without_its_variants_has_no_step_that_goes_to_one() {
+    let mut session = session();
+    let goal = r#"{ "text": "Flat.", "goals": [{ "measure": "planarity", "at_most": 1 }] }"#;
+    let lesson = Some(Lesson::from_json(goal).expect("it is a lesson"));
+    session.edit(Edit::SetLesson { lesson, unsolved: true }).expect("it can be measured");
+    let text = session.scene().to_json(session.mesh());
+    let saved = Scene::from_json(&text).expect("it reads back");
+    Session::open(saved, bumpy(3)).expect("what is saved can be opened");
     session.undo().expect("it was solvable");
     assert_eq!(session.document().steps[1].variant, Some(0));
 }

@@ -3,7 +3,7 @@
 
 use crate::grid::{bumpy, grid};
 use crate::refine::{everything, open};
-use shape_up::mesh::Mesh;
+use shape_up::mesh::{Mesh, Ragged};
 use shape_up::session::{Edit, Remeshing, RemeshingPreview, Session};
 
 fn remeshing(operation: &str, sizes: &[f64], vertices: &[u32], faces: &[u32]) -> Remeshing {
@@ -60,6 +60,29 @@ fn what_is_left_goes_along_and_what_is_gone_is_said() {
     assert_eq!(everything(&session), before);
     session.redo().expect("it was solvable");
     assert_eq!(session.mesh().faces.len(), 15);
+}
+
+#[test]
+fn closeness_where_nothing_is_left_is_left_out_as_constraints_are() {
+    // A cube without its lid: filling the hole leaves no boundary.
+    let positions = (0..8u32).map(|v| [v & 1, v >> 1 & 1, v >> 2].map(f64::from)).collect();
+    let sides = [[0, 2, 3, 1], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];
+    let mut faces = Ragged::new();
+    sides.iter().for_each(|side| faces.push(side));
+    let cube = Mesh { positions, faces, ..Mesh::default() };
+    let rim = r#""closeness": { "to": "rest", "weights": [{ "on": "boundary", "weight": 5 }] }"#;
+    let mut session = open(rim, cube);
+    session.edit(Edit::Remesh(remeshing("fill", &[], &[4], &[]))).expect("there is a hole");
+    assert!(session.document().closeness.weights.is_empty());
+    let lost = session.lost();
+    assert!(lost.len() == 1 && lost[0].starts_with("Left out: the closeness of "), "{lost:?}");
+
+    let named = r#""sets": { "corner": { "faces": [15] } }, "closeness": { "to": "rest",
+        "weights": [{ "on": { "each": "face", "in": "corner" }, "weight": 5 }] }"#;
+    let mut session = open(named, bumpy(4));
+    session.edit(Edit::Remesh(remeshing("delete", &[], &[], &[15]))).expect("it can be deleted");
+    assert!(session.document().closeness.weights.is_empty());
+    assert_eq!(session.lost().len(), 2, "{:?}", session.lost());
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::grid::grid;
 use shape_up::mesh::Mesh;
 use shape_up::scene::Scene;
-use shape_up::session::{Edit, Session};
+use shape_up::session::{Edit, Remeshing, Session};
 
 fn bumpy() -> Mesh {
     grid(6, 5, |i, j| [f64::from(i), f64::from(j), 0.3 * f64::from((i * 7 + j * 3) % 4)])
@@ -75,4 +75,28 @@ fn a_scene_takes_the_place_of_the_one_before_or_of_none() {
         session.step().expect("positions stay finite");
     }
     assert_eq!(open.map(|session| session.iteration()), Some(1));
+}
+
+#[test]
+fn a_scene_that_is_refused_leaves_a_refined_mesh_one_that_was_derived() {
+    let mut session = Session::open(scene("[]"), bumpy()).expect("the scene can be opened");
+    let corner = Edit::Remesh(Remeshing {
+        operation: "delete".to_owned(),
+        sizes: Vec::new(),
+        vertices: Vec::new(),
+        faces: vec![0],
+    });
+    session
+        .edit(Edit::AddHandles { vertices: vec![0], fixed: true })
+        .and_then(|_| session.edit(corner))
+        .expect("the edits are valid");
+    let (generation, lost) = (session.generation(), session.lost().to_vec());
+    assert_eq!((generation, lost.len()), (1, 1));
+    let mut open = Some(session);
+    Session::replace(&mut open, scene(SINGULAR), bumpy()).err().expect("the scene is refused");
+    let mut session = open.expect("the one before is open");
+    assert_eq!((session.generation(), session.lost()), (generation, &*lost));
+    // The page asks for the mesh again because its generation is another one.
+    session.undo().expect("it was solvable");
+    assert_eq!(session.generation(), 0);
 }

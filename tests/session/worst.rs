@@ -105,6 +105,15 @@ fn the_worst_constraint_of_a_row_has_the_worst_error_of_that_row() {
 }
 
 #[test]
+fn a_face_is_listed_once_though_its_constraint_names_a_corner_for_each_edge() {
+    let mut session = session(r#"{ "kind": "equal-length", "on": "faces" }"#);
+    for one in session.worst_constraints(0, 36) {
+        assert_eq!(one.faces.len(), 1, "{one:?}");
+        assert_eq!(one.element, format!("face {}", one.faces[0]));
+    }
+}
+
+#[test]
 fn asking_for_the_list_changes_nothing() {
     let rows = r#"{ "kind": "circle", "on": "faces" }"#;
     let (mut asked, mut left) = (session(rows), session(rows));

@@ -15,10 +15,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let at = |message: String| Failure::Input(format!("{}: {message}", asked.input.display()));
     scene.validate(&mesh).map_err(|error| at(error.to_string()))?;
     let settings = settings(asked, &scene);
-    let mesh = match scene.current {
-        Some(positions) => Mesh { positions, ..mesh },
-        None => mesh,
-    };
+    let mesh = Mesh { positions: scene.start(&mesh).to_vec(), ..mesh };
     let unit = UNITS.iter().find(|unit| unit.symbol == scene.units).unwrap_or_else(|| {
         let what = match &*scene.units {
             "" => "the file has no unit".to_owned(),

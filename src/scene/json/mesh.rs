@@ -11,6 +11,7 @@ use crate::mesh::{Group, GroupKeyword, Mesh, Point, Ragged};
 use crate::scene::{MeshSource, NamedEnum, Pose};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::fmt;
 
 #[derive(serde::Deserialize)]
@@ -195,19 +196,23 @@ pub(super) fn write(mesh: &Mesh, indent: &str) -> String {
 }
 
 fn write_groups(groups: &[Group], indent: &str) -> String {
-    let mut lines: Vec<String> = Vec::new();
-    for (i, group) in groups.iter().enumerate() {
-        if groups[..i].iter().any(|earlier| earlier.name == group.name) {
-            continue;
+    let mut places = BTreeMap::new();
+    let mut named: Vec<(&str, Vec<String>)> = Vec::new();
+    for group in groups {
+        let place = *places.entry(&*group.name).or_insert(named.len());
+        if place == named.len() {
+            named.push((&group.name, Vec::new()));
         }
-        let same: Vec<_> =
-            groups[i..].iter().filter(|g| g.name == group.name).map(write_group).collect();
+        named[place].1.push(write_group(group));
+    }
+    let line = |(name, same): &(&str, Vec<String>)| {
         let value = match same.as_slice() {
             [one] => one.clone(),
             several => format!("[{}]", several.join(", ")),
         };
-        lines.push(format!("{indent}    {}: {value}", text(&group.name)));
-    }
+        format!("{indent}    {}: {value}", text(name))
+    };
+    let lines: Vec<String> = named.iter().map(line).collect();
     format!("{{\n{}\n{indent}  }}", lines.join(",\n"))
 }
 

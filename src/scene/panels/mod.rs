@@ -9,4 +9,5 @@ mod forecast;
 mod request;
 
 pub use forecast::{Forecast, ForecastOfKind, HowFar};
+pub(crate) use request::all_faces;
 pub use request::{MeshRemedy, PanelOffer, panel_offers, panel_remedy};

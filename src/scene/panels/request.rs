@@ -148,7 +148,8 @@ impl Scene {
     }
 }
 
-fn all_faces() -> Selector {
+/// The selector of a constraint on all panels.
+pub(crate) fn all_faces() -> Selector {
     Selector::Each { element: Element::Face, within: None, radius: 0 }
 }
 

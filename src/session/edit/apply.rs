@@ -184,6 +184,7 @@ pub(crate) fn apply(
             draft.put(Part::Lesson(lesson));
             if unsolved {
                 back_to_rest(Variants::default(), draft, state);
+                presenting::renumber_variants(draft, |_| None);
             }
             "Change lesson".to_owned()
         }
@@ -201,7 +202,9 @@ pub(crate) fn apply(
         Edit::GoToVariant { index } => variants::go_to(index, draft)?,
         Edit::RemoveVariant { index } => {
             let words = variants::remove(index, draft)?;
-            presenting::forget_variant(index, draft);
+            presenting::renumber_variants(draft, |variant| {
+                (variant != index).then(|| variant - usize::from(variant > index))
+            });
             words
         }
         Edit::AddHandles { vertices, fixed } => {

@@ -5,7 +5,7 @@
 //! boundary vertices. A handle stays at its vertex and moves with it; new boundary vertices between
 //! fixed neighbours are fixed too.
 
-use crate::constraint::{Element, Selector, Sets, describe};
+use crate::constraint::{Element, Selector, describe, resolve};
 use crate::mesh::{Edited, Origins, Point, Topology, counted};
 use crate::scene::{ConstraintSpec, EasedFaces, Hold, MeshSource, Pose, Scene};
 use crate::session::state::{RestMesh, resolve_row};
@@ -60,13 +60,18 @@ pub(crate) fn carry(
         }
         is_left
     });
-    document.closeness.weights.retain_mut(|entry| match &mut entry.on {
-        Selector::Vertices(vertices) => {
+    document.closeness.weights.retain_mut(|entry| {
+        if let Selector::Vertices(vertices) = &mut entry.on {
             *vertices = carry_vertices(vertices, before.topology(), origins);
-            !vertices.is_empty()
+            return !vertices.is_empty();
         }
-        Selector::Set(name) => has_set(name, &document.sets, after),
-        Selector::Each { .. } => true,
+        let found = resolve(&entry.on, after.mesh(), after.topology(), &document.sets);
+        let is_left = found.is_ok_and(|found| !found.indices().is_empty());
+        if !is_left {
+            let on = describe(&entry.on);
+            lost.push(format!("Left out: the closeness of {on}: none are left."));
+        }
+        is_left
     });
     let has_other_sizes = !(0.9..1.1).contains(&(after.mean_edge() / before.mean_edge()));
     let rows = std::mem::take(&mut document.constraints);
@@ -90,10 +95,6 @@ pub(crate) fn carry(
         }
     }
     Carried { document, handles: carried, positions: now, lost }
-}
-
-fn has_set(name: &str, sets: &Sets, after: &RestMesh) -> bool {
-    sets.contains_key(name) || after.mesh().groups.iter().any(|group| group.name == name)
 }
 
 /// Carries over the faces with an eased tolerance, if any are left.

@@ -46,15 +46,9 @@ pub(super) fn show(
     Ok(words)
 }
 
-/// After the removal of variant `index`: clears it from the steps, and shifts later indices.
-pub(super) fn forget_variant(index: usize, draft: &mut Draft<'_>) {
+/// After the removal of variants: gives the steps the new index `now` of theirs, or none.
+pub(super) fn renumber_variants(draft: &mut Draft<'_>, now: impl Fn(usize) -> Option<usize>) {
     let mut steps = draft.document().steps.clone();
-    for step in &mut steps {
-        step.variant = match step.variant {
-            Some(variant) if variant == index => None,
-            Some(variant) => Some(variant - usize::from(variant > index)),
-            None => None,
-        };
-    }
+    steps.iter_mut().for_each(|step| step.variant = step.variant.and_then(&now));
     draft.put(Part::Steps(steps));
 }

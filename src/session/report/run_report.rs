@@ -97,13 +97,13 @@ pub struct Seconds {
 }
 
 impl Report {
-    /// Returns the report on the current state; `collapsed` is whether the shape has collapsed.
+    /// Returns the report on the current state; `converged` is whether the iterations have.
     pub(crate) fn of(
         scene: &SolvedScene,
         rest: &RestMesh,
         progress: &Progress,
         measures: &Measures,
-        collapsed: bool,
+        converged: bool,
         exact: Option<ExactReport>,
     ) -> Report {
         let mut constraints = BTreeMap::new();
@@ -122,7 +122,6 @@ impl Report {
         // With a window of 0, the accelerator is the plain iteration.
         let accelerator =
             if settings.window == 0 { Accelerator::None } else { settings.accelerator };
-        let converged = solver.converged() && !collapsed;
         Report {
             vertices: rest.positions().len(),
             faces: rest.mesh().faces.len(),

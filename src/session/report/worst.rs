@@ -83,6 +83,8 @@ pub(crate) fn worst_constraints(
     let element = |(value, vertices): (f64, Vec<u32>)| {
         let mut faces = cover.faces(&vertices).to_vec();
         faces.sort_unstable();
+        // Some kinds name a vertex twice, such as those on the edges of a face.
+        faces.dedup();
         WorstElement {
             element: name_of(&spec.on, &faces, &vertices),
             groups: model.rest.groups_of(&faces),

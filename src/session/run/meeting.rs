@@ -15,6 +15,7 @@ pub(crate) struct Meeting {
     /// The best attempt that has ended.
     best: Option<(Exact, Attempt)>,
     shown: f64,
+    converged: bool,
 }
 
 /// The outcome of a meeting.
@@ -28,11 +29,14 @@ pub(crate) struct MeetingEnd {
     /// Number of faces folded by the first attempt, and number of attempts.
     pub(crate) folded_at_first: usize,
     pub(crate) attempts: u32,
+    /// Whether the iterations before it had converged.
+    pub(crate) converged: bool,
 }
 
 impl Meeting {
-    pub(crate) fn new(exact: Exact, attempts: Attempts) -> Meeting {
-        Meeting { exact, attempts, best: None, shown: clock::now() }
+    /// Begins at the end of iterations that have `converged` or not.
+    pub(crate) fn new(exact: Exact, attempts: Attempts, converged: bool) -> Meeting {
+        Meeting { exact, attempts, best: None, shown: clock::now(), converged }
     }
 
     /// Runs one iteration or step of the current attempt; returns whether the attempt has ended.
@@ -89,6 +93,7 @@ impl Meeting {
             Some(best) if !self.attempts.is_best() => best,
             _ => (self.exact, self.attempts.now().clone()),
         };
-        MeetingEnd { exact, attempt, is_whole, folded_at_first, attempts }
+        let converged = self.converged;
+        MeetingEnd { exact, attempt, is_whole, folded_at_first, attempts, converged }
     }
 }

@@ -46,13 +46,16 @@ pub(crate) struct Met {
     state: SolvedFor,
     /// Whether all attempts ended without interruption.
     is_whole: bool,
+    /// Whether the iterations before them had converged.
+    pub(crate) converged: bool,
     pub(crate) report: ExactReport,
 }
 
 impl Met {
     /// Records a report on the current state of the scene.
     pub(crate) fn new(scene: &SolvedScene, report: ExactReport) -> Met {
-        Met { state: SolvedFor::new(scene), is_whole: true, report }
+        let state = SolvedFor::new(scene);
+        Met { state, is_whole: true, converged: false, report }
     }
 
     pub(crate) fn interrupt(&mut self) {

@@ -1,9 +1,10 @@
-// Index lists of a scene as the page reads them, and the layers made of its groups.
+// Index lists and positions of a scene as the page reads them, and the layers made of its groups.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { indices } from '../../../www/documents/rhino/index-list.js';
 import { byLayer } from '../../../www/documents/rhino/rhino-layers.js';
+import { pointsOf } from '../../../www/documents/rhino/rhino-points.js';
 
 test('ranges include both ends, and an empty list has no index', () => {
   assert.deepEqual(indices('0-3,7'), [0, 1, 2, 3, 7]);
@@ -23,4 +24,16 @@ test('groups of the same name form one layer, whichever statement defined them',
   };
   const layers = Object.fromEntries(byLayer(6, groups));
   assert.deepEqual(layers, { roof: [0, 1, 3], Panels: [2, 5], wall: [4] });
+});
+
+test('a Rhino file has the current shape, of a scene saved at its design that variant', () => {
+  const mesh = { positions: [[0, 0, 0]] };
+  const kept = [{ positions: [[1, 2, 3]] }, { positions: [[4, 5, 6]] }];
+  assert.deepEqual(pointsOf({ mesh }), [[0, 0, 0]]);
+  assert.deepEqual(pointsOf({ mesh, variants: { kept } }), [[0, 0, 0]]);
+  assert.deepEqual(pointsOf({ mesh, variants: { kept, design: 1 } }), [[4, 5, 6]]);
+  const current = [[7, 8, 9]];
+  assert.deepEqual(pointsOf({ mesh, variants: { kept, design: 1 }, current, up: 'y' }), [
+    [7, -9, 8],
+  ]);
 });

@@ -8,6 +8,7 @@
 import { NAMES, ROLE, rhino } from './rhino.js';
 import { byLayer } from './rhino-layers.js';
 import { addLayer, addMesh, addPolyline, attributesOf } from './rhino-objects.js';
+import { pointsOf } from './rhino-points.js';
 
 /** @typedef {import("./rhino-objects.js").Point} Point */
 
@@ -22,8 +23,8 @@ const CURVES = 'Curves';
 export async function rhinoFile(text, errors) {
   const api = await rhino();
   const scene = JSON.parse(text);
-  const { positions, faces = [], curves = [], groups = {} } = scene.mesh;
-  const points = (scene.current ?? positions).map(scene.up === 'y' ? rotated : same);
+  const { faces = [], curves = [], groups = {} } = scene.mesh;
+  const points = pointsOf(scene);
   const distances = planarities(errors);
   const inWords = (/** @type {number} */ value) => `${value} ${scene.units ?? ''}`.trim();
 
@@ -54,12 +55,6 @@ export async function rhinoFile(text, errors) {
     file.delete();
   }
 }
-
-/** @param {Point} point */
-const same = (point) => point;
-
-/** Rotates from y up to z up. @param {Point} point @returns {Point} */
-const rotated = ([x, y, z]) => [x, -z, y];
 
 /** Reads the planarity distance of each face. @param {string} csv */
 function planarities(csv) {
