@@ -3,7 +3,9 @@
 use super::grid::grid;
 use super::identities::revolution;
 use super::{build, metres, shared};
+use shape_up::fabricate::panel::is_simple;
 use shape_up::fabricate::{Build, BuildSettings, OffsetKind};
+use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Ragged};
 
 fn faces(faces: &[&[u32]], positions: &[[f64; 3]]) -> Mesh {
@@ -44,8 +46,8 @@ fn a_moebius_strip_is_cut_and_has_no_offset() {
     let n = 8;
     let mut mesh = grid(n, 1, |i, j| {
         let turns = f64::from(i) / f64::from(n);
-        let (c, s) = (shape_up::math::cosine(turns), shape_up::math::sine(turns));
-        let (d, u) = (shape_up::math::cosine(0.5 * turns), shape_up::math::sine(0.5 * turns));
+        let (c, s) = (cosine(turns), sine(turns));
+        let (d, u) = (cosine(0.5 * turns), sine(0.5 * turns));
         let w = f64::from(j) - 0.5;
         [(3.0 + w * d) * c, (3.0 + w * d) * s, w * u]
     });
@@ -175,4 +177,23 @@ fn panels_with_an_edge_without_length_are_cut_as_what_they_are() {
     let made = build(&faces(&[&[0, 1, 2, 3], &[1, 4, 2]], &positions), &BuildSettings::default());
     assert_eq!(made.not_cut, []);
     assert_eq!(made.parts.iter().map(|part| part.outline.len()).collect::<Vec<_>>(), [3, 3]);
+}
+
+#[test]
+fn sides_on_one_line_do_not_cross_despite_rounding() {
+    // A rectangle with nine corners on each side, in many directions.
+    for k in 0..40 {
+        let (c, s) = (cosine(f64::from(k) / 77.0), sine(f64::from(k) / 77.0));
+        let corner = |at: u32| {
+            let share = f64::from(at % 10) / 10.0;
+            let [x, y] = match at / 10 {
+                0 => [0.9 * share, 0.0],
+                1 => [0.9, 1.13 * share],
+                2 => [0.9 * (1.0 - share), 1.13],
+                _ => [0.0, 1.13 * (1.0 - share)],
+            };
+            [c * x - s * y, s * x + c * y]
+        };
+        assert!(is_simple(&(0..40).map(corner).collect::<Vec<_>>()), "{k}");
+    }
 }

@@ -50,10 +50,11 @@ fn cross_each_other([a, b]: [Point2; 2], [c, d]: [Point2; 2]) -> bool {
     let side = |p: Point2, q: Point2, r: Point2| cross(minus(q, p), minus(r, p));
     let (u, v) = (side(a, b, c), side(a, b, d));
     let (w, x) = (side(c, d, a), side(c, d, b));
-    u * v <= 0.0 && w * x <= 0.0 && !(u == 0.0 && v == 0.0 && !overlap([a, b], [c, d]))
+    // Rounding puts the ends of sides on one line on either side of it.
+    u * v <= 0.0 && w * x <= 0.0 && overlap([a, b], [c, d])
 }
 
-/// Whether two collinear segments have a common point.
+/// Whether two segments overlap in the direction of the first.
 fn overlap([a, b]: [Point2; 2], [c, d]: [Point2; 2]) -> bool {
     let axis = minus(b, a);
     let at = |p: Point2| dot(minus(p, a), axis);
