@@ -93,8 +93,16 @@ pub fn hull(points: &[Point2]) -> Vec<Point2> {
 /// The rotation (cosine and sine) that gives the polygon its box of least area, wider than high,
 /// and the width and height of that box. One side of it lies along an edge of the hull.
 pub fn smallest_box(polygon: &[Point2]) -> (Point2, [f64; 2]) {
+    smallest_box_within(polygon, [f64::INFINITY; 2])
+}
+
+/// As [`smallest_box`], but of the boxes at most as wide and as high as `most`, if there are any.
+pub(in crate::fabricate) fn smallest_box_within(
+    polygon: &[Point2],
+    most: [f64; 2],
+) -> (Point2, [f64; 2]) {
     let hull = hull(polygon);
-    let mut best: Option<(f64, Point2, [f64; 2])> = None;
+    let mut best: Option<((bool, f64), Point2, [f64; 2])> = None;
     for [p, q] in sides(&hull) {
         let [c, s] = direction_of(p, q);
         let turn = [c, -s];
@@ -104,9 +112,13 @@ pub fn smallest_box(polygon: &[Point2]) -> (Point2, [f64; 2]) {
             true => (turn, [width, height]),
             false => ([s, c], [height, width]),
         };
+        let fits = size[0] <= most[0] && size[1] <= most[1];
         // In a tie the first edge wins regardless of rounding.
-        if best.is_none_or(|(area, ..)| width * height < area * (1.0 - 1e-9)) {
-            best = Some((width * height, turn, size));
+        let is_better = best.is_none_or(|((did_fit, area), ..)| {
+            fits > did_fit || (fits == did_fit && width * height < area * (1.0 - 1e-9))
+        });
+        if is_better {
+            best = Some(((fits, width * height), turn, size));
         }
     }
     best.map_or(([1.0, 0.0], [0.0; 2]), |(_, turn, size)| (turn, size))
