@@ -179,11 +179,19 @@ pub(super) fn unit(v: Vec3<f64>) -> Vec3<f64> {
     v.length_and_direction().1.unwrap_or(Vec3::zero())
 }
 
-/// The area vectors of panels, and the normals of vertices.
+/// The area vectors of panels, and the normals of vertices. Panels whose area is due to rounding
+/// have none: its direction is random.
 fn areas_and_normals(positions: &[Vec3<f64>], faces: &Ragged) -> (Vec<Vec3<f64>>, Vec<Vec3<f64>>) {
+    /// The largest area due to rounding, as a fraction of the square of the longest side.
+    const ROUNDING: f64 = 1e-6;
     let at = |v: u32| positions[v as usize];
-    let areas: Vec<_> =
-        faces.iter().map(|face| twice_vector_area(face.iter().map(|&v| at(v))) * 0.5).collect();
+    let area = |face: &[u32]| {
+        let area = twice_vector_area(face.iter().map(|&v| at(v))) * 0.5;
+        let sides = polygon_sides(face).map(|[a, b]| (at(b) - at(a)).length());
+        let longest = sides.fold(0.0, f64::max);
+        if area.length() > ROUNDING * longest * longest { area } else { Vec3::zero() }
+    };
+    let areas: Vec<_> = faces.iter().map(area).collect();
     let mut normals = vec![Vec3::zero(); positions.len()];
     for (face, area) in faces.iter().zip(&areas) {
         face.iter().for_each(|&v| normals[v as usize] += *area);

@@ -4,7 +4,7 @@ use super::grid::grid;
 use super::identities::revolution;
 use super::{build, metres, shared};
 use shape_up::fabricate::panel::is_simple;
-use shape_up::fabricate::{Build, BuildSettings, OffsetKind};
+use shape_up::fabricate::{Build, BuildSettings, OffsetKind, Product};
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Ragged};
 
@@ -196,4 +196,52 @@ fn sides_on_one_line_do_not_cross_despite_rounding() {
         };
         assert!(is_simple(&(0..40).map(corner).collect::<Vec<_>>()), "{k}");
     }
+}
+
+/// The mesh with a panel without area: a triangle along an edge, whose third corner divides the
+/// edge.
+fn with_a_panel_without_area(mesh: Mesh, [a, b]: [u32; 2], share: f64) -> Mesh {
+    let c = mesh.positions.len() as u32;
+    let [from, to] = [a, b].map(|v| mesh.positions[v as usize]);
+    let between = std::array::from_fn(|k| from[k] + share * (to[k] - from[k]));
+    let mut all = Mesh { faces: Ragged::new(), ..mesh.clone() };
+    all.positions.push(between);
+    for face in mesh.faces.iter() {
+        let mut own = face.to_vec();
+        if let Some(k) = (0..4).find(|&k| (face[k], face[(k + 1) % 4]) == (a, b)) {
+            own.insert(k + 1, c);
+        }
+        all.faces.push(&own);
+    }
+    all.faces.push(&[a, b, c]);
+    all
+}
+
+#[test]
+fn a_panel_without_area_leaves_the_offset_of_the_others_exact() {
+    for share in [0.2, 0.3, 0.4, 0.5, 0.6, 0.7] {
+        let own = BuildSettings { kind: Some(OffsetKind::Face), ..BuildSettings::default() };
+        let mesh = with_a_panel_without_area(revolution(9, 7), [32, 33], share);
+        let report = build(&mesh, &own).report();
+        assert_eq!(report.problems, Vec::<String>::new(), "{share}");
+        assert_eq!(report.not_cut, ["P63: it has no area"]);
+        assert!(report.offset.unwrap().exact, "{share}");
+    }
+}
+
+#[test]
+fn two_beams_in_one_direction_are_no_fins_of_any_thickness() {
+    let own = BuildSettings {
+        product: Product::Fins,
+        kind: Some(OffsetKind::Face),
+        thickness: 0.0,
+        sheet: [900.0, 900.0],
+        ..BuildSettings::default()
+    };
+    let straight = grid(3, 3, |i, j| [f64::from(i), f64::from(j), 0.25 * f64::from(i * i)]);
+    let straight = with_a_panel_without_area(straight, [5, 6], 0.5);
+    let made = build(&straight, &own);
+    assert!(made.not_cut.iter().any(|not| not.part == "B5-6"), "{:?}", made.not_cut);
+    assert!(!serde_json::to_string(&made.report()).unwrap().contains("NaN"));
+    assert!(made.files().iter().all(|file| !file.text.contains("NaN")));
 }

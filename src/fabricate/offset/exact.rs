@@ -95,7 +95,10 @@ pub(super) fn can_be_exact(
     let mut around: Vec<Vec<Vec3<f64>>> = vec![Vec::new(); surface.positions.len()];
     for (face, f) in surface.faces.iter().zip(0..) {
         let normal = surface.normal(f);
-        face.iter().for_each(|&v| around[v as usize].push(normal));
+        // A panel without area has no plane.
+        if normal != Vec3::zero() {
+            face.iter().for_each(|&v| around[v as usize].push(normal));
+        }
     }
     // The largest error is at least the root mean square.
     around.iter().all(|normals| {
