@@ -22,7 +22,7 @@ fn settings() -> BuildSettings {
     }
 }
 
-fn cube() -> Mesh {
+pub(crate) fn cube() -> Mesh {
     let mut mesh = Mesh::default();
     let sign = |bit: u32| if bit == 0 { -1.0 } else { 1.0 };
     mesh.positions = (0..8).map(|v| [sign(v & 1), sign(v & 2), sign(v & 4)]).collect();
