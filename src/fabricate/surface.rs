@@ -1,7 +1,7 @@
 //! The panels as an oriented surface: faces with consistent orientation, area vectors, edges with
 //! the panels on both sides.
 //!
-//! Coordinates are relative to the centre of the bounding box, so that site coordinates cost no
+//! Coordinates are relative to the centre of the box of all panels, so that site coordinates cost no
 //! digits.
 
 use super::fault::Fault;
@@ -87,7 +87,7 @@ impl PanelSurface {
                 }
             }
         }
-        let (positions, centre) = about_the_centre(&mesh.positions);
+        let (positions, centre) = about_the_centre(&mesh.positions, &faces);
         let (areas, normals) = areas_and_normals(&positions, &faces);
         let mut sides = Ragged::new();
         let mut edges: Vec<Edge> =
@@ -120,7 +120,7 @@ impl PanelSurface {
 
     /// Moves its vertices to `positions` (`#V by 3`).
     pub fn move_to(&mut self, positions: &[[f64; 3]]) {
-        (self.positions, self.centre) = about_the_centre(positions);
+        (self.positions, self.centre) = about_the_centre(positions, &self.faces);
         (self.areas, self.normals) = areas_and_normals(&self.positions, &self.faces);
     }
 
@@ -200,9 +200,11 @@ fn areas_and_normals(positions: &[Vec3<f64>], faces: &Ragged) -> (Vec<Vec3<f64>>
     (areas, normals)
 }
 
-fn about_the_centre(positions: &[[f64; 3]]) -> (Vec<Vec3<f64>>, Vec3<f64>) {
+/// Positions relative to the centre of the box of all panels, and that centre.
+fn about_the_centre(positions: &[[f64; 3]], faces: &Ragged) -> (Vec<Vec3<f64>>, Vec3<f64>) {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for point in positions {
+    for &v in faces.indices() {
+        let point = positions[v as usize];
         for k in 0..3 {
             low[k] = low[k].min(point[k]);
             high[k] = high[k].max(point[k]);

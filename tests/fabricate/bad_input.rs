@@ -245,3 +245,15 @@ fn two_beams_in_one_direction_are_no_fins_of_any_thickness() {
     assert!(!serde_json::to_string(&made.report()).unwrap().contains("NaN"));
     assert!(made.files().iter().all(|file| !file.text.contains("NaN")));
 }
+
+#[test]
+fn a_vertex_of_no_panel_far_away_costs_the_others_no_digits() {
+    let mesh = revolution(6, 4);
+    let mut stray = mesh.clone();
+    stray.positions.push([1e7, -1e7, 0.0]);
+    let own = build(&mesh, &BuildSettings::default()).surface;
+    let mut found = build(&stray, &BuildSettings::default()).surface;
+    assert_eq!(found.centre, own.centre);
+    found.move_to(&stray.positions);
+    assert_eq!(found.centre, own.centre);
+}
