@@ -484,3 +484,20 @@ fn parts_as_large_as_the_sheet_are_laid_despite_rounding() {
     let report = build(&mesh, &own).report();
     assert_eq!((report.placed, report.too_large), (20, Vec::new()));
 }
+
+#[test]
+fn holes_are_narrower_by_the_kerf_and_are_cuts_too() {
+    let mesh = grid(2, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let plain = BuildSettings { kerf: 0.5, ..settings() };
+    let own = BuildSettings { hole: 4.0, ..plain.clone() };
+    let made = build(&mesh, &own);
+    let radii: Vec<f64> =
+        made.parts.iter().flat_map(|part| part.holes.iter().map(|hole| hole.radius)).collect();
+    assert_eq!(radii, [1.75; 4]);
+    let around = 4.0 * 1.75 * std::f64::consts::TAU;
+    let without = build(&mesh, &plain).report().cut_length_mm;
+    assert!((made.report().cut_length_mm - without - around).abs() < 1e-9);
+    // Holes narrower than the kerf cannot be cut.
+    let narrow = build(&mesh, &BuildSettings { hole: 0.5, ..plain }).report();
+    assert_eq!((narrow.holes, narrow.dropped_holes), (0, 4));
+}

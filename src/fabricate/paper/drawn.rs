@@ -13,7 +13,7 @@ const DASH: f64 = 2.5;
 /// Gap between dashes, as a fraction of [`DASH`].
 const GAP: f64 = 0.6;
 /// Folds below this angle, in radians, are not scored: their panels are coplanar.
-const FLAT: f64 = 1e-3;
+pub(in crate::fabricate) const FLAT: f64 = 1e-3;
 
 /// Maps a point of a piece to its part: mirrored if the inside is printed, then rotated.
 #[derive(Clone, Copy)]
