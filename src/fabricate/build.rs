@@ -189,14 +189,19 @@ impl Build {
     /// The axes of some kinds of offset, and their checks.
     pub(super) fn offsets_of(&self, kinds: &[OffsetKind]) -> Vec<(Axes, OffsetCheck)> {
         let distance = self.distance();
-        let limits = self.settings.limits;
-        let tolerance = 0.1 * limits.warp.min(limits.distance) / self.mm_of_building();
-        let axes = axes_of(&self.surface, kinds, self.settings.follow, distance, tolerance);
+        let follow = self.settings.follow;
+        let axes = axes_of(&self.surface, kinds, follow, distance, self.exact_tolerance());
         let checked = |axes: Axes| {
             let found = check(&self.surface, &axes.axes, axes.kind, distance);
             (axes, found)
         };
         axes.into_iter().map(checked).collect()
+    }
+
+    /// The warp and distance error of an exact offset, in the unit of the mesh.
+    pub(super) fn exact_tolerance(&self) -> f64 {
+        let limits = self.settings.limits;
+        0.1 * limits.warp.min(limits.distance) / self.mm_of_building()
     }
 
     /// The sheets as line drawings.

@@ -2,7 +2,8 @@
 
 use super::build::Build;
 use super::check_card::CheckRow;
-use super::offset::{Closing, OffsetKind, closing};
+use super::offset::{Closing, OffsetKind, can_be_exact, closing};
+use super::panel::FlatPanel;
 use super::tighten::Tighten;
 use crate::mesh::counted;
 use serde::Serialize;
@@ -99,8 +100,13 @@ impl Build {
     }
 
     fn why_not(&self, kind: OffsetKind, closing: &Closing) -> String {
+        const LEAN: &str = "the exact axes lean too far";
         /// Turns below this are due to rounding or the solver's tolerance.
         const CLOSED: f64 = 0.01;
+        /// Smaller eigenvalues of the closing form are zero.
+        const ZERO: f64 = 1e-6;
+        /// Panels are flat within this fraction of the tolerance of exact offsets.
+        const FLAT: f64 = 0.01;
         match kind {
             OffsetKind::Corner if closing.odd_panels > 0 => format!(
                 "the axes do not close around {}, with an odd number of edges",
@@ -120,12 +126,22 @@ impl Build {
                     format!(
                         "around a rim an axis is turned by {worst:.2} degrees, so the axes do not close"
                     )
+                } else if closing.eigenvalues[0] > ZERO {
+                    "the axes do not close around the handles of the surface".to_owned()
                 } else {
-                    "the exact axes lean too far".to_owned()
+                    LEAN.to_owned()
                 }
             }
             OffsetKind::Face => {
-                "the planes of the panels around some vertex touch no common cone".to_owned()
+                let tolerance = self.exact_tolerance();
+                let bent = |flat: &FlatPanel| flat.flatness > FLAT * tolerance;
+                if !can_be_exact(&self.surface, kind, self.distance(), tolerance) {
+                    "the planes of the panels around some vertex touch no common cone".to_owned()
+                } else if self.flat.iter().flatten().any(bent) {
+                    "the panels are not flat".to_owned()
+                } else {
+                    LEAN.to_owned()
+                }
             }
             OffsetKind::Edge => {
                 "the shape is not parallel to one whose edges touch a sphere".to_owned()
@@ -140,13 +156,17 @@ mod tests {
     use crate::fabricate::{BuildSettings, LengthInMetres};
     use crate::mesh::Mesh;
 
-    #[test]
-    fn an_odd_rim_is_the_reason_rather_than_a_turn_of_zero() {
+    fn one_panel() -> Build {
         let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
         let faces = [[0, 1, 2, 3]].into_iter().collect();
         let mesh = Mesh { positions, faces, ..Mesh::default() };
         let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
-        let build = Build::new(&mesh, &BuildSettings::default(), unit).unwrap();
+        Build::new(&mesh, &BuildSettings::default(), unit).unwrap()
+    }
+
+    #[test]
+    fn an_odd_rim_is_the_reason_rather_than_a_turn_of_zero() {
+        let build = one_panel();
         let why = |rims_deg: [Option<f64>; 2]| {
             let closing = Closing { rims_deg: rims_deg.to_vec(), ..Closing::default() };
             build.why_not(OffsetKind::Corner, &closing)
@@ -155,5 +175,16 @@ mod tests {
         assert!(odd.contains("odd number of edges") && !odd.contains("degrees"), "{odd}");
         let turned = why([Some(0.0), Some(1.5)]);
         assert!(turned.contains("turned by 1.50 degrees"), "{turned}");
+    }
+
+    #[test]
+    fn handles_are_the_reason_where_axes_close_around_panels_and_rims_and_not_on_the_whole() {
+        let build = one_panel();
+        let why = |least: f64| {
+            let eigenvalues = [least, 0.1, 0.2];
+            build.why_not(OffsetKind::Corner, &Closing { eigenvalues, ..Closing::default() })
+        };
+        assert!(why(0.01).contains("handles of the surface"), "{}", why(0.01));
+        assert!(why(1e-12).contains("lean"), "{}", why(1e-12));
     }
 }

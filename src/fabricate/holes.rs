@@ -22,14 +22,16 @@ impl Build {
         if diameter <= 0.0 {
             return;
         }
+        // What is cut out is narrower than the hole by the kerf.
+        let radius = 0.5 * (diameter - self.settings.kerf);
         match self.settings.product {
-            Product::Panels => self.drill_panels(diameter),
-            Product::Fins => self.drill_fins(diameter),
+            Product::Panels => self.drill_panels(diameter, radius),
+            Product::Fins => self.drill_fins(diameter, radius),
             Product::Paper => {}
         }
     }
 
-    fn drill_panels(&mut self, diameter: f64) {
+    fn drill_panels(&mut self, diameter: f64, radius: f64) {
         let joint = 0.5 * self.settings.joint * self.mm_of_sheet();
         for (edge, e) in self.surface.edges.iter().zip(0..) {
             let [Some(f), Some(g)] = edge.panels else { continue };
@@ -45,12 +47,10 @@ impl Build {
                 };
                 let both = at(one, share).zip(at(other, 1.0 - share));
                 let Some(both) = both.map(|(a, b)| [a, b]) else { continue };
-                let has_room = both
-                    .iter()
-                    .all(|&(part, centre)| has_room(&self.parts[part], centre, diameter));
-                match has_room {
+                let has_room = |&(part, centre): &_| has_room(&self.parts[part], centre, diameter);
+                match radius > 0.0 && both.iter().all(has_room) {
                     true => both.iter().for_each(|&(part, centre)| {
-                        self.parts[part].holes.push(Hole { centre, radius: 0.5 * diameter });
+                        self.parts[part].holes.push(Hole { centre, radius });
                     }),
                     false => self.dropped_holes += 2,
                 }
@@ -58,15 +58,15 @@ impl Build {
         }
     }
 
-    fn drill_fins(&mut self, diameter: f64) {
+    fn drill_fins(&mut self, diameter: f64, radius: f64) {
         for part in &mut self.parts {
             // The sides at its nodes.
             for side in [1, 3] {
                 let n = part.outline.len();
                 let ends = [part.outline[side % n], part.outline[(side + 1) % n]];
                 let centre = beside(ends, 0.5, FROM_EDGE * diameter);
-                match has_room(part, centre, diameter) {
-                    true => part.holes.push(Hole { centre, radius: 0.5 * diameter }),
+                match radius > 0.0 && has_room(part, centre, diameter) {
+                    true => part.holes.push(Hole { centre, radius }),
                     false => self.dropped_holes += 1,
                 }
             }

@@ -73,11 +73,11 @@ pub const BUILD_NUMBERS: [BuildNumber; 6] = [
 
 impl Build {
     /// The values of [`BUILD_NUMBERS`], lengths in the unit of the mesh; none if one does not
-    /// apply. Sheets are counted only if every part is on one.
+    /// apply. Sheets are counted only if there are parts and every part is on one.
     pub fn numbers(&self) -> [Option<f64>; BUILD_NUMBERS.len()] {
         let rows = self.check_rows();
         let placed: usize = self.layout.sheets.iter().map(|sheet| sheet.places.len()).sum();
-        let is_whole = placed == self.parts.len() && self.not_cut.is_empty();
+        let is_whole = placed > 0 && placed == self.parts.len() && self.not_cut.is_empty();
         BUILD_NUMBERS.map(|number| match number.id {
             "types" => Some(self.types.leaders.len() as f64),
             "sheets" => is_whole.then_some(self.layout.sheets.len() as f64),

@@ -7,7 +7,7 @@ use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
 use super::offset::{Choice, OffsetCheck, OffsetKind};
 use super::panel::{panel_types, perimeter};
-use super::paper::{Joint, JointKind, PaperModel};
+use super::paper::{FLAT, Joint, JointKind, PaperModel};
 use super::settings::Product;
 use super::sheet::{CutPart, NamePlace};
 use super::surface::distinct;
@@ -43,7 +43,7 @@ pub struct FrameReport {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct PaperReport {
-    /// Edges and creases folded to a ridge, seen from outside.
+    /// Edges and creases folded to a ridge, seen from outside; those that stay flat do not count.
     pub ridges: usize,
     /// Edges and creases folded to a valley.
     pub valleys: usize,
@@ -93,7 +93,7 @@ pub struct BuildReport {
     pub not_cut: Vec<String>,
     /// Area of all parts on sheets.
     pub cut_area_mm2: f64,
-    /// Length of their outlines.
+    /// Length of their outlines and holes.
     pub cut_length_mm: f64,
     /// The gap between panels on the sheet.
     pub joint_mm: f64,
@@ -172,6 +172,8 @@ impl Build {
         let is_nameless =
             |part: &&CutPart| part.named == NamePlace::Nowhere && !self.settings.outlines_only;
         let cut_area_mm2 = sum(area);
+        let holes = on_sheets.iter().flat_map(|&part| &self.parts[part].holes);
+        let around_holes = holes.map(|hole| std::f64::consts::TAU * hole.radius).sum::<f64>();
         let [width, height] = self.settings.sheet;
         let sheets = self.layout.sheets.len();
         let folds = || self.surface.edges.iter().filter_map(|edge| self.surface.fold(edge));
@@ -205,7 +207,7 @@ impl Build {
                 .collect(),
             not_cut: self.not_cut.iter().map(|not| format!("{}: {}", not.part, not.why)).collect(),
             cut_area_mm2,
-            cut_length_mm: sum(perimeter),
+            cut_length_mm: sum(perimeter) + around_holes,
             joint_mm: self.settings.joint * self.mm_of_sheet(),
             least_joint_mm: [1.0, -1.0].map(|side| self.least_joint(side)),
             dropped_names: self.dropped_names,
@@ -290,14 +292,15 @@ impl Build {
         };
         let creases = net.joints.iter().filter(|joint| joint.edge.is_none());
         let creased = distinct(creases.map(|joint| net.facets[joint.sides[0].0 as usize].panel));
-        let without_tab =
-            net.joints.iter().zip(joint_kinds).filter(|(_, kind)| matches!(kind, JointKind::Bare));
+        let lacks_tab =
+            |kind: &JointKind| self.settings.tab > 0.0 && matches!(kind, JointKind::Bare);
+        let without_tab = net.joints.iter().zip(joint_kinds).filter(|(_, kind)| lacks_tab(kind));
         let panels = |joint: &Joint| {
             joint.sides.map(|(f, _)| &*self.names[net.facets[f as usize].panel as usize]).join("/")
         };
         Some(PaperReport {
-            ridges: folds().filter(|fold| *fold > 0.0).count(),
-            valleys: folds().filter(|fold| *fold < 0.0).count(),
+            ridges: folds().filter(|fold| *fold > FLAT).count(),
+            valleys: folds().filter(|fold| *fold < -FLAT).count(),
             tabs: joint_kinds.iter().filter(|kind| matches!(kind, JointKind::Tab(_))).count(),
             without_tab: without_tab.map(|(joint, _)| panels(joint)).collect(),
             creased: creased.len(),

@@ -1,7 +1,7 @@
 //! The panels as an oriented surface: faces with consistent orientation, area vectors, edges with
 //! the panels on both sides.
 //!
-//! Coordinates are relative to the centre of the bounding box, so that site coordinates cost no
+//! Coordinates are relative to the centre of the box of all panels, so that site coordinates cost no
 //! digits.
 
 use super::fault::Fault;
@@ -87,7 +87,7 @@ impl PanelSurface {
                 }
             }
         }
-        let (positions, centre) = about_the_centre(&mesh.positions);
+        let (positions, centre) = about_the_centre(&mesh.positions, &faces);
         let (areas, normals) = areas_and_normals(&positions, &faces);
         let mut sides = Ragged::new();
         let mut edges: Vec<Edge> =
@@ -120,7 +120,7 @@ impl PanelSurface {
 
     /// Moves its vertices to `positions` (`#V by 3`).
     pub fn move_to(&mut self, positions: &[[f64; 3]]) {
-        (self.positions, self.centre) = about_the_centre(positions);
+        (self.positions, self.centre) = about_the_centre(positions, &self.faces);
         (self.areas, self.normals) = areas_and_normals(&self.positions, &self.faces);
     }
 
@@ -179,11 +179,19 @@ pub(super) fn unit(v: Vec3<f64>) -> Vec3<f64> {
     v.length_and_direction().1.unwrap_or(Vec3::zero())
 }
 
-/// The area vectors of panels, and the normals of vertices.
+/// The area vectors of panels, and the normals of vertices. Panels whose area is due to rounding
+/// have none: its direction is random.
 fn areas_and_normals(positions: &[Vec3<f64>], faces: &Ragged) -> (Vec<Vec3<f64>>, Vec<Vec3<f64>>) {
+    /// The largest area due to rounding, as a fraction of the square of the longest side.
+    const ROUNDING: f64 = 1e-6;
     let at = |v: u32| positions[v as usize];
-    let areas: Vec<_> =
-        faces.iter().map(|face| twice_vector_area(face.iter().map(|&v| at(v))) * 0.5).collect();
+    let area = |face: &[u32]| {
+        let area = twice_vector_area(face.iter().map(|&v| at(v))) * 0.5;
+        let sides = polygon_sides(face).map(|[a, b]| (at(b) - at(a)).length());
+        let longest = sides.fold(0.0, f64::max);
+        if area.length() > ROUNDING * longest * longest { area } else { Vec3::zero() }
+    };
+    let areas: Vec<_> = faces.iter().map(area).collect();
     let mut normals = vec![Vec3::zero(); positions.len()];
     for (face, area) in faces.iter().zip(&areas) {
         face.iter().for_each(|&v| normals[v as usize] += *area);
@@ -192,9 +200,11 @@ fn areas_and_normals(positions: &[Vec3<f64>], faces: &Ragged) -> (Vec<Vec3<f64>>
     (areas, normals)
 }
 
-fn about_the_centre(positions: &[[f64; 3]]) -> (Vec<Vec3<f64>>, Vec3<f64>) {
+/// Positions relative to the centre of the box of all panels, and that centre.
+fn about_the_centre(positions: &[[f64; 3]], faces: &Ragged) -> (Vec<Vec3<f64>>, Vec3<f64>) {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for point in positions {
+    for &v in faces.indices() {
+        let point = positions[v as usize];
         for k in 0..3 {
             low[k] = low[k].min(point[k]);
             high[k] = high[k].max(point[k]);

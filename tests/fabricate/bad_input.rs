@@ -3,7 +3,9 @@
 use super::grid::grid;
 use super::identities::revolution;
 use super::{build, metres, shared};
-use shape_up::fabricate::{Build, BuildSettings, OffsetKind};
+use shape_up::fabricate::panel::is_simple;
+use shape_up::fabricate::{Build, BuildSettings, OffsetKind, Product};
+use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Ragged};
 
 fn faces(faces: &[&[u32]], positions: &[[f64; 3]]) -> Mesh {
@@ -44,8 +46,8 @@ fn a_moebius_strip_is_cut_and_has_no_offset() {
     let n = 8;
     let mut mesh = grid(n, 1, |i, j| {
         let turns = f64::from(i) / f64::from(n);
-        let (c, s) = (shape_up::math::cosine(turns), shape_up::math::sine(turns));
-        let (d, u) = (shape_up::math::cosine(0.5 * turns), shape_up::math::sine(0.5 * turns));
+        let (c, s) = (cosine(turns), sine(turns));
+        let (d, u) = (cosine(0.5 * turns), sine(0.5 * turns));
         let w = f64::from(j) - 0.5;
         [(3.0 + w * d) * c, (3.0 + w * d) * s, w * u]
     });
@@ -175,4 +177,83 @@ fn panels_with_an_edge_without_length_are_cut_as_what_they_are() {
     let made = build(&faces(&[&[0, 1, 2, 3], &[1, 4, 2]], &positions), &BuildSettings::default());
     assert_eq!(made.not_cut, []);
     assert_eq!(made.parts.iter().map(|part| part.outline.len()).collect::<Vec<_>>(), [3, 3]);
+}
+
+#[test]
+fn sides_on_one_line_do_not_cross_despite_rounding() {
+    // A rectangle with nine corners on each side, in many directions.
+    for k in 0..40 {
+        let (c, s) = (cosine(f64::from(k) / 77.0), sine(f64::from(k) / 77.0));
+        let corner = |at: u32| {
+            let share = f64::from(at % 10) / 10.0;
+            let [x, y] = match at / 10 {
+                0 => [0.9 * share, 0.0],
+                1 => [0.9, 1.13 * share],
+                2 => [0.9 * (1.0 - share), 1.13],
+                _ => [0.0, 1.13 * (1.0 - share)],
+            };
+            [c * x - s * y, s * x + c * y]
+        };
+        assert!(is_simple(&(0..40).map(corner).collect::<Vec<_>>()), "{k}");
+    }
+}
+
+/// The mesh with a panel without area: a triangle along an edge, whose third corner divides the
+/// edge.
+fn with_a_panel_without_area(mesh: Mesh, [a, b]: [u32; 2], share: f64) -> Mesh {
+    let c = mesh.positions.len() as u32;
+    let [from, to] = [a, b].map(|v| mesh.positions[v as usize]);
+    let between = std::array::from_fn(|k| from[k] + share * (to[k] - from[k]));
+    let mut all = Mesh { faces: Ragged::new(), ..mesh.clone() };
+    all.positions.push(between);
+    for face in mesh.faces.iter() {
+        let mut own = face.to_vec();
+        if let Some(k) = (0..4).find(|&k| (face[k], face[(k + 1) % 4]) == (a, b)) {
+            own.insert(k + 1, c);
+        }
+        all.faces.push(&own);
+    }
+    all.faces.push(&[a, b, c]);
+    all
+}
+
+#[test]
+fn a_panel_without_area_leaves_the_offset_of_the_others_exact() {
+    for share in [0.2, 0.3, 0.4, 0.5, 0.6, 0.7] {
+        let own = BuildSettings { kind: Some(OffsetKind::Face), ..BuildSettings::default() };
+        let mesh = with_a_panel_without_area(revolution(9, 7), [32, 33], share);
+        let report = build(&mesh, &own).report();
+        assert_eq!(report.problems, Vec::<String>::new(), "{share}");
+        assert_eq!(report.not_cut, ["P63: it has no area"]);
+        assert!(report.offset.unwrap().exact, "{share}");
+    }
+}
+
+#[test]
+fn two_beams_in_one_direction_are_no_fins_of_any_thickness() {
+    let own = BuildSettings {
+        product: Product::Fins,
+        kind: Some(OffsetKind::Face),
+        thickness: 0.0,
+        sheet: [900.0, 900.0],
+        ..BuildSettings::default()
+    };
+    let straight = grid(3, 3, |i, j| [f64::from(i), f64::from(j), 0.25 * f64::from(i * i)]);
+    let straight = with_a_panel_without_area(straight, [5, 6], 0.5);
+    let made = build(&straight, &own);
+    assert!(made.not_cut.iter().any(|not| not.part == "B5-6"), "{:?}", made.not_cut);
+    assert!(!serde_json::to_string(&made.report()).unwrap().contains("NaN"));
+    assert!(made.files().iter().all(|file| !file.text.contains("NaN")));
+}
+
+#[test]
+fn a_vertex_of_no_panel_far_away_costs_the_others_no_digits() {
+    let mesh = revolution(6, 4);
+    let mut stray = mesh.clone();
+    stray.positions.push([1e7, -1e7, 0.0]);
+    let own = build(&mesh, &BuildSettings::default()).surface;
+    let mut found = build(&stray, &BuildSettings::default()).surface;
+    assert_eq!(found.centre, own.centre);
+    found.move_to(&stray.positions);
+    assert_eq!(found.centre, own.centre);
 }

@@ -5,7 +5,7 @@ use super::identities::revolution;
 use super::{build, dxf};
 use shape_up::fabricate::beam::{cut_back, node_types};
 use shape_up::fabricate::sheet::{Inscription, label};
-use shape_up::fabricate::{Build, BuildSettings, OffsetKind, Product};
+use shape_up::fabricate::{BUILD_NUMBERS, Build, BuildSettings, OffsetKind, Product};
 use shape_up::math::Vec3;
 use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
@@ -22,7 +22,7 @@ fn settings() -> BuildSettings {
     }
 }
 
-fn cube() -> Mesh {
+pub(crate) fn cube() -> Mesh {
     let mut mesh = Mesh::default();
     let sign = |bit: u32| if bit == 0 { -1.0 } else { 1.0 };
     mesh.positions = (0..8).map(|v| [sign(v & 1), sign(v & 2), sign(v & 4)]).collect();
@@ -234,4 +234,17 @@ fn a_short_fin_names_both_of_its_nodes_beside_its_long_name() {
         let found = label(Inscription { outline, name, neighbours, with_arrow, turn, holes });
         assert_eq!((found.dropped, found.small, found.texts.len()), (0, false, 3));
     }
+}
+
+#[test]
+fn sheets_are_counted_only_if_there_are_parts() {
+    let sheets = |mesh: &Mesh| {
+        let number = BUILD_NUMBERS.iter().position(|number| number.id == "sheets").unwrap();
+        build(mesh, &settings()).numbers()[number]
+    };
+    assert_eq!(sheets(&cube()), Some(1.0));
+    // A panel that is folded over leaves no offset, and no fins.
+    let mut folded = grid(2, 2, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    folded.positions[4] = [3.0, 3.0, 0.0];
+    assert_eq!(sheets(&folded), None);
 }

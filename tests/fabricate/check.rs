@@ -1,5 +1,6 @@
 //! The build check: failures, their worst location, and remedies.
 
+use super::beams::cube;
 use super::build;
 use super::grid::grid;
 use super::identities::revolution;
@@ -136,4 +137,20 @@ fn sides_that_fail_are_on_the_sheet_with_their_panel() {
         };
         assert!(lines.iter().flatten().all(near));
     }
+}
+
+/// Why the offset of this kind is not exact.
+fn why_not(mesh: &Mesh, kind: OffsetKind) -> String {
+    let made = build(mesh, &BuildSettings { kind: Some(kind), ..BuildSettings::default() });
+    made.report().offset.unwrap().why_not
+}
+
+#[test]
+fn panels_that_are_not_flat_are_the_reason_where_three_planes_touch_a_cone_anyway() {
+    let mut bent = cube();
+    bent.positions[7] = [1.3, 1.2, 1.1];
+    let why = why_not(&bent, OffsetKind::Face);
+    assert!(why.contains("not flat") && !why.contains("cone"), "{why}");
+    let why = why_not(&wavy(), OffsetKind::Face);
+    assert!(why.contains("cone") && !why.contains("not flat"), "{why}");
 }

@@ -255,6 +255,25 @@ fn a_plane_is_one_piece_without_folds_or_slits() {
 }
 
 #[test]
+fn folds_of_rounding_are_neither_ridges_nor_valleys() {
+    let mesh = grid(5, 4, |i, j| {
+        let [x, y] = [f64::from(i) / 3.0, f64::from(j) / 3.0];
+        [x, y, 0.3 * x + 0.7 * y]
+    });
+    let made = build(&mesh, &settings(Pieces::Nets));
+    assert!(model(&made).net.joints.iter().any(|joint| joint.fold != 0.0));
+    let report = made.report().paper.unwrap();
+    assert_eq!((report.ridges, report.valleys), (0, 0));
+}
+
+#[test]
+fn without_tabs_none_is_missing() {
+    let own = BuildSettings { tab: 0.0, ..settings(Pieces::Strips) };
+    let report = build(&revolution(9, 7), &own).report().paper.unwrap();
+    assert_eq!((report.tabs, report.without_tab), (0, Vec::new()));
+}
+
+#[test]
 fn printed_on_the_inside_a_sheet_is_mirrored_and_ridges_are_valleys() {
     let mesh = revolution(9, 7);
     let own = settings(Pieces::Strips);

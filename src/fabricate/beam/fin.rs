@@ -28,17 +28,16 @@ pub struct Fin {
 
 /// Distance from the axis at which the plate of beam `k` ends so that plates of this thickness do
 /// not overlap: half the thickness over the tangent of half the smaller angle to a neighbour.
+/// Infinite if a neighbour has the same direction, whatever the thickness.
 pub fn cut_back(node: &Node, k: usize, thickness: f64) -> f64 {
     let gaps: Vec<f64> = node.gaps_deg().collect();
     let n = gaps.len();
     let smaller = gaps[k].min(gaps[(k + n - 1) % n]);
-    match smaller < 180.0 {
-        true => {
-            let [cosine, sine] = cosine_and_sine_of_degrees(0.5 * smaller);
-            0.5 * thickness * cosine / sine
-        }
-        false => 0.0,
+    if smaller >= 180.0 {
+        return 0.0;
     }
+    let [cosine, sine] = cosine_and_sine_of_degrees(0.5 * smaller);
+    if sine > 0.0 { 0.5 * thickness * cosine / sine } else { f64::INFINITY }
 }
 
 /// The fin of an edge between its two nodes; `height` (negative inwards) and `thickness` are in the

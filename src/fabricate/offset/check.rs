@@ -32,20 +32,22 @@ pub struct NodeCheck {
     pub is_inner: bool,
 }
 
+impl NodeCheck {
+    fn add_error(&mut self, error: f64) {
+        self.distance_error = self.distance_error.max(error.abs());
+    }
+}
+
 /// The numbers of an offset by the distance `d`, lengths in the unit of the mesh.
 #[derive(Clone, Debug, Default)]
 pub struct OffsetCheck {
     /// Largest beam warp.
     pub warp: f64,
-    /// The edge of `warp`.
-    pub warp_edge: u32,
     /// Largest beam twist.
     pub twist_deg: f64,
     /// Largest deviation from the requested distance: `d (|n| - 1)`, `d (n . N_f - 1)` at a corner,
     /// or `d (|P_e n| - 1)`.
     pub distance_error: f64,
-    /// The vertex of `distance_error`.
-    pub distance_vertex: u32,
     /// Least and largest distance of corners.
     pub corner_distance: [f64; 2],
     /// Least and largest distance of panels at their corners.
@@ -54,18 +56,12 @@ pub struct OffsetCheck {
     pub edge_distance: [f64; 2],
     /// Largest angle between a node axis and `N_i`.
     pub lean_deg: f64,
-    /// The vertex of `lean_deg`.
-    pub lean_vertex: u32,
     /// As `lean_deg`, over inner vertices, whose lean is checked.
     pub inner_lean_deg: f64,
-    /// The vertex of `inner_lean_deg`.
-    pub inner_lean_vertex: u32,
     /// Mean angle between a node axis and `N_i`.
     pub mean_lean_deg: f64,
     /// Largest deviation of a panel of the offset from flat.
     pub offset_flatness: f64,
-    /// The panel of `offset_flatness`.
-    pub offset_panel: u32,
     /// The distances, inwards and outwards, at which the first edge of the offset flips; none
     /// without limit.
     pub safe_distance: [Option<f64>; 2],
@@ -96,11 +92,8 @@ pub fn check(
     let widen = |range: &mut [f64; 2], value: f64| {
         *range = [range[0].min(value), range[1].max(value)];
     };
-    let mut errors = Worst::default();
-    let (mut warp, mut lean_at, mut inner_lean) =
-        (Worst::default(), Worst::default(), Worst::default());
     let mut slopes: [f64; 2] = [0.0; 2];
-    for (edge, e) in surface.edges.iter().zip(0..) {
+    for edge in &surface.edges {
         let t = surface.direction(edge);
         let [n, m] = edge.ends.map(|v| axes[v as usize]);
         let (p, q) = (across_edge(n, t), across_edge(m, t));
@@ -108,7 +101,7 @@ pub fn check(
         for (height, v) in heights.into_iter().zip(edge.ends) {
             widen(&mut found.edge_distance, height);
             if kind == OffsetKind::Edge {
-                errors.add_of_node(height - distance.abs(), v, &mut found.nodes);
+                found.nodes[v as usize].add_error(height - distance.abs());
             }
         }
         let twist = libm::atan2(p.cross(q).length(), p.dot(q)).to_degrees();
@@ -122,7 +115,7 @@ pub fn check(
             height: [heights[0].min(heights[1]), heights[0].max(heights[1])],
             shrinking: k,
         };
-        warp.add(beam.warp, e);
+        found.warp = found.warp.max(beam.warp);
         found.beams.push(beam);
     }
     for (face, f) in surface.faces.iter().zip(0..) {
@@ -131,12 +124,12 @@ pub fn check(
             let height = distance * normal.dot(axes[v as usize]);
             widen(&mut found.face_distance, height);
             if kind == OffsetKind::Face {
-                errors.add_of_node(height - distance, v, &mut found.nodes);
+                found.nodes[v as usize].add_error(height - distance);
             }
         }
     }
     let mut used = 0;
-    for (v, (axis, normal)) in (0..).zip(axes.iter().zip(&surface.normals)) {
+    for ((axis, normal), node) in axes.iter().zip(&surface.normals).zip(&mut found.nodes) {
         if *normal == Vec3::zero() {
             continue;
         }
@@ -144,27 +137,24 @@ pub fn check(
         let length = distance.abs() * axis.length();
         widen(&mut found.corner_distance, length);
         if kind == OffsetKind::Corner {
-            errors.add_of_node(length - distance.abs(), v, &mut found.nodes);
+            node.add_error(length - distance.abs());
         }
         let angle = lean(*axis, *normal);
         found.mean_lean_deg += angle;
-        lean_at.add(angle, v);
-        let node = &mut found.nodes[v as usize];
         node.lean_deg = angle;
+        found.lean_deg = found.lean_deg.max(angle);
         if node.is_inner {
-            inner_lean.add(angle, v);
+            found.inner_lean_deg = found.inner_lean_deg.max(angle);
         }
     }
     found.mean_lean_deg /= f64::from(used.max(1));
-    (found.warp, found.warp_edge) = (warp.value.abs(), warp.element);
-    (found.lean_deg, found.lean_vertex) = (lean_at.value, lean_at.element);
-    (found.inner_lean_deg, found.inner_lean_vertex) = (inner_lean.value, inner_lean.element);
-    (found.distance_error, found.distance_vertex) = (errors.value.abs(), errors.element);
+    let errors = found.nodes.iter().map(|node| node.distance_error);
+    found.distance_error = errors.fold(0.0, f64::max);
     // Larger limits are due to rounding in `k`: there is none.
     let far = 1e6 * surface.mean_edge();
     let inverse = |k: f64| (k != 0.0).then(|| 1.0 / k).filter(|limit| limit.abs() < far);
     found.safe_distance = [inverse(slopes[0]), inverse(slopes[1])];
-    (found.offset_flatness, found.offset_panel) = flatness(surface, axes, distance);
+    found.offset_flatness = flatness(surface, axes, distance);
     found
 }
 
@@ -207,28 +197,6 @@ fn lean(axis: Vec3<f64>, normal: Vec3<f64>) -> f64 {
     libm::atan2(axis.cross(normal).length(), axis.dot(normal)).to_degrees()
 }
 
-/// The value with the largest magnitude so far, and its element.
-#[derive(Default)]
-struct Worst {
-    value: f64,
-    element: u32,
-}
-
-impl Worst {
-    fn add(&mut self, value: f64, element: u32) {
-        if value.abs() > self.value.abs() {
-            *self = Worst { value, element };
-        }
-    }
-
-    /// Adds a distance error, and records it at its node.
-    fn add_of_node(&mut self, error: f64, v: u32, nodes: &mut [NodeCheck]) {
-        self.add(error, v);
-        let worst = &mut nodes[v as usize].distance_error;
-        *worst = worst.max(error.abs());
-    }
-}
-
 /// The largest distance of the corners of a beam from their least-squares plane.
 fn beam_warp(surface: &PanelSurface, [i, j]: [u32; 2], axes: &[Vec3<f64>], depth: f64) -> f64 {
     let (v, w) = (surface.at(i), surface.at(j));
@@ -236,12 +204,9 @@ fn beam_warp(surface: &PanelSurface, [i, j]: [u32; 2], axes: &[Vec3<f64>], depth
     plane_distance(&corners)
 }
 
-/// The largest deviation of a panel of the offset from flat, and the panel.
-fn flatness(surface: &PanelSurface, axes: &[Vec3<f64>], distance: f64) -> (f64, u32) {
-    let mut worst = Worst::default();
-    for (face, f) in surface.faces.iter().zip(0..) {
-        let corner = |&v: &u32| surface.at(v) + axes[v as usize] * distance;
-        worst.add(plane_distance(&face.iter().map(corner).collect::<Vec<_>>()), f);
-    }
-    (worst.value, worst.element)
+/// The largest deviation of a panel of the offset from flat.
+fn flatness(surface: &PanelSurface, axes: &[Vec3<f64>], distance: f64) -> f64 {
+    let corner = |&v: &u32| surface.at(v) + axes[v as usize] * distance;
+    let of_panel = |face: &[u32]| plane_distance(&face.iter().map(corner).collect::<Vec<_>>());
+    surface.faces.iter().map(of_panel).fold(0.0, f64::max)
 }

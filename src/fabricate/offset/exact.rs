@@ -83,7 +83,7 @@ fn of_beams(
 /// Returns false if no axes can have distance errors below `tolerance` at the distance `depth`.
 /// Only panels are tested: at each vertex, how far the planes around it are from touching a common
 /// cone.
-pub(super) fn can_be_exact(
+pub(in crate::fabricate) fn can_be_exact(
     surface: &PanelSurface,
     kind: OffsetKind,
     depth: f64,
@@ -95,7 +95,10 @@ pub(super) fn can_be_exact(
     let mut around: Vec<Vec<Vec3<f64>>> = vec![Vec::new(); surface.positions.len()];
     for (face, f) in surface.faces.iter().zip(0..) {
         let normal = surface.normal(f);
-        face.iter().for_each(|&v| around[v as usize].push(normal));
+        // A panel without area has no plane.
+        if normal != Vec3::zero() {
+            face.iter().for_each(|&v| around[v as usize].push(normal));
+        }
     }
     // The largest error is at least the root mean square.
     around.iter().all(|normals| {

@@ -31,5 +31,6 @@ pub use axes::{Axes, exact, fit};
 pub use check::{BeamCheck, NodeCheck, OffsetCheck, check};
 pub use choice::Choice;
 pub use closing::{Closing, closing};
+pub(super) use exact::can_be_exact;
 pub use kind::OffsetKind;
 pub(super) use system::across_edge;

@@ -21,5 +21,6 @@ pub use flat::{FlatPanel, lay_flat};
 pub use inset::inset;
 pub use name::{Names, panel_names};
 pub(super) use plane::plane_distance;
+pub(super) use polygon::smallest_box_within;
 pub(super) use polygon::{direction_of, distance_to_outline, sides};
 pub use polygon::{hull, is_simple, perimeter, roomiest_point, smallest_box};

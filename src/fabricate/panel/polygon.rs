@@ -50,10 +50,11 @@ fn cross_each_other([a, b]: [Point2; 2], [c, d]: [Point2; 2]) -> bool {
     let side = |p: Point2, q: Point2, r: Point2| cross(minus(q, p), minus(r, p));
     let (u, v) = (side(a, b, c), side(a, b, d));
     let (w, x) = (side(c, d, a), side(c, d, b));
-    u * v <= 0.0 && w * x <= 0.0 && !(u == 0.0 && v == 0.0 && !overlap([a, b], [c, d]))
+    // Rounding puts the ends of sides on one line on either side of it.
+    u * v <= 0.0 && w * x <= 0.0 && overlap([a, b], [c, d])
 }
 
-/// Whether two collinear segments have a common point.
+/// Whether two segments overlap in the direction of the first.
 fn overlap([a, b]: [Point2; 2], [c, d]: [Point2; 2]) -> bool {
     let axis = minus(b, a);
     let at = |p: Point2| dot(minus(p, a), axis);
@@ -92,8 +93,16 @@ pub fn hull(points: &[Point2]) -> Vec<Point2> {
 /// The rotation (cosine and sine) that gives the polygon its box of least area, wider than high,
 /// and the width and height of that box. One side of it lies along an edge of the hull.
 pub fn smallest_box(polygon: &[Point2]) -> (Point2, [f64; 2]) {
+    smallest_box_within(polygon, [f64::INFINITY; 2])
+}
+
+/// As [`smallest_box`], but of the boxes at most as wide and as high as `most`, if there are any.
+pub(in crate::fabricate) fn smallest_box_within(
+    polygon: &[Point2],
+    most: [f64; 2],
+) -> (Point2, [f64; 2]) {
     let hull = hull(polygon);
-    let mut best: Option<(f64, Point2, [f64; 2])> = None;
+    let mut best: Option<((bool, f64), Point2, [f64; 2])> = None;
     for [p, q] in sides(&hull) {
         let [c, s] = direction_of(p, q);
         let turn = [c, -s];
@@ -103,9 +112,13 @@ pub fn smallest_box(polygon: &[Point2]) -> (Point2, [f64; 2]) {
             true => (turn, [width, height]),
             false => ([s, c], [height, width]),
         };
+        let fits = size[0] <= most[0] && size[1] <= most[1];
         // In a tie the first edge wins regardless of rounding.
-        if best.is_none_or(|(area, ..)| width * height < area * (1.0 - 1e-9)) {
-            best = Some((width * height, turn, size));
+        let is_better = best.is_none_or(|((did_fit, area), ..)| {
+            fits > did_fit || (fits == did_fit && width * height < area * (1.0 - 1e-9))
+        });
+        if is_better {
+            best = Some(((fits, width * height), turn, size));
         }
     }
     best.map_or(([1.0, 0.0], [0.0; 2]), |(_, turn, size)| (turn, size))

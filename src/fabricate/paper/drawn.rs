@@ -13,7 +13,7 @@ const DASH: f64 = 2.5;
 /// Gap between dashes, as a fraction of [`DASH`].
 const GAP: f64 = 0.6;
 /// Folds below this angle, in radians, are not scored: their panels are coplanar.
-const FLAT: f64 = 1e-3;
+pub(in crate::fabricate) const FLAT: f64 = 1e-3;
 
 /// Maps a point of a piece to its part: mirrored if the inside is printed, then rotated.
 #[derive(Clone, Copy)]
@@ -34,9 +34,10 @@ fn outline(model: &PaperModel, piece: u32, inside: bool) -> (Vec<Point2>, Put) {
     let unrotated = Put { inside, turn: [1.0, 0.0] };
     let mut points: Vec<Point2> = Vec::new();
     for side in model.net.outline(piece).unwrap_or_default() {
-        let [p, _] = model.net.ends((side.facet, side.side));
+        let side = (side.facet, side.side);
+        let [p, _] = model.net.ends(side);
         points.push(unrotated.put(p));
-        if let Some(tab) = model.tabs(piece).find(|tab| tab.side == side) {
+        if let Some(tab) = model.tab(side) {
             points.extend(tab.corners[1..3].iter().map(|&corner| unrotated.put(corner)));
         }
     }
@@ -149,8 +150,12 @@ pub fn write_names(
 fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<OutlineSide>> {
     let net = &model.net;
     let sides = |f: u32| (0..net.facets[f as usize].corners.len() as u32).map(move |k| (f, k));
-    let is_own = |f: &u32| net.facets[*f as usize].panel == panel;
-    let own: Vec<u32> = net.pieces[piece as usize].iter().copied().filter(is_own).collect();
+    // Facets are in the order of panels, and those of a piece in this order too.
+    let first = |panel: u32| net.facets.partition_point(|facet| facet.panel < panel);
+    let all = first(panel)..first(panel + 1);
+    let of_piece = &net.pieces[piece as usize];
+    let before = |end: usize| of_piece.partition_point(|&f| (f as usize) < end);
+    let own = &of_piece[before(all.start)..before(all.end)];
     let mut of_panel: Vec<(u32, OutlineSide)> = own
         .iter()
         .flat_map(|&f| sides(f))
@@ -160,8 +165,7 @@ fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<OutlineSid
         })
         .collect();
     sort_by_number(&mut of_panel, |(side, _)| u64::from(*side));
-    let all = (0..net.facets.len() as u32).filter(is_own).count();
-    match own.len() == all {
+    match own.len() == all.len() {
         true => vec![of_panel.into_iter().map(|(_, side)| side).collect()],
         false => own
             .iter()

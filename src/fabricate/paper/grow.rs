@@ -3,10 +3,11 @@
 
 use super::motion::Motion;
 use super::net::{OutlineSide, PaperNet};
-use super::overlap::{is_same_corner, overlaps};
+use super::overlap::{is_near, is_same_corner, overlaps};
 use super::tab::tab;
-use crate::fabricate::panel::smallest_box;
-use crate::math::plane::Point2;
+use crate::fabricate::panel::{hull, smallest_box};
+use crate::math::plane::{Point2, bounds};
+use std::cell::LazyCell;
 
 impl PaperNet {
     /// Folds a joint if possible: the pieces on its two sides become one. `room` is the largest
@@ -28,17 +29,21 @@ impl PaperNet {
         let moved = self.pieces[b as usize].clone();
         let before: Vec<Motion> = moved.iter().map(|&f| self.places[f as usize]).collect();
         for &f in &moved {
-            self.places[f as usize] = motion.after(&self.places[f as usize]);
+            self.put(f, motion.after(&self.places[f as usize]));
         }
         let welded = self.welded(joint, &moved, a);
-        let mut is_good = self.fits([a, b], room) && !self.overlap([a, b]);
+        let corners = moved.iter().flat_map(|&f| self.corners(f));
+        let both = hull(&self.hulls[a as usize].iter().copied().chain(corners).collect::<Vec<_>>());
+        let mut is_good = fits(&both, room) && !self.overlap([a, b]);
         if is_good {
             welded.iter().for_each(|&j| self.folded[j as usize] = true);
             moved.iter().for_each(|&f| self.piece_of[f as usize] = a);
             self.pieces[a as usize].extend(&moved);
             self.pieces[b as usize].clear();
             is_good = self.has_room_for_tabs(a, &moved, tab_height);
-            if !is_good {
+            if is_good {
+                self.hulls[a as usize] = both;
+            } else {
                 let kept = self.pieces[a as usize].len() - moved.len();
                 self.pieces[a as usize].truncate(kept);
                 self.pieces[b as usize].clone_from(&moved);
@@ -47,7 +52,7 @@ impl PaperNet {
             }
         }
         if !is_good {
-            moved.iter().zip(before).for_each(|(&f, place)| self.places[f as usize] = place);
+            moved.iter().zip(before).for_each(|(&f, place)| self.put(f, place));
         }
         is_good
     }
@@ -70,16 +75,12 @@ impl PaperNet {
         found
     }
 
-    fn fits(&self, pieces: [u32; 2], [width, height]: [f64; 2]) -> bool {
-        let all = pieces.iter().flat_map(|&piece| &self.pieces[piece as usize]);
-        let points: Vec<Point2> = all.flat_map(|&f| self.corners(f)).collect();
-        let (_, size) = smallest_box(&points);
-        let [long, short] = [width.max(height), width.min(height)];
-        size[0] <= long && size[1] <= short
-    }
-
+    /// Whether two pieces overlap; `b` is the smaller one.
     fn overlap(&self, [a, b]: [u32; 2]) -> bool {
-        let (own, other) = (self.convex(a), self.convex(b));
+        let other = self.convex(b);
+        let around = bounds(other.iter().flatten().copied());
+        let near = |f: &&u32| is_near(self.boxes[**f as usize], around);
+        let own = self.convex_of(self.pieces[a as usize].iter().filter(near));
         own.iter().any(|p| other.iter().any(|q| overlaps(p, q)))
     }
 
@@ -87,7 +88,8 @@ impl PaperNet {
     /// piece has room for a tab on one of them.
     fn has_room_for_tabs(&self, piece: u32, moved: &[u32], tab_height: f64) -> bool {
         let Some(outline) = self.outline(piece) else { return false };
-        let convex = self.convex(piece);
+        // Few joints need them.
+        let convex = LazyCell::new(|| self.convex(piece));
         outline.iter().all(|own| {
             if tab_height <= 0.0 || !moved.contains(&own.facet) {
                 return true;
@@ -105,4 +107,11 @@ impl PaperNet {
                 .any(|k| tab(self, &outline, k, &convex, tab_height).is_some())
         })
     }
+}
+
+/// Whether the smallest box around these points is at most as large as `room`.
+fn fits(points: &[Point2], [width, height]: [f64; 2]) -> bool {
+    let (_, size) = smallest_box(points);
+    let [long, short] = [width.max(height), width.min(height)];
+    size[0] <= long && size[1] <= short
 }

@@ -27,6 +27,7 @@ mod tab;
 mod tab_name;
 mod triangles;
 
+pub(super) use drawn::FLAT;
 pub use drawn::{MissingNames, drawn, write_names};
 pub use facet::{Facet, Joint};
 pub use model::{JointKind, PaperModel, PaperSize};

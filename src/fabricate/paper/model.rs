@@ -69,6 +69,15 @@ impl PaperModel {
         PaperModel { net, joint_kinds, pieces, without, is_without_quads }
     }
 
+    /// The tab on a side.
+    pub fn tab(&self, side: (u32, u32)) -> Option<&Tab> {
+        let (joint, _) = self.net.across(side)?;
+        match &self.joint_kinds[joint as usize] {
+            JointKind::Tab(tab) if (tab.side.facet, tab.side.side) == side => Some(tab),
+            _ => None,
+        }
+    }
+
     /// The tabs of a piece.
     pub fn tabs(&self, piece: u32) -> impl Iterator<Item = &Tab> {
         self.joint_kinds.iter().filter_map(move |kind| match kind {

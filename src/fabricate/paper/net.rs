@@ -2,7 +2,7 @@
 
 use super::facet::{Facet, Joint};
 use super::motion::Motion;
-use crate::math::plane::Point2;
+use crate::math::plane::{Point2, bounds};
 
 /// A side of the outline of a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,6 +24,10 @@ pub struct PaperNet {
     pub folded: Vec<bool>,
     /// The position of each facet in the plane of its piece.
     pub places: Vec<Motion>,
+    /// The box of each facet in the plane of its piece.
+    pub(super) boxes: Vec<[Point2; 2]>,
+    /// Points of each piece that span its convex hull.
+    pub(super) hulls: Vec<Vec<Point2>>,
     /// The piece of each facet.
     pub piece_of: Vec<u32>,
     /// The facets of each piece; empty if it was merged into another.
@@ -36,12 +40,20 @@ impl PaperNet {
         let n = facets.len();
         PaperNet {
             folded: vec![false; joints.len()],
+            boxes: facets.iter().map(|facet| bounds(facet.corners.iter().copied())).collect(),
+            hulls: facets.iter().map(|facet| facet.corners.clone()).collect(),
             places: vec![Motion { turn: [1.0, 0.0], shift: [0.0; 2] }; n],
             piece_of: (0..n as u32).collect(),
             pieces: (0..n as u32).map(|f| vec![f]).collect(),
             facets,
             joints,
         }
+    }
+
+    /// Moves a facet to another place.
+    pub(super) fn put(&mut self, f: u32, place: Motion) {
+        self.places[f as usize] = place;
+        self.boxes[f as usize] = bounds(self.corners(f));
     }
 
     /// The corners of a facet in its piece.
@@ -59,12 +71,20 @@ impl PaperNet {
 
     /// The convex polygons of a piece.
     pub(super) fn convex(&self, piece: u32) -> Vec<Vec<Point2>> {
+        self.convex_of(&self.pieces[piece as usize])
+    }
+
+    /// The convex polygons of some facets.
+    pub(super) fn convex_of<'a>(
+        &self,
+        facets: impl IntoIterator<Item = &'a u32>,
+    ) -> Vec<Vec<Point2>> {
         let of_facet = |&f: &u32| {
             let place = self.places[f as usize];
             let convex = self.facets[f as usize].convex.iter();
             convex.map(move |own| own.iter().map(|&p| place.put(p)).collect())
         };
-        self.pieces[piece as usize].iter().flat_map(of_facet).collect()
+        facets.into_iter().flat_map(of_facet).collect()
     }
 
     /// The joint of a side, and the side beyond it.

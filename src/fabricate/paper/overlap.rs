@@ -1,7 +1,7 @@
 //! Intersection test of convex polygons, by separating axes.
 
 use crate::fabricate::panel::direction_of;
-use crate::math::plane::{Point2, minus};
+use crate::math::plane::{Point2, bounds, minus};
 
 /// Gap between parts of a piece without a common corner, in mm: room for scissors.
 const CLEARANCE: f64 = 0.5;
@@ -15,19 +15,15 @@ pub(super) fn is_same_corner(p: Point2, q: Point2) -> bool {
     minus(p, q).iter().all(|x| x.abs() < SAME)
 }
 
+/// Whether parts in these boxes may overlap or be too close.
+pub(super) fn is_near([low, high]: [Point2; 2], [least, most]: [Point2; 2]) -> bool {
+    (0..2).all(|k| high[k] + CLEARANCE >= least[k] && most[k] + CLEARANCE >= low[k])
+}
+
 /// Whether two convex counterclockwise polygons overlap, or are too close without a common corner.
 pub(super) fn overlaps(a: &[Point2], b: &[Point2]) -> bool {
-    let boxes = [a, b].map(|polygon| {
-        let range = |k: usize| {
-            let values = polygon.iter().map(|point| point[k]);
-            [values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)]
-        };
-        [range(0), range(1)]
-    });
-    let is_far = (0..2).any(|k| {
-        boxes[0][k][1] + CLEARANCE < boxes[1][k][0] || boxes[1][k][1] + CLEARANCE < boxes[0][k][0]
-    });
-    if is_far {
+    let [one, other] = [a, b].map(|polygon| bounds(polygon.iter().copied()));
+    if !is_near(one, other) {
         return false;
     }
     let share = a.iter().any(|&p| b.iter().any(|&q| is_same_corner(p, q)));

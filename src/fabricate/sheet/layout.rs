@@ -38,9 +38,11 @@ impl Layout {
 pub fn lay_out(parts: &[CutPart], sheet: SheetSize, order: Order) -> Layout {
     /// With more parts only the first arrangement is tried.
     const MOST_TRIED: usize = 3000;
-    let found = resting(parts);
+    // Parts as large as the sheet fit despite rounding.
+    let room = sheet.size.map(|size| (size - 2.0 * sheet.margin) * (1.0 + 1e-9));
+    let found = resting(parts, room);
     let tried = if order == Order::Names || parts.len() > MOST_TRIED { 1 } else { WAYS.len() };
-    let all = WAYS[..tried].iter().map(|way| way.lay_out(&found, sheet, order));
+    let all = WAYS[..tried].iter().map(|way| way.lay_out(&found, (sheet, room), order));
     let best = all.reduce(|best, other| {
         let taken = |laid: &Laid| (laid.layout.too_large.len(), laid.layout.sheets.len());
         let is_less = taken(&other) < taken(&best)
@@ -72,9 +74,13 @@ struct Laid {
 }
 
 impl Way {
-    fn lay_out(&self, parts: &[Resting], sheet: SheetSize, order: Order) -> Laid {
+    fn lay_out(
+        &self,
+        parts: &[Resting],
+        (sheet, [width, height]): (SheetSize, [f64; 2]),
+        order: Order,
+    ) -> Laid {
         let mut layout = Layout::default();
-        let [width, height] = sheet.size.map(|size| size - 2.0 * sheet.margin);
         let room = if self.in_columns { [height, width] } else { [width, height] };
         let mut boxes: Vec<Resting> = Vec::new();
         for (part, resting) in parts.iter().enumerate() {
@@ -96,7 +102,7 @@ impl Way {
             if self.in_columns {
                 // Rotated clockwise by a right angle.
                 turn = rotated(turn, [0.0, -1.0]);
-                [x, y] = [y, height - x];
+                [x, y] = [y, sheet.size[1] - 2.0 * sheet.margin - x];
             }
             layout.sheets.resize_with(layout.sheets.len().max(number + 1), Sheet::default);
             let offset = [x + sheet.margin, y + sheet.margin];

@@ -4,7 +4,7 @@
 use super::clearance::min_shift;
 use super::part::CutPart;
 use super::place::{Order, Place};
-use crate::fabricate::panel::{hull, sides, smallest_box};
+use crate::fabricate::panel::{hull, sides, smallest_box_within};
 use crate::math::plane::{Point2, area, bounds, rotated};
 
 /// Step of the heights of shelves, in mm.
@@ -59,10 +59,11 @@ impl Resting {
     }
 }
 
-/// All parts, along the longer sides of their smallest boxes.
-pub(super) fn resting(parts: &[CutPart]) -> Vec<Resting> {
+/// All parts, along the longer sides of their smallest boxes that fit into this room.
+pub(super) fn resting(parts: &[CutPart], [width, height]: [f64; 2]) -> Vec<Resting> {
+    let most = [width.max(height), width.min(height)];
     let rest = |(k, part): (usize, &CutPart)| {
-        let (turn, _) = smallest_box(&part.outline);
+        let (turn, _) = smallest_box_within(&part.outline, most);
         let turned: Vec<_> = part.outline.iter().map(|&point| rotated(point, turn)).collect();
         Resting::new(k, turn, cover(&turned))
     };
