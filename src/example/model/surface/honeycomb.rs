@@ -14,8 +14,8 @@ pub fn honeycomb(
     rounded(hexagons(rows, across, point))
 }
 
-/// [`honeycomb`] with all digits. There are `rows + 1` rows of triangle corners along `u`; an even row has `across(u)` of them, an
-/// odd row one more, shifted by half their distance.
+/// [`honeycomb`] with all digits. There are `rows + 1` rows of triangle corners along `u`; an even
+/// row has `across(u)` of them, an odd row one more, shifted by half their distance.
 pub(crate) fn hexagons(
     rows: usize,
     across: impl Fn(f64) -> usize,
