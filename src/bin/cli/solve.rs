@@ -46,7 +46,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     if let Some(nearest) = session.nearest_to_exact().map_err(at_input)? {
         let nearest = output::short(nearest);
         eprintln!(
-            "note: the mesh is too large for exact constraints: met up to about {nearest}; use --within LENGTH"
+            "note: the mesh, or one constraint, is too large to be exact: met up to about {nearest}; use --within LENGTH"
         );
     }
     if command.improve {

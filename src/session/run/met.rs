@@ -104,8 +104,8 @@ pub struct ExactReport {
     pub contradiction: bool,
     /// Indices of the unmet rows in the scene's list of constraints.
     pub unmet: Vec<usize>,
-    /// Whether the mesh is too large for its exact constraints, which are then met only up to about
-    /// a hundred-thousandth of its size.
+    /// Whether the mesh, or one constraint, is too large to be exact: constraints are then met only
+    /// up to about a hundred-thousandth of its size.
     pub too_large: bool,
     /// Number of unmet constraints, counted individually.
     pub misses: usize,

@@ -120,7 +120,7 @@ async function showCost(app, output) {
     return;
   }
   if (cost.tooLarge) {
-    showMessage(`${met}The mesh is too large for exact constraints; a tolerance can be met.`);
+    showMessage(`${met}The mesh, or one constraint, is too large to be exact; a tolerance can be met.`);
     return;
   }
   if (!cost.met) {
@@ -206,7 +206,7 @@ function showUnmet(app, { showMessage, offer }, exact) {
   const where = rows.map(({ label, on }) => `${label} on ${on}`).join(', ');
   const many = `${groupDigits(misses)} of ${groupDigits(all)}`;
   let [cannot, closest] = ['are not met yet', 'The farthest is off by'];
-  if (too_large) cannot = 'are not exact: the mesh is too large for that';
+  if (too_large) cannot = 'are not exact: the mesh, or one constraint, is too large for that';
   else if (contradiction) [cannot, closest] = ['cannot be met together', 'The smallest miss is'];
   showMessage(
     `${many} ${cannot}: ${where}. ${closest} ${far}.`,
