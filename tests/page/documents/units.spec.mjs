@@ -2,7 +2,16 @@
 
 import { exported, hidePanels, openText, saved, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
-import { expect, openPage, positionOf, screenOf, state, test, waitForState } from '../support.mjs';
+import {
+  drawn,
+  expect,
+  openPage,
+  positionOf,
+  screenOf,
+  state,
+  test,
+  waitForState,
+} from '../support.mjs';
 
 const guess = (page) => page.getByText(/ has no units or up axis\. Our guess:$/);
 const looksRight = (page) => page.getByRole('button', { name: 'Looks right' });
@@ -61,6 +70,9 @@ test('another axis turns the view, and undo turns it back', async ({ page }) => 
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');
   await openText(page, 'roof.obj', wavyGrid(4), 25);
+  // The view is framed anew beside the offer.
+  await page.getByRole('button', { name: 'Make panels flat' }).first().waitFor();
+  await drawn(page);
   const before = await screenOf(page, 0);
   await showPanel(page, 'Model');
   await page.getByRole('combobox', { name: 'Up axis' }).selectOption('y');
