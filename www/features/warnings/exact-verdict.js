@@ -120,7 +120,9 @@ async function showCost(app, output) {
     return;
   }
   if (cost.tooLarge) {
-    showMessage(`${met}The mesh, or one constraint, is too large to be exact; a tolerance can be met.`);
+    showMessage(
+      `${met}The mesh, or one constraint, is too large to be exact; a tolerance can be met.`,
+    );
     return;
   }
   if (!cost.met) {
