@@ -115,7 +115,7 @@ pub(in crate::fabricate) fn smallest_box_within(
         let fits = size[0] <= most[0] && size[1] <= most[1];
         // In a tie the first edge wins regardless of rounding.
         let is_better = best.is_none_or(|((did_fit, area), ..)| {
-            fits > did_fit || (fits == did_fit && width * height < area * (1.0 - 1e-9))
+            (fits && !did_fit) || (fits == did_fit && width * height < area * (1.0 - 1e-9))
         });
         if is_better {
             best = Some(((fits, width * height), turn, size));
