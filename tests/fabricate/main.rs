@@ -20,6 +20,7 @@ mod paper;
 mod paper_names;
 mod picture;
 mod report_page;
+mod sheets;
 mod space;
 
 use shape_up::fabricate::{Build, BuildSettings, LengthInMetres};

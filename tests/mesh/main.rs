@@ -23,6 +23,7 @@ mod files;
 mod folds;
 mod fuzzed;
 mod measure;
+mod operation_cost;
 mod operations;
 mod plan;
 mod polygon_laplacian;

@@ -6,18 +6,18 @@ use crate::subdivide::{boundary_edges, cube, euler, most_alike, most_faces};
 use crate::{meshes, shared};
 use proptest::prelude::*;
 use shape_up::mesh::{
-    Edited, Group, GroupKeyword, MESH_OPERATIONS, Mesh, MeshOperation, OperationError, Point,
-    Scheme, Size, SizeError, SizeOf, Subdivision, Task, Topology, read,
+    Edited, MESH_OPERATIONS, Mesh, MeshOperation, OperationError, Point, Scheme, Size, SizeError,
+    SizeOf, Subdivision, Task, Topology, read,
 };
 
 /// Selected elements for an operation.
 #[derive(Clone, Debug, Default)]
-struct Picked {
+pub(crate) struct Picked {
     vertices: Vec<u32>,
     faces: Vec<u32>,
 }
 
-fn apply(
+pub(crate) fn apply(
     mesh: &Mesh,
     id: &str,
     sizes: Option<&[f64]>,
@@ -36,7 +36,7 @@ fn apply(
     })
 }
 
-fn done(mesh: &Mesh, id: &str) -> Edited {
+pub(crate) fn done(mesh: &Mesh, id: &str) -> Edited {
     apply(mesh, id, None, &Picked::default()).unwrap()
 }
 
@@ -169,7 +169,7 @@ proptest! {
     }
 }
 
-fn flat(columns: u32, rows: u32) -> Mesh {
+pub(crate) fn flat(columns: u32, rows: u32) -> Mesh {
     grid(columns, rows, |i, j| [f64::from(i), f64::from(j), 0.0])
 }
 
@@ -468,39 +468,6 @@ fn curves_and_groups_go_along() {
     assert_eq!(wider.curves.row(0).len(), 6, "the curve gets the vertex on its edge");
     let merged = apply(&mesh, "merge-vertices", None, &with_vertices(&[5, 6])).unwrap().mesh;
     assert_eq!(merged.curves.row(0).len(), 4);
-}
-
-/// How long an operation takes.
-fn seconds(mesh: &Mesh, id: &str, sizes: Option<&[f64]>) -> f64 {
-    let begun = std::time::Instant::now();
-    // Whether the operation is refused does not matter.
-    let _ = apply(mesh, id, sizes, &Picked::default());
-    begun.elapsed().as_secs_f64()
-}
-
-#[test]
-fn a_group_for_each_face_takes_not_much_longer_than_one_for_all() {
-    let mut one = flat(200, 200);
-    let group = |name: String, faces: Vec<u32>| Group {
-        name,
-        keyword: GroupKeyword::Object,
-        faces,
-        curves: Vec::new(),
-    };
-    one.groups = vec![group("all".to_owned(), (0..40_000).collect())];
-    let mut each = one.clone();
-    each.groups = (0..40_000).map(|face| group(format!("panel {face}"), vec![face])).collect();
-    let cut = done(&each, "triangles").mesh;
-    assert!((0..).zip(&cut.groups).all(|(k, group)| group.faces == [2 * k, 2 * k + 1]));
-    let [one, each] = [one, each].map(|mesh| seconds(&mesh, "flip", None));
-    assert!(each < 15.0 * one, "{each} s beside {one} s");
-}
-
-#[test]
-fn welding_at_many_edge_lengths_takes_not_much_longer_than_at_a_small_distance() {
-    let mesh = flat(200, 200);
-    let [near, far] = [0.01, 10.0].map(|distance| seconds(&mesh, "weld", Some(&[distance])));
-    assert!(far < 5.0 * near, "{far} s beside {near} s");
 }
 
 /// On real meshes every operation gives a sound mesh, and the dual of a dual has the original

@@ -12,7 +12,7 @@ use shape_up::mesh::{Mesh, Point};
 use shape_up::solve::{ExactAnswer, Handle, Hold, Require, Requirements, Stage};
 
 /// A square of quads over bumps, with each vertex slightly displaced.
-fn bumps(n: u32) -> Mesh {
+pub(crate) fn bumps(n: u32) -> Mesh {
     grid(n, n, |i, j| {
         let (x, y) = (f64::from(i), f64::from(j));
         let off = |k: u32| f64::from((i * 31 + j * 17 + k * 11) % 23) / 23.0 - 0.5;
@@ -21,7 +21,7 @@ fn bumps(n: u32) -> Mesh {
     })
 }
 
-fn run(case: &Case, start: &[Point]) -> (Vec<Point>, ExactAnswer) {
+pub(crate) fn run(case: &Case, start: &[Point]) -> (Vec<Point>, ExactAnswer) {
     let mut exact = case.exact(start);
     exact.run().expect("its systems are regular");
     let positions = exact.positions();
@@ -289,67 +289,6 @@ fn it_can_be_stopped_after_any_round_and_begun_again() {
     exact.hurry();
     exact.run().expect("its systems are regular");
     assert!(exact.answer().met && exact.answer().refactorizations == 12);
-}
-
-#[test]
-fn what_is_too_large_to_be_exact_is_said_beforehand() {
-    let mesh = bumps(67);
-    let all: Vec<u32> = (0..mesh.positions.len() as u32).collect();
-    // One plane through all vertices couples every pair of vertices.
-    let asked = |require| {
-        let case = Case::new(mesh.clone()).with("plane", json!({}), [all.clone()], require);
-        (case.nearest(0), case)
-    };
-    let (nearest, case) = asked(Require::Exact);
-    let nearest = nearest.expect("it is too large");
-    assert!((0.9e-5..2e-5).contains(&(nearest / case.size())), "{nearest}");
-    let (_, answer) = run(&case, &case.mesh.positions);
-    assert!(answer.max_distance <= nearest && answer.block_factors == 0);
-    assert_eq!(asked(Require::Within(0.1)).0, None, "a tolerance needs no polish");
-    let panels = Case::new(bumps(8)).on_faces("plane", Require::Exact);
-    assert_eq!(panels.nearest(1000), None);
-    assert!(panels.nearest(7_000_000).is_some(), "a factor of half a gigabyte");
-    // Normal spaces cost the cube of the number of points.
-    for (n, is_too_large) in [(20, false), (25, true)] {
-        let mesh = bumps(n);
-        let all: Vec<u32> = (0..mesh.positions.len() as u32).collect();
-        let case = Case::new(mesh).with("plane", json!({}), [all], Require::Exact);
-        assert_eq!(case.nearest(0).is_some(), is_too_large, "{n}");
-    }
-}
-
-#[test]
-fn means_of_large_constraints_without_weight_are_no_unknowns() {
-    let mesh = bumps(6);
-    let all: Vec<u32> = (0..mesh.positions.len() as u32).collect();
-    for require in [Require::Soft, Require::Exact] {
-        let mut case = Case::new(mesh.clone())
-            .with("plane", json!({}), [all.clone()], Require::Soft)
-            .with("plane", json!({}), [all.clone()], require);
-        case.weights.shape = 0.0;
-        let soft = case.soft();
-        assert!(!require.is_hard() || run(&case, &soft).1.met);
-    }
-}
-
-#[test]
-fn a_larger_tolerance_is_met_wherever_a_smaller_one_is() {
-    for seed in 1..=8 {
-        let noise = std::cell::RefCell::new(crate::random::Random::new(seed));
-        let mesh = grid(16, 16, |i, j| {
-            let (x, y) = (f64::from(i), f64::from(j));
-            let off = |by: f64| by * noise.borrow_mut().uniform();
-            let height = math::sine(0.05 * x) * math::cosine(0.04 * y);
-            [x + off(0.15), y + off(0.15), height + off(0.4)]
-        });
-        let ask = |require| {
-            let case = Case::new(mesh.clone()).on_faces("circle", require);
-            let (_, answer) = run(&case, &case.soft());
-            answer.met
-        };
-        let met = [Require::Exact, Require::Within(0.01), Require::Within(0.05)].map(ask);
-        assert!(!met[0] || (met[1] && met[2]), "{seed}: {met:?}");
-    }
 }
 
 #[test]

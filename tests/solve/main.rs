@@ -23,6 +23,7 @@ mod descent;
 mod energies;
 mod exact;
 mod exact_boundary;
+mod exact_limits;
 mod expected;
 mod factor;
 mod improve;

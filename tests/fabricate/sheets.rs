@@ -1,0 +1,71 @@
+//! Parts on sheets: which of them fit, and the holes cut out of them.
+
+use super::build;
+use super::files::settings;
+use super::grid::grid;
+use shape_up::fabricate::BuildSettings;
+use shape_up::mesh::Mesh;
+
+#[test]
+fn a_part_that_fits_only_along_another_side_than_that_of_its_smallest_box_is_laid() {
+    // The box along the base is 100 by 40 mm, the one along a leg 78 by 63 mm.
+    let positions = vec![[0.0; 3], [10.0, 0.0, 0.0], [5.0, 4.0, 0.0]];
+    let mut mesh = Mesh { positions, ..Mesh::default() };
+    mesh.faces.push(&[0, 1, 2]);
+    for sheet in [[80.0, 65.0], [65.0, 80.0]] {
+        let own = BuildSettings {
+            scale: 100.0,
+            sheet,
+            joint: 0.0,
+            margin: 0.0,
+            ..BuildSettings::default()
+        };
+        let made = build(&mesh, &own);
+        assert!(made.layout.too_large.is_empty());
+        let place = &made.layout.sheets[0].places[0];
+        let on_sheet = made.parts[0].outline.iter().map(|&point| place.to_sheet(point));
+        assert!(on_sheet.flatten().all(|x| x >= -1e-9));
+        let on_sheet = made.parts[0].outline.iter().map(|&point| place.to_sheet(point));
+        assert!(on_sheet.into_iter().all(|[x, y]| x <= sheet[0] && y <= sheet[1]));
+    }
+}
+
+#[test]
+fn parts_as_large_as_the_sheet_are_laid_despite_rounding() {
+    let mut mesh = Mesh::default();
+    for k in 0..20 {
+        let [c, s] = [f64::from(k) / 7.0, 0.1].map(shape_up::math::cosine);
+        let first = mesh.positions.len() as u32;
+        let corners = [[0.0, 0.0], [1.22, 0.0], [1.22, 0.61], [0.0, 0.61]];
+        let length = crate::length([c, s]);
+        let turned = corners.map(|[x, y]| [(c * x - s * y) / length, (s * x + c * y) / length]);
+        mesh.positions.extend(turned.map(|[x, y]| [x + 3.0 * f64::from(k), y, 0.0]));
+        mesh.faces.push(&[first, first + 1, first + 2, first + 3]);
+    }
+    let own = BuildSettings {
+        scale: 1.0,
+        sheet: [1220.0, 610.0],
+        joint: 0.0,
+        margin: 0.0,
+        ..BuildSettings::default()
+    };
+    let report = build(&mesh, &own).report();
+    assert_eq!((report.placed, report.too_large), (20, Vec::new()));
+}
+
+#[test]
+fn holes_are_narrower_by_the_kerf_and_are_cuts_too() {
+    let mesh = grid(2, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let plain = BuildSettings { kerf: 0.5, ..settings() };
+    let own = BuildSettings { hole: 4.0, ..plain.clone() };
+    let made = build(&mesh, &own);
+    let radii: Vec<f64> =
+        made.parts.iter().flat_map(|part| part.holes.iter().map(|hole| hole.radius)).collect();
+    assert_eq!(radii, [1.75; 4]);
+    let around = 4.0 * 1.75 * std::f64::consts::TAU;
+    let without = build(&mesh, &plain).report().cut_length_mm;
+    assert!((made.report().cut_length_mm - without - around).abs() < 1e-9);
+    // Holes narrower than the kerf cannot be cut.
+    let narrow = build(&mesh, &BuildSettings { hole: 0.5, ..plain }).report();
+    assert_eq!((narrow.holes, narrow.dropped_holes), (0, 4));
+}

@@ -1,0 +1,40 @@
+//! The time of operations on large meshes does not grow with the square of their size.
+
+use crate::operations::{Picked, apply, done, flat};
+use shape_up::mesh::{Group, GroupKeyword, Mesh};
+
+/// The least time of three that an operation takes.
+fn seconds(mesh: &Mesh, id: &str, sizes: Option<&[f64]>) -> f64 {
+    let once = || {
+        let begun = std::time::Instant::now();
+        // Whether the operation is refused does not matter.
+        let _ = apply(mesh, id, sizes, &Picked::default());
+        begun.elapsed().as_secs_f64()
+    };
+    (0..3).map(|_| once()).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn a_group_for_each_face_takes_not_much_longer_than_one_for_all() {
+    let mut one = flat(200, 200);
+    let group = |name: String, faces: Vec<u32>| Group {
+        name,
+        keyword: GroupKeyword::Object,
+        faces,
+        curves: Vec::new(),
+    };
+    one.groups = vec![group("all".to_owned(), (0..40_000).collect())];
+    let mut each = one.clone();
+    each.groups = (0..40_000).map(|face| group(format!("panel {face}"), vec![face])).collect();
+    let cut = done(&each, "triangles").mesh;
+    assert!((0..).zip(&cut.groups).all(|(k, group)| group.faces == [2 * k, 2 * k + 1]));
+    let [one, each] = [one, each].map(|mesh| seconds(&mesh, "flip", None));
+    assert!(each < 15.0 * one, "{each} s beside {one} s");
+}
+
+#[test]
+fn welding_at_many_edge_lengths_takes_not_much_longer_than_at_a_small_distance() {
+    let mesh = flat(200, 200);
+    let [near, far] = [0.01, 10.0].map(|distance| seconds(&mesh, "weld", Some(&[distance])));
+    assert!(far < 5.0 * near, "{far} s beside {near} s");
+}
