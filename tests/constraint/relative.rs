@@ -222,3 +222,18 @@ fn collapsed_vertices_take_the_rest_shape_as_it_is() {
     let expected: Points = rest.iter().map(|r| *r * 0.5).collect();
     assert!(farthest(&grown, &expected) <= 1e-15);
 }
+
+#[test]
+fn a_tetrahedron_that_is_flat_at_rest_becomes_a_positive_one() {
+    for seed in 0..40 {
+        let mut random = Random::new(seed);
+        // Flat in a tilted plane: the sign of the rest volume is that of a rounding error.
+        let flat = cloud(&mut random, 4, [1.0, 1.0, 0.0]);
+        let rest = moved(&mut random, &flat, 0.0);
+        let points = moved(&mut random, &rest, 0.3);
+        let found = project("volume", json!({ "volume": 0.5 }), &rest, &points);
+        let [a, b, c] = [1, 2, 3].map(|k| found[k] - found[0]);
+        let volume = a.dot(b.cross(c)) / 6.0;
+        assert!((volume - 0.5).abs() < 1e-9, "seed {seed}: {volume}");
+    }
+}

@@ -31,6 +31,9 @@ pub struct Volume {
     strain: Limits,
 }
 
+/// A rest tetrahedron is flat if its least singular value is at most this fraction of the greatest.
+const FLAT: f64 = 1e-12;
+
 impl Default for Volume {
     fn default() -> Self {
         Volume { volume: Target::Rest, strain: Limits::exactly(1.0) }
@@ -61,7 +64,8 @@ impl Projection for Volume {
         let [a, b, c] = found.values;
         let sizes = [cube_root(a * b * c.abs()) * scale, cube_root(3.0)];
         let [least, greatest] = self.volume.sizes(self.strain, cube_root, sizes);
-        rest[0] = Vec3::new(least, greatest, if c < 0.0 { -1.0 } else { 1.0 });
+        // The sign of a flat tetrahedron would be that of a rounding error.
+        rest[0] = Vec3::new(least, greatest, if c < -FLAT * a { -1.0 } else { 1.0 });
     }
 
     fn closed_form<S: Lane>(
