@@ -6,7 +6,7 @@ use crate::hard::Case;
 use crate::random::Random;
 use serde_json::json;
 use shape_up::math;
-use shape_up::solve::{Require, Weights};
+use shape_up::solve::{Handle, Hold, Require, Weights};
 use std::cell::RefCell;
 
 #[test]
@@ -70,4 +70,16 @@ fn a_larger_tolerance_is_met_wherever_a_smaller_one_is() {
         let met = [Require::Exact, Require::Within(0.01), Require::Within(0.05)].map(is_met);
         assert_eq!(met, [true; 3], "{seed}");
     }
+}
+
+#[test]
+fn an_edge_between_fixed_vertices_is_not_guarded() {
+    // Its ends are nearer than allowed, and nothing can be done about it.
+    let mut case = Case::new(bumps(12)).on_faces("plane", Require::Within(0.01));
+    let at = case.mesh.positions[0];
+    let fixed = |vertex, target| Handle { vertex, target, hold: Hold::Fixed };
+    case.handles = vec![fixed(0, at), fixed(1, [at[0] + 0.1, at[1], at[2]])];
+    let (_, answer) = run(&case, &case.soft());
+    assert!(answer.met && answer.on_guard.is_empty(), "{answer:?}");
+    assert_eq!(answer.block_factors, 0, "a tolerance needs no polish");
 }

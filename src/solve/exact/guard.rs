@@ -26,10 +26,11 @@ impl Guard {
     /// rest; `None` if there are no such edges.
     ///
     /// An edge with a hard constraint of its own is not guarded: that constraint requires its
-    /// length.
+    /// length. Nor is one whose ends are both `fixed` vertices: nothing could be done about it.
     pub(super) fn new(
         hard: &[Constraints],
         problem: &Problem<'_>,
+        fixed: &BTreeSet<u32>,
         ratio: f64,
         all_within: bool,
     ) -> Option<Guard> {
@@ -44,7 +45,8 @@ impl Guard {
         }
         let edges = topology.edges().iter().zip(topology.edge_faces().iter());
         let guarded = edges.filter(|(ends, faces)| {
-            !faces.is_empty() && ends.iter().all(|&v| is_hard[v as usize]) && !own.contains(*ends)
+            let is_asked = ends.iter().all(|&v| is_hard[v as usize]) && !own.contains(*ends);
+            !faces.is_empty() && is_asked && !ends.iter().all(|v| fixed.contains(v))
         });
         let members: Ragged = guarded.map(|(ends, _)| ends).collect();
         let aim = if all_within { Lane::min((1.0 + LONGER) * ratio, 1.0) } else { ratio };

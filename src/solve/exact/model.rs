@@ -69,8 +69,10 @@ impl Model {
         let soft_problem = Problem { constraints: &soft, ..*problem };
         let first_mean = soft_problem.n_unknowns();
         let ratio = requirements.shortest_edge.filter(|ratio| *ratio > 0.0);
+        let fixed = handles.iter().filter(|handle| handle.hold == Hold::Fixed);
         let guard = ratio.and_then(|ratio| {
-            let guard = Guard::new(&hard, problem, ratio, requirements.all_within())?;
+            let fixed = fixed.clone().map(|handle| handle.vertex).collect();
+            let guard = Guard::new(&hard, problem, &fixed, ratio, requirements.all_within())?;
             let ends = guard.row.members.iter().map(|ends| [ends[0], ends[1]]).collect();
             hard.push(guard.row);
             places.push((None, guard.require));
@@ -103,7 +105,6 @@ impl Model {
             gliding.vertices().for_each(|(_, node)| holding.fixed[node as usize] = true);
         }
         let mut put = start.to_vec();
-        let fixed = handles.iter().filter(|handle| handle.hold == Hold::Fixed);
         let is_handle = |v: u32| handles.iter().any(|handle| handle.vertex == v);
         let corners = parts.corners.iter().copied().filter(|&(v, _)| !is_handle(v));
         for (vertex, target) in corners.chain(fixed.map(|handle| (handle.vertex, handle.target))) {
