@@ -77,6 +77,10 @@ const NEAREST: f64 = 1e-7;
 const POLISHES: u32 = 8;
 const GAINED: f64 = 0.8;
 
+/// Constraints that miss by at most this multiple of the tolerance are not said to contradict each
+/// other: where steps gain little, they end on the way.
+const NEARLY_MET: f64 = 100.0;
+
 /// Greatest size of the factor of the polish in bytes; larger problems end with the approach.
 const MOST_BYTES: usize = 400_000_000;
 
@@ -411,7 +415,9 @@ impl Exact {
             steps: polish.map_or(0, |polish| polish.steps),
             seconds: self.seconds,
             improved: self.improve.as_ref().map(Improve::gained),
-            contradiction: self.contradicts && !measured.met,
+            contradiction: self.contradicts
+                && !measured.met
+                && self.worst_excess() > NEARLY_MET * self.model.tolerance(),
             too_large: !self.can_polish && self.model.hard.any_exact(),
             ..measured
         }
