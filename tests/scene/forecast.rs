@@ -3,7 +3,7 @@
 use crate::grid::grid;
 use shape_up::constraint::{KINDS, Kind};
 use shape_up::math;
-use shape_up::mesh::{Mesh, Topology};
+use shape_up::mesh::{MESH_OPERATIONS, Mesh, Task, Topology};
 use shape_up::scene::{Forecast, ForecastOfKind, HowFar, Scene};
 use shape_up::session::Session;
 use shape_up::solve::{Constraints, Require, least_move};
@@ -137,6 +137,57 @@ fn flat_panels_of_six_corners_on_a_saddle_are_said_to_be_impossible() {
     assert_eq!(saddle.off_curvature_lines, None);
 }
 
+/// A hyperbolic paraboloid over a square, divided along its straight lines.
+fn hypar() -> Mesh {
+    grid(12, 12, |i, j| {
+        let [x, y] = [i, j].map(|k| f64::from(k) - 6.0);
+        [x, y, 0.06 * x * y]
+    })
+}
+
+#[test]
+fn diagonal_quads_are_named_where_they_follow_the_lines_of_curvature() {
+    let found = forecast(&hypar());
+    assert_eq!(
+        found.words(),
+        "This mesh will move a lot for flat or circular panels: its edges are 44° off the lines of curvature on \
+         average. Diagonal quads follow them: the mesh will then move a little for circular panels and not at all \
+         for flat ones."
+    );
+    let remedy = found.remedy().unwrap();
+    assert_eq!((remedy.operation, remedy.label), ("diagonal", "Diagonal quads"));
+    // What is said is what becomes of it.
+    let operation = MESH_OPERATIONS.iter().find(|one| one.id == remedy.operation).unwrap();
+    let (mesh, up) = (hypar(), [0.0, 0.0, 1.0]);
+    let topology = &Topology::new(&mesh);
+    let task = Task { mesh: &mesh, topology, up, sizes: &[], vertices: &[], faces: &[] };
+    let turned = operation.apply(&task).unwrap().mesh;
+    let now = forecast(&turned);
+    assert_eq!(now.remedy(), None);
+    assert_eq!(Some(now.kinds), found.diagonal);
+    for (kind, most) in [("plane", 1e-9), ("circle", 0.2)] {
+        let (moved, ..) = moved_and_forecast(&turned, kind);
+        assert!(moved < most, "{kind}: {moved}");
+        let (before, ..) = moved_and_forecast(&hypar(), kind);
+        assert!(before > 0.3, "{kind}: {before}");
+    }
+}
+
+#[test]
+fn diagonal_quads_are_not_named_where_they_would_move_as_far() {
+    // A wave whose lines of curvature turn from place to place.
+    let wave = grid(20, 14, |i, j| {
+        let [x, y] = [f64::from(i), f64::from(j)];
+        [x, y, 2.0 * libm::sin(0.4 * x + 0.25 * y) * libm::cos(0.3 * y)]
+    });
+    let found = forecast(&wave);
+    assert!(found.off_curvature_lines.unwrap() > 22.5, "{found:?}");
+    assert_eq!((found.remedy(), &found.diagonal), (None, &None));
+    assert!(found.words().ends_with("Edges along them, or a larger tolerance, would reduce this."));
+    // Nor where the edges follow them.
+    assert_eq!(forecast(&vault(0.1)).remedy(), None);
+}
+
 /// Quad meshes of `../shared/meshes` that are solved within a second.
 const MESHES: [&str; 9] = [
     "M2_eq_quad2.obj",
@@ -171,6 +222,7 @@ fn what_is_said_of_real_meshes_is_what_becomes_of_them() {
             let ratio = least_move / moved;
             let near = if moved < 0.2 && least_move < 0.2 { 0.65..1.2 } else { 0.8..4.6 };
             assert!(moved < 1e-4 || near.contains(&ratio), "{file} {kind}: {least_move} {moved}");
+            assert_eq!(forecast.remedy().is_some(), file == "compas_hypar.obj", "{file}");
             let words = forecast.words();
             let named = words.contains("off the lines of curvature");
             let far = forecast.kinds.iter().any(|kind| kind.how_far == HowFar::Lot);

@@ -21,6 +21,7 @@
 /** @typedef {import("../pkg/solver/shape_up.js").Energy} Energy */
 /** @typedef {import("../pkg/solver/shape_up.js").ExactOffer} ExactOffer */
 /** @typedef {import("../pkg/solver/shape_up.js").ExactReport} ExactReport */
+/** @typedef {import("../pkg/solver/shape_up.js").ForecastWords} ForecastWords */
 /** @typedef {import("../pkg/solver/shape_up.js").Frame} Numbers */
 /** @typedef {import("../pkg/solver/shape_up.js").HalfStep} Half */
 /** @typedef {import("../pkg/solver/shape_up.js").HandleRow} Handle */
@@ -59,6 +60,7 @@
 
 /** @typedef {import("../pkg/solver/shape_up.js").Selector} Selector */
 /** @typedef {import("../pkg/solver/shape_up.js").Require} Require */
+/** @typedef {import("../pkg/solver/shape_up.js").PanelStart} PanelStart */
 /** @typedef {import("../pkg/solver/shape_up.js").LessonFile} Lesson */
 /** @typedef {import("../pkg/solver/shape_up.js").SelectRequest} SelectRequest */
 
@@ -173,9 +175,8 @@
  *   separate vertices of faces in a mesh file; `solved` runs before anything is shown, only for
  *   models known to converge quickly.
  * - `edit`, `undo`, `redo`, `step`; `halfStep`: the local step, or the global step after it.
- * - `makePanels`: adds one kind of constraint to all panels, within the tolerance, from the current
- *   shape or `afresh` from the original, and runs. `editAndRun`: edits and runs. Each is one step
- *   of undo.
+ * - `makePanels`: adds one kind of constraint to all panels, within the tolerance, and runs.
+ *   `editAndRun`: edits and runs. Each is one step of undo.
  * - `exactOffer`: the cost of meeting constraints exactly instead of within a distance, tried
  *   alongside everything else; ends early with null when something changes. `makeExact`: applies
  *   the exact shape tried, if it belongs to the current one, as or in a step of undo.
@@ -307,7 +308,7 @@
  * @property {WorstElement[]} worst
  * @property {Record<PickMode, Uint32Array>} flawed
  * @property {Verdict | null} verdict null if nothing is required of the panels
- * @property {string | null} forecast null if no kind is offered for all panels
+ * @property {ForecastWords | null} forecast null if no kind is offered for all panels
  * @property {Remedy[]} remedies most effective first
  * @property {number} mostFaces
  * @property {BuildNumber[]} buildNumbers

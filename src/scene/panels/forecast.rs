@@ -1,8 +1,11 @@
 //! Forecast, before solving, of how far a mesh will move for panels of one shape, and why.
 
+use super::remedy::MeshRemedy;
 use super::request::panel_offers;
 use crate::constraint::{KINDS, Kind};
-use crate::mesh::{Curvature, CurvatureLines, Mesh, Ragged, Topology, face_curvatures};
+use crate::mesh::{
+    Curvature, CurvatureLines, MESH_OPERATIONS, Mesh, Ragged, Task, Topology, face_curvatures,
+};
 use crate::solve::{Constraints, least_move};
 use serde::Serialize;
 
@@ -14,6 +17,13 @@ const A_LITTLE: f64 = 0.03;
 const NOTHING: f64 = 1e-6;
 /// Least angle in degrees between edges and lines of curvature that is reported as the cause.
 const OFF: f64 = 10.0;
+/// Least such angle at which diagonal quads are nearer to them than the edges.
+const DIAGONAL: f64 = 22.5;
+/// Greatest move of diagonal quads, as a fraction of the move of the mesh, at which they are named.
+const DIAGONAL_MOVE: f64 = 0.5;
+/// Diagonal quads are tried on meshes of at most this many faces: the forecast takes three times as
+/// long.
+const MOST_DIAGONAL_FACES: usize = 15_000;
 /// Faces with more corners are left out: the time grows with the cube of their number.
 const MOST_CORNERS: usize = 64;
 /// A face counts as on a saddle if the product of the principal curvatures, averaged over its
@@ -62,6 +72,10 @@ pub struct Forecast {
     /// need not follow them.
     #[serde(skip)]
     pub off_curvature_lines: Option<f64>,
+    /// The forecast for the mesh of diagonal quads, if it would move at most half as far because
+    /// they follow the lines of curvature.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub diagonal: Option<Vec<ForecastOfKind>>,
     /// Among the faces with more than four corners and known curvature, the number on saddles and
     /// the total; `None` unless most faces have more than four corners.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -71,45 +85,46 @@ pub struct Forecast {
 impl Forecast {
     /// Makes the forecast for `mesh`; `None` if no kind is offered for its panels.
     pub fn of(mesh: &Mesh, topology: &Topology) -> Option<Forecast> {
-        let edge = topology.mean_edge(&mesh.positions);
-        let offers = panel_offers(mesh).into_iter().filter(|offer| offer.reason.is_none());
-        let kinds: Vec<ForecastOfKind> =
-            offers.filter_map(|offer| ForecastOfKind::of(offer.kind, mesh, edge)).collect();
-        (!kinds.is_empty()).then(|| Forecast {
+        let kinds = kinds(mesh, topology);
+        if kinds.is_empty() {
+            return None;
+        }
+        let off_curvature_lines = topology
+            .is_quad_dominant()
+            .then(|| CurvatureLines::new(&mesh.positions, &mesh.faces, topology).mean)
+            .flatten();
+        let is_far = kinds.iter().any(|kind| kind.how_far == HowFar::Lot);
+        let is_diagonal = is_far && off_curvature_lines.is_some_and(|angle| angle >= DIAGONAL);
+        Some(Forecast {
+            diagonal: is_diagonal.then(|| diagonal(mesh, topology, &kinds)).flatten(),
             kinds,
-            off_curvature_lines: topology
-                .is_quad_dominant()
-                .then(|| CurvatureLines::new(&mesh.positions, &mesh.faces, topology).mean)
-                .flatten(),
+            off_curvature_lines,
             saddles: has_large_faces(&mesh.faces).then(|| saddles(mesh, topology)),
         })
     }
 
+    /// Returns the change of the mesh that would reduce the move, if one is known.
+    pub fn remedy(&self) -> Option<MeshRemedy> {
+        let kinds = self.diagonal.as_ref()?;
+        let words = format!("Diagonal quads follow them: the mesh will then {}.", moves(kinds));
+        MeshRemedy::new("diagonal", words)
+    }
+
     /// Describes the forecast in a few sentences: the move for each kind, its cause, and a remedy.
     pub fn words(&self) -> String {
-        let mut words = String::from("This mesh will");
-        let (mut farthest, mut joint) = (None, "");
-        for how_far in HowFar::FARTHEST_FIRST {
-            let kinds = self.kinds.iter().filter(|kind| kind.how_far == how_far);
-            let adjectives: Vec<&str> = kinds.map(|kind| kind.adjective).collect();
-            if adjectives.is_empty() {
-                continue;
+        let mut words = format!("This mesh will {}", moves(&self.kinds));
+        let is_far = self.kinds.iter().any(|kind| kind.how_far == HowFar::Lot);
+        words += &match self.off_curvature_lines.filter(|&angle| angle >= OFF) {
+            Some(angle) if is_far => {
+                let remedy = self.remedy().map_or_else(
+                    || "Edges along them, or a larger tolerance, would reduce this.".to_owned(),
+                    |remedy| remedy.words,
+                );
+                format!(
+                    ": its edges are {angle:.0}° off the lines of curvature on average. {remedy}"
+                )
             }
-            let (words_of, panels) = match farthest {
-                None => (how_far.words_with_verb(), "panels"),
-                Some(_) => (how_far.words(), "ones"),
-            };
-            let parts = [joint, " ", words_of, " for ", &adjectives.join(" or "), " ", panels];
-            words += &parts.concat();
-            farthest = farthest.or(Some(how_far));
-            joint = " and";
-        }
-        words += &match (farthest, self.off_curvature_lines.filter(|&angle| angle >= OFF)) {
-            (Some(HowFar::Lot), Some(angle)) => format!(
-                ": its edges are {angle:.0}° off the lines of curvature on average. Edges along them, or a \
-                 larger tolerance, would reduce this."
-            ),
-            (Some(HowFar::Lot), None) => ". A larger tolerance would reduce this.".to_owned(),
+            None if is_far => ". A larger tolerance would reduce this.".to_owned(),
             _ => ".".to_owned(),
         };
         let some = |&[on_saddles, all]: &[usize; 2]| on_saddles as f64 > SADDLE_SHARE * all as f64;
@@ -168,6 +183,54 @@ impl ForecastOfKind {
         };
         Some(ForecastOfKind { kind: info.id, adjective: info.panels?, least_move, how_far })
     }
+}
+
+/// Makes the forecasts of all kinds offered for the panels of `mesh`.
+fn kinds(mesh: &Mesh, topology: &Topology) -> Vec<ForecastOfKind> {
+    let edge = topology.mean_edge(&mesh.positions);
+    let offers = panel_offers(mesh).into_iter().filter(|offer| offer.reason.is_none());
+    offers.filter_map(|offer| ForecastOfKind::of(offer.kind, mesh, edge)).collect()
+}
+
+/// Returns [`Forecast::diagonal`] of a mesh with the forecasts `own`.
+fn diagonal(
+    mesh: &Mesh,
+    topology: &Topology,
+    own: &[ForecastOfKind],
+) -> Option<Vec<ForecastOfKind>> {
+    if mesh.faces.len() > MOST_DIAGONAL_FACES {
+        return None;
+    }
+    let operation = MESH_OPERATIONS.iter().find(|operation| operation.id == "diagonal")?;
+    let up = [0.0, 0.0, 1.0];
+    let task = Task { mesh, topology, up, sizes: &[], vertices: &[], faces: &[] };
+    let turned = operation.apply(&task).ok()?.mesh;
+    let turned_topology = Topology::new(&turned);
+    let edge = topology.mean_edge(&mesh.positions);
+    let shorter = turned_topology.mean_edge(&turned.positions) / edge;
+    let kinds = kinds(&turned, &turned_topology);
+    let is_nearer = |(own, turned): (&ForecastOfKind, &ForecastOfKind)| {
+        shorter * turned.least_move <= DIAGONAL_MOVE * own.least_move
+    };
+    (kinds.len() == own.len() && own.iter().zip(&kinds).all(is_nearer)).then_some(kinds)
+}
+
+/// Describes the moves for these kinds: "move a lot for flat panels and a little for round ones".
+fn moves(kinds: &[ForecastOfKind]) -> String {
+    let mut words = String::new();
+    for how_far in HowFar::FARTHEST_FIRST {
+        let kinds = kinds.iter().filter(|kind| kind.how_far == how_far);
+        let adjectives: Vec<&str> = kinds.map(|kind| kind.adjective).collect();
+        if adjectives.is_empty() {
+            continue;
+        }
+        let (joint, words_of, panels) = match words.is_empty() {
+            true => ("", how_far.words_with_verb(), "panels"),
+            false => (" and ", how_far.words(), "ones"),
+        };
+        words += &[joint, words_of, " for ", &adjectives.join(" or "), " ", panels].concat();
+    }
+    words
 }
 
 fn has_large_faces(faces: &Ragged) -> bool {

@@ -1,7 +1,7 @@
 //! The shapes offered for all panels of a mesh, and the request for one of them.
 
 use crate::constraint::{Centring, Element, Info, KINDS, Kind, KindError, Selector};
-use crate::mesh::{MESH_OPERATIONS, Mesh};
+use crate::mesh::Mesh;
 use crate::scene::{ConstraintSpec, Scene, SceneError};
 use crate::solve::Require;
 use serde::Serialize;
@@ -27,35 +27,7 @@ pub fn panel_offers(mesh: &Mesh) -> Vec<PanelOffer> {
         .collect()
 }
 
-/// A change of the mesh after which the offered kinds apply.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct MeshRemedy {
-    /// Why none applies now, and what the operation does.
-    pub words: String,
-    /// The id of one of the [`MESH_OPERATIONS`].
-    pub operation: &'static str,
-    /// Its label.
-    pub label: &'static str,
-}
-
-/// Returns the change of the mesh after which the offered kinds apply, if there is one: none applies
-/// to triangles, which can be joined to quads.
-pub fn panel_remedy(mesh: &Mesh) -> Option<MeshRemedy> {
-    let can_join = mesh.faces.len() > 1 && mesh.tets.is_empty() && is_of_triangles(mesh);
-    let operation = MESH_OPERATIONS.iter().find(|operation| operation.id == "quads")?;
-    let adjectives: Vec<&str> = KINDS.iter().filter_map(|info| info.panels).collect();
-    can_join.then(|| MeshRemedy {
-        words: format!(
-            "All panels are triangles, which are always {}. Pairs of them can be joined to quads.",
-            adjectives.join(" and ")
-        ),
-        operation: operation.id,
-        label: operation.label,
-    })
-}
-
-fn is_of_triangles(mesh: &Mesh) -> bool {
+pub(super) fn is_of_triangles(mesh: &Mesh) -> bool {
     mesh.faces.iter().all(|face| face.len() <= 3)
 }
 

@@ -13,6 +13,7 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 export type Sent<E> = E extends string ? { type: E } : { [K in keyof E]: { type: K } & E[K] }[keyof E];
+export type PanelStart = "now" | "original" | "smoother";
 export type Require = "soft" | "exact" | { within: number };
 export type Within = string | { faces: number[] } | { vertices: number[] };
 export type Selector = { each: string; in?: Within } | { vertices: number[] };
@@ -34,8 +35,14 @@ impl Solver {
     /// Requires one shape of all panels, within `tolerance`, and begins a run: see
     /// [`crate::session::Session::make_panels`].
     #[wasm_bindgen(js_name = makePanels)]
-    pub fn make_panels(&mut self, kind: &str, tolerance: f64, afresh: bool) -> Result<(), JsValue> {
-        self.open_mut()?.make_panels(kind, tolerance, afresh).map_err(refused)
+    pub fn make_panels(
+        &mut self,
+        kind: &str,
+        tolerance: f64,
+        #[wasm_bindgen(unchecked_param_type = "PanelStart")] from: &str,
+    ) -> Result<(), JsValue> {
+        let from = of_word("start", from)?;
+        self.open_mut()?.make_panels(kind, tolerance, from).map_err(refused)
     }
 
     /// Makes an edit and begins a run, together one step of undo.

@@ -122,10 +122,10 @@ function curvatureCard(app) {
     told = model;
     distance.value = '';
     sentence.hidden = true;
-    const words = await actions.forecast().catch(() => null);
+    const forecast = await actions.forecast().catch(() => null);
     if (store.get().model !== model) return;
-    setText(sentence, words ?? '');
-    sentence.hidden = !words;
+    setText(sentence, forecast?.words ?? '');
+    sentence.hidden = !forecast;
   }
 
   function open() {

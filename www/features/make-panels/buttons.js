@@ -8,19 +8,24 @@ import { element } from '../../ui/dom.js';
 import { sketch } from '../../ui/kinds/sketch.js';
 
 /** @typedef {import("../../solver/messages.js").KindInfo} KindInfo */
+/** @typedef {import("../../store/state.js").State} State */
+
+/** Whether a lesson locks the mesh. @param {Readonly<State>} state */
+export const isMeshLocked = ({ document }) => document?.lesson?.lock.includes('mesh') ?? false;
 
 /**
- * @param {Readonly<import("../../store/state.js").State>} state
+ * @param {Readonly<State>} state
  * @param {string} id of the element with the reasons, which describes the buttons
  * @param {(kind: KindInfo) => void} press
  * @param {(operation: string) => void} change opens the operation on the mesh
  * @returns {{ buttons: HTMLButtonElement[], reasons: HTMLElement[] }}
  */
-export function panelButtons({ kinds, model, document }, id, press, change) {
+export function panelButtons(state, id, press, change) {
+  const { kinds, model } = state;
   const remedy = model?.panelRemedy;
   if (remedy) {
     const act = () => change(remedy.operation);
-    const disabled = document?.lesson?.lock.includes('mesh') ?? false;
+    const disabled = isMeshLocked(state);
     const title = disabled ? 'Locked by the lesson' : '';
     const dialog = { 'aria-haspopup': 'dialog', 'aria-describedby': id };
     return {

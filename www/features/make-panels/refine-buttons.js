@@ -2,6 +2,7 @@
 
 import { button } from '../../ui/controls/fields.js';
 import { byId } from '../../ui/dom.js';
+import { isMeshLocked } from './buttons.js';
 
 /** @param {import("../../app/context.js").AppContext} app */
 export function addButtons(app) {
@@ -13,8 +14,9 @@ export function addButtons(app) {
     offer('Edit mesh', () => import('./refine-operation.js').then((it) => it.openEdit(app))),
   ];
   byId('mesh-tools').prepend(...buttons);
-  store.subscribe(['model', 'document'], ({ model, document: scene }) => {
-    const locked = scene?.lesson?.lock.includes('mesh') ?? false;
+  store.subscribe(['model', 'document'], (state) => {
+    const { model, document: scene } = state;
+    const locked = isMeshLocked(state);
     for (const one of buttons) {
       one.disabled = !model?.faces || model.tets > 0 || !scene || locked;
       one.title = locked ? 'Locked by the lesson' : '';
