@@ -46,7 +46,8 @@ pub use io::{Decimal, Read, ReadError, read, write_medit, write_obj, write_obj_w
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use measure::{
     Circularity, Histogram, MapErrors, Measures, Planarity, QuasiConformal, UnrolledStrip,
-    angle_histogram, diagonal_ratio, folded_faces, gauss_curvature, quasi_conformal,
+    angle_histogram, diagonal_ratio, folded_faces, gauss_curvature, mean_dihedral_angle,
+    quasi_conformal,
 };
 pub use polygon_mesh::{Group, GroupKeyword, Mesh, Point};
 pub use problem::{ElementKind, MeshProblem, ProblemKind, counted};

@@ -1,7 +1,7 @@
 //! Drags and runs: each is many changes in one step of undo.
 
 use super::Session;
-use super::edit::{Edit, check_lock};
+use super::edit::{Edit, PanelStart, check_lock};
 use super::run::Unfolding;
 use super::undo::{Change, Transaction, check_targets};
 use crate::error::Error;
@@ -147,15 +147,19 @@ impl Session {
     }
 
     /// Constrains all panels to one shape ([`Edit::MakePanels`]) and begins a run, as one step of
-    /// undo. `tolerance` is in the unit of the mesh, infinite for none. The run starts at the
-    /// current shape, or with `afresh` at the opened one. If faces fold within the tolerance but
+    /// undo. `tolerance` is in the unit of the mesh, infinite for none. If faces fold within it but
     /// not within a larger one, the larger one is used ([`super::Eased`]).
     ///
     /// # Errors
     /// As [`Session::edit`].
-    pub fn make_panels(&mut self, kind: &str, tolerance: f64, afresh: bool) -> Result<(), Error> {
+    pub fn make_panels(
+        &mut self,
+        kind: &str,
+        tolerance: f64,
+        from: PanelStart,
+    ) -> Result<(), Error> {
         let within = tolerance.is_finite().then_some(tolerance);
-        self.edit_and_run(Edit::MakePanels { kind: kind.to_owned(), within, afresh })?;
+        self.edit_and_run(Edit::MakePanels { kind: kind.to_owned(), within, from })?;
         if let Some(asked) = within {
             self.unfolding = Unfolding::Eased(asked);
         }

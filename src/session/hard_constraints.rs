@@ -126,13 +126,15 @@ impl Session {
             exact.improve();
             improved = exact.run();
         }
-        let eased = match &attempt {
+        let (parts, eased) = match &attempt {
             Attempt::Eased(tolerances) => {
-                self.eased(tolerances, folded_at_first, exact.answer().max_distance)
+                let far = exact.answer().max_distance;
+                self.eased(tolerances, folded_at_first, far).unzip()
             }
-            _ => None,
+            // The shape is the solution with these weights: with others, it would not stay.
+            Attempt::Smoother(times) => (Some(vec![self.smoother(*times)]), None),
+            Attempt::Asked | Attempt::FromRest | Attempt::Exact => (None, None),
         };
-        let (parts, eased) = eased.unzip();
         self.go_to(&exact.positions(), parts.unwrap_or_default())?;
         self.note_met(&exact);
         // An attempt may have had a smaller tolerance than the scene.

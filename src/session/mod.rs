@@ -53,15 +53,15 @@ pub use crate::solve::Moved;
 pub use composition::Session;
 pub use dragging::DragPhase;
 pub use edit::{
-    ConstraintTarget, Edit, NewConstraint, OfferedOperation, Preview, Refinement, Remeshing,
-    RemeshingPreview, SETTINGS, Setting, settings_of,
+    ConstraintTarget, Edit, NewConstraint, OfferedOperation, PanelStart, Preview, Refinement,
+    Remeshing, RemeshingPreview, SETTINGS, Setting, settings_of,
 };
 pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
 pub use report::{
-    ConstraintMap, EasedPanels, EnergyReport, FACE_MEASURES, FOLDED_FACES, FaceMeasure, GoalWords,
-    MeasureUnit, Projections, Report, RowPalette, Seconds, Shape, Unpaired, Verdict, WorstElement,
-    ZERO_SIZE_FACES, flaw_of, goals_in_words,
+    Bend, BendChange, ConstraintMap, EasedPanels, EnergyReport, FACE_MEASURES, FOLDED_FACES,
+    FaceMeasure, GoalWords, MeasureUnit, Projections, Report, RowPalette, Seconds, Shape, Unpaired,
+    Verdict, WorstElement, ZERO_SIZE_FACES, flaw_of, goals_in_words,
 };
 pub use run::{
     Collapse, CollapseReason, Eased, ExactReport, FittedCount, HalfStep, Step, TraceEntry,

@@ -1,13 +1,13 @@
-//! The attempts to meet hard constraints without folding faces.
+//! The attempts to meet hard constraints without folding faces, and without a rough surface.
 
 use super::Session;
 use super::requirements::Required;
 use super::run::{Attempt, Attempts, Eased, Outcome, Tolerances, Unfolding};
-use super::state::{Part, RowValues};
+use super::state::{Part, RowValues, Settings};
 use crate::error::Error;
 use crate::mesh::Point;
 use crate::scene::{ConstraintSpec, EasedFaces, SmoothnessOf, all_faces};
-use crate::solve::{Exact, ExactAnswer, Require, Requirements, Weights};
+use crate::solve::{Exact, ExactAnswer, Require, Requirements};
 
 impl Session {
     /// Plans the attempts to meet the hard constraints.
@@ -16,7 +16,8 @@ impl Session {
         // Only displacements: a smoother surface would be another design.
         let is_smooth =
             document.weights.smooth > 0.0 && document.smoothness.of == SmoothnessOf::Displacement;
-        Attempts::new(self.unfolding, is_smooth, self.mesh().faces.len(), self.rest.mean_edge())
+        let (faces, edge) = (self.mesh().faces.len(), self.rest.mean_edge());
+        Attempts::new(self.unfolding, is_smooth, faces, edge, self.rest.fair_bends())
     }
 
     /// Begins the next attempt after one has ended; returns false if there is none.
@@ -30,6 +31,8 @@ impl Session {
         let outcome = Outcome {
             met,
             folded: self.rest.folded_by(&positions),
+            bend: self.rest.bend_at(&positions),
+            energy: meeting.energy(),
             moved: self.rest.moved_by(&positions).max,
             work: u64::from(iterations) * positions.len() as u64,
         };
@@ -59,11 +62,15 @@ impl Session {
             _ => Required::of(row),
         };
         self.with_requirements(&required, |mut problem, mut requirements, handles, _, cache| {
-            let weights = problem.weights;
-            problem.weights = Weights { smooth: attempt.smoother() * weights.smooth, ..weights };
+            problem.weights.smooth *= attempt.smoother();
             requirements.iterations = attempt.iterations().unwrap_or(Requirements::ITERATIONS);
             Exact::new(&problem, &requirements, handles, start, cache)
         })
+    }
+
+    /// Returns the change that multiplies the smoothness weight.
+    pub(super) fn smoother(&self, times: f64) -> Part {
+        Part::Settings(Settings::of(self.document()).smoother(times))
     }
 
     /// Returns the start of an eased attempt, `#V by 3`: the end of the last one, but with the

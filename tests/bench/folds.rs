@@ -7,7 +7,7 @@
 
 use shape_up::mesh::{Mesh, folded_faces, read};
 use shape_up::scene::{Require, Scene};
-use shape_up::session::Session;
+use shape_up::session::{PanelStart, Session};
 use shape_up::solve::clock;
 
 const WAYS: [&str; 3] = ["press", "within", "exact"];
@@ -44,7 +44,7 @@ fn row(name: &str, kind: &str, way: &str, mesh: &Mesh) {
     let (edge, tolerance) = (session.mean_edge(), session.tolerance());
     let started = clock::now();
     if way == "press" {
-        if session.make_panels(kind, tolerance, false).is_err() {
+        if session.make_panels(kind, tolerance, PanelStart::Now).is_err() {
             return;
         }
         while !session.step().expect("it stays finite").ended {}

@@ -3,7 +3,7 @@
 use shape_up::example::EXAMPLES;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Closeness, Scene, Smoothness, Weights};
-use shape_up::session::{CollapseReason, Edit, Session};
+use shape_up::session::{CollapseReason, Edit, PanelStart, Session};
 
 /// The weights of Fig. 5, which are unsuitable for an open mesh whose boundary is free.
 const FIG_5: Weights = Weights { shape: 5.0, close: 10.0, smooth: 2.0 };
@@ -16,7 +16,7 @@ fn with_weights_of_fig_5(mesh: Mesh) -> Session {
     scene.smoothness = Smoothness::default();
     let mut session = Session::open(scene, mesh).unwrap();
     session
-        .edit(Edit::MakePanels { kind: "circle".to_owned(), within: None, afresh: false })
+        .edit(Edit::MakePanels { kind: "circle".to_owned(), within: None, from: PanelStart::Now })
         .unwrap();
     session.edit(Edit::SetWeights(FIG_5)).unwrap();
     session
@@ -101,7 +101,7 @@ fn a_mesh_that_is_dragged_across_the_scene_has_not_collapsed() {
     scene.weights = Weights::default();
     let mut session = Session::open(scene, crate::grid::bumpy(6)).unwrap();
     session
-        .edit(Edit::MakePanels { kind: "plane".to_owned(), within: None, afresh: false })
+        .edit(Edit::MakePanels { kind: "plane".to_owned(), within: None, from: PanelStart::Now })
         .unwrap();
     session.edit(Edit::SetWeights(Weights::default())).unwrap();
     session.edit(Edit::AddHandles { vertices: vec![0], fixed: true }).unwrap();
@@ -121,7 +121,11 @@ fn real_meshes_with_the_settings_of_an_opened_mesh_do_not_trip_it() {
         for kind in ["circle", "plane"] {
             let mut session = Session::open(Scene::opened("own.obj"), mesh.clone()).unwrap();
             session
-                .edit(Edit::MakePanels { kind: kind.to_owned(), within: None, afresh: false })
+                .edit(Edit::MakePanels {
+                    kind: kind.to_owned(),
+                    within: None,
+                    from: PanelStart::Now,
+                })
                 .unwrap();
             assert!(run(&mut session, 2000, false), "{file}");
             assert!(session.collapse().is_none() && session.converged(), "{file} {kind}");

@@ -3,7 +3,7 @@
 use crate::grid::bumpy;
 use shape_up::error::Error;
 use shape_up::scene::{Lock, NamedEnum, Results, Scene};
-use shape_up::session::{DragPhase, Edit, Session, check_results};
+use shape_up::session::{DragPhase, Edit, PanelStart, Session, check_results};
 
 const VARIANT: &str = r#"{ "type": "goToVariant", "index": 0 }"#;
 
@@ -92,7 +92,7 @@ fn nothing_gets_round_a_lock() {
         for lesson in [None, scene("[]").lesson] {
             assert!(refused(session.edit(Edit::SetLesson { lesson, unsolved: false })));
         }
-        assert!(refused(session.make_panels("plane", 0.1, false).map(|()| true)));
+        assert!(refused(session.make_panels("plane", 0.1, PanelStart::Now).map(|()| true)));
         for phase in [DragPhase::Make, DragPhase::Start] {
             let dragged = session.drag_through(phase, &[0], &[[9.0; 3]]);
             assert!(refused(dragged.map(|()| true)));

@@ -15,6 +15,7 @@ mod asked;
 mod collapse;
 mod edits;
 mod edits_json;
+mod fairness;
 mod halves;
 mod improving;
 mod kept_measures;

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use shape_up::begin::{Plan, PlanLayout, PlanPoint, Support};
 use shape_up::mesh::{BoundingSphere, Mesh, folded_faces};
 use shape_up::scene::Scene;
-use shape_up::session::{Edit, Session, Verdict};
+use shape_up::session::{Edit, PanelStart, Session, Verdict};
 use shape_up::solve::Require;
 
 /// A session with the weights of an opened mesh.
@@ -64,12 +64,12 @@ fn a_press_brings_panels_of_real_meshes_within_the_tolerance_but_those_that_woul
         for kind in ["circle", "plane"] {
             let Some(mesh) = crate::shared::mesh(file) else { continue };
             let mut soft = session(mesh.clone(), "");
-            soft.make_panels(kind, f64::INFINITY, false).expect("it has quads");
+            soft.make_panels(kind, f64::INFINITY, PanelStart::Now).expect("it has quads");
             run(&mut soft);
             let cheaper = verdict(&mut soft).moved;
 
             let mut session = session(mesh, "");
-            session.make_panels(kind, session.tolerance(), false).expect("it has quads");
+            session.make_panels(kind, session.tolerance(), PanelStart::Now).expect("it has quads");
             let iterations = run(&mut session);
             let Verdict { panels, within, eased, worst, moved, .. } = verdict(&mut session);
             println!(
@@ -94,7 +94,7 @@ fn a_press_brings_panels_of_real_meshes_within_the_tolerance_but_those_that_woul
 fn a_press_is_one_step_of_undo() {
     let mut session = wave();
     let before = session.scene();
-    session.make_panels("plane", 1e-3, false).expect("it has quads");
+    session.make_panels("plane", 1e-3, PanelStart::Now).expect("it has quads");
     run(&mut session);
     assert_eq!(session.document().constraints[0].require, Require::Within(1e-3));
     let after = session.scene();
@@ -110,13 +110,13 @@ fn a_press_is_one_step_of_undo() {
 #[test]
 fn a_press_afresh_begins_from_the_original_and_is_one_step_of_undo() {
     let mut expected = wave();
-    expected.make_panels("plane", 1e-2, false).expect("it has quads");
+    expected.make_panels("plane", 1e-2, PanelStart::Now).expect("it has quads");
     run(&mut expected);
     let mut session = wave();
-    session.make_panels("plane", 1e-3, false).expect("it has quads");
+    session.make_panels("plane", 1e-3, PanelStart::Now).expect("it has quads");
     run(&mut session);
     let before = session.scene();
-    session.make_panels("plane", 1e-2, true).expect("it has quads");
+    session.make_panels("plane", 1e-2, PanelStart::Original).expect("it has quads");
     run(&mut session);
     assert_eq!(session.positions(), expected.positions());
     session.undo().expect("solvable");
@@ -126,10 +126,10 @@ fn a_press_afresh_begins_from_the_original_and_is_one_step_of_undo() {
 #[test]
 fn a_press_on_what_is_met_already_changes_nothing() {
     let mut session = wave();
-    session.make_panels("plane", 1e-3, false).expect("it has quads");
+    session.make_panels("plane", 1e-3, PanelStart::Now).expect("it has quads");
     run(&mut session);
     let after = session.scene();
-    session.make_panels("plane", 1e-3, false).expect("it has quads");
+    session.make_panels("plane", 1e-3, PanelStart::Now).expect("it has quads");
     run(&mut session);
     assert_eq!(session.scene(), after);
     session.undo().expect("solvable");
@@ -139,10 +139,10 @@ fn a_press_on_what_is_met_already_changes_nothing() {
 #[test]
 fn a_press_changes_no_weight_and_without_tolerance_requires_nothing() {
     let mut session = wave();
-    session.make_panels("plane", f64::INFINITY, false).expect("it has quads");
+    session.make_panels("plane", f64::INFINITY, PanelStart::Now).expect("it has quads");
     run(&mut session);
     assert_eq!(session.document().constraints[0].require, Require::Soft);
-    session.make_panels("plane", 1.0, false).expect("it has quads");
+    session.make_panels("plane", 1.0, PanelStart::Now).expect("it has quads");
     run(&mut session);
     assert_eq!(session.document().weights.shape, 1000.0);
 }
@@ -153,7 +153,7 @@ fn what_cannot_be_had_ends_with_what_was_reached_and_says_so() {
     let fixed = r#", "handles": [{ "vertices": [0, 1, 2, 3], "fixed": true }]"#;
     let mesh = grid(1, 1, |i, j| [f64::from(i), f64::from(j), f64::from(i * j)]);
     let mut session = session(mesh, fixed);
-    session.make_panels("plane", 1e-3, false).expect("it has a quad");
+    session.make_panels("plane", 1e-3, PanelStart::Now).expect("it has a quad");
     run(&mut session);
     assert_eq!(verdict(&mut session).within, 0);
     let exact = session.exact().expect("it was tried");
@@ -163,7 +163,7 @@ fn what_cannot_be_had_ends_with_what_was_reached_and_says_so() {
 #[test]
 fn a_drag_ends_the_press_and_its_end_meets_again_in_the_same_step() {
     let mut session = wave();
-    session.make_panels("plane", 1e-3, false).expect("it has quads");
+    session.make_panels("plane", 1e-3, PanelStart::Now).expect("it has quads");
     session.begin_drag_of_new(vec![0]).expect("it is there");
     assert!(!session.is_running() && session.exact().is_none());
     session.drag([(0, [-0.5, -0.5, 0.5])]).expect("it is a handle");
@@ -181,7 +181,7 @@ fn a_press_that_would_fold_eases_the_panels_that_would_and_no_others() {
     for (mesh, kind) in meshes.into_iter().flatten().zip(["circle", "circle"]) {
         let mut session = session(mesh, "");
         let (before, asked) = (session.scene(), session.tolerance());
-        session.make_panels(kind, asked, false).expect("it has quads");
+        session.make_panels(kind, asked, PanelStart::Now).expect("it has quads");
         run(&mut session);
         let verdict = verdict(&mut session);
         println!("{verdict:?}");
@@ -223,7 +223,7 @@ fn only_the_tolerance_of_all_panels_is_eased_where_another_row_has_the_same() {
     let own = json!([{ "kind": "plane", "on": { "vertices": [0, 1, 10, 9] },
         "require": { "within": asked } }]);
     let mut session = session(few_bumps(), &format!(r#", "constraints": {own}"#));
-    session.make_panels("plane", asked, false).expect("it has quads");
+    session.make_panels("plane", asked, PanelStart::Now).expect("it has quads");
     run(&mut session);
     assert_eq!(folded(&session), 0);
     let rows = &session.document().constraints;
@@ -236,7 +236,7 @@ fn a_press_that_is_interrupted_eases_no_more_than_one_that_is_not() {
     let asked = session(few_bumps(), "").tolerance();
     let eased = |interruptions: &[usize]| {
         let mut session = session(few_bumps(), "");
-        session.make_panels("plane", asked, false).expect("it has quads");
+        session.make_panels("plane", asked, PanelStart::Now).expect("it has quads");
         for (steps, units) in interruptions.iter().zip(["mm", "cm", "m"]) {
             (0..*steps).for_each(|_| assert!(!session.step().expect("it stays finite").ended));
             session.edit(Edit::SetUnits { units: units.to_owned() }).expect("nothing is locked");
@@ -259,7 +259,7 @@ fn a_press_that_would_fold_a_few_panels_may_end_exactly() {
     let Some(mesh) = crate::shared::mesh("halftunnel.off") else { return };
     let mut session = session(mesh, "");
     let asked = session.tolerance();
-    session.make_panels("circle", asked, false).expect("it has quads");
+    session.make_panels("circle", asked, PanelStart::Now).expect("it has quads");
     run(&mut session);
     let (verdict, exact) = (verdict(&mut session), session.exact().expect("it was met"));
     assert_eq!((verdict.within, verdict.folded, verdict.eased), (verdict.panels, 0, None));
@@ -287,7 +287,7 @@ fn exact_panels_are_those_near_the_shape_where_others_crumple() {
     let feet: Vec<Value> = surface.feet.iter().map(|&foot| json!(foot)).collect();
     let handles = json!([{ "vertices": feet, "fixed": true }]);
     let mut session = session(surface.mesh, &format!(r#", "handles": {handles}"#));
-    session.make_panels("circle", 1e-3, false).expect("it has quads");
+    session.make_panels("circle", 1e-3, PanelStart::Now).expect("it has quads");
     run(&mut session);
     assert_eq!(folded(&session), 0);
     let mut trial = session.exact_trial().expect("regular").expect("it is within");
@@ -317,7 +317,7 @@ fn what_is_asked_exactly_stays_so_and_folds_less_where_it_can() {
 #[test]
 fn the_end_of_a_drag_stays_near_to_where_it_was_dragged() {
     let mut session = session(bumps(), "");
-    session.make_panels("circle", session.tolerance(), false).expect("it has quads");
+    session.make_panels("circle", session.tolerance(), PanelStart::Now).expect("it has quads");
     run(&mut session);
     let place = session.positions()[84];
     session.begin_drag_of_new(vec![84]).expect("it is there");
@@ -325,4 +325,20 @@ fn the_end_of_a_drag_stays_near_to_where_it_was_dragged() {
     session.end_drag(true);
     run(&mut session);
     assert_eq!(session.exact().expect("it was met").attempts, 1);
+}
+
+#[test]
+fn a_tolerance_beyond_what_is_needed_is_used_to_stay_near_the_original() {
+    let moved = |within: f64| {
+        let mut session = session(bumps(), "");
+        session.make_panels("plane", within, PanelStart::Now).expect("it has quads");
+        run(&mut session);
+        let verdict = session.verdict(within).expect("all panels are asked for a shape");
+        assert_eq!(verdict.within, verdict.panels, "{within}");
+        verdict.moved.mean
+    };
+    // The panels of the original are flat within 0.2.
+    assert_eq!(moved(0.2), 0.0);
+    let [tight, loose] = [0.05, 0.12].map(moved);
+    assert!(0.0 < loose && loose < 0.8 * tight, "{loose} {tight}");
 }

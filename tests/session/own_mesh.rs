@@ -4,7 +4,7 @@
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Topology};
 use shape_up::scene::{Scene, UnitsAndUp, Up, panel_offers, panel_remedy};
-use shape_up::session::{Edit, Remeshing, Session};
+use shape_up::session::{Edit, PanelStart, Remeshing, Session};
 use shape_up::solve::Require;
 
 /// Largest and mean displacement, in per cent of the diagonal of the bounding box, and worst panel
@@ -30,7 +30,9 @@ const WANTED: &[(&str, [f64; 3], [f64; 3])] = &[
 /// A session after the request for panels of `kind`.
 fn pressed(mesh: Mesh, kind: &str) -> Session {
     let mut session = Session::open(Scene::opened("own.obj"), mesh).unwrap();
-    session.edit(Edit::MakePanels { kind: kind.to_owned(), within: None, afresh: false }).unwrap();
+    session
+        .edit(Edit::MakePanels { kind: kind.to_owned(), within: None, from: PanelStart::Now })
+        .unwrap();
     session
 }
 
@@ -72,17 +74,21 @@ fn the_press_is_one_step_and_a_choice_between_shapes() {
     };
     assert_eq!(rows(&session), [("plane", true)]);
     session
-        .edit(Edit::MakePanels { kind: "circle".to_owned(), within: None, afresh: false })
+        .edit(Edit::MakePanels { kind: "circle".to_owned(), within: None, from: PanelStart::Now })
         .unwrap();
     assert_eq!(rows(&session), [("plane", false), ("circle", true)]);
     assert_eq!(session.verdict(1.0).unwrap().adjective, "circular");
     session
-        .edit(Edit::MakePanels { kind: "plane".to_owned(), within: None, afresh: false })
+        .edit(Edit::MakePanels { kind: "plane".to_owned(), within: None, from: PanelStart::Now })
         .unwrap();
     assert_eq!(rows(&session), [("plane", true), ("circle", false)]);
     // Rows of kinds other than circular and flat stay.
     session
-        .edit(Edit::MakePanels { kind: "rectangle".to_owned(), within: None, afresh: false })
+        .edit(Edit::MakePanels {
+            kind: "rectangle".to_owned(),
+            within: None,
+            from: PanelStart::Now,
+        })
         .unwrap();
     assert_eq!(rows(&session), [("plane", true), ("circle", false), ("rectangle", true)]);
     assert_eq!(session.undo().unwrap().as_deref(), Some("Make panels rectangle"));

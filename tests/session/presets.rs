@@ -3,7 +3,7 @@
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Topology};
 use shape_up::scene::{PRESETS, Preset, Scene};
-use shape_up::session::{Edit, Session};
+use shape_up::session::{Edit, PanelStart, Session};
 
 fn opened(mesh: Mesh) -> Session {
     Session::open(Scene::opened("own.obj"), mesh).unwrap()
@@ -58,7 +58,11 @@ fn presets_of_the_paper_keep_real_meshes_whole_when_they_do_not_warn() {
                 continue;
             }
             session
-                .edit(Edit::MakePanels { kind: "plane".to_owned(), within: None, afresh: false })
+                .edit(Edit::MakePanels {
+                    kind: "plane".to_owned(),
+                    within: None,
+                    from: PanelStart::Now,
+                })
                 .unwrap();
             session.edit(Edit::Preset { id: preset.id.to_owned() }).unwrap();
             session.begin_run();

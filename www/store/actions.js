@@ -46,13 +46,13 @@ export function createActions(store, solver, alerts) {
    * Adds one constraint kind to all panels, and runs until they are within the tolerance.
    * @param {string} kind
    * @param {number} [within] tolerance in the unit of the mesh, if other than the displayed one
-   * @param {boolean} [afresh] from the original instead of the current shape
+   * @param {import("../solver/messages.js").PanelStart} [from] the shape to start from
    * @returns {Promise<null | undefined>}
    */
-  function makePanels(kind, within, afresh = false) {
+  function makePanels(kind, within, from = 'now') {
     const { tolerance: own, model } = store.get();
     const tolerance = within ?? own ?? model?.tolerance ?? 0;
-    return attempt({ type: 'makePanels', kind, tolerance, afresh });
+    return attempt({ type: 'makePanels', kind, tolerance, from });
   }
 
   /**

@@ -47,8 +47,8 @@ export function requestHandlers(solver, scheduler, post, died) {
       scheduler.betweenRuns(() => solver.edit(edit));
       return null;
     },
-    makePanels({ kind, tolerance, afresh }) {
-      scheduler.runFor(() => solver.makePanels(kind, tolerance, afresh));
+    makePanels({ kind, tolerance, from }) {
+      scheduler.runFor(() => solver.makePanels(kind, tolerance, from));
       return null;
     },
     editAndRun({ edit }) {

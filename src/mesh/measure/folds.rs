@@ -1,7 +1,8 @@
 //! Faces that a deformation has folded over.
 
-use crate::math::{Vec3, polygon_sides, twice_vector_area};
-use crate::mesh::{Mesh, Point, Ragged, Topology};
+use super::dihedral::{Neighbours, unit_normals};
+use crate::math::Vec3;
+use crate::mesh::{Mesh, Point, Topology};
 
 /// Cosine of the least angle between the normals of two faces folded onto each other: 120 degrees.
 const FOLDED: f64 = -0.5;
@@ -14,7 +15,7 @@ const TURN: f64 = 0.1;
 /// of the mesh: both faces of an edge whose normals are more than 120 degrees apart, and faces with
 /// a corner that turns the other way, so that the outline crosses itself or has a dent.
 pub fn folded_faces(mesh: &Mesh, topology: &Topology, now: &[Point]) -> Vec<u32> {
-    let [before, after] = [&mesh.positions[..], now].map(|at| normals(&mesh.faces, at));
+    let [before, after] = [&mesh.positions[..], now].map(|at| unit_normals(&mesh.faces, at));
     let mut is_folded: Vec<bool> = (0..mesh.faces.len())
         .map(|f| {
             let corners = mesh.faces.row(f);
@@ -24,32 +25,12 @@ pub fn folded_faces(mesh: &Mesh, topology: &Topology, now: &[Point]) -> Vec<u32>
             reversed.any(|(was, is)| was.abs() > TURN && is.abs() > TURN)
         })
         .collect();
-    for (e, sides) in topology.edge_faces().iter().enumerate() {
-        let &[a, b] = sides else { continue };
-        let [start, end] = topology.edges()[e];
-        let runs = |face: u32| {
-            polygon_sides(mesh.faces.row(face as usize))
-                .any(|[from, to]| [from, to] == [start, end])
-        };
-        // Neighbours that traverse the edge in the same direction have opposite orientations.
-        let sign = if runs(a) == runs(b) { -1.0 } else { 1.0 };
-        let cosine = |normals: &[Vec3<f64>]| sign * normals[a as usize].dot(normals[b as usize]);
-        if cosine(&before) > SMOOTH && cosine(&after) < FOLDED {
-            is_folded[a as usize] = true;
-            is_folded[b as usize] = true;
+    for pair in Neighbours::all(mesh, topology) {
+        if pair.cosine(&before) > SMOOTH && pair.cosine(&after) < FOLDED {
+            pair.faces.iter().for_each(|&face| is_folded[face as usize] = true);
         }
     }
     (0..).zip(is_folded).filter(|(_, is_folded)| *is_folded).map(|(face, _)| face).collect()
-}
-
-/// Returns the unit normal of each face; zero for a face without area.
-fn normals(faces: &Ragged, at: &[Point]) -> Vec<Vec3<f64>> {
-    let normal = |face: &[u32]| {
-        let area = twice_vector_area(face.iter().map(|&v| Vec3::from(at[v as usize])));
-        let length = area.length();
-        if length > 0.0 { area * (1.0 / length) } else { Vec3::zero() }
-    };
-    faces.iter().map(normal).collect()
 }
 
 /// Returns the sine of the turn at each corner, positive for a left turn seen from the tip of the

@@ -5,6 +5,7 @@
 //! | `face_measures` | planarity, circularity and diagonal ratio of faces |
 //! | `face_fit` | the least-squares plane and circle of a face |
 //! | `angle_histogram` | histogram of the corner angles of faces |
+//! | `dihedral` | angles between neighbouring faces |
 //! | `folds` | faces that a deformation has folded over |
 //! | `gauss_curvature` | Gauss curvature at vertices |
 //! | `histogram` | histogram of errors, for legends |
@@ -12,6 +13,7 @@
 //! | `unrolled` | strips of quads unrolled into the plane |
 
 mod angle_histogram;
+mod dihedral;
 mod face_fit;
 mod face_measures;
 mod folds;
@@ -21,6 +23,7 @@ mod quasi_conformal;
 mod unrolled;
 
 pub use angle_histogram::angle_histogram;
+pub use dihedral::mean_dihedral_angle;
 pub use face_measures::{Circularity, Measures, Planarity, diagonal_ratio};
 pub use folds::folded_faces;
 pub use gauss_curvature::gauss_curvature;

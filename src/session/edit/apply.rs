@@ -2,7 +2,7 @@
 
 use super::closeness_weights::{set_closeness_weight, strengthen_closeness};
 use super::constraint_target::ConstraintTarget;
-use super::edit_list::{Edit, NewConstraint};
+use super::edit_list::{Edit, NewConstraint, PanelStart};
 use super::iteration_state::{IterationState, back_to_rest, reset};
 use super::{presenting, settings, variants};
 use crate::constraint::{Kind, KindError, Set};
@@ -11,7 +11,7 @@ use crate::scene::{
     ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose, SceneError, Target, Variants,
 };
 use crate::session::report::{check_lesson, check_presentation};
-use crate::session::state::{Draft, Part, RowValues};
+use crate::session::state::{Draft, Part, RowValues, Settings};
 use crate::solve::{Handle, HandleIndex, Require};
 use serde_json::{Map, Value};
 use std::rc::Rc;
@@ -28,9 +28,13 @@ pub(crate) fn apply(
 ) -> Result<String, SceneError> {
     let name = match edit {
         Edit::AddConstraint(new) => add(new, draft),
-        Edit::MakePanels { kind, within, afresh } => {
-            if afresh {
+        Edit::MakePanels { kind, within, from } => {
+            if from != PanelStart::Now {
                 reset(draft, state);
+            }
+            if from == PanelStart::Smoother {
+                let settings = Settings::of(draft.document());
+                draft.put(Part::Settings(settings.smoother(PanelStart::SMOOTHER)));
             }
             let require = within.map_or(Require::Soft, Require::Within);
             let info =

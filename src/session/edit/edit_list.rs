@@ -5,7 +5,7 @@ use crate::constraint::Set;
 use crate::fabricate::BuildSettings;
 use crate::json::indices::{self, Indices};
 use crate::mesh::{KEPT_TURN, Point, Scheme};
-use crate::scene::{ConstraintSpec, Lesson, Slide, Up, Weights};
+use crate::scene::{ConstraintSpec, Lesson, NamedEnum, Slide, Up, Weights};
 use crate::solve::Require;
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
@@ -27,8 +27,8 @@ pub enum Edit {
         kind: String,
         /// The required tolerance; without one the constraints are soft.
         within: Option<f64>,
-        /// Whether to start at the opened shape instead of the current one.
-        afresh: bool,
+        /// The shape to start from.
+        from: PanelStart,
     },
     /// Removes row `index`.
     RemoveConstraint {
@@ -236,4 +236,28 @@ pub struct NewConstraint {
     pub spec: ConstraintSpec,
     /// The set that [`super::ConstraintTarget::UNNAMED`] stands for in the selector.
     pub set: Option<Set>,
+}
+
+/// The start of a run that makes all panels one shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PanelStart {
+    /// The current shape.
+    Now,
+    /// The opened shape.
+    Original,
+    /// The opened shape, with the smoothness weight multiplied by [`PanelStart::SMOOTHER`].
+    Smoother,
+}
+
+impl PanelStart {
+    /// The factor of the smoothness weight.
+    pub(super) const SMOOTHER: f64 = 10.0;
+}
+
+impl NamedEnum for PanelStart {
+    const WORDS: &'static [(&'static str, PanelStart)] = &[
+        ("now", PanelStart::Now),
+        ("original", PanelStart::Original),
+        ("smoother", PanelStart::Smoother),
+    ];
 }

@@ -35,7 +35,7 @@ mod variants;
 pub(crate) use apply::apply;
 pub(crate) use carry::{Carried, carry};
 pub use constraint_target::ConstraintTarget;
-pub use edit_list::{Edit, NewConstraint};
+pub use edit_list::{Edit, NewConstraint, PanelStart};
 pub(crate) use iteration_state::IterationState;
 pub(crate) use locks::{check_lock, check_locks};
 pub use preview::Preview;

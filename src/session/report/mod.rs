@@ -51,6 +51,6 @@ pub(crate) use projected::projections;
 pub use run_report::{EnergyReport, Report, Seconds, Unpaired};
 pub(crate) use tables::{convergence_csv, errors_csv};
 pub(crate) use verdict::tolerance;
-pub use verdict::{EasedPanels, Verdict};
+pub use verdict::{Bend, BendChange, EasedPanels, Verdict};
 pub use worst::WorstElement;
 pub(crate) use worst::{worst_constraints, worst_faces};

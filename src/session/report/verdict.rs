@@ -5,6 +5,7 @@ use super::face_measure::face_values;
 use super::inspect::{members, required_measure};
 use super::measuring::{Measuring, Shape};
 use super::moved::moved;
+use crate::mesh::Point;
 use crate::session::state::RestMesh;
 use crate::solve::Moved;
 use serde::Serialize;
@@ -34,6 +35,44 @@ pub struct Verdict {
     pub folded: usize,
     /// Distances of the vertices from their rest positions.
     pub moved: Moved,
+    /// The angle between neighbouring faces.
+    pub bend: Bend,
+}
+
+/// The mean angle between neighbouring faces of the whole mesh, in degrees.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct Bend {
+    /// At rest.
+    pub rest: f64,
+    /// In the current shape.
+    pub now: f64,
+    /// Whether the difference is a change of the design.
+    pub change: Option<BendChange>,
+}
+
+/// A change of the surface as a whole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
+pub enum BendChange {
+    /// The faces meet at clearly larger angles.
+    Rougher,
+    /// They meet at less than half the angle.
+    Flatter,
+}
+
+impl Bend {
+    fn of(now: &[Point], rest: &RestMesh) -> Bend {
+        let (fair, before) = (rest.fair_bends(), rest.bend_at(rest.positions()));
+        let now = rest.bend_at(now);
+        let change = match now {
+            _ if now > *fair.end() => Some(BendChange::Rougher),
+            _ if now < *fair.start() => Some(BendChange::Flatter),
+            _ => None,
+        };
+        Bend { rest: before, now, change }
+    }
 }
 
 /// Panels with a larger tolerance.
@@ -78,6 +117,7 @@ impl Verdict {
             worst_face,
             folded: model.rest.folded_by(model.scene.positions()).len(),
             moved: moved(model.scene, model.rest),
+            bend: Bend::of(model.scene.positions(), model.rest),
         })
     }
 }

@@ -145,7 +145,7 @@ mod tests {
     use super::*;
 
     fn outcome(folded: &[u32]) -> Outcome {
-        Outcome { met: true, folded: folded.to_vec(), moved: 1.0, work: 1 }
+        Outcome { met: true, folded: folded.to_vec(), bend: 0.0, energy: 1.0, moved: 1.0, work: 1 }
     }
 
     /// Neighbours of faces in a row.

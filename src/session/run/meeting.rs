@@ -51,6 +51,11 @@ impl Meeting {
         &self.exact
     }
 
+    /// The energy of the soft terms at the current positions of the attempt.
+    pub(crate) fn energy(&mut self) -> f64 {
+        self.exact.energy().total
+    }
+
     /// Returns the next attempt, if any, and its start, `#V by 3`: the last shape within a larger
     /// tolerance, or none for the rest shape. `outcome` is of this attempt; see
     /// [`Attempts::after`].

@@ -20,7 +20,7 @@ mod solved_scene;
 
 pub(crate) use draft::Draft;
 pub(crate) use handles::{flat, grouped};
-pub(crate) use part::{Part, RowValues, same_problem};
+pub(crate) use part::{Part, RowValues, Settings, same_problem};
 pub(crate) use rest_mesh::RestMesh;
 pub use rows::{Paired, ResolvedRow};
 pub(crate) use rows::{edges_among, resolve_row, resolve_rows};

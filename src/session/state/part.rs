@@ -88,6 +88,12 @@ impl Settings {
         }
     }
 
+    /// Multiplies the smoothness weight.
+    pub(crate) fn smoother(mut self, times: f64) -> Settings {
+        self.weights.smooth *= times;
+        self
+    }
+
     pub(crate) fn with_weights(self, weights: Weights) -> Settings {
         Settings { weights, ..self }
     }

@@ -1,8 +1,21 @@
 //! The rest mesh: as opened, or derived from the opened one.
 
 use crate::math::{Vec3, key_of_pair, sort_by_number};
-use crate::mesh::{BoundingSphere, Group, Mesh, Point, Topology, folded_faces};
+use crate::mesh::{
+    BoundingSphere, Group, Mesh, Point, Topology, folded_faces, mean_dihedral_angle,
+};
 use crate::solve::Moved;
+use std::ops::RangeInclusive;
+
+/// A surface is rough if the mean angle between neighbouring faces exceeds this multiple of the
+/// angle at rest,
+const ROUGH: f64 = 1.25;
+
+/// and this many degrees more: less is hardly visible.
+const HARDLY_ROUGH: f64 = 1.0;
+
+/// It has become flat if this angle is below this fraction of the angle at rest.
+const FLAT: f64 = 0.5;
 
 /// A rest mesh with its topology.
 pub(crate) struct RestMesh {
@@ -72,6 +85,18 @@ impl RestMesh {
     /// Returns the faces that are folded or dented at `now` (`#V by 3`); see [`folded_faces`].
     pub(crate) fn folded_by(&self, now: &[Point]) -> Vec<u32> {
         folded_faces(&self.mesh, &self.topology, now)
+    }
+
+    /// Returns the mean angle in degrees between neighbouring faces at `now` (`#V by 3`).
+    pub(crate) fn bend_at(&self, now: &[Point]) -> f64 {
+        mean_dihedral_angle(&self.mesh, &self.topology, now)
+    }
+
+    /// Returns the mean angles between neighbouring faces, in degrees, at which the surface has
+    /// become neither flat nor rough.
+    pub(crate) fn fair_bends(&self) -> RangeInclusive<f64> {
+        let bend = self.bend_at(self.positions());
+        FLAT * bend..=ROUGH * bend + HARDLY_ROUGH
     }
 
     /// Returns the faces and all that share a vertex with them, ascending.

@@ -8,11 +8,14 @@ import { button, closeButton } from '../../ui/controls/fields.js';
 import { RENEW_MS, byId, element, removeKeepingFocus, setText, throttled } from '../../ui/dom.js';
 import { cover } from '../../viewport/covered.js';
 import { showElements } from '../../viewport/reveal-elements.js';
-import { panelButtons } from './buttons.js';
+import { isMeshLocked, panelButtons } from './buttons.js';
 import { addButtons } from './refine-buttons.js';
 import { progressWords, verdictWords } from './verdict.js';
 
 /** @typedef {import("../../solver/messages.js").KindInfo} KindInfo */
+/** @typedef {import("../../pkg/solver/shape_up.js").MeshRemedy} MeshRemedy */
+/** @typedef {import("../../solver/messages.js").PanelStart} PanelStart */
+/** @typedef {import("../../solver/messages.js").Verdict} Verdict */
 
 /** Minimum duration of the transition: a jump would not show what changes. */
 const TRANSITION_MS = 800;
@@ -33,17 +36,21 @@ export class MakePanels {
   /** The model for which a press has switched the fitted shapes on. @type {unknown} */
   #shown = null;
   #text = element('p');
-  /** The forecast: how far the mesh will move, and why. */
+  /** How far the mesh will move, and why. */
   #forecast = element('p.quiet');
   /** The model of the forecast. @type {unknown} */
   #forecastOf = null;
-  #folds = element(
-    'div.folds',
-    button('Show the folds', () => this.#showFolded()),
-    button('Avoid them', () => this.#avoidFolds(), {
-      title: 'Makes the panels again from the original, smoother or within a larger tolerance',
-    }),
-  );
+  /** A change of the mesh that would reduce the move. @type {MeshRemedy | null} */
+  #remedy = null;
+  #remedyButton = button('', () => this.#applyRemedy(), { 'aria-haspopup': 'dialog' });
+  #showFolds = button('Show the folds', () => this.#showFolded());
+  #avoidFolds = button('Avoid them', () => this.#makeAgain('original'), {
+    title: 'Makes the panels again from the original, smoother or within a larger tolerance',
+  });
+  #smoother = button('Smoother', () => this.#makeAgain('smoother'), {
+    title: 'Makes the panels again from the original, with more smoothness; they will move farther',
+  });
+  #changes = element('div.changes', this.#showFolds, this.#avoidFolds, this.#smoother);
   /** The id of the kind of the verdict. */
   #kind = '';
   /** Whether a verdict is being requested. */
@@ -84,9 +91,9 @@ export class MakePanels {
   /**
    * Makes all panels of this kind, with a transition.
    * @param {KindInfo} kind
-   * @param {boolean} [afresh] starts from the original
+   * @param {PanelStart} [from] the shape to start from
    */
-  async #make(kind, afresh = false) {
+  async #make(kind, from = 'now') {
     const { store, viewport, actions, files } = this.#app;
     if (files.coming && !(await this.#nextTakes(kind.id))) return;
     const { model, display } = store.get();
@@ -96,7 +103,7 @@ export class MakePanels {
     const show = (/** @type {boolean} */ shapes) => actions.display({ shapes });
     // The fitted shapes are those of the final shape.
     if (arrived) show(false);
-    if ((await actions.makePanels(kind.id, undefined, afresh)) === undefined) {
+    if ((await actions.makePanels(kind.id, undefined, from)) === undefined) {
       this.#underWay = null;
       viewport.endTransition();
       return show(display.shapes);
@@ -155,7 +162,7 @@ export class MakePanels {
     this.#panel.hidden = !offers || here !== this.#panel;
     if (here === this.#panel) renew(here, element('div', ...buttons), ...reasons);
     else {
-      const press = element('div', ...buttons, this.#somethingElse());
+      const press = element('div', ...buttons, this.#remedyButton, this.#somethingElse());
       renew(here, ...reasons, this.#forecast, press, this.#closeButton());
       this.#showForecast();
     }
@@ -174,11 +181,28 @@ export class MakePanels {
     const { model } = store.get();
     if (this.#forecastOf === model) return;
     this.#forecastOf = model;
-    this.#forecast.hidden = true;
-    const words = await actions.forecast().catch(() => null);
+    this.#remedy = null;
+    this.#forecast.hidden = this.#remedyButton.hidden = true;
+    const forecast = await actions.forecast().catch(() => null);
     if (store.get().model !== model) return;
-    setText(this.#forecast, words ?? '');
-    this.#forecast.hidden = !words;
+    setText(this.#forecast, forecast?.words ?? '');
+    this.#forecast.hidden = !forecast;
+    this.#remedy = forecast?.remedy ?? null;
+    this.#remedyButton.hidden = !this.#canChangeMesh();
+    setText(this.#remedyButton, this.#remedy?.label ?? '');
+    this.#cover();
+  }
+
+  #canChangeMesh() {
+    return this.#remedy !== null && !isMeshLocked(this.#app.store.get());
+  }
+
+  /** Opens the operation that reduces the move, on the original shape. */
+  async #applyRemedy() {
+    const { store, actions } = this.#app;
+    if (!this.#remedy) return;
+    if (store.get().document?.constraints.length) await actions.reset();
+    this.#change(this.#remedy.operation);
   }
 
   /** @param {"nothing" | "offer" | "verdict"} what */
@@ -196,8 +220,9 @@ export class MakePanels {
     setText(this.#text, '');
     const hold = button('Hold to see the original', () => {});
     this.#app.hold.bind(hold);
-    this.#folds.hidden = true;
-    this.#card.append(this.#text, hold, this.#closeButton(), this.#folds);
+    this.#changes.hidden = true;
+    this.#changes.append(this.#remedyButton);
+    this.#card.append(this.#text, hold, this.#closeButton(), this.#changes);
     this.#showVerdict(false);
   }
 
@@ -229,10 +254,19 @@ export class MakePanels {
     const text = words(verdict, document?.units ?? '');
     setText(this.#text, text);
     this.#kind = verdict.kind;
-    const isFolded = words === verdictWords && verdict.folded > 0;
-    this.#card.classList.toggle('warning', isFolded);
-    this.#folds.hidden = !isFolded;
+    this.#showChanges(words === verdictWords ? verdict : null);
     if (atEnd && !running && !numbers?.collapse) actions.setStatus(text);
+  }
+
+  /** Offers ways to a better shape, if the final `verdict` asks for it. @param {Verdict | null} verdict */
+  #showChanges(verdict) {
+    const change = verdict?.bend.change ?? null;
+    const isFolded = Boolean(verdict?.folded);
+    this.#showFolds.hidden = this.#avoidFolds.hidden = !isFolded;
+    this.#smoother.hidden = change !== 'rougher';
+    this.#remedyButton.hidden = !change || !this.#canChangeMesh();
+    this.#changes.hidden = [...this.#changes.children].every((one) => one.hidden);
+    this.#card.classList.toggle('warning', isFolded || change !== null);
   }
 
   /** Selects the folded faces and brings them into view. */
@@ -242,10 +276,10 @@ export class MakePanels {
     if (found) showElements(this.#app, found);
   }
 
-  /** Makes the panels again from the original; the solver then looks for a shape without folds. */
-  async #avoidFolds() {
+  /** Makes the panels again. @param {PanelStart} from */
+  async #makeAgain(from) {
     const kind = this.#app.store.get().kinds.find(({ id }) => id === this.#kind);
-    if (kind) await this.#make(kind, true);
+    if (kind) await this.#make(kind, from);
   }
 
   /** Frames the model in the area above the card. */

@@ -45,6 +45,14 @@ function reachedWords(verdict, units) {
   return `${progressWords(verdict, units)} ${others} would fold, so ${one ? 'it is' : 'they are'} within ${about(eased.within, units)}.`;
 }
 
+/** A change of the surface as a whole, in words. @param {Verdict} verdict */
+function bendWords({ bend: { rest, now, change } }) {
+  const degrees = (/** @type {number} */ angle) => `${angle.toFixed(angle < 9.95 ? 1 : 0)}°`;
+  return change
+    ? ` The surface became ${change}: neighbours meet at ${degrees(now)} on average, ${degrees(rest)} in your mesh.`
+    : '';
+}
+
 /**
  * The full verdict, with the worst panel and how far the mesh moved.
  * @param {Verdict} verdict
@@ -57,5 +65,5 @@ export function verdictWords(verdict, units) {
       ? ` But ${count(folded, 'face')} ${folded === 1 ? 'is' : 'are'} folded or dented.`
       : '';
   const far = `at most ${about(moved.max, units)}, ${about(moved.mean, units)} on average`;
-  return `${reachedWords(verdict, units)}${folds} Worst ${about(worst, units)}. Your mesh moved by ${far}.`;
+  return `${reachedWords(verdict, units)}${folds}${bendWords(verdict)} Worst ${about(worst, units)}. Your mesh moved by ${far}.`;
 }
