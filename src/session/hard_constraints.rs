@@ -135,6 +135,7 @@ impl Session {
             Attempt::Smoother(times) => (Some(vec![self.smoother(*times)]), None),
             Attempt::Asked | Attempt::FromRest | Attempt::Exact => (None, None),
         };
+        self.progress.end_next();
         self.go_to(&exact.positions(), parts.unwrap_or_default())?;
         self.note_met(&exact);
         // An attempt may have had a smaller tolerance than the scene.

@@ -1,6 +1,6 @@
 //! `shape-up solve` with hard constraints.
 
-use crate::folder::{Folder, ROOF};
+use crate::folder::{Folder, ROOF, scene};
 use serde_json::Value;
 
 fn number(value: &Value) -> f64 {
@@ -37,6 +37,37 @@ fn a_tolerance_is_met_and_moves_less() {
     assert!(number(&within["exact"]["max_distance"]) <= 0.01, "{within}");
     assert!(number(&within["moved"]["mean"]) < number(&exact["moved"]["mean"]));
     assert!(report(&[]).get("exact").is_none(), "nothing was to be met");
+}
+
+#[test]
+fn a_requirement_of_the_command_line_replaces_eased_faces_too() {
+    let folder = Folder::new("eased");
+    let eased = r#""require": { "within": 0.001 }, "eased": { "within": 0.5, "faces": "0-3" }"#;
+    let planes = format!(r#", "constraints": [{{ "kind": "plane", "on": "faces", {eased} }}]"#);
+    folder.write("roof.obj", ROOF).write("s.shapeup.json", scene(&planes));
+    for require in [&["--exact"][..], &["--within", "0.01"]] {
+        let asked = [&["solve", "s.shapeup.json", "--report", "r.json"], require];
+        folder.run(&asked.concat()).done();
+        let exact = &folder.json("r.json")["exact"];
+        assert!(number(&exact["tolerance"]) <= 0.01, "{exact}");
+        assert!(number(&exact["max_distance"]) <= number(&exact["tolerance"]), "{exact}");
+    }
+}
+
+#[test]
+fn the_trace_begins_at_the_input_where_constraints_are_met() {
+    let folder = Folder::new("trace");
+    folder.write("roof.obj", ROOF);
+    let asked = ["solve", "roof.obj", "--panels", "circle", "--exact", "--trace"];
+    for iterations in ["0", "3"] {
+        let rest = ["--report", "r.json", "--iterations", iterations];
+        folder.run(&[&asked[..], &rest].concat()).done();
+        let report = folder.json("r.json");
+        let (energy, trace) = (&report["energy"], report["trace"].as_array().unwrap());
+        assert_eq!(trace[0]["total"], energy["initial"]["total"]);
+        assert_eq!(trace[trace.len() - 1]["total"], energy["final"]["total"]);
+        assert_ne!(energy["initial"]["total"], energy["final"]["total"]);
+    }
 }
 
 #[test]
@@ -127,4 +158,20 @@ fn a_boundary_is_held_exactly_or_nearly() {
     assert!(exact <= 1e-15, "{exact}");
     assert!(exact < nearly && nearly < free, "{nearly} {free}");
     folder.run(&["solve", "roof.obj", "--boundary", "tight"]).misused("`exact` or a weight");
+}
+
+#[test]
+fn a_requirement_of_nothing_and_a_miss_by_the_guard_are_said() {
+    let folder = Folder::new("guard");
+    folder.write("roof.obj", ROOF);
+    let words = folder.run(&["solve", "roof.obj", "--exact"]).done();
+    assert!(words.contains("note: nothing is required: there are no constraints"), "{words}");
+    // Edges may not become shorter than half, and a sphere this small needs shorter ones.
+    let guarded = r#", "weights": { "close": 1 }, "closeness": { "to": "rest" },
+        "solver": { "shortest_edge": 0.5 }, "constraints": [
+        { "kind": "sphere", "on": "boundary", "radius": 0.1, "require": "exact" }]"#;
+    folder.write("s.json", scene(guarded));
+    let words = folder.run(&["solve", "s.json"]).done();
+    assert!(words.contains("hard constraints not met by "), "{words}");
+    assert!(words.contains(" edges are as short as allowed, down to 0."), "{words}");
 }

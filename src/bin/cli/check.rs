@@ -84,12 +84,16 @@ struct Problem {
 }
 
 pub(super) fn check(path: &Path, report: Option<&Path>) -> Result<(), Failure> {
-    let read = input::read_mesh(path)?;
+    if input::is_scene(path) {
+        let what = "check takes a mesh file, or results with --scene SCENE";
+        return Err(Failure::Usage(format!("{what}, found `{}`", path.display())));
+    }
+    let (read, _) = input::read_mesh(path)?;
     let mesh = &read.mesh;
     let topology = Topology::new(mesh);
     let boundary_edges =
         (0..topology.edges().len()).filter(|&e| topology.is_boundary_edge(e as u32)).count();
-    let diameter = BoundingSphere::of(&mesh.positions).diameter();
+    let diameter = BoundingSphere::of(&mesh.used_positions()).diameter();
     let measures = Measures::new(&mesh.positions, &mesh.faces, diameter);
     let lines = CurvatureLines::new(&mesh.positions, &mesh.faces, &topology);
     let problems = read.problems.iter().map(|problem| Problem {

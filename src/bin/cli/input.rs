@@ -31,13 +31,18 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
         let bytes = bytes(path)?;
         let mut read = mesh::read(&path.to_string_lossy(), &bytes)
             .map_err(|error| Failure::Input(error.to_string()))?;
+        let guessed = UnitsAndUp::guess_units(&read.mesh);
         let weld = read.weld();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let frame = UnitsAndUp::stated(&bytes);
         let mut scene = Scene::opened(&name);
-        scene.units = frame.units.unwrap_or_default();
+        let mut remarks = remarks(&read);
+        if frame.units.is_none() && !guessed.is_empty() {
+            remarks.push(format!("the file has no unit: taken as {guessed} by its size"));
+        }
+        scene.units = frame.units.unwrap_or_else(|| guessed.to_owned());
         scene.up = frame.up.unwrap_or(scene.up);
-        return Ok(Input { remarks: remarks(&read), scene, mesh: read.mesh, weld });
+        return Ok(Input { remarks, scene, mesh: read.mesh, weld });
     }
     let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
     let text = String::from_utf8(bytes(path)?)
@@ -82,12 +87,14 @@ fn named_mesh(scene: &Path, place: &str, file: &str) -> Result<Read, Failure> {
     mesh::read(&beside.to_string_lossy(), &bytes).map_err(|error| Failure::Input(error.to_string()))
 }
 
-/// Reads a mesh file for measurement, with numbers whose squares are finite.
-pub(super) fn read_mesh(path: &Path) -> Result<Read, Failure> {
-    mesh_of(path, &bytes(path)?)
+/// Reads a mesh file for measurement, welded as [`read`] welds it.
+pub(super) fn read_mesh(path: &Path) -> Result<(Read, Option<Weld>), Failure> {
+    let mut read = mesh_of(path, &bytes(path)?)?;
+    let weld = read.weld();
+    Ok((read, weld))
 }
 
-/// Reads a mesh as [`read_mesh`] does, from the bytes of its file.
+/// Reads a mesh from the bytes of its file, with numbers whose squares are finite.
 pub(super) fn mesh_of(path: &Path, bytes: &[u8]) -> Result<Read, Failure> {
     let read = mesh::read(&path.to_string_lossy(), bytes)
         .map_err(|error| Failure::Input(error.to_string()))?;

@@ -29,7 +29,9 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         scene.request_panels(kind, Require::Soft, &mesh).map_err(|error| at_input(error.into()))?;
     }
     if let Some(require) = command.require {
-        scene.constraints.iter_mut().for_each(|row| row.require = require);
+        for row in &mut scene.constraints {
+            (row.require, row.eased) = (require, None);
+        }
     }
     scene.closeness.boundary = command.boundary.or(scene.closeness.boundary);
     scene.solver.iterations = command.iterations.unwrap_or(scene.solver.iterations);
@@ -58,6 +60,10 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     if command.improve && report.exact.as_ref().is_none_or(|exact| exact.improved.is_none()) {
         let why = "--improve did nothing: it needs exact or within constraints, all of them met";
         remarks.push(why.to_owned());
+    }
+    if command.require.is_some() && report.exact.is_none() {
+        remarks
+            .push("nothing is required: there are no constraints; --panels adds some".to_owned());
     }
     remarks.extend(misfits(&session));
     remarks.extend(report.unpaired.iter().map(|row| unpaired(*row, &session)));
@@ -199,6 +205,12 @@ fn exact_line(exact: &ExactReport, units: &str) -> String {
     } else {
         let misses = counted(exact.misses, "constraint", "constraints");
         let why = if exact.contradiction { ", which contradict each other" } else { "" };
+        let mut why = why.to_owned();
+        if let Some(ratio) = exact.shortest_edge.filter(|_| exact.on_guard > 0) {
+            let edges = counted(exact.on_guard, "edge is", "edges are");
+            let ratio = output::short(ratio);
+            why += &format!("; {edges} as short as allowed, down to {ratio} of the length at rest");
+        }
         format!("not met by {misses}{why}")
     };
     format!(
