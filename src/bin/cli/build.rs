@@ -143,9 +143,9 @@ fn paper_line(paper: &PaperReport) -> String {
     let bare = match (bare.len(), bare[..bare.len().min(MOST)].join(", ")) {
         (0, _) => String::new(),
         (n, some) if n > MOST => {
-            format!("; no room for a tab between {some} and {} more", n - MOST)
+            format!("; no tab between {some} and {} more", n - MOST)
         }
-        (_, all) => format!("; no room for a tab between {all}"),
+        (_, all) => format!("; no tab between {all}"),
     };
     format!(
         "ridges {}, valleys {}, tabs {}, panels creased {}{bare}",

@@ -184,7 +184,12 @@ fn named_side(
 ) -> (Point2, Option<String>) {
     let net = &model.net;
     let start = put(net.ends((side.facet, side.side))[0]);
-    let name = net.across((side.facet, side.side)).and_then(|(joint, (g, _))| {
+    let own = (side.facet, side.side);
+    if let Some(others) = model.unpaired.get(&own) {
+        let others: Vec<&str> = others.iter().map(|&other| &*names[other as usize]).collect();
+        return (start, Some(others.join("/")));
+    }
+    let name = net.across(own).and_then(|(joint, (g, _))| {
         let is_on_tab = match model.joint_kinds[joint as usize] {
             JointKind::Folded => true,
             JointKind::Tab(tab) => tab.side == side && tab_name(model, names, side).is_some(),
