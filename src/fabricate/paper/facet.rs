@@ -11,6 +11,9 @@ use crate::math::plane::Point2;
 /// the sheet.
 const FLAT: f64 = 0.02;
 
+/// Area of a triangle that is due to rounding, relative to the square of its sides.
+const ROUNDING: f64 = 1e-9;
+
 /// A flat facet of a panel.
 #[derive(Clone, Debug)]
 pub struct Facet {
@@ -136,11 +139,12 @@ fn creased(facets: &mut Vec<Facet>, surface: &PanelSurface, f: u32, panel: &Flat
         let (b, c) = (at[1] - at[0], at[2] - at[0]);
         let (length, along) = (b.length(), unit(b));
         let across = c - along * c.dot(along);
-        let normal = unit(b.cross(c));
-        // A triangle without area cannot be folded.
-        if normal == Vec3::zero() {
+        // A triangle whose area is due to rounding cannot be folded: its normal is random.
+        let (twice_area, longest) = (b.cross(c), length.max(c.length()));
+        if twice_area.length() <= ROUNDING * longest * longest {
             continue;
         }
+        let normal = unit(twice_area);
         let corners: Vec<Point2> = vec![
             [0.0, 0.0],
             [length * model, 0.0],

@@ -1,9 +1,15 @@
 //! A polygon as triangles.
 
-use crate::math::plane::Point2;
+use crate::math::plane::{Point2, bounds, distance};
+
+/// Distance from a line within which a corner lies on it, as a fraction of the size of the polygon.
+const STRAIGHT: f64 = 1e-9;
 
 /// Cuts off ears, the one with the shortest diagonal first: triangles as corners, counterclockwise.
+/// A straight corner is never the tip of an ear, whatever its rounding.
 pub(super) fn triangles(polygon: &[Point2]) -> Vec<[usize; 3]> {
+    let [low, high] = bounds(polygon.iter().copied());
+    let least = STRAIGHT * distance(low, high);
     let mut left: Vec<usize> = (0..polygon.len()).collect();
     let mut found = Vec::new();
     while left.len() > 3 {
@@ -16,10 +22,12 @@ pub(super) fn triangles(polygon: &[Point2]) -> Vec<[usize; 3]> {
         let is_whole = |&k: &usize| {
             let own = ear(k);
             let [a, b, c] = own.map(|corner| polygon[corner]);
-            let holds =
-                |p: Point2| [[a, b], [b, c], [c, a]].iter().all(|&[p0, p1]| turn(p0, p1, p) >= 0.0);
+            let holds = |p: Point2| {
+                let is_left = |&[p0, p1]: &[Point2; 2]| turn(p0, p1, p) >= -least * distance(p0, p1);
+                [[a, b], [b, c], [c, a]].iter().all(is_left)
+            };
             let is_other = |corner: &&usize| !own.contains(corner);
-            turn(a, b, c) > 0.0
+            turn(a, b, c) > least * distance(a, c)
                 && !left.iter().filter(is_other).any(|&corner| holds(polygon[corner]))
         };
         let shortest = |a: &usize, b: &usize| diagonal(*a).total_cmp(&diagonal(*b)).then(a.cmp(b));
@@ -54,5 +62,19 @@ mod tests {
         let areas: Vec<f64> = areas.collect();
         assert!(areas.iter().all(|twice| *twice > 0.0));
         assert_eq!(areas.iter().sum::<f64>(), 16.0);
+    }
+
+    #[test]
+    fn a_straight_corner_gives_no_triangle_without_area() {
+        // A quad with corners in the middle of two of its sides, at many angles.
+        let quad =
+            [[0.0, 0.0], [1.5, 0.0], [3.0, 0.0], [3.2, 2.0], [1.55, 2.45], [-0.1, 2.9]];
+        for k in 0..200 {
+            let (s, c) = libm::sincos(0.1 + 0.37 * f64::from(k));
+            let turned = quad.map(|[x, y]| [7.1 + c * x - s * y, s * x + c * y - 3.3]);
+            let found = triangles(&turned);
+            let areas = || found.iter().map(|&[a, b, c]| turn(turned[a], turned[b], turned[c]));
+            assert!(found.len() == 4 && areas().all(|twice| twice > 0.5), "{k}: {found:?}");
+        }
     }
 }
