@@ -15,6 +15,19 @@ pub struct BuildFile {
     pub text: String,
 }
 
+impl BuildFile {
+    /// Whether a file of this name may be of a build, of any product and number of sheets.
+    pub fn is_name_of_one(name: &str) -> bool {
+        let of_sheet = name.strip_prefix("sheet-").and_then(|rest| rest.split_once('.'));
+        let is_sheet = of_sheet.is_some_and(|(number, kind)| {
+            number.len() >= 2
+                && number.bytes().all(|digit| digit.is_ascii_digit())
+                && ["svg", "dxf"].contains(&kind)
+        });
+        is_sheet || ["sheets.pdf", "beams.obj"].contains(&name) || tables::NAMES.contains(&name)
+    }
+}
+
 impl Build {
     /// All files: a drawing of each sheet in two formats, all sheets as PDF, the tables.
     pub fn files(&self) -> Vec<BuildFile> {

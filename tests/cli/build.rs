@@ -65,6 +65,20 @@ fn fins_and_paper_models_are_made_on_demand() {
 }
 
 #[test]
+fn files_of_an_earlier_build_in_the_same_folder_are_named() {
+    let folder = Folder::new("build-again");
+    folder.write("roof.obj", ROOF);
+    let asked = ["build", "roof.obj", "--scale=10", "--out=parts"];
+    let words = folder.run(&[&asked[..], &["--sheet=160x160"]].concat()).done();
+    assert!(words.contains("sheet-02.svg") && !words.contains("earlier"), "{words}");
+    let words = folder.run(&[&asked[..], &["--sheet=1200x600"]].concat()).done();
+    assert!(words.contains("earlier one: sheet-02.dxf, sheet-02.svg"), "{words}");
+    let words = folder.run(&[&asked[..], &["--sheet=1200x600", "--product=paper"]].concat()).done();
+    assert!(words.contains("earlier one: panels.csv, sheet-02.dxf"), "{words}");
+    assert!(folder.0.join("parts/sheet-02.svg").exists());
+}
+
+#[test]
 fn a_piece_without_room_for_its_name_is_named_in_words_and_in_the_report() {
     let folder = Folder::new("build-unnamed");
     folder.write("roof.obj", ROOF);

@@ -5,7 +5,7 @@ use super::identities::revolution;
 use super::{build, dxf};
 use shape_up::fabricate::beam::{cut_back, node_types};
 use shape_up::fabricate::sheet::{Inscription, label};
-use shape_up::fabricate::{BUILD_NUMBERS, Build, BuildSettings, OffsetKind, Product};
+use shape_up::fabricate::{BUILD_NUMBERS, Build, BuildFile, BuildSettings, OffsetKind, Product};
 use shape_up::math::Vec3;
 use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
@@ -154,6 +154,7 @@ fn fins_are_on_the_sheets_and_in_lists() {
     let report = made.report();
     assert_eq!((report.parts, report.placed, report.not_cut.len()), (edges, edges, 0));
     let files = made.files();
+    assert!(files.iter().all(|file| BuildFile::is_name_of_one(&file.name)));
     let outlines = files
         .iter()
         .filter(|file| file.name.ends_with(".dxf"))

@@ -4,7 +4,7 @@ use super::grid::grid;
 use super::identities::revolution;
 use super::{build, shared};
 use shape_up::fabricate::paper::{JointKind, PaperModel};
-use shape_up::fabricate::{Build, BuildSettings, Page, Pieces, Product};
+use shape_up::fabricate::{Build, BuildFile, BuildSettings, Page, Pieces, Product};
 use shape_up::math::plane::{Point2, area};
 use shape_up::mesh::Mesh;
 
@@ -292,6 +292,7 @@ fn a_pdf_is_tiled_to_the_page() {
     let own = BuildSettings { page: Page::A4, ..settings(Pieces::Nets) };
     let made = build(&revolution(9, 7), &own);
     let files = made.files();
+    assert!(files.iter().all(|file| BuildFile::is_name_of_one(&file.name)));
     let text = &files.iter().find(|file| file.name == "sheets.pdf").unwrap().text;
     let document = lopdf::Document::load_mem(text.as_bytes()).expect("it is PDF");
     // A3 on A4, with overlap and margins.
