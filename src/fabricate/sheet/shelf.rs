@@ -18,7 +18,7 @@ const ROUNDING: f64 = 1e-3;
 #[derive(Clone)]
 pub(super) struct Resting {
     /// The index of the part.
-    part: usize,
+    pub part: usize,
     /// Cosine and sine of its rotation.
     turn: Point2,
     /// Convex polygons that cover the rotated part; the lower left corner of its box is at the
