@@ -1,8 +1,7 @@
 //! Facets: flat polygons in mm. A flat panel is one facet; other panels are creased into triangles,
 //! which preserves all lengths. Facets are connected by joints, which are folded or glued.
 
-use super::triangles::{triangles, turn};
-use crate::fabricate::panel::{FlatPanel, is_simple};
+use crate::fabricate::panel::{FlatPanel, is_simple, triangles, turn};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::Vec3;
 use crate::math::plane::Point2;

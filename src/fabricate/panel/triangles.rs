@@ -1,13 +1,15 @@
 //! A polygon as triangles.
 
+use crate::fabricate::surface::unit;
 use crate::math::plane::{Point2, bounds, distance};
+use crate::math::{Vec3, polygon_sides, twice_vector_area};
 
 /// Distance from a line within which a corner lies on it, as a fraction of the size of the polygon.
 const STRAIGHT: f64 = 1e-9;
 
 /// Cuts off ears, the one with the shortest diagonal first: triangles as corners, counterclockwise.
 /// A straight corner is never the tip of an ear, whatever its rounding.
-pub(super) fn triangles(polygon: &[Point2]) -> Vec<[usize; 3]> {
+pub(in crate::fabricate) fn triangles(polygon: &[Point2]) -> Vec<[usize; 3]> {
     let [low, high] = bounds(polygon.iter().copied());
     let least = STRAIGHT * distance(low, high);
     let mut left: Vec<usize> = (0..polygon.len()).collect();
@@ -40,8 +42,32 @@ pub(super) fn triangles(polygon: &[Point2]) -> Vec<[usize; 3]> {
     found
 }
 
+/// A polygon in space as triangles: a fan around the first corner for which no triangle is flipped,
+/// or, if there is none, the triangles of the polygon seen along its normal.
+pub(in crate::fabricate) fn triangles_in_space(corners: &[Vec3<f64>]) -> Vec<[usize; 3]> {
+    let n = corners.len();
+    let outside = twice_vector_area(corners.iter().copied());
+    let around = |from: usize| (2..n).map(move |k| [from, (from + k - 1) % n, (from + k) % n]);
+    let has_sense = |from: &usize| {
+        around(*from).all(|own| {
+            let [a, b, c] = own.map(|k| corners[k]);
+            (b - a).cross(c - a).dot(outside) >= 0.0
+        })
+    };
+    if let Some(from) = (0..n).find(has_sense) {
+        return around(from).collect();
+    }
+    let normal = unit(outside);
+    let steps = polygon_sides(corners).map(|[p, q]| q - p);
+    let along = steps.map(|step| unit(step - normal * step.dot(normal)));
+    let x = along.reduce(|a, b| if a == Vec3::zero() { b } else { a }).unwrap_or(Vec3::zero());
+    let y = normal.cross(x);
+    let flat: Vec<Point2> = corners.iter().map(|p| [p.dot(x), p.dot(y)]).collect();
+    triangles(&flat)
+}
+
 /// Twice the signed area of a triangle, positive if counterclockwise.
-pub(super) fn turn(a: Point2, b: Point2, c: Point2) -> f64 {
+pub(in crate::fabricate) fn turn(a: Point2, b: Point2, c: Point2) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
