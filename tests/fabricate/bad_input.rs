@@ -271,8 +271,7 @@ fn an_edge_of_three_panels_has_the_names_of_the_others_and_is_mentioned() {
         [0.0, 0.0, 6.0],
         [0.0, 8.0, 6.0],
     ];
-    let mesh =
-        faces(&[&[0, 3, 2, 1], &[0, 1, 5, 4], &[0, 1, 7, 6]], &positions);
+    let mesh = faces(&[&[0, 3, 2, 1], &[0, 1, 5, 4], &[0, 1, 7, 6]], &positions);
     let settings = BuildSettings { hole: 3.0, ..BuildSettings::default() };
     let made = build(&mesh, &settings);
     let engraved = |build: &Build, k: usize| build.parts[k].engraved.len();
@@ -301,6 +300,7 @@ fn both_panels_of_a_seam_of_a_one_sided_strip_have_a_name_there() {
     let edge = made.surface.panels.iter().position(|own| own == panels).unwrap() as u32;
     let others = |f: u32| made.surface.others(edge, f).collect::<Vec<_>>();
     assert_eq!((others(panels[0]), others(panels[1])), (vec![panels[1]], vec![panels[0]]));
-    let paper = build(&mesh, &BuildSettings { product: Product::Paper, ..BuildSettings::default() });
+    let paper =
+        build(&mesh, &BuildSettings { product: Product::Paper, ..BuildSettings::default() });
     assert_eq!(paper.report().paper.unwrap().without_tab.len(), 1);
 }

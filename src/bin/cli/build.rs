@@ -3,8 +3,8 @@
 use super::folder::MadeFolders;
 use super::{Failure, arguments, input, output};
 use shape_up::fabricate::{
-    Build, BuildFile, BuildReport, BuildSettings, CheckRow, FrameReport, LengthInMetres, PRESENTATION,
-    PaperReport, Product, ReportView,
+    Build, BuildFile, BuildReport, BuildSettings, CheckRow, FrameReport, LengthInMetres,
+    PRESENTATION, PaperReport, Product, ReportView,
 };
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Scene, UNITS, Up};
@@ -73,10 +73,7 @@ fn left_over(folder: &Path, written: &[(&Path, Vec<u8>)]) -> Option<String> {
         more => format!(" and {more} more"),
     };
     (!names.is_empty()).then(|| {
-        format!(
-            "{}: not of this build, but of an earlier one: {some}{more}",
-            folder.display()
-        )
+        format!("{}: not of this build, but of an earlier one: {some}{more}", folder.display())
     })
 }
 

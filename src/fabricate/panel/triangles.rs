@@ -25,7 +25,8 @@ pub(in crate::fabricate) fn triangles(polygon: &[Point2]) -> Vec<[usize; 3]> {
             let own = ear(k);
             let [a, b, c] = own.map(|corner| polygon[corner]);
             let holds = |p: Point2| {
-                let is_left = |&[p0, p1]: &[Point2; 2]| turn(p0, p1, p) >= -least * distance(p0, p1);
+                let is_left =
+                    |&[p0, p1]: &[Point2; 2]| turn(p0, p1, p) >= -least * distance(p0, p1);
                 [[a, b], [b, c], [c, a]].iter().all(is_left)
             };
             let is_other = |corner: &&usize| !own.contains(corner);
@@ -93,8 +94,7 @@ mod tests {
     #[test]
     fn a_straight_corner_gives_no_triangle_without_area() {
         // A quad with corners in the middle of two of its sides, at many angles.
-        let quad =
-            [[0.0, 0.0], [1.5, 0.0], [3.0, 0.0], [3.2, 2.0], [1.55, 2.45], [-0.1, 2.9]];
+        let quad = [[0.0, 0.0], [1.5, 0.0], [3.0, 0.0], [3.2, 2.0], [1.55, 2.45], [-0.1, 2.9]];
         for k in 0..200 {
             let (s, c) = libm::sincos(0.1 + 0.37 * f64::from(k));
             let turned = quad.map(|[x, y]| [7.1 + c * x - s * y, s * x + c * y - 3.3]);

@@ -6,7 +6,7 @@
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
 use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point, sides};
-use crate::math::plane::{Point2, distance, dot, is_inside, rotated};
+use crate::math::plane::{Point2, distance, dot, is_inside, minus, rotated};
 
 /// Largest height of neighbours' names, in mm.
 const TALLEST: f64 = 8.0;
@@ -91,15 +91,30 @@ impl Box2 {
         })
     }
 
-    /// Whether it lies in a polygon: its corners do, and no corner of the polygon is in it.
+    /// Whether it lies in a polygon: its corners do, and no side of the polygon enters it, as one of
+    /// a narrow notch may do although no corner is in it.
     fn is_in(&self, outline: &[Point2]) -> bool {
         let inside = self.corners().iter().all(|&corner| is_inside(outline, corner));
         let [c, s] = self.along;
-        let enters = |&[x, y]: &Point2| {
-            let [x, y] = [x - self.centre[0], y - self.centre[1]];
-            (c * x + s * y).abs() < self.half[0] && (c * y - s * x).abs() < self.half[1]
+        let enters = |side: [Point2; 2]| {
+            let [p, q] = side.map(|point| {
+                let [x, y] = minus(point, self.centre);
+                [c * x + s * y, c * y - s * x]
+            });
+            // The shares of the side between which it is within the bounds of each axis.
+            let (mut from, mut to) = (0.0_f64, 1.0_f64);
+            for k in 0..2 {
+                let (step, half) = (q[k] - p[k], self.half[k]);
+                if step != 0.0 {
+                    let [a, b] = [(-half - p[k]) / step, (half - p[k]) / step];
+                    (from, to) = (from.max(a.min(b)), to.min(a.max(b)));
+                } else if p[k].abs() >= half {
+                    return false;
+                }
+            }
+            from < to
         };
-        inside && !outline.iter().any(enters)
+        inside && !sides(outline).any(enters)
     }
 }
 
@@ -353,6 +368,25 @@ mod tests {
     }
 
     const AS_IT_IS: Point2 = [1.0, 0.0];
+
+    #[test]
+    fn a_text_across_a_notch_is_not_in_the_outline() {
+        // The notch is narrower than the text, and its tip and its mouth are beyond.
+        let outline = [
+            [0.0, 0.0],
+            [20.0, 0.0],
+            [20.0, 20.0],
+            [10.2, 20.0],
+            [10.0, 2.0],
+            [9.8, 20.0],
+            [0.0, 20.0],
+        ];
+        let text = |centre: Point2, along: Point2| Box2 { centre, along, half: [4.0, 1.0] };
+        for along in [[1.0, 0.0], [0.8, 0.6], [0.0, 1.0]] {
+            assert!(!text([10.0, 10.0], along).is_in(&outline), "{along:?}");
+            assert!(text([5.0, 10.0], along).is_in(&outline), "{along:?}");
+        }
+    }
 
     #[test]
     fn the_own_name_is_larger_than_those_of_the_neighbours() {
