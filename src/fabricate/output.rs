@@ -29,8 +29,9 @@ impl BuildFile {
 }
 
 impl Build {
-    /// All files: a drawing of each sheet in two formats, all sheets as PDF, the tables.
-    pub fn files(&self) -> Vec<BuildFile> {
+    /// All files: a drawing of each sheet in two formats, all sheets as PDF, the tables, the beams.
+    /// `z_up` is whether z is up in the mesh; else y is.
+    pub fn files(&self, z_up: bool) -> Vec<BuildFile> {
         let drawings = self.drawings();
         let mut files = Vec::new();
         let mut add = |name: String, text: String| files.push(BuildFile { name, text });
@@ -47,7 +48,11 @@ impl Build {
             add(name.to_owned(), text);
         }
         if let Some(solids) = solids(self) {
-            add("beams.obj".to_owned(), write_obj(&solids, &solids.positions));
+            // Stated as in every mesh file, so that it is read again as it is; z need not be.
+            let symbol: String = self.unit.symbol.chars().filter(|c| !c.is_control()).collect();
+            let up = if z_up { "" } else { "# up: y\n" };
+            let text = write_obj(&solids, &solids.positions);
+            add("beams.obj".to_owned(), format!("# units: {symbol}\n{up}{text}"));
         }
         files
     }

@@ -164,7 +164,7 @@ fn real_and_awkward_meshes_are_built_without_a_panic() {
             if let Ok(made) = Build::new(&read.mesh, &own, metres()) {
                 let text = serde_json::to_string(&made.report()).unwrap();
                 assert!(!text.contains("NaN"), "{}", path.display());
-                assert!(made.files().iter().all(|file| !file.text.contains("NaN")));
+                assert!(made.files(true).iter().all(|file| !file.text.contains("NaN")));
             }
         }
     }
@@ -243,7 +243,7 @@ fn two_beams_in_one_direction_are_no_fins_of_any_thickness() {
     let made = build(&straight, &own);
     assert!(made.not_cut.iter().any(|not| not.part == "B5-6"), "{:?}", made.not_cut);
     assert!(!serde_json::to_string(&made.report()).unwrap().contains("NaN"));
-    assert!(made.files().iter().all(|file| !file.text.contains("NaN")));
+    assert!(made.files(true).iter().all(|file| !file.text.contains("NaN")));
 }
 
 #[test]
@@ -281,7 +281,7 @@ fn an_edge_of_three_panels_has_the_names_of_the_others_and_is_mentioned() {
     let paper = build(&mesh, &BuildSettings { product: Product::Paper, ..settings });
     assert_eq!(paper.report().paper.unwrap().without_tab, ["P0/P1/P2"]);
     assert!((0..3).all(|k| engraved(&paper, k) > 5));
-    let edges = made.files().into_iter().find(|file| file.name == "edges.csv").unwrap().text;
+    let edges = made.files(true).into_iter().find(|file| file.name == "edges.csv").unwrap().text;
     assert!(edges.contains("B0-1,N0,N1,P1/P2,P0,"), "{edges}");
 }
 

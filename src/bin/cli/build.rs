@@ -30,7 +30,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let _made = asked.out.as_deref().map(MadeFolders::make).transpose()?;
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     if let Some(folder) = &asked.out {
-        let drawn = build.files().into_iter();
+        let drawn = build.files(scene.up == Up::Z).into_iter();
         files.extend(drawn.map(|file| (folder.join(file.name), file.text.into_bytes())));
         files.push((folder.join(PRESENTATION), build.presentation(scene.up == Up::Z)));
     }
