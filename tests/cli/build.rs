@@ -143,6 +143,12 @@ fn what_cannot_be_built_or_asked_is_refused_in_one_line() {
         (r#"{ "kind": "corners" }"#, ["build.kind", "corner"]),
         (r#"{ "shet": [1, 2] }"#, ["build", "unknown key `shet`"]),
         (r#"{ "sheet": [1200] }"#, ["build.sheet", "expected"]),
+        // Typing errors, at which files would not end or numbers would not be numbers.
+        (r#"{ "scale": 1e-300 }"#, ["build.scale", "expected at least 0.001"]),
+        (r#"{ "sheet": [1e300, 1e300] }"#, ["build.sheet[0]", "expected at most 100000"]),
+        (r#"{ "joint": 1e300 }"#, ["build.joint", "expected at most"]),
+        (r#"{ "distance": -1e300 }"#, ["build.distance", "at most"]),
+        (r#"{ "sheet": [1e5, 1e5], "page": "a4" }"#, ["build.page", "at most 1000 pages"]),
     ] {
         folder.write("s.shapeup.json", scene(build));
         folder.run(&["build", "s.shapeup.json"]).refused(&words);
