@@ -69,8 +69,9 @@ impl Build {
             |points: &[Point2]| points.iter().map(|&p| rotated(p, turn)).collect::<Vec<_>>();
         let (whole, outline) = (turned(&scaled), turned(&outline));
         let across = |e: u32| {
-            let other = self.surface.edges[e as usize].across(f as u32)?;
-            Some(self.names[other as usize].clone())
+            let others = self.surface.others(e, f as u32);
+            let names: Vec<&str> = others.map(|other| &*self.names[other as usize]).collect();
+            (!names.is_empty()).then(|| names.join("/"))
         };
         // A corner that coincides with the next one is dropped.
         let n = outline.len();

@@ -33,6 +33,10 @@ impl Build {
 
     fn drill_panels(&mut self, diameter: f64, radius: f64) {
         let joint = 0.5 * self.settings.joint * self.mm_of_sheet();
+        // Holes lie opposite each other only between two panels.
+        let unpaired = self.surface.unpaired().flat_map(|(_, panels)| panels);
+        let cut = unpaired.filter(|&&f| self.cut[f as usize].is_some());
+        self.dropped_holes += ALONG.len() * cut.count();
         for (edge, e) in self.surface.edges.iter().zip(0..) {
             let [Some(f), Some(g)] = edge.panels else { continue };
             let cut = [f, g].map(|f| self.cut[f as usize].as_ref().map(|cut| (f, cut)));

@@ -15,9 +15,23 @@ pub struct BuildFile {
     pub text: String,
 }
 
+impl BuildFile {
+    /// Whether a file of this name may be of a build, of any product and number of sheets.
+    pub fn is_name_of_one(name: &str) -> bool {
+        let of_sheet = name.strip_prefix("sheet-").and_then(|rest| rest.split_once('.'));
+        let is_sheet = of_sheet.is_some_and(|(number, kind)| {
+            number.len() >= 2
+                && number.bytes().all(|digit| digit.is_ascii_digit())
+                && ["svg", "dxf"].contains(&kind)
+        });
+        is_sheet || ["sheets.pdf", "beams.obj"].contains(&name) || tables::NAMES.contains(&name)
+    }
+}
+
 impl Build {
-    /// All files: a drawing of each sheet in two formats, all sheets as PDF, the tables.
-    pub fn files(&self) -> Vec<BuildFile> {
+    /// All files: a drawing of each sheet in two formats, all sheets as PDF, the tables, the beams.
+    /// `z_up` is whether z is up in the mesh; else y is.
+    pub fn files(&self, z_up: bool) -> Vec<BuildFile> {
         let drawings = self.drawings();
         let mut files = Vec::new();
         let mut add = |name: String, text: String| files.push(BuildFile { name, text });
@@ -34,7 +48,11 @@ impl Build {
             add(name.to_owned(), text);
         }
         if let Some(solids) = solids(self) {
-            add("beams.obj".to_owned(), write_obj(&solids, &solids.positions));
+            // Stated as in every mesh file, so that it is read again as it is; z need not be.
+            let symbol: String = self.unit.symbol.chars().filter(|c| !c.is_control()).collect();
+            let up = if z_up { "" } else { "# up: y\n" };
+            let text = write_obj(&solids, &solids.positions);
+            add("beams.obj".to_owned(), format!("# units: {symbol}\n{up}{text}"));
         }
         files
     }

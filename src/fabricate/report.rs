@@ -49,7 +49,8 @@ pub struct PaperReport {
     pub valleys: usize,
     /// Glued edges.
     pub tabs: usize,
-    /// Edges that are cut and have no room for a tab, by the names of their panels.
+    /// Edges that are cut and have no tab, by the names of their panels: without room, or without
+    /// one panel on either side.
     pub without_tab: Vec<String>,
     /// Panels that are not flat, and creased along their diagonals.
     pub creased: usize,
@@ -298,11 +299,15 @@ impl Build {
         let panels = |joint: &Joint| {
             joint.sides.map(|(f, _)| &*self.names[net.facets[f as usize].panel as usize]).join("/")
         };
+        let unpaired = self.surface.unpaired().filter(|_| self.settings.tab > 0.0);
+        let beside = unpaired.map(|(_, panels)| {
+            panels.iter().map(|&f| &*self.names[f as usize]).collect::<Vec<_>>().join("/")
+        });
         Some(PaperReport {
             ridges: folds().filter(|fold| *fold > FLAT).count(),
             valleys: folds().filter(|fold| *fold < -FLAT).count(),
             tabs: joint_kinds.iter().filter(|kind| matches!(kind, JointKind::Tab(_))).count(),
-            without_tab: without_tab.map(|(joint, _)| panels(joint)).collect(),
+            without_tab: without_tab.map(|(joint, _)| panels(joint)).chain(beside).collect(),
             creased: creased.len(),
         })
     }

@@ -1,5 +1,6 @@
 //! The settings of a build: scale, sheet, joint, distance; and their presets.
 
+use super::file::page_count;
 use super::offset::OffsetKind;
 use super::panel::Names;
 use super::paper::Pieces;
@@ -256,46 +257,63 @@ pub const PRESETS: [BuildPreset; 5] = [
     },
 ];
 
+/// Largest number of pages that a sheet is tiled to.
+const MOST_PAGES: u64 = 1000;
+
 impl BuildSettings {
     /// Checks that every number is finite and in its range.
     ///
     /// # Errors
     /// The key of the first invalid setting, and a message.
     pub fn check(&self) -> Result<(), (&'static str, String)> {
-        let above = |value: f64| value > 0.0 && value.is_finite();
-        let from_zero = |value: f64| value >= 0.0 && value.is_finite();
+        /// Largest length on the sheet or of the material in mm: larger ones are typing errors, at
+        /// which files would become too large.
+        const LONGEST: f64 = 1e5;
+        /// Largest other number.
+        const LARGEST: f64 = 1e9;
+        /// Smallest denominator of the scale.
+        const LEAST_SCALE: f64 = 1e-3;
         let numbers = [
-            ("follow", self.follow, true),
-            ("scale", self.scale, true),
-            ("sheet[0]", self.sheet[0], true),
-            ("sheet[1]", self.sheet[1], true),
-            ("joint", self.joint, false),
-            ("thickness", self.thickness, false),
-            ("margin", self.margin, false),
-            ("gap", self.gap, false),
-            ("kerf", self.kerf, false),
-            ("hole", self.hole, false),
-            ("alike", self.alike, false),
-            ("tab", self.tab, false),
-            ("alike_deg", self.alike_deg, false),
-            ("beam_width", self.beam_width.unwrap_or(1.0), true),
-            ("limits.warp", self.limits.warp, false),
-            ("limits.distance", self.limits.distance, false),
-            ("limits.lean", self.limits.lean, false),
-            ("limits.flatness", self.limits.flatness, false),
+            ("follow", self.follow, true, LARGEST),
+            ("scale", self.scale, true, LARGEST),
+            ("sheet[0]", self.sheet[0], true, LONGEST),
+            ("sheet[1]", self.sheet[1], true, LONGEST),
+            ("joint", self.joint, false, LARGEST),
+            ("thickness", self.thickness, false, LONGEST),
+            ("margin", self.margin, false, LONGEST),
+            ("gap", self.gap, false, LONGEST),
+            ("kerf", self.kerf, false, LONGEST),
+            ("hole", self.hole, false, LONGEST),
+            ("alike", self.alike, false, LARGEST),
+            ("tab", self.tab, false, LONGEST),
+            ("alike_deg", self.alike_deg, false, LARGEST),
+            ("beam_width", self.beam_width.unwrap_or(1.0), true, LARGEST),
+            ("limits.warp", self.limits.warp, false, LARGEST),
+            ("limits.distance", self.limits.distance, false, LARGEST),
+            ("limits.lean", self.limits.lean, false, LARGEST),
+            ("limits.flatness", self.limits.flatness, false, LARGEST),
         ];
-        for (key, value, positive) in numbers {
-            if positive && !above(value) {
+        for (key, value, is_positive, most) in numbers {
+            if is_positive && !(value > 0.0 && value.is_finite()) {
                 return Err((key, format!("found {value}, expected a number above 0")));
             }
-            if !from_zero(value) {
+            if !(value >= 0.0 && value.is_finite()) {
                 return Err((key, format!("found {value}, expected a number from 0")));
             }
+            if value > most {
+                return Err((key, format!("found {value}, expected at most {most}")));
+            }
+        }
+        if self.scale < LEAST_SCALE {
+            let message = format!("found {}, expected at least {LEAST_SCALE}", self.scale);
+            return Err(("scale", message));
         }
         if let Some(distance) = self.distance
-            && (!distance.is_finite() || distance == 0.0)
+            && !(distance != 0.0 && distance.abs() <= LARGEST)
         {
-            return Err(("distance", format!("found {distance}, expected a length that is not 0")));
+            let message =
+                format!("found {distance}, expected a length that is not 0 and at most {LARGEST}");
+            return Err(("distance", message));
         }
         if self.sheet.iter().any(|size| *size <= 2.0 * self.margin) {
             let [width, height] = self.sheet;
@@ -304,6 +322,15 @@ impl BuildSettings {
                 "found {margin}, expected less than half of each side of the sheet ({width} x {height} mm)"
             );
             return Err(("margin", message));
+        }
+        let pages = page_count(self.sheet, self.page.size());
+        if pages > MOST_PAGES {
+            let [width, height] = self.sheet;
+            let message = format!(
+                "found {:?}, on {pages} of which a sheet of {width} x {height} mm is printed, expected at most {MOST_PAGES} pages for a sheet",
+                self.page.id()
+            );
+            return Err(("page", message));
         }
         Ok(())
     }

@@ -14,7 +14,7 @@ pub struct Edge {
     /// The vertices `i < j`.
     pub ends: [u32; 2],
     /// The panel that traverses it from `i` to `j`, and the one that traverses it backwards. One at
-    /// the rim; none where more than two panels meet.
+    /// the rim; none where more than two panels meet, or two traverse it in the same direction.
     pub panels: [Option<u32>; 2],
 }
 
@@ -44,6 +44,8 @@ pub struct PanelSurface {
     pub faces: Ragged,
     /// The sides of faces, each once.
     pub edges: Vec<Edge>,
+    /// All panels of each edge.
+    pub panels: Ragged,
     /// The edge of each side of each panel; side `k` goes from corner `k` to the next one.
     pub sides: Ragged,
     /// Area vectors: half the sum of the cross products of consecutive corners (Newell).
@@ -96,14 +98,19 @@ impl PanelSurface {
             let of_face: Vec<u32> =
                 polygon_sides(face).filter_map(|[a, b]| topology.edge(a, b)).collect();
             for (&e, [a, b]) in of_face.iter().zip(polygon_sides(face)) {
-                if topology.edge_faces().row(e as usize).len() <= 2 {
-                    let side = usize::from(a > b);
-                    edges[e as usize].panels[side].get_or_insert(f as u32);
-                }
+                let side = usize::from(a > b);
+                edges[e as usize].panels[side].get_or_insert(f as u32);
             }
             sides.push(&of_face);
         }
+        let panels = topology.edge_faces().clone();
+        for (edge, own) in edges.iter_mut().zip(panels.iter()) {
+            if own.len() > edge.panels.iter().flatten().count() {
+                edge.panels = [None; 2];
+            }
+        }
         Ok(PanelSurface {
+            panels,
             rims: topology.boundary_loops().clone(),
             parts: count_parts(&positions, &faces),
             turned: turned.iter().filter(|&&turned| turned).count(),
@@ -116,6 +123,18 @@ impl PanelSurface {
             normals,
             one_sided,
         })
+    }
+
+    /// The other panels of an edge of a panel, also where there are several.
+    pub fn others(&self, edge: u32, panel: u32) -> impl Iterator<Item = u32> + '_ {
+        self.panels.row(edge as usize).iter().copied().filter(move |&other| other != panel)
+    }
+
+    /// The edges whose panels are not one on either side, with these panels: more than two meet
+    /// there, or two traverse it in the same direction. Such panels can be cut but not joined.
+    pub fn unpaired(&self) -> impl Iterator<Item = (&Edge, &[u32])> {
+        let all = self.edges.iter().zip(self.panels.iter());
+        all.filter(|(edge, panels)| panels.len() > 1 && edge.panels == [None; 2])
     }
 
     /// Moves its vertices to `positions` (`#V by 3`).

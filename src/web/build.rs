@@ -182,12 +182,12 @@ impl Builder {
         plain(&ReportPage { pdf: page.pdf, svg: page.svg })
     }
 
-    /// Returns all files: `name` and `text`.
+    /// Returns all files: `name` and `text`; `z_up` if the up axis is z, else y.
     ///
     /// # Errors
     /// None: plain data.
-    pub fn files(&self) -> Result<JsValue, JsValue> {
-        let files = self.build.files().into_iter();
+    pub fn files(&self, z_up: bool) -> Result<JsValue, JsValue> {
+        let files = self.build.files(z_up).into_iter();
         plain(&files.map(|file| File { name: file.name, text: file.text }).collect::<Vec<_>>())
     }
 }

@@ -50,7 +50,7 @@ pub(super) fn parts(path: &str, rounds: usize) -> Parts {
         found.distance.push(moved.1);
         let sheets = || build.drawings().iter().map(|own| picture(own, &[])).collect::<Vec<_>>();
         found.sheets.push(timed(sheets).1);
-        found.files.push(timed(|| build.files()).1);
+        found.files.push(timed(|| build.files(true)).1);
     }
     found
 }

@@ -65,6 +65,20 @@ fn fins_and_paper_models_are_made_on_demand() {
 }
 
 #[test]
+fn files_of_an_earlier_build_in_the_same_folder_are_named() {
+    let folder = Folder::new("build-again");
+    folder.write("roof.obj", ROOF);
+    let asked = ["build", "roof.obj", "--scale=10", "--out=parts"];
+    let words = folder.run(&[&asked[..], &["--sheet=160x160"]].concat()).done();
+    assert!(words.contains("sheet-02.svg") && !words.contains("earlier"), "{words}");
+    let words = folder.run(&[&asked[..], &["--sheet=1200x600"]].concat()).done();
+    assert!(words.contains("earlier one: sheet-02.dxf, sheet-02.svg"), "{words}");
+    let words = folder.run(&[&asked[..], &["--sheet=1200x600", "--product=paper"]].concat()).done();
+    assert!(words.contains("earlier one: panels.csv, sheet-02.dxf"), "{words}");
+    assert!(folder.0.join("parts/sheet-02.svg").exists());
+}
+
+#[test]
 fn a_piece_without_room_for_its_name_is_named_in_words_and_in_the_report() {
     let folder = Folder::new("build-unnamed");
     folder.write("roof.obj", ROOF);
@@ -145,6 +159,12 @@ fn what_cannot_be_built_or_asked_is_refused_in_one_line() {
         (r#"{ "kind": "corners" }"#, ["build.kind", "corner"]),
         (r#"{ "shet": [1, 2] }"#, ["build", "unknown key `shet`"]),
         (r#"{ "sheet": [1200] }"#, ["build.sheet", "expected"]),
+        // Typing errors, at which files would not end or numbers would not be numbers.
+        (r#"{ "scale": 1e-300 }"#, ["build.scale", "expected at least 0.001"]),
+        (r#"{ "sheet": [1e300, 1e300] }"#, ["build.sheet[0]", "expected at most 100000"]),
+        (r#"{ "joint": 1e300 }"#, ["build.joint", "expected at most"]),
+        (r#"{ "distance": -1e300 }"#, ["build.distance", "at most"]),
+        (r#"{ "sheet": [1e5, 1e5], "page": "a4" }"#, ["build.page", "at most 1000 pages"]),
     ] {
         folder.write("s.shapeup.json", scene(build));
         folder.run(&["build", "s.shapeup.json"]).refused(&words);

@@ -164,7 +164,7 @@ fn real_and_awkward_meshes_are_built_without_a_panic() {
             if let Ok(made) = Build::new(&read.mesh, &own, metres()) {
                 let text = serde_json::to_string(&made.report()).unwrap();
                 assert!(!text.contains("NaN"), "{}", path.display());
-                assert!(made.files().iter().all(|file| !file.text.contains("NaN")));
+                assert!(made.files(true).iter().all(|file| !file.text.contains("NaN")));
             }
         }
     }
@@ -243,7 +243,7 @@ fn two_beams_in_one_direction_are_no_fins_of_any_thickness() {
     let made = build(&straight, &own);
     assert!(made.not_cut.iter().any(|not| not.part == "B5-6"), "{:?}", made.not_cut);
     assert!(!serde_json::to_string(&made.report()).unwrap().contains("NaN"));
-    assert!(made.files().iter().all(|file| !file.text.contains("NaN")));
+    assert!(made.files(true).iter().all(|file| !file.text.contains("NaN")));
 }
 
 #[test]
@@ -256,4 +256,51 @@ fn a_vertex_of_no_panel_far_away_costs_the_others_no_digits() {
     assert_eq!(found.centre, own.centre);
     found.move_to(&stray.positions);
     assert_eq!(found.centre, own.centre);
+}
+
+#[test]
+fn an_edge_of_three_panels_has_the_names_of_the_others_and_is_mentioned() {
+    // Around the edge of vertices 0 and 1.
+    let positions = [
+        [0.0, 0.0, 0.0],
+        [0.0, 8.0, 0.0],
+        [6.0, 8.0, 0.0],
+        [6.0, 0.0, 0.0],
+        [-6.0, 0.0, 0.0],
+        [-6.0, 8.0, 0.0],
+        [0.0, 0.0, 6.0],
+        [0.0, 8.0, 6.0],
+    ];
+    let mesh = faces(&[&[0, 3, 2, 1], &[0, 1, 5, 4], &[0, 1, 7, 6]], &positions);
+    let settings = BuildSettings { hole: 3.0, ..BuildSettings::default() };
+    let made = build(&mesh, &settings);
+    let engraved = |build: &Build, k: usize| build.parts[k].engraved.len();
+    // The name of each panel, and those of the two others.
+    assert_eq!((made.dropped_names, made.report().dropped_holes), (0, 6));
+    assert!((0..3).all(|k| engraved(&made, k) > 5));
+    let paper = build(&mesh, &BuildSettings { product: Product::Paper, ..settings });
+    assert_eq!(paper.report().paper.unwrap().without_tab, ["P0/P1/P2"]);
+    assert!((0..3).all(|k| engraved(&paper, k) > 5));
+    let edges = made.files(true).into_iter().find(|file| file.name == "edges.csv").unwrap().text;
+    assert!(edges.contains("B0-1,N0,N1,P1/P2,P0,"), "{edges}");
+}
+
+#[test]
+fn both_panels_of_a_seam_of_a_one_sided_strip_have_a_name_there() {
+    // Three quads around, the last one glued upside down.
+    let ring = [[3.0, 0.0, 0.0], [-1.5, 2.6, 0.0], [-1.5, -2.6, 0.0]];
+    let up = [0.0, 0.0, 3.0];
+    let mut positions: Vec<[f64; 3]> = ring.into();
+    positions.extend(ring.map(|point| [0, 1, 2].map(|k| point[k] + up[k])));
+    let mesh = faces(&[&[0, 1, 4, 3], &[1, 2, 5, 4], &[2, 3, 0, 5]], &positions);
+    let made = build(&mesh, &BuildSettings::default());
+    assert!(made.surface.one_sided.is_some());
+    let unpaired: Vec<_> = made.surface.unpaired().collect();
+    let [(_, panels)] = unpaired[..] else { panic!("it has one seam") };
+    let edge = made.surface.panels.iter().position(|own| own == panels).unwrap() as u32;
+    let others = |f: u32| made.surface.others(edge, f).collect::<Vec<_>>();
+    assert_eq!((others(panels[0]), others(panels[1])), (vec![panels[1]], vec![panels[0]]));
+    let paper =
+        build(&mesh, &BuildSettings { product: Product::Paper, ..BuildSettings::default() });
+    assert_eq!(paper.report().paper.unwrap().without_tab.len(), 1);
 }

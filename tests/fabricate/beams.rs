@@ -5,10 +5,13 @@ use super::identities::revolution;
 use super::{build, dxf};
 use shape_up::fabricate::beam::{cut_back, node_types};
 use shape_up::fabricate::sheet::{Inscription, label};
-use shape_up::fabricate::{BUILD_NUMBERS, Build, BuildSettings, OffsetKind, Product};
+use shape_up::fabricate::{
+    BUILD_NUMBERS, Build, BuildFile, BuildSettings, LengthInMetres, OffsetKind, Product,
+};
 use shape_up::math::Vec3;
 use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
+use shape_up::scene::{UnitsAndUp, Up};
 
 fn settings() -> BuildSettings {
     BuildSettings {
@@ -144,7 +147,7 @@ fn nodes_of_a_surface_of_revolution_have_a_type_for_each_row_and_rim() {
 }
 
 fn text(build: &Build, name: &str) -> String {
-    build.files().into_iter().find(|file| file.name == name).unwrap().text
+    build.files(true).into_iter().find(|file| file.name == name).unwrap().text
 }
 
 #[test]
@@ -153,7 +156,8 @@ fn fins_are_on_the_sheets_and_in_lists() {
     let edges = made.surface.edges.len();
     let report = made.report();
     assert_eq!((report.parts, report.placed, report.not_cut.len()), (edges, edges, 0));
-    let files = made.files();
+    let files = made.files(true);
+    assert!(files.iter().all(|file| BuildFile::is_name_of_one(&file.name)));
     let outlines = files
         .iter()
         .filter(|file| file.name.ends_with(".dxf"))
@@ -171,6 +175,19 @@ fn fins_are_on_the_sheets_and_in_lists() {
     assert_eq!(read.mesh.faces.len(), 2 * made.surface.faces.len() + 8 * edges);
     for name in ["fins.csv", "beams.csv", "node-beams.csv", "node-types.csv", "beams.obj"] {
         assert!(!text(&made, name).contains("NaN"), "{name}");
+    }
+}
+
+#[test]
+fn beams_state_the_unit_and_the_up_axis_of_the_model() {
+    let feet = LengthInMetres { symbol: "ft".to_owned(), metres: 0.3048 };
+    let made = Build::new(&revolution(5, 4), &settings(), feet).unwrap();
+    for up in [Up::Y, Up::Z] {
+        let files = made.files(up == Up::Z);
+        let beams = files.iter().find(|file| file.name == "beams.obj").unwrap();
+        let stated = UnitsAndUp::stated(beams.text.as_bytes());
+        assert_eq!(stated.units.as_deref(), Some("ft"));
+        assert_eq!(stated.up.unwrap_or(Up::Z), up);
     }
 }
 
@@ -194,7 +211,7 @@ fn without_an_outside_there_are_no_fins_and_it_says_so() {
     [[0, 1, 2], [0, 1, 3], [0, 1, 4]].iter().for_each(|face| mesh.faces.push(face));
     let made = build(&mesh, &settings());
     assert!(made.parts.is_empty() && made.report().problems[0].contains("beams are not available"));
-    let names: Vec<_> = made.files().into_iter().map(|file| file.name).collect();
+    let names: Vec<_> = made.files(true).into_iter().map(|file| file.name).collect();
     assert_eq!(names, ["edges.csv", "nodes.csv", "summary.csv"]);
 }
 

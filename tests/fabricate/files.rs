@@ -5,7 +5,7 @@ use super::identities::revolution;
 use super::{build, dxf, metres};
 use shape_up::fabricate::file::{self, svg};
 use shape_up::fabricate::sheet::{Inscription, Order, Place, label};
-use shape_up::fabricate::{Build, BuildSettings, Dxf, Pieces, Product};
+use shape_up::fabricate::{Build, BuildFile, BuildSettings, Dxf, Pieces, Product};
 use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
 
@@ -20,7 +20,7 @@ pub(super) fn settings() -> BuildSettings {
 
 /// Contents of the files with this extension.
 fn texts(build: &Build, ending: &str) -> Vec<String> {
-    let files = build.files().into_iter().filter(|file| file.name.ends_with(ending));
+    let files = build.files(true).into_iter().filter(|file| file.name.ends_with(ending));
     files.map(|file| file.text).collect()
 }
 
@@ -153,7 +153,8 @@ fn a_pdf_has_a_page_for_each_sheet_at_one_to_one() {
 #[test]
 fn tables_have_a_row_for_each_and_areas_that_add_up() {
     let made = build(&vault(), &settings());
-    let files = made.files();
+    let files = made.files(true);
+    assert!(files.iter().all(|file| BuildFile::is_name_of_one(&file.name)));
     let rows = |name: &str| -> Vec<Vec<String>> {
         let file = files.iter().find(|file| file.name == name).unwrap();
         assert!(file.text.ends_with("\r\n"));

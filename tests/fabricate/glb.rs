@@ -6,6 +6,7 @@ use serde_json::Value;
 use shape_up::fabricate::BuildSettings;
 use shape_up::fabricate::file::{GlbPart, glb};
 use shape_up::math::Vec3;
+use shape_up::math::plane::area;
 
 /// The JSON and the binary chunk of a file.
 fn read(bytes: &[u8]) -> (Value, Vec<u8>) {
@@ -80,4 +81,28 @@ fn an_arrow_is_split_without_turning_a_triangle() {
     let areas: Vec<f64> = areas.collect();
     assert!(areas.iter().all(|area| *area > 0.0), "{areas:?}");
     assert!((areas.iter().sum::<f64>() - 1.5).abs() < 1e-6);
+}
+
+/// A panel with two notches, which no fan fills.
+pub(super) const TWO_NOTCHES: [[f64; 2]; 8] = [
+    [0.0, 0.0],
+    [6.0, 0.0],
+    [6.0, 4.0],
+    [5.0, 1.0],
+    [4.0, 4.0],
+    [2.0, 4.0],
+    [1.0, 1.0],
+    [0.0, 4.0],
+];
+
+#[test]
+fn a_polygon_that_no_fan_fills_is_split_without_turning_a_triangle() {
+    let mut part = GlbPart { name: "part", ..GlbPart::default() };
+    part.add_polygon(&TWO_NOTCHES.map(|[x, y]| Vec3::new(1.0, x, y)));
+    let file = read(&glb(&[part], false));
+    let areas = triangles(&file, 0).into_iter().map(|[a, b, c]| (b - a).cross(c - a).x * 0.5);
+    let areas: Vec<f64> = areas.collect();
+    assert!(areas.iter().all(|own| *own > 0.0), "{areas:?}");
+    let expected = area(&TWO_NOTCHES);
+    assert!((areas.iter().sum::<f64>() - expected).abs() < 1e-5, "{areas:?} {expected}");
 }

@@ -4,7 +4,7 @@ use super::grid::grid;
 use super::identities::revolution;
 use super::{build, shared};
 use shape_up::fabricate::paper::{JointKind, PaperModel};
-use shape_up::fabricate::{Build, BuildSettings, Page, Pieces, Product};
+use shape_up::fabricate::{Build, BuildFile, BuildSettings, Page, Pieces, Product};
 use shape_up::math::plane::{Point2, area};
 use shape_up::mesh::Mesh;
 
@@ -291,14 +291,15 @@ fn printed_on_the_inside_a_sheet_is_mirrored_and_ridges_are_valleys() {
 fn a_pdf_is_tiled_to_the_page() {
     let own = BuildSettings { page: Page::A4, ..settings(Pieces::Nets) };
     let made = build(&revolution(9, 7), &own);
-    let files = made.files();
+    let files = made.files(true);
+    assert!(files.iter().all(|file| BuildFile::is_name_of_one(&file.name)));
     let text = &files.iter().find(|file| file.name == "sheets.pdf").unwrap().text;
     let document = lopdf::Document::load_mem(text.as_bytes()).expect("it is PDF");
     // A3 on A4, with overlap and margins.
     assert_eq!(document.get_pages().len(), 4 * made.layout.sheets.len());
     let whole = BuildSettings { sheet: [297.0, 210.0], ..own };
     let made = build(&revolution(9, 7), &whole);
-    let files = made.files();
+    let files = made.files(true);
     let text = &files.iter().find(|file| file.name == "sheets.pdf").unwrap().text;
     let document = lopdf::Document::load_mem(text.as_bytes()).unwrap();
     assert_eq!(document.get_pages().len(), made.layout.sheets.len());
@@ -307,7 +308,7 @@ fn a_pdf_is_tiled_to_the_page() {
 #[test]
 fn tables_tell_what_becomes_of_every_edge() {
     let made = build(&revolution(9, 7), &settings(Pieces::Strips));
-    let files = made.files();
+    let files = made.files(true);
     let rows =
         |name: &str| files.iter().find(|file| file.name == name).unwrap().text.lines().count() - 1;
     let inner = made.surface.edges.iter().filter(|edge| !edge.is_rim()).count();
@@ -359,7 +360,7 @@ fn real_and_awkward_meshes_are_folded_without_a_panic() {
                 if let Ok(made) = Build::new(&read.mesh, &own, super::metres()) {
                     let text = serde_json::to_string(&made.report()).unwrap();
                     assert!(!text.contains("NaN"), "{}", path.display());
-                    assert!(made.files().iter().all(|file| !file.text.contains("NaN")));
+                    assert!(made.files(true).iter().all(|file| !file.text.contains("NaN")));
                 }
             }
         }

@@ -124,7 +124,7 @@ fn a_piece_without_room_for_its_name_anywhere_is_told_by_that_name() {
     let made = build(&mesh, &own);
     let report = made.report();
     assert!(!report.unnamed.is_empty() && report.unnamed.len() < report.parts, "{report:?}");
-    let files = made.files();
+    let files = made.files(true);
     let rows = |name: &str, ending: &str| -> Vec<String> {
         let text = &files.iter().find(|file| file.name == name).unwrap().text;
         let lines = text.lines().filter(|line| line.ends_with(ending));

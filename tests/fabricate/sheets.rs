@@ -4,7 +4,9 @@ use super::build;
 use super::files::settings;
 use super::grid::grid;
 use shape_up::fabricate::BuildSettings;
-use shape_up::mesh::Mesh;
+use shape_up::fabricate::panel::Names;
+use shape_up::fabricate::sheet::Order;
+use shape_up::mesh::{Mesh, Ragged};
 
 #[test]
 fn a_part_that_fits_only_along_another_side_than_that_of_its_smallest_box_is_laid() {
@@ -68,4 +70,27 @@ fn holes_are_narrower_by_the_kerf_and_are_cuts_too() {
     // Holes narrower than the kerf cannot be cut.
     let narrow = build(&mesh, &BuildSettings { hole: 0.5, ..plain }).report();
     assert_eq!((narrow.holes, narrow.dropped_holes), (0, 4));
+}
+
+#[test]
+fn parts_in_the_order_of_names_are_in_rows_and_columns_where_names_are() {
+    // Its first face is in the middle, and it has more than 26 rows.
+    let mut mesh = grid(28, 27, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let mut faces: Vec<Vec<u32>> = mesh.faces.iter().map(<[u32]>::to_vec).collect();
+    faces.rotate_left(40);
+    mesh.faces = Ragged::new();
+    faces.iter().for_each(|face| mesh.faces.push(face));
+    let own = BuildSettings {
+        order: Order::Names,
+        names: Names::Rows,
+        outlines_only: true,
+        ..settings()
+    };
+    let made = build(&mesh, &own);
+    let places = made.layout.sheets.iter().flat_map(|sheet| &sheet.places);
+    let found: Vec<(usize, &str)> = places
+        .map(|place| &*made.parts[place.part].name)
+        .map(|name| (name.find('-').unwrap(), name))
+        .collect();
+    assert!(found.len() == 756 && found.is_sorted(), "{found:?}");
 }

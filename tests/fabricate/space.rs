@@ -1,9 +1,11 @@
 //! The built parts as objects on layers: every part is present, at its position and size.
 
 use super::build;
+use super::glb::TWO_NOTCHES;
 use super::identities::revolution;
 use shape_up::fabricate::{Build, BuildSettings, Product, SpatialPart};
 use shape_up::math::plane::area;
+use shape_up::mesh::Mesh;
 
 fn made() -> Build {
     let own = BuildSettings { product: Product::Fins, thickness: 3.0, ..BuildSettings::default() };
@@ -56,4 +58,22 @@ fn y_up_is_turned_so_that_z_is() {
     let [z_up, y_up] = [true, false].map(|up| made.spatial_parts(up));
     let ([x, y, z], turned) = (z_up[0].points[5], y_up[0].points[5]);
     assert_eq!(turned, [x, -z, y]);
+}
+
+#[test]
+fn panels_with_notches_and_many_corners_are_triangles() {
+    let positions = TWO_NOTCHES.map(|[x, y]| [x, y, 0.0]).to_vec();
+    let mut mesh = Mesh { positions, ..Mesh::default() };
+    mesh.faces.push(&[0, 1, 2, 3, 4, 5, 6, 7]);
+    let parts = build(&mesh, &BuildSettings::default()).spatial_parts(true);
+    for layer in ["Surface", "Offset"] {
+        let [SpatialPart { points, faces, .. }] = on(&parts, layer)[..] else { panic!("{layer}") };
+        let areas = faces.iter().map(|face| {
+            let corners: Vec<_> =
+                face.iter().map(|&v| [points[v as usize][0], points[v as usize][1]]).collect();
+            area(&corners)
+        });
+        let areas: Vec<f64> = areas.collect();
+        assert!(areas.len() == 6 && areas.iter().all(|own| *own > 0.0), "{layer} {areas:?}");
+    }
 }

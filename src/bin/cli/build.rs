@@ -3,8 +3,8 @@
 use super::folder::MadeFolders;
 use super::{Failure, arguments, input, output};
 use shape_up::fabricate::{
-    Build, BuildReport, BuildSettings, CheckRow, FrameReport, LengthInMetres, PRESENTATION,
-    PaperReport, Product, ReportView,
+    Build, BuildFile, BuildReport, BuildSettings, CheckRow, FrameReport, LengthInMetres,
+    PRESENTATION, PaperReport, Product, ReportView,
 };
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Scene, UNITS, Up};
@@ -31,7 +31,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let _made = asked.out.as_deref().map(MadeFolders::make).transpose()?;
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     if let Some(folder) = &asked.out {
-        let drawn = build.files().into_iter();
+        let drawn = build.files(scene.up == Up::Z).into_iter();
         files.extend(drawn.map(|file| (folder.join(file.name), file.text.into_bytes())));
         files.push((folder.join(PRESENTATION), build.presentation(scene.up == Up::Z)));
     }
@@ -52,8 +52,30 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let files: Vec<(&Path, Vec<u8>)> =
         files.iter().map(|(path, content)| (path.as_path(), content.clone())).collect();
     output::write(&files)?;
+    remarks.extend(asked.out.as_deref().and_then(|folder| left_over(folder, &files)));
     let names = files.iter().map(|(path, _)| format!("{}\n", path.display()));
     output::print(&(words(&report, &remarks) + &names.collect::<String>()))
+}
+
+/// Names the files in a folder that an earlier build wrote and this one did not: they are kept, but
+/// must not be cut with the new ones.
+fn left_over(folder: &Path, written: &[(&Path, Vec<u8>)]) -> Option<String> {
+    const MOST: usize = 8;
+    let found = std::fs::read_dir(folder).ok()?;
+    let mut names: Vec<String> = found
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .filter(|name| BuildFile::is_name_of_one(name))
+        .filter(|name| !written.iter().any(|(path, _)| *path == folder.join(name)))
+        .collect();
+    names.sort();
+    let some = names[..names.len().min(MOST)].join(", ");
+    let more = match names.len().saturating_sub(MOST) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    (!names.is_empty()).then(|| {
+        format!("{}: not of this build, but of an earlier one: {some}{more}", folder.display())
+    })
 }
 
 /// Returns the settings of the scene, overridden by the options.
@@ -144,9 +166,9 @@ fn paper_line(paper: &PaperReport) -> String {
     let bare = match (bare.len(), bare[..bare.len().min(MOST)].join(", ")) {
         (0, _) => String::new(),
         (n, some) if n > MOST => {
-            format!("; no room for a tab between {some} and {} more", n - MOST)
+            format!("; no tab between {some} and {} more", n - MOST)
         }
-        (_, all) => format!("; no room for a tab between {all}"),
+        (_, all) => format!("; no tab between {all}"),
     };
     format!(
         "ridges {}, valleys {}, tabs {}, panels creased {}{bare}",

@@ -1,6 +1,7 @@
 //! Binary glTF 2.0, for presentations and augmented reality viewers: one buffer, and a node and a
 //! material for each part. There are no normals, so that viewers shade faces flat, as panels are.
 
+use crate::fabricate::panel::triangles_in_space;
 use crate::math::Vec3;
 
 /// Faces of one colour.
@@ -17,20 +18,12 @@ pub struct GlbPart {
 }
 
 impl GlbPart {
-    /// Adds a polygon as a fan of triangles around the first corner for which no triangle is
-    /// flipped, or around corner 0 if there is none.
+    /// Adds a polygon as triangles.
     pub fn add_polygon(&mut self, corners: &[Vec3<f64>]) {
-        let n = corners.len();
-        let turn =
-            |a: usize, b: usize, c: usize| (corners[b] - corners[a]).cross(corners[c] - corners[a]);
-        let outside = (2..n).fold(Vec3::zero(), |sum, k| sum + turn(0, k - 1, k));
-        let around = |from: usize| (2..n).map(move |k| [from, (from + k - 1) % n, (from + k) % n]);
-        let has_sense =
-            |from: &usize| around(*from).all(|[a, b, c]| turn(a, b, c).dot(outside) >= 0.0);
-        let from = (0..n).find(has_sense).unwrap_or(0);
         let first = self.positions.len() as u32;
         self.positions.extend(corners.iter().map(|p| [p.x as f32, p.y as f32, p.z as f32]));
-        self.triangles.extend(around(from).map(|corners| corners.map(|k| first + k as u32)));
+        let own = triangles_in_space(corners).into_iter();
+        self.triangles.extend(own.map(|corners| corners.map(|k| first + k as u32)));
     }
 }
 

@@ -34,3 +34,4 @@ pub(super) use pdf_objects::{POINTS, assembled, stream};
 pub use picture::{PictureLayer, SheetPicture, picture};
 pub use svg::svg;
 pub(super) use svg::{escaped, path};
+pub(super) use tiles::page_count;

@@ -16,6 +16,23 @@ pub(super) struct Tile {
     pub(super) place: Option<[[u32; 2]; 2]>,
 }
 
+/// The number of pages of a sheet along its width and its height.
+fn counts(sheet: [f64; 2], page: [f64; 2]) -> [u32; 2] {
+    [0, 1].map(|k| {
+        let used = page[k] - 2.0 * FREE;
+        let more = (sheet[k] - used) / (used - OVERLAP);
+        if more > 0.0 { (more.ceil() as u32).saturating_add(1) } else { 1 }
+    })
+}
+
+/// The least number of pages that [`tiles`] can have.
+pub(in crate::fabricate) fn page_count(sheet: [f64; 2], page: Option<[f64; 2]>) -> u64 {
+    let Some([short, long]) = page else { return 1 };
+    let both = [[short, long], [long, short]];
+    let counts = both.map(|page| counts(sheet, page).map(u64::from).iter().product());
+    counts[0].min(counts[1])
+}
+
 /// The pages of a sheet, portrait or landscape, whichever needs fewer; column by column from the
 /// lower left.
 pub(super) fn tiles(sheet: [f64; 2], page: Option<[f64; 2]>) -> Vec<Tile> {
@@ -27,16 +44,9 @@ pub(super) fn tiles(sheet: [f64; 2], page: Option<[f64; 2]>) -> Vec<Tile> {
     if let Some(page) = both.into_iter().find(holds) {
         return whole(page);
     }
-    let count = |page: [f64; 2]| {
-        [0, 1].map(|k| {
-            let used = page[k] - 2.0 * FREE;
-            let more = (sheet[k] - used) / (used - OVERLAP);
-            if more > 0.0 { 1 + more.ceil() as u32 } else { 1 }
-        })
-    };
-    let pages = |page: [f64; 2]| count(page).map(u64::from).iter().product::<u64>();
+    let pages = |page: [f64; 2]| counts(sheet, page).map(u64::from).iter().product::<u64>();
     let page = if pages(both[0]) <= pages(both[1]) { both[0] } else { both[1] };
-    let counts = count(page);
+    let counts = counts(sheet, page);
     let mut all = Vec::new();
     for column in 0..counts[0] {
         for row in 0..counts[1] {

@@ -7,6 +7,7 @@
 //! | `flat` | a panel laid flat, with its errors |
 //! | `inset` | subtraction of the joint |
 //! | `name` | short, stable names of panels |
+//! | `triangles` | a polygon as triangles, shortest diagonals first |
 //! | `alike` | types of panels |
 
 mod alike;
@@ -15,6 +16,7 @@ mod inset;
 mod name;
 mod plane;
 mod polygon;
+mod triangles;
 
 pub use alike::panel_types;
 pub use flat::{FlatPanel, lay_flat};
@@ -24,3 +26,4 @@ pub(super) use plane::plane_distance;
 pub(super) use polygon::smallest_box_within;
 pub(super) use polygon::{direction_of, distance_to_outline, sides};
 pub use polygon::{hull, is_simple, perimeter, roomiest_point, smallest_box};
+pub(super) use triangles::{triangles, triangles_in_space, turn};

@@ -10,6 +10,9 @@ use crate::math::sort_by_number;
 
 /// Length of the dashes of a valley fold in mm.
 const DASH: f64 = 2.5;
+/// Largest number of dashes of a line: in a longer line, of a piece far larger than a sheet, they are
+/// longer.
+const MOST_DASHES: f64 = 1000.0;
 /// Gap between dashes, as a fraction of [`DASH`].
 const GAP: f64 = 0.6;
 /// Folds below this angle, in radians, are not scored: their panels are coplanar.
@@ -184,7 +187,12 @@ fn named_side(
 ) -> (Point2, Option<String>) {
     let net = &model.net;
     let start = put(net.ends((side.facet, side.side))[0]);
-    let name = net.across((side.facet, side.side)).and_then(|(joint, (g, _))| {
+    let own = (side.facet, side.side);
+    if let Some(others) = model.unpaired.get(&own) {
+        let others: Vec<&str> = others.iter().map(|&other| &*names[other as usize]).collect();
+        return (start, Some(others.join("/")));
+    }
+    let name = net.across(own).and_then(|(joint, (g, _))| {
         let is_on_tab = match model.joint_kinds[joint as usize] {
             JointKind::Folded => true,
             JointKind::Tab(tab) => tab.side == side && tab_name(model, names, side).is_some(),
@@ -213,7 +221,7 @@ fn tab_name(
 fn dashes(p: Point2, q: Point2) -> Vec<Vec<Point2>> {
     let [x, y] = [q[0] - p[0], q[1] - p[1]];
     let length = (x * x + y * y).sqrt();
-    let count = ((length / DASH + GAP) / (1.0 + GAP) + 0.5).floor().max(1.0);
+    let count = ((length / DASH + GAP) / (1.0 + GAP) + 0.5).floor().clamp(1.0, MOST_DASHES);
     let dash = 1.0 / (count + (count - 1.0) * GAP);
     let at = |share: f64| [p[0] + share * x, p[1] + share * y];
     (0..count as u32)

@@ -1,8 +1,7 @@
 //! Facets: flat polygons in mm. A flat panel is one facet; other panels are creased into triangles,
 //! which preserves all lengths. Facets are connected by joints, which are folded or glued.
 
-use super::triangles::{triangles, turn};
-use crate::fabricate::panel::{FlatPanel, is_simple};
+use crate::fabricate::panel::{FlatPanel, is_simple, triangles, turn};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::Vec3;
 use crate::math::plane::Point2;
@@ -10,6 +9,9 @@ use crate::math::plane::Point2;
 /// Panels are creased if laying them flat would change a distance between corners by more, in mm on
 /// the sheet.
 const FLAT: f64 = 0.02;
+
+/// Area of a triangle that is due to rounding, relative to the square of its sides.
+const ROUNDING: f64 = 1e-9;
 
 /// A flat facet of a panel.
 #[derive(Clone, Debug)]
@@ -136,11 +138,12 @@ fn creased(facets: &mut Vec<Facet>, surface: &PanelSurface, f: u32, panel: &Flat
         let (b, c) = (at[1] - at[0], at[2] - at[0]);
         let (length, along) = (b.length(), unit(b));
         let across = c - along * c.dot(along);
-        let normal = unit(b.cross(c));
-        // A triangle without area cannot be folded.
-        if normal == Vec3::zero() {
+        // A triangle whose area is due to rounding cannot be folded: its normal is random.
+        let (twice_area, longest) = (b.cross(c), length.max(c.length()));
+        if twice_area.length() <= ROUNDING * longest * longest {
             continue;
         }
+        let normal = unit(twice_area);
         let corners: Vec<Point2> = vec![
             [0.0, 0.0],
             [length * model, 0.0],

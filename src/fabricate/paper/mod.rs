@@ -3,7 +3,6 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `triangles` | a polygon as triangles, shortest diagonals first |
 //! | `facet` | flat facets in mm and the joints between them; a panel that is not flat is creased |
 //! | `strip` | the order in which joints are folded: along strips, or by their fold angle |
 //! | `overlap` | whether convex polygons overlap |
@@ -25,7 +24,6 @@ mod overlap;
 mod strip;
 mod tab;
 mod tab_name;
-mod triangles;
 
 pub(super) use drawn::FLAT;
 pub use drawn::{MissingNames, drawn, write_names};

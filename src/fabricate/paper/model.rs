@@ -1,6 +1,6 @@
 //! A paper model: pieces with their folds and tabs.
 
-use super::facet::facets;
+use super::facet::{Facet, facets};
 use super::net::PaperNet;
 use super::strip::{Foldable, Pieces, foldable};
 use super::tab::{Tab, tab};
@@ -8,6 +8,7 @@ use crate::fabricate::panel::FlatPanel;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::plane::Point2;
 use crate::math::sort_by_number;
+use std::collections::BTreeMap;
 
 /// Sizes in mm.
 #[derive(Clone, Copy, Debug)]
@@ -40,6 +41,9 @@ pub struct PaperModel {
     pub joint_kinds: Vec<JointKind>,
     /// The pieces of the net that have facets, sorted by their first facet.
     pub pieces: Vec<u32>,
+    /// The panels beyond each side of a facet that has no joint because there are several of them, or
+    /// one that traverses the side in the same direction.
+    pub unpaired: BTreeMap<(u32, u32), Vec<u32>>,
     /// Panels without facets, and the reasons.
     pub without: Vec<(u32, &'static str)>,
     /// Whether nets are made because strips were requested and there are no quads.
@@ -58,6 +62,7 @@ impl PaperModel {
         let order = foldable(surface, &joints, pieces);
         let is_without_quads = order.is_none();
         let order = order.or_else(|| foldable(surface, &joints, Pieces::Nets));
+        let unpaired = unpaired(surface, &facets);
         let unfolded = PaperNet::new(facets, joints);
         let mut net =
             order.map_or_else(|| unfolded.clone(), |order| folded(&unfolded, &order, size));
@@ -66,7 +71,7 @@ impl PaperModel {
         net.pieces.iter_mut().for_each(|own| own.sort_unstable());
         sort_by_number(&mut pieces, |&piece| u64::from(net.pieces[piece as usize][0]));
         let joint_kinds = joint_kinds(&net, &pieces, size.tab);
-        PaperModel { net, joint_kinds, pieces, without, is_without_quads }
+        PaperModel { net, joint_kinds, pieces, unpaired, without, is_without_quads }
     }
 
     /// The tab on a side.
@@ -85,6 +90,22 @@ impl PaperModel {
             _ => None,
         })
     }
+}
+
+/// The panels beyond the sides of facets without a joint.
+fn unpaired(surface: &PanelSurface, facets: &[Facet]) -> BTreeMap<(u32, u32), Vec<u32>> {
+    let mut found = BTreeMap::new();
+    for (own, f) in facets.iter().zip(0..) {
+        for ((side, joint), k) in own.panel_sides.iter().zip(&own.joints).zip(0..) {
+            let (Some(side), None) = (side, joint) else { continue };
+            let edge = surface.sides.row(own.panel as usize)[*side as usize];
+            let others: Vec<u32> = surface.others(edge, own.panel).collect();
+            if surface.edges[edge as usize].panels == [None; 2] && !others.is_empty() {
+                found.insert((f, k), others);
+            }
+        }
+    }
+    found
 }
 
 /// Folds all joints that are allowed and possible. Strips too long for the sheet are divided evenly

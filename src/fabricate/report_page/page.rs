@@ -204,7 +204,7 @@ impl Page {
             ("Not cut", &report.not_cut),
             ("No room for the name of", &report.unnamed),
             (
-                "No room for a tab between",
+                "No tab between",
                 report.paper.as_ref().map_or(&Vec::new(), |paper| &paper.without_tab),
             ),
         ] {

@@ -6,7 +6,7 @@
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
 use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point, sides};
-use crate::math::plane::{Point2, distance, is_inside, rotated};
+use crate::math::plane::{Point2, distance, dot, is_inside, minus, rotated};
 
 /// Largest height of neighbours' names, in mm.
 const TALLEST: f64 = 8.0;
@@ -91,15 +91,30 @@ impl Box2 {
         })
     }
 
-    /// Whether it lies in a polygon: its corners do, and no corner of the polygon is in it.
+    /// Whether it lies in a polygon: its corners do, and no side of the polygon enters it, as one of
+    /// a narrow notch may do although no corner is in it.
     fn is_in(&self, outline: &[Point2]) -> bool {
         let inside = self.corners().iter().all(|&corner| is_inside(outline, corner));
         let [c, s] = self.along;
-        let enters = |&[x, y]: &Point2| {
-            let [x, y] = [x - self.centre[0], y - self.centre[1]];
-            (c * x + s * y).abs() < self.half[0] && (c * y - s * x).abs() < self.half[1]
+        let enters = |side: [Point2; 2]| {
+            let [p, q] = side.map(|point| {
+                let [x, y] = minus(point, self.centre);
+                [c * x + s * y, c * y - s * x]
+            });
+            // The shares of the side between which it is within the bounds of each axis.
+            let (mut from, mut to) = (0.0_f64, 1.0_f64);
+            for k in 0..2 {
+                let (step, half) = (q[k] - p[k], self.half[k]);
+                if step != 0.0 {
+                    let [a, b] = [(-half - p[k]) / step, (half - p[k]) / step];
+                    (from, to) = (from.max(a.min(b)), to.min(a.max(b)));
+                } else if p[k].abs() >= half {
+                    return false;
+                }
+            }
+            from < to
         };
-        inside && !outline.iter().any(enters)
+        inside && !sides(outline).any(enters)
     }
 }
 
@@ -184,9 +199,8 @@ fn label_of_height(
     let mut highest: f64 = 0.0;
     for (k, neighbour) in neighbours.iter().enumerate() {
         let Some(neighbour) = neighbour else { continue };
-        let edge = [outline[k], outline[(k + 1) % outline.len()]];
         let tallest = beside.min(height);
-        let found = beside_edge(outline, edge, (neighbour, tallest), turn, (&taken, holes));
+        let found = beside_edge(outline, k, (neighbour, tallest), turn, (&taken, holes));
         match found {
             Some((height, own)) => {
                 highest = highest.max(height);
@@ -212,14 +226,15 @@ fn underline(Box2 { centre, along: [c, s], .. }: Box2, width: f64, height: f64) 
 
 /// The height of a neighbour's name beside its edge, and its box: along the edge or else across it,
 /// as high as there is room up to `tallest`, if necessary beyond the hole nearest to the edge. None
-/// if it would be unreadable.
+/// if it would be unreadable, or nearer to another side than to its own.
 fn beside_edge(
     outline: &[Point2],
-    [p, q]: [Point2; 2],
+    edge: usize,
     (name, tallest): (&str, f64),
     turn: Point2,
     (taken, holes): (&[Box2], &[Hole]),
 ) -> Option<(f64, Box2)> {
+    let [p, q] = [outline[edge], outline[(edge + 1) % outline.len()]];
     let length = distance(p, q);
     let along = direction_of(p, q);
     let inwards = [-along[1], along[0]];
@@ -247,7 +262,13 @@ fn beside_edge(
                 for share in if is_tall { &SHARES[..5] } else { &SHARES[..] } {
                     let centre = [0, 1].map(|x| p[x] + share * (q[x] - p[x]) + away * inwards[x]);
                     let own = Box2::of_text(name, height, centre, upright(direction, turn));
-                    if own.is_in(outline) && taken.iter().all(|other| own.is_apart(other)) {
+                    // Across the middle of its edge it lies between two sides, of which it is the
+                    // name of neither.
+                    let between = (!is_along && *share == SHARES[0]).then_some(direction);
+                    if own.is_in(outline)
+                        && taken.iter().all(|other| own.is_apart(other))
+                        && is_nearest(outline, edge, centre, between)
+                    {
                         return Some((height, own));
                     }
                 }
@@ -258,6 +279,20 @@ fn beside_edge(
         }
         height = (0.8 * height).max(LEAST);
     }
+}
+
+/// Whether no other side is nearer to a point than side `edge`, except sides about in the direction
+/// of `between`.
+fn is_nearest(outline: &[Point2], edge: usize, point: Point2, between: Option<Point2>) -> bool {
+    /// Cosine of the largest angle between directions that are about the same.
+    const SAME: f64 = 0.7;
+    let far = |[p, q]: [Point2; 2]| distance_to_outline(&[p, q], point);
+    let own = sides(outline).nth(edge).map_or(0.0, far);
+    sides(outline).enumerate().all(|(k, side)| {
+        let along = direction_of(side[0], side[1]);
+        let is_beside = between.is_some_and(|to| dot(to, along).abs() > SAME);
+        k == edge || is_beside || far(side) >= own * (1.0 - 1e-9)
+    })
 }
 
 /// Adds an arrow from the middle towards edge 0, as long as a letter is high; false if there is no
@@ -335,6 +370,25 @@ mod tests {
     const AS_IT_IS: Point2 = [1.0, 0.0];
 
     #[test]
+    fn a_text_across_a_notch_is_not_in_the_outline() {
+        // The notch is narrower than the text, and its tip and its mouth are beyond.
+        let outline = [
+            [0.0, 0.0],
+            [20.0, 0.0],
+            [20.0, 20.0],
+            [10.2, 20.0],
+            [10.0, 2.0],
+            [9.8, 20.0],
+            [0.0, 20.0],
+        ];
+        let text = |centre: Point2, along: Point2| Box2 { centre, along, half: [4.0, 1.0] };
+        for along in [[1.0, 0.0], [0.8, 0.6], [0.0, 1.0]] {
+            assert!(!text([10.0, 10.0], along).is_in(&outline), "{along:?}");
+            assert!(text([5.0, 10.0], along).is_in(&outline), "{along:?}");
+        }
+    }
+
+    #[test]
     fn the_own_name_is_larger_than_those_of_the_neighbours() {
         let outline = [[0.0, 0.0], [60.0, 0.0], [60.0, 60.0], [0.0, 60.0]];
         let one = [Some("H".to_owned())];
@@ -364,6 +418,34 @@ mod tests {
                 p[1] == q[1] && q[0] - p[0] > 0.9 * text_width(name, 2.0) && p[1] < 0.5 * high
             };
             assert_eq!(found.lines.iter().filter(below).count(), usize::from(is_underlined));
+        }
+    }
+
+    #[test]
+    fn a_name_is_nearer_to_its_own_edge_than_to_another() {
+        // At its short edges there is room for a name only beside a longer one.
+        let outline = [[0.0, 0.0], [30.0, 0.0], [32.0, 4.0], [30.0, 20.0], [0.0, 20.0]];
+        let (with_arrow, turn, holes) = (false, AS_IT_IS, &[][..]);
+        for k in 0..outline.len() {
+            let mut neighbours = vec![None; outline.len()];
+            let own = |neighbours: &[Option<String>]| {
+                let outline = &outline[..];
+                label(Inscription { outline, name: "P1", neighbours, with_arrow, turn, holes })
+            };
+            let before = own(&neighbours).lines.len();
+            neighbours[k] = Some("P120".to_owned());
+            let found = own(&neighbours);
+            if found.dropped > 0 {
+                continue;
+            }
+            let text = &found.lines[before..];
+            let middle = [0, 1].map(|x| {
+                let at = || text.iter().flatten().map(|point| point[x]);
+                let [low, high] =
+                    [at().fold(f64::INFINITY, f64::min), at().fold(f64::NEG_INFINITY, f64::max)];
+                0.5 * (low + high)
+            });
+            assert!(is_nearest(&outline, k, middle, None), "edge {k}: {middle:?}");
         }
     }
 

@@ -40,7 +40,10 @@ pub fn lay_out(parts: &[CutPart], sheet: SheetSize, order: Order) -> Layout {
     const MOST_TRIED: usize = 3000;
     // Parts as large as the sheet fit despite rounding.
     let room = sheet.size.map(|size| (size - 2.0 * sheet.margin) * (1.0 + 1e-9));
-    let found = resting(parts, room);
+    let mut found = resting(parts, room);
+    if order == Order::Names {
+        found.sort_by_cached_key(|own| name_key(&parts[own.part].name));
+    }
     let tried = if order == Order::Names || parts.len() > MOST_TRIED { 1 } else { WAYS.len() };
     let all = WAYS[..tried].iter().map(|way| way.lay_out(&found, (sheet, room), order));
     let best = all.reduce(|best, other| {
@@ -50,6 +53,12 @@ pub fn lay_out(parts: &[CutPart], sheet: SheetSize, order: Order) -> Layout {
         if is_less { other } else { best }
     });
     best.map_or_else(Layout::default, |laid| laid.layout)
+}
+
+/// The order of names: P2 before P10, and row Z before row AA.
+fn name_key(name: &str) -> Vec<(usize, &[u8])> {
+    let runs = name.as_bytes().chunk_by(|a, b| a.is_ascii_digit() == b.is_ascii_digit());
+    runs.map(|run| (run.len(), run)).collect()
 }
 
 /// An arrangement of parts.
@@ -83,13 +92,13 @@ impl Way {
         let mut layout = Layout::default();
         let room = if self.in_columns { [height, width] } else { [width, height] };
         let mut boxes: Vec<Resting> = Vec::new();
-        for (part, resting) in parts.iter().enumerate() {
+        for resting in parts {
             let stances = [resting.clone(), resting.quarter_turned()];
             let fits = |own: &&Resting| own.size[0] <= room[0] && own.size[1] <= room[1];
             let mut own = stances.iter().filter(fits);
             match if self.along { own.next() } else { own.next_back() } {
                 Some(own) => boxes.push(own.clone()),
-                None => layout.too_large.push(part),
+                None => layout.too_large.push(resting.part),
             }
         }
         if order == Order::Size {

@@ -18,7 +18,7 @@ const ROUNDING: f64 = 1e-3;
 #[derive(Clone)]
 pub(super) struct Resting {
     /// The index of the part.
-    part: usize,
+    pub part: usize,
     /// Cosine and sine of its rotation.
     turn: Point2,
     /// Convex polygons that cover the rotated part; the lower left corner of its box is at the
@@ -80,7 +80,11 @@ fn cover(outline: &[Point2]) -> Vec<Vec<Point2>> {
         return vec![whole];
     }
     let [low, high] = bounds(outline.iter().copied());
-    let at = |k: u32| low[0] + f64::from(k) / f64::from(SLICES) * (high[0] - low[0]);
+    // The last bound is the right end itself: rounding must not leave a corner outside.
+    let at = |k: u32| match k {
+        SLICES => high[0],
+        _ => low[0] + f64::from(k) / f64::from(SLICES) * (high[0] - low[0]),
+    };
     let slice = |k: u32| {
         let [from, to] = [at(k), at(k + 1)];
         let mut points: Vec<Point2> =
@@ -88,7 +92,7 @@ fn cover(outline: &[Point2]) -> Vec<Vec<Point2>> {
         for [p, q] in sides(outline) {
             let crossing = |x: f64| {
                 let share = (x - p[0]) / (q[0] - p[0]);
-                (share > 0.0 && share < 1.0).then(|| [x, p[1] + share * (q[1] - p[1])])
+                (0.0..=1.0).contains(&share).then(|| [x, p[1] + share * (q[1] - p[1])])
             };
             points.extend([from, to].into_iter().filter_map(crossing));
         }
@@ -247,5 +251,40 @@ impl Shelves {
         let top = shelf.low + (shelf.step + ROUNDING) * STEP;
         self.free[sheet] = self.free[sheet].max(top + gap);
         (sheet, Place { part, turn, offset })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fabricate::panel::direction_of;
+    use crate::math::{cosine, sine};
+
+    #[test]
+    fn every_corner_of_an_outline_with_notches_is_covered() {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        for _ in 0..500 {
+            let star: Vec<Point2> = (0..9)
+                .map(|k| {
+                    let turns = (f64::from(k) + 0.8 * random()) / 9.0;
+                    let radius = if k % 2 == 0 { 40.0 } else { 12.0 } * (0.5 + random());
+                    [radius * cosine(turns), radius * sine(turns)]
+                })
+                .collect();
+            let own = cover(&star);
+            for corner in &star {
+                let holds = |polygon: &Vec<Point2>| {
+                    sides(polygon).all(|[p, q]| {
+                        let [x, y] = direction_of(p, q);
+                        x * (corner[1] - p[1]) - y * (corner[0] - p[0]) > -1e-9
+                    })
+                };
+                assert!(own.iter().any(holds), "{corner:?} of {star:?}");
+            }
+        }
     }
 }

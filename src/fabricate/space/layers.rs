@@ -3,8 +3,9 @@
 
 use crate::fabricate::beam::Prism;
 use crate::fabricate::build::{Build, beam_name, node_name};
+use crate::fabricate::panel::triangles_in_space;
 use crate::fabricate::sheet::Role;
-use crate::math::Vec3;
+use crate::math::{Vec3, twice_vector_area};
 use serde::Serialize;
 
 /// An object on a layer, in the unit of the mesh; z is up.
@@ -19,10 +20,32 @@ pub struct SpatialPart {
     pub name: String,
     /// Its points.
     pub points: Vec<[f64; 3]>,
-    /// Its faces over the points, counterclockwise seen from outside; empty for a line.
+    /// Its faces over the points, counterclockwise seen from outside; empty for a line. Faces that a
+    /// program could fill wrongly are triangles: those with more than four corners or a notch.
     pub faces: Vec<Vec<u32>>,
     /// Whether a line leads back to its first point, which is not repeated.
     pub closed: bool,
+}
+
+/// Faces, those with more than four corners or a notch as triangles.
+fn filled(faces: &[Vec<u32>], points: &[Vec3<f64>]) -> Vec<Vec<u32>> {
+    let mut found = Vec::new();
+    for face in faces {
+        let corners: Vec<Vec3<f64>> = face.iter().map(|&v| points[v as usize]).collect();
+        let outside = twice_vector_area(corners.iter().copied());
+        let n = corners.len();
+        let turns_left = |k: usize| {
+            let [a, b, c] = [k, k + 1, k + 2].map(|k| corners[k % n]);
+            (b - a).cross(c - b).dot(outside) >= 0.0
+        };
+        match n <= 4 && (0..n).all(turns_left) {
+            true => found.push(face.clone()),
+            false => found.extend(
+                triangles_in_space(&corners).into_iter().map(|own| own.map(|k| face[k]).into()),
+            ),
+        }
+    }
+    found
 }
 
 /// Distance of sheets from the shape and from each other, as a fraction of their width.
@@ -48,7 +71,7 @@ impl Build {
         let (grey, violet, brown, blue) =
             ([110, 110, 115], [90, 50, 165], [115, 75, 45], [0, 90, 160]);
         let mut parts = vec![SpatialPart {
-            faces: faces.clone(),
+            faces: filled(&faces, &surface.positions),
             ..on("Surface", grey, "", &surface.positions)
         }];
         for (face, name) in faces.iter().zip(&self.names) {
@@ -58,7 +81,8 @@ impl Build {
         if let Some((axes, _)) = &self.offset {
             let above = surface.positions.iter().zip(&axes.axes);
             let above: Vec<_> = above.map(|(p, n)| *p + *n * self.distance()).collect();
-            parts.push(SpatialPart { faces, ..on("Offset", violet, "", &above) });
+            let own = on("Offset", violet, "", &above);
+            parts.push(SpatialPart { faces: filled(&faces, &above), ..own });
             for (v, (&low, &high)) in (0..).zip(surface.positions.iter().zip(&above)) {
                 if low != high {
                     parts.push(on("Nodes", blue, &node_name(v), &[low, high]));
@@ -70,7 +94,8 @@ impl Build {
             if let Some(prism) = prism {
                 let name = beam_name(edge.ends);
                 let own = on("Beams", brown, &name, &prism.corners);
-                parts.push(SpatialPart { faces: Prism::faces(), ..own });
+                let faces = filled(&Prism::faces(), &prism.corners);
+                parts.push(SpatialPart { faces, ..own });
             }
         }
         let beside = parts.iter().flat_map(|part| &part.points);

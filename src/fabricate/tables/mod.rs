@@ -17,6 +17,21 @@ use super::build::Build;
 use super::file::{Cell, Table};
 use super::settings::Product;
 
+/// The names of the files of all tables of all products.
+pub(super) const NAMES: [&str; 11] = [
+    "panels.csv",
+    "types.csv",
+    "fins.csv",
+    "beams.csv",
+    "node-beams.csv",
+    "node-types.csv",
+    "pieces.csv",
+    "joins.csv",
+    "edges.csv",
+    "nodes.csv",
+    "summary.csv",
+];
+
 /// All tables, with the names of their files.
 pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
     let mut tables = match (build.settings.product, &build.frame) {

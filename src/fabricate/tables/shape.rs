@@ -2,6 +2,7 @@
 
 use crate::fabricate::build::{Build, beam_name, node_name};
 use crate::fabricate::file::{Cell, Table};
+use crate::math::polygon_sides;
 
 pub(super) fn edges(build: &Build) -> String {
     let mut table = Table::new(&[
@@ -21,14 +22,22 @@ pub(super) fn edges(build: &Build) -> String {
         let [a, b] = edge.ends;
         let name = beam_name(edge.ends);
         let (a, b) = (node_name(a), node_name(b));
-        let panel = |panel: Option<u32>| panel.map_or("", |panel| &*build.names[panel as usize]);
+        // Several on a side only where more than two panels meet, or the surface has one side.
+        let ascends = |&f: &&u32| {
+            polygon_sides(build.surface.faces.row(*f as usize)).any(|side| side == edge.ends)
+        };
+        let panels = |is_left: bool| {
+            let own = build.surface.panels.row(e).iter().filter(|f| ascends(f) == is_left);
+            own.map(|&f| &*build.names[f as usize]).collect::<Vec<_>>().join("/")
+        };
+        let [left, right] = [panels(true), panels(false)];
         let beam = build.offset.as_ref().map(|(_, check)| check.beams[e]);
         table.row([
             Cell::from(&*name),
             Cell::from(&*a),
             Cell::from(&*b),
-            Cell::from(panel(edge.panels[0])),
-            Cell::from(panel(edge.panels[1])),
+            Cell::from(&*left),
+            Cell::from(&*right),
             Cell::from(build.surface.length(edge) * building),
             Cell::from(build.surface.fold(edge).map(f64::to_degrees)),
             Cell::from(beam.map(|beam| beam.height[1] * building)),

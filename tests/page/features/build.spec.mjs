@@ -117,6 +117,12 @@ test('failed checks are red on the sheet at once, and Tighten makes the parts fi
   expect(far.build.check.find(({ id }) => id === 'safe_distance').met).toBe(true);
   await page.getByRole('button', { name: 'Undo' }).click();
   await waitForState(page, (now) => now.build?.offset.distance_mm < 1000);
+  // At 0, which parts cannot have, slider and parts go back to the distance of the settings.
+  const figure = panel(page).locator('output[for="parts-distance"]');
+  const [kept, words] = [await slider.inputValue(), await figure.innerText()];
+  await slider.fill('0');
+  await expect(slider).toHaveValue(kept);
+  await expect(figure).toHaveText(words);
 
   await panel(page).getByRole('button', { name: 'Tighten' }).click();
   const { build } = await waitForState(

@@ -50,3 +50,40 @@ test('faces that change during a build are built, although no vertex has moved',
   await live.update();
   assert.deepEqual(built, [6, 4]);
 });
+
+test('what is saved while a large shape moves is built of its current positions', async () => {
+  /** The first coordinate of each request, and its type. @type {(string | number)[]} */
+  const asked = [];
+  globalThis.Worker = /** @type {any} */ (
+    class {
+      postMessage({ id, request }) {
+        asked.push(request.type === 'build' ? request.positions[0] : request.type);
+        const value = request.type === 'offers' ? { presets: [], defaults: {} } : {};
+        setTimeout(() => this.onmessage({ data: { id, value } }));
+      }
+    }
+  );
+  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
+  const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0);
+  const state = {
+    ...{ model: { faces: 1, vertices: 100_000 }, numbers: { iteration: 0 }, dragged: [] },
+    ...{ running: false, document: { units: 'm', build: {} } },
+  };
+  const app = /** @type {any} */ ({
+    store: { get: () => state },
+    solver: { geometry: { positions, connectivity } },
+  });
+  const refuse = (/** @type {string} */ why) => assert.fail(why);
+  const live = new LiveBuild(app, { show() {}, showOffset() {}, refuse });
+  await live.offers();
+  await live.update();
+  state.running = true;
+  positions[0] = 7;
+  await live.update();
+  assert.deepEqual(asked.splice(0), ['offers', 0]);
+  await live.zip();
+  await live.spatialParts();
+  positions[0] = 8;
+  await live.reportPage({ title: '', camera: null, link: '' });
+  assert.deepEqual(asked, [7, 'zip', 'spatialParts', 8, 'reportPage']);
+});

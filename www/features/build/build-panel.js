@@ -40,11 +40,18 @@ async function buildPanel(app) {
   const offers = await live.offers();
   const form = settingsForm(offers, change);
   const check = checkCard(showWorst, tighten);
-  const thickness = thicknessForm({ tryDistance: (distance) => tried.ask(distance), change });
+  const thickness = thicknessForm({
+    tryDistance: (distance) => tried.ask(distance),
+    restore: () => tried.ask(null),
+    change,
+  });
   const types = typesCurve(change);
   const layer = offsetLayer(app);
-  const tried = latestOnly((/** @type {number} */ distance) =>
-    actions.reportErrors(live.moveLayer(distance).then(showOffset)),
+  // Without a distance, the parts have that of the settings again.
+  const tried = latestOnly((/** @type {number | null} */ distance) =>
+    actions.reportErrors(
+      distance === null ? live.again() : live.moveLayer(distance).then(showOffset),
+    ),
   );
   const pictures = sheetPictures({
     point: (panels) =>

@@ -74,7 +74,7 @@ const ANSWERS = {
   zip({ zUp }) {
     const builder = whole();
     /** @type {{ name: string, text: string }[]} */
-    const files = builder?.files() ?? [];
+    const files = builder?.files(zUp) ?? [];
     /** @type {[string, Uint8Array<ArrayBuffer>][]} */
     const entries = files.map(({ name, text }) => [name, new TextEncoder().encode(text)]);
     if (builder) entries.push([PRESENTATION, new Uint8Array(builder.presentation(zUp))]);

@@ -125,7 +125,7 @@ export function warnings({
       `${count(unnamed.length, NOUNS[product])} ${unnamed.length > 1 ? 'have' : 'has'} no room for a name: ${some(unnamed)}.`,
     small > 0 && `${count(small, 'part has', 'parts have')} a name smaller than 2 mm.`,
     undrilled > 0 && `No room for ${count(undrilled, 'hole')}.`,
-    bare.length > 0 && `No room for a tab between ${some(bare)}.`,
+    bare.length > 0 && `No tab between ${some(bare)}.`,
     creased > 0 &&
       `${count(creased, 'panel is', 'panels are')} not flat and creased along a diagonal.`,
   ].filter((line) => line !== false);

@@ -80,7 +80,8 @@ export class LiveBuild {
     return this.#builds.ask();
   }
 
-  async #once() {
+  /** @param {boolean} [isSaved] whether the parts are built of the shape as it is, however long it takes */
+  async #once(isSaved = false) {
     const { store, solver } = this.#app;
     const { model, numbers, document, running, dragged } = store.get();
     const { geometry } = solver;
@@ -92,7 +93,7 @@ export class LiveBuild {
       );
     }
     const isMoving = running || dragged.length > 0;
-    if (isMoving && model.vertices > MOST_LIVE_VERTICES) return;
+    if (isMoving && !isSaved && model.vertices > MOST_LIVE_VERTICES) return;
     const settings = this.settings();
     const { symbol, metres } = this.unit();
     const { connectivity: mesh } = geometry;
@@ -104,7 +105,7 @@ export class LiveBuild {
     const isOther = mesh !== this.#mesh || agreed !== this.#agreed;
     const isSlow = this.#milliseconds > LIVE_MS;
     try {
-      if (isMoving && isSlow && !isOther) {
+      if (isMoving && isSlow && !isOther && !isSaved) {
         // The last build no longer belongs to this shape.
         this.#key = '';
         return this.#showOffset(await this.#client.ask({ type: 'reshape', positions }));
@@ -134,7 +135,8 @@ export class LiveBuild {
   }
 
   /** All files as a ZIP archive. */
-  zip() {
+  async zip() {
+    await this.#once(true);
     return this.#client.ask({ type: 'zip', zUp: this.#isZUp() });
   }
 
@@ -144,12 +146,14 @@ export class LiveBuild {
   }
 
   /** The parts in space and the sheets, for CAD programs. */
-  spatialParts() {
+  async spatialParts() {
+    await this.#once(true);
     return this.#client.ask({ type: 'spatialParts', zUp: this.#isZUp() });
   }
 
   /** The report. @param {{ title: string, camera: Float64Array | null, link: string }} view */
-  reportPage(view) {
+  async reportPage(view) {
+    await this.#once(true);
     return this.#client.ask({ type: 'reportPage', zUp: this.#isZUp(), ...view });
   }
 

@@ -30,16 +30,20 @@ const LEAST_FOLLOW = -5;
 /**
  * @param {object} on
  * @param {(distance: number) => void} on.tryDistance called during a drag, in the unit of the mesh
+ * @param {() => void} on.restore called for a distance of 0, which parts cannot have
  * @param {(change: Partial<BuildSettings>) => void} on.change
  */
-export function thicknessForm({ tryDistance, change }) {
+export function thicknessForm({ tryDistance, restore, change }) {
   /** Millimetres of the building per unit of the mesh. */
   let scale = 1000;
   const slider = element('input', {
     ...{ type: 'range', id: 'parts-distance', step: 'any' },
-    oninput: () => tryDistance(slider.valueAsNumber),
+    oninput: () => {
+      if (slider.valueAsNumber !== 0) tryDistance(slider.valueAsNumber);
+    },
     onchange: () => {
       if (slider.valueAsNumber !== 0) change({ distance: slider.valueAsNumber });
+      else restore();
     },
   });
   const figure = element('output', { for: 'parts-distance' });
