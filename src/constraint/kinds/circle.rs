@@ -1,9 +1,7 @@
 //! Circle (paper section 3.1): least-squares plane, then the circle of Thomas and Chan in it.
 
 use crate::constraint::parameter::Limits;
-use crate::constraint::{
-    Arity, Centring, Fitted, Form, Info, Param, ParamValue, Projection, TargetShape,
-};
+use crate::constraint::{Arity, Fitted, Form, Info, Param, ParamValue, Projection, TargetShape};
 use crate::math::{CircleFit, Lane, PrincipalRound, Vec3, centre};
 use serde::{Deserialize, Serialize};
 
@@ -35,8 +33,6 @@ impl Projection for Circle {
         summary: "The vertices lie on one circle, and so also in one plane.",
         paper: "3.1",
         arity: Arity::AtLeast(3),
-        centring: Centring::Together,
-        elements: &[],
         exact: false,
         measure: Some("circularity"),
         panels: Some("circular"),
@@ -49,6 +45,7 @@ impl Projection for Circle {
             forms: &[Form::Nothing, Form::Number, Form::Range],
             range: [0.0, f64::INFINITY],
         }],
+        ..Info::PLAIN
     };
 
     const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Panels, TargetShape::Loop];

@@ -61,13 +61,9 @@ impl Projection for OnCurve {
         id: "on-curve",
         label: "On curve",
         summary: "The vertices glide along the curve that they make at rest; its corners stay.",
-        paper: "",
         arity: Arity::AtLeast(2),
         centring: Centring::Placed,
         elements: &[Element::Curve, Element::Polyline, Element::EdgeLine, Element::Boundary],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [0, 130, 120],
         params: &[
             Param {
@@ -95,6 +91,7 @@ impl Projection for OnCurve {
                 range: [f64::NEG_INFINITY, f64::INFINITY],
             },
         ],
+        ..Info::PLAIN
     };
 
     const READS_REST: bool = true;

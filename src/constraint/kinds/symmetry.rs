@@ -3,7 +3,7 @@
 
 use crate::constraint::kinds::shared::{SymmetryGroup, separate_lanes};
 use crate::constraint::parameter::Direction;
-use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projection};
+use crate::constraint::{Arity, Form, Info, Param, ParamValue, Projection};
 use crate::math::{Lane, UnitPolygon, Vec3};
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -50,13 +50,7 @@ impl Projection for Symmetry {
         id: "symmetry",
         label: "Symmetry",
         summary: "The vertices are the mirror image of each other, or the same after a rotation.",
-        paper: "",
         arity: Arity::AtLeast(2),
-        centring: Centring::Together,
-        elements: &[],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [180, 70, 110],
         params: &[
             Param {
@@ -84,6 +78,7 @@ impl Projection for Symmetry {
                 range: FOLDS,
             },
         ],
+        ..Info::PLAIN
     };
 
     const READS_REST: bool = true;
