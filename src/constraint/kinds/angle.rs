@@ -13,7 +13,7 @@
 //! sign. If not, one of them is zero: that of the shorter edge.
 
 use crate::constraint::parameter::{AngleRange, Limits};
-use crate::constraint::{Arity, Element, Form, Info, Param, ParamValue, Projection};
+use crate::constraint::{Arity, Element, Info, Param, Projection};
 use crate::math::{Lane, Vec3, in_range, largest_coordinate, plane_frame};
 use serde::{Deserialize, Serialize};
 
@@ -49,14 +49,7 @@ impl Projection for Angle {
         arity: Arity::Exactly(3),
         elements: &[Element::Corner],
         colour: [70, 130, 130],
-        params: &[Param {
-            id: "angle",
-            label: "Angle",
-            unit: "degrees",
-            default: ParamValue::Number(90.0),
-            forms: &[Form::Number, Form::Range],
-            range: [0.0, 180.0],
-        }],
+        params: &[Param::limits("angle", "Angle", "degrees", 90.0, [0.0, 180.0])],
         ..Info::PLAIN
     };
 

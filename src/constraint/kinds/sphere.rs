@@ -1,7 +1,7 @@
 //! Sphere (paper section 3.1): the fit of the circle (Thomas and Chan) for points in space.
 
 use crate::constraint::parameter::Limits;
-use crate::constraint::{Arity, Fitted, Form, Info, Param, ParamValue, Projection, TargetShape};
+use crate::constraint::{Arity, Fitted, Info, Param, Projection, TargetShape};
 use crate::math::{Lane, PrincipalRound, Round, RoundWithin, Scatter, Vec3, centre};
 use serde::{Deserialize, Serialize};
 
@@ -35,14 +35,7 @@ impl Projection for Sphere {
         arity: Arity::AtLeast(4),
         exact: false,
         colour: [220, 50, 47],
-        params: &[Param {
-            id: "radius",
-            label: "Radius",
-            unit: "length",
-            default: ParamValue::Nothing,
-            forms: &[Form::Nothing, Form::Number, Form::Range],
-            range: [0.0, f64::INFINITY],
-        }],
+        params: &[Param::RADIUS],
         ..Info::PLAIN
     };
 

@@ -54,29 +54,12 @@ impl Projection for Symmetry {
         colour: [180, 70, 110],
         params: &[
             Param {
-                id: "mirror",
-                label: "Normal of the mirror",
-                unit: "",
                 default: ParamValue::Vector(MIRROR),
                 forms: &[Form::Vector],
-                range: [f64::NEG_INFINITY, f64::INFINITY],
+                ..Param::direction("mirror", "Normal of the mirror")
             },
-            Param {
-                id: "axis",
-                label: "Axis instead of a mirror",
-                unit: "",
-                default: ParamValue::Nothing,
-                forms: &[Form::Nothing, Form::Vector],
-                range: [f64::NEG_INFINITY, f64::INFINITY],
-            },
-            Param {
-                id: "fold",
-                label: "Order of the rotation",
-                unit: "",
-                default: ParamValue::Number(2.0),
-                forms: &[Form::Number],
-                range: FOLDS,
-            },
+            Param::direction("axis", "Axis instead of a mirror"),
+            Param::number("fold", "Order of the rotation", "", 2.0, FOLDS),
         ],
         ..Info::PLAIN
     };
