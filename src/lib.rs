@@ -45,28 +45,32 @@
 //!
 //! 1. The page's view finds the handle under the pointer (`view::picking`) and converts the motion
 //!    of the pointer to a target (`view::gizmo`). The page sends vertex and target to the worker.
-//! 2. `web::worker` calls `Session::drag` ([`session`], `undo/drag_transaction`), which checks the
-//!    target and passes it to the solver. Only the gradient of the handle's energy changes, no
-//!    matrix.
-//! 3. The next iteration uses it: `Session::step` calls `Solver::step` ([`solve`], `solver/step`).
-//!    - Local step: each batch of constraints projects its points ([`constraint`], `batch` and `kinds`).
+//! 2. `web::worker` calls `Session::drag_through` (`session/dragging`), which checks the target and
+//!    passes it to the solver. Only the gradient of the handle's energy changes, no matrix. What
+//!    leads back to the state before the drag is kept in `session/undo/transaction`.
+//! 3. The next iteration uses it: `Session::step` calls `Solver::step` (`solve/solver/step`).
+//!    - Local step: each batch of constraints projects its points (`constraint/batch` and
+//!      `constraint/kinds`).
 //!    - `solve::energy` sums energies and gradients of shape, closeness, smoothness and handles.
 //!    - Global step: `solve::system` applies the inverse of the normal matrix, by triangular sweeps through
 //!      the factor of [`sparse`]; `solve::accelerate` improves the step, or falls back to it.
 //! 4. The worker copies the positions to the page, which passes them to `view::state`; `view::gpu`
 //!    draws.
-//! 5. The end of the drag records it as one step of undo (`session/state/history`).
+//! 5. The end of the drag records it as one step of undo (`session/undo/history`).
 //!
 //! # One run
 //!
-//! 1. [`mesh`] reads a file, or [`scene`] a scene and its mesh. `Session::open` ([`session`],
-//!    `load`) validates the scene against the mesh and resolves the selectors (`state/rows`).
+//! 1. [`mesh`] reads a file, or [`scene`] a scene and its mesh. `Session::open` (`session/load`)
+//!    validates the scene against the mesh and resolves the selectors (`session/state/rows`).
 //! 2. `Solver::new` assembles the normal matrix (`solve::assemble`); [`sparse`] orders and factors it.
-//! 3. `Session::begin_run`, then `Session::step` until it reports the end: converged, collapsed
-//!    (`session/run/collapse_guard`), or, for a run started for all panels, with all of them within
-//!    the tolerance (`run/make_panels`).
-//! 4. `Session::end_run` keeps the iterate of least energy and records the run as one step of undo.
-//! 5. `Session::report` measures the shape ([`mesh`], `measure`); `session/export` writes OBJ or the scene.
+//! 3. `Session::begin_run`, then `Session::step` until it reports the end: converged, or collapsed
+//!    (`session/run/collapse_guard`). Where constraints are hard, `solve/exact` meets them after
+//!    convergence (`session/run/meeting`), in several attempts if faces fold
+//!    (`session/run/attempts`, `session/run/outcome`).
+//! 4. `Session::end_run` keeps the iterate of least energy, or the best shape for the hard
+//!    constraints, and records the run as one step of undo.
+//! 5. `Session::report` measures the shape (`mesh/measure`); `session/export` writes OBJ or the
+//!    scene.
 //!
 //! # From a shape to parts
 //!

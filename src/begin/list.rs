@@ -5,12 +5,12 @@ use super::{round, sheets};
 use crate::mesh::{Size, SizeOf};
 
 const fn length(id: &'static str, label: &'static str, default: f64) -> Size {
-    Size { id, label, of: SizeOf::Length, default, least: 1e-3, most: 1e6 }
+    Size::length(id, label, default, [1e-3, 1e6])
 }
 
 /// A length that may be zero.
 const fn from_zero(id: &'static str, label: &'static str, default: f64) -> Size {
-    Size { least: 0.0, ..length(id, label, default) }
+    Size::length(id, label, default, [0.0, 1e6])
 }
 
 const fn count(id: &'static str, label: &'static str, default: f64, least: f64) -> Size {
@@ -82,14 +82,7 @@ pub const NEW_KINDS: &[NewKind] = &[
         sizes: &[
             length("radius", "Radius of the arc", 15.0),
             length("section", "Radius of the section", 5.0),
-            Size {
-                id: "turn",
-                label: "Turn",
-                of: SizeOf::Degrees,
-                default: 120.0,
-                least: 5.0,
-                most: 330.0,
-            },
+            Size::degrees("turn", "Turn", 120.0, [5.0, 330.0]),
             ALONG,
             ACROSS,
         ],

@@ -3,6 +3,31 @@
 //! The only layer between the mesh and an operator: it gathers the points of `LANES` constraints at
 //! a time, centres them (`N_i` of Eq. 5), projects them, and scatters the gradient
 //! `w_i N_i (N_i V_i - P_i)` (Appendix A). The operator receives points only.
+//!
+//! # From a kind to its compiled closed form
+//!
+//! The code of a batch is compiled once for all kinds, and the closed form of a kind once for each
+//! number of points that matters, so that these stay in registers. For `plane` on quads:
+//!
+//! ```text
+//! batches                                 once; constraints of 4 points make one batch
+//!   Kind::visit -> MakeBatch::visit       the kind is known as a type, P = Plane
+//!     Batch::new                          and is erased again: Box<dyn Operator>
+//!
+//! Batch::local_step                       each iteration, without knowing the kind
+//!   step_few::<4> -> step_chunk           by the number of points: arrays on the stack
+//!     gather, centre
+//!     Operator::project                   one indirect call per chunk, to that of Plane
+//!       closed_form_of_few::<Plane, 4>    by the number of points again, now with the kind
+//!         Plane::closed_form              kinds/plane.rs, inlined for 4 points
+//!       lane_by_lane                      only if that is inaccurate in some lane
+//!         Plane::closed_form              for one lane, copied to all
+//!         Plane::project_robust           if it is inaccurate there, too
+//!     centre, keep_nearer, add_to_rows
+//! ```
+//!
+//! Other numbers of points than 3 and 4 take `scratch` instead of arrays, and kinds of any number of
+//! points `closed_form_of_many`. [`Projection::project`] is the same without a batch, for tests.
 
 mod points;
 

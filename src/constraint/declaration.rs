@@ -39,6 +39,23 @@ pub struct Info {
 }
 
 impl Info {
+    /// A kind of no paper and without parameters, exact, on any element, and invariant under
+    /// translation. A declaration states what differs, and its id, texts, arity and colour.
+    pub(crate) const PLAIN: Info = Info {
+        id: "",
+        label: "",
+        summary: "",
+        paper: "",
+        arity: Arity::AtLeast(1),
+        centring: Centring::Together,
+        elements: &[],
+        exact: true,
+        measure: None,
+        panels: None,
+        colour: [0; 3],
+        params: &[],
+    };
+
     /// The number of vertices or edges, in words.
     pub fn arity_in_words(&self) -> String {
         match (self.centring, self.arity) {

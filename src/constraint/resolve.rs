@@ -2,6 +2,7 @@
 
 use super::select::MOST_MEMBERS;
 use super::{Element, SelectError, Selector, Sets};
+use crate::math::marked;
 use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, repeated, stars, strips};
 
 /// Returns one row of distinct vertices for each constraint of a selector.
@@ -208,14 +209,9 @@ struct Kept {
 
 impl Kept {
     fn new(members: &Members, mesh: &Mesh) -> Kept {
-        let mark = |n: usize, listed: &[u32]| {
-            let mut marks = vec![false; n];
-            listed.iter().for_each(|&i| marks[i as usize] = true);
-            marks
-        };
-        let if_listed = |n, listed: &[u32]| (!listed.is_empty()).then(|| mark(n, listed));
+        let if_listed = |n, listed: &[u32]| (!listed.is_empty()).then(|| marked(n, listed));
         Kept {
-            vertices: mark(mesh.positions.len(), &members.vertices),
+            vertices: marked(mesh.positions.len(), &members.vertices),
             faces: if_listed(mesh.faces.len(), &members.faces),
             curves: if_listed(mesh.curves.len(), &members.curves),
         }

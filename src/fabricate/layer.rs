@@ -5,6 +5,7 @@ use super::build::{Build, all_flat};
 use super::check_card::Failed;
 use super::offset::check;
 use super::sheet::Sheet;
+use crate::math::marked;
 use crate::math::plane::Point2;
 
 impl Build {
@@ -43,13 +44,8 @@ impl Build {
     /// For each sheet, the sides of panels whose beams fail, and as single points the corners whose
     /// nodes fail, in mm of the sheet.
     pub fn failed_sides(&self, failed: &Failed) -> Vec<Vec<Vec<Point2>>> {
-        let listed = |count: usize, list: &[u32]| {
-            let mut is_listed = vec![false; count];
-            list.iter().for_each(|&k| is_listed[k as usize] = true);
-            is_listed
-        };
-        let edges = listed(self.surface.edges.len(), &failed.edges);
-        let nodes = listed(self.surface.positions.len(), &failed.nodes);
+        let edges = marked(self.surface.edges.len(), &failed.edges);
+        let nodes = marked(self.surface.positions.len(), &failed.nodes);
         let of_sheet = |sheet: &Sheet| {
             let mut found = Vec::new();
             for place in &sheet.places {

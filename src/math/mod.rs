@@ -12,6 +12,7 @@
 //! | `cube_root` | the cube root |
 //! | `cubic` | a segment of a cubic curve, and its closest point |
 //! | `argsort` | sorting by integer keys |
+//! | `marks` | marked elements of a list |
 
 mod angle;
 mod argsort;
@@ -19,6 +20,7 @@ mod cube_root;
 mod cubic;
 mod eigen;
 mod fit;
+mod marks;
 pub mod plane;
 mod polygon;
 mod turns;
@@ -33,6 +35,7 @@ pub use fit::{
     Alignment, CircleFit, OrthogonalPair, PrincipalCircle, PrincipalRound, Round, RoundWithin,
     pair_with_product, pair_with_product_robust, triple_with_product, triple_with_product_robust,
 };
+pub use marks::marked;
 pub use polygon::{UnitPolygon, plane_frame, polygon_corners, polygon_sides, twice_vector_area};
 pub use turns::{cosine, cosine_and_sine_of_degrees, sine};
 pub use vector::{LANES, Lane, Lanes, Pair, Vec3, centre, in_range, largest_coordinate};

@@ -2,7 +2,7 @@
 
 use super::problem::{DiagnosticCounts, MeshProblem, ProblemKind};
 use super::{Mesh, Point};
-use crate::math::{argsort, key_of_number, key_of_pair, polygon_sides};
+use crate::math::{argsort, key_of_number, key_of_pair, marked, polygon_sides};
 
 /// Returns the problems of a mesh that was not read from a file, such as one inside a scene.
 pub fn diagnose(mesh: &Mesh) -> Vec<MeshProblem> {
@@ -81,10 +81,7 @@ fn unused(mesh: &Mesh) -> Vec<usize> {
     if elements.iter().all(|indices| indices.is_empty()) {
         return Vec::new();
     }
-    let mut used = vec![false; mesh.positions.len()];
-    for &vertex in elements.into_iter().flatten() {
-        used[vertex as usize] = true;
-    }
+    let used = marked(mesh.positions.len(), elements.into_iter().flatten());
     (0..used.len()).filter(|&vertex| !used[vertex]).collect()
 }
 

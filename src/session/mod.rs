@@ -16,7 +16,7 @@
 //! | `unfolding` | other ways to meet hard constraints if faces fold |
 //! | `variations` | ways to change the shape while hard constraints stay met: shown, projected back, kept |
 //! | `variant_table` | the numbers of the kept variants |
-//! | `queries` | queries of hosts: selections, measures, reports, files |
+//! | `queries` | queries of hosts: selections, measures, reports, flat maps |
 //! | `handed_in` | the results of a lesson, and their check |
 //! | `trial` | remedies, and the cost of exactness, tried on a copy |
 //! | `state` | the parts: the rest mesh, and the scene with its solver; their changes |

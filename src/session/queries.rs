@@ -1,14 +1,13 @@
-//! Queries of hosts: selections, previews, measures, reports, files.
+//! Queries of hosts: selections, previews, measures, reports, flat maps.
 
 use super::Session;
 use super::edit::{ConstraintTarget, Preview, previews};
-use super::export;
 use super::report::{
     self, ConstraintMap, Measuring, Projections, Report, RowPalette, Shape, Verdict, WorstElement,
 };
 use super::selection::{SelectRequest, Selection, select};
-use crate::mesh::{ElementsWithProblem, Measures, Mesh, Weld, write_obj_with_uv};
-use crate::scene::{Forecast, GoalResult, MeshSource, Scene, SceneError};
+use crate::mesh::{ElementsWithProblem, Measures, Mesh};
+use crate::scene::{Forecast, GoalResult, SceneError};
 use crate::solve::{
     ConformalNorm, ConformalWeights, FewerFlips, Moved, Parametrization, SolveError,
 };
@@ -131,8 +130,9 @@ impl Session {
         report::goals(&mut self.measuring())
     }
 
-    /// Returns the `count` faces with the largest values of the measure `id`, largest first, ties
-    /// in mesh order, without faces that have no value. None if there is no such measure.
+    /// Returns the `count` faces with the largest absolute values of the measure `id`, largest
+    /// first, ties in mesh order, without faces that have no value. None if there is no such
+    /// measure.
     pub fn worst_faces(&mut self, id: &str, count: usize) -> Option<Vec<WorstElement>> {
         report::worst_faces(&mut self.measuring(), id, count)
     }
@@ -224,29 +224,6 @@ impl Session {
         report::angles_csv(&self.scene, &self.rest)
     }
 
-    /// Returns the current shape as the text of an OBJ file, with its unit and axis if known.
-    pub fn obj(&self) -> String {
-        export::obj(&self.scene, &self.rest)
-    }
-
-    /// As [`Session::obj`], with the vertices and faces of the file before it was welded.
-    pub fn obj_unwelded(&self, weld: &Weld) -> String {
-        export::obj_unwelded(&self.scene, &self.rest, weld)
-    }
-
-    /// The current shape as OBJ with the texture coordinates `uv` of each vertex, `#V by 2`.
-    ///
-    /// # Errors
-    /// If the number of coordinates differs from that of the vertices, in words.
-    pub fn obj_with_uv(&self, uv: &[[f64; 2]]) -> Result<String, String> {
-        let vertices = self.rest.positions().len();
-        if uv.len() != vertices {
-            let found = 2 * uv.len();
-            return Err(format!("{found} texture coordinates, expected {}", 2 * vertices));
-        }
-        Ok(write_obj_with_uv(self.mesh(), self.scene.positions(), uv))
-    }
-
     /// Returns the flat map of the current shape (paper section 4.3, Eq. 14).
     ///
     /// # Errors
@@ -267,19 +244,6 @@ impl Session {
 
     fn current_shape(&self) -> Mesh {
         Mesh { positions: self.positions(), ..self.mesh().clone() }
-    }
-
-    /// Returns the scene file with the mesh inline, as text.
-    pub fn scene_with_mesh(&self) -> String {
-        let mut scene = self.scene();
-        scene.mesh = MeshSource::Inline(Box::new(self.mesh().clone()));
-        scene.to_json(self.mesh())
-    }
-
-    /// Returns the scene in its current state, with current positions if they differ from the
-    /// design, or without a design from the rest positions.
-    pub fn scene(&self) -> Scene {
-        export::whole_scene(&self.scene, &self.rest)
     }
 
     fn measuring(&mut self) -> Measuring<'_> {

@@ -5,6 +5,7 @@ use super::Session;
 use super::report::ConstraintCoverage;
 use super::state::RestMesh;
 use crate::error::Error;
+use crate::math::marked;
 use crate::mesh::{Point, Ragged};
 use crate::scene::{ConstraintSpec, EasedFaces};
 use crate::solve::{
@@ -144,8 +145,7 @@ impl Session {
 
 /// Removes the constraints on any of the faces from a row, and returns them.
 fn take_out(row: &mut Constraints, faces: &[u32], rest: &RestMesh) -> Constraints {
-    let mut is_eased = vec![false; rest.mesh().faces.len()];
-    faces.iter().for_each(|&face| is_eased[face as usize] = true);
+    let is_eased = marked(rest.mesh().faces.len(), faces);
     let mut coverage = ConstraintCoverage::new(rest.mesh(), rest.topology());
     let (mut taken, mut kept) = (Ragged::new(), Ragged::new());
     for members in row.members.iter() {

@@ -1,4 +1,4 @@
-//! The clock for reports: seconds from an arbitrary start, never going back.
+//! The clock for reports and for work in slices: seconds from an arbitrary start, never going back.
 
 /// Seconds since an arbitrary start.
 #[cfg(not(target_arch = "wasm32"))]
@@ -14,6 +14,21 @@ pub fn now() -> f64 {
 #[cfg(target_arch = "wasm32")]
 pub fn now() -> f64 {
     performance::now() / 1000.0
+}
+
+/// Repeats a step, at least once, for about the given time in seconds, or until it returns that
+/// there is nothing more to do. Returns whether there is more.
+///
+/// # Errors
+/// That of the step which fails.
+pub fn repeat<E>(seconds: f64, mut step: impl FnMut() -> Result<bool, E>) -> Result<bool, E> {
+    let until = now() + seconds;
+    while step()? {
+        if now() >= until {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
 #[cfg(target_arch = "wasm32")]

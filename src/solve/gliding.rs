@@ -8,7 +8,7 @@
 use super::energy::{Handle, Hold};
 use super::settings::BoundaryCloseness;
 use crate::constraint::Row;
-use crate::math::{Vec3, cosine};
+use crate::math::{Vec3, cosine, marked};
 use crate::mesh::{BoundaryCurves, Point, Polyline, Topology};
 
 /// The boundary vertices of a solver, except corners, with their curves.
@@ -48,8 +48,7 @@ impl Gliding {
         let largest = largest.fold(0.0, |largest: f64, coordinate| largest.max(coordinate.abs()));
         let rounding = 8.0 * f64::EPSILON * largest;
         let mut gliding = Gliding { curves: Vec::new(), vertices: Vec::new(), rounding };
-        let mut is_corner = vec![false; positions.len()];
-        found.corners.iter().for_each(|&v| is_corner[v as usize] = true);
+        let is_corner = marked(positions.len(), &found.corners);
         for piece in found.curves.into_iter().flat_map(|curve| curve.pieces) {
             let points = piece.vertices.iter().map(|&v| positions[v as usize]);
             let curve = Polyline::new(points, piece.closed);

@@ -167,21 +167,12 @@ impl Parts {
 
     /// Converts positions, `#V by 3`, to rows, one for each node.
     pub(super) fn to_rows(&self, positions: &[Point]) -> Vec<Row> {
-        let node_of = &self.system.node_of()[..self.n_vertices];
-        to_rows(positions, node_of, self.held.len(), self.centre)
+        to_rows(positions, self.node_of(), self.held.len(), self.centre)
     }
 
-    /// See [`Holding::new`].
-    pub(super) fn holding(&self, handles: &[Handle]) -> Holding {
-        let Parts { n_vertices, n_unknowns, held, corners, gliding, .. } = self;
-        let nodes = Nodes {
-            n_vertices: *n_vertices,
-            n_unknowns: *n_unknowns,
-            held,
-            corners,
-            exact: gliding.is_some(),
-        };
-        Holding::new(&nodes, &self.system, &self.energies, handles)
+    /// The node of each vertex.
+    pub(super) fn node_of(&self) -> &[u32] {
+        &self.system.node_of()[..self.n_vertices]
     }
 }
 
@@ -191,16 +182,6 @@ fn to_rows(positions: &[Point], node_of: &[u32], n: usize, centre: Point) -> Vec
         rows[node as usize] = relative(point, centre);
     }
     rows
-}
-
-/// The input of [`Holding::new`].
-pub(super) struct Nodes<'a> {
-    pub n_vertices: usize,
-    pub n_unknowns: usize,
-    pub held: &'a [bool],
-    pub corners: &'a [(u32, Point)],
-    /// Whether the boundary stays exactly on its curves: corners then ignore soft handles.
-    pub exact: bool,
 }
 
 /// The fixed nodes of a system, and what handles, closeness and pins add to its normal matrix.
@@ -213,19 +194,13 @@ pub(super) struct Holding {
     pub pinned: Vec<u32>,
 }
 
-impl Holding {
-    /// Computes this for the given handles.
-    pub(super) fn new(
-        nodes: &Nodes<'_>,
-        system: &System,
-        energies: &Energies,
-        handles: &[Handle],
-    ) -> Holding {
-        let n = nodes.held.len();
-        let node_of = &system.node_of()[..nodes.n_vertices];
-        let (mut fixed, mut held, mut diagonal) =
-            (vec![false; n], nodes.held.to_vec(), vec![0.0; n]);
-        let padding = &system.node_of()[nodes.n_unknowns..];
+impl Parts {
+    /// Computes what is fixed and held with the given handles.
+    pub(super) fn holding(&self, handles: &[Handle]) -> Holding {
+        let Parts { system, energies, .. } = self;
+        let (n, node_of) = (self.held.len(), self.node_of());
+        let (mut fixed, mut held, mut diagonal) = (vec![false; n], self.held.clone(), vec![0.0; n]);
+        let padding = &system.node_of()[self.n_unknowns..];
         padding.iter().for_each(|&node| fixed[node as usize] = true);
         if let Some(close) = &energies.close {
             for (node, factor) in close.held() {
@@ -233,7 +208,7 @@ impl Holding {
                 diagonal[node as usize] = energies.weights.close * factor;
             }
         }
-        let corners = nodes.corners.iter().map(|&(v, _)| node_of[v as usize] as usize);
+        let corners = self.corners.iter().map(|&(v, _)| node_of[v as usize] as usize);
         corners.clone().for_each(|corner| fixed[corner] = true);
         for handle in handles {
             let node = node_of[handle.vertex as usize] as usize;
@@ -246,7 +221,8 @@ impl Holding {
                 Hold::Fixed => fixed[node] = true,
             }
         }
-        if nodes.exact {
+        // On a boundary that stays exactly on its curves, corners ignore soft handles.
+        if self.gliding.is_some() {
             corners.for_each(|corner| fixed[corner] = true);
             hold_both_sides(system, &mut held);
         }

@@ -1,4 +1,16 @@
 //! The linear system of the global step: `Q^T Q` in the elimination order, and its factor.
+//!
+//! The matrix is given by its parameters at once; its values and its factor are computed when they
+//! are needed ([`State`]):
+//!
+//! ```text
+//! set_matrix          Unknown     and prepare at once, because it may be singular
+//!                     Regular     if it is above one that was factored: it cannot be singular
+//!                     Factored    if its own factor was kept: handles were released again
+//! prepare             Unknown, Regular -> Whole
+//! complete            Factored -> Whole, for an update or for the other precision
+//! set_coefficients    any -> Unknown
+//! ```
 
 use super::assemble::{Assembler, Terms, structure};
 use super::clock;

@@ -1,5 +1,23 @@
 //! `L D L^T` of a symmetric positive definite matrix, by one of two numeric factorisations, in
 //! panels of the requested precisions.
+//!
+//! # Which precisions are stored
+//!
+//! Accelerated steps need the factor in single precision, plain steps of small systems in double. A
+//! [`Factor`] stores the precisions that were asked for, and all that it stores are of the same
+//! matrix:
+//!
+//! ```text
+//! stored            factor(p) of a matrix    single()          double()          keep_only(p)
+//! none              p                        -                 -                 -
+//! single            single and p             single            both, by again    p or none
+//! double            double and p             both, by again    double            p or none
+//! both              both                     both              both              p
+//! ```
+//!
+//! `again` factors the same matrix for the missing precision, as when an accelerated step is
+//! rejected and the plain one takes its place. The matrix has been accepted before, so its pivots
+//! are not checked once more. An update changes all that is stored.
 
 use super::f32_factor::F32Factor;
 use super::matrix::{SMALLEST_PIVOT, Singular, UpperTriangle};
@@ -153,7 +171,7 @@ struct Precisions<'a> {
 }
 
 impl Precisions<'_> {
-    /// Fills them from a matrix that was factored before.
+    /// Fills them from the matrix that was factored last, whatever its pivots.
     fn again(
         mut self,
         supernodes: &Supernodes,

@@ -16,9 +16,6 @@ struct NewPlan {
 }
 
 /// Returns the kinds of new meshes.
-///
-/// # Errors
-/// None: plain data.
 #[wasm_bindgen(js_name = newKinds, unchecked_return_type = "NewKind[]")]
 pub fn new_kinds() -> Result<JsValue, JsValue> {
     log_panics();
@@ -90,9 +87,6 @@ impl NewSpans {
     }
 
     /// Returns the polylines of the mesh, then the boundaries of its faces.
-    ///
-    /// # Errors
-    /// None: plain data.
     #[wasm_bindgen(unchecked_return_type = "CurveLabel[]")]
     pub fn curves(&self) -> Result<JsValue, JsValue> {
         plain(&SpanCurve::labels(&self.curves))

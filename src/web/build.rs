@@ -32,9 +32,6 @@ struct ReportPage {
 }
 
 /// Returns the presets and the defaults.
-///
-/// # Errors
-/// None: plain data.
 #[wasm_bindgen(js_name = buildOffers)]
 pub fn build_offers() -> Result<JsValue, JsValue> {
     log_panics();
@@ -71,25 +68,16 @@ impl Builder {
     }
 
     /// Returns all numbers, as in the report of the command line.
-    ///
-    /// # Errors
-    /// None: plain data.
     pub fn report(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.report())
     }
 
     /// Returns the numbers of the card, which is updated while the shape moves.
-    ///
-    /// # Errors
-    /// None: plain data.
     pub fn card(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.card())
     }
 
     /// Returns at most `count` sheets as pictures, starting with sheet `first`.
-    ///
-    /// # Errors
-    /// None: plain data.
     pub fn sheets(&self, first: usize, count: usize) -> Result<JsValue, JsValue> {
         let drawings = self.build.drawings();
         let failed = self.build.failed_sides(&self.build.failed());
@@ -99,9 +87,6 @@ impl Builder {
 
     /// Returns the numbers that a lesson may bound, as pairs of id and value, lengths in the unit
     /// of the mesh. Numbers that do not apply are left out.
-    ///
-    /// # Errors
-    /// None: plain data.
     pub fn numbers(&self) -> Result<JsValue, JsValue> {
         let known = BUILD_NUMBERS.iter().zip(self.build.numbers());
         plain(&known.filter_map(|(number, value)| Some((number.id, value?))).collect::<Vec<_>>())
@@ -143,9 +128,6 @@ impl Builder {
     }
 
     /// Returns the errors of each kind of offset.
-    ///
-    /// # Errors
-    /// None: plain data.
     pub fn choices(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.choices())
     }
@@ -156,9 +138,6 @@ impl Builder {
     }
 
     /// Returns the build as objects on layers, for CAD programs; the up axis is z or y.
-    ///
-    /// # Errors
-    /// None: plain data.
     #[wasm_bindgen(js_name = spatialParts)]
     pub fn spatial_parts(&self, z_up: bool) -> Result<JsValue, JsValue> {
         plain(&self.build.spatial_parts(z_up))
@@ -166,9 +145,6 @@ impl Builder {
 
     /// Returns the report on one A4 page, as `pdf` and `svg`. `camera` has its turn about the up
     /// axis (z or y) and its downward tilt, in radians. An empty `link` is left out.
-    ///
-    /// # Errors
-    /// None: plain data.
     #[wasm_bindgen(js_name = reportPage)]
     pub fn report_page(
         &self,
@@ -183,9 +159,6 @@ impl Builder {
     }
 
     /// Returns all files: `name` and `text`; `z_up` if the up axis is z, else y.
-    ///
-    /// # Errors
-    /// None: plain data.
     pub fn files(&self, z_up: bool) -> Result<JsValue, JsValue> {
         let files = self.build.files(z_up).into_iter();
         plain(&files.map(|file| File { name: file.name, text: file.text }).collect::<Vec<_>>())

@@ -1,7 +1,7 @@
 //! The height of every vertex: a net hanging under its own weight, turned upside down.
 
 use super::declaration::{PlanError, Support};
-use crate::math::{Vec3, twice_vector_area};
+use crate::math::{Vec3, marked, twice_vector_area};
 use crate::mesh::{Mesh, Topology};
 use crate::sparse::{BlockMatrix, SymbolicAnalysis};
 
@@ -44,8 +44,7 @@ pub(super) fn raised(
     let topology = Topology::new(&mesh);
     let analysis = SymbolicAnalysis::of_edges(n, topology.edges().iter().copied());
     let node_of = analysis.position_of();
-    let mut fixed = vec![false; n];
-    held.iter().for_each(|&v| fixed[node_of[v as usize] as usize] = true);
+    let fixed = marked(n, held.iter().map(|&v| node_of[v as usize]));
     // The blocks are multiples of the identity; the first coordinate is the height.
     let mut matrix = BlockMatrix::new(&analysis);
     for (e, ends) in (0..).zip(topology.edges()) {
@@ -72,8 +71,7 @@ pub(super) fn raised(
     }
     // The height of a piece without support is undetermined.
     let components = analysis.components();
-    let mut is_held = vec![false; n];
-    (0..n).filter(|&k| fixed[k]).for_each(|k| is_held[components[k] as usize] = true);
+    let is_held = marked(n, (0..n).filter(|&k| fixed[k]).map(|k| components[k]));
     if components.iter().any(|&part| !is_held[part as usize]) {
         return Err(PlanError::NoSupport);
     }

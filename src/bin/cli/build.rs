@@ -8,7 +8,7 @@ use shape_up::fabricate::{
 };
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Scene, UNITS, Up};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let input::Input { mut scene, mesh, mut remarks, .. } = input::read(&asked.input)?;
@@ -36,8 +36,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
         files.push((folder.join(PRESENTATION), build.presentation(scene.up == Up::Z)));
     }
     if let Some(path) = &asked.report {
-        let text = serde_json::to_string_pretty(&report).expect("a report is plain data");
-        files.push((path.clone(), (text + "\n").into_bytes()));
+        files.push((path.clone(), output::json(&report).into_bytes()));
     }
     if let Some(path) = &asked.report_page {
         let stem = || asked.input.file_stem().unwrap_or_default().to_string_lossy().into_owned();
@@ -49,8 +48,6 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
         };
         files.push((path.clone(), build.report_page(&view).pdf.into_bytes()));
     }
-    let files: Vec<(&Path, Vec<u8>)> =
-        files.iter().map(|(path, content)| (path.as_path(), content.clone())).collect();
     output::write(&files)?;
     remarks.extend(asked.out.as_deref().and_then(|folder| left_over(folder, &files)));
     let names = files.iter().map(|(path, _)| format!("{}\n", path.display()));

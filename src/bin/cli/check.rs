@@ -122,9 +122,7 @@ pub(super) fn check(path: &Path, report: Option<&Path>) -> Result<(), Failure> {
         notes: read.notes.clone(),
     };
     if let Some(report) = report {
-        let text = serde_json::to_string_pretty(&check);
-        let text = text.expect("a check is plain data with finite numbers") + "\n";
-        output::write(&[(report, text)])?;
+        output::write(&[(report, output::json(&check))])?;
     }
     output::print(&words(path, &check))
 }

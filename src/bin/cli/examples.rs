@@ -102,9 +102,7 @@ pub(super) fn write(folder: &Path) -> Result<(), Failure> {
         files.push((folder.join(example.mesh_file()), text));
         index.push(Entry::new(example, scene, mesh));
     }
-    let index = serde_json::to_string_pretty(&index).expect("entries are plain text");
-    files.push((folder.join("index.json"), index + "\n"));
-    let files: Vec<_> = files.iter().map(|(path, text)| (path.as_path(), text.clone())).collect();
+    files.push((folder.join("index.json"), output::json(&index)));
     output::write(&files)?;
     let names: Vec<_> = files.iter().map(|(path, _)| format!("{}\n", path.display())).collect();
     output::print(&names.concat())

@@ -85,10 +85,7 @@ fn perform(command: Command) -> Result<(), Failure> {
         Command::Examples { out: Some(folder) } => examples::write(&folder),
         Command::Experiments => experiment::list(),
         Command::Experiment(asked) => experiment::run(&asked),
-        Command::Operators => {
-            let kinds = serde_json::to_string_pretty(shape_up::constraint::KINDS);
-            output::print(&(kinds.expect("declarations are plain data") + "\n"))
-        }
+        Command::Operators => output::print(&output::json(&shape_up::constraint::KINDS)),
         Command::Help => output::print(&(usage::usage() + "\n")),
         Command::Version => output::print(concat!("shape-up ", env!("CARGO_PKG_VERSION"), "\n")),
     }

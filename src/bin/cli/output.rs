@@ -1,6 +1,7 @@
-//! Output: atomic writing of files, and text on standard output.
+//! Output: atomic writing of files, text on standard output, and the forms of tables and numbers.
 
 use super::Failure;
+use serde::Serialize;
 use shape_up::mesh::{Circularity, Planarity};
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
@@ -8,11 +9,12 @@ use std::path::{Path, PathBuf};
 
 /// Writes all files, or none in part: each is written under a temporary name beside its
 /// destination, and all are renamed once all are complete.
-pub(super) fn write(files: &[(&Path, impl AsRef<[u8]>)]) -> Result<(), Failure> {
+pub(super) fn write(files: &[(impl AsRef<Path>, impl AsRef<[u8]>)]) -> Result<(), Failure> {
     let mut complete: Vec<Complete<'_>> = Vec::new();
     let result = files
         .iter()
         .try_for_each(|(path, content)| {
+            let path = path.as_ref();
             let place = Place::of(path)?;
             let mut options = OpenOptions::new();
             let opened = match &place {
@@ -96,6 +98,23 @@ pub(super) fn print(text: &str) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
+}
+
+/// Returns data that can be written as JSON, with finite numbers only, as text.
+pub(super) fn json(data: &impl Serialize) -> String {
+    serde_json::to_string_pretty(data).expect("it is plain data with finite numbers") + "\n"
+}
+
+/// Formats rows of equal length in aligned columns.
+pub(super) fn table(rows: &[impl AsRef<[String]>]) -> String {
+    let columns = rows.first().map_or(0, |row| row.as_ref().len());
+    let width = |column: usize| rows.iter().map(|row| row.as_ref()[column].chars().count()).max();
+    let widths: Vec<usize> = (0..columns).map(|column| width(column).unwrap_or(0)).collect();
+    let line = |row: &[String]| {
+        let cells = row.iter().zip(&widths).map(|(cell, &width)| format!("{cell:<width$}"));
+        cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
+    };
+    rows.iter().map(|row| line(row.as_ref())).collect()
 }
 
 /// Formats planarity in one line.

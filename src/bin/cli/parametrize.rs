@@ -69,8 +69,7 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
         files.push((out, text));
     }
     if let Some(to) = &asked.report {
-        let text = serde_json::to_string_pretty(&report);
-        files.push((to, text.expect("a report is plain data") + "\n"));
+        files.push((to, output::json(&report)));
     }
     output::write(&files)?;
     let mut lines = vec![

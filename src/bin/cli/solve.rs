@@ -77,8 +77,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         remarks.extend(mesh_file::left_out(path, session.mesh()));
     }
     if let Some(path) = &command.report {
-        let text = serde_json::to_string_pretty(&report);
-        files.push((path, text.expect("a report is plain data with finite numbers") + "\n"));
+        files.push((path, output::json(&report)));
     }
     output::write(&files)?;
     output::print(&summary(&command.input, &report, &remarks, &units))

@@ -91,18 +91,27 @@ impl Words {
         value.parse().map_err(|_| format!("{name} takes a whole number from 0, found `{value}`"))
     }
 
+    /// Returns the value of an option that takes an `expected` number, which `fits`.
+    fn number_that(
+        &mut self,
+        name: &str,
+        expected: &str,
+        fits: fn(f64) -> bool,
+    ) -> Result<f64, String> {
+        let value = self.text(name)?;
+        finite(&value)
+            .filter(|&number| fits(number))
+            .ok_or_else(|| format!("{name} takes {expected}, found `{value}`"))
+    }
+
     /// Returns the value of an option that takes a non-negative number.
     pub(super) fn not_negative(&mut self, name: &str) -> Result<f64, String> {
-        let value = self.text(name)?;
-        let parsed = value.parse().ok().filter(|number: &f64| number.is_finite() && *number >= 0.0);
-        parsed.ok_or_else(|| format!("{name} takes a number from 0, found `{value}`"))
+        self.number_that(name, "a number from 0", |number| number >= 0.0)
     }
 
     /// Returns the value of an option that takes any number.
     pub(super) fn number(&mut self, name: &str) -> Result<f64, String> {
-        let value = self.text(name)?;
-        let parsed = value.parse().ok().filter(|number: &f64| number.is_finite());
-        parsed.ok_or_else(|| format!("{name} takes a number, found `{value}`"))
+        self.number_that(name, "a number", |_| true)
     }
 
     /// Returns the value of an option that sets the closeness of the boundary.
@@ -112,7 +121,7 @@ impl Words {
         if value == BoundaryRequire::Exact.word() {
             return Ok(BoundaryCloseness { require: BoundaryRequire::Exact, ..held });
         }
-        let weight = value.parse().ok().filter(|weight: &f64| weight.is_finite() && *weight > 0.0);
+        let weight = finite(&value).filter(|&weight| weight > 0.0);
         let expected = || format!("{name} takes `exact` or a weight above 0, found `{value}`");
         weight.map(|weight| BoundaryCloseness { weight, ..held }).ok_or_else(expected)
     }
@@ -127,17 +136,14 @@ impl Words {
 
     /// Returns the value of an option that takes a non-zero length of either sign.
     pub(super) fn distance(&mut self, name: &str) -> Result<f64, String> {
-        let value = self.text(name)?;
-        let parsed = value.parse().ok().filter(|number: &f64| number.is_finite() && *number != 0.0);
-        parsed.ok_or_else(|| format!("{name} takes a number that is not 0, found `{value}`"))
+        self.number_that(name, "a number that is not 0", |number| number != 0.0)
     }
 
     /// Returns the value of an option that takes a width and a height.
     pub(super) fn sheet(&mut self, name: &str) -> Result<[f64; 2], String> {
         let value = self.text(name)?;
         let sides = value.split_once(['x', 'X']).and_then(|(width, height)| {
-            let side =
-                |text: &str| text.parse().ok().filter(|side: &f64| side.is_finite() && *side > 0.0);
+            let side = |text: &str| finite(text).filter(|&side| side > 0.0);
             Some([side(width)?, side(height)?])
         });
         sides.ok_or_else(|| {
@@ -182,6 +188,11 @@ impl Words {
         let text = |value: &OsStr| value.to_str().map(str::to_owned);
         text(&value).ok_or_else(|| format!("the value of {name} is not UTF-8 text"))
     }
+}
+
+/// Returns the finite number that a text states.
+fn finite(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|number: &f64| number.is_finite())
 }
 
 fn one(place: &mut Option<PathBuf>, file: OsString) -> Result<(), String> {

@@ -13,7 +13,7 @@
 //! sign. If not, one of them is zero: that of the shorter edge.
 
 use crate::constraint::parameter::{AngleRange, Limits};
-use crate::constraint::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
+use crate::constraint::{Arity, Element, Info, Param, Projection};
 use crate::math::{Lane, Vec3, in_range, largest_coordinate, plane_frame};
 use serde::{Deserialize, Serialize};
 
@@ -46,22 +46,11 @@ impl Projection for Angle {
         id: "angle",
         label: "Angle",
         summary: "The angle at the middle vertex is the given one, or lies within a range.",
-        paper: "",
         arity: Arity::Exactly(3),
-        centring: Centring::Together,
         elements: &[Element::Corner],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [70, 130, 130],
-        params: &[Param {
-            id: "angle",
-            label: "Angle",
-            unit: "degrees",
-            default: ParamValue::Number(90.0),
-            forms: &[Form::Number, Form::Range],
-            range: [0.0, 180.0],
-        }],
+        params: &[Param::limits("angle", "Angle", "degrees", 90.0, [0.0, 180.0])],
+        ..Info::PLAIN
     };
 
     fn closed_form<S: Lane>(

@@ -8,7 +8,7 @@
 //! inequality): see [`pair_with_product`]. So `a` and `b` keep their directions.
 
 use crate::constraint::parameter::{Limits, Target};
-use crate::constraint::{Arity, Centring, Info, Projection};
+use crate::constraint::{Arity, Info, Projection};
 use crate::math::{
     Lane, Vec3, largest_coordinate, pair_with_product, pair_with_product_robust, plane_frame,
 };
@@ -48,15 +48,10 @@ impl Projection for Area {
         id: "area",
         label: "Area",
         summary: "The three vertices keep the area of their triangle, or take a given value.",
-        paper: "",
         arity: Arity::Exactly(3),
-        centring: Centring::Together,
-        elements: &[],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [100, 140, 60],
         params: &Target::params("area", "Area", "Times the rest area"),
+        ..Info::PLAIN
     };
 
     const READS_REST: bool = true;

@@ -7,7 +7,7 @@
 //! points, the closest points with another vector `s*` are `v_i - w_i (s - s*) / sum_k w_k^2`.
 
 use crate::constraint::parameter::Limits;
-use crate::constraint::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
+use crate::constraint::{Arity, Element, Info, Param, Projection};
 use crate::math::{Lane, Vec3, in_range, largest_coordinate};
 use serde::{Deserialize, Serialize};
 
@@ -38,22 +38,17 @@ impl Projection for Bending {
         id: "bending",
         label: "Bending",
         summary: "Two triangles with a common edge are flat, or bent as much as at rest.",
-        paper: "",
         arity: Arity::Exactly(4),
-        centring: Centring::Together,
         elements: &[Element::Hinge],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [120, 100, 150],
-        params: &[Param {
-            id: "bend",
-            label: "Times the bending at rest",
-            unit: "",
-            default: ParamValue::Number(0.0),
-            forms: &[Form::Number, Form::Range],
-            range: [0.0, f64::INFINITY],
-        }],
+        params: &[Param::limits(
+            "bend",
+            "Times the bending at rest",
+            "",
+            0.0,
+            [0.0, f64::INFINITY],
+        )],
+        ..Info::PLAIN
     };
 
     const READS_REST: bool = true;

@@ -1,9 +1,7 @@
 //! Circle (paper section 3.1): least-squares plane, then the circle of Thomas and Chan in it.
 
 use crate::constraint::parameter::Limits;
-use crate::constraint::{
-    Arity, Centring, Fitted, Form, Info, Param, ParamValue, Projection, TargetShape,
-};
+use crate::constraint::{Arity, Fitted, Info, Param, Projection, TargetShape};
 use crate::math::{CircleFit, Lane, PrincipalRound, Vec3, centre};
 use serde::{Deserialize, Serialize};
 
@@ -35,20 +33,12 @@ impl Projection for Circle {
         summary: "The vertices lie on one circle, and so also in one plane.",
         paper: "3.1",
         arity: Arity::AtLeast(3),
-        centring: Centring::Together,
-        elements: &[],
         exact: false,
         measure: Some("circularity"),
         panels: Some("circular"),
         colour: [40, 115, 215],
-        params: &[Param {
-            id: "radius",
-            label: "Radius",
-            unit: "length",
-            default: ParamValue::Nothing,
-            forms: &[Form::Nothing, Form::Number, Form::Range],
-            range: [0.0, f64::INFINITY],
-        }],
+        params: &[Param::RADIUS],
+        ..Info::PLAIN
     };
 
     const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Panels, TargetShape::Loop];

@@ -7,7 +7,7 @@
 //! cosine and the sine of half the angle, and products of such complex numbers give the cosine and
 //! sine of `D / 2`. This works whether or not the angles around the vertex add up to a full turn.
 
-use crate::constraint::{Arity, Centring, Element, Info, Projection};
+use crate::constraint::{Arity, Element, Info, Projection};
 use crate::math::{Lane, Vec3, largest_coordinate};
 use serde::{Deserialize, Serialize};
 
@@ -26,15 +26,11 @@ impl Projection for Conical {
         id: "conical",
         label: "Conical vertex",
         summary: "Both pairs of opposite angles at the vertex have the same sum, so that thick panels meet in one axis.",
-        paper: "",
         arity: Arity::Exactly(5),
-        centring: Centring::Together,
         elements: &[Element::Star],
         exact: false,
-        measure: None,
-        panels: None,
         colour: [205, 85, 60],
-        params: &[],
+        ..Info::PLAIN
     };
 
     const GUARDED: bool = true;

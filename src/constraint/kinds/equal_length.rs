@@ -21,15 +21,10 @@ impl Projection for EqualLength {
         id: "equal-length",
         label: "Equal lengths",
         summary: "All edges among the vertices are equally long.",
-        paper: "",
         arity: Arity::AtLeast(4),
         centring: Centring::ByEdge,
-        elements: &[],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [185, 95, 60],
-        params: &[],
+        ..Info::PLAIN
     };
 
     const READS_REST: bool = true;

@@ -1,7 +1,7 @@
 //! Incircle: a quad whose sides touch one circle.
 
 use crate::constraint::kinds::shared::pitot;
-use crate::constraint::{Arity, Centring, Element, Info, Projection};
+use crate::constraint::{Arity, Element, Info, Projection};
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -19,15 +19,11 @@ impl Projection for Incircle {
         id: "incircle",
         label: "Incircle",
         summary: "The four sides of a flat panel touch a circle inside it: both pairs of opposite sides have the same total length.",
-        paper: "",
         arity: Arity::Exactly(4),
-        centring: Centring::Together,
         elements: &[Element::Face],
         exact: false,
-        measure: None,
-        panels: None,
         colour: [120, 110, 170],
-        params: &[],
+        ..Info::PLAIN
     };
 
     const GUARDED: bool = true;

@@ -2,7 +2,7 @@
 //! eigenvalue of the scatter matrix, or is given.
 
 use crate::constraint::parameter::Direction;
-use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projection, TargetShape};
+use crate::constraint::{Arity, Info, Param, Projection, TargetShape};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -23,20 +23,9 @@ impl Projection for Line {
         summary: "The vertices lie on one straight line.",
         paper: "3.1",
         arity: Arity::AtLeast(2),
-        centring: Centring::Together,
-        elements: &[],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [150, 90, 200],
-        params: &[Param {
-            id: "direction",
-            label: "Direction",
-            unit: "",
-            default: ParamValue::Nothing,
-            forms: &[Form::Nothing, Form::Vector],
-            range: [f64::NEG_INFINITY, f64::INFINITY],
-        }],
+        params: &[Param::direction("direction", "Direction")],
+        ..Info::PLAIN
     };
 
     const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Chain];

@@ -1,7 +1,7 @@
 //! Line segment (paper section 3.3): two vertices at a given distance, or at one within limits.
 
 use crate::constraint::parameter::{Limits, Target};
-use crate::constraint::{Arity, Centring, Info, Projection, TargetShape};
+use crate::constraint::{Arity, Info, Projection, TargetShape};
 use crate::math::{Lane, Vec3, in_range};
 use serde::{Deserialize, Serialize};
 
@@ -32,13 +32,9 @@ impl Projection for LineSegment {
         summary: "The two vertices keep their distance, or take a given value.",
         paper: "3.3",
         arity: Arity::Exactly(2),
-        centring: Centring::Together,
-        elements: &[],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [150, 105, 20],
         params: &Target::params("length", "Length", "Times the rest length"),
+        ..Info::PLAIN
     };
 
     const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Edges];

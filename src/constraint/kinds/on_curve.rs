@@ -2,7 +2,7 @@
 //! closest point of a fixed polyline, or of a spline through its vertices.
 
 use crate::constraint::kinds::shared::separate_lanes;
-use crate::constraint::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
+use crate::constraint::{Arity, Centring, Element, Form, Info, Param, Projection};
 use crate::math::{Cubic, Lane, Vec3, cosine, largest_coordinate};
 use serde::{Deserialize, Serialize};
 
@@ -61,40 +61,26 @@ impl Projection for OnCurve {
         id: "on-curve",
         label: "On curve",
         summary: "The vertices glide along the curve that they make at rest; its corners stay.",
-        paper: "",
         arity: Arity::AtLeast(2),
         centring: Centring::Placed,
         elements: &[Element::Curve, Element::Polyline, Element::EdgeLine, Element::Boundary],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [0, 130, 120],
         params: &[
-            Param {
-                id: "corners",
-                label: "Corners turn by more than",
-                unit: "degrees",
-                default: ParamValue::Number(45.0),
-                forms: &[Form::Number],
-                range: [0.0, 180.0],
-            },
-            Param {
-                id: "closed",
-                label: "Closed",
-                unit: "",
-                default: ParamValue::Word("auto"),
-                forms: &[Form::Word("auto"), Form::Word("yes"), Form::Word("no")],
-                range: [f64::NEG_INFINITY, f64::INFINITY],
-            },
-            Param {
-                id: "between",
-                label: "Between vertices",
-                unit: "",
-                default: ParamValue::Word("straight"),
-                forms: &[Form::Word("straight"), Form::Word("spline")],
-                range: [f64::NEG_INFINITY, f64::INFINITY],
-            },
+            Param::number("corners", "Corners turn by more than", "degrees", 45.0, [0.0, 180.0]),
+            Param::word(
+                "closed",
+                "Closed",
+                "auto",
+                &[Form::Word("auto"), Form::Word("yes"), Form::Word("no")],
+            ),
+            Param::word(
+                "between",
+                "Between vertices",
+                "straight",
+                &[Form::Word("straight"), Form::Word("spline")],
+            ),
         ],
+        ..Info::PLAIN
     };
 
     const READS_REST: bool = true;

@@ -41,15 +41,10 @@ impl Projection for OnSurface {
         id: "on-surface",
         label: "On surface",
         summary: "The vertices glide on the surface that the mesh has at rest.",
-        paper: "",
         arity: Arity::AtLeast(1),
         centring: Centring::Placed,
-        elements: &[],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [70, 130, 70],
-        params: &[],
+        ..Info::PLAIN
     };
 
     const READS_REST: bool = true;

@@ -1,7 +1,7 @@
 //! Parallelogram (paper section 3.3, Eq. 9). The paper fits it in the least-squares plane; in space
 //! the problem is linear too, and its solution is planar and closer.
 
-use crate::constraint::{Arity, Centring, Info, Projection};
+use crate::constraint::{Arity, Info, Projection};
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -21,13 +21,8 @@ impl Projection for Parallelogram {
                   parallel and equally long.",
         paper: "3.3",
         arity: Arity::Exactly(4),
-        centring: Centring::Together,
-        elements: &[],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [95, 85, 200],
-        params: &[],
+        ..Info::PLAIN
     };
 
     fn closed_form<S: Lane>(

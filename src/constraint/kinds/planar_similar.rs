@@ -11,7 +11,7 @@
 //! (without its component along `n`) and `n x e`. Both signs of `n` are valid; the one nearer to
 //! `h_x x h_y` gives the longer `e`, and so the closer points.
 
-use crate::constraint::{Arity, Centring, Info, Projection};
+use crate::constraint::{Arity, Info, Projection};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -34,13 +34,9 @@ impl Projection for PlanarSimilar {
         summary: "The vertices lie in one plane and have the shape of the flattened rest vertices, at any size.",
         paper: "3.2, Eq. 7-8",
         arity: Arity::AtLeast(3),
-        centring: Centring::Together,
-        elements: &[],
         exact: false,
-        measure: None,
-        panels: None,
         colour: [125, 140, 20],
-        params: &[],
+        ..Info::PLAIN
     };
 
     const READS_REST: bool = true;

@@ -2,7 +2,7 @@
 //! of the scatter matrix. The normal, or a direction in the plane, may be given.
 
 use crate::constraint::parameter::Direction;
-use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projection, TargetShape};
+use crate::constraint::{Arity, Info, Param, Projection, TargetShape};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3, in_range};
 use serde::{Deserialize, Serialize};
 
@@ -49,30 +49,11 @@ impl Projection for Plane {
         summary: "The vertices lie in one plane, so that the panel can be cut from a flat sheet.",
         paper: "3.1",
         arity: Arity::AtLeast(3),
-        centring: Centring::Together,
-        elements: &[],
-        exact: true,
         measure: Some("planarity"),
         panels: Some("flat"),
         colour: [190, 120, 0],
-        params: &[
-            Param {
-                id: "normal",
-                label: "Normal",
-                unit: "",
-                default: ParamValue::Nothing,
-                forms: &[Form::Nothing, Form::Vector],
-                range: [f64::NEG_INFINITY, f64::INFINITY],
-            },
-            Param {
-                id: "along",
-                label: "Along",
-                unit: "",
-                default: ParamValue::Nothing,
-                forms: &[Form::Nothing, Form::Vector],
-                range: [f64::NEG_INFINITY, f64::INFINITY],
-            },
-        ],
+        params: &[Param::direction("normal", "Normal"), Param::direction("along", "Along")],
+        ..Info::PLAIN
     };
 
     const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Panels, TargetShape::Points];

@@ -11,7 +11,7 @@
 //! plane have the same directions and offsets, so the two fits differ only in the plane, which for
 //! the closest rectangle is that of the half-diagonals.
 
-use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projection};
+use crate::constraint::{Arity, Form, Info, Param, Projection};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3, in_range};
 use serde::{Deserialize, Serialize};
 
@@ -54,20 +54,14 @@ impl Projection for Rectangle {
         summary: "The four vertices are the corners of a flat panel with four right angles.",
         paper: "3.3",
         arity: Arity::Exactly(4),
-        centring: Centring::Together,
-        elements: &[],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [110, 120, 140],
-        params: &[Param {
-            id: "fit",
-            label: "Fit",
-            unit: "",
-            default: ParamValue::Word("closest"),
-            forms: &[Form::Word("closest"), Form::Word("lines")],
-            range: [f64::NEG_INFINITY, f64::INFINITY],
-        }],
+        params: &[Param::word(
+            "fit",
+            "Fit",
+            "closest",
+            &[Form::Word("closest"), Form::Word("lines")],
+        )],
+        ..Info::PLAIN
     };
 
     fn is_exact(&self) -> bool {

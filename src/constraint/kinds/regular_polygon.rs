@@ -5,7 +5,7 @@
 //! `p = sum cos(2 pi k / n) v_k` and `q = sum sin(2 pi k / n) v_k`. The best frame in space is the
 //! closest pair of equal, orthogonal vectors to them, of either orientation without a reflection.
 
-use crate::constraint::{Arity, Centring, Info, Projection, TargetShape};
+use crate::constraint::{Arity, Info, Projection, TargetShape};
 use crate::math::{Lane, OrthogonalPair, UnitPolygon, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -26,13 +26,8 @@ impl Projection for RegularPolygon {
                   and whose angles are all equal.",
         paper: "3.3",
         arity: Arity::AtLeast(3),
-        centring: Centring::Together,
-        elements: &[],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [200, 60, 150],
-        params: &[],
+        ..Info::PLAIN
     };
 
     const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Triangles];

@@ -1,7 +1,7 @@
 //! Rigid (paper section 3.2): the rest points, moved by the closest rotation and translation
 //! (Umeyama 1991, without the scale).
 
-use crate::constraint::{Arity, Centring, Info, Projection};
+use crate::constraint::{Arity, Info, Projection};
 use crate::math::{Alignment, Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -23,13 +23,8 @@ impl Projection for Rigid {
         summary: "The vertices keep their rest shape and size, and may move and turn as one.",
         paper: "3.2",
         arity: Arity::AtLeast(2),
-        centring: Centring::Together,
-        elements: &[],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [44, 160, 80],
-        params: &[],
+        ..Info::PLAIN
     };
 
     const READS_REST: bool = true;

@@ -2,7 +2,7 @@
 //! translation (Umeyama 1991), with the scale between two limits.
 
 use crate::constraint::parameter::Limits;
-use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projection};
+use crate::constraint::{Arity, Form, Info, Param, ParamValue, Projection};
 use crate::math::{Alignment, Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -28,11 +28,6 @@ impl Projection for Similar {
         summary: "The vertices keep their rest shape up to its size, and so all its angles.",
         paper: "3.2",
         arity: Arity::AtLeast(2),
-        centring: Centring::Together,
-        elements: &[],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [0, 145, 160],
         params: &[Param {
             id: "scale",
@@ -42,6 +37,7 @@ impl Projection for Similar {
             forms: &[Form::Range, Form::Number],
             range: [0.0, f64::INFINITY],
         }],
+        ..Info::PLAIN
     };
 
     const READS_REST: bool = true;

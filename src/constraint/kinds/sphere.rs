@@ -1,9 +1,7 @@
 //! Sphere (paper section 3.1): the fit of the circle (Thomas and Chan) for points in space.
 
 use crate::constraint::parameter::Limits;
-use crate::constraint::{
-    Arity, Centring, Fitted, Form, Info, Param, ParamValue, Projection, TargetShape,
-};
+use crate::constraint::{Arity, Fitted, Info, Param, Projection, TargetShape};
 use crate::math::{Lane, PrincipalRound, Round, RoundWithin, Scatter, Vec3, centre};
 use serde::{Deserialize, Serialize};
 
@@ -35,20 +33,10 @@ impl Projection for Sphere {
         summary: "The vertices lie on one sphere.",
         paper: "3.1",
         arity: Arity::AtLeast(4),
-        centring: Centring::Together,
-        elements: &[],
         exact: false,
-        measure: None,
-        panels: None,
         colour: [220, 50, 47],
-        params: &[Param {
-            id: "radius",
-            label: "Radius",
-            unit: "length",
-            default: ParamValue::Nothing,
-            forms: &[Form::Nothing, Form::Number, Form::Range],
-            range: [0.0, f64::INFINITY],
-        }],
+        params: &[Param::RADIUS],
+        ..Info::PLAIN
     };
 
     const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Patch];

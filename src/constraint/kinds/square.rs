@@ -1,7 +1,7 @@
 //! Square (paper section 3.3): the regular polygon with four corners. Their cosines and sines are
 //! 0, 1 and -1, so that the two sums of the regular polygon are the diagonals.
 
-use crate::constraint::{Arity, Centring, Info, Projection};
+use crate::constraint::{Arity, Info, Projection};
 use crate::math::{Lane, OrthogonalPair, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -22,13 +22,8 @@ impl Projection for Square {
                   four right angles.",
         paper: "3.3",
         arity: Arity::Exactly(4),
-        centring: Centring::Together,
-        elements: &[],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [140, 100, 70],
-        params: &[],
+        ..Info::PLAIN
     };
 
     fn closed_form<S: Lane>(

@@ -3,7 +3,7 @@
 
 use crate::constraint::kinds::shared::{SymmetryGroup, separate_lanes};
 use crate::constraint::parameter::Direction;
-use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projection};
+use crate::constraint::{Arity, Form, Info, Param, ParamValue, Projection};
 use crate::math::{Lane, UnitPolygon, Vec3};
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -50,40 +50,18 @@ impl Projection for Symmetry {
         id: "symmetry",
         label: "Symmetry",
         summary: "The vertices are the mirror image of each other, or the same after a rotation.",
-        paper: "",
         arity: Arity::AtLeast(2),
-        centring: Centring::Together,
-        elements: &[],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [180, 70, 110],
         params: &[
             Param {
-                id: "mirror",
-                label: "Normal of the mirror",
-                unit: "",
                 default: ParamValue::Vector(MIRROR),
                 forms: &[Form::Vector],
-                range: [f64::NEG_INFINITY, f64::INFINITY],
+                ..Param::direction("mirror", "Normal of the mirror")
             },
-            Param {
-                id: "axis",
-                label: "Axis instead of a mirror",
-                unit: "",
-                default: ParamValue::Nothing,
-                forms: &[Form::Nothing, Form::Vector],
-                range: [f64::NEG_INFINITY, f64::INFINITY],
-            },
-            Param {
-                id: "fold",
-                label: "Order of the rotation",
-                unit: "",
-                default: ParamValue::Number(2.0),
-                forms: &[Form::Number],
-                range: FOLDS,
-            },
+            Param::direction("axis", "Axis instead of a mirror"),
+            Param::number("fold", "Order of the rotation", "", 2.0, FOLDS),
         ],
+        ..Info::PLAIN
     };
 
     const READS_REST: bool = true;

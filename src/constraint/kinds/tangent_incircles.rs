@@ -2,7 +2,7 @@
 //! Schiftner, Hoebinger, Wallner and Pottmann (2009).
 
 use crate::constraint::kinds::shared::pitot;
-use crate::constraint::{Arity, Centring, Element, Info, Projection};
+use crate::constraint::{Arity, Element, Info, Projection};
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -20,15 +20,11 @@ impl Projection for TangentIncircles {
         id: "tangent-incircles",
         label: "Tangent incircles",
         summary: "The circles inscribed in two neighbouring triangles touch each other.",
-        paper: "",
         arity: Arity::Exactly(4),
-        centring: Centring::Together,
         elements: &[Element::Hinge],
         exact: false,
-        measure: None,
-        panels: None,
         colour: [170, 100, 60],
-        params: &[],
+        ..Info::PLAIN
     };
 
     const GUARDED: bool = true;

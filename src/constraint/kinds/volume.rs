@@ -8,7 +8,7 @@
 //! Neumann's trace inequality for rotations): see [`triple_with_product`].
 
 use crate::constraint::parameter::{Limits, Target};
-use crate::constraint::{Arity, Centring, Element, Info, Projection};
+use crate::constraint::{Arity, Element, Info, Projection};
 use crate::math::{
     Lane, SingularValues, Vec3, cube_root, triple_with_product, triple_with_product_robust,
 };
@@ -45,15 +45,11 @@ impl Projection for Volume {
         id: "volume",
         label: "Volume",
         summary: "The tetrahedron keeps its volume, or takes a given value, and is never inside out.",
-        paper: "",
         arity: Arity::Exactly(4),
-        centring: Centring::Together,
         elements: &[Element::Tet],
-        exact: true,
-        measure: None,
-        panels: None,
         colour: [165, 80, 110],
         params: &Target::params("volume", "Volume", "Times the rest volume"),
+        ..Info::PLAIN
     };
 
     const READS_REST: bool = true;

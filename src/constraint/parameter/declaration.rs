@@ -24,6 +24,63 @@ pub struct Param {
     pub range: [f64; 2],
 }
 
+/// The range of parameters with unlimited numbers, or none.
+const UNLIMITED: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+impl Param {
+    /// A number in a range.
+    pub(crate) const fn number(
+        id: &'static str,
+        label: &'static str,
+        unit: &'static str,
+        default: f64,
+        range: [f64; 2],
+    ) -> Param {
+        let default = ParamValue::Number(default);
+        Param { id, label, unit, default, forms: &[Form::Number], range }
+    }
+
+    /// A number, or a lower and an upper limit, in a range.
+    pub(crate) const fn limits(
+        id: &'static str,
+        label: &'static str,
+        unit: &'static str,
+        default: f64,
+        range: [f64; 2],
+    ) -> Param {
+        let forms = &[Form::Number, Form::Range];
+        Param { forms, ..Param::number(id, label, unit, default, range) }
+    }
+
+    /// One of several words.
+    pub(crate) const fn word(
+        id: &'static str,
+        label: &'static str,
+        default: &'static str,
+        words: &'static [Form],
+    ) -> Param {
+        let default = ParamValue::Word(default);
+        Param { id, label, unit: "", default, forms: words, range: UNLIMITED }
+    }
+
+    /// A direction, by default the best fit.
+    pub(crate) const fn direction(id: &'static str, label: &'static str) -> Param {
+        let forms = &[Form::Nothing, Form::Vector];
+        let default = ParamValue::Nothing;
+        Param { id, label, unit: "", default, forms, range: UNLIMITED }
+    }
+
+    /// A radius, by default the best fit.
+    pub(crate) const RADIUS: Param = Param {
+        id: "radius",
+        label: "Radius",
+        unit: "length",
+        default: ParamValue::Nothing,
+        forms: &[Form::Nothing, Form::Number, Form::Range],
+        range: [0.0, f64::INFINITY],
+    };
+}
+
 /// A form that the value of a parameter may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]

@@ -35,14 +35,7 @@ impl Target {
                 forms: &[Form::Word(Target::REST), Form::Number, Form::Range],
                 range: [0.0, f64::INFINITY],
             },
-            Param {
-                id: "strain",
-                label: strain_label,
-                unit: "",
-                default: ParamValue::Number(1.0),
-                forms: &[Form::Number, Form::Range],
-                range: [0.0, f64::INFINITY],
-            },
+            Param::limits("strain", strain_label, "", 1.0, [0.0, f64::INFINITY]),
         ]
     }
 

@@ -2,7 +2,7 @@
 //! for axes.
 
 use crate::fabricate::surface::PanelSurface;
-use crate::math::Vec3;
+use crate::math::{Vec3, marked};
 use crate::sparse::{BlockMatrix, SymbolicAnalysis};
 
 /// Largest number of conjugate gradient iterations: a factorisation costs about as much.
@@ -28,8 +28,7 @@ impl System {
         let n = surface.positions.len();
         let edges = surface.edges.iter().map(|edge| edge.ends);
         let analysis = SymbolicAnalysis::of_edges(n, edges);
-        let mut used = vec![false; n];
-        surface.faces.indices().iter().for_each(|&v| used[v as usize] = true);
+        let used = marked(n, surface.faces.indices());
         let mut system = System {
             matrix: BlockMatrix::new(&analysis),
             analysis,

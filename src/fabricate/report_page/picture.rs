@@ -7,7 +7,7 @@ use crate::fabricate::build::Build;
 use crate::fabricate::check_card::Failed;
 use crate::fabricate::panel::roomiest_point;
 use crate::math::plane::Point2;
-use crate::math::{self, Vec3, argsort, key_of_number};
+use crate::math::{self, Vec3, argsort, key_of_number, marked};
 
 /// Names are shown on the plan if this fraction of them has room.
 const MOST: f64 = 0.7;
@@ -96,8 +96,7 @@ impl Picture<'_> {
         let points = self.placed(corner, room, scale);
         let [right, up, away] = self.sight;
         let light = right * -0.37 + up * 0.56 - away * 0.74;
-        let mut fails = vec![false; self.build.surface.faces.len()];
-        failed.panels.iter().for_each(|&f| fails[f as usize] = true);
+        let fails = marked(self.build.surface.faces.len(), &failed.panels);
         let of_panel = |f: u32| {
             let share = 0.62 + 0.38 * self.build.surface.normal(f).dot(light).abs().min(1.0);
             let base: Colour = if fails[f as usize] { [240, 120, 120] } else { [224, 230, 243] };

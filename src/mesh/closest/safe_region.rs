@@ -1,11 +1,38 @@
 //! The region above and below a triangle in which no other triangle is nearer.
 //!
-//! Let `p` be at height `d` above a triangle, with its foot at least `a` inside one side. Let
-//! another triangle lie entirely beyond that side and rise from it towards `p` by an angle of at
-//! most `theta`. It is not nearer to `p` if `p` is below the bisecting plane of the two triangles:
-//! `d tan(theta / 2) <= a`. A triangle that shares only a corner may lie beyond neither side of
-//! that corner, but beyond a line across the corner. On a surface with small dihedral angles, few
-//! points lie outside this region.
+//! It is part of the cell of the triangle in the Voronoi diagram of all triangles, bounded by planes
+//! so that a point is tested with a few products.
+//!
+//! Let `p` be at height `d` above a triangle, with its foot at least `a` inside one side, so that it
+//! is at the distance `d`. Let another triangle lie entirely beyond that side and rise from it
+//! towards `p` by an angle of at most `theta`, which is 90 degrees or less. Across the side:
+//!
+//! ```text
+//!            p = (-a, d)        . theta
+//!            |               .
+//!            | d          .      the other triangle is below this ray
+//!            |         .
+//!  triangle -+------- 0 -------- beyond the side
+//!                 a
+//! ```
+//!
+//! The distance from `p` to the ray is `sqrt(a^2 + d^2)` if its start `0` is nearest, and otherwise
+//! `a sin(theta) + d cos(theta)`. The first is never less than `d`. The second is not if
+//! `d (1 - cos(theta)) <= a sin(theta)`, that is
+//!
+//! ```text
+//! d tan(theta / 2) <= a,
+//! ```
+//!
+//! the half-space below the bisecting plane. So the largest `tan(theta / 2)` of all triangles beyond
+//! a side is enough for the side.
+//!
+//! A triangle that shares only a corner may lie beyond neither side of that corner, but beyond a
+//! line across the corner: that through it which is perpendicular to the sum of the outward normals
+//! `n_i + n_j` of both sides. The distance inside it is `(a_i + a_j) / |n_i + n_j|`, so that the
+//! condition is `d tan(theta / 2) |n_i + n_j| <= a_i + a_j`. A triangle beyond none of these lines
+//! limits the height instead. On a surface with small dihedral angles, few points lie outside the
+//! region.
 
 use super::triangle::{Corners, PlaneDistances, Planes, splat};
 use crate::math::{Lane, Vec3};
@@ -16,8 +43,7 @@ use crate::math::{Lane, Vec3};
 pub(crate) struct TriangleSafeRegion {
     /// Largest `tan(theta / 2)` of the triangles beyond the sides ab, bc, ca.
     beyond_sides: [[f32; 3]; 2],
-    /// The same for triangles beyond the corners a, b, c, multiplied by the ratio of the sum of the
-    /// distances inside both sides to the distance inside the line across the corner.
+    /// The same for triangles beyond the corners a, b, c, multiplied by `|n_i + n_j|`.
     beyond_corners: [[f32; 3]; 2],
     /// Heights up to which the region is valid; negative if it is empty.
     heights: [f32; 2],

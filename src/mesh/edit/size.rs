@@ -74,6 +74,26 @@ impl fmt::Display for SizeError {
 impl std::error::Error for SizeError {}
 
 impl Size {
+    /// A length in the unit of the mesh.
+    pub(crate) const fn length(
+        id: &'static str,
+        label: &'static str,
+        default: f64,
+        [least, most]: [f64; 2],
+    ) -> Size {
+        Size { id, label, of: SizeOf::Length, default, least, most }
+    }
+
+    /// An angle in degrees.
+    pub(crate) const fn degrees(
+        id: &'static str,
+        label: &'static str,
+        default: f64,
+        [least, most]: [f64; 2],
+    ) -> Size {
+        Size { id, label, of: SizeOf::Degrees, default, least, most }
+    }
+
     /// Checks `values` against the declared `sizes`.
     ///
     /// # Errors

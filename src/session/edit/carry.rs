@@ -6,6 +6,7 @@
 //! fixed neighbours are fixed too.
 
 use crate::constraint::{Element, Selector, describe, resolve};
+use crate::math::marked;
 use crate::mesh::{Edited, Origins, Point, Topology, counted};
 use crate::scene::{ConstraintSpec, EasedFaces, Hold, MeshSource, Pose, Scene};
 use crate::session::state::{RestMesh, resolve_row};
@@ -135,8 +136,7 @@ fn is_gone(vertex: u32, origins: &Origins) -> bool {
 
 /// Returns the remaining vertices in their order, followed by the vertices between them, ascending.
 fn carry_vertices(vertices: &[u32], topology: &Topology, origins: &Origins) -> Vec<u32> {
-    let mut has = vec![false; topology.neighbours().len()];
-    vertices.iter().for_each(|&v| has[v as usize] = true);
+    let has = marked(topology.neighbours().len(), vertices);
     let is_on_boundary = boundary_vertices(topology);
     let is_curve = vertices.iter().all(|&v| is_on_boundary[v as usize]);
     let mut is_known = known(origins);
@@ -159,9 +159,7 @@ fn carry_vertices(vertices: &[u32], topology: &Topology, origins: &Origins) -> V
 
 /// Returns for each vertex of the new mesh whether it is an old one.
 fn known(origins: &Origins) -> Vec<bool> {
-    let mut is_known = vec![false; origins.between.len()];
-    origins.vertices.iter().flatten().for_each(|&v| is_known[v as usize] = true);
-    is_known
+    marked(origins.between.len(), origins.vertices.iter().flatten())
 }
 
 /// Returns the faces that were made only of `faces`, in the order of `faces`.

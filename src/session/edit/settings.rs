@@ -1,7 +1,7 @@
 //! Declarations of the settings of a scene other than its weights: closeness, smoothness, solver.
 //! Hosts build their controls from the list.
 
-use crate::constraint::{Form, Param, ParamValue};
+use crate::constraint::{Form, Param};
 use crate::scene::{
     Accelerator, BoundaryCloseness, BoundaryRequire, ClosenessTo, NamedEnum, Scene, SceneError,
     SmoothnessOf, Weighting,
@@ -53,35 +53,20 @@ const fn forms<T: NamedEnum, const N: usize>() -> [Form; N] {
     forms
 }
 
-const fn words(
-    id: &'static str,
-    label: &'static str,
-    default: &'static str,
-    forms: &'static [Form],
-) -> Param {
-    Param { id, label, unit: "", default: ParamValue::Word(default), forms, range: [0.0, 0.0] }
-}
-
-const fn number(
-    id: &'static str,
-    label: &'static str,
-    unit: &'static str,
-    default: f64,
-    most: f64,
-) -> Param {
-    let default = ParamValue::Number(default);
-    Param { id, label, unit, default, forms: &[Form::Number], range: [0.0, most] }
-}
-
 /// All settings, in the order in which hosts list them.
 pub const SETTINGS: &[Setting] = &[
     Setting {
-        param: words("closeness", "Stay near", "surface", const { &forms::<ClosenessTo, 4>() }),
+        param: Param::word(
+            "closeness",
+            "Stay near",
+            "surface",
+            const { &forms::<ClosenessTo, 4>() },
+        ),
         summary: "Surface: vertices may glide along the original surface, or along its curves if the file has no faces. Rest: each stays near its original position. None: no closeness. Target: near another surface, read from a file.",
         group: NEAR,
     },
     Setting {
-        param: words(
+        param: Param::word(
             "boundary",
             "Boundary stays on its curve",
             "off",
@@ -91,27 +76,37 @@ pub const SETTINGS: &[Setting] = &[
         group: NEAR,
     },
     Setting {
-        param: number("boundary-weight", "Nearly: weight", "", 1.0, 1e12),
+        param: Param::number("boundary-weight", "Nearly: weight", "", 1.0, [0.0, 1e12]),
         summary: "Closeness weight of the boundary to its curve, relative to that of other vertices to the original.",
         group: NEAR,
     },
     Setting {
-        param: number("corners", "Corners turn by more than", "degrees", 45.0, 180.0),
+        param: Param::number("corners", "Corners turn by more than", "degrees", 45.0, [0.0, 180.0]),
         summary: "Boundary vertices at which the boundary turns by more than this angle are corners.",
         group: NEAR,
     },
     Setting {
-        param: words("smoothness", "Smooth", "surface", const { &forms::<SmoothnessOf, 2>() }),
+        param: Param::word(
+            "smoothness",
+            "Smooth",
+            "surface",
+            const { &forms::<SmoothnessOf, 2>() },
+        ),
         summary: "Smooths the surface itself, or only its displacement, which keeps bumps and creases.",
         group: SMOOTH,
     },
     Setting {
-        param: words("weighting", "Neighbours count", "auto", const { &forms::<Weighting, 4>() }),
+        param: Param::word(
+            "weighting",
+            "Neighbours count",
+            "auto",
+            const { &forms::<Weighting, 4>() },
+        ),
         summary: "Uniform: all alike. Cotangent (triangles) and polygon (any faces): by the shape of the faces between them. Auto: cotangent on triangle meshes, else uniform.",
         group: SMOOTH,
     },
     Setting {
-        param: words(
+        param: Param::word(
             "accelerator",
             "Accelerator",
             "quasi-newton",
@@ -121,33 +116,29 @@ pub const SETTINGS: &[Setting] = &[
         group: SOLVER,
     },
     Setting {
-        param: number("window", "Steps remembered", "", 5.0, 50.0),
+        param: Param::number("window", "Steps remembered", "", 5.0, [0.0, 50.0]),
         summary: "Number of earlier steps the accelerator uses; 0 turns it off.",
         group: SOLVER,
     },
     Setting {
-        param: number("tolerance", "Stopping threshold", "", 1e-9, 1.0),
+        param: Param::number("tolerance", "Stopping threshold", "", 1e-9, [0.0, 1.0]),
         summary: "The run stops when the total energy changes by less than this fraction; with 0 it never stops.",
         group: SOLVER,
     },
     Setting {
-        param: words("mean-centring", "Mean centring", "on", &[Form::Word("on"), OFF]),
+        param: Param::word("mean-centring", "Mean centring", "on", &[Form::Word("on"), OFF]),
         summary: "Shapes are fitted about the means of their points, so that they can move freely. Off: slower, for comparison.",
         group: SOLVER,
     },
     Setting {
-        param: words("monotone", "Never increase energy", "off", &[OFF, Form::Word("on")]),
+        param: Param::word("monotone", "Never increase energy", "off", &[OFF, Form::Word("on")]),
         summary: "Keeps the previous projection where the new one is farther away, so that the energy never rises, even with kinds that are not exact.",
         group: SOLVER,
     },
     Setting {
         param: Param {
-            id: "shortest-edge",
-            label: "Shortest edge",
-            unit: "",
-            default: ParamValue::Number(0.3),
             forms: &[Form::Number, OFF],
-            range: [0.0, 1.0],
+            ..Param::number("shortest-edge", "Shortest edge", "", 0.3, [0.0, 1.0])
         },
         summary: "Edges keep at least this fraction of their length while exact constraints are met. Off: they may vanish.",
         group: SOLVER,

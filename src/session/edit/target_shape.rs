@@ -1,6 +1,7 @@
 //! The shape of a target on the mesh: loop, chain, patch or panels.
 
 use crate::constraint::{Element, Selector, TargetShape};
+use crate::math::marked;
 use crate::mesh::{Mesh, Ragged, Topology};
 
 /// Returns the shape of the rows of a selector; none if no kind is the usual one for it.
@@ -28,8 +29,7 @@ pub(crate) fn target_shape(
 
 /// Returns the shape of distinct vertices that one constraint acts on together.
 fn together(vertices: &[u32], mesh: &Mesh, topology: &Topology) -> Option<TargetShape> {
-    let mut inside = vec![false; mesh.positions.len()];
-    vertices.iter().for_each(|&v| inside[v as usize] = true);
+    let inside = marked(mesh.positions.len(), vertices);
     let all_inside = |row: &[u32]| row.iter().all(|&v| inside[v as usize]);
     let is_boundary_loop =
         topology.boundary_loops().iter().any(|row| row.len() == vertices.len() && all_inside(row));

@@ -56,6 +56,19 @@ pub struct FaceMeasure {
     values: fn(&mut Measuring<'_>, Shape) -> Vec<f64>,
 }
 
+/// A measure without its texts, unit and values, which every declaration states.
+const PLAIN: FaceMeasure = FaceMeasure {
+    id: "",
+    label: "",
+    words: "",
+    met: "",
+    unit: MeasureUnit::Number,
+    toleranced: false,
+    curvature: false,
+    signed: false,
+    values: |_, _| Vec::new(),
+};
+
 /// All measures, in the order in which they are offered.
 pub const FACE_MEASURES: &[FaceMeasure] = &[
     FaceMeasure {
@@ -65,9 +78,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel is flat",
         unit: MeasureUnit::Length,
         toleranced: true,
-        curvature: false,
-        signed: false,
         values: |model, shape| model.measures(shape).planarity_distances.clone(),
+        ..PLAIN
     },
     FaceMeasure {
         id: "diagonals",
@@ -75,10 +87,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "distance between the diagonals of a quad, relative to their mean length",
         met: "each panel is flat",
         unit: MeasureUnit::Percent,
-        toleranced: false,
-        curvature: false,
-        signed: false,
         values: diagonals,
+        ..PLAIN
     },
     FaceMeasure {
         id: "diagonals-by-edge",
@@ -86,10 +96,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "distance between the diagonals of a quad, relative to its mean edge length",
         met: "each panel is flat",
         unit: MeasureUnit::Percent,
-        toleranced: false,
-        curvature: false,
-        signed: false,
         values: diagonals_by_edge,
+        ..PLAIN
     },
     FaceMeasure {
         id: "planarity-by-edge",
@@ -97,10 +105,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest distance of a face’s corners to its best plane, relative to its mean edge length",
         met: "each panel is flat",
         unit: MeasureUnit::Percent,
-        toleranced: false,
-        curvature: false,
-        signed: false,
         values: planarity_by_edge,
+        ..PLAIN
     },
     FaceMeasure {
         id: "fourth-corner",
@@ -109,9 +115,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel is flat",
         unit: MeasureUnit::Length,
         toleranced: true,
-        curvature: false,
-        signed: false,
         values: fourth_corners,
+        ..PLAIN
     },
     FaceMeasure {
         id: "e-p",
@@ -119,10 +124,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "mean squared distance of a face’s corners to its best plane, in a model of size 1",
         met: "each panel is flat",
         unit: MeasureUnit::Number,
-        toleranced: false,
-        curvature: false,
-        signed: false,
         values: |model, shape| model.measures(shape).e_p.clone(),
+        ..PLAIN
     },
     FaceMeasure {
         id: "circularity",
@@ -131,9 +134,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "the corners of each panel lie on a circle",
         unit: MeasureUnit::Length,
         toleranced: true,
-        curvature: false,
-        signed: false,
         values: |model, shape| model.measures(shape).circularity_distances.clone(),
+        ..PLAIN
     },
     FaceMeasure {
         id: "e-c",
@@ -141,10 +143,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "mean squared distance of a face’s corners to its best circle, in a model of size 1",
         met: "the corners of each panel lie on a circle",
         unit: MeasureUnit::Number,
-        toleranced: false,
-        curvature: false,
-        signed: false,
         values: |model, shape| model.measures(shape).e_c.clone(),
+        ..PLAIN
     },
     FaceMeasure {
         id: "residual",
@@ -153,9 +153,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel meets its constraints",
         unit: MeasureUnit::Length,
         toleranced: true,
-        curvature: false,
-        signed: false,
         values: residuals,
+        ..PLAIN
     },
     FaceMeasure {
         id: "edges",
@@ -163,10 +162,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest relative change in length of a face’s edges since the model was opened",
         met: "each edge is as long as it was",
         unit: MeasureUnit::Percent,
-        toleranced: false,
-        curvature: false,
-        signed: false,
         values: edge_changes,
+        ..PLAIN
     },
     FaceMeasure {
         id: "angles",
@@ -174,10 +171,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest difference of a face’s angles from those of the regular polygon",
         met: "the angles of each panel are equal",
         unit: MeasureUnit::Degrees,
-        toleranced: false,
-        curvature: false,
-        signed: false,
         values: angles,
+        ..PLAIN
     },
     FaceMeasure {
         id: "curvature-lines",
@@ -185,10 +180,9 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "mean angle of a face’s edges to the directions in which the surface bends most and least",
         met: "the edges follow the lines of curvature",
         unit: MeasureUnit::Degrees,
-        toleranced: false,
         curvature: true,
-        signed: false,
         values: off_curvature_lines,
+        ..PLAIN
     },
     FaceMeasure {
         id: "gauss-curvature",
@@ -196,10 +190,10 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "product of the principal curvatures: above 0 on a bowl, below on a saddle",
         met: "the surface can be laid flat",
         unit: MeasureUnit::PerArea,
-        toleranced: false,
         curvature: true,
         signed: true,
         values: |model, shape| curvature(model, shape, Curvature::gauss),
+        ..PLAIN
     },
     FaceMeasure {
         id: "mean-curvature",
@@ -207,10 +201,10 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "mean of the principal curvatures: above 0 where the front of a face bulges",
         met: "the surface is minimal, as a soap film",
         unit: MeasureUnit::PerLength,
-        toleranced: false,
         curvature: true,
         signed: true,
         values: |model, shape| curvature(model, shape, |one| -one.mean()),
+        ..PLAIN
     },
     FaceMeasure {
         id: "surface",
@@ -218,10 +212,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest distance of a face’s corners to the surface of the model that was opened",
         met: "each panel lies on the original",
         unit: MeasureUnit::Length,
-        toleranced: false,
-        curvature: false,
-        signed: false,
         values: worst_surface_distances,
+        ..PLAIN
     },
     FaceMeasure {
         id: "displacement",
@@ -229,10 +221,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest distance that a face’s corners have moved since the model was opened",
         met: "each panel is where it was",
         unit: MeasureUnit::Length,
-        toleranced: false,
-        curvature: false,
-        signed: false,
         values: worst_displacements,
+        ..PLAIN
     },
 ];
 

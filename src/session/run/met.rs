@@ -91,7 +91,7 @@ pub struct Eased {
 const MOST_NAMED: usize = 1000;
 
 /// How well hard constraints are met. Lengths are in the unit of the mesh.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct ExactReport {
     /// The largest distance of a vertex to its projection by a hard constraint.
@@ -136,26 +136,7 @@ pub struct ExactReport {
 impl ExactReport {
     /// Reports on a shape that already met the constraints, without any work.
     pub(crate) fn of_what_is_met(max_distance: f64, tolerance: f64) -> ExactReport {
-        ExactReport {
-            max_distance,
-            tolerance,
-            met: true,
-            contradiction: false,
-            unmet: Vec::new(),
-            too_large: false,
-            misses: 0,
-            worst: Vec::new(),
-            moved: Moved::default(),
-            on_guard: 0,
-            shortest_edge: None,
-            iterations: 0,
-            refactorizations: 0,
-            block_factors: 0,
-            attempts: 0,
-            eased: None,
-            improved: None,
-            seconds: 0.0,
-        }
+        ExactReport { max_distance, tolerance, met: true, ..ExactReport::default() }
     }
 
     /// Reports on an answer whose rows have these `places` in the scene's list of constraints.

@@ -1,6 +1,7 @@
 //! Vertices, edges and faces as marks: one per element of the mesh, in its order.
 
 use super::request::{Mode, Selection};
+use crate::math::marked;
 use crate::mesh::{Mesh, Topology};
 
 /// Whether each element of one kind is marked.
@@ -14,13 +15,6 @@ pub(super) struct Elements<'a> {
 
 pub(super) fn not(mut marks: Marks) -> Marks {
     marks.iter_mut().for_each(|mark| *mark = !*mark);
-    marks
-}
-
-/// Marks `items` among `count` elements.
-pub(super) fn marked(count: usize, items: impl IntoIterator<Item = u32>) -> Marks {
-    let mut marks = vec![false; count];
-    items.into_iter().for_each(|item| marks[item as usize] = true);
     marks
 }
 
@@ -83,7 +77,7 @@ impl<'a> Elements<'a> {
     /// vertices all belong to the rest of the selection. As vertices: all its vertices.
     pub(super) fn marks(&self, mode: Mode, selection: &Selection) -> Marks {
         let Selection { vertices, edges, faces } = selection;
-        let mut corners = marked(self.count(Mode::Vertices), vertices.iter().copied());
+        let mut corners = marked(self.count(Mode::Vertices), vertices);
         for (other, items) in [(Mode::Edges, edges), (Mode::Faces, faces)] {
             // A face between selected faces is not selected itself.
             if other != mode {

@@ -1,8 +1,8 @@
 //! Selecting along the mesh: connected parts, boundaries, loops, rings, strips, flat patches.
 
-use super::elements::{Elements, Marks, items, marked};
+use super::elements::{Elements, Marks, items};
 use super::request::{Mode, Selection};
-use crate::math::{Vec3, cosine_and_sine_of_degrees, polygon_sides, twice_vector_area};
+use crate::math::{Vec3, cosine_and_sine_of_degrees, marked, polygon_sides, twice_vector_area};
 use crate::mesh::{Point, components, edge_lines, strips};
 
 impl Elements<'_> {
@@ -10,10 +10,8 @@ impl Elements<'_> {
     pub(super) fn connected(&self, mode: Mode, seeds: &Marks) -> Marks {
         let edges = self.topology.edges().iter().map(|ends| &ends[..]);
         let part = components(self.count(Mode::Vertices), edges.chain(self.mesh.faces.iter()));
-        let mut wanted = vec![false; part.len()];
-        for vertex in items(&self.corners(mode, seeds)) {
-            wanted[part[vertex as usize] as usize] = true;
-        }
+        let corners = self.corners(mode, seeds);
+        let wanted = marked(part.len(), items(&corners).map(|vertex| part[vertex as usize]));
         let corners = part.iter().map(|&part| wanted[part as usize]).collect();
         self.with_corners(mode, &corners, true)
     }
@@ -64,7 +62,7 @@ impl Elements<'_> {
     pub(super) fn edge_rings(&self, seeds: &Marks) -> Marks {
         let crossed = self.crossed_edges();
         let met = crossed.iter().filter(|edges| edges.iter().any(|&e| seeds[e as usize]));
-        marked(self.count(Mode::Edges), met.flatten().copied())
+        marked(self.count(Mode::Edges), met.flatten())
     }
 
     /// Returns the strips of quads with the most marked faces: for one face both of its strips, for

@@ -1,7 +1,7 @@
 //! Declarations of the selection operations: all that hosts show of them, but not what they do.
 
 use super::request::Mode;
-use crate::constraint::{Form, Param, ParamValue};
+use crate::constraint::{Form, Param};
 use crate::session::report::FACE_MEASURES;
 use serde::Serialize;
 
@@ -52,17 +52,6 @@ const PLAIN: Operation = Operation {
     keys: &[],
     double_click: None,
 };
-
-const fn count(id: &'static str, label: &'static str, default: f64) -> Param {
-    Param {
-        id,
-        label,
-        unit: "",
-        default: ParamValue::Number(default),
-        forms: &[Form::Number],
-        range: [0.0, 1e6],
-    }
-}
 
 /// The ids of the measures of faces, as words.
 const MEASURES: [Form; FACE_MEASURES.len()] = {
@@ -193,14 +182,7 @@ pub const OPERATIONS: &[Operation] = &[
         group: FOLLOW,
         needs_selection: true,
         modes: &[Mode::Faces],
-        params: &[Param {
-            id: "angle",
-            label: "Angle",
-            unit: "degrees",
-            default: ParamValue::Number(5.0),
-            forms: &[Form::Number],
-            range: [0.0, 180.0],
-        }],
+        params: &[Param::number("angle", "Angle", "degrees", 5.0, [0.0, 180.0])],
         double_click: Some(Mode::Faces),
         ..PLAIN
     },
@@ -210,7 +192,7 @@ pub const OPERATIONS: &[Operation] = &[
         summary: "Faces with this many sides.",
         group: FIND,
         modes: &[Mode::Faces],
-        params: &[count("sides", "Sides", 4.0)],
+        params: &[Param::number("sides", "Sides", "", 4.0, [0.0, 1e6])],
         ..PLAIN
     },
     Operation {
@@ -219,7 +201,7 @@ pub const OPERATIONS: &[Operation] = &[
         summary: "Vertices with this many edges.",
         group: FIND,
         modes: &[Mode::Vertices],
-        params: &[count("edges", "Edges", 4.0)],
+        params: &[Param::number("edges", "Edges", "", 4.0, [0.0, 1e6])],
         ..PLAIN
     },
     Operation {
@@ -229,22 +211,8 @@ pub const OPERATIONS: &[Operation] = &[
         group: FIND,
         modes: &[Mode::Faces],
         params: &[
-            Param {
-                id: "measure",
-                label: "Error",
-                unit: "",
-                default: ParamValue::Word("planarity"),
-                forms: &MEASURES,
-                range: [0.0, 0.0],
-            },
-            Param {
-                id: "tolerance",
-                label: "Above",
-                unit: "",
-                default: ParamValue::Number(0.001),
-                forms: &[Form::Number],
-                range: [0.0, f64::INFINITY],
-            },
+            Param::word("measure", "Error", "planarity", &MEASURES),
+            Param::number("tolerance", "Above", "", 0.001, [0.0, f64::INFINITY]),
         ],
         ..PLAIN
     },

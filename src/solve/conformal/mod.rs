@@ -26,6 +26,7 @@ use super::assemble::Terms;
 use super::clock;
 use super::error::SolveError;
 use super::system::System;
+use crate::math::marked;
 use crate::mesh::{
     BoundingSphere, MapErrors, Mesh, ProblemKind, Topology, components, elements_with_problem,
     quasi_conformal,
@@ -149,11 +150,7 @@ impl Parametrization {
 
 /// `#V`: whether the vertex is on the boundary.
 fn boundary(topology: &Topology) -> Vec<bool> {
-    let mut on_boundary = vec![false; topology.neighbours().len()];
-    for &vertex in topology.boundary_loops().indices() {
-        on_boundary[vertex as usize] = true;
-    }
-    on_boundary
+    marked(topology.neighbours().len(), topology.boundary_loops().indices())
 }
 
 /// A connected part of a mesh, with vertex numbers of its own.

@@ -55,7 +55,7 @@ pub struct Improved {
 
 /// How well hard constraints are met, and the cost of meeting them. Lengths are in the unit of the
 /// mesh.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ExactAnswer {
     /// The greatest distance of a vertex to the shape of a hard constraint, at the output
     /// positions.
@@ -152,18 +152,11 @@ impl Model {
             max_distance,
             tolerance: rows().map(allowed).reduce(f64::max).unwrap_or(tolerance),
             met: unmet.is_empty(),
-            contradiction: false,
-            too_large: false,
             unmet,
             moved: self.moved(x),
             on_guard,
             shortest_edge,
-            iterations: 0,
-            refactorizations: 0,
-            block_factors: 0,
-            steps: 0,
-            improved: None,
-            seconds: 0.0,
+            ..ExactAnswer::default()
         }
     }
 

@@ -3,7 +3,7 @@
 
 use super::requirement::Require;
 use crate::constraint::Kind;
-use crate::math::{Lane, Vec3};
+use crate::math::{Lane, Vec3, marked};
 use crate::mesh::{Mesh, Ragged};
 use crate::solve::energy::Constraints;
 use crate::solve::problem::Problem;
@@ -39,10 +39,8 @@ impl Guard {
         let pairs = hard.iter().flat_map(|row| row.members.iter()).filter(is_pair);
         let own: BTreeSet<[u32; 2]> =
             pairs.map(|ends| [ends[0].min(ends[1]), ends[0].max(ends[1])]).collect();
-        let mut is_hard = vec![false; topology.vertex_faces().len()];
-        for row in hard {
-            row.members.indices().iter().for_each(|&v| is_hard[v as usize] = true);
-        }
+        let of_hard = hard.iter().flat_map(|row| row.members.indices());
+        let is_hard = marked(topology.vertex_faces().len(), of_hard);
         let edges = topology.edges().iter().zip(topology.edge_faces().iter());
         let guarded = edges.filter(|(ends, faces)| {
             let is_asked = ends.iter().all(|&v| is_hard[v as usize]) && !own.contains(*ends);

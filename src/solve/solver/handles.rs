@@ -8,7 +8,7 @@ use crate::mesh::Point;
 use crate::solve::energy::{Handle, HandleIndex, Hold, PositionalConstraints};
 use crate::solve::error::SolveError;
 use crate::solve::local_frame::relative;
-use crate::solve::parts::{Holding, Nodes};
+use crate::solve::parts::Holding;
 use crate::solve::settings::Weights;
 use crate::sparse::Update;
 
@@ -34,7 +34,7 @@ impl Solver {
             return Ok(());
         }
         if let Some(updates) = self.updates(&handles)
-            && self.system.update(&updates)
+            && self.parts.system.update(&updates)
         {
             let added = handles[self.handles.len()..].to_vec();
             for (place, handle) in handles.iter().enumerate().skip(self.handles.len()) {
@@ -49,23 +49,19 @@ impl Solver {
             }
             return Ok(());
         }
-        let Solver { n_vertices, n_unknowns, held, corners, gliding, .. } = self;
-        let nodes = Nodes {
-            n_vertices: *n_vertices,
-            n_unknowns: *n_unknowns,
-            held,
-            corners,
-            exact: gliding.is_some(),
-        };
-        let Holding { fixed, diagonal, pinned } =
-            Holding::new(&nodes, &self.system, &self.energies, &handles);
+        let Holding { fixed, diagonal, pinned } = self.parts.holding(&handles);
         self.pinned = pinned;
-        let weights = self.energies.weights;
-        let precision = self.accelerator.precision(&self.system);
+        let weights = self.parts.energies.weights;
+        let precision = self.accelerator.precision(&self.parts.system);
         self.factored = false;
-        self.system.set_matrix(precision, &[weights.shape, weights.smooth], &diagonal, fixed)?;
+        self.parts.system.set_matrix(
+            precision,
+            &[weights.shape, weights.smooth],
+            &diagonal,
+            fixed,
+        )?;
         self.factored = true;
-        self.handle_index = HandleIndex::new(self.n_vertices, &handles);
+        self.handle_index = HandleIndex::new(self.parts.n_vertices, &handles);
         self.handles = handles;
         self.place(positions);
         self.retarget();
@@ -80,7 +76,7 @@ impl Solver {
 
     /// The weights of Eq. 13.
     pub fn weights(&self) -> Weights {
-        self.energies.weights
+        self.parts.energies.weights
     }
 
     /// Whether other weights keep the same energies: zero weights stay zero, others positive.
@@ -88,7 +84,7 @@ impl Solver {
         let counts = |weights: Weights| {
             [weights.shape, weights.close, weights.smooth].map(|weight| weight > 0.0)
         };
-        counts(weights) == counts(self.energies.weights)
+        counts(weights) == counts(self.parts.energies.weights)
     }
 
     /// Replaces the weights of Eq. 13, if [`Solver::can_reweigh`], and the rest as
@@ -103,7 +99,7 @@ impl Solver {
         positions: Option<&[Point]>,
     ) -> Result<(), SolveError> {
         assert!(self.can_reweigh(weights), "energies come and go with a new solver");
-        self.energies.weights = weights;
+        self.parts.energies.weights = weights;
         self.factored = false;
         self.hold(handles, positions)
     }
@@ -115,18 +111,19 @@ impl Solver {
         if !self.factored || added.is_empty() || added.len() > MOST_UPDATES {
             return None;
         }
-        let component =
-            |v: u32| self.system.components()[self.system.node_of()[v as usize] as usize];
+        let component = |v: u32| {
+            self.parts.system.components()[self.parts.system.node_of()[v as usize] as usize]
+        };
         let update = |handle: &Handle| {
             // A handle on a fixed corner of the boundary, or in a component with a pin, would make
             // the corner or the pin free, which updates cannot do.
-            let frees = self.corners.iter().any(|&(corner, _)| corner == handle.vertex)
+            let frees = self.parts.corners.iter().any(|&(corner, _)| corner == handle.vertex)
                 || self.pinned.iter().any(|&pin| component(pin) == component(handle.vertex));
             let update = match handle.hold {
                 Hold::Soft { weight } => Update::Weight(weight),
                 Hold::Fixed => Update::Fix,
             };
-            (!frees).then(|| (self.system.node_of()[handle.vertex as usize], update))
+            (!frees).then(|| (self.parts.system.node_of()[handle.vertex as usize], update))
         };
         added.iter().map(update).collect()
     }
@@ -145,41 +142,44 @@ impl Solver {
     /// current projections stay valid.
     fn begin_holding(&mut self, added: &[Handle]) {
         let stay = added.iter().all(|handle| handle.target == self.position(handle.vertex));
-        if !stay || self.gliding.is_some() {
+        if !stay || self.parts.gliding.is_some() {
             self.retarget();
             return;
         }
-        let node_of = &self.system.node_of()[..self.n_vertices];
+        let node_of = self.parts.node_of();
         for handle in added.iter().filter(|handle| handle.hold == Hold::Fixed) {
             // The target is this position up to rounding.
-            self.x[node_of[handle.vertex as usize] as usize] = relative(handle.target, self.centre);
+            self.x[node_of[handle.vertex as usize] as usize] =
+                relative(handle.target, self.parts.centre);
             self.put[handle.vertex as usize] = handle.target;
         }
-        let energy = PositionalConstraints::new(added, node_of, self.centre)
+        let energy = PositionalConstraints::new(added, node_of, self.parts.centre)
             .step(&self.x, &mut self.gradient);
         self.energy.handles += energy;
         self.energy.total += energy;
-        self.system.clear_fixed(&mut self.gradient);
-        self.energies.handles = PositionalConstraints::new(&self.handles, node_of, self.centre);
+        self.parts.system.clear_fixed(&mut self.gradient);
+        self.parts.energies.handles =
+            PositionalConstraints::new(&self.handles, node_of, self.parts.centre);
         self.start_anew();
     }
 
     /// Moves fixed vertices to their targets and evaluates again.
     pub(super) fn retarget(&mut self) {
-        let node_of = &self.system.node_of()[..self.n_vertices];
+        let node_of = self.parts.node_of();
         let fixed = self.handles.iter().filter(|handle| handle.hold == Hold::Fixed);
         let fixed = fixed.map(|handle| (handle.vertex, handle.target));
-        let exact = self.gliding.is_some();
+        let exact = self.parts.gliding.is_some();
         let releases = |handle: &Handle| !exact || handle.hold == Hold::Fixed;
         let handle = |v: u32| self.handle_index.get(v).map(|place| &self.handles[place]);
         let corners =
-            self.corners.iter().copied().filter(|&(v, _)| !handle(v).is_some_and(releases));
+            self.parts.corners.iter().copied().filter(|&(v, _)| !handle(v).is_some_and(releases));
         for (vertex, target) in corners.chain(fixed) {
-            self.x[node_of[vertex as usize] as usize] = relative(target, self.centre);
+            self.x[node_of[vertex as usize] as usize] = relative(target, self.parts.centre);
             self.put[vertex as usize] = target;
         }
-        self.energies.handles = PositionalConstraints::new(&self.handles, node_of, self.centre);
-        if let Some(gliding) = &mut self.gliding {
+        self.parts.energies.handles =
+            PositionalConstraints::new(&self.handles, node_of, self.parts.centre);
+        if let Some(gliding) = &mut self.parts.gliding {
             gliding.place(&mut self.x, &self.handles);
         }
         self.evaluate();

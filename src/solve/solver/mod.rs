@@ -16,9 +16,8 @@ mod handles;
 mod step;
 
 use super::accelerate::Acceleration;
-use super::energy::{Energies, Energy, Handle, HandleIndex, IterateSeconds};
+use super::energy::{Energy, Handle, HandleIndex, IterateSeconds};
 use super::error::SolveError;
-use super::gliding::Gliding;
 use super::local_frame::{relative, rest_surface};
 use super::parts::{Added, Parts};
 use super::problem::Problem;
@@ -27,27 +26,13 @@ use super::setup_cache::SetupCache;
 use super::system::{SetUpSeconds, System};
 use crate::constraint::{LocalStep, Row};
 use crate::mesh::{Mesh, Point, Surface};
-use std::cell::OnceCell;
 use std::rc::Rc;
 
 /// A problem that is assembled, factored, and evaluated at its current positions.
 pub struct Solver {
-    centre: Point,
-    n_vertices: usize,
-    /// Number of vertices and extra unknowns; further nodes are padding.
-    n_unknowns: usize,
+    /// The energies, the system of their global step, and the nodes that are not unknowns.
+    parts: Parts,
     settings: SolverSettings,
-    system: System,
-    /// The rest surface, shared with the next solver; see [`SetupCache`].
-    surface: OnceCell<Rc<Surface>>,
-    target: Option<(Rc<Mesh>, Rc<Surface>)>,
-    energies: Energies,
-    /// `#nodes`: whether the shape energy holds the node in place.
-    held: Vec<bool>,
-    /// The corners of the boundary, if they are fixed, and their positions.
-    corners: Vec<(u32, Point)>,
-    /// The other boundary vertices, if they stay exactly on their curves.
-    gliding: Option<Gliding>,
     handles: Vec<Handle>,
     handle_index: HandleIndex,
     /// Whether the factor is that of the current handles.
@@ -92,19 +77,10 @@ impl Solver {
         let parts = Parts::new(problem, Added::default(), cache);
         let (n, settings) = (parts.held.len(), problem.settings);
         let x = parts.to_rows(start);
-        let Parts { centre, extent, n_vertices, n_unknowns, .. } = parts;
+        let (extent, n_vertices) = (parts.extent, parts.n_vertices);
         let mut solver = Solver {
-            centre,
-            n_vertices,
-            n_unknowns,
+            parts,
             settings,
-            system: parts.system,
-            surface: parts.surface,
-            target: parts.target,
-            energies: parts.energies,
-            held: parts.held,
-            corners: parts.corners,
-            gliding: parts.gliding,
             handles: Vec::new(),
             handle_index: HandleIndex::new(n_vertices, &[]),
             factored: false,
@@ -136,8 +112,8 @@ impl Solver {
     /// Replaces the positions, if given, without evaluating.
     fn place(&mut self, positions: Option<&[Point]>) {
         let Some(positions) = positions else { return };
-        for (&point, &node) in positions.iter().zip(self.system.node_of()) {
-            self.x[node as usize] = relative(point, self.centre);
+        for (&point, &node) in positions.iter().zip(self.parts.system.node_of()) {
+            self.x[node as usize] = relative(point, self.parts.centre);
         }
         self.put.copy_from_slice(positions);
     }
@@ -150,25 +126,25 @@ impl Solver {
 
     /// Step I at `x`.
     fn evaluate(&mut self) {
-        self.energy = self.energies.evaluate(&self.x, &mut self.gradient, &mut self.seconds);
-        self.system.clear_fixed(&mut self.gradient);
-        if let Some(gliding) = &mut self.gliding {
+        self.energy = self.parts.energies.evaluate(&self.x, &mut self.gradient, &mut self.seconds);
+        self.parts.system.clear_fixed(&mut self.gradient);
+        if let Some(gliding) = &mut self.parts.gliding {
             gliding.constrain(&mut self.gradient);
         }
     }
 
     /// Current positions, `#V by 3`.
     pub fn positions(&self) -> impl ExactSizeIterator<Item = Point> {
-        (0..self.n_vertices as u32).map(|vertex| self.position(vertex))
+        (0..self.parts.n_vertices as u32).map(|vertex| self.position(vertex))
     }
 
     fn position(&self, vertex: u32) -> Point {
-        let row = self.x[self.system.node_of()[vertex as usize] as usize];
+        let row = self.x[self.parts.system.node_of()[vertex as usize] as usize];
         let put = self.put[vertex as usize];
-        if row == relative(put, self.centre) {
+        if row == relative(put, self.parts.centre) {
             put
         } else {
-            std::array::from_fn(|i| row[i] + self.centre[i])
+            std::array::from_fn(|i| row[i] + self.parts.centre[i])
         }
     }
 
@@ -180,10 +156,7 @@ impl Solver {
     /// fixed vertices, and along the curve at vertices that stay exactly on the boundary.
     pub fn gradient(&self) -> impl ExactSizeIterator<Item = Point> {
         let half = |&node: &u32| self.gradient[node as usize];
-        self.system.node_of()[..self.n_vertices]
-            .iter()
-            .map(half)
-            .map(|[x, y, z, _]| [x + x, y + y, z + z])
+        self.parts.node_of().iter().map(half).map(|[x, y, z, _]| [x + x, y + y, z + z])
     }
     /// Whether the last step changed the total by no more than the tolerance.
     pub fn converged(&self) -> bool {
@@ -204,27 +177,32 @@ impl Solver {
     /// Returns for each row of constraints its energy at the last local step, and the greatest
     /// squared distance of a point from its projection.
     pub fn found(&self) -> impl Iterator<Item = LocalStep> {
-        self.energies.shape.found()
+        self.parts.energies.shape.found()
     }
     /// The linear system of the global step.
     pub fn system(&self) -> &System {
-        &self.system
+        &self.parts.system
     }
     /// Returns the rest surface of `mesh`, which must be the mesh of the problem, and the centre
     /// that its coordinates are relative to. It is computed on first use.
     pub fn rest_surface(&self, mesh: &Mesh) -> (Rc<Surface>, Point) {
-        let surface = self.surface.get_or_init(|| Rc::new(rest_surface(mesh, self.centre)));
-        (Rc::clone(surface), self.centre)
+        let surface =
+            self.parts.surface.get_or_init(|| Rc::new(rest_surface(mesh, self.parts.centre)));
+        (Rc::clone(surface), self.parts.centre)
     }
     /// The data that the next solver on the same mesh can reuse.
     pub fn setup_cache(&self) -> SetupCache {
-        let analysis = Some(Rc::clone(self.system.analysis()));
-        SetupCache { surface: self.surface.clone(), analysis, target: self.target.clone() }
+        let analysis = Some(Rc::clone(self.parts.system.analysis()));
+        SetupCache {
+            surface: self.parts.surface.clone(),
+            analysis,
+            target: self.parts.target.clone(),
+        }
     }
     /// Times of the set-up in seconds: terms and matrix, ordering and analysis, the last
     /// factorisation.
     pub fn set_up_seconds(&self) -> SetUpSeconds {
-        self.system.seconds
+        self.parts.system.seconds
     }
     /// Times of all iterations so far in seconds, by part.
     pub fn iterate_seconds(&self) -> IterateSeconds {

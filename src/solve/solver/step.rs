@@ -18,22 +18,23 @@ impl Solver {
     /// # Errors
     /// If a position becomes NaN or infinite; the positions are then those before the step.
     pub fn step(&mut self) -> Result<(), SolveError> {
-        if self.system.unknowns() == 0 && self.energy.total.is_finite() {
+        if self.parts.system.unknowns() == 0 && self.energy.total.is_finite() {
             self.accelerated = false;
             self.converged = self.settings.tolerance > 0.0;
             return Ok(());
         }
-        self.system.prepare()?;
+        self.parts.system.prepare()?;
         let before = self.energy;
         let started = clock::now();
-        if let Some(gliding) = &self.gliding {
+        if let Some(gliding) = &self.parts.gliding {
             gliding.to_unknowns(&mut self.x, &mut self.gradient);
         }
         let now = Iterate { x: &self.x, gradient: &self.gradient };
         let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
         let learned = self.has_previous && self.accelerator.learns();
         let previous = learned.then_some(previous);
-        let rounded = self.accelerator.propose(now, previous, &mut self.system, &mut self.next);
+        let rounded =
+            self.accelerator.propose(now, previous, &mut self.parts.system, &mut self.next);
         std::mem::swap(&mut self.previous.0, &mut self.x);
         std::mem::swap(&mut self.previous.1, &mut self.gradient);
         std::mem::swap(&mut self.x, &mut self.next);
@@ -49,7 +50,7 @@ impl Solver {
             self.accelerated = false;
             self.take_plain_step();
         }
-        if self.gliding.is_some() && !falls(self.energy) {
+        if self.parts.gliding.is_some() && !falls(self.energy) {
             self.shorten_step(before.total);
         }
         if self.accelerator.learns() {
@@ -66,16 +67,16 @@ impl Solver {
     fn take_plain_step(&mut self) {
         let started = clock::now();
         let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
-        previous.plain_step(&mut self.system, &mut self.x);
+        previous.plain_step(&mut self.parts.system, &mut self.x);
         self.glide();
         self.seconds.global += clock::now() - started;
-        self.energies.shape.undo_step();
+        self.parts.energies.shape.undo_step();
         self.evaluate();
     }
 
     /// Moves vertices to the points of their curves given by the unknowns after a step.
     fn glide(&mut self) {
-        if let Some(gliding) = &mut self.gliding {
+        if let Some(gliding) = &mut self.parts.gliding {
             gliding.put_on_curves(&mut self.x);
         }
     }
@@ -84,12 +85,12 @@ impl Solver {
     /// it.
     fn shorten_step(&mut self, before: f64) {
         for k in (0..SHORTENED).rev() {
-            if let Some(gliding) = &self.gliding {
+            if let Some(gliding) = &self.parts.gliding {
                 let (x, gradient) = &self.previous;
                 gliding.shorten((x, gradient), &mut self.x, if k == 0 { 0.0 } else { 0.5 });
             }
             self.glide();
-            self.energies.shape.undo_step();
+            self.parts.energies.shape.undo_step();
             self.evaluate();
             if self.energy.total < before {
                 break;
@@ -125,7 +126,7 @@ impl Solver {
             return Ok(());
         }
         let node = self.x.iter().position(|row| !finite(row)).unwrap_or(0) as u32;
-        let vertex = self.system.node_of()[..self.n_vertices].iter().position(|&of| of == node);
+        let vertex = self.parts.node_of().iter().position(|&of| of == node);
         self.x.copy_from_slice(&self.previous.0);
         self.glide();
         self.forget();

@@ -6,7 +6,7 @@ use super::bands::Bands;
 use super::colour_map::{ColourMap, MapChoice, texel};
 use super::colour_scale::ColourScale;
 use super::row_colours::RowColours;
-use crate::view::model::{ViewError, check_indices};
+use crate::view::model::{ViewError, check_indices, check_length};
 
 /// The meaning of the colour of a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,11 +69,8 @@ impl Appearance {
         scale: ColourScale,
         faces: usize,
     ) -> Result<(), ViewError> {
-        if let Some(values) = &values
-            && values.len() != faces
-        {
-            let got = values.len();
-            return Err(ViewError::Length { what: "face values", got, expected: faces });
+        if let Some(values) = &values {
+            check_length("face values", values.len(), faces)?;
         }
         self.values = values.map(|values| (values, scale));
         self.update_bands();
@@ -106,11 +103,8 @@ impl Appearance {
         corners: Option<Vec<f32>>,
         vertices: usize,
     ) -> Result<(), ViewError> {
-        if let Some(corners) = &corners
-            && corners.len() != vertices
-        {
-            let got = corners.len();
-            return Err(ViewError::Length { what: "corner values", got, expected: vertices });
+        if let Some(corners) = &corners {
+            check_length("corner values", corners.len(), vertices)?;
         }
         self.corners = corners;
         Ok(())

@@ -1,6 +1,6 @@
 //! The colours of the rows of constraints, and which of them each face and each vertex has.
 
-use crate::view::model::ViewError;
+use crate::view::model::{ViewError, check_length};
 
 /// Maximum number of colours: indices into the palette are bytes, and 0 is no colour.
 pub const MOST_COLOURS: usize = 255;
@@ -40,8 +40,8 @@ impl RowColours {
             ("colours of faces", &faces, face_count),
             ("colours of vertices", &vertices, vertex_count),
         ] {
-            if !colours.is_empty() && colours.len() != expected {
-                return Err(ViewError::Length { what, got: colours.len(), expected });
+            if !colours.is_empty() {
+                check_length(what, colours.len(), expected)?;
             }
             if let Some(&colour) =
                 colours.iter().find(|&&colour| usize::from(colour) > palette.len())

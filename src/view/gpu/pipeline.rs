@@ -46,10 +46,8 @@ pub struct Recipe<'a> {
     pub vertex: &'a str,
     /// Fragment entry point.
     pub fragment: &'a str,
-    /// Vertex attributes.
+    /// Vertex attributes, one after another without gaps.
     pub attributes: &'a [wgpu::VertexAttribute],
-    /// Bytes from one element to the next.
-    pub stride: u64,
     /// Per vertex or per instance.
     pub step: wgpu::VertexStepMode,
     /// Depth and blending.
@@ -105,7 +103,7 @@ pub fn build_onto(
         bias,
     };
     let vertex_buffers = [Some(wgpu::VertexBufferLayout {
-        array_stride: recipe.stride,
+        array_stride: recipe.attributes.iter().map(|attribute| attribute.format.size()).sum(),
         step_mode: recipe.step,
         attributes: recipe.attributes,
     })];
@@ -181,8 +179,37 @@ impl VertexBuffer {
         self.count
     }
 
-    /// Returns the whole buffer.
-    pub fn slice(&self) -> wgpu::BufferSlice<'_> {
-        self.buffer.slice(..)
+    /// Draws triangles whose corners are the elements.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
+        if self.count > 0 {
+            pass.set_pipeline(pipeline);
+            pass.set_vertex_buffer(0, self.buffer.slice(..));
+            pass.draw(0..self.count, 0..1);
+        }
+    }
+
+    /// Draws each element as an instance of `corners` corners of triangles.
+    pub fn draw_each(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        pipeline: &wgpu::RenderPipeline,
+        corners: u32,
+    ) {
+        self.draw_first(pass, pipeline, corners, self.count);
+    }
+
+    /// As [`VertexBuffer::draw_each`], for the first `count` elements only.
+    pub fn draw_first(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        pipeline: &wgpu::RenderPipeline,
+        corners: u32,
+        count: u32,
+    ) {
+        if count > 0 {
+            pass.set_pipeline(pipeline);
+            pass.set_vertex_buffer(0, self.buffer.slice(..));
+            pass.draw(0..corners, 0..count);
+        }
     }
 }

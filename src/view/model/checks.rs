@@ -1,7 +1,7 @@
 //! The checkerboard of a flat map: squares of the plane, mapped to the surface. Where they are
 //! squares on the surface too, the map preserves angles.
 
-use super::lists::ViewError;
+use super::lists::{ViewError, check_length};
 use glam::{DVec2, Vec2};
 
 /// A checkerboard on a surface.
@@ -19,11 +19,8 @@ impl Checks {
     /// # Errors
     /// A wrong number of coordinates, or one that is not finite.
     pub fn new(uv: &[f64], count: usize) -> Result<Checks, ViewError> {
-        let (pairs, rest) = uv.as_chunks::<2>();
-        if pairs.len() != count || !rest.is_empty() {
-            let (got, expected) = (uv.len(), 2 * count);
-            return Err(ViewError::Length { what: "flat map", got, expected });
-        }
+        check_length("flat map", uv.len(), 2 * count)?;
+        let (pairs, _) = uv.as_chunks::<2>();
         if let Some(vertex) = pairs.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
             return Err(ViewError::NotFinite { vertex });
         }

@@ -127,6 +127,14 @@ impl Lists {
     }
 }
 
+/// Checks that an array has the expected number of entries.
+///
+/// # Errors
+/// If it has another number.
+pub fn check_length(what: &'static str, got: usize, expected: usize) -> Result<(), ViewError> {
+    if got == expected { Ok(()) } else { Err(ViewError::Length { what, got, expected }) }
+}
+
 /// Checks that every index is less than `count`.
 ///
 /// # Errors

@@ -21,7 +21,7 @@ pub mod render_mesh;
 pub mod triangulate;
 
 pub use checks::Checks;
-pub use lists::{Lists, ViewError, check_indices};
+pub use lists::{Lists, ViewError, check_indices, check_length};
 pub use projected_faces::ProjectedFaces;
 pub use projections::ProjectionMarks;
 pub use render_mesh::{RenderMesh, read_points};

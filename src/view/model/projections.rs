@@ -1,6 +1,6 @@
 //! The projections of constraints: points near vertices, outlines between points, and arrows.
 
-use super::lists::{ViewError, check_indices};
+use super::lists::{ViewError, check_indices, check_length};
 use glam::Vec3;
 
 /// Maximum number of points drawn: the table that the shaders read has no room for more.
@@ -45,20 +45,18 @@ impl ProjectionMarks {
     ) -> Result<ProjectionMarks, ViewError> {
         check_indices("projected vertices", vertices, vertex_count)?;
         check_indices("outlines", outlines, vertices.len())?;
-        let (displacements, rest) = displacements.as_chunks::<3>();
-        let (outlines, odd) = outlines.as_chunks::<2>();
-        let (palette, loose) = palette.as_chunks::<3>();
         let count = vertices.len();
         for (what, got, expected) in [
-            ("displacements of projections", displacements.len() * 3 + rest.len(), count * 3),
+            ("displacements of projections", displacements.len(), count * 3),
             ("colours of projections", colours.len(), count),
-            ("outlines", outlines.len() * 2 + odd.len(), outlines.len() * 2),
-            ("palette", palette.len() * 3 + loose.len(), palette.len() * 3),
+            ("outlines", outlines.len(), outlines.len() / 2 * 2),
+            ("palette", palette.len(), palette.len() / 3 * 3),
         ] {
-            if got != expected {
-                return Err(ViewError::Length { what, got, expected });
-            }
+            check_length(what, got, expected)?;
         }
+        let (displacements, _) = displacements.as_chunks::<3>();
+        let (outlines, _) = outlines.as_chunks::<2>();
+        let (palette, _) = palette.as_chunks::<3>();
         let known = |&&colour: &&u8| colour == 0 || usize::from(colour) > palette.len();
         if let Some(&colour) = colours.iter().find(known) {
             let (what, index, count) = ("colours of projections", u32::from(colour), palette.len());

@@ -1,6 +1,6 @@
 //! The mesh as it is drawn: positions relative to the view's own centre, triangles and edges.
 
-use super::lists::{Lists, ViewError};
+use super::lists::{Lists, ViewError, check_length};
 use super::normals::Normals;
 use super::polygon_edges::{PolygonEdge, polygon_edges};
 use super::triangulate::triangulate;
@@ -57,11 +57,7 @@ impl RenderMesh {
     /// # Errors
     /// A wrong number of vertices, or a coordinate that is not finite. Nothing has moved then.
     pub fn set_positions(&mut self, coordinates: &[f64]) -> Result<(), ViewError> {
-        let expected = self.exact.len() * 3;
-        if coordinates.len() != expected {
-            let got = coordinates.len();
-            return Err(ViewError::Length { what: "positions", got, expected });
-        }
+        check_length("positions", coordinates.len(), self.exact.len() * 3)?;
         self.place(read_points(coordinates)?);
         Ok(())
     }
@@ -116,11 +112,8 @@ fn used(faces: &Lists, curves: &Lists, count: usize) -> Vec<u32> {
 /// # Errors
 /// A length that is not a multiple of three, or a coordinate that is not finite.
 pub fn read_points(coordinates: &[f64]) -> Result<Vec<DVec3>, ViewError> {
-    let (points, rest) = coordinates.as_chunks::<3>();
-    if !rest.is_empty() {
-        let expected = points.len() * 3 + 3;
-        return Err(ViewError::Length { what: "positions", got: coordinates.len(), expected });
-    }
+    check_length("positions", coordinates.len(), coordinates.len().next_multiple_of(3))?;
+    let (points, _) = coordinates.as_chunks::<3>();
     if let Some(vertex) = points.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
         return Err(ViewError::NotFinite { vertex });
     }

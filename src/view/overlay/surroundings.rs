@@ -22,11 +22,6 @@ impl Surroundings {
         &self.rest
     }
 
-    /// Returns whether anything is drawn.
-    pub fn is_shown(&self) -> bool {
-        !self.rest.is_empty() && (self.ghost || self.ground)
-    }
-
     /// Returns the spacing of the grid, in the unit of the file; none if it is not drawn.
     pub fn grid_step(&self) -> Option<f64> {
         (!self.grid.lines.is_empty()).then_some(self.grid.step)

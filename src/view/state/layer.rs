@@ -2,7 +2,7 @@
 
 use super::view_state::ViewState;
 use crate::view::appearance::{Colour, DARK, LineKind};
-use crate::view::model::{ViewError, check_indices, read_points};
+use crate::view::model::{ViewError, check_indices, check_length, read_points};
 use crate::view::overlay::{ShownLayer, SurfaceLines};
 use glam::Vec3;
 
@@ -20,15 +20,12 @@ impl ViewState {
         failed_vertices: Vec<u32>,
     ) -> Result<(), ViewError> {
         let count = self.content.mesh.exact.len();
-        if !coordinates.is_empty() && coordinates.len() != 3 * count {
-            let (got, expected) = (coordinates.len(), 3 * count);
-            return Err(ViewError::Length { what: "points of the layer", got, expected });
+        if !coordinates.is_empty() {
+            check_length("points of the layer", coordinates.len(), 3 * count)?;
         }
-        let (ends, rest) = failed_edges.as_chunks::<2>();
-        if !rest.is_empty() {
-            let (got, expected) = (failed_edges.len(), failed_edges.len() + 1);
-            return Err(ViewError::Length { what: "edges of the layer", got, expected });
-        }
+        let pairs = failed_edges.len().next_multiple_of(2);
+        check_length("edges of the layer", failed_edges.len(), pairs)?;
+        let (ends, _) = failed_edges.as_chunks::<2>();
         check_indices("edges of the layer", failed_edges, count)?;
         check_indices("vertices of the layer", &failed_vertices, count)?;
         let points = read_points(coordinates)?;

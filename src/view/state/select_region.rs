@@ -3,7 +3,7 @@
 use super::view_state::ViewState;
 use crate::math::polygon_sides;
 use crate::view::camera::{Camera, Eye};
-use crate::view::model::{RenderMesh, ViewError, check_indices};
+use crate::view::model::{RenderMesh, ViewError, check_indices, check_length};
 use crate::view::picking::DepthMap;
 use glam::{Vec2, Vec3};
 
@@ -79,11 +79,8 @@ impl ViewState {
     /// A vertex that does not exist, or an odd number of vertices.
     pub fn set_edges(&mut self, ends: &[u32]) -> Result<(), ViewError> {
         check_indices("edges", ends, self.counts().0)?;
-        let (edges, rest) = ends.as_chunks::<2>();
-        if !rest.is_empty() {
-            let expected = ends.len() + 1;
-            return Err(ViewError::Length { what: "ends of edges", got: ends.len(), expected });
-        }
+        check_length("ends of edges", ends.len(), ends.len().next_multiple_of(2))?;
+        let (edges, _) = ends.as_chunks::<2>();
         self.content.edges = edges.to_vec();
         Ok(())
     }

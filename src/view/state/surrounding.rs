@@ -3,7 +3,7 @@
 use super::view_state::ViewState;
 use crate::view::appearance::LineKind;
 use crate::view::camera::{CameraProjection, Section, depth_range};
-use crate::view::model::{ViewError, read_points};
+use crate::view::model::{ViewError, check_length, read_points};
 use crate::view::overlay::Ground;
 use glam::{DVec3, Vec3};
 
@@ -14,10 +14,7 @@ impl ViewState {
     /// A wrong number of vertices, or a coordinate that is not finite.
     pub fn set_rest(&mut self, coordinates: &[f64]) -> Result<(), ViewError> {
         let expected = self.content.mesh.exact.len() * 3;
-        if coordinates.len() != expected {
-            let got = coordinates.len();
-            return Err(ViewError::Length { what: "positions at rest", got, expected });
-        }
+        check_length("positions at rest", coordinates.len(), expected)?;
         self.around.rest = read_points(coordinates)?;
         self.surround();
         Ok(())

@@ -7,7 +7,7 @@ use super::viewpoint::Viewpoint;
 use crate::view::appearance::{Appearance, DotKind};
 use crate::view::gizmo::GizmoState;
 use crate::view::model::{
-    Checks, Lists, ProjectionMarks, RenderMesh, ViewError, check_indices, read_points,
+    Checks, Lists, ProjectionMarks, RenderMesh, ViewError, check_indices, check_length, read_points,
 };
 use crate::view::overlay::{ShownLayer, SurfaceLines, Surroundings};
 use glam::{DVec3, Vec3, Vec4};
@@ -105,9 +105,7 @@ impl ViewState {
         check_indices("handles", vertices, self.counts().0)?;
         let targets = read_points(targets)?;
         for (what, got) in [("handle states", states.len()), ("handle targets", targets.len())] {
-            if got != vertices.len() {
-                return Err(ViewError::Length { what, got, expected: vertices.len() });
-            }
+            check_length(what, got, vertices.len())?;
         }
         let mut handles = Vec::with_capacity(vertices.len());
         for ((&vertex, &state), &target) in vertices.iter().zip(states).zip(&targets) {
@@ -138,11 +136,8 @@ impl ViewState {
     /// # Errors
     /// A length that is not a multiple of eight.
     pub fn set_shapes(&mut self, shapes: &[f64]) -> Result<(), ViewError> {
-        let (rows, rest) = shapes.as_chunks::<SHAPE_NUMBERS>();
-        if !rest.is_empty() {
-            let expected = (rows.len() + 1) * SHAPE_NUMBERS;
-            return Err(ViewError::Length { what: "shapes", got: shapes.len(), expected });
-        }
+        check_length("shapes", shapes.len(), shapes.len().next_multiple_of(SHAPE_NUMBERS))?;
+        let (rows, _) = shapes.as_chunks::<SHAPE_NUMBERS>();
         self.content.shapes.clear();
         for row in rows.iter().filter(|row| row.iter().all(|&x| (x as f32).is_finite())) {
             let centre = self.content.mesh.relative(DVec3::new(row[1], row[2], row[3]));

@@ -26,10 +26,8 @@ impl Solver {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Sent<Edit>")] edit: JsValue,
     ) -> Result<(), JsValue> {
-        let session = self.open_mut()?;
-        let edit = Edit::from_json(&text(&edit)?, session.document());
-        let edit = edit.map_err(|error| thrown_at(&error))?;
-        session.edit(edit).map(|_| ()).map_err(refused)
+        let edit = self.read_edit(&edit)?;
+        self.open_mut()?.edit(edit).map(|_| ()).map_err(refused)
     }
 
     /// Requires one shape of all panels, within `tolerance`, and begins a run: see
@@ -51,10 +49,8 @@ impl Solver {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Sent<Edit>")] edit: JsValue,
     ) -> Result<(), JsValue> {
-        let session = self.open_mut()?;
-        let edit = Edit::from_json(&text(&edit)?, session.document());
-        let edit = edit.map_err(|error| thrown_at(&error))?;
-        session.edit_and_run(edit).map_err(refused)
+        let edit = self.read_edit(&edit)?;
+        self.open_mut()?.edit_and_run(edit).map_err(refused)
     }
 
     /// Returns the operations on the mesh, with sizes that suit it.
@@ -94,6 +90,13 @@ impl Solver {
         let places =
             ConstraintTarget::all_from_json(&text(&places)?).map_err(|error| thrown_at(&error))?;
         plain(&self.open()?.previews(&places).map_err(|error| thrown_at(&error))?)
+    }
+}
+
+impl Solver {
+    fn read_edit(&self, edit: &JsValue) -> Result<Edit, JsValue> {
+        let edit = Edit::from_json(&text(edit)?, self.open()?.document());
+        edit.map_err(|error| thrown_at(&error))
     }
 }
 

@@ -1,7 +1,6 @@
 //! The interface of the experiments in the worker.
 
 use super::solver::Solver;
-use crate::error::Error;
 use crate::experiment::{COMPARISON, Experiment, Limits, Run};
 use crate::mesh::read;
 use crate::scene::Scene;
@@ -67,13 +66,7 @@ impl ExperimentRun {
 
     /// Iterates for about the given time; returns false once all methods have ended.
     pub fn advance(&mut self, milliseconds: f64) -> Result<bool, JsValue> {
-        let until = clock::now() + milliseconds / 1e3;
-        while clock::now() < until {
-            if !self.run.step().map_err(|error: Error| thrown(error))? {
-                return Ok(false);
-            }
-        }
-        Ok(true)
+        clock::repeat(1e-3 * milliseconds, || self.run.step()).map_err(thrown)
     }
 
     /// Returns the samples since the last call, one entry for each method with news: `method`, its

@@ -28,13 +28,7 @@ impl RemedyTrials {
 
     /// Continues for about the given time; returns whether there is more to try.
     pub fn advance(&mut self, milliseconds: f64) -> Result<bool, JsValue> {
-        let until = clock::now() + 1e-3 * milliseconds;
-        while self.remedies.step().map_err(thrown)? {
-            if clock::now() >= until {
-                return Ok(true);
-            }
-        }
-        Ok(false)
+        clock::repeat(1e-3 * milliseconds, || self.remedies.step()).map_err(thrown)
     }
 
     /// Returns the edits that help, the most effective first.
@@ -65,13 +59,7 @@ impl Solver {
         let Some((trial, session)) = self.trial.as_mut().zip(self.session.as_ref()) else {
             return Ok(false);
         };
-        let until = clock::now() + 1e-3 * milliseconds;
-        while trial.step(session).map_err(thrown)? {
-            if clock::now() > until {
-                return Ok(true);
-            }
-        }
-        Ok(false)
+        clock::repeat(1e-3 * milliseconds, || trial.step(session)).map_err(thrown)
     }
 
     /// Returns the cost of exactness; null without a trial of the current shape and problem.
@@ -116,11 +104,7 @@ impl Solver {
     #[wasm_bindgen(js_name = advanceVariations, unchecked_return_type = "VariationProgress")]
     pub fn advance_variations(&mut self, milliseconds: f64) -> Result<JsValue, JsValue> {
         let Some(variations) = &mut self.variations else { return Err(no_variation()) };
-        let until = clock::now() + 1e-3 * milliseconds;
-        let mut more = true;
-        while more && clock::now() < until {
-            more = variations.step().map_err(thrown)?;
-        }
+        let more = clock::repeat(1e-3 * milliseconds, || variations.step()).map_err(thrown)?;
         plain(&VariationProgress {
             found: variations.are_found().then(|| variations.modes().len()),
             ranges: variations.modes().iter().map(|mode| mode.range).collect(),

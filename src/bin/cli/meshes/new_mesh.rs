@@ -5,7 +5,7 @@ use crate::cli::{Failure, input, output};
 use shape_up::begin::{NEW_KINDS, NewKind, Plan, SpanCurve, fill, loft};
 use shape_up::mesh::{Mesh, counted, write_obj};
 use shape_up::scene::UnitsAndUp;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// `shape-up new`.
 #[derive(Debug, PartialEq)]
@@ -129,7 +129,7 @@ pub(in crate::cli) fn make(command: &New) -> Result<(), Failure> {
     let comments = UnitsAndUp::comments(&units, frame.up.unwrap_or_default());
     let text = comments + &write_obj(&mesh, &mesh.positions);
     let Some(path) = &command.out else { return output::print(&text) };
-    output::write(&[(path as &Path, text)])?;
+    output::write(&[(path, text)])?;
     let vertices = counted(mesh.positions.len(), "vertex", "vertices");
     let faces = counted(mesh.faces.len(), "face", "faces");
     output::print(&format!("{}: {vertices}, {faces}\n", path.display()))

@@ -79,8 +79,7 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     levels.iter().for_each(|level| text += &line(level, &units));
     if let Some(path) = &command.report {
         let report = RefineReport { levels, lost, report };
-        let json = serde_json::to_string_pretty(&report);
-        files.push((path, json.expect("a report is plain data with finite numbers") + "\n"));
+        files.push((path, output::json(&report)));
     }
     output::write(&files)?;
     output::print(&text)

@@ -149,16 +149,10 @@ fn aligned(rows: &[[String; 9]], units: &str) -> String {
         "file".to_owned(),
     ];
     let lines: Vec<[String; 7]> = std::iter::once(head).chain(rows.iter().map(shown)).collect();
-    let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max();
-    let widths: Vec<usize> = (0..7).map(|column| width(column).unwrap_or_default()).collect();
-    let padded = |line: &[String; 7]| {
-        let cells = line.iter().zip(&widths).map(|(cell, &width)| format!("{cell:<width$}"));
-        cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
-    };
     let passed =
         rows.iter().filter(|row| !row[2].is_empty() && row[1] == row[2] && row[6].is_empty());
     let sum = format!("{} passed, of {}\n", passed.count(), counted(rows.len(), "file", "files"));
-    lines.iter().map(padded).collect::<String>() + &sum
+    output::table(&lines) + &sum
 }
 
 /// Formats a line of CSV. A field that a spreadsheet would read as a formula (students' names are

@@ -1,5 +1,6 @@
 //! The declaration of an operation, and its errors.
 
+use crate::math::marked;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Touching;
 use crate::mesh::edit::size::{Size, SizeError};
@@ -187,9 +188,7 @@ impl Task<'_> {
     }
 
     pub(super) fn picked_faces(&self) -> Vec<bool> {
-        let mut is_picked = vec![false; self.mesh.faces.len()];
-        self.faces.iter().for_each(|&face| is_picked[face as usize] = true);
-        is_picked
+        marked(self.mesh.faces.len(), self.faces)
     }
 
     pub(super) fn all_faces(&self) -> std::ops::Range<u32> {

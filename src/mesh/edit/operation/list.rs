@@ -4,7 +4,7 @@ use super::declaration::{MeshOperation, OperationError, Picks};
 use super::{
     diagonal, dual, extrude, faces, holes, orientation, strips, triangle_pairs, triangles, vertices,
 };
-use crate::mesh::edit::size::{Size, SizeOf};
+use crate::mesh::edit::size::Size;
 use crate::mesh::edit::subdivide::KEPT_TURN;
 
 /// Every operation, in the order in which hosts list them.
@@ -14,14 +14,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         label: "Triangles to quads",
         summary: "Merges pairs of triangles whose union is closest to a flat rectangle; other triangles stay.",
         picks: Picks::Nothing,
-        sizes: &[Size {
-            id: "corner",
-            label: "Largest angle of a quad",
-            of: SizeOf::Degrees,
-            default: 160.0,
-            least: 90.0,
-            most: 180.0,
-        }],
+        sizes: &[Size::degrees("corner", "Largest angle of a quad", 160.0, [90.0, 180.0])],
         apply: triangle_pairs::apply,
     },
     MeshOperation {
@@ -29,14 +22,12 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         label: "Dual",
         summary: "Makes a face for each vertex, with corners at the centres of the old faces: triangles become hexagons. The outline keeps its corners.",
         picks: Picks::Nothing,
-        sizes: &[Size {
-            id: "keep",
-            label: "Keep corners that turn by more than",
-            of: SizeOf::Degrees,
-            default: KEPT_TURN,
-            least: 0.0,
-            most: 180.0,
-        }],
+        sizes: &[Size::degrees(
+            "keep",
+            "Keep corners that turn by more than",
+            KEPT_TURN,
+            [0.0, 180.0],
+        )],
         apply: dual::apply,
     },
     MeshOperation {
@@ -77,22 +68,8 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         summary: "Adds a row of quads along the boundary or its selected part: outward, in the direction of the surface, and up or down.",
         picks: Picks::AnyVertices,
         sizes: &[
-            Size {
-                id: "outward",
-                label: "Outward",
-                of: SizeOf::Length,
-                default: 1.0,
-                least: 0.0,
-                most: 1e6,
-            },
-            Size {
-                id: "up",
-                label: "Up",
-                of: SizeOf::Length,
-                default: 0.0,
-                least: -1e6,
-                most: 1e6,
-            },
+            Size::length("outward", "Outward", 1.0, [0.0, 1e6]),
+            Size::length("up", "Up", 0.0, [-1e6, 1e6]),
         ],
         apply: extrude::apply,
     },
@@ -133,14 +110,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         label: "Weld",
         summary: "Merges vertices that are closer to each other than a distance.",
         picks: Picks::AnyVertices,
-        sizes: &[Size {
-            id: "distance",
-            label: "Distance",
-            of: SizeOf::Length,
-            default: 0.01,
-            least: 1e-12,
-            most: 1e6,
-        }],
+        sizes: &[Size::length("distance", "Distance", 0.01, [1e-12, 1e6])],
         apply: vertices::weld,
     },
     MeshOperation {
@@ -156,14 +126,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         label: "Snap to a grid",
         summary: "Rounds the coordinates of all vertices, or of the selected ones, to multiples of a length.",
         picks: Picks::AnyVertices,
-        sizes: &[Size {
-            id: "step",
-            label: "Length",
-            of: SizeOf::Length,
-            default: 0.1,
-            least: 1e-12,
-            most: 1e6,
-        }],
+        sizes: &[Size::length("step", "Length", 0.1, [1e-12, 1e6])],
         apply: vertices::snap,
     },
     MeshOperation {

@@ -1,7 +1,7 @@
 //! Inserting and removing strips of quads.
 
 use super::declaration::{OperationError, Task};
-use crate::math::polygon_sides;
+use crate::math::{marked, polygon_sides};
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 use crate::mesh::edit::sharp::Sharp;
@@ -80,9 +80,7 @@ pub(super) fn remove(task: &Task<'_>) -> Result<Edited, OperationError> {
         from.iter().for_each(|&v| of_vertex[v as usize] = into);
         parts[into as usize].extend(from);
     }
-    let mut is_on_boundary = vec![false; task.mesh.positions.len()];
-    let loops = topology.boundary_loops().indices();
-    loops.iter().for_each(|&v| is_on_boundary[v as usize] = true);
+    let is_on_boundary = marked(task.mesh.positions.len(), topology.boundary_loops().indices());
     let sharp = Sharp::of(task.mesh, topology, KEPT_TURN);
     let mut rebuild = Rebuild::new(task.mesh);
     for part in parts.iter().filter(|part| !part.is_empty()) {

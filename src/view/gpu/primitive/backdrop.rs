@@ -41,7 +41,6 @@ impl Backdrop {
             vertex: "corner_of_picture",
             fragment: "gradient",
             attributes: &CORNER,
-            stride: 8,
             step: wgpu::VertexStepMode::Vertex,
             layer: Layer::Over,
         };
@@ -51,7 +50,6 @@ impl Backdrop {
             vertex: "corner_of_cell",
             fragment: "shadow",
             attributes: &CELL,
-            stride: 20,
             step: wgpu::VertexStepMode::Instance,
             ..recipe
         };
@@ -75,13 +73,9 @@ impl Backdrop {
 
     /// Draws the gradient and, if requested, the shadow.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, has_shadow: bool) {
-        pass.set_pipeline(&self.gradient);
-        pass.set_vertex_buffer(0, self.picture.slice());
-        pass.draw(0..self.picture.count(), 0..1);
-        if has_shadow && self.cells.count() > 0 {
-            pass.set_pipeline(&self.shadow);
-            pass.set_vertex_buffer(0, self.cells.slice());
-            pass.draw(0..6, 0..self.cells.count());
+        self.picture.draw(pass, &self.gradient);
+        if has_shadow {
+            self.cells.draw_each(pass, &self.shadow, 6);
         }
     }
 }

@@ -22,7 +22,6 @@ impl Circles {
             vertex: "corner_of_circle",
             fragment: "drawn",
             attributes: &CIRCLE,
-            stride: 28,
             step: wgpu::VertexStepMode::Instance,
             layer: Layer::InFront,
         };
@@ -42,10 +41,6 @@ impl Circles {
 
     /// Draws the circles, each with `pieces` segments.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pieces: u32) {
-        if self.circles.count() > 0 {
-            pass.set_pipeline(&self.pipeline);
-            pass.set_vertex_buffer(0, self.circles.slice());
-            pass.draw(0..6 * pieces, 0..self.circles.count());
-        }
+        self.circles.draw_each(pass, &self.pipeline, 6 * pieces);
     }
 }

@@ -31,7 +31,6 @@ impl Faces {
                 vertex,
                 fragment,
                 attributes: &CORNER_OF_FACE,
-                stride: 8,
                 step: wgpu::VertexStepMode::Vertex,
                 layer,
             };
@@ -67,10 +66,6 @@ impl Faces {
 
     /// Draws the faces with a pipeline that takes [`CORNER_OF_FACE`].
     pub fn draw_with(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
-        if self.corners.count() > 0 {
-            pass.set_pipeline(pipeline);
-            pass.set_vertex_buffer(0, self.corners.slice());
-            pass.draw(0..self.corners.count(), 0..1);
-        }
+        self.corners.draw(pass, pipeline);
     }
 }

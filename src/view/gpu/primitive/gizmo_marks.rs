@@ -26,7 +26,6 @@ impl GizmoMarks {
             vertex: "corner_of_gizmo",
             fragment: "drawn",
             attributes: &CORNER,
-            stride: 24,
             step: wgpu::VertexStepMode::Vertex,
             layer: Layer::Over,
         };
@@ -45,10 +44,6 @@ impl GizmoMarks {
 
     /// Draws the gizmo.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        if self.corners.count() > 0 {
-            pass.set_pipeline(&self.pipeline);
-            pass.set_vertex_buffer(0, self.corners.slice());
-            pass.draw(0..self.corners.count(), 0..1);
-        }
+        self.corners.draw(pass, &self.pipeline);
     }
 }

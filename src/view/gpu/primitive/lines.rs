@@ -33,7 +33,6 @@ impl Lines {
                 vertex: "corner_of_line",
                 fragment,
                 attributes: &LINE,
-                stride: 12,
                 step: wgpu::VertexStepMode::Instance,
                 layer,
             };
@@ -112,44 +111,32 @@ impl Lines {
     /// Draws the curves and, if requested, the edges.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, edges: bool) {
         if edges {
-            draw(pass, &self.in_front, &self.edges);
+            self.edges.draw_each(pass, &self.in_front, 6);
         }
-        draw(pass, &self.in_front, &self.curves);
+        self.curves.draw_each(pass, &self.in_front, 6);
     }
 
     /// Draws the outlines of the faces that the flat map flips.
     pub fn draw_flipped(&self, pass: &mut wgpu::RenderPass<'_>) {
-        draw(pass, &self.in_front, &self.flipped);
+        self.flipped.draw_each(pass, &self.in_front, 6);
     }
 
     /// Draws other lines where visible; the first `through` of them also dim where hidden.
     pub fn draw_others(&self, pass: &mut wgpu::RenderPass<'_>, lines: &VertexBuffer, through: u32) {
-        if through > 0 {
-            pass.set_pipeline(&self.behind);
-            pass.set_vertex_buffer(0, lines.slice());
-            pass.draw(0..6, 0..through);
-        }
-        draw(pass, &self.in_front, lines);
+        lines.draw_first(pass, &self.behind, 6, through);
+        lines.draw_each(pass, &self.in_front, 6);
     }
 
     /// Draws selected edges and the tape: first dim where hidden, then where visible.
     pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
-        draw(pass, &self.behind, &self.selected);
-        draw(pass, &self.in_front, &self.selected);
+        self.selected.draw_each(pass, &self.behind, 6);
+        self.selected.draw_each(pass, &self.in_front, 6);
     }
 
     /// Draws the pull lines: first dim where they are hidden, then where they are visible.
     pub fn draw_pulls(&self, pass: &mut wgpu::RenderPass<'_>) {
-        draw(pass, &self.behind, &self.pulls);
-        draw(pass, &self.in_front, &self.pulls);
-    }
-}
-
-fn draw(pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, lines: &VertexBuffer) {
-    if lines.count() > 0 {
-        pass.set_pipeline(pipeline);
-        pass.set_vertex_buffer(0, lines.slice());
-        pass.draw(0..6, 0..lines.count());
+        self.pulls.draw_each(pass, &self.behind, 6);
+        self.pulls.draw_each(pass, &self.in_front, 6);
     }
 }
 

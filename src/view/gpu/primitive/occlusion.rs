@@ -52,7 +52,6 @@ impl Occlusion {
             vertex: "corner_of_depth",
             fragment: "depth_and_normal",
             attributes: &CORNER_OF_FACE,
-            stride: 8,
             step: wgpu::VertexStepMode::Vertex,
             layer: Layer::Surface,
         };

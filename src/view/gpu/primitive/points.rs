@@ -27,7 +27,6 @@ impl Points {
                 vertex: "corner_of_dot",
                 fragment,
                 attributes: &DOT,
-                stride: 12,
                 step: wgpu::VertexStepMode::Instance,
                 layer,
             };
@@ -60,23 +59,15 @@ impl Points {
 
     /// Draws a dot on every visible vertex.
     pub fn draw_vertices(&self, pass: &mut wgpu::RenderPass<'_>) {
-        draw(pass, &self.in_front, &self.vertices);
+        self.vertices.draw_each(pass, &self.in_front, 6);
     }
 
     /// Draws visible members of constraints, then marks and handles: first hidden ones dim, then
     /// visible ones.
     pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
-        draw(pass, &self.in_front, &self.members);
-        draw(pass, &self.behind, &self.marks);
-        draw(pass, &self.in_front, &self.marks);
-    }
-}
-
-fn draw(pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, dots: &VertexBuffer) {
-    if dots.count() > 0 {
-        pass.set_pipeline(pipeline);
-        pass.set_vertex_buffer(0, dots.slice());
-        pass.draw(0..6, 0..dots.count());
+        self.members.draw_each(pass, &self.in_front, 6);
+        self.marks.draw_each(pass, &self.behind, 6);
+        self.marks.draw_each(pass, &self.in_front, 6);
     }
 }
 

@@ -45,7 +45,6 @@ impl ProjectionLines {
             vertex: "corner_of_projection",
             fragment: "drawn",
             attributes: &LINE,
-            stride: 16,
             step: wgpu::VertexStepMode::Instance,
             layer: Layer::InFront,
         };
@@ -53,7 +52,6 @@ impl ProjectionLines {
             vertex: "corner_of_inside",
             fragment: "inside",
             attributes: &CORNER,
-            stride: 12,
             step: wgpu::VertexStepMode::Vertex,
             ..lines
         };
@@ -103,18 +101,12 @@ impl ProjectionLines {
 
     /// Draws the parts that are switched on.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, display: Display) {
-        if display.outlines && self.corners.count() > 0 {
-            pass.set_pipeline(&self.insides);
-            pass.set_vertex_buffer(0, self.corners.slice());
-            pass.draw(0..self.corners.count(), 0..1);
+        if display.outlines {
+            self.corners.draw(pass, &self.insides);
+            self.outlines.draw_each(pass, &self.lines, 6);
         }
-        for (lines, wanted) in [(&self.outlines, display.outlines), (&self.arrows, display.arrows)]
-        {
-            if wanted && lines.count() > 0 {
-                pass.set_pipeline(&self.lines);
-                pass.set_vertex_buffer(0, lines.slice());
-                pass.draw(0..6, 0..lines.count());
-            }
+        if display.arrows {
+            self.arrows.draw_each(pass, &self.lines, 6);
         }
     }
 }

@@ -21,7 +21,6 @@ impl Spheres {
             vertex: "corner_of_sphere",
             fragment: "glass",
             attributes: &SPHERE,
-            stride: 16,
             step: wgpu::VertexStepMode::Instance,
             layer: Layer::InFront,
         };
@@ -41,10 +40,6 @@ impl Spheres {
 
     /// Draws the spheres.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        if self.spheres.count() > 0 {
-            pass.set_pipeline(&self.pipeline);
-            pass.set_vertex_buffer(0, self.spheres.slice());
-            pass.draw(0..6, 0..self.spheres.count());
-        }
+        self.spheres.draw_each(pass, &self.pipeline, 6);
     }
 }
