@@ -8,7 +8,7 @@ use shape_up::fabricate::{
 };
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Scene, UNITS, Up};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let input::Input { mut scene, mesh, mut remarks, .. } = input::read(&asked.input)?;
@@ -56,7 +56,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
 
 /// Names the files in a folder that an earlier build wrote and this one did not: they are kept, but
 /// must not be cut with the new ones.
-fn left_over(folder: &Path, written: &[(&Path, Vec<u8>)]) -> Option<String> {
+fn left_over(folder: &Path, written: &[(PathBuf, Vec<u8>)]) -> Option<String> {
     const MOST: usize = 8;
     let found = std::fs::read_dir(folder).ok()?;
     let mut names: Vec<String> = found
