@@ -281,18 +281,29 @@ fn beside_edge(
     }
 }
 
-/// Whether no other side is nearer to a point than side `edge`, except sides about in the direction
-/// of `between`.
+/// Whether no other side is nearer to a point than side `edge`; sides about in the direction of
+/// `between` may be if it lies between two of them.
 fn is_nearest(outline: &[Point2], edge: usize, point: Point2, between: Option<Point2>) -> bool {
     /// Cosine of the largest angle between directions that are about the same.
     const SAME: f64 = 0.7;
+    /// Largest distance of the second one of two sides, relative to the first.
+    const BETWEEN: f64 = 2.0;
     let far = |[p, q]: [Point2; 2]| distance_to_outline(&[p, q], point);
-    let own = sides(outline).nth(edge).map_or(0.0, far);
-    sides(outline).enumerate().all(|(k, side)| {
-        let along = direction_of(side[0], side[1]);
-        let is_beside = between.is_some_and(|to| dot(to, along).abs() > SAME);
-        k == edge || is_beside || far(side) >= own * (1.0 - 1e-9)
-    })
+    let own = sides(outline).nth(edge).map_or(0.0, far) * (1.0 - 1e-9);
+    let mut nearest = [f64::INFINITY; 2];
+    for (_, side) in sides(outline).enumerate().filter(|(k, _)| *k != edge) {
+        let (far, along) = (far(side), direction_of(side[0], side[1]));
+        if !between.is_some_and(|to| dot(to, along).abs() > SAME) {
+            if far < own {
+                return false;
+            }
+        } else if far < nearest[0] {
+            nearest = [far, nearest[0]];
+        } else {
+            nearest[1] = nearest[1].min(far);
+        }
+    }
+    nearest[0] >= own || nearest[1] <= BETWEEN * nearest[0]
 }
 
 /// Adds an arrow from the middle towards edge 0, as long as a letter is high; false if there is no
