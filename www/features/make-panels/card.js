@@ -42,7 +42,10 @@ export class MakePanels {
   #forecastOf = null;
   /** A change of the mesh that would reduce the move. @type {MeshRemedy | null} */
   #remedy = null;
-  #remedyButton = button('', () => this.#applyRemedy(), { 'aria-haspopup': 'dialog' });
+  #remedyButton = button('', () => this.#applyRemedy(), {
+    class: 'bordered remedy',
+    'aria-haspopup': 'dialog',
+  });
   #showFolds = button('Show the folds', () => this.#showFolded());
   #avoidFolds = button('Avoid them', () => this.#makeAgain('original'), {
     title: 'Makes the panels again from the original, smoother or within a larger tolerance',
