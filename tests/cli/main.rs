@@ -251,12 +251,27 @@ fn a_scene_with_its_mesh_inside_is_solved() {
 }
 
 #[test]
-fn an_output_replaces_the_file_of_its_name_even_the_input() {
+fn an_output_replaces_the_file_of_its_name_but_never_the_input() {
     let folder = Folder::new("replace");
-    folder.write("roof.obj", ROOF);
-    folder.run(&["solve", "roof.obj", "--panels", "plane", "--out", "roof.obj"]).done();
-    assert_ne!(folder.read("roof.obj"), ROOF);
-    assert_eq!(folder.files(), ["roof.obj"]);
+    let roof = scene(PLANES);
+    folder.write("roof.obj", ROOF).write("out.obj", "old").write("s.shapeup.json", &roof);
+    folder.run(&["solve", "roof.obj", "--panels", "plane", "--out", "out.obj"]).done();
+    assert_ne!(folder.read("out.obj"), "old");
+    for (arguments, word) in [
+        // A scene became the text of a mesh.
+        (vec!["solve", "s.shapeup.json", "--out", "s.shapeup.json"], "--out writes .obj or .mesh"),
+        (vec!["solve", "roof.obj", "--out", "x.stl"], "found `x.stl`"),
+        (vec!["solve", "roof.obj", "--out", "./roof.obj"], "--out would replace the input"),
+        (vec!["solve", "s.shapeup.json", "--report", "s.shapeup.json"], "--report would replace"),
+        (vec!["check", "roof.obj", "--report", "roof.obj"], "--report would replace"),
+        (vec!["edit", "roof.obj", "triangles", "--out", "roof.obj"], "--out would replace"),
+        (vec!["build", "roof.obj", "--report", "x", "--report-page", "./x"], "the same file"),
+    ] {
+        folder.run(&arguments).misused(word);
+    }
+    assert_eq!(folder.read("roof.obj"), ROOF);
+    assert_eq!(folder.read("s.shapeup.json"), roof);
+    assert_eq!(folder.files(), ["out.obj", "roof.obj", "s.shapeup.json"]);
 }
 
 #[test]

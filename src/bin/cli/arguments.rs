@@ -8,7 +8,7 @@ use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
 use shape_up::scene::{Accelerator, BoundaryCloseness};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A command with its arguments.
 #[derive(Debug, PartialEq)]
@@ -188,6 +188,7 @@ fn check(mut words: Words) -> Result<Command, String> {
     if csv.is_some() {
         return Err("--csv needs a folder of results".to_owned());
     }
+    apart(&file, &[("--report", &report)])?;
     match (scene, report) {
         (None, report) => Ok(Command::Check { mesh: file, report }),
         (Some(scene), None) => Ok(Command::CheckResults { results: file, scene }),
@@ -239,7 +240,7 @@ fn solve(mut words: Words) -> Result<Command, String> {
         }
     }
     solve.input = input.ok_or("solve needs a scene or a mesh file")?;
-    not_the_same(&solve.out, &solve.report)?;
+    apart(&solve.input, &[("--out", &solve.out), ("--report", &solve.report)])?;
     Ok(Command::Solve(solve))
 }
 
@@ -270,10 +271,8 @@ fn build(mut words: Words) -> Result<Command, String> {
         }
     }
     build.input = input.ok_or("build needs a scene or a mesh file")?;
-    not_the_same(&build.out, &build.report)?;
-    if build.report.is_some() && build.report == build.report_page {
-        return Err("--report and --report-page name the same file".to_owned());
-    }
+    let Build { input, out, report, report_page, .. } = &build;
+    apart(input, &[("--out", out), ("--report", report), ("--report-page", report_page)])?;
     if build.link.is_some() && build.report_page.is_none() {
         return Err("--link needs --report-page, which shows the link".to_owned());
     }
@@ -297,7 +296,7 @@ fn refine(mut words: Words) -> Result<Command, String> {
         }
     }
     let input = input.ok_or("refine needs a scene or a mesh file")?;
-    not_the_same(&out, &report)?;
+    apart(&input, &[("--out", &out), ("--report", &report)])?;
     Ok(Command::Refine(Refine { input, subdivision, panels, adopt, out, report }))
 }
 
@@ -323,18 +322,36 @@ fn parametrize(mut words: Words) -> Result<Command, String> {
         }
     }
     parametrize.mesh = mesh.ok_or("parametrize needs a mesh file")?;
-    not_the_same(&parametrize.out, &parametrize.report)?;
+    let Parametrize { mesh, out, report, .. } = &parametrize;
+    apart(mesh, &[("--out", out), ("--report", report)])?;
     Ok(Command::Parametrize(parametrize))
 }
 
-fn not_the_same(out: &Option<PathBuf>, report: &Option<PathBuf>) -> Result<(), String> {
-    let place = |path: &PathBuf| std::path::absolute(path).unwrap_or_else(|_| path.clone());
-    match (out, report) {
-        (Some(out), Some(report)) if place(out) == place(report) => {
-            Err("--out and --report name the same file".to_owned())
+/// Checks that the outputs of a command, each with its option, neither replace `input` nor each
+/// other.
+pub(super) fn apart(input: &Path, outputs: &[(&str, &Option<PathBuf>)]) -> Result<(), String> {
+    let given = outputs.iter().filter_map(|(name, path)| Some((*name, place(path.as_ref()?))));
+    let given: Vec<(&str, PathBuf)> = given.collect();
+    for (i, (name, path)) in given.iter().enumerate() {
+        if input.is_file() && *path == place(input) {
+            let input = input.display();
+            return Err(format!("{name} would replace the input {input}, expected another file"));
         }
-        _ => Ok(()),
+        if let Some((earlier, _)) = given[..i].iter().find(|(_, other)| other == path) {
+            return Err(format!("{earlier} and {name} name the same file"));
+        }
     }
+    Ok(())
+}
+
+/// Returns the absolute path of a file that may not exist yet, with links resolved.
+fn place(path: &Path) -> PathBuf {
+    let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let of_folder = || {
+        let folder = absolute.parent()?.canonicalize().ok()?;
+        Some(folder.join(absolute.file_name()?))
+    };
+    absolute.canonicalize().ok().or_else(of_folder).unwrap_or(absolute)
 }
 
 fn unknown(word: &Word, command: &str) -> String {

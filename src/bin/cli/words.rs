@@ -73,12 +73,11 @@ impl Words {
     }
 
     /// Returns the value of an option that takes the name of a mesh file to write, in one of the
-    /// `formats`. Extensions of no mesh format are accepted.
+    /// `formats`: by its ending, or without one.
     pub(super) fn mesh(&mut self, name: &str, formats: &[&str]) -> Result<PathBuf, String> {
         let path = self.file(name)?;
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
-        let is = |format: &&str| ending.as_deref() == Some(format);
-        if ["obj", "off", "mesh"].iter().any(is) && !formats.iter().any(is) {
+        if ending.is_some_and(|ending| !formats.contains(&&*ending)) {
             let formats: Vec<_> = formats.iter().map(|format| format!(".{format}")).collect();
             let known = formats.join(" or ");
             return Err(format!("{name} writes {known}, found `{}`", path.display()));

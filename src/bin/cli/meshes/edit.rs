@@ -1,6 +1,7 @@
 //! `shape-up edit`: applies a mesh operation to a scene or a mesh.
 
 use super::mesh_file;
+use crate::cli::arguments::apart;
 use crate::cli::words::{Word, Words};
 use crate::cli::{Failure, input, output};
 use serde_json::{Map, Value, json};
@@ -59,7 +60,9 @@ pub(in crate::cli) fn parse(mut words: Words) -> Result<Remesh, String> {
             }
         }
     }
-    Ok(Remesh { input: input.into(), operation: operation.id, sizes, picked, out })
+    let input = PathBuf::from(input);
+    apart(&input, &[("--out", &out)])?;
+    Ok(Remesh { input, operation: operation.id, sizes, picked, out })
 }
 
 /// Applies the operation and prints the result.
