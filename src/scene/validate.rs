@@ -232,14 +232,19 @@ impl Scene {
                 (|corners| corners <= MOST, format!("faces of at most {MOST} corners"), "")
             }
         };
-        let Some(face) = mesh.faces.iter().position(|face| !fits(face.len())) else {
-            return Ok(());
+        let weighting = self.smoothness.weighting;
+        let reason = match mesh.faces.iter().position(|face| !fits(face.len())) {
+            Some(face) => format!("face {face} has {} corners", mesh.faces.row(face).len()),
+            None if weighting == Weighting::Cotangent && !Laplacian::has_cotangents(mesh) => {
+                "the mesh has no faces".to_owned()
+            }
+            None => return Ok(()),
         };
-        let (weighting, corners) = (self.smoothness.weighting.word(), mesh.faces.row(face).len());
+        let weighting = weighting.word();
         error(
             "smoothness.weighting",
             format!(
-                "{weighting} weights need {needed}, but face {face} has {corners} corners, expected {others}\"auto\" or \"uniform\""
+                "{weighting} weights need {needed}, but {reason}, expected {others}\"auto\" or \"uniform\""
             ),
         )
     }

@@ -345,6 +345,18 @@ fn the_cotangents_of_a_regular_hexagon_are_equal() {
 }
 
 #[test]
+fn an_edge_of_no_face_has_weight_one_beside_cotangents() {
+    // A guide curve across two triangles: this panicked.
+    let mut mesh = with_faces(4, &[[0, 1, 2], [1, 3, 2]]);
+    mesh.curves.push(&[0, 3]);
+    let with_curve = Laplacian::cotangent(&mesh, &Topology::new(&mesh));
+    mesh.curves = Ragged::new();
+    let without = Laplacian::cotangent(&mesh, &Topology::new(&mesh));
+    assert_eq!(with_curve.row(0), (&[1, 2, 3][..], &[without.row(0).1, &[1.0]].concat()[..]));
+    assert_eq!(with_curve.row(1), without.row(1));
+}
+
+#[test]
 fn closed_meshes_have_the_euler_characteristic_of_their_genus() {
     let known = [
         ("gc_dodecahedron_poly.obj", 2),

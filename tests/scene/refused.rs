@@ -1,7 +1,8 @@
 //! Refused scene files: the error, its JSON path, and its message.
 
 use crate::file::{file_with, refused};
-use shape_up::scene::Scene;
+use shape_up::mesh::Mesh;
+use shape_up::scene::{MeshSource, Scene};
 
 /// The faulty keys, the JSON path, and required words of the message.
 #[rustfmt::skip]
@@ -179,4 +180,31 @@ fn no_size_in_a_file_takes_memory_that_the_file_cannot_fill() {
     let error = refused(&file_with(r#", "solver": { "window": 4294967295 }"#));
     assert_eq!(error.path, "solver.window");
     assert!(error.message.contains("from 0 to 50"), "{error}");
+}
+
+fn inline(mesh: &str) -> String {
+    let points = r#""positions": [[0,0,0],[1,0,0],[0,1,0],[1,1,0.3]]"#;
+    format!(
+        r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ {points}{mesh} }},
+            "smoothness": {{ "weighting": "cotangent" }} }}"#
+    )
+}
+
+fn mesh_of(scene: &Scene) -> &Mesh {
+    let MeshSource::Inline(mesh) = &scene.mesh else { panic!("the mesh is in the scene") };
+    mesh
+}
+
+#[test]
+fn cotangent_weights_need_triangles_and_nothing_else() {
+    let checked = |mesh: &str| {
+        let scene = Scene::from_json(&inline(mesh)).unwrap();
+        scene.validate(mesh_of(&scene))
+    };
+    checked(r#", "faces": [[0,1,2],[1,3,2]], "curves": [[0,3]]"#).unwrap();
+    for mesh in ["", r#", "curves": [[0,3]]"#, r#", "tets": [[0,1,2,3]]"#] {
+        let error = checked(mesh).unwrap_err();
+        assert_eq!(error.path, "smoothness.weighting");
+        assert!(error.message.contains("the mesh has no faces"), "{error}");
+    }
 }

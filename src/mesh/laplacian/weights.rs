@@ -23,15 +23,16 @@ impl Laplacian {
     }
 
     /// Returns `w_ij = (cot a + cot b) / 2` on the rest mesh, with the angles `a` and `b` opposite
-    /// to the edge: one term per face of the edge. Cotangents are clamped to
-    /// [`LARGEST_COTANGENT`](crate::mesh::LARGEST_COTANGENT); the angle at coincident points counts
-    /// as a right angle.
+    /// to the edge: one term per face of the edge; an edge of no face, as of a curve, has weight 1.
+    /// Cotangents are clamped to [`LARGEST_COTANGENT`](crate::mesh::LARGEST_COTANGENT); the angle at
+    /// coincident points counts as a right angle.
     ///
     /// # Panics
-    /// If `topology` is not that of a triangle mesh: see [`Topology::is_triangle_mesh`].
+    /// Where they are not defined: see [`Laplacian::has_cotangents`].
     pub fn cotangent(mesh: &Mesh, topology: &Topology) -> Laplacian {
-        assert!(topology.is_triangle_mesh(), "cotangent weights need a triangle mesh");
-        let mut of_edge = vec![0.0; topology.edges().len()];
+        assert!(Laplacian::has_cotangents(mesh), "cotangent weights need triangles");
+        let of_no_face = |faces: &[u32]| if faces.is_empty() { 1.0 } else { 0.0 };
+        let mut of_edge: Vec<f64> = topology.edge_faces().iter().map(of_no_face).collect();
         for face in mesh.faces.iter() {
             for k in 0..3 {
                 let [a, b, opposite] = [face[k], face[(k + 1) % 3], face[(k + 2) % 3]];
@@ -45,6 +46,11 @@ impl Laplacian {
         let weights =
             topology.vertex_edges().indices().iter().map(|&e| of_edge[e as usize]).collect();
         Laplacian { neighbours: topology.neighbours().clone(), weights }
+    }
+
+    /// Whether cotangent weights are defined: the mesh has faces, and all are triangles.
+    pub fn has_cotangents(mesh: &Mesh) -> bool {
+        !mesh.faces.is_empty() && mesh.faces.iter().all(|face| face.len() == 3)
     }
 
     /// Maximum number of corners of a face for [`Laplacian::polygon`], which couples all pairs.
