@@ -182,6 +182,25 @@ fn no_size_in_a_file_takes_memory_that_the_file_cannot_fill() {
     assert!(error.message.contains("from 0 to 50"), "{error}");
 }
 
+#[test]
+fn corners_repeated_in_a_row_are_dropped_and_others_are_refused() {
+    let read = |mesh: &str| Scene::from_json(&inline(mesh));
+    let scene = read(r#", "faces": [[0,1,2,2],[1,3,2,1]], "curves": [[0,0,3,0]]"#).unwrap();
+    let mesh = mesh_of(&scene);
+    assert_eq!(mesh.faces.iter().collect::<Vec<_>>(), [[0, 1, 2], [1, 3, 2]]);
+    assert_eq!(mesh.curves.row(0), [0, 3, 0]);
+    for (mesh, path, words) in [
+        (r#", "faces": [[0,1,2],[0,1,0,1]]"#, "mesh.faces[1]", "vertex 0 is in it twice"),
+        (r#", "faces": [[0,0,0]]"#, "mesh.faces[0]", "found 3 vertices with repeats"),
+        (r#", "tets": [[0,1,2,0]]"#, "mesh.tets[0]", "vertex 0 is in it twice"),
+        (r#", "curves": [[3,3]]"#, "mesh.curves[0]", "expected at least 2 different ones"),
+    ] {
+        let error = read(mesh).unwrap_err();
+        assert_eq!(error.path, path);
+        assert!(error.message.contains(words), "{error}");
+    }
+}
+
 fn inline(mesh: &str) -> String {
     let points = r#""positions": [[0,0,0],[1,0,0],[0,1,0],[1,1,0.3]]"#;
     format!(

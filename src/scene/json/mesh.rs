@@ -131,7 +131,9 @@ fn source_of(file: MeshFile) -> Result<MeshSource, JsonError> {
     Ok(MeshSource::Inline(Box::new(mesh)))
 }
 
-/// Checks that each list has at least `least` vertices, all of a mesh with `count` vertices.
+/// Checks that each list has at least `least` vertices, all of a mesh with `count` vertices. Drops
+/// vertices of faces and curves repeated in a row, as the readers of mesh files do; otherwise no
+/// face or tetrahedron may have one twice.
 fn ragged(
     key: &str,
     lists: Option<Vec<indices::Indices>>,
@@ -139,7 +141,7 @@ fn ragged(
     count: usize,
 ) -> Result<Ragged, JsonError> {
     let mut rows = Ragged::new();
-    for (i, indices::Indices(row)) in lists.unwrap_or_default().into_iter().enumerate() {
+    for (i, indices::Indices(mut row)) in lists.unwrap_or_default().into_iter().enumerate() {
         let error = |message| Err(JsonError::new(format!("{key}[{i}]"), message));
         if row.len() < least {
             return error(format!("found {} vertices, expected at least {least}", row.len()));
@@ -148,6 +150,26 @@ fn ragged(
             return error(format!(
                 "there is no vertex {vertex}: the mesh has {count}, counted from 0"
             ));
+        }
+        let found = row.len();
+        if key != "tets" {
+            row.dedup();
+        }
+        if key == "faces" && row.len() > 1 && row.first() == row.last() {
+            row.pop();
+        }
+        if row.len() < least {
+            return error(format!(
+                "found {found} vertices with repeats, expected at least {least} different ones"
+            ));
+        }
+        let mut sorted = row.clone();
+        sorted.sort_unstable();
+        let twice = sorted.windows(2).find(|pair| pair[0] == pair[1]);
+        // A list of five is no tetrahedron in any case, and a curve may return to a vertex.
+        let is_simple = key == "faces" || (key == "tets" && found == least);
+        if let Some(pair) = twice.filter(|_| is_simple) {
+            return error(format!("vertex {} is in it twice, expected it once", pair[0]));
         }
         rows.push(&row);
     }
