@@ -1,6 +1,6 @@
 //! `shape-up solve` with hard constraints.
 
-use crate::folder::{Folder, ROOF};
+use crate::folder::{Folder, ROOF, scene};
 use serde_json::Value;
 
 fn number(value: &Value) -> f64 {
@@ -37,6 +37,20 @@ fn a_tolerance_is_met_and_moves_less() {
     assert!(number(&within["exact"]["max_distance"]) <= 0.01, "{within}");
     assert!(number(&within["moved"]["mean"]) < number(&exact["moved"]["mean"]));
     assert!(report(&[]).get("exact").is_none(), "nothing was to be met");
+}
+
+#[test]
+fn a_requirement_of_the_command_line_replaces_eased_faces_too() {
+    let folder = Folder::new("eased");
+    let eased = r#""require": { "within": 0.001 }, "eased": { "within": 0.5, "faces": "0-3" }"#;
+    let planes = format!(r#", "constraints": [{{ "kind": "plane", "on": "faces", {eased} }}]"#);
+    folder.write("roof.obj", ROOF).write("s.shapeup.json", scene(&planes));
+    for require in [&["--exact"][..], &["--within", "0.01"]] {
+        let asked = [&["solve", "s.shapeup.json", "--report", "r.json"], require];
+        folder.run(&asked.concat()).done();
+        let exact = &folder.json("r.json")["exact"];
+        assert!(number(&exact["max_distance"]) <= 0.01, "{exact}");
+    }
 }
 
 #[test]

@@ -29,7 +29,9 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         scene.request_panels(kind, Require::Soft, &mesh).map_err(|error| at_input(error.into()))?;
     }
     if let Some(require) = command.require {
-        scene.constraints.iter_mut().for_each(|row| row.require = require);
+        for row in &mut scene.constraints {
+            (row.require, row.eased) = (require, None);
+        }
     }
     scene.closeness.boundary = command.boundary.or(scene.closeness.boundary);
     scene.solver.iterations = command.iterations.unwrap_or(scene.solver.iterations);
