@@ -43,6 +43,7 @@ pub use edit::{
     Weld,
 };
 pub use io::{Decimal, Read, ReadError, read, write_medit, write_obj, write_obj_with_uv};
+pub(crate) use io::{decode, lines};
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use measure::{
     Circularity, Histogram, MapErrors, Measures, Planarity, QuasiConformal, UnrolledStrip,

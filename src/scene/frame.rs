@@ -2,7 +2,7 @@
 //! else guessed from the shape (the axis in `up_guess`). Coordinates are never changed.
 
 use super::{NamedEnum, Up};
-use crate::mesh::{Mesh, Point};
+use crate::mesh::{Mesh, Point, decode, lines};
 
 /// Least diagonal of the bounding box of a mesh taken as a building in metres.
 const METRES_FROM: f64 = 3.0;
@@ -23,9 +23,8 @@ impl UnitsAndUp {
     /// `# units: m` and `# up: y`.
     pub fn stated(file: &[u8]) -> UnitsAndUp {
         let mut frame = UnitsAndUp::default();
-        for line in file.split(|&byte| byte == b'\n') {
-            let Some(comment) = line.trim_ascii().strip_prefix(b"#") else { break };
-            let Ok(comment) = std::str::from_utf8(comment) else { continue };
+        for (_, line) in lines(&decode(file)) {
+            let Some(comment) = line.trim_ascii().strip_prefix('#') else { break };
             match comment.split_once(':').map(|(key, value)| (key.trim(), value.trim())) {
                 Some(("units", units)) if !units.is_empty() => frame.units = Some(units.to_owned()),
                 Some(("up", axis)) => frame.up = Up::of_word(axis).or(frame.up),
@@ -115,6 +114,20 @@ mod tests {
         let foreign = b"# Blender 4.2\r\n#\r\n# units: cm\r\n# a: b: c\r\nmtllib x.mtl\r\n";
         assert_eq!(UnitsAndUp::stated(foreign).units.as_deref(), Some("cm"));
         assert_eq!(UnitsAndUp::stated(b""), UnitsAndUp::default());
+    }
+
+    #[test]
+    fn no_encoding_or_line_ending_hides_the_unit() {
+        let text = "# units: m\u{b2}\n# up: y\nv 0 0 0\n";
+        let utf16: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+        for file in [
+            [b"\xEF\xBB\xBF", text.as_bytes()].concat(),
+            [b"\xFF\xFE", &utf16[..]].concat(),
+            text.replace('\n', "\r").into_bytes(),
+        ] {
+            let expected = UnitsAndUp { units: Some("m\u{b2}".to_owned()), up: Some(Up::Y) };
+            assert_eq!(UnitsAndUp::stated(&file), expected);
+        }
     }
 
     #[test]

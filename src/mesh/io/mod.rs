@@ -25,6 +25,7 @@ mod read;
 mod stream;
 
 pub use decimal::Decimal;
+pub(crate) use lines::{decode, lines};
 pub use medit_write::write_medit;
 pub use obj_write::{write_obj, write_obj_with_uv};
 pub use outcome::{Read, ReadError};

@@ -64,7 +64,7 @@ impl Format {
     }
 
     fn of_content(text: &str) -> Option<Self> {
-        let first_words = || lines::lines(text).filter_map(|(_, line)| lines::words(line).next());
+        let first_words = || lines(text).filter_map(|(_, line)| lines::words(line).next());
         match first_words().next()? {
             medit::HEADER => Some(Format::Medit),
             word if off::Header::parse(word).is_some() => Some(Format::Off),
