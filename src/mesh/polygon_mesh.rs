@@ -1,6 +1,7 @@
 //! A polygon mesh with curves, tetrahedra and named groups.
 
 use super::ragged::Ragged;
+use std::borrow::Cow;
 
 /// A position in space, in the units of the mesh.
 pub type Point = [f64; 3];
@@ -21,6 +22,22 @@ pub struct Mesh {
     /// Named sets of faces and curves, which may overlap; none is empty. From a file they are in
     /// the order of their first members.
     pub groups: Vec<Group>,
+}
+
+impl Mesh {
+    /// The positions of the vertices of faces, curves and tetrahedra; of a point set, all. The size
+    /// of a mesh is theirs: files have stray vertices, often at the origin.
+    pub fn used_positions(&self) -> Cow<'_, [Point]> {
+        let mut used = vec![false; self.positions.len()];
+        let corners = [self.faces.indices(), self.curves.indices(), self.tets.as_flattened()];
+        corners.into_iter().flatten().for_each(|&v| used[v as usize] = true);
+        let count = used.iter().filter(|used| **used).count();
+        if count == 0 || count == used.len() {
+            return Cow::Borrowed(&self.positions);
+        }
+        let pairs = self.positions.iter().zip(used);
+        pairs.filter_map(|(&point, used)| used.then_some(point)).collect()
+    }
 }
 
 /// A named set of faces and curves.

@@ -89,7 +89,7 @@ impl Session {
     /// allowed one, and whether all are within theirs; none if no constraint is hard.
     pub(super) fn hard_distance(&self) -> Option<(f64, f64, bool)> {
         let document = self.document();
-        let exact = exact_tolerance(self.rest.positions());
+        let exact = exact_tolerance(self.rest.mesh());
         let allowed = |require| match require {
             Require::Soft => None,
             Require::Exact => Some(exact),

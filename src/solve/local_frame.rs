@@ -16,8 +16,9 @@ pub(super) fn rest_surface(mesh: &Mesh, centre: Point) -> Surface {
     Surface::new(&positions, mesh)
 }
 
-/// Centre and diagonal of the bounding box.
-pub(super) fn centre_and_extent(points: &[Point]) -> (Point, f64) {
+/// Centre and diagonal of the bounding box, without unused vertices.
+pub(super) fn centre_and_extent(mesh: &Mesh) -> (Point, f64) {
+    let points = mesh.used_positions();
     let bound = |i: usize, pick: fn(f64, f64) -> f64| points.iter().map(|p| p[i]).reduce(pick);
     let (mut centre, mut squared) = ([0.0; 3], 0.0);
     for i in 0..3 {

@@ -80,7 +80,7 @@ impl Parts {
             System::with_order(n, terms, settings.factorization, cache.analysis.as_ref());
         let after_system = clock::now();
 
-        let (centre, extent) = centre_and_extent(&mesh.positions);
+        let (centre, extent) = centre_and_extent(mesh);
         let node_of = &system.node_of()[..n_vertices];
         let rest = to_rows(&mesh.positions, node_of, n, centre);
         let design = problem.design.map(|design| to_rows(design, node_of, n, centre));

@@ -15,7 +15,7 @@ pub fn rest_projections(
     constraints: &[Constraints],
     mut each: impl FnMut(&Projected),
 ) {
-    let (centre, _) = centre_and_extent(&mesh.positions);
+    let (centre, _) = centre_and_extent(mesh);
     let rows = |positions: &[Point]| -> Vec<Row> {
         positions.iter().map(|&point| relative(point, centre)).collect()
     };

@@ -89,7 +89,7 @@ pub(super) fn check(path: &Path, report: Option<&Path>) -> Result<(), Failure> {
     let topology = Topology::new(mesh);
     let boundary_edges =
         (0..topology.edges().len()).filter(|&e| topology.is_boundary_edge(e as u32)).count();
-    let diameter = BoundingSphere::of(&mesh.positions).diameter();
+    let diameter = BoundingSphere::of(&mesh.used_positions()).diameter();
     let measures = Measures::new(&mesh.positions, &mesh.faces, diameter);
     let lines = CurvatureLines::new(&mesh.positions, &mesh.faces, &topology);
     let problems = read.problems.iter().map(|problem| Problem {

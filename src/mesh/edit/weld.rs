@@ -128,8 +128,9 @@ fn tolerance(mesh: &Mesh) -> Option<f64> {
     let sides = mesh.faces.iter().flat_map(polygon_sides);
     let lengths = sides.map(|[a, b]| (at(b) - at(a)).length()).filter(|length| *length > 0.0);
     let shortest = lengths.reduce(f64::min)?;
+    let used = mesh.used_positions();
     let bound = |pick: fn(f64, f64) -> f64| {
-        let points = mesh.positions.iter().copied();
+        let points = used.iter().copied();
         points.reduce(|a, b| std::array::from_fn(|i| pick(a[i], b[i]))).map(Vec3::from)
     };
     let diagonal = (bound(f64::max)? - bound(f64::min)?).length();
@@ -248,6 +249,21 @@ mod tests {
             assert_eq!(Weld::apply(&mut after), None);
             assert_eq!(after, mesh);
         }
+    }
+
+    #[test]
+    fn a_stray_vertex_far_away_does_not_weld_what_has_joints() {
+        // Panels with joints of 20 mm at site coordinates, and an unused vertex at the origin.
+        let mut mesh = soup(5, 0.0, 1.0);
+        for face in 0..mesh.faces.len() {
+            for &v in &mesh.faces.row(face).to_vec() {
+                let at = &mut mesh.positions[v as usize];
+                at[0] += 2.7e6 + 0.02 * (face % 5) as f64;
+                at[1] += 0.02 * (face / 5) as f64;
+            }
+        }
+        mesh.positions.push([0.0; 3]);
+        assert_eq!(Weld::apply(&mut mesh), None);
     }
 
     #[test]

@@ -163,7 +163,7 @@ fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
 pub(crate) fn goals(model: &mut Measuring<'_>) -> Vec<GoalResult> {
     let lesson = model.scene.document().lesson.as_ref();
     let goals = lesson.map(|lesson| lesson.goals.clone()).unwrap_or_default();
-    let exact = exact_tolerance(model.rest.positions());
+    let exact = exact_tolerance(model.rest.mesh());
     let result = |goal: Goal| {
         let value = worst_of(model, &goal.of);
         // A limit of zero means exact, and rounding errors keep the value above zero.

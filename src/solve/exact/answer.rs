@@ -5,7 +5,7 @@ use super::hard_rows::HardBatch;
 use super::model::Model;
 use crate::constraint::Row;
 use crate::math::{Lane, key_of_number, sort_by_number};
-use crate::mesh::Point;
+use crate::mesh::{Mesh, Point};
 use crate::solve::local_frame::centre_and_extent;
 use serde::Serialize;
 
@@ -191,9 +191,9 @@ impl Model {
     }
 }
 
-/// Returns the distance up to which exact constraints on a mesh with these rest positions count as
-/// met, in its unit: a little more than the resolution of the coordinates.
-pub fn exact_tolerance(rest: &[Point]) -> f64 {
+/// Returns the distance up to which exact constraints on a mesh at rest count as met, in its unit:
+/// a little more than the resolution of the coordinates.
+pub fn exact_tolerance(rest: &Mesh) -> f64 {
     let (centre, extent) = centre_and_extent(rest);
     tolerance_of(centre, extent)
 }

@@ -11,7 +11,7 @@ use std::rc::Rc;
 /// Returns the greatest distance of a vertex at `positions` (`#V by 3`) to the shape of one of the
 /// `constraints`, with `mesh` as the rest shape, in the unit of `mesh`.
 pub fn farthest(mesh: &Mesh, positions: &[Point], constraints: &Constraints) -> f64 {
-    let (centre, _) = centre_and_extent(&mesh.positions);
+    let (centre, _) = centre_and_extent(mesh);
     let rows = |points: &[Point]| -> Vec<Row> {
         points.iter().map(|&point| relative(point, centre)).collect()
     };

@@ -25,7 +25,7 @@ const RANK: f64 = 1e-3;
 /// linearised `constraints` hold: the first step of the polish, with lengths as the metric. Lengths
 /// are in the unit of the mesh.
 pub fn least_move(mesh: &Mesh, constraints: &[Constraints]) -> Moved {
-    let (centre, extent) = centre_and_extent(&mesh.positions);
+    let (centre, extent) = centre_and_extent(mesh);
     let x: Vec<Row> = mesh.positions.iter().map(|&point| relative(point, centre)).collect();
     let surface = || Rc::new(rest_surface(mesh, centre));
     let reference = Reference { surface: &surface, pose: None };

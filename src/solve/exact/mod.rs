@@ -434,7 +434,7 @@ impl Exact {
     ) -> Option<f64> {
         let asked = requirements.rows.contains(&Require::Exact);
         let is_too_large = asked && !polish_fits(problem, requirements, nonzeros);
-        is_too_large.then(|| NEAR * centre_and_extent(&problem.mesh.positions).1)
+        is_too_large.then(|| NEAR * centre_and_extent(problem.mesh).1)
     }
 
     /// Whether the polish fits in memory; otherwise constraints are met only to 1e-5 of the size.
