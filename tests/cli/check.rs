@@ -40,3 +40,29 @@ fn how_far_a_mesh_will_move_for_panels_of_one_shape_is_said() {
     assert!(!text.contains("panels "), "{text}");
     assert!(folder.json("report.json").get("forecast").is_none());
 }
+
+#[test]
+fn faces_that_do_not_share_vertices_are_welded_as_they_are_to_be_solved() {
+    let folder = Folder::new("soup");
+    let corners = |x: u32, y: u32| {
+        let at = |x: u32, y: u32| format!("v {x} {y} {}\n", 0.1 * f64::from(x * y));
+        [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)].concat()
+    };
+    let vertices = [corners(0, 0), corners(1, 0), corners(0, 1), corners(1, 1)].concat();
+    let faces = (0..4).map(|k| 4 * k + 1).map(|k| format!("f {k} {} {} {}\n", k + 1, k + 2, k + 3));
+    folder.write("soup.obj", vertices + &faces.collect::<String>());
+    let note = "7 coincident vertices were welded, 9 remain";
+    let text = folder.run(&["check", "soup.obj", "--report", "r.json"]).done();
+    assert!(text.contains(note), "{text}");
+    let report = folder.json("r.json");
+    assert_eq!((&report["vertices"], &report["components"]), (&9.into(), &1.into()));
+    let asked = ["parametrize", "soup.obj", "--out", "uv.obj", "--report", "r.json"];
+    let text = folder.run(&asked).done();
+    assert!(text.contains(note), "{text}");
+    assert_eq!(folder.json("r.json")["parts"], 1);
+    let out = folder.read("uv.obj");
+    let maps: Vec<&str> = out.lines().filter(|line| line.starts_with("vt ")).collect();
+    // In the vertices of the file: the second corner of the first face is the first of the second.
+    assert_eq!((maps.len(), maps[1]), (16, maps[4]));
+    assert_eq!(out.lines().filter(|line| line.starts_with("v ")).count(), 16);
+}

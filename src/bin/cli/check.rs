@@ -84,7 +84,7 @@ struct Problem {
 }
 
 pub(super) fn check(path: &Path, report: Option<&Path>) -> Result<(), Failure> {
-    let read = input::read_mesh(path)?;
+    let (read, _) = input::read_mesh(path)?;
     let mesh = &read.mesh;
     let topology = Topology::new(mesh);
     let boundary_edges =

@@ -82,12 +82,14 @@ fn named_mesh(scene: &Path, place: &str, file: &str) -> Result<Read, Failure> {
     mesh::read(&beside.to_string_lossy(), &bytes).map_err(|error| Failure::Input(error.to_string()))
 }
 
-/// Reads a mesh file for measurement, with numbers whose squares are finite.
-pub(super) fn read_mesh(path: &Path) -> Result<Read, Failure> {
-    mesh_of(path, &bytes(path)?)
+/// Reads a mesh file for measurement, welded as [`read`] welds it.
+pub(super) fn read_mesh(path: &Path) -> Result<(Read, Option<Weld>), Failure> {
+    let mut read = mesh_of(path, &bytes(path)?)?;
+    let weld = read.weld();
+    Ok((read, weld))
 }
 
-/// Reads a mesh as [`read_mesh`] does, from the bytes of its file.
+/// Reads a mesh from the bytes of its file, with numbers whose squares are finite.
 pub(super) fn mesh_of(path: &Path, bytes: &[u8]) -> Result<Read, Failure> {
     let read = mesh::read(&path.to_string_lossy(), bytes)
         .map_err(|error| Failure::Input(error.to_string()))?;

@@ -3,7 +3,7 @@
 use super::arguments::Parametrize;
 use super::{Failure, input, output};
 use serde::Serialize;
-use shape_up::mesh::{QuasiConformal, Topology, counted, write_obj_with_uv};
+use shape_up::mesh::{QuasiConformal, Topology, Weld, counted, write_obj_with_uv};
 use shape_up::scene::NamedEnum;
 use shape_up::solve::{ConformalNorm, ConformalSeconds, FewerFlips, Parametrization, clock};
 use std::path::Path;
@@ -33,7 +33,7 @@ struct Seconds {
 pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
     let started = clock::now();
     let path = asked.mesh.display();
-    let read = input::read_mesh(&asked.mesh)?;
+    let (read, weld) = input::read_mesh(&asked.mesh)?;
     let mesh = &read.mesh;
     if mesh.faces.is_empty() {
         return Err(Failure::Input(format!("{path}: the mesh has no faces, expected a surface")));
@@ -59,7 +59,14 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
     };
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(out) = &asked.out {
-        files.push((out, write_obj_with_uv(mesh, &mesh.positions, &map.uv)));
+        let text = match &weld {
+            None => write_obj_with_uv(mesh, &mesh.positions, &map.uv),
+            Some(Weld { original, to, .. }) => {
+                let uv: Vec<_> = to.iter().map(|&vertex| map.uv[vertex as usize]).collect();
+                write_obj_with_uv(original, &original.positions, &uv)
+            }
+        };
+        files.push((out, text));
     }
     if let Some(to) = &asked.report {
         let text = serde_json::to_string_pretty(&report);
