@@ -55,7 +55,8 @@ impl UnitsAndUp {
 
     /// Guesses the unit of a mesh from its size; empty if it is not clear.
     pub fn guess_units(mesh: &Mesh) -> &'static str {
-        let sides = [0, 1, 2].map(|axis| Extent::of(mesh.positions.iter().copied(), axis).length());
+        let points = mesh.used_positions();
+        let sides = [0, 1, 2].map(|axis| Extent::of(points.iter().copied(), axis).length());
         let size = (sides[0] * sides[0] + sides[1] * sides[1] + sides[2] * sides[2]).sqrt();
         if size >= MILLIMETRES_FROM {
             "mm"

@@ -75,6 +75,22 @@ fn a_piece_without_room_for_its_name_is_named_in_words_and_in_the_report() {
 }
 
 #[test]
+fn a_mesh_without_a_unit_has_the_one_of_its_size_or_of_the_command_line() {
+    let folder = Folder::new("build-units");
+    folder.write("large.obj", "v 0 0 0\nv 2000 0 0\nv 2000 1000 0\nv 0 1000 0\nf 1 2 3 4\n");
+    let built = |options: &[&str]| {
+        let asked = [&["build", "large.obj", "--scale=10", "--report", "r.json"], options];
+        let words = folder.run(&asked.concat()).done();
+        (words, folder.json("r.json")["unit"].clone())
+    };
+    let (words, unit) = built(&[]);
+    assert_eq!(unit, "mm");
+    assert!(words.contains("note: the file has no unit: taken as mm by its size"), "{words}");
+    assert_eq!(built(&["--units", "cm"]).1, "cm");
+    folder.run(&["build", "large.obj", "--units", "yd"]).misused("m or cm or mm or ft or in");
+}
+
+#[test]
 fn the_scene_says_what_the_command_line_does_not() {
     let folder = Folder::new("build-scene");
     let scene = r#"{ "format": "shape-up-scene", "version": 1, "units": "mm", "mesh": { "file": "roof.obj" },

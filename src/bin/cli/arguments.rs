@@ -5,7 +5,7 @@ use super::meshes::new_mesh::{self, New};
 use super::words::{Word, Words};
 use shape_up::fabricate::{OffsetKind, Page, Pieces, Product};
 use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
-use shape_up::scene::{Accelerator, BoundaryCloseness};
+use shape_up::scene::{Accelerator, BoundaryCloseness, UNITS};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -80,6 +80,8 @@ pub(super) struct Build {
     pub(super) distance: Option<f64>,
     pub(super) joint: Option<f64>,
     pub(super) scale: Option<f64>,
+    /// The symbol of the unit of the mesh.
+    pub(super) units: Option<&'static str>,
     pub(super) sheet: Option<[f64; 2]>,
     /// A folder.
     pub(super) out: Option<PathBuf>,
@@ -262,6 +264,10 @@ fn build(mut words: Words) -> Result<Command, String> {
             "--distance" => build.distance = Some(words.distance(&name)?),
             "--joint" => build.joint = Some(words.not_negative(&name)?),
             "--scale" => build.scale = Some(words.positive(&name)?),
+            "--units" => {
+                let symbols = UNITS.map(|unit| unit.symbol);
+                build.units = Some(words.word_of(&name, symbols, |symbol| symbol)?);
+            }
             "--sheet" => build.sheet = Some(words.sheet(&name)?),
             "--out" => build.out = Some(words.file(&name)?),
             "--report" => build.report = Some(words.file(&name)?),

@@ -31,13 +31,18 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
         let bytes = bytes(path)?;
         let mut read = mesh::read(&path.to_string_lossy(), &bytes)
             .map_err(|error| Failure::Input(error.to_string()))?;
+        let guessed = UnitsAndUp::guess_units(&read.mesh);
         let weld = read.weld();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let frame = UnitsAndUp::stated(&bytes);
         let mut scene = Scene::opened(&name);
-        scene.units = frame.units.unwrap_or_default();
+        let mut remarks = remarks(&read);
+        if frame.units.is_none() && !guessed.is_empty() {
+            remarks.push(format!("the file has no unit: taken as {guessed} by its size"));
+        }
+        scene.units = frame.units.unwrap_or_else(|| guessed.to_owned());
         scene.up = frame.up.unwrap_or(scene.up);
-        return Ok(Input { remarks: remarks(&read), scene, mesh: read.mesh, weld });
+        return Ok(Input { remarks, scene, mesh: read.mesh, weld });
     }
     let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
     let text = String::from_utf8(bytes(path)?)

@@ -4,7 +4,7 @@ use shape_up::begin::NEW_KINDS;
 use shape_up::constraint::KINDS;
 use shape_up::fabricate::{OffsetKind, Page, Pieces, Product};
 use shape_up::mesh::{MESH_OPERATIONS, Scheme, Size};
-use shape_up::scene::{Accelerator, NamedEnum};
+use shape_up::scene::{Accelerator, NamedEnum, UNITS};
 use shape_up::solve::{ConformalNorm, ConformalWeights};
 
 /// Returns the usage text.
@@ -18,7 +18,7 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
        shape-up build SCENE|MESH [--product {}] [--kind {}]
                 [--distance D] [--joint J] [--scale S] [--material NAME]
                 [--thickness T] [--sheet WxH] [--hole D] [--pieces {}]
-                [--page {}] [--out DIR] [--report FILE.json]
+                [--page {}] [--units {}] [--out DIR] [--report FILE.json]
                 [--report-page FILE.pdf [--link URL]]
        shape-up refine SCENE|MESH [--scheme {}] [--levels N]
                 [--keep DEGREES] [--panels KIND] [--adopt]
@@ -53,10 +53,11 @@ A MESH is solved with settings that preserve its shape, a scene with its own.
 build lays panels, fins along the edges, or a paper model of strips or nets flat on sheets, and checks
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
 tables (CSV) and, with fins, the beams as solids (OBJ). The distance D, negative inwards, and the joint J
-between panels are lengths in the unit of the mesh; the model is 1:S; the material is T mm thick, a sheet
-W by H mm; holes of --hole mm for dowels or ties are drilled along edges and at the ends of fins; the
-PDF is tiled to a --page. Options not given are taken from `build` of the scene. --report-page writes
-a report on one page of A4 (PDF): picture, plan, build check, bill of materials, and the --link.
+between panels are lengths in the unit of the mesh (--units; else that of the file, or guessed from its
+size); the model is 1:S; the material is T mm thick, a sheet W by H mm; holes of --hole mm for dowels or
+ties are drilled along edges and at the ends of fins; the PDF is tiled to a --page. Options not given are
+taken from `build` of the scene. --report-page writes a report on one page of A4 (PDF): picture, plan,
+build check, bill of materials, and the --link.
 refine divides each face into several, N times; the boundary is refined as a curve of its own, and
 creases and corners that turn by more than DEGREES (75) stay sharp. With --panels it solves before the
 first level and after each; with --adopt the shape of each level is the original of the next, which stays
@@ -87,6 +88,7 @@ Exit code: 0 done, 1 error in the input, 2 usage error, 3 internal error.",
         OffsetKind::ALL.map(OffsetKind::id).join("|"),
         Pieces::ALL.map(Pieces::id).join("|"),
         Page::ALL.map(Page::id).join("|"),
+        UNITS.map(|unit| unit.symbol).join("|"),
         Scheme::list("|"),
         ConformalWeights::list("|"),
         ConformalNorm::list("|"),
