@@ -133,6 +133,7 @@ impl Session {
             _ => None,
         };
         let (parts, eased) = eased.unzip();
+        self.progress.end_next();
         self.go_to(&exact.positions(), parts.unwrap_or_default())?;
         self.note_met(&exact);
         // An attempt may have had a smaller tolerance than the scene.

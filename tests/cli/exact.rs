@@ -54,6 +54,22 @@ fn a_requirement_of_the_command_line_replaces_eased_faces_too() {
 }
 
 #[test]
+fn the_trace_begins_at_the_input_where_constraints_are_met() {
+    let folder = Folder::new("trace");
+    folder.write("roof.obj", ROOF);
+    let asked = ["solve", "roof.obj", "--panels", "circle", "--exact", "--trace"];
+    for iterations in ["0", "3"] {
+        let rest = ["--report", "r.json", "--iterations", iterations];
+        folder.run(&[&asked[..], &rest].concat()).done();
+        let report = folder.json("r.json");
+        let (energy, trace) = (&report["energy"], report["trace"].as_array().unwrap());
+        assert_eq!(trace[0]["total"], energy["initial"]["total"]);
+        assert_eq!(trace[trace.len() - 1]["total"], energy["final"]["total"]);
+        assert_ne!(energy["initial"]["total"], energy["final"]["total"]);
+    }
+}
+
+#[test]
 fn meeting_constraints_leaves_what_stopped_the_iterations() {
     let folder = Folder::new("stopped");
     folder.write("roof.obj", ROOF);

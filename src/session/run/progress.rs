@@ -10,12 +10,15 @@ pub(crate) struct Progress {
     trace: Option<Trace>,
     halfway: bool,
     load_seconds: f64,
+    /// Whether the next jump is to the end of the run: see [`Trace::end_with`].
+    ends: bool,
 }
 
 impl Progress {
     /// Begins at the input, which has these energies.
     pub(crate) fn new(initial: Energy) -> Progress {
-        Progress { iteration: 0, initial, trace: None, halfway: false, load_seconds: 0.0 }
+        let trace = None;
+        Progress { iteration: 0, initial, trace, halfway: false, load_seconds: 0.0, ends: false }
     }
 
     /// Number of iterations from the start of the scene to the current shape; undo reduces it.
@@ -67,12 +70,20 @@ impl Progress {
         }
     }
 
+    /// Declares the next jump the end of the run, after its last iteration.
+    pub(crate) fn end_next(&mut self) {
+        self.ends = true;
+    }
+
     /// Sets the iteration count and the energies after a jump to another state.
     pub(crate) fn go_to(&mut self, iteration: u32, energy: Energy) {
         self.halfway = false;
         self.iteration = iteration;
-        if let Some(trace) = &mut self.trace {
-            trace.go_to(TraceEntry::new(iteration, energy));
+        let (ends, state) = (std::mem::take(&mut self.ends), TraceEntry::new(iteration, energy));
+        match &mut self.trace {
+            Some(trace) if ends => trace.end_with(state),
+            Some(trace) => trace.go_to(state),
+            None => {}
         }
     }
 

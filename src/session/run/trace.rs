@@ -6,8 +6,9 @@ use serde::Serialize;
 /// Maximum number of entries of a bounded trace: more than a plot has pixels.
 const MOST: usize = 8192;
 
-/// One entry per iteration, ascending, without iterations that were undone. Of a repeated run, only
-/// the last one is included.
+/// One entry per iteration, ascending, without iterations that were undone, and another with the
+/// same number for a shape that was met without iterating. Of a repeated run, only the last one is
+/// included.
 ///
 /// A host may iterate for hours. When a bounded trace is full, it keeps every second of its
 /// iterations, then every fourth, and so on, evenly spaced; the first and the newest are always
@@ -50,14 +51,18 @@ impl Trace {
     /// Goes to an earlier or later state, or to one whose energies an edit has changed. Removes all
     /// later entries, and sets the entry of the state.
     pub(crate) fn go_to(&mut self, state: TraceEntry) {
-        let kept = self.entries.partition_point(|entry| entry.iteration <= state.iteration);
+        let kept = self.entries.partition_point(|entry| entry.iteration < state.iteration);
         self.entries.truncate(kept);
-        match self.entries.last_mut() {
-            Some(last) if last.iteration == state.iteration => *last = state,
-            _ => self.entries.push(state),
-        }
+        self.entries.push(state);
         if self.entries.len() == 1 {
             self.stride = 1;
+        }
+    }
+
+    /// Appends the state that a run ends with after its last iteration, which stays.
+    pub(crate) fn end_with(&mut self, state: TraceEntry) {
+        if self.entries.last() != Some(&state) {
+            self.entries.push(state);
         }
     }
 
@@ -117,6 +122,17 @@ mod tests {
         (1..3 * MOST as u32).for_each(|iteration| whole.push(at(iteration)));
         assert_eq!(iterations(&bounded), (0..MOST as u32).collect::<Vec<_>>());
         assert_eq!(iterations(&whole), (0..3 * MOST as u32).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn the_shape_at_the_end_of_a_run_does_not_replace_its_last_iteration() {
+        let met = TraceEntry::new(0, Energy { total: 7.0, ..Energy::default() });
+        let mut trace = Trace::whole(at(0));
+        trace.end_with(met);
+        trace.end_with(met);
+        assert_eq!(trace.entries(), [at(0), met]);
+        trace.go_to(at(0));
+        assert_eq!(trace.entries(), [at(0)]);
     }
 
     #[test]
