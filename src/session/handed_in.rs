@@ -89,7 +89,14 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     still.constraints = scene.constraints;
     still.pose = scene.pose;
     still.current = Some(results.positions.clone());
-    let mut still = Session::open(still, mesh)?;
+    // The positions are the shape of that scene.
+    let of_results = |error: Error| match error {
+        Error::Scene(SceneError { path, message }) if path.starts_with("current") => {
+            at(&path.replacen("current", "positions", 1), message).into()
+        }
+        error => error,
+    };
+    let mut still = Session::open(still, mesh).map_err(of_results)?;
     still.set_build_numbers(numbers);
     Ok(Checked {
         goals: still.goals(),

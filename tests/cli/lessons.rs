@@ -93,6 +93,19 @@ fn a_folder_of_results_becomes_a_table() {
 }
 
 #[test]
+fn positions_that_do_not_fit_are_called_so() {
+    let folder = folder("positions");
+    let mut cut = shape_up::scene::Results::from_json(&results(true)).unwrap();
+    cut.positions.pop();
+    std::fs::create_dir_all(folder.0.join("class")).unwrap();
+    folder.write("class/cut.json", cut.to_json());
+    let message = "positions: found 8 positions, expected one for each of the 9 vertices";
+    folder.run(&["check", "class/cut.json", "--scene", "s.json"]).refused(&[message]);
+    let table = folder.run(&["check", "class", "--scene", "s.json"]).done();
+    assert!(table.contains(message), "{table}");
+}
+
+#[test]
 fn a_folder_without_a_scene_or_results_is_refused() {
     let folder = Folder::new("no-class");
     std::fs::create_dir_all(folder.0.join("class")).unwrap();

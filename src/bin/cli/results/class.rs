@@ -2,8 +2,9 @@
 
 use super::super::{Failure, input, output};
 use super::read;
+use shape_up::error::Error;
 use shape_up::mesh::counted;
-use shape_up::scene::{NamedEnum, Results};
+use shape_up::scene::{NamedEnum, Results, SceneError};
 use shape_up::session::{Checked, check_results};
 use std::path::{Path, PathBuf};
 
@@ -22,7 +23,8 @@ const HEAD: [&str; 9] = [
     "file",
 ];
 
-/// Entries of column `altered`: for an unreadable file, and for one of another mesh or lesson.
+/// Entries of column `altered`: for an unreadable file, and for one of another mesh or lesson. For
+/// others that cannot be checked it is the reason.
 const NOT_RESULTS: &str = "unreadable";
 const OTHER: &str = "another mesh or lesson";
 
@@ -48,7 +50,7 @@ pub(crate) fn check(
         match read(path) {
             Ok(results) => {
                 let checked = check_results(&results, input.scene.clone(), input.mesh.clone());
-                rows.push(row(path, &results, checked.ok()));
+                rows.push(row(path, &results, checked));
             }
             Err(failure) => {
                 let mut row = [""; 9].map(str::to_owned);
@@ -91,13 +93,20 @@ fn name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-fn row(path: &Path, results: &Results, checked: Option<Checked>) -> [String; 9] {
+fn row(path: &Path, results: &Results, checked: Result<Checked, Error>) -> [String; 9] {
     let student = results.student.clone();
     let iterations = results.iterations.to_string();
-    let Some(checked) = checked else {
-        let none = String::new;
-        let altered = OTHER.to_owned();
-        return [student, none(), none(), none(), none(), iterations, altered, none(), name(path)];
+    let checked = match checked {
+        Ok(checked) => checked,
+        Err(error) => {
+            let altered = match error {
+                Error::Scene(SceneError { path, .. }) if path == "scene" => OTHER.to_owned(),
+                error => error.to_string(),
+            };
+            let [met, of, distance, moved, changed] = [""; 5].map(str::to_owned);
+            let file = name(path);
+            return [student, met, of, distance, moved, iterations, altered, changed, file];
+        }
     };
     let met = checked.goals.iter().filter(|goal| goal.met).count();
     let altered: Vec<_> = checked.altered.iter().map(|lock| lock.word()).collect();
