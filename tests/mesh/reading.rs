@@ -293,3 +293,12 @@ fn a_refusal_names_file_line_text_and_what_was_expected() {
     assert!(error.text.len() < 70 && error.text.starts_with("1 xy"), "{}", error.text);
     assert!(error.message.starts_with("expected the number of faces"), "{}", error.message);
 }
+
+#[test]
+fn solids_that_are_not_read_are_noted() {
+    let text = "MeshVersionFormatted 1\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n1 1 1 0\n\
+                Hexahedra\n1\n1 2 3 4 1 2 3 4 0\nTriangles 1\n1 2 3 0\nEnd\n";
+    let read = ok("a.mesh", text);
+    assert_eq!(read.mesh.faces.len(), 1);
+    assert_eq!(read.notes, ["1 Hexahedra ignored: solids are read as tetrahedra"]);
+}

@@ -1,6 +1,7 @@
 //! Reads Medit's `.mesh` (INRIA Technical Report 0253) in its text form: named sections, each with
 //! its number of rows. Vertices are numbered from one. The reference number at the end of each row
-//! is ignored. Triangles and quadrilaterals are read as faces, edges as curves.
+//! is ignored. Triangles and quadrilaterals are read as faces, edges as curves. Solids
+//! other than tetrahedra are ignored with a note.
 
 use super::builder::MeshBuilder;
 use super::number::Numbering;
@@ -39,6 +40,15 @@ pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
             "Triangles" => (ElementKind::Face, 3),
             "Quadrilaterals" => (ElementKind::Face, 4),
             "Tetrahedra" => (ElementKind::Tetrahedron, 4),
+            "Hexahedra" | "Prisms" | "Pyramids" => {
+                let count = stream.count(format_args!("the number of {word}"))?;
+                if count > 0 {
+                    let note = format!("{count} {word} ignored: solids are read as tetrahedra");
+                    builder.notes.push(note);
+                }
+                section = "";
+                continue;
+            }
             "End" => break,
             _ if word.starts_with(|c: char| c.is_ascii_alphabetic()) => {
                 section = "";
