@@ -119,6 +119,7 @@ fn plain(expected: &str) -> &str {
         "an array of length 3" => "a point [x, y, z]",
         "a map" => "an object",
         _ if expected.starts_with("struct ") => "an object",
+        _ if expected.starts_with("enum ") => "a word",
         _ => expected,
     }
 }

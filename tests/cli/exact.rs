@@ -49,7 +49,8 @@ fn a_requirement_of_the_command_line_replaces_eased_faces_too() {
         let asked = [&["solve", "s.shapeup.json", "--report", "r.json"], require];
         folder.run(&asked.concat()).done();
         let exact = &folder.json("r.json")["exact"];
-        assert!(number(&exact["max_distance"]) <= 0.01, "{exact}");
+        assert!(number(&exact["tolerance"]) <= 0.01, "{exact}");
+        assert!(number(&exact["max_distance"]) <= number(&exact["tolerance"]), "{exact}");
     }
 }
 
@@ -157,4 +158,20 @@ fn a_boundary_is_held_exactly_or_nearly() {
     assert!(exact <= 1e-15, "{exact}");
     assert!(exact < nearly && nearly < free, "{nearly} {free}");
     folder.run(&["solve", "roof.obj", "--boundary", "tight"]).misused("`exact` or a weight");
+}
+
+#[test]
+fn a_requirement_of_nothing_and_a_miss_by_the_guard_are_said() {
+    let folder = Folder::new("guard");
+    folder.write("roof.obj", ROOF);
+    let words = folder.run(&["solve", "roof.obj", "--exact"]).done();
+    assert!(words.contains("note: nothing is required: there are no constraints"), "{words}");
+    // Edges may not become shorter than half, and a sphere this small needs shorter ones.
+    let guarded = r#", "weights": { "close": 1 }, "closeness": { "to": "rest" },
+        "solver": { "shortest_edge": 0.5 }, "constraints": [
+        { "kind": "sphere", "on": "boundary", "radius": 0.1, "require": "exact" }]"#;
+    folder.write("s.json", scene(guarded));
+    let words = folder.run(&["solve", "s.json"]).done();
+    assert!(words.contains("hard constraints not met by "), "{words}");
+    assert!(words.contains(" edges are as short as allowed, down to 0."), "{words}");
 }

@@ -24,6 +24,8 @@ const FAULTY: &[(&str, &[&str])] = &[
     (r#", "handles": [{ "vertices": [0], "targets": [[1e200, 0, 0]] }]"#, &["s.json: handles[0].targets[0]: ", "from -1e50 to 1e50"]),
     (r#", "smoothness": { "weighting": "cotangent" }"#, &["s.json: smoothness.weighting: ", "triangle"]),
     (r#", "solver": { "threads": 4 }"#, &["s.json: solver: ", "threads"]),
+    (r#", "build": { "kind": 0 }"#, &["s.json: build.kind: found 0, expected a word"]),
+    (r#", "build": { "kind": {} }"#, &["s.json: build.kind: found an object, expected a word"]),
 ];
 
 #[test]
@@ -137,7 +139,8 @@ fn a_place_that_cannot_be_written_is_one_line_and_leaves_nothing() {
         assert_eq!(folder.files(), ["roof.obj", "taken"], "{out} {report}");
     }
     folder.run(&["examples", "--out", "roof.obj"]).refused(&["roof.obj"]);
-    folder.run(&["experiment", "canapé"]).refused(&["canapé", "cannot"]);
+    let words = ["canapé: cannot be found, expected a scene file or one of ", "fig-11-strip"];
+    folder.run(&["experiment", "canapé"]).refused(&words);
     assert_eq!(folder.read("roof.obj"), ROOF);
 }
 
@@ -168,6 +171,7 @@ fn a_wrong_call_says_how_it_is_called() {
         (vec!["solve", "roof.obj", "--panels", "plane", "--accelerator", "newton"], "quasi-newton"),
         (vec!["check"], "needs a mesh"),
         (vec!["check", "roof.obj", "--out", "x"], "`--out`"),
+        (vec!["check", "roof.shapeup.json"], "check takes a mesh file, or results with --scene"),
         (vec!["examples", "canopy"], "`canopy`"),
         (vec!["experiment", "--csv", "a.csv"], "needs the name of an example"),
         (vec!["experiment", "fig-11-strip", "--seconds", "-1"], "--seconds takes a number from 0"),

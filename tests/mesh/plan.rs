@@ -190,6 +190,7 @@ fn what_is_wrong_is_said() {
         PlanError::TooCoarse(Some(0))
     );
     assert!(matches!(of(|plan| plan.size = 1e-3), PlanError::TooManyFaces(_)));
+    assert!(of(|plan| plan.size = 1e9).to_string().contains("from 0.000001 to 1000000, found"));
     let text = r#"{"outline":[{"at":[0,0],"bulge":"x"}],"layout":"cut","size":1,"height":1,"stands":"outline"}"#;
     let error = Plan::from_json(text).unwrap_err().to_string();
     assert!(error.starts_with("outline[0].bulge: found \"x\", expected a number"), "{error}");

@@ -18,7 +18,7 @@ impl Plan {
             false => Err(entry(path, format!("expected {expected}, found {found}"))),
         };
         let Plan { size, turn, height, .. } = *self;
-        expect("size", size, (1e-6..=1e6).contains(&size), "a length above 0")?;
+        expect("size", size, (1e-6..=1e6).contains(&size), "a length from 0.000001 to 1000000")?;
         expect("height", height, (0.0..=1e6).contains(&height), "a length from 0")?;
         expect("turn", turn, (-360.0..=360.0).contains(&turn), "an angle in degrees")?;
         let outline = Loop::of(&self.outline, None)?;

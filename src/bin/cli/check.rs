@@ -84,6 +84,10 @@ struct Problem {
 }
 
 pub(super) fn check(path: &Path, report: Option<&Path>) -> Result<(), Failure> {
+    if input::is_scene(path) {
+        let what = "check takes a mesh file, or results with --scene SCENE";
+        return Err(Failure::Usage(format!("{what}, found `{}`", path.display())));
+    }
     let (read, _) = input::read_mesh(path)?;
     let mesh = &read.mesh;
     let topology = Topology::new(mesh);

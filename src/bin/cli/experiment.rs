@@ -41,6 +41,11 @@ fn problem(on: &Path) -> Result<(&'static Experiment, Scene, Mesh), Failure> {
         let (scene, mesh) = example.build();
         return Ok((Experiment::of(&id).unwrap_or(&COMPARISON), scene, mesh));
     }
+    if !on.exists() {
+        let known: Vec<_> = EXAMPLES.iter().map(|example| example.id).collect();
+        let expected = format!("a scene file or one of {}", known.join(", "));
+        return Err(Failure::Input(format!("{id}: cannot be found, expected {expected}")));
+    }
     let Input { scene, mesh, .. } = input::read(on)?;
     if scene.constraints.is_empty() {
         let message = "it has no constraints, expected a scene with some";

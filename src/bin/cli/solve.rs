@@ -61,6 +61,10 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         let why = "--improve did nothing: it needs exact or within constraints, all of them met";
         remarks.push(why.to_owned());
     }
+    if command.require.is_some() && report.exact.is_none() {
+        remarks
+            .push("nothing is required: there are no constraints; --panels adds some".to_owned());
+    }
     remarks.extend(misfits(&session));
     remarks.extend(report.unpaired.iter().map(|row| unpaired(*row, &session)));
     remarks.extend(session.collapse().map(|collapse| {
@@ -201,6 +205,12 @@ fn exact_line(exact: &ExactReport, units: &str) -> String {
     } else {
         let misses = counted(exact.misses, "constraint", "constraints");
         let why = if exact.contradiction { ", which contradict each other" } else { "" };
+        let mut why = why.to_owned();
+        if let Some(ratio) = exact.shortest_edge.filter(|_| exact.on_guard > 0) {
+            let edges = counted(exact.on_guard, "edge is", "edges are");
+            let ratio = output::short(ratio);
+            why += &format!("; {edges} as short as allowed, down to {ratio} of the length at rest");
+        }
         format!("not met by {misses}{why}")
     };
     format!(
