@@ -264,7 +264,7 @@ fn an_output_replaces_the_file_of_its_name_but_never_the_input() {
         (vec!["solve", "roof.obj", "--out", "./roof.obj"], "--out would replace the input"),
         (vec!["solve", "s.shapeup.json", "--report", "s.shapeup.json"], "--report would replace"),
         (vec!["check", "roof.obj", "--report", "roof.obj"], "--report would replace"),
-        (vec!["edit", "roof.obj", "triangulate", "--out", "roof.obj"], "--out would replace"),
+        (vec!["edit", "roof.obj", "triangles", "--out", "roof.obj"], "--out would replace"),
         (vec!["build", "roof.obj", "--report", "x", "--report-page", "./x"], "the same file"),
     ] {
         folder.run(&arguments).misused(word);

@@ -132,8 +132,8 @@ fn source_of(file: MeshFile) -> Result<MeshSource, JsonError> {
 }
 
 /// Checks that each list has at least `least` vertices, all of a mesh with `count` vertices. Drops
-/// vertices repeated in a row, as the readers of mesh files do; no face or tetrahedron may have
-/// others twice.
+/// vertices of faces and curves repeated in a row, as the readers of mesh files do; otherwise no
+/// face or tetrahedron may have one twice.
 fn ragged(
     key: &str,
     lists: Option<Vec<indices::Indices>>,
@@ -152,7 +152,9 @@ fn ragged(
             ));
         }
         let found = row.len();
-        row.dedup();
+        if key != "tets" {
+            row.dedup();
+        }
         if key == "faces" && row.len() > 1 && row.first() == row.last() {
             row.pop();
         }
@@ -164,7 +166,9 @@ fn ragged(
         let mut sorted = row.clone();
         sorted.sort_unstable();
         let twice = sorted.windows(2).find(|pair| pair[0] == pair[1]);
-        if let Some(pair) = twice.filter(|_| key != "curves") {
+        // A list of five is no tetrahedron in any case, and a curve may return to a vertex.
+        let is_simple = key == "faces" || (key == "tets" && found == least);
+        if let Some(pair) = twice.filter(|_| is_simple) {
             return error(format!("vertex {} is in it twice, expected it once", pair[0]));
         }
         rows.push(&row);
