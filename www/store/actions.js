@@ -22,7 +22,7 @@ export function createActions(store, solver, alerts) {
   /**
    * Reports an error in an alert; the result is undefined then.
    * @template T
-   * @param {Promise<T>} promise
+   * @param {Promise<T> | T} promise
    * @returns {Promise<T | undefined>}
    */
   async function reportErrors(promise) {
