@@ -15,7 +15,7 @@ export class FlatMapRegion {
   #place;
   #store;
   #viewport;
-  #legend = element('div.map-legend');
+  #legend = element('div.card.map-legend');
   #flipped = element('span.flipped');
   /** Last position of each pressed pointer. @type {Map<number, [number, number]>} */
   #down = new Map();

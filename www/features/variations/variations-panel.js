@@ -51,7 +51,7 @@ function variationsPanel(app) {
       keep,
       closeButton('Close variations', () => place.close()),
     ),
-    element('div.variation-columns', grid, kept.place),
+    element('div.docked-columns.variation-columns', grid, kept.place),
   );
 
   /** Computes the variations of the open shape. */
