@@ -1,8 +1,8 @@
 // User actions, by the names that the user sees. On a phone the panels are behind tabs and some
 // tools are behind "More".
 
-import { expect, waitForState } from './support.mjs';
-import { file } from './meshes.mjs';
+import { expect, openPage, waitForState } from './support.mjs';
+import { file, wavyGrid } from './meshes.mjs';
 
 /** Shows the named panel if panels are behind tabs. */
 export async function showPanel(page, name) {
@@ -23,6 +23,13 @@ export async function hidePanels(page) {
 export async function openText(page, name, text, vertices) {
   await page.getByLabel('Open file').setInputFiles(file(name, text));
   await waitForState(page, (state, count) => state.vertices === count, vertices);
+}
+
+/** Opens the page with a wavy grid of n by n quads, and waits for the view. */
+export async function openGrid(page, n) {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(n), (n + 1) ** 2);
+  await waitForState(page, (now) => now.renderer !== 'none');
 }
 
 /** Opens the example whose title contains the word. */

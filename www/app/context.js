@@ -9,7 +9,7 @@
  * @property {string} group heading in the help
  * @property {string} label in the help
  * @property {string[]} keys such as "Ctrl+Shift+Z"; letters are the characters printed on the keys
- * @property {() => void} action
+ * @property {() => unknown} action may load its implementation
  * @property {boolean} [needsModel] whether a press waits until the first model is loaded
  * @property {(state: import("../store/state.js").State) => boolean} [enabled] always, if absent
  * @property {(state: import("../store/state.js").State) => boolean} [pressed] for toggle buttons

@@ -9,9 +9,14 @@ const FEATURES = import.meta.glob(['../features/*/feature.js', '../panels/*/feat
   import: 'default',
 });
 
-/** @param {import("./context.js").AppContext} app */
+/**
+ * The commands of the features; the errors of their actions are reported.
+ * @param {import("./context.js").AppContext} app
+ */
 export const featureCommands = (app) =>
-  Object.values(FEATURES).flatMap(({ commands }) => commands?.(app) ?? []);
+  Object.values(FEATURES)
+    .flatMap(({ commands }) => commands?.(app) ?? [])
+    .map((one) => ({ ...one, action: () => app.actions.reportErrors(one.action()) }));
 
 /**
  * Loads a part when it is first needed, and after a failure when it is needed anew.

@@ -46,17 +46,20 @@
  */
 /** @typedef {Omit<import("../pkg/solver/shape_up.js").Remedy, "edit"> & { edit: Edit }} Remedy */
 
-/** @typedef {import("./declarations.js").ElementInfo} ElementInfo */
-/** @typedef {import("./declarations.js").FaceMeasure} FaceMeasure */
-/** @typedef {import("./declarations.js").Form} Form */
-/** @typedef {import("./declarations.js").KindInfo} KindInfo */
-/** @typedef {import("./declarations.js").Measure} Measure */
-/** @typedef {import("./declarations.js").Operation} Operation */
-/** @typedef {import("./declarations.js").ParamInfo} ParamInfo */
-/** @typedef {import("./declarations.js").ParamValue} ParamValue */
-/** @typedef {import("./declarations.js").PickMode} PickMode */
-/** @typedef {import("./declarations.js").SettingInfo} SettingInfo */
-/** @typedef {import("./declarations.js").Sketch} Sketch */
+// The declarations, sent once in `ready`: all data from which the page makes its controls for kinds,
+// elements, measures, selections, settings.
+/** @typedef {import("../pkg/solver/shape_up.js").ElementWords} ElementInfo */
+/** @typedef {import("../pkg/solver/shape_up.js").FaceMeasure} FaceMeasure */
+/** @typedef {import("../pkg/solver/shape_up.js").Form} Form */
+/** @typedef {import("../pkg/solver/shape_up.js").KindWords} KindInfo */
+/** @typedef {import("../pkg/solver/shape_up.js").Mode} PickMode */
+/** @typedef {import("../pkg/solver/shape_up.js").Operation} Operation */
+/** @typedef {import("../pkg/solver/shape_up.js").Param} ParamInfo */
+/** @typedef {import("../pkg/solver/shape_up.js").ParamValue} ParamValue */
+/** @typedef {import("../pkg/solver/shape_up.js").Setting} SettingInfo */
+/** @typedef {import("../pkg/solver/shape_up.js").Sketch} Sketch */
+
+/** The id of a {@link FaceMeasure}. @typedef {string} Measure */
 
 /** @typedef {import("../pkg/solver/shape_up.js").Selector} Selector */
 /** @typedef {import("../pkg/solver/shape_up.js").Require} Require */

@@ -7,6 +7,7 @@ import { count, ended } from '../ui/format.js';
 import { messageOf } from '../solver/messages.js';
 import { createQueries } from './queries.js';
 import { verticesOf } from './selection.js';
+import { isHard } from './state.js';
 import { createViewActions } from './view-actions.js';
 
 /**
@@ -21,7 +22,7 @@ export function createActions(store, solver, alerts) {
   /**
    * Reports an error in an alert; the result is undefined then.
    * @template T
-   * @param {Promise<T>} promise
+   * @param {Promise<T> | T} promise
    * @returns {Promise<T | undefined>}
    */
   async function reportErrors(promise) {
@@ -133,8 +134,8 @@ export function createActions(store, solver, alerts) {
       if (converged === undefined) return;
       const { document, numbers } = store.get();
       const done = converged ? ended(true, numbers?.iteration ?? 0) : 'One iteration';
-      const isHard = document?.constraints.some((row) => row.enabled && row.require !== 'soft');
-      setStatus(isHard && !numbers?.exact?.met ? `${done}; Run makes it exact` : done);
+      const isInexact = document?.constraints.some(isHard) && !numbers?.exact?.met;
+      setStatus(isInexact ? `${done}; Run makes it exact` : done);
     },
 
     /** Performs the local step, or the global step after it. */

@@ -176,6 +176,12 @@ const LIVE = ['numbers', 'moved', 'pointedAt', 'dragMs', 'spread', 'camera'];
 export const isDrawn = ({ renderer }) => renderer === 'webgpu' || renderer === 'webgl2';
 
 /**
+ * Whether a constraint must be met, exactly or within a distance.
+ * @param {import("../solver/messages.js").ConstraintRow} row
+ */
+export const isHard = ({ enabled, require }) => enabled && require !== 'soft';
+
+/**
  * Returns the handles, with the current targets of dragged ones.
  * @param {Readonly<State>} state
  * @returns {import("../solver/messages.js").Handle[]}

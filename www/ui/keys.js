@@ -39,6 +39,17 @@ export function isTyping({ target, key }) {
   return ACTIVATING.has(key) && target.matches('button, summary, a, input:not([type="range"])');
 }
 
+/**
+ * The direction of each arrow key on the screen, in which y points down.
+ * @type {Record<string, [number, number]>}
+ */
+export const ARROWS = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
 const IS_MAC = /Mac|iPhone|iPad/.test(globalThis.navigator?.platform ?? '');
 
 /**

@@ -293,6 +293,19 @@ const damage = (page, part, value) =>
     [part, value],
   );
 
+/**
+ * Changes the named parts of the saved records. The page is left before, because it saves on
+ * leaving.
+ */
+async function damageSaved(page, context, parts) {
+  const url = page.url();
+  await page.goto('about:blank');
+  const other = await context.newPage();
+  await other.goto(new URL('gallery.html', url).href);
+  for (const [part, value] of Object.entries(parts)) await damage(other, `${part} `, value);
+  await other.close();
+}
+
 test('saved work that cannot be read is reported and can be downloaded, and saving goes on', async ({
   page,
   context,
@@ -300,13 +313,9 @@ test('saved work that cannot be read is reported and can be downloaded, and savi
   await visit(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await kept(page);
-  // The page is left before the damage is done, because it saves on leaving.
-  const url = page.url();
-  await page.goto('about:blank');
-  const other = await context.newPage();
-  await other.goto(new URL('gallery.html', url).href);
-  await damage(other, 'text ', '{ "format": "shape-up-scene", "version": 1, "mesh": ');
-  await other.close();
+  await damageSaved(page, context, {
+    text: '{ "format": "shape-up-scene", "version": 1, "mesh": ',
+  });
 
   await visit(page);
   const alert = page.getByRole('alert');
@@ -335,13 +344,7 @@ test('damage to the records beside a saved work loses only what they contain', a
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await addConstraint(page, 'Plane', 'each face');
   await kept(page);
-  const url = page.url();
-  await page.goto('about:blank');
-  const other = await context.newPage();
-  await other.goto(new URL('gallery.html', url).href);
-  await damage(other, 'work ', 'no work');
-  await damage(other, 'history ', new Uint8Array([1, 2, 3]));
-  await other.close();
+  await damageSaved(page, context, { work: 'no work', history: new Uint8Array([1, 2, 3]) });
   const again = await context.newPage();
   await visit(again);
   await expect(again.getByRole('alert')).toContainText('undo history is lost');

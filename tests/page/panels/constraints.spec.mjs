@@ -1,27 +1,13 @@
 // The list of constraints, the settings below the energies, and handles by numbers and keys.
 
-import { addConstraint, hidePanels, openText, showPanel } from '../actions.mjs';
-import { wavyGrid } from '../meshes.mjs';
-import {
-  expect,
-  openPage,
-  positionOf,
-  sceneOf,
-  screenOf,
-  state,
-  test,
-  waitForState,
-} from '../support.mjs';
+import { addConstraint, hidePanels, openGrid, showPanel } from '../actions.mjs';
+import { expect, positionOf, sceneOf, screenOf, state, test, waitForState } from '../support.mjs';
 
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 const MIDDLE = (VERTICES - 1) / 2;
 
-test.beforeEach(async ({ page }) => {
-  await openPage(page);
-  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
-  await waitForState(page, (now) => now.renderer !== 'none');
-});
+test.beforeEach(({ page }) => openGrid(page, N));
 
 const rows = (page) => page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
 

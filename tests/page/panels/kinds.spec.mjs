@@ -1,7 +1,7 @@
 // The list of kinds: each can be added to a suitable mesh and changes something there.
 
-import { constraintCount, openText, showPanel } from '../actions.mjs';
-import { quadScene, tetScene, triangleScene, wavyGrid } from '../meshes.mjs';
+import { constraintCount, openGrid, openText, showPanel } from '../actions.mjs';
+import { quadScene, tetScene, triangleScene } from '../meshes.mjs';
 import {
   dragVertex,
   drawn,
@@ -208,10 +208,8 @@ test('the dialog requests all previews in one message, for any number of kinds a
 test('the usual kind is preselected, follows the selection, runs, and is added once by two presses', async ({
   page,
 }) => {
-  await openPage(page);
   const n = 6;
-  await openText(page, 'grid.obj', wavyGrid(n), (n + 1) ** 2);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await openGrid(page, n);
   const dialog = await openDialog(page);
   const chosen = (group) =>
     dialog.getByRole('group', { name: group, exact: true }).getByRole('radio', { checked: true });

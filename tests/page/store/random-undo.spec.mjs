@@ -1,12 +1,10 @@
 // Undo over a random sequence of edits: exactly back to the start, and forward again.
 
-import { addConstraint, hidePanels, openText, showPanel } from '../actions.mjs';
-import { wavyGrid } from '../meshes.mjs';
+import { addConstraint, hidePanels, openGrid, showPanel } from '../actions.mjs';
 import {
   dragVertex,
   everything,
   expect,
-  openPage,
   screenOf,
   state,
   test,
@@ -86,9 +84,7 @@ const DOINGS = {
 test('a random sequence is undone to the start, each step by its name, and redone', async ({
   page,
 }) => {
-  await openPage(page);
-  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await openGrid(page, N);
   const start = await everything(page);
   const draw = seeded(20261120);
   const names = Object.keys(DOINGS);

@@ -1,11 +1,9 @@
 // Constraints, handles, runs and undo.
 
-import { addConstraint, hidePanels, openText, runToTheEnd, showPanel, tool } from '../actions.mjs';
-import { wavyGrid } from '../meshes.mjs';
+import { addConstraint, hidePanels, openGrid, runToTheEnd, showPanel, tool } from '../actions.mjs';
 import {
   dragVertex,
   expect,
-  openPage,
   positionOf,
   screenOf,
   state,
@@ -17,11 +15,7 @@ const N = 6;
 const VERTICES = (N + 1) ** 2;
 const MIDDLE = (VERTICES - 1) / 2;
 
-test.beforeEach(async ({ page }) => {
-  await openPage(page);
-  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
-  await waitForState(page, (now) => now.renderer !== 'none');
-});
+test.beforeEach(({ page }) => openGrid(page, N));
 
 /** Draws a box around vertices with the Select tool, from left to right. */
 async function selectBox(page, vertices) {

@@ -1,18 +1,13 @@
 // Handles: the gizmo, making and moving in one drag, numbers, keys, and the menu.
 
-import { addConstraint, hidePanels, openText, showPanel } from '../actions.mjs';
-import { wavyGrid } from '../meshes.mjs';
-import { everything, expect, openPage, screenOf, state, test, waitForState } from '../support.mjs';
+import { addConstraint, hidePanels, openGrid, showPanel } from '../actions.mjs';
+import { everything, expect, screenOf, state, test, waitForState } from '../support.mjs';
 
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 const MIDDLE = (VERTICES - 1) / 2;
 
-test.beforeEach(async ({ page }) => {
-  await openPage(page);
-  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
-  await waitForState(page, (now) => now.renderer !== 'none');
-});
+test.beforeEach(({ page }) => openGrid(page, N));
 
 /** Selects vertices by clicks and makes them handles. */
 async function makeHandles(page, vertices) {

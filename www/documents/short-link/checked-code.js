@@ -1,24 +1,16 @@
 /** Bytes as base64url with a checksum, so that truncated or altered links are rejected. */
 
+import { crc32 } from '../crc32.js';
+
 /** Digits of base64url; none of them needs escaping in a link. */
 const DIGITS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_';
 const SUM_BYTES = 4;
-
-/** CRC-32 of IEEE 802.3, which detects burst errors up to 32 bits. @param {Uint8Array} bytes */
-function checkSum(bytes) {
-  let sum = ~0;
-  for (const byte of bytes) {
-    sum ^= byte;
-    for (let bit = 0; bit < 8; bit++) sum = (sum >>> 1) ^ (sum & 1 ? 0xedb88320 : 0);
-  }
-  return ~sum >>> 0;
-}
 
 /** @param {Uint8Array} bytes */
 export function writeCode(bytes) {
   const all = new Uint8Array(bytes.length + SUM_BYTES);
   all.set(bytes);
-  new DataView(all.buffer).setUint32(bytes.length, checkSum(bytes));
+  new DataView(all.buffer).setUint32(bytes.length, crc32(bytes));
   let code = '';
   for (let at = 0; at < all.length; at += 3) {
     const three = (all[at] << 16) | ((all[at + 1] ?? 0) << 8) | (all[at + 2] ?? 0);
@@ -47,5 +39,5 @@ export function readCode(code) {
   if (bits >= 6 || (held & ((1 << bits) - 1)) !== 0 || at < SUM_BYTES) return null;
   const bytes = all.subarray(0, at - SUM_BYTES);
   const sum = new DataView(all.buffer).getUint32(bytes.length);
-  return sum === checkSum(bytes) ? bytes : null;
+  return sum === crc32(bytes) ? bytes : null;
 }

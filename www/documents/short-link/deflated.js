@@ -1,4 +1,4 @@
-/** Compression of text by DEFLATE, with a limit on the unpacked size. */
+/** Compression by DEFLATE, with a limit on the unpacked size. */
 
 /** Largest size in bytes to which a scene may unpack. */
 export const MOST_BYTES = 32 << 20;
@@ -14,9 +14,9 @@ export const damaged = () =>
     'The link is incomplete or damaged: it was probably truncated. Ask the sender for the link again, or for the scene file.',
   );
 
-/** @param {string} text */
-export async function deflate(text) {
-  const packed = new Blob([text]).stream().pipeThrough(new CompressionStream(FORMAT));
+/** @param {string | Uint8Array<ArrayBuffer>} content */
+export async function deflate(content) {
+  const packed = new Blob([content]).stream().pipeThrough(new CompressionStream(FORMAT));
   return new Uint8Array(await new Response(packed).arrayBuffer());
 }
 

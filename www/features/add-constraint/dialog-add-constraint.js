@@ -19,7 +19,7 @@ import { Parameters } from '../../ui/kinds/parameters.js';
 /**
  * A selector that is offered. `element` is the element that it enumerates; with `within`, only
  * elements in the selection, and only for kinds meant for that element.
- * @typedef {{ id: string, label: string, on: Selector, element?: import("../../solver/declarations.js").ElementInfo["id"], within?: boolean }} Place
+ * @typedef {{ id: string, label: string, on: Selector, element?: import("../../solver/messages.js").ElementInfo["id"], within?: boolean }} Place
  */
 /** @typedef {{ place: Place, preview: Preview }} Offer */
 

@@ -8,10 +8,7 @@ export default {
       group: 'Edit',
       label: 'Add constraint',
       keys: [],
-      action: () =>
-        app.actions.reportErrors(
-          import('./dialog-add-constraint.js').then((it) => it.toggleAddConstraint(app)),
-        ),
+      action: () => import('./dialog-add-constraint.js').then((it) => it.toggleAddConstraint(app)),
       needsModel: true,
     },
   ],

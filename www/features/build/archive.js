@@ -1,5 +1,8 @@
 /** Packs files into a ZIP archive, deflated by the browser. */
 
+import { crc32 } from '../../documents/crc32.js';
+import { deflate } from '../../documents/short-link/deflated.js';
+
 /** A number and its size in bytes. @typedef {[size: 2 | 4, value: number]} Field */
 
 const LOCAL = 0x04034b50;
@@ -12,20 +15,6 @@ const KIND = [
   [2, 8],
 ];
 
-/** CRC-32 table: the remainder of each byte. */
-const REMAINDERS = Uint32Array.from({ length: 256 }, (_, byte) => {
-  let left = byte;
-  for (let bit = 0; bit < 8; bit++) left = left & 1 ? 0xedb88320 ^ (left >>> 1) : left >>> 1;
-  return left;
-});
-
-/** Returns the CRC-32. @param {Uint8Array} bytes */
-function checksum(bytes) {
-  let left = -1;
-  for (const byte of bytes) left = REMAINDERS[(left ^ byte) & 255] ^ (left >>> 8);
-  return ~left >>> 0;
-}
-
 /** Encodes numbers one after another in little-endian order. @param {Field[]} fields */
 function header(fields) {
   const view = new DataView(new ArrayBuffer(fields.reduce((sum, [size]) => sum + size, 0)));
@@ -36,12 +25,6 @@ function header(fields) {
     at += size;
   }
   return new Uint8Array(view.buffer);
-}
-
-/** Returns the bytes as a raw deflate stream. @param {Uint8Array<ArrayBuffer>} bytes */
-async function deflated(bytes) {
-  const packed = new Blob([bytes]).stream().pipeThrough(new CompressionStream('deflate-raw'));
-  return new Uint8Array(await new Response(packed).arrayBuffer());
 }
 
 /** Time (low two bytes) and date (high two bytes) in MS-DOS format. @param {Date} time */
@@ -64,12 +47,12 @@ export async function archive(files) {
   const length = (/** @type {Uint8Array[]} */ all) =>
     all.reduce((sum, bytes) => sum + bytes.length, 0);
   for (const [name, content] of files) {
-    const [called, packed] = [new TextEncoder().encode(name), await deflated(content)];
+    const [called, packed] = [new TextEncoder().encode(name), await deflate(content)];
     /** @type {Field[]} */
     const about = [
       ...KIND,
       [4, time],
-      [4, checksum(content)],
+      [4, crc32(content)],
       [4, packed.length],
       [4, content.length],
       [2, called.length],

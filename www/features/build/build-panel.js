@@ -88,7 +88,7 @@ async function buildPanel(app) {
       closeButton('Close parts and sheets', () => place.close()),
     ),
     element(
-      'div.parts-columns',
+      'div.docked-columns.parts-columns',
       form.form,
       element('div.parts-check', thickness.place, check.card, types.place, notes),
       pictures.place,

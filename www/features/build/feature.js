@@ -8,8 +8,7 @@ export default {
       group: 'File',
       label: 'Parts on sheets',
       keys: [],
-      action: () =>
-        app.actions.reportErrors(import('./build-panel.js').then((it) => it.toggleBuild(app))),
+      action: () => import('./build-panel.js').then((it) => it.toggleBuild(app)),
       needsModel: true,
       pressed: ({ build }) => build !== null,
     },

@@ -8,16 +8,13 @@ import { declared, unitOf } from '../../store/colours/measures.js';
 import { choice, closeButton } from '../../ui/controls/fields.js';
 import { RENEW_MS, element, setText, throttled } from '../../ui/dom.js';
 import { number } from '../../ui/format.js';
+import { once } from '../../ui/once.js';
 import { surfaceLines } from './surface-lines.js';
 
-/** @type {{ toggle: () => void } | null} */
-let only = null;
+const theCard = once(curvatureCard);
 
 /** @param {import("../../app/context.js").AppContext} app */
-export function toggle(app) {
-  only ??= curvatureCard(app);
-  only.toggle();
-}
+export const toggle = (app) => theCard(app).toggle();
 
 /** @param {import("../../app/context.js").AppContext} app */
 function curvatureCard(app) {

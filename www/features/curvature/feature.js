@@ -8,8 +8,7 @@ export default {
       group: 'View',
       label: 'Curvature',
       keys: [],
-      action: () =>
-        app.actions.reportErrors(import('./curvature-card.js').then((it) => it.toggle(app))),
+      action: () => import('./curvature-card.js').then((it) => it.toggle(app)),
       needsModel: true,
       enabled: ({ model, renderer }) => Boolean(model?.faces) && renderer !== 'none',
     },

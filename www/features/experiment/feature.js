@@ -8,8 +8,7 @@ export default {
       group: 'Solver',
       label: 'Compare methods: how fast each lowers the energy',
       keys: [],
-      action: () =>
-        app.actions.reportErrors(import('./compare.js').then((it) => it.compareMethods(app))),
+      action: () => import('./compare.js').then((it) => it.compareMethods(app)),
       needsModel: true,
       enabled: ({ document }) => Boolean(document?.constraints.length),
       title: ({ document }) =>

@@ -8,8 +8,7 @@ export default {
       group: 'File',
       label: 'More formats: Rhino, tables, pictures',
       keys: ['Ctrl+Shift+E'],
-      action: () =>
-        app.actions.reportErrors(import('./dialog-export.js').then((it) => it.showExport(app))),
+      action: () => import('./dialog-export.js').then((it) => it.showExport(app)),
       needsModel: true,
     },
   ],

@@ -9,9 +9,7 @@ export default {
       label: 'Flatten: a flat map beside the model',
       keys: ['U'],
       action: () =>
-        app.actions.reportErrors(
-          import('./flat-map-controller.js').then((it) => it.FlatMapController.of(app).toggle()),
-        ),
+        import('./flat-map-controller.js').then((it) => it.FlatMapController.of(app).toggle()),
       needsModel: true,
       enabled: ({ model }) => Boolean(model?.faces),
       pressed: ({ flatMap }) => flatMap !== null,

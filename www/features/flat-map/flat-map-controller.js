@@ -6,6 +6,7 @@
 import './flat-map.css';
 import { byId } from '../../ui/dom.js';
 import { duration } from '../../ui/format.js';
+import { once } from '../../ui/once.js';
 import { FlatMapRegion } from './flat-map-region.js';
 import { flatMapPanel } from './flat-map-panel.js';
 
@@ -15,9 +16,6 @@ import { flatMapPanel } from './flat-map-panel.js';
 const QUICK = 0.3;
 
 /** @typedef {Pick<FlatMap, "weights" | "norm" | "onModel" | "onMap" | "squares">} Choices */
-
-/** @type {FlatMapController | null} */
-let only = null;
 
 export class FlatMapController {
   #store;
@@ -32,14 +30,10 @@ export class FlatMapController {
     squares: 32,
   };
 
-  /**
-   * The only instance of the page.
-   * @param {import("../../app/context.js").AppContext} app
-   */
-  static of(app) {
-    only ??= new FlatMapController(app);
-    return only;
-  }
+  /** The only instance of the page. */
+  static of = once(
+    (/** @type {import("../../app/context.js").AppContext} */ app) => new FlatMapController(app),
+  );
 
   /** @param {import("../../app/context.js").AppContext} app */
   constructor({ store, viewport, actions }) {

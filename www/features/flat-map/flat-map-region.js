@@ -5,27 +5,17 @@
 
 import { element, setText } from '../../ui/dom.js';
 import { count, ratio } from '../../ui/format.js';
+import { bindMoveKeys } from '../../viewport/input/view-keys.js';
 import { pair, wheelFactor } from '../../viewport/input/zooming.js';
 
-/** Pan of an arrow key in CSS pixels, and zoom factor of a page key. */
+/** Pan of an arrow key in CSS pixels. */
 const KEY_STEP = 32;
-const KEY_ZOOM = 1.25;
-
-/** @type {Record<string, [number, number]>} */
-const SLIDES = {
-  ArrowLeft: [KEY_STEP, 0],
-  ArrowRight: [-KEY_STEP, 0],
-  ArrowUp: [0, KEY_STEP],
-  ArrowDown: [0, -KEY_STEP],
-};
-/** @type {Record<string, number>} */
-const ZOOMS = { PageUp: KEY_ZOOM, PageDown: 1 / KEY_ZOOM };
 
 export class FlatMapRegion {
   #place;
   #store;
   #viewport;
-  #legend = element('div.map-legend');
+  #legend = element('div.card.map-legend');
   #flipped = element('span.flipped');
   /** Last position of each pressed pointer. @type {Map<number, [number, number]>} */
   #down = new Map();
@@ -95,17 +85,9 @@ export class FlatMapRegion {
       this.#viewport.with((view) => view.zoomMap(factor, ...this.#at(event)));
     };
     listen('wheel', onWheel, { passive: false });
-    listen('keydown', (event) => {
-      if (event.ctrlKey || event.metaKey || event.altKey) return;
-      const { clientWidth, clientHeight } = this.#place;
-      const slide = SLIDES[event.key];
-      const zoom = ZOOMS[event.key];
-      if (!slide && !zoom) return;
-      event.preventDefault();
-      this.#viewport.with((view) => {
-        if (slide) view.panMap(...slide);
-        else view.zoomMap(zoom, clientWidth / 2, clientHeight / 2);
-      });
+    bindMoveKeys(this.#place, {
+      move: (x, y) => this.#viewport.with((view) => view.panMap(-KEY_STEP * x, -KEY_STEP * y)),
+      zoom: (...about) => this.#viewport.with((view) => view.zoomMap(...about)),
     });
   }
 

@@ -11,10 +11,7 @@ export default {
       label: 'This list',
       keys: ['?', 'F1'],
       // The list of commands is read when opened, when it is complete.
-      action: () =>
-        app.actions.reportErrors(
-          import('./help.js').then((it) => it.showHelp(byId('help'), app.commands)),
-        ),
+      action: () => import('./help.js').then((it) => it.showHelp(byId('help'), app.commands)),
       title: () => 'Mouse and keys',
     },
   ],

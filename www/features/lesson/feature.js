@@ -8,7 +8,7 @@ export default {
       group: 'File',
       label: 'Write a lesson: a text, and goals that are checked',
       keys: [],
-      action: () => app.actions.reportErrors(import('./dialog.js').then((it) => it.write(app))),
+      action: () => import('./dialog.js').then((it) => it.write(app)),
       needsModel: true,
     },
   ],

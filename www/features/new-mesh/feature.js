@@ -8,8 +8,7 @@ export default {
       group: 'File',
       label: 'New mesh',
       keys: [],
-      action: () =>
-        app.actions.reportErrors(import('./dialog-new-mesh.js').then((it) => it.newMesh(app))),
+      action: () => import('./dialog-new-mesh.js').then((it) => it.newMesh(app)),
     },
   ],
 };

@@ -1,6 +1,7 @@
 /** The drawing of a plan: points to drag, arcs to pull out of sides, and loops to draw. */
 
 import { element } from '../../ui/dom.js';
+import { ARROWS } from '../../ui/keys.js';
 import { svgElement } from '../../ui/svg.js';
 import { bulgeThrough, extentOf, pathOf, roundStep, sideOf, sidePathOf } from './plan-geometry.js';
 
@@ -244,16 +245,15 @@ export function planDrawing(on) {
     const { loop, point } = selected;
     if (found && (found.spot.loop !== loop || found.spot.point !== point)) on.select(found.spot);
   });
-  const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
   place.addEventListener('keydown', (event) => {
     if (drawing) return drawByKey(event);
     if (!handleUnder(event)) return;
     const { at } = loops[selected.loop][selected.point];
-    const by = ARROWS[/** @type {keyof typeof ARROWS} */ (event.key)];
+    const by = ARROWS[event.key];
     if (by) {
       on.begin();
       const one = event.shiftKey ? step / 10 : step;
-      on.change(selected, { at: [at[0] + one * by[0], at[1] + one * by[1]] });
+      on.change(selected, { at: [at[0] + one * by[0], at[1] - one * by[1]] });
     } else if (event.key === 'Delete' || event.key === 'Backspace') on.remove(selected);
     else return;
     event.preventDefault();

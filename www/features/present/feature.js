@@ -11,8 +11,7 @@ export default {
       label: 'Present: a full-screen sequence of views',
       keys: [],
       needsModel: true,
-      action: () =>
-        app.actions.reportErrors(import('./steps-dialog.js').then((it) => it.openSteps(app))),
+      action: () => import('./steps-dialog.js').then((it) => it.openSteps(app)),
     },
   ],
   parts: [

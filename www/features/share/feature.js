@@ -8,8 +8,7 @@ export default {
       group: 'File',
       label: 'Share a link to the scene',
       keys: [],
-      action: () =>
-        app.actions.reportErrors(import('./dialog-share.js').then((it) => it.share(app))),
+      action: () => import('./dialog-share.js').then((it) => it.share(app)),
       needsModel: true,
     },
   ],

@@ -61,7 +61,7 @@ export class SplitLegend {
     this.element = element(
       'div',
       {
-        class: `split-legend ${name.toLowerCase()}`,
+        class: `card split-legend ${name.toLowerCase()}`,
         role: 'group',
         'aria-label': `${name} picture`,
       },

@@ -5,6 +5,7 @@
 
 import { closeButton } from '../../ui/controls/fields.js';
 import { byId } from '../../ui/dom.js';
+import { once } from '../../ui/once.js';
 import { declared, measureOfScene, roundingOf, toleranceOf } from '../../store/colours/measures.js';
 import { latestOnly } from '../../store/latest-only.js';
 import { splitDivider } from './split-divider.js';
@@ -17,9 +18,6 @@ import './split.css';
 
 /** Minimum colour range in multiples of the rounding error; finer ones cannot be built or seen. */
 const LEAST_RANGE = 1000;
-
-/** @type {SplitView | null} */
-let only = null;
 
 export class SplitView {
   #store;
@@ -36,14 +34,10 @@ export class SplitView {
     if (this.#store.get().split) await this.#actions.reportErrors(this.#fetch());
   });
 
-  /**
-   * The only instance of the page.
-   * @param {import("../../app/context.js").AppContext} app
-   */
-  static of(app) {
-    only ??= new SplitView(app);
-    return only;
-  }
+  /** The only instance of the page. */
+  static of = once(
+    (/** @type {import("../../app/context.js").AppContext} */ app) => new SplitView(app),
+  );
 
   /** @param {import("../../app/context.js").AppContext} app */
   constructor(app) {

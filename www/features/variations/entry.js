@@ -1,5 +1,6 @@
 /** The button that opens the variations, in the mesh tools. */
 
+import { isHard } from '../../store/state.js';
 import { button } from '../../ui/controls/fields.js';
 import { byId } from '../../ui/dom.js';
 
@@ -11,8 +12,7 @@ export function offerVariations(app) {
   );
   byId('mesh-tools').prepend(open);
   store.subscribe(['document', 'numbers', 'running'], ({ document: scene, numbers, running }) => {
-    const isHard = scene?.constraints.some((row) => row.enabled && row.require !== 'soft');
-    open.hidden = !isHard && !scene?.variants.length;
+    open.hidden = !scene?.constraints.some(isHard) && !scene?.variants.length;
     open.disabled = running || !(numbers?.exact?.met || scene?.variants.length);
     open.title = open.disabled
       ? 'Available once the exact constraints are met'

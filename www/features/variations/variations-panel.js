@@ -4,6 +4,7 @@ import './variations.css';
 import { docked } from '../../docked/docked.js';
 import { button, closeButton } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
+import { once } from '../../ui/once.js';
 import { latestOnly } from '../../store/latest-only.js';
 import { variationActions } from '../../store/actions/variation-actions.js';
 import { keptStrip } from './kept-strip.js';
@@ -12,18 +13,12 @@ import { variationCard } from './variation-card.js';
 const NONE = 'The shape is not exact: there is nothing to vary.';
 const HINT = 'Move the sliders; their effects add up. The line under each shows how far it can go.';
 
-/** @type {{ toggle: () => void } | null} */
-let only = null;
+const thePanel = once(variationsPanel);
 
 /** @param {import("../../app/context.js").AppContext} app */
-export function toggleVariations(app) {
-  only ??= variationsPanel(app);
-  only.toggle();
-}
+export const toggleVariations = (app) => thePanel(app).toggle();
 
-/**
- * @param {import("../../app/context.js").AppContext} app
- */
+/** @param {import("../../app/context.js").AppContext} app */
 function variationsPanel(app) {
   const { store, solver, actions } = app;
   const variations = variationActions(solver, actions);
@@ -56,7 +51,7 @@ function variationsPanel(app) {
       keep,
       closeButton('Close variations', () => place.close()),
     ),
-    element('div.variation-columns', grid, kept.place),
+    element('div.docked-columns.variation-columns', grid, kept.place),
   );
 
   /** Computes the variations of the open shape. */

@@ -38,7 +38,7 @@ export function viewCommands(app) {
       group: 'View',
       label: `View: ${name}`,
       keys: [`Shift+${i + 1}`, ...keys],
-      action: () => void actions.reportErrors(tools().then((it) => it.flyTo(name))),
+      action: () => tools().then((it) => it.flyTo(name)),
       enabled,
     })),
     {
@@ -93,7 +93,7 @@ export function viewCommands(app) {
       group: 'View',
       label: 'Turn slowly, until the view is touched',
       keys: [],
-      action: () => void actions.reportErrors(load().then((it) => it.turnSlowly(app.viewport))),
+      action: () => load().then((it) => it.turnSlowly(app.viewport)),
       needsModel: true,
       enabled,
     },

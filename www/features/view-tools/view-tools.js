@@ -6,6 +6,7 @@
 import './view-tools.css';
 import { element, setText } from '../../ui/dom.js';
 import { lengthUnit } from '../../ui/format.js';
+import { once } from '../../ui/once.js';
 import { fly } from '../../viewport/flight.js';
 import { SectionCard } from './section-card.js';
 import { Tape } from './tape.js';
@@ -15,8 +16,6 @@ export { buildViewMenu } from './view-menu.js';
 
 /** Maximum length of the scale bar in CSS pixels. */
 const BAR = 120;
-/** @type {ViewTools | null} */
-let only = null;
 
 export class ViewTools {
   #store;
@@ -31,14 +30,10 @@ export class ViewTools {
   /** Rest positions of that model, #V by 3. @type {Float64Array | null} */
   #rest = null;
 
-  /**
-   * The only instance of the page.
-   * @param {import("../../app/context.js").AppContext} app
-   */
-  static of(app) {
-    only ??= new ViewTools(app);
-    return only;
-  }
+  /** The only instance of the page. */
+  static of = once(
+    (/** @type {import("../../app/context.js").AppContext} */ app) => new ViewTools(app),
+  );
 
   /** @param {import("../../app/context.js").AppContext} app */
   constructor({ store, actions, viewport }) {

@@ -7,6 +7,7 @@ import './exact-verdict.css';
 import { element } from '../../ui/dom.js';
 import { count, groupDigits, length, limit, number, part } from '../../ui/format.js';
 import { exactActions } from '../../store/actions/exact-actions.js';
+import { isHard } from '../../store/state.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 
 /** @typedef {import("../../app/context.js").AppContext} App */
@@ -38,7 +39,7 @@ export async function showExactVerdict(app, output) {
   const { numbers, document: scene } = store.get();
   if (!numbers?.exact || !scene) return;
   if (!numbers.exact.met) return showUnmet(app, output, numbers.exact);
-  const hard = scene.constraints.filter(({ enabled, require }) => enabled && require !== 'soft');
+  const hard = scene.constraints.filter(isHard);
   if (hard.every(({ require }) => require === 'exact')) return showMet(app, output, numbers.exact);
   await showCost(app, output);
 }
@@ -188,7 +189,7 @@ function showUnmet(app, { showMessage, offer }, exact) {
   const { units } = scene;
   const { require } = exactActions(solver, actions);
   const rows = unmet.flatMap((index) => scene.constraints[index] ?? []);
-  const hard = scene.constraints.filter(({ enabled, require }) => enabled && require !== 'soft');
+  const hard = scene.constraints.filter(isHard);
   const all = hard.reduce((sum, row) => sum + row.count, 0);
   const elements = elementsOf(
     app,

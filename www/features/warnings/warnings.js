@@ -9,10 +9,8 @@ import { button, closeButton } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { count, length, limit } from '../../ui/format.js';
 import { movedInWords } from '../../store/colours/measures.js';
+import { isHard } from '../../store/state.js';
 import { showElements } from '../../viewport/reveal-elements.js';
-
-/** @param {import("../../solver/messages.js").ConstraintRow} row */
-const isHard = ({ enabled, require }) => enabled && require !== 'soft';
 
 const ZERO_SIZE = 'zero-size-faces';
 /** Maximum number of remedies offered. */

@@ -5,16 +5,10 @@
  */
 
 import { HandleDrag } from '../../store/handle-drag.js';
+import { ARROWS } from '../../ui/keys.js';
 
 /** Step of an arrow key, in CSS pixels. */
 const STEP = 8;
-/** @type {Record<string, [number, number]>} */
-const MOVES = {
-  ArrowLeft: [-STEP, 0],
-  ArrowRight: [STEP, 0],
-  ArrowUp: [0, -STEP],
-  ArrowDown: [0, STEP],
-};
 const AXES = ['x', 'y', 'z'];
 
 /**
@@ -55,13 +49,13 @@ export function bindHandleKeys(viewport, store, solver, actions) {
     if (key === 'Enter' || key === 'Escape') return release(key === 'Enter');
     const axis = AXES.indexOf(key.toLowerCase());
     if (axis >= 0) drag.toggleAxis(axis);
-    const way = MOVES[key];
-    if (way) {
-      at = [at[0] + way[0], at[1] + way[1]];
+    const arrow = ARROWS[key];
+    if (arrow) {
+      at = [at[0] + STEP * arrow[0], at[1] + STEP * arrow[1]];
       drag.setPlane(shiftKey ? 'horizontal' : 'screen');
       drag.move(at[0], at[1]);
     }
-    return axis >= 0 || way !== undefined;
+    return axis >= 0 || arrow !== undefined;
   }
 
   element.addEventListener('keydown', (event) => {

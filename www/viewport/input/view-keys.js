@@ -1,31 +1,36 @@
-/** Keys of the view while it has the focus: arrows orbit, page keys zoom. */
+/** Keys of a picture while it has the focus: arrows move it, page keys zoom it. */
+
+import { ARROWS } from '../../ui/keys.js';
 
 /** An arrow key orbits like a drag of so many CSS pixels; a page key zooms by this factor. */
 const ORBIT_STEP = 24;
 const ZOOM_STEP = 1.25;
 
-/** @type {Record<string, [number, number]>} */
-const ORBITS = {
-  ArrowLeft: [-ORBIT_STEP, 0],
-  ArrowRight: [ORBIT_STEP, 0],
-  ArrowUp: [0, -ORBIT_STEP],
-  ArrowDown: [0, ORBIT_STEP],
-};
 /** @type {Record<string, number>} */
 const ZOOMS = { PageUp: ZOOM_STEP, PageDown: 1 / ZOOM_STEP };
 
+/**
+ * @param {HTMLElement} place of the picture
+ * @param {object} on
+ * @param {(x: number, y: number) => void} on.move in the direction of an arrow
+ * @param {(factor: number, x: number, y: number) => void} on.zoom about the centre of the place
+ */
+export function bindMoveKeys(place, { move, zoom }) {
+  place.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const arrow = ARROWS[event.key];
+    const factor = ZOOMS[event.key];
+    if (!arrow && !factor) return;
+    event.preventDefault();
+    if (arrow) move(...arrow);
+    else zoom(factor, place.clientWidth / 2, place.clientHeight / 2);
+  });
+}
+
 /** @param {import("../viewport.js").Viewport} viewport */
 export function bindViewKeys(viewport) {
-  const { element } = viewport;
-  element.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const orbit = ORBITS[event.key];
-    const zoom = ZOOMS[event.key];
-    if (!orbit && !zoom) return;
-    event.preventDefault();
-    viewport.with((view) => {
-      if (orbit) view.orbit(...orbit);
-      else view.zoom(zoom, element.clientWidth / 2, element.clientHeight / 2);
-    });
+  bindMoveKeys(viewport.element, {
+    move: (x, y) => viewport.with((view) => view.orbit(ORBIT_STEP * x, ORBIT_STEP * y)),
+    zoom: (...about) => viewport.with((view) => view.zoom(...about)),
   });
 }
