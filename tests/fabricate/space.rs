@@ -67,7 +67,8 @@ fn panels_with_notches_and_many_corners_are_triangles() {
     mesh.faces.push(&[0, 1, 2, 3, 4, 5, 6, 7]);
     let parts = build(&mesh, &BuildSettings::default()).spatial_parts(true);
     for layer in ["Surface", "Offset"] {
-        let [SpatialPart { points, faces, .. }] = on(&parts, layer)[..] else { panic!("{layer}") };
+        let own = on(&parts, layer);
+        let [SpatialPart { points, faces, .. }] = own[..] else { panic!("{layer}") };
         let areas = faces.iter().map(|face| {
             let corners: Vec<_> =
                 face.iter().map(|&v| [points[v as usize][0], points[v as usize][1]]).collect();

@@ -29,7 +29,7 @@ fn counts(sheet: [f64; 2], page: [f64; 2]) -> [u32; 2] {
 pub(in crate::fabricate) fn page_count(sheet: [f64; 2], page: Option<[f64; 2]>) -> u64 {
     let Some([short, long]) = page else { return 1 };
     let both = [[short, long], [long, short]];
-    let counts = both.map(|page| counts(sheet, page).map(u64::from).iter().product());
+    let counts: [u64; 2] = both.map(|page| counts(sheet, page).map(u64::from).iter().product());
     counts[0].min(counts[1])
 }
 
