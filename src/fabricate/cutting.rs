@@ -150,7 +150,16 @@ impl Build {
                     let (outline, name) = (&part.outline[..], &*part.name);
                     let (neighbours, with_arrow) = (&beside[k][..], true);
                     let holes = &part.holes[..];
-                    let own = Inscription { outline, name, neighbours, with_arrow, turn, holes };
+                    let free_sides = self.settings.product == Product::Panels;
+                    let own = Inscription {
+                        outline,
+                        name,
+                        neighbours,
+                        free_sides,
+                        with_arrow,
+                        turn,
+                        holes,
+                    };
                     let Labels { lines, texts, dropped, small } = label(own);
                     part.engraved = lines;
                     MissingNames { dropped, small: usize::from(small), piece: texts.is_empty() }

@@ -248,7 +248,15 @@ fn a_short_fin_names_both_of_its_nodes_beside_its_long_name() {
     let neighbours = &[None, Some("N193".to_owned()), None, Some("N192".to_owned())][..];
     for turn in [[1.0, 0.0], [-1.0, 0.0]] {
         let (name, with_arrow, holes) = ("B192-193", true, &[][..]);
-        let found = label(Inscription { outline, name, neighbours, with_arrow, turn, holes });
+        let found = label(Inscription {
+            outline,
+            name,
+            neighbours,
+            free_sides: false,
+            with_arrow,
+            turn,
+            holes,
+        });
         assert_eq!((found.dropped, found.small, found.texts.len()), (0, false, 3));
     }
 }

@@ -189,7 +189,15 @@ fn every_name_is_once_on_its_panel_and_every_inner_edge_is_named_from_both_sides
         let outline = &made.parts[cut.part].outline;
         let (with_arrow, turn) = (true, [1.0, 0.0]);
         let (side_names, holes) = (&neighbours[..], &[][..]);
-        let own = Inscription { outline, name, neighbours: side_names, with_arrow, turn, holes };
+        let own = Inscription {
+            outline,
+            name,
+            neighbours: side_names,
+            free_sides: true,
+            with_arrow,
+            turn,
+            holes,
+        };
         let labels = label(own);
         let mut texts = labels.texts.clone();
         assert_eq!(texts.remove(0), *name);

@@ -122,7 +122,15 @@ pub fn write_names(
             let (outline, neighbours, with_arrow) = (&polygon[..], &beside[..], false);
             let holes = &[][..];
             let named = |name: &str| {
-                label(Inscription { outline, name, neighbours, with_arrow, turn, holes })
+                label(Inscription {
+                    outline,
+                    name,
+                    neighbours,
+                    free_sides: true,
+                    with_arrow,
+                    turn,
+                    holes,
+                })
             };
             let name = &names[panel as usize];
             let mut labels = named(name);

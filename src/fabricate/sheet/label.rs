@@ -5,8 +5,9 @@
 
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
+use super::text_box::{Box2, ROOM};
 use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point, sides};
-use crate::math::plane::{Point2, distance, dot, is_inside, minus, rotated};
+use crate::math::plane::{Point2, distance, rotated};
 
 /// Largest height of neighbours' names, in mm.
 const TALLEST: f64 = 8.0;
@@ -25,8 +26,6 @@ const OF_EDGE: f64 = 0.7;
 const SMALL: f64 = 0.7;
 /// Positions along an edge at which a neighbour's name is tried.
 const SHARES: [f64; 9] = [0.5, 0.38, 0.62, 0.28, 0.72, 0.24, 0.76, 0.14, 0.86];
-/// Room around a text, relative to its height.
-const ROOM: f64 = 0.35;
 /// The own name is underlined if a neighbour's is higher than this fraction of it.
 const ALIKE: f64 = 0.85;
 /// Distance of the underline, relative to the height of the name.
@@ -45,79 +44,6 @@ pub struct Labels {
     pub small: bool,
 }
 
-/// A rotated rectangle that nothing else may overlap.
-#[derive(Clone, Copy)]
-struct Box2 {
-    centre: Point2,
-    along: Point2,
-    half: [f64; 2],
-}
-
-impl Box2 {
-    fn of_text(text: &str, height: f64, centre: Point2, along: Point2) -> Box2 {
-        let room = ROOM * height;
-        let half = [0.5 * text_width(text, height) + room, 0.5 * height + room];
-        Box2 { centre, along, half }
-    }
-
-    fn of_hole(hole: &Hole) -> Box2 {
-        Box2 { centre: hole.centre, along: [1.0, 0.0], half: [hole.radius; 2] }
-    }
-
-    fn corners(&self) -> [Point2; 4] {
-        let [c, s] = self.along;
-        [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[i, j]| {
-            let [x, y] = [i * self.half[0], j * self.half[1]];
-            [self.centre[0] + c * x - s * y, self.centre[1] + s * x + c * y]
-        })
-    }
-
-    /// Whether two are disjoint, by their separating axes.
-    fn is_apart(&self, other: &Box2) -> bool {
-        let separates = |axis: Point2| {
-            let range = |corners: [Point2; 4]| {
-                let at = corners.map(|[x, y]| x * axis[0] + y * axis[1]);
-                [
-                    at.into_iter().fold(f64::INFINITY, f64::min),
-                    at.into_iter().fold(f64::NEG_INFINITY, f64::max),
-                ]
-            };
-            let (a, b) = (range(self.corners()), range(other.corners()));
-            a[1] <= b[0] || b[1] <= a[0]
-        };
-        [self, other].iter().any(|own| {
-            let [c, s] = own.along;
-            separates([c, s]) || separates([-s, c])
-        })
-    }
-
-    /// Whether it lies in a polygon: its corners do, and no side of the polygon enters it, as one of
-    /// a narrow notch may do although no corner is in it.
-    fn is_in(&self, outline: &[Point2]) -> bool {
-        let inside = self.corners().iter().all(|&corner| is_inside(outline, corner));
-        let [c, s] = self.along;
-        let enters = |side: [Point2; 2]| {
-            let [p, q] = side.map(|point| {
-                let [x, y] = minus(point, self.centre);
-                [c * x + s * y, c * y - s * x]
-            });
-            // The shares of the side between which it is within the bounds of each axis.
-            let (mut from, mut to) = (0.0_f64, 1.0_f64);
-            for k in 0..2 {
-                let (step, half) = (q[k] - p[k], self.half[k]);
-                if step != 0.0 {
-                    let [a, b] = [(-half - p[k]) / step, (half - p[k]) / step];
-                    (from, to) = (from.max(a.min(b)), to.min(a.max(b)));
-                } else if p[k].abs() >= half {
-                    return false;
-                }
-            }
-            from < to
-        };
-        inside && !sides(outline).any(enters)
-    }
-}
-
 /// The texts to write inside an outline.
 #[derive(Clone, Copy, Debug)]
 pub struct Inscription<'a> {
@@ -128,6 +54,9 @@ pub struct Inscription<'a> {
     /// For each edge, the name of the neighbour there, if any. Edge `k` goes from corner `k` to the
     /// next one.
     pub neighbours: &'a [Option<String>],
+    /// Whether a side without a neighbour could be taken for that of a name near it: on a panel, but
+    /// not on a fin, which has names at its ends only.
+    pub free_sides: bool,
     /// Whether an arrow points to edge 0.
     pub with_arrow: bool,
     /// The rotation of the part on its sheet, as cosine and sine.
@@ -155,7 +84,7 @@ pub fn label(own: Inscription<'_>) -> Labels {
 
 /// As `label`, with the relative height `own` of the own name; also whether the arrow is there.
 fn label_of_height(
-    Inscription { outline, name, neighbours, with_arrow, turn, holes }: Inscription<'_>,
+    Inscription { outline, name, neighbours, free_sides, with_arrow, turn, holes }: Inscription<'_>,
     (centre, radius): (Point2, f64),
     own: f64,
 ) -> (Labels, bool) {
@@ -199,8 +128,14 @@ fn label_of_height(
     let mut highest: f64 = 0.0;
     for (k, neighbour) in neighbours.iter().enumerate() {
         let Some(neighbour) = neighbour else { continue };
+        let edge = [outline[k], outline[(k + 1) % outline.len()]];
+        let is_rival =
+            |i: usize| i != k && (free_sides || matches!(neighbours.get(i), Some(Some(_))));
+        let all = sides(outline).enumerate().filter(|&(i, _)| is_rival(i));
+        let rivals: Vec<[Point2; 2]> = all.map(|(_, side)| side).collect();
         let tallest = beside.min(height);
-        let found = beside_edge(outline, k, (neighbour, tallest), turn, (&taken, holes));
+        let found =
+            beside_edge(outline, (edge, &rivals), (neighbour, tallest), turn, (&taken, holes));
         match found {
             Some((height, own)) => {
                 highest = highest.max(height);
@@ -226,15 +161,14 @@ fn underline(Box2 { centre, along: [c, s], .. }: Box2, width: f64, height: f64) 
 
 /// The height of a neighbour's name beside its edge, and its box: along the edge or else across it,
 /// as high as there is room up to `tallest`, if necessary beyond the hole nearest to the edge. None
-/// if it would be unreadable, or nearer to another side than to its own.
+/// if it would be unreadable, or nearer to one of the `rivals` than to its edge.
 fn beside_edge(
     outline: &[Point2],
-    edge: usize,
+    ([p, q], rivals): ([Point2; 2], &[[Point2; 2]]),
     (name, tallest): (&str, f64),
     turn: Point2,
     (taken, holes): (&[Box2], &[Hole]),
 ) -> Option<(f64, Box2)> {
-    let [p, q] = [outline[edge], outline[(edge + 1) % outline.len()]];
     let length = distance(p, q);
     let along = direction_of(p, q);
     let inwards = [-along[1], along[0]];
@@ -262,12 +196,9 @@ fn beside_edge(
                 for share in if is_tall { &SHARES[..5] } else { &SHARES[..] } {
                     let centre = [0, 1].map(|x| p[x] + share * (q[x] - p[x]) + away * inwards[x]);
                     let own = Box2::of_text(name, height, centre, upright(direction, turn));
-                    // Across the middle of its edge it lies between two sides, of which it is the
-                    // name of neither.
-                    let between = (!is_along && *share == SHARES[0]).then_some(direction);
                     if own.is_in(outline)
                         && taken.iter().all(|other| own.is_apart(other))
-                        && is_nearest(outline, edge, centre, between)
+                        && is_nearest([p, q], rivals, centre)
                     {
                         return Some((height, own));
                     }
@@ -281,18 +212,11 @@ fn beside_edge(
     }
 }
 
-/// Whether no other side is nearer to a point than side `edge`, except sides about in the direction
-/// of `between`.
-fn is_nearest(outline: &[Point2], edge: usize, point: Point2, between: Option<Point2>) -> bool {
-    /// Cosine of the largest angle between directions that are about the same.
-    const SAME: f64 = 0.7;
-    let far = |[p, q]: [Point2; 2]| distance_to_outline(&[p, q], point);
-    let own = sides(outline).nth(edge).map_or(0.0, far);
-    sides(outline).enumerate().all(|(k, side)| {
-        let along = direction_of(side[0], side[1]);
-        let is_beside = between.is_some_and(|to| dot(to, along).abs() > SAME);
-        k == edge || is_beside || far(side) >= own * (1.0 - 1e-9)
-    })
+/// Whether none of the `rivals` is nearer to a point than its own side.
+fn is_nearest(own: [Point2; 2], rivals: &[[Point2; 2]], point: Point2) -> bool {
+    let far = |side: &[Point2; 2]| distance_to_outline(side, point);
+    let least = far(&own) * (1.0 - 1e-9);
+    rivals.iter().all(|rival| far(rival) >= least)
 }
 
 /// Adds an arrow from the middle towards edge 0, as long as a letter is high; false if there is no
@@ -370,32 +294,21 @@ mod tests {
     const AS_IT_IS: Point2 = [1.0, 0.0];
 
     #[test]
-    fn a_text_across_a_notch_is_not_in_the_outline() {
-        // The notch is narrower than the text, and its tip and its mouth are beyond.
-        let outline = [
-            [0.0, 0.0],
-            [20.0, 0.0],
-            [20.0, 20.0],
-            [10.2, 20.0],
-            [10.0, 2.0],
-            [9.8, 20.0],
-            [0.0, 20.0],
-        ];
-        let text = |centre: Point2, along: Point2| Box2 { centre, along, half: [4.0, 1.0] };
-        for along in [[1.0, 0.0], [0.8, 0.6], [0.0, 1.0]] {
-            assert!(!text([10.0, 10.0], along).is_in(&outline), "{along:?}");
-            assert!(text([5.0, 10.0], along).is_in(&outline), "{along:?}");
-        }
-    }
-
-    #[test]
     fn the_own_name_is_larger_than_those_of_the_neighbours() {
         let outline = [[0.0, 0.0], [60.0, 0.0], [60.0, 60.0], [0.0, 60.0]];
         let one = [Some("H".to_owned())];
         let [own, both] = [&[][..], &one[..]].map(|neighbours| {
             let (name, with_arrow, turn) = ("H", false, AS_IT_IS);
             let holes = &[][..];
-            label(Inscription { outline: &outline, name, neighbours, with_arrow, turn, holes })
+            label(Inscription {
+                outline: &outline,
+                name,
+                neighbours,
+                free_sides: true,
+                with_arrow,
+                turn,
+                holes,
+            })
         });
         let beside = &both.lines[own.lines.len()..];
         assert!(extent(&own.lines)[1] > 1.5 * extent(beside)[1]);
@@ -410,7 +323,15 @@ mod tests {
         // Equally wide, with or without room for a larger name in the middle.
         for (high, is_underlined) in [(14.0, false), (11.5, true)] {
             let outline = &[[0.0, 0.0], [8.0, 0.0], [8.0, high], [0.0, high]][..];
-            let own = Inscription { outline, name, neighbours, with_arrow, turn, holes };
+            let own = Inscription {
+                outline,
+                name,
+                neighbours,
+                free_sides: true,
+                with_arrow,
+                turn,
+                holes,
+            };
             let found = label(own);
             assert_eq!((found.dropped, found.small, found.texts.len()), (0, false, 3));
             let below = |line: &&Vec<Point2>| {
@@ -430,7 +351,15 @@ mod tests {
             let mut neighbours = vec![None; outline.len()];
             let own = |neighbours: &[Option<String>]| {
                 let outline = &outline[..];
-                label(Inscription { outline, name: "P1", neighbours, with_arrow, turn, holes })
+                label(Inscription {
+                    outline,
+                    name: "P1",
+                    neighbours,
+                    free_sides: true,
+                    with_arrow,
+                    turn,
+                    holes,
+                })
             };
             let before = own(&neighbours).lines.len();
             neighbours[k] = Some("P120".to_owned());
@@ -445,7 +374,9 @@ mod tests {
                     [at().fold(f64::INFINITY, f64::min), at().fold(f64::NEG_INFINITY, f64::max)];
                 0.5 * (low + high)
             });
-            assert!(is_nearest(&outline, k, middle, None), "edge {k}: {middle:?}");
+            let side = |k: usize| [outline[k], outline[(k + 1) % 5]];
+            let rivals: Vec<_> = (0..5).filter(|i| *i != k).map(side).collect();
+            assert!(is_nearest(side(k), &rivals, middle), "edge {k}: {middle:?}");
         }
     }
 
@@ -455,7 +386,15 @@ mod tests {
         let neighbours = [None, Some("N12".to_owned()), None, Some("N7".to_owned())];
         let (name, with_arrow, turn) = ("B7-12", true, AS_IT_IS);
         let (outline, neighbours, holes) = (&outline[..], &neighbours[..], &[][..]);
-        let found = label(Inscription { outline, name, neighbours, with_arrow, turn, holes });
+        let found = label(Inscription {
+            outline,
+            name,
+            neighbours,
+            free_sides: false,
+            with_arrow,
+            turn,
+            holes,
+        });
         assert_eq!((found.dropped, found.small), (0, false));
         assert_eq!(found.texts, ["B7-12", "N12", "N7"]);
     }
@@ -467,7 +406,15 @@ mod tests {
         let holes = [4.0, 76.0].map(|x| Hole { centre: [x, 5.0], radius: 1.0 });
         let (outline, name, neighbours, turn) = (&outline[..], "B10-11", &[][..], AS_IT_IS);
         let height = |holes: &[Hole]| {
-            let own = Inscription { outline, name, neighbours, with_arrow: false, turn, holes };
+            let own = Inscription {
+                outline,
+                name,
+                neighbours,
+                free_sides: true,
+                with_arrow: false,
+                turn,
+                holes,
+            };
             let found = label(own);
             assert!(!found.small);
             extent(&found.lines)[1]

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `part` | a part to be cut: outline, engraved lines, its panels |
 //! | `lettering` | single-line letters |
+//! | `text_box` | the rectangle around a text or a hole |
 //! | `label` | names and an arrow inside an outline |
 //! | `waste` | names beside parts that have no room for them |
 //! | `place` | the position of a part, and the order in which parts are laid out |
@@ -18,6 +19,7 @@ mod lettering;
 mod part;
 mod place;
 mod shelf;
+mod text_box;
 mod waste;
 
 pub(super) use label::upright;
