@@ -26,8 +26,8 @@
 //!     centre, keep_nearer, add_to_rows
 //! ```
 //!
-//! Other numbers of points than 3 and 4 take `scratch` instead of arrays, and kinds of any number of
-//! points `closed_form_of_many`. [`Projection::project`] is the same without a batch, for tests.
+//! Other numbers of points than 3 and 4 take `scratch` instead of arrays, and kinds of any number
+//! of points `closed_form_of_many`. [`Projection::project`] is the same without a batch, for tests.
 
 mod points;
 

@@ -1,10 +1,10 @@
 //! The region above and below a triangle in which no other triangle is nearer.
 //!
-//! It is part of the cell of the triangle in the Voronoi diagram of all triangles, bounded by planes
-//! so that a point is tested with a few products.
+//! It is part of the cell of the triangle in the Voronoi diagram of all triangles, bounded by
+//! planes so that a point is tested with a few products.
 //!
-//! Let `p` be at height `d` above a triangle, with its foot at least `a` inside one side, so that it
-//! is at the distance `d`. Let another triangle lie entirely beyond that side and rise from it
+//! Let `p` be at height `d` above a triangle, with its foot at least `a` inside one side, so that
+//! it is at the distance `d`. Let another triangle lie entirely beyond that side and rise from it
 //! towards `p` by an angle of at most `theta`, which is 90 degrees or less. Across the side:
 //!
 //! ```text
@@ -24,8 +24,8 @@
 //! d tan(theta / 2) <= a,
 //! ```
 //!
-//! the half-space below the bisecting plane. So the largest `tan(theta / 2)` of all triangles beyond
-//! a side is enough for the side.
+//! the half-space below the bisecting plane. So the largest `tan(theta / 2)` of all triangles
+//! beyond a side is enough for the side.
 //!
 //! A triangle that shares only a corner may lie beyond neither side of that corner, but beyond a
 //! line across the corner: that through it which is perpendicular to the sum of the outward normals
