@@ -81,8 +81,8 @@ await main(() => {
   const module = (name, folder, budget) =>
     row(name, [at('www', 'pkg', folder, 'shape_up_bg.wasm')], budget * kB);
   const rows = [
-    module('solver module', 'solver', 705),
-    module('parts module', 'build', 301),
+    module('solver module', 'solver', 713),
+    module('parts module', 'build', 311),
     module('view, WebGPU', 'view-webgpu', 189),
     module('view, WebGL2', 'view-webgl2', 900),
     row('first visit', [...first], 78 * kB),

@@ -216,7 +216,7 @@
  * @typedef {{ type: "open", files: NamedBytes[], saved?: Saved, frame?: string,
  *       solved?: boolean, weld?: boolean }
  *   | { type: "edit", edit: Edit }
- *   | { type: "makePanels", kind: string, tolerance: number, afresh: boolean }
+ *   | { type: "makePanels", kind: string, tolerance: number, from: PanelStart }
  *   | { type: "editAndRun", edit: Edit }
  *   | { type: "exactOffer" }
  *   | { type: "improvement" }

@@ -268,7 +268,7 @@ export class MakePanels {
     this.#showFolds.hidden = this.#avoidFolds.hidden = !isFolded;
     this.#smoother.hidden = change !== 'rougher';
     this.#remedyButton.hidden = !change || !this.#canChangeMesh();
-    this.#changes.hidden = [...this.#changes.children].every((one) => one.hidden);
+    this.#changes.hidden = !this.#changes.querySelector(':scope > :not([hidden])');
     this.#card.classList.toggle('warning', isFolded || change !== null);
   }
 
