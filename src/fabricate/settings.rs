@@ -1,10 +1,9 @@
 //! The settings of a build: scale, sheet, joint, distance; and their presets.
 
-use super::file::page_count;
 use super::offset::OffsetKind;
 use super::panel::Names;
 use super::paper::Pieces;
-use super::sheet::Order;
+use super::sheet::{Order, page_count};
 use serde::{Deserialize, Serialize};
 
 /// The settings of a build: the key `build` of a scene. Lengths of the building are in the unit of

@@ -222,7 +222,8 @@ fn what_is_said_of_real_meshes_is_what_becomes_of_them() {
             let ratio = least_move / moved;
             let near = if moved < 0.2 && least_move < 0.2 { 0.65..1.2 } else { 0.8..4.6 };
             assert!(moved < 1e-4 || near.contains(&ratio), "{file} {kind}: {least_move} {moved}");
-            assert_eq!(forecast.remedy().is_some(), file == "compas_hypar.obj", "{file}");
+            let is_diagonal = ["cmc1.obj", "compas_hypar.obj", "pillow_1.obj"].contains(&file);
+            assert_eq!(forecast.remedy().is_some(), is_diagonal, "{file}");
             let words = forecast.words();
             let named = words.contains("off the lines of curvature");
             let far = forecast.kinds.iter().any(|kind| kind.how_far == HowFar::Lot);

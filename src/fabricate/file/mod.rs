@@ -6,7 +6,6 @@
 //! | `svg` | SVG: mm, one path per part, no transforms |
 //! | `picture` | a sheet as the page shows it: one path per layer |
 //! | `dxf` | DXF: R2000, or R12 for old machines |
-//! | `tiles` | sheets larger than a page, divided into pages |
 //! | `pdf` | PDF 1:1, a page per sheet or tiled, with layers and a ruler |
 //! | `pdf_objects` | the objects of a PDF file |
 //! | `csv` | tables of panels, edges, nodes, types, and a summary |
@@ -22,7 +21,6 @@ mod pdf;
 mod pdf_objects;
 mod picture;
 mod svg;
-mod tiles;
 
 pub use csv::{Cell, Table};
 pub use drawing::{Drawing, DrawnLine};
@@ -34,4 +32,3 @@ pub(super) use pdf_objects::{POINTS, assembled, stream};
 pub use picture::{PictureLayer, SheetPicture, picture};
 pub use svg::svg;
 pub(super) use svg::{escaped, path};
-pub(super) use tiles::page_count;

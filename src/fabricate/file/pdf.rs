@@ -4,8 +4,7 @@
 use super::drawing::{Drawing, DrawnLine};
 use super::number::places;
 use super::pdf_objects::{POINTS, assembled, stream};
-use super::tiles::{FREE, OVERLAP, Tile, tiles};
-use crate::fabricate::sheet::{Role, strokes, text_width};
+use crate::fabricate::sheet::{FREE, OVERLAP, Role, Tile, strokes, text_width, tiles};
 use crate::math::plane::Point2;
 
 /// Height of text beside the ruler, in mm.

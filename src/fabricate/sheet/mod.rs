@@ -10,6 +10,7 @@
 //! | `place` | the position of a part, and the order in which parts are laid out |
 //! | `layout` | layout of parts on sheets |
 //! | `shelf` | parts in rows, each upright or upside down |
+//! | `tiles` | sheets larger than a page, divided into pages |
 //! | `clearance` | clearance between two parts |
 
 mod clearance;
@@ -20,6 +21,7 @@ mod part;
 mod place;
 mod shelf;
 mod text_box;
+mod tiles;
 mod waste;
 
 pub(super) use label::upright;
@@ -28,4 +30,5 @@ pub use layout::{Layout, Sheet, lay_out};
 pub use lettering::{strokes, text_width};
 pub use part::{CutPart, Hole, NamePlace, Role};
 pub use place::{Order, Place, SheetSize};
+pub(super) use tiles::{FREE, OVERLAP, Tile, page_count, tiles};
 pub use waste::Waste;

@@ -106,7 +106,14 @@ impl Forecast {
     /// Returns the change of the mesh that would reduce the move, if one is known.
     pub fn remedy(&self) -> Option<MeshRemedy> {
         let kinds = self.diagonal.as_ref()?;
-        let words = format!("Diagonal quads follow them: the mesh will then {}.", moves(kinds));
+        let is_near = kinds.iter().any(|kind| kind.how_far != HowFar::Lot);
+        let words = match is_near {
+            true => format!("Diagonal quads follow them: the mesh will then {}.", moves(kinds)),
+            false => {
+                "Diagonal quads are nearer to them: the mesh will then move half as far or less."
+                    .to_owned()
+            }
+        };
         MeshRemedy::new("diagonal", words)
     }
 

@@ -1,19 +1,19 @@
 //! Sheets larger than a page of paper, tiled: pages overlap by 10 mm and have a frame to cut along.
 
 /// The unprintable margin of a page, in mm.
-pub(super) const FREE: f64 = 5.0;
+pub(in crate::fabricate) const FREE: f64 = 5.0;
 /// Overlap of neighbouring pages, in mm.
-pub(super) const OVERLAP: f64 = 10.0;
+pub(in crate::fabricate) const OVERLAP: f64 = 10.0;
 
 /// A page with a part of a sheet.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Tile {
+pub(in crate::fabricate) struct Tile {
     /// Its width and height in mm.
-    pub(super) page: [f64; 2],
+    pub(in crate::fabricate) page: [f64; 2],
     /// The point of the sheet at its lower left corner.
-    pub(super) origin: [f64; 2],
+    pub(in crate::fabricate) origin: [f64; 2],
     /// Its column and row, and how many there are; none if the page shows the whole sheet.
-    pub(super) place: Option<[[u32; 2]; 2]>,
+    pub(in crate::fabricate) place: Option<[[u32; 2]; 2]>,
 }
 
 /// The number of pages of a sheet along its width and its height.
@@ -35,7 +35,7 @@ pub(in crate::fabricate) fn page_count(sheet: [f64; 2], page: Option<[f64; 2]>) 
 
 /// The pages of a sheet, portrait or landscape, whichever needs fewer; column by column from the
 /// lower left.
-pub(super) fn tiles(sheet: [f64; 2], page: Option<[f64; 2]>) -> Vec<Tile> {
+pub(in crate::fabricate) fn tiles(sheet: [f64; 2], page: Option<[f64; 2]>) -> Vec<Tile> {
     let whole = |page| vec![Tile { page, origin: [0.0; 2], place: None }];
     let Some([short, long]) = page else { return whole(sheet) };
     let both = [[short, long], [long, short]];
