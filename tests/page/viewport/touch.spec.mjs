@@ -21,6 +21,8 @@ async function fingers(page) {
   return {
     down: (...points) => send('touchStart', points),
     up: () => send('touchEnd', []),
+    /** As when the system takes over: a notification, or a palm on the screen. */
+    cancel: () => send('touchCancel', []),
     /** Moves as fast as a person: a finger at rest would open the menu. */
     swipe: (...places) =>
       Promise.all([
@@ -34,6 +36,16 @@ test.beforeEach(async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
   await waitForState(page, (now) => now.renderer !== 'none');
+});
+
+test('after a touch that the system cancels, one finger selects as before', async ({ page }) => {
+  const touch = await fingers(page);
+  const [x, y] = await screenOf(page, MIDDLE);
+  await touch.down([x + 60, y]);
+  await touch.cancel();
+  await touch.down([x, y]);
+  await touch.up();
+  await waitForState(page, (now) => now.selection.vertices.length === 1);
 });
 
 test('one finger orbits, two pan and zoom', async ({ page }) => {

@@ -81,7 +81,10 @@ export class PointerInput {
     listen('pointerdown', (event) => this.#press(event));
     listen('pointermove', (event) => this.#move(event));
     listen('pointerup', (event) => this.#release(event));
-    listen('pointercancel', () => this.cancel());
+    listen('pointercancel', (event) => {
+      this.#down.delete(event.pointerId);
+      this.cancel();
+    });
     listen('pointerleave', () => actions.pointAt({ gizmoPart: undefined, pointedAt: undefined }));
     listen('dblclick', (event) => this.#doubleClick(event));
     listen('wheel', (event) => this.#wheel(event), { passive: false });
