@@ -245,7 +245,7 @@ pub enum PanelStart {
     Now,
     /// The opened shape.
     Original,
-    /// The opened shape, with the smoothness weight multiplied by [`PanelStart::SMOOTHER`].
+    /// The opened shape, with ten times the smoothness weight.
     Smoother,
 }
 
