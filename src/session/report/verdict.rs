@@ -64,7 +64,7 @@ pub enum BendChange {
 
 impl Bend {
     fn of(now: &[Point], rest: &RestMesh) -> Bend {
-        let (fair, before) = (rest.fair_bends(), rest.bend_at(rest.positions()));
+        let (fair, before) = (rest.fair_bends(), rest.bend());
         let now = rest.bend_at(now);
         let change = match now {
             _ if now > *fair.end() => Some(BendChange::Rougher),

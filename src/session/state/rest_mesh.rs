@@ -5,6 +5,7 @@ use crate::mesh::{
     BoundingSphere, Group, Mesh, Point, Topology, folded_faces, mean_dihedral_angle,
 };
 use crate::solve::Moved;
+use std::cell::OnceCell;
 use std::ops::RangeInclusive;
 
 /// A surface is rough if the mean angle between neighbouring faces exceeds this multiple of the
@@ -22,6 +23,8 @@ pub(crate) struct RestMesh {
     mesh: Mesh,
     topology: Topology,
     diameter: f64,
+    /// See [`RestMesh::bend`].
+    bend: OnceCell<f64>,
     generation: u32,
     lost: Vec<String>,
 }
@@ -30,7 +33,8 @@ impl RestMesh {
     pub(crate) fn new(mesh: Mesh) -> RestMesh {
         let topology = Topology::new(&mesh);
         let diameter = BoundingSphere::of(&mesh.positions).diameter();
-        RestMesh { diameter, mesh, topology, generation: 0, lost: Vec::new() }
+        let bend = OnceCell::new();
+        RestMesh { diameter, bend, mesh, topology, generation: 0, lost: Vec::new() }
     }
 
     /// Creates a mesh that is derived from this one.
@@ -92,10 +96,15 @@ impl RestMesh {
         mean_dihedral_angle(&self.mesh, &self.topology, now)
     }
 
+    /// Returns the mean angle in degrees between neighbouring faces at rest.
+    pub(crate) fn bend(&self) -> f64 {
+        *self.bend.get_or_init(|| self.bend_at(self.positions()))
+    }
+
     /// Returns the mean angles between neighbouring faces, in degrees, at which the surface has
     /// become neither flat nor rough.
     pub(crate) fn fair_bends(&self) -> RangeInclusive<f64> {
-        let bend = self.bend_at(self.positions());
+        let bend = self.bend();
         FLAT * bend..=ROUGH * bend + HARDLY_ROUGH
     }
 
