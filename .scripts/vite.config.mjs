@@ -136,8 +136,8 @@ function begunWith(document, graph) {
   return found;
 }
 
-/** Size of the solver's module, for its progress display. */
-const solverBytes = statSync(at('www', 'pkg', 'solver', 'shape_up_bg.wasm')).size;
+/** Size of the engine's module, for its progress display. */
+const engineBytes = statSync(at('www', 'pkg', 'engine', 'shape_up_bg.wasm')).size;
 
 // wasm-bindgen gives the files of all modules the same names: use the module's folder name.
 const moduleOf = (path) => /\/?pkg\/([\w-]+)\//.exec(path ?? '')?.[1] ?? '[name]';
@@ -151,7 +151,7 @@ const output = {
 export default {
   root: at('www'),
   base: './',
-  define: { 'import.meta.env.SOLVER_BYTES': String(solverBytes) },
+  define: { 'import.meta.env.ENGINE_BYTES': String(engineBytes) },
   publicDir: false,
   plugins: [layers, examples, picture, readingPages, licences, smallPages, told()],
   build: {

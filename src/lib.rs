@@ -32,7 +32,7 @@
 //! | [`session`] | the interface of all hosts: load, edit, drag, step, undo, report | all above |
 //! | [`experiment`] | the paper's comparisons with other methods (Fig. 10, 11), run live | all above |
 //! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |
-//! | `web` | wasm-bindgen interfaces: one for the worker (solver), one for the page (view) | all above |
+//! | `web` | wasm-bindgen interfaces: one for the workers (engine), one for the page (view) | all above |
 //!
 //! `src/bin` is outside: the command line, which drives sessions, and build steps that draw
 //! examples.
@@ -75,8 +75,8 @@
 //! # From a shape to parts
 //!
 //! [`fabricate`] takes a mesh and settings (the key `build` of a scene), independent of solvers.
-//! The command line calls it with the shape of a scene; the page loads it as a separate module in
-//! its own worker (`www/features/build`), to keep the solver small. Both write the same bytes.
+//! The command line calls it with the shape of a scene; the page in a worker of its own
+//! (`www/features/build`), so that iterations do not wait for it. Both write the same bytes.
 //!
 //! # Two numeric factors
 //!
@@ -115,46 +115,34 @@
 //! solver uses only `+ - * / sqrt` and, for angles, `libm`, so that native and wasm builds give the
 //! same bits.
 
-#[cfg(any(feature = "cli", feature = "build"))]
+#[cfg(any(feature = "cli", feature = "engine"))]
 pub mod begin;
-#[cfg(any(feature = "cli", feature = "solver"))]
+#[cfg(any(feature = "cli", feature = "engine"))]
 pub mod constraint;
-#[cfg(any(feature = "cli", feature = "solver"))]
+#[cfg(any(feature = "cli", feature = "engine"))]
 pub mod error;
-#[cfg(any(feature = "cli", feature = "solver", feature = "build"))]
-#[cfg_attr(
-    not(feature = "cli"),
-    allow(dead_code, unused_imports, reason = "meshes to begin with use some of its generators")
-)]
+#[cfg(any(feature = "cli", feature = "engine"))]
 pub mod example;
-#[cfg(any(feature = "cli", feature = "solver"))]
+#[cfg(any(feature = "cli", feature = "engine"))]
 pub mod experiment;
-#[cfg(any(feature = "cli", feature = "solver", feature = "build"))]
+#[cfg(any(feature = "cli", feature = "engine"))]
 pub mod fabricate;
-#[cfg(any(feature = "cli", feature = "solver"))]
+#[cfg(any(feature = "cli", feature = "engine"))]
 mod json;
 pub mod math;
-#[cfg(any(feature = "cli", feature = "solver", feature = "build"))]
-#[cfg_attr(
-    not(any(feature = "cli", feature = "solver")),
-    allow(dead_code, unused_imports, reason = "the module of parts uses some of it")
-)]
+#[cfg(any(feature = "cli", feature = "engine"))]
 pub mod mesh;
-#[cfg(any(feature = "cli", feature = "solver"))]
+#[cfg(any(feature = "cli", feature = "engine"))]
 pub mod scene;
-#[cfg(any(feature = "cli", feature = "solver"))]
+#[cfg(any(feature = "cli", feature = "engine"))]
 pub mod session;
-#[cfg(any(feature = "cli", feature = "solver"))]
+#[cfg(any(feature = "cli", feature = "engine"))]
 pub mod solve;
-#[cfg(any(feature = "cli", feature = "solver", feature = "build"))]
-#[cfg_attr(
-    not(any(feature = "cli", feature = "solver")),
-    allow(dead_code, unused_imports, reason = "the module of parts uses some of it")
-)]
+#[cfg(any(feature = "cli", feature = "engine"))]
 pub mod sparse;
 #[cfg(feature = "view")]
 pub mod view;
-#[cfg(all(target_arch = "wasm32", any(feature = "solver", feature = "view", feature = "build")))]
+#[cfg(all(target_arch = "wasm32", any(feature = "engine", feature = "view")))]
 pub mod web;
 
 #[cfg(doc)]

@@ -8,17 +8,11 @@
 //! | `model` | the meshes |
 //! | `suggestions` | further views of some examples that hosts offer |
 
-#[cfg(any(feature = "cli", feature = "solver"))]
 mod declaration;
 pub mod model;
-#[cfg(any(feature = "cli", feature = "solver"))]
 mod scene;
-#[cfg(any(feature = "cli", feature = "solver"))]
 mod suggestions;
 
-#[cfg(any(feature = "cli", feature = "solver"))]
 pub use declaration::Example;
-#[cfg(any(feature = "cli", feature = "solver"))]
 pub use scene::EXAMPLES;
-#[cfg(any(feature = "cli", feature = "solver"))]
 pub use suggestions::{Shows, SplitSide, Suggestion, suggestions};

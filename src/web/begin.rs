@@ -1,4 +1,4 @@
-//! New meshes for the page. They are part of the build module, which is loaded on first use.
+//! New meshes for the page.
 
 use super::{log_panics, mesh_of, plain_object as plain, rows_of, thrown};
 use crate::begin::{NEW_KINDS, NewKind, Plan, PlanError, SpanCurve, SpanError, fill, loft};

@@ -1,4 +1,4 @@
-//! Sheets and the build check for the page: a module of its own, which is loaded on first use.
+//! Sheets and the build check for the page.
 
 use super::{log_panics, mesh_of, plain_object as plain, thrown};
 use crate::fabricate::file::picture;

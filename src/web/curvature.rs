@@ -1,4 +1,4 @@
-//! Curvature directions and lines for the page, in the build module, which is loaded on first use.
+//! Curvature directions and lines for the page.
 
 use super::{log_panics, mesh_of, thrown};
 use crate::mesh::{CurvatureField, CurvatureLine, Family, Point, SurfacePoint, Topology};

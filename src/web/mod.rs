@@ -1,9 +1,10 @@
-//! wasm-bindgen interfaces: one for the worker (feature `solver`), one for the page (feature
-//! `view`), one for new meshes, curvature, and fabrication (feature `build`).
+//! wasm-bindgen interfaces: those of the engine (feature `engine`), which runs in workers, and that
+//! of the view (feature `view`), which runs in the page.
 //!
 //! | file or folder | holds |
 //! |---|---|
 //! | `worker` | the interface of the solver |
+//! | `examples` | the files of the examples, for the build of the page |
 //! | `page` | the interface of the view |
 //! | `build` | the interface of sheets and the build check |
 //! | `begin` | the interface of new meshes |
@@ -11,19 +12,21 @@
 //! | `plain` | conversions between Rust and JavaScript |
 //! | `warm_up` | iterations that make V8 optimise the solver |
 
-#[cfg(feature = "build")]
+#[cfg(feature = "engine")]
 pub mod begin;
-#[cfg(feature = "build")]
+#[cfg(feature = "engine")]
 pub mod build;
-#[cfg(feature = "build")]
+#[cfg(feature = "engine")]
 pub mod curvature;
+#[cfg(feature = "engine")]
+pub mod examples;
 #[cfg(feature = "view")]
 pub mod page;
-#[cfg(feature = "solver")]
+#[cfg(feature = "engine")]
 mod plain;
-#[cfg(feature = "solver")]
+#[cfg(feature = "engine")]
 pub mod warm_up;
-#[cfg(feature = "solver")]
+#[cfg(feature = "engine")]
 pub mod worker;
 
 use wasm_bindgen::JsValue;
@@ -34,7 +37,7 @@ fn thrown(error: impl std::fmt::Display) -> JsValue {
 }
 
 /// Converts to a plain object: maps become objects, absent values null.
-#[cfg(any(feature = "solver", feature = "build"))]
+#[cfg(feature = "engine")]
 fn plain_object(value: &impl serde::Serialize) -> Result<JsValue, JsValue> {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&serializer).map_err(thrown)
@@ -42,7 +45,7 @@ fn plain_object(value: &impl serde::Serialize) -> Result<JsValue, JsValue> {
 
 /// Creates the mesh of `positions`, `#V by 3`, and faces: face `f` has the corners from
 /// `offsets[f]` to `offsets[f + 1]` of `indices`.
-#[cfg(feature = "build")]
+#[cfg(feature = "engine")]
 fn mesh_of(positions: &[f64], offsets: &[u32], indices: &[u32]) -> crate::mesh::Mesh {
     let points = positions.chunks_exact(3).map(|point| [point[0], point[1], point[2]]);
     crate::mesh::Mesh {
@@ -53,7 +56,7 @@ fn mesh_of(positions: &[f64], offsets: &[u32], indices: &[u32]) -> crate::mesh::
 }
 
 /// Creates rows: row `i` has the entries from `offsets[i]` to `offsets[i + 1]` of `indices`.
-#[cfg(feature = "build")]
+#[cfg(feature = "engine")]
 fn rows_of(offsets: &[u32], indices: &[u32]) -> crate::mesh::Ragged {
     offsets.windows(2).map(|ends| &indices[ends[0] as usize..ends[1] as usize]).collect()
 }

@@ -17,59 +17,59 @@
  */
 
 // Types declared by Rust: a changed field becomes a type error here.
-/** @typedef {import("../pkg/solver/shape_up.js").ConstraintRow} ConstraintRow */
-/** @typedef {import("../pkg/solver/shape_up.js").Energy} Energy */
-/** @typedef {import("../pkg/solver/shape_up.js").ExactOffer} ExactOffer */
-/** @typedef {import("../pkg/solver/shape_up.js").ExactReport} ExactReport */
-/** @typedef {import("../pkg/solver/shape_up.js").ForecastWords} ForecastWords */
-/** @typedef {import("../pkg/solver/shape_up.js").Frame} Numbers */
-/** @typedef {import("../pkg/solver/shape_up.js").HalfStep} Half */
-/** @typedef {import("../pkg/solver/shape_up.js").HandleRow} Handle */
-/** @typedef {import("../pkg/solver/shape_up.js").LessonWords} LessonWords */
-/** @typedef {import("../pkg/solver/shape_up.js").Slide} Slide */
-/** @typedef {import("../pkg/solver/shape_up.js").Moved} Moved */
-/** @typedef {import("../pkg/solver/shape_up.js").PanelOffer} PanelOffer */
-/** @typedef {import("../pkg/solver/shape_up.js").PresetOffer} Preset */
-/** @typedef {import("../pkg/solver/shape_up.js").Preview} Preview */
-/** @typedef {import("../pkg/solver/shape_up.js").Problem} Problem */
-/** @typedef {import("../pkg/solver/shape_up.js").Document} SceneDocument */
-/** @typedef {import("../pkg/solver/shape_up.js").VariantRow} VariantRow */
-/** @typedef {import("../pkg/solver/shape_up.js").VariationProgress} VariationProgress */
-/** @typedef {import("../pkg/solver/shape_up.js").Verdict} Verdict */
-/** @typedef {import("../pkg/solver/shape_up.js").Weights} Weights */
-/** @typedef {import("../pkg/solver/shape_up.js").WorstElement} WorstElement */
+/** @typedef {import("../pkg/engine/shape_up.js").ConstraintRow} ConstraintRow */
+/** @typedef {import("../pkg/engine/shape_up.js").Energy} Energy */
+/** @typedef {import("../pkg/engine/shape_up.js").ExactOffer} ExactOffer */
+/** @typedef {import("../pkg/engine/shape_up.js").ExactReport} ExactReport */
+/** @typedef {import("../pkg/engine/shape_up.js").ForecastWords} ForecastWords */
+/** @typedef {import("../pkg/engine/shape_up.js").Frame} Numbers */
+/** @typedef {import("../pkg/engine/shape_up.js").HalfStep} Half */
+/** @typedef {import("../pkg/engine/shape_up.js").HandleRow} Handle */
+/** @typedef {import("../pkg/engine/shape_up.js").LessonWords} LessonWords */
+/** @typedef {import("../pkg/engine/shape_up.js").Slide} Slide */
+/** @typedef {import("../pkg/engine/shape_up.js").Moved} Moved */
+/** @typedef {import("../pkg/engine/shape_up.js").PanelOffer} PanelOffer */
+/** @typedef {import("../pkg/engine/shape_up.js").PresetOffer} Preset */
+/** @typedef {import("../pkg/engine/shape_up.js").Preview} Preview */
+/** @typedef {import("../pkg/engine/shape_up.js").Problem} Problem */
+/** @typedef {import("../pkg/engine/shape_up.js").Document} SceneDocument */
+/** @typedef {import("../pkg/engine/shape_up.js").VariantRow} VariantRow */
+/** @typedef {import("../pkg/engine/shape_up.js").VariationProgress} VariationProgress */
+/** @typedef {import("../pkg/engine/shape_up.js").Verdict} Verdict */
+/** @typedef {import("../pkg/engine/shape_up.js").Weights} Weights */
+/** @typedef {import("../pkg/engine/shape_up.js").WorstElement} WorstElement */
 
 /**
  * An opened model: `files` are those it was opened from; `undoLost` is the reason why its saved
  * undo history is lost, or empty.
- * @typedef {import("../pkg/solver/shape_up.js").Loaded & { files: string[], undoLost: string }} Loaded
+ * @typedef {import("../pkg/engine/shape_up.js").Loaded & { files: string[], undoLost: string }} Loaded
  */
-/** @typedef {Omit<import("../pkg/solver/shape_up.js").Remedy, "edit"> & { edit: Edit }} Remedy */
+/** @typedef {Omit<import("../pkg/engine/shape_up.js").Remedy, "edit"> & { edit: Edit }} Remedy */
 
 // The declarations, sent once in `ready`: all data from which the page makes its controls for kinds,
 // elements, measures, selections, settings.
-/** @typedef {import("../pkg/solver/shape_up.js").ElementWords} ElementInfo */
-/** @typedef {import("../pkg/solver/shape_up.js").FaceMeasure} FaceMeasure */
-/** @typedef {import("../pkg/solver/shape_up.js").Form} Form */
-/** @typedef {import("../pkg/solver/shape_up.js").KindWords} KindInfo */
-/** @typedef {import("../pkg/solver/shape_up.js").Mode} PickMode */
-/** @typedef {import("../pkg/solver/shape_up.js").Operation} Operation */
-/** @typedef {import("../pkg/solver/shape_up.js").Param} ParamInfo */
-/** @typedef {import("../pkg/solver/shape_up.js").ParamValue} ParamValue */
-/** @typedef {import("../pkg/solver/shape_up.js").Setting} SettingInfo */
-/** @typedef {import("../pkg/solver/shape_up.js").Sketch} Sketch */
+/** @typedef {import("../pkg/engine/shape_up.js").ElementWords} ElementInfo */
+/** @typedef {import("../pkg/engine/shape_up.js").FaceMeasure} FaceMeasure */
+/** @typedef {import("../pkg/engine/shape_up.js").Form} Form */
+/** @typedef {import("../pkg/engine/shape_up.js").KindWords} KindInfo */
+/** @typedef {import("../pkg/engine/shape_up.js").Mode} PickMode */
+/** @typedef {import("../pkg/engine/shape_up.js").Operation} Operation */
+/** @typedef {import("../pkg/engine/shape_up.js").Param} ParamInfo */
+/** @typedef {import("../pkg/engine/shape_up.js").ParamValue} ParamValue */
+/** @typedef {import("../pkg/engine/shape_up.js").Setting} SettingInfo */
+/** @typedef {import("../pkg/engine/shape_up.js").Sketch} Sketch */
 
 /** The id of a {@link FaceMeasure}. @typedef {string} Measure */
 
-/** @typedef {import("../pkg/solver/shape_up.js").Selector} Selector */
-/** @typedef {import("../pkg/solver/shape_up.js").Require} Require */
-/** @typedef {import("../pkg/solver/shape_up.js").PanelStart} PanelStart */
-/** @typedef {import("../pkg/solver/shape_up.js").LessonFile} Lesson */
-/** @typedef {import("../pkg/solver/shape_up.js").SelectRequest} SelectRequest */
+/** @typedef {import("../pkg/engine/shape_up.js").Selector} Selector */
+/** @typedef {import("../pkg/engine/shape_up.js").Require} Require */
+/** @typedef {import("../pkg/engine/shape_up.js").PanelStart} PanelStart */
+/** @typedef {import("../pkg/engine/shape_up.js").LessonFile} Lesson */
+/** @typedef {import("../pkg/engine/shape_up.js").SelectRequest} SelectRequest */
 
 /**
  * An edit of the document, which is one step of undo.
- * @typedef {import("../pkg/solver/shape_up.js").Sent<import("../pkg/solver/shape_up.js").Edit>} Edit
+ * @typedef {import("../pkg/engine/shape_up.js").Sent<import("../pkg/engine/shape_up.js").Edit>} Edit
  */
 
 /**
@@ -256,7 +256,7 @@
  *   | { type: "experimentCsv" }
  *   | { type: "meshOperations" }
  *   | { type: "refinements", scheme: string, keep: number }
- *   | { type: "remeshing", asked: import("../pkg/solver/shape_up.js").Remeshing }} Request
+ *   | { type: "remeshing", asked: import("../pkg/engine/shape_up.js").Remeshing }} Request
  */
 
 /**
@@ -303,7 +303,7 @@
  * @property {Float32Array} faceValues `#F`; NaN if a face has none
  * @property {Float32Array | undefined} cornerValues `#V`
  * @property {Float64Array} originalPositions `#V by 3`
- * @property {import("../pkg/solver/shape_up.js").Angles} angles
+ * @property {import("../pkg/engine/shape_up.js").Angles} angles
  * @property {{ faces: Uint32Array, vertices: Uint32Array }} members
  * @property {RowColours} rowColours
  * @property {(Preview | null)[][]} previews `#kinds by #places`, null if nothing fits
@@ -327,9 +327,9 @@
  * @property {import("./examples.js").Experiment} comparison
  * @property {null} runExperiment
  * @property {string} experimentCsv
- * @property {import("../pkg/solver/shape_up.js").OfferedOperation[]} meshOperations
- * @property {import("../pkg/solver/shape_up.js").RemeshingPreview} remeshing
- * @property {import("../pkg/solver/shape_up.js").Refinement[]} refinements
+ * @property {import("../pkg/engine/shape_up.js").OfferedOperation[]} meshOperations
+ * @property {import("../pkg/engine/shape_up.js").RemeshingPreview} remeshing
+ * @property {import("../pkg/engine/shape_up.js").Refinement[]} refinements
  */
 
 /**
@@ -416,17 +416,17 @@ export const TRACE_WIDTH = 6;
 
 /**
  * All build settings; a scene contains only those that differ from the default.
- * @typedef {Required<import("../pkg/build/shape_up.js").BuildSettings>} BuildSettings
+ * @typedef {Required<import("../pkg/engine/shape_up.js").BuildSettings>} BuildSettings
  */
-/** @typedef {import("../pkg/build/shape_up.js").BuildPreset} BuildPreset */
-/** @typedef {import("../pkg/build/shape_up.js").BuildReport} BuildReport */
-/** @typedef {import("../pkg/build/shape_up.js").BuildCard} BuildCard */
-/** @typedef {import("../pkg/build/shape_up.js").CheckRow} CheckRow */
-/** @typedef {import("../pkg/build/shape_up.js").Choice} BuildChoice */
-/** @typedef {import("../pkg/build/shape_up.js").SheetPicture} SheetPicture */
-/** @typedef {import("../pkg/build/shape_up.js").SpatialPart} SpatialPart */
-/** @typedef {import("../pkg/build/shape_up.js").BuildNumber} BuildNumber */
-/** @typedef {import("../pkg/build/shape_up.js").ReportPage} ReportPage */
+/** @typedef {import("../pkg/engine/shape_up.js").BuildPreset} BuildPreset */
+/** @typedef {import("../pkg/engine/shape_up.js").BuildReport} BuildReport */
+/** @typedef {import("../pkg/engine/shape_up.js").BuildCard} BuildCard */
+/** @typedef {import("../pkg/engine/shape_up.js").CheckRow} CheckRow */
+/** @typedef {import("../pkg/engine/shape_up.js").Choice} BuildChoice */
+/** @typedef {import("../pkg/engine/shape_up.js").SheetPicture} SheetPicture */
+/** @typedef {import("../pkg/engine/shape_up.js").SpatialPart} SpatialPart */
+/** @typedef {import("../pkg/engine/shape_up.js").BuildNumber} BuildNumber */
+/** @typedef {import("../pkg/engine/shape_up.js").ReportPage} ReportPage */
 
 /**
  * The offset as the view shows it: points `#V by 3`, edges (two vertices each), and the vertices

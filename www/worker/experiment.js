@@ -1,7 +1,7 @@
 /** Worker side of experiments: runs the requested one in slices, alongside the solver. */
 
 import { messageOf } from '../solver/messages.js';
-import { ExperimentRun } from '../pkg/solver/shape_up.js';
+import { ExperimentRun } from '../pkg/engine/shape_up.js';
 import { isTrap } from './wasm-errors.js';
 
 /** Duration of a slice between other messages, in milliseconds. */
@@ -23,7 +23,7 @@ yielding.port1.onmessage = slice;
 /**
  * Starts an experiment; a running one is dropped without a message.
  * @param {Extract<import("../solver/messages.js").Request, { type: "runExperiment" }>} asked
- * @param {import("../pkg/solver/shape_up.js").Solver} solver with the current model
+ * @param {import("../pkg/engine/shape_up.js").Solver} solver with the current model
  * @param {Post} tell
  * @param {(thrown: unknown) => void} onDeath
  */

@@ -9,7 +9,7 @@ const EVERY_MS = 200;
  * @returns {Promise<Response>} the module; rejects with the reason if it cannot be fetched
  */
 export async function fetchModule(post) {
-  const address = new URL('../pkg/solver/shape_up_bg.wasm', import.meta.url);
+  const address = new URL('../pkg/engine/shape_up_bg.wasm', import.meta.url);
   const response = await fetch(address).catch(() => {
     throw new Error('its module could not be fetched');
   });
@@ -26,7 +26,7 @@ export async function fetchModule(post) {
 async function count({ body }, post) {
   const reader = body?.getReader();
   // A compressed response has no usable length; the build supplies it.
-  const all = import.meta.env.SOLVER_BYTES;
+  const all = import.meta.env.ENGINE_BYTES;
   let due = performance.now() + LATE_MS;
   for (let bytes = 0; reader;) {
     const { done, value } = await reader.read();

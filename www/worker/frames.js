@@ -19,7 +19,7 @@ export class Frames {
   #length = 0;
 
   /**
-   * @param {import("../pkg/solver/shape_up.js").Solver} solver
+   * @param {import("../pkg/engine/shape_up.js").Solver} solver
    * @param {(message: FromWorker, transfer?: Transferable[]) => void} post
    */
   constructor(solver, post) {

@@ -28,7 +28,7 @@ export const commandHandlers = (scheduler) => ({
 });
 
 /**
- * @param {import("../pkg/solver/shape_up.js").Solver} solver
+ * @param {import("../pkg/engine/shape_up.js").Solver} solver
  * @param {import("./scheduler.js").Scheduler} scheduler
  * @param {(message: import("../solver/messages.js").FromWorker, transfer?: Transferable[]) => void} post
  * @param {(thrown: unknown) => void} died called when the wasm instance has trapped

@@ -4,7 +4,7 @@ import { messageOf } from '../solver/messages.js';
 import { filesNamed, mainOf } from '../solver/opened-files.js';
 import { isTrap } from './wasm-errors.js';
 
-/** @typedef {import("../pkg/solver/shape_up.js").Solver} Solver */
+/** @typedef {import("../pkg/engine/shape_up.js").Solver} Solver */
 /** @typedef {Extract<import("../solver/messages.js").Request, { type: "open" }>} Open */
 
 /**

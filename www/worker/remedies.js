@@ -3,7 +3,7 @@
  * distance, until all are tried, time is up, or the trials are stopped.
  */
 
-import { RemedyTrials } from '../pkg/solver/shape_up.js';
+import { RemedyTrials } from '../pkg/engine/shape_up.js';
 import { runInSlices } from './trials.js';
 
 /** Time limit of the trials, in milliseconds. */
@@ -12,7 +12,7 @@ const MOST_MS = 4000;
 /** @typedef {import("../solver/messages.js").Remedy} Remedy */
 
 /**
- * @param {import("../pkg/solver/shape_up.js").Solver} solver
+ * @param {import("../pkg/engine/shape_up.js").Solver} solver
  * @param {(message: import("../solver/messages.js").FromWorker) => void} post
  * @returns {Promise<Remedy[]>} those found so far, most effective first
  */

@@ -52,7 +52,7 @@ export class Scheduler {
   #yielding = new MessageChannel();
 
   /**
-   * @param {import("../pkg/solver/shape_up.js").Solver} solver
+   * @param {import("../pkg/engine/shape_up.js").Solver} solver
    * @param {(message: FromWorker, transfer?: Transferable[]) => void} post
    * @param {(thrown: unknown) => void} died called when the wasm instance has trapped
    */

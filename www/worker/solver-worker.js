@@ -1,6 +1,6 @@
 /** The worker: owns the Solver and handles the messages of `messages.js`. The page decides. */
 
-import init, { Solver } from '../pkg/solver/shape_up.js';
+import init, { Solver } from '../pkg/engine/shape_up.js';
 import { messageOf } from '../solver/messages.js';
 import { fetchModule } from './fetch-wasm.js';
 import { commandHandlers, requestHandlers } from './handlers.js';

@@ -3,7 +3,7 @@
 import { SLICE_MS } from '../solver/messages.js';
 
 /**
- * @param {import("../pkg/solver/shape_up.js").Solver} solver
+ * @param {import("../pkg/engine/shape_up.js").Solver} solver
  * @param {import("./scheduler.js").Scheduler} scheduler
  * @param {import("../solver/messages.js").VariationAsk} ask
  */

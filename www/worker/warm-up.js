@@ -3,7 +3,7 @@
  * computer: see `src/web/warm_up.rs`. Runs in slices, when the worker is idle.
  */
 
-import { WarmUp } from '../pkg/solver/shape_up.js';
+import { WarmUp } from '../pkg/engine/shape_up.js';
 
 /** Idle time before it begins, in milliseconds. */
 const QUIET_MS = 400;

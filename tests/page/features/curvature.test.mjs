@@ -61,7 +61,7 @@ test('the worker does not use a surface that it has freed', async () => {
   const hooks = `
     const url = 'data:text/javascript,' + ${JSON.stringify(encodeURIComponent(stand))};
     export const resolve = (name, context, next) =>
-      name.endsWith('pkg/build/shape_up.js') ? { url, shortCircuit: true } : next(name, context);`;
+      name.endsWith('pkg/engine/shape_up.js') ? { url, shortCircuit: true } : next(name, context);`;
   register(`data:text/javascript,${encodeURIComponent(hooks)}`);
   const answers = [];
   globalThis.postMessage = (answer) => answers.push(answer);

@@ -1,9 +1,9 @@
 /**
- * The worker that makes parts, one request after another. Its module is separate from the solver's,
- * so that users who only shape a mesh do not wait for it.
+ * The worker that makes parts, one request after another: a second instance of the engine, so that
+ * iterations do not wait for it.
  */
 
-import init, { Builder, buildOffers } from '../../pkg/build/shape_up.js';
+import init, { Builder, buildOffers } from '../../pkg/engine/shape_up.js';
 import { archive } from './archive.js';
 import { messageOf } from '../../solver/messages.js';
 

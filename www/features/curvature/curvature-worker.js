@@ -1,9 +1,9 @@
 /**
- * The worker of the curvature card: answers one question after another with the module that makes
- * parts.
+ * The worker of the curvature card: answers one question after another, with an instance of the
+ * engine of its own.
  */
 
-import init, { SurfaceCurvature } from '../../pkg/build/shape_up.js';
+import init, { SurfaceCurvature } from '../../pkg/engine/shape_up.js';
 import { messageOf } from '../../solver/messages.js';
 
 /**

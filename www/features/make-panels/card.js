@@ -13,7 +13,7 @@ import { addButtons } from './refine-buttons.js';
 import { progressWords, verdictWords } from './verdict.js';
 
 /** @typedef {import("../../solver/messages.js").KindInfo} KindInfo */
-/** @typedef {import("../../pkg/solver/shape_up.js").MeshRemedy} MeshRemedy */
+/** @typedef {import("../../pkg/engine/shape_up.js").MeshRemedy} MeshRemedy */
 /** @typedef {import("../../solver/messages.js").PanelStart} PanelStart */
 /** @typedef {import("../../solver/messages.js").Verdict} Verdict */
 

@@ -115,7 +115,7 @@ export async function openEdit({ store, solver, actions, alerts }, suggested) {
 
 /**
  * The result of an operation in words.
- * @param {import("../../pkg/solver/shape_up.js").RemeshingPreview} made
+ * @param {import("../../pkg/engine/shape_up.js").RemeshingPreview} made
  */
 function sentence({ vertices, faces, corners: [triangles, quads, larger] }) {
   /** @type {[number, string][]} */

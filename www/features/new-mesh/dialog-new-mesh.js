@@ -8,7 +8,7 @@ import { openDialog } from '../../ui/controls/dialog.js';
 import { button, choice } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
-import init, { newKinds, newMesh as meshOf, newPlan } from '../../pkg/build/shape_up.js';
+import init, { newKinds, newMesh as meshOf, newPlan } from '../../pkg/engine/shape_up.js';
 import { messageOf } from '../../solver/messages.js';
 import { UNITS } from '../../ui/units.js';
 import { planForm } from './plan-form.js';

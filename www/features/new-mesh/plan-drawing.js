@@ -5,7 +5,7 @@ import { ARROWS } from '../../ui/keys.js';
 import { svgElement } from '../../ui/svg.js';
 import { bulgeThrough, extentOf, pathOf, roundStep, sideOf, sidePathOf } from './plan-geometry.js';
 
-/** @typedef {import("../../pkg/build/shape_up.js").PlanPoint} PlanPoint */
+/** @typedef {import("../../pkg/engine/shape_up.js").PlanPoint} PlanPoint */
 /** @typedef {import("./plan-geometry.js").Place} Place */
 /** Loop (0: outline) and point in it. @typedef {{ loop: number, point: number }} Spot */
 

@@ -8,8 +8,8 @@ import { planDrawing } from './plan-drawing.js';
 import { getItem, setItem } from '../../ui/safe-storage.js';
 import { clamped, loopThrough, sideOf } from './plan-geometry.js';
 
-/** @typedef {Required<import("../../pkg/build/shape_up.js").Plan>} Plan */
-/** @typedef {import("../../pkg/build/shape_up.js").PlanPoint} PlanPoint */
+/** @typedef {Required<import("../../pkg/engine/shape_up.js").Plan>} Plan */
+/** @typedef {import("../../pkg/engine/shape_up.js").PlanPoint} PlanPoint */
 /** @typedef {import("./plan-drawing.js").Spot} Spot */
 /** @typedef {import("./plan-geometry.js").Place} Place */
 
@@ -268,7 +268,7 @@ export function planForm({ unit, metre, onchange, make }) {
     const field = (
       /** @type {"size" | "height" | "turn"} */ id,
       /** @type {string} */ label,
-      /** @type {Partial<import("../../pkg/build/shape_up.js").Size>} */ limits,
+      /** @type {Partial<import("../../pkg/engine/shape_up.js").Size>} */ limits,
     ) => {
       const size = { label, ...LENGTH, ...limits };
       const made = sizeField(size, {

@@ -1,6 +1,6 @@
 /** The geometry of a plan's loops: their sides, straight or arcs, and their SVG paths. */
 
-/** @typedef {import("../../pkg/build/shape_up.js").PlanPoint} PlanPoint */
+/** @typedef {import("../../pkg/engine/shape_up.js").PlanPoint} PlanPoint */
 /** @typedef {[number, number]} Place */
 
 /** Minimum turning angle of a corner in a drawn loop: 20 degrees. */

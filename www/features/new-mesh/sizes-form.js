@@ -3,8 +3,8 @@
 import { sizeField } from '../../ui/controls/size-field.js';
 import { element, setText } from '../../ui/dom.js';
 
-/** @typedef {import("../../pkg/build/shape_up.js").NewKind} NewKind */
-/** @typedef {import("../../pkg/build/shape_up.js").Size} Size */
+/** @typedef {import("../../pkg/engine/shape_up.js").NewKind} NewKind */
+/** @typedef {import("../../pkg/engine/shape_up.js").Size} Size */
 
 /**
  * @param {NewKind} kind

@@ -4,7 +4,7 @@ import { choice } from '../../ui/controls/fields.js';
 import { sizeField } from '../../ui/controls/size-field.js';
 import { element } from '../../ui/dom.js';
 import { length, number } from '../../ui/format.js';
-import { NewSpans } from '../../pkg/build/shape_up.js';
+import { NewSpans } from '../../pkg/engine/shape_up.js';
 
 /** Initial panel size, as a fraction of the longest curve. */
 const PANEL = 0.05;

@@ -2,7 +2,7 @@
 
 import { count, length } from '../../ui/format.js';
 
-/** @typedef {import("../../pkg/solver/shape_up.js").Remeshing} Remeshing */
+/** @typedef {import("../../pkg/engine/shape_up.js").Remeshing} Remeshing */
 /** @typedef {Omit<Extract<import("../../solver/messages.js").Edit, { type: "refine" }>, "type">} Refinement */
 
 /**

@@ -2,7 +2,7 @@
 
 import { element } from '../dom.js';
 
-/** @typedef {import("../../pkg/solver/shape_up.js").Size} Size */
+/** @typedef {import("../../pkg/engine/shape_up.js").Size} Size */
 
 /**
  * @param {Pick<Size, "label" | "of" | "least" | "most">} size

@@ -1,9 +1,11 @@
 //! The solver's wasm class, in a worker of a real browser, as the page uses it.
 
-#![cfg(all(target_arch = "wasm32", feature = "solver"))]
+#![cfg(all(target_arch = "wasm32", feature = "engine"))]
 
 #[path = "data/golden.rs"]
 mod golden;
+#[path = "support/grid.rs"]
+mod grid;
 
 use js_sys::{Float32Array, Float64Array, JSON, Reflect, Uint8Array, Uint32Array};
 use shape_up::constraint::{Arity, KINDS};
