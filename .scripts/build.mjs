@@ -1,8 +1,7 @@
 // npm run build: builds the static site in dist/.
 
 import { fileURLToPath } from 'node:url';
-import { writeExamples, writeFirstPicture, writePictures } from './examples.mjs';
-import { buildPrograms } from './programs.mjs';
+import { writeExamples } from './examples.mjs';
 import { main } from './run.mjs';
 import { setUp } from './setup.mjs';
 import { bundleSite } from './site.mjs';
@@ -11,10 +10,7 @@ import { buildModules } from './wasm.mjs';
 /** Builds everything that the page loads, in `www/`. */
 export async function buildParts() {
   await buildModules();
-  await buildPrograms();
   await writeExamples();
-  await writePictures();
-  await writeFirstPicture();
 }
 
 /** Builds the site, in `dist/`. */

@@ -15,9 +15,11 @@
 //! | `curvature` | curvature estimates of L-BFGS and BFGS |
 //! | `circularity`, `gauss_newton` | the penalty method: angle sums, and Gauss-Newton on them |
 //! | `continuation` | the weight of the circles for a given circularity error |
+//! | `catalogue` | the files of the examples, with their experiments |
 //!
 //! Experiments and their methods are declared in lists, and hosts show whatever is in them.
 
+mod catalogue;
 mod circularity;
 mod comparison;
 mod continuation;
@@ -32,6 +34,7 @@ mod recovery;
 mod run;
 mod two_step;
 
+pub use catalogue::example_files;
 pub use circularity::AngleSums;
 pub use comparison::COMPARISON;
 pub use declaration::{Experiment, Limits, MethodInfo, Over, Plot, Quantity, Unit};
