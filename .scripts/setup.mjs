@@ -1,7 +1,6 @@
 // Installs what a new machine with Rust and Node lacks. Checks first: a second run takes well under
 // a second.
 
-import { setUpBindgen } from './setup-bindgen.mjs';
 import { setUpBrowser } from './setup-browser.mjs';
 import { setUpPackages } from './setup-packages.mjs';
 import { setUpRust } from './setup-rust.mjs';
@@ -19,6 +18,5 @@ export async function setUp({ checks }) {
   }
   await setUpRust({ checks });
   await setUpPackages();
-  await setUpBindgen();
   if (checks) await setUpBrowser();
 }

@@ -1,13 +1,16 @@
 // Runs a test program compiled to wasm in the browser of the page tests. Cargo calls it with the
-// program. wasm-bindgen's own runner serves the tests; it could also drive the browser, but only
-// through a WebDriver of exactly the same version, one more program that a machine may lack.
+// program. wasm-bindgen's own runner needs a WebDriver of exactly the browser's version, one more
+// program that a machine may lack, and takes minutes to compile.
 
-import { spawn } from 'node:child_process';
 import { chromium } from '@playwright/test';
+import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { bindgen } from './bindgen.mjs';
 import { browserFlags, findBrowser } from './browser.mjs';
-import { root } from './project.mjs';
-import { main, Problem } from './run.mjs';
-import { testRunner } from './setup-bindgen.mjs';
+import { at } from './project.mjs';
+import { main } from './run.mjs';
+import { serve } from './serve.mjs';
 
 /** The longest time of one test, in milliseconds: software rendering on a busy host is slow. */
 const limit = 2 * 60_000;
@@ -17,23 +20,27 @@ const limit = 2 * 60_000;
  */
 const attempts = 3;
 
-/** Starts the server and resolves with its address; null if there is no test to serve. */
-function addressOf(server) {
-  return new Promise((done, reject) => {
-    let output = '';
-    const read = (chunk) => {
-      output += chunk;
-      const address = output.match(/now available at (http:\S+)/);
-      if (address) done(address[1]);
-    };
-    server.stdout.setEncoding('utf8').on('data', read);
-    server.stderr.setEncoding('utf8').on('data', read);
-    server.on('error', reject);
-    server.on('close', (code) => {
-      if (code === 0) done(null);
-      else reject(new Problem(`${output}\nwasm-bindgen-test-runner ended with ${code}`));
-    });
-  });
+/** The section in which `wasm_bindgen_test_configure` says where tests run, and its words. */
+const SECTION = '__wasm_bindgen_test_unstable';
+const IN_WORKER = 2;
+
+const PAGE = `<!doctype html><meta charset="utf-8" /><link rel="icon" href="data:," />
+<pre id="output"></pre><script type="module" src="./run.js"></script>`;
+
+/** Writes everything that the browser loads for a test program; returns the number of tests. */
+async function prepare(program, folder, filters) {
+  const module = new WebAssembly.Module(readFileSync(program));
+  const exports = WebAssembly.Module.exports(module)
+    .map(({ name }) => name)
+    .filter((name) => name.startsWith('__wbgt_'))
+    .filter((name) => filters.every((filter) => name.includes(filter)));
+  const [section] = WebAssembly.Module.customSections(module, SECTION);
+  const worker = section !== undefined && new Uint8Array(section).includes(IN_WORKER);
+  await bindgen(program, folder, { test: true });
+  writeFileSync(join(folder, 'tests.json'), JSON.stringify({ exports, worker }));
+  writeFileSync(join(folder, 'index.html'), PAGE);
+  copyFileSync(at('.scripts', 'wasm-test-page.mjs'), join(folder, 'run.js'));
+  return exports.length;
 }
 
 /**
@@ -82,19 +89,17 @@ async function runTests(address) {
 }
 
 await main(async () => {
-  const server = spawn(testRunner, process.argv.slice(2), {
-    cwd: root,
-    env: { ...process.env, NO_HEADLESS: '1', WASM_BINDGEN_TEST_ADDRESS: '127.0.0.1:0' },
-    stdio: ['ignore', 'pipe', 'pipe'],
-  });
+  const [program, ...words] = process.argv.slice(2);
+  const folder = mkdtempSync(join(tmpdir(), 'wasm-tests-'));
+  const filters = words.filter((word) => !word.startsWith('-'));
+  if ((await prepare(program, folder, filters)) === 0) return;
+  const server = await serve(folder, { port: 4400 });
   try {
-    const address = await addressOf(server);
     let passed = null;
-    for (let k = 0; address && passed === null && k < attempts; k++) {
-      passed = await runTests(address);
-    }
-    if (address && !passed) process.exitCode = 1;
+    for (let k = 0; passed === null && k < attempts; k++) passed = await runTests(server.address);
+    if (!passed) process.exitCode = 1;
   } finally {
-    server.kill();
+    server.close();
+    rmSync(folder, { recursive: true });
   }
 });
