@@ -1,10 +1,7 @@
 //! The paper's comparisons (Fig. 10 and 11): properties of the methods, and the claims of the
 //! figures.
 
-#[path = "support/random.rs"]
-mod random;
-
-use random::Random;
+use crate::support::random::Random;
 use shape_up::example::EXAMPLES;
 use shape_up::experiment::{
     AngleSums, COMPARISON, EXPERIMENTS, EndedBy, Experiment, Limits, Run, Series,

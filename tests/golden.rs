@@ -1,5 +1,7 @@
 //! Native and wasm give the same bits: the digest of the positions after 30 steps is one constant.
-//! `wasm_solver.rs` compares the same scenes with the same constants in a browser.
+//! `wasm_engine.rs` compares the same scenes with the same constants in a browser.
+
+use crate::support::grid;
 
 #[path = "data/golden.rs"]
 mod golden;

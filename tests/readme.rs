@@ -1,12 +1,12 @@
 //! The README is correct: its table of operators is the list of kinds
-//! (`UPDATE=1 cargo test --test readme` writes it), its scene can be read, and the description of
+//! (`UPDATE=1 cargo test readme` writes it), its scene can be read, and the description of
 //! the scene file has every selector.
 
 use shape_up::constraint::{Element, Info, KINDS};
 use shape_up::scene::Scene;
 use std::fmt::Write;
 
-const START: &str = "<!-- operators: written by `UPDATE=1 cargo test --test readme` -->\n";
+const START: &str = "<!-- operators: written by `UPDATE=1 cargo test readme` -->\n";
 const END: &str = "<!-- end of operators -->\n";
 
 fn table() -> String {
@@ -64,6 +64,6 @@ fn the_table_of_operators_is_the_list_of_kinds() {
     }
     assert!(
         std::env::var_os("UPDATE").is_some() || readme == expected,
-        "the table of operators in the README is out of date: UPDATE=1 cargo test --test readme"
+        "the table of operators in the README is out of date: UPDATE=1 cargo test readme"
     );
 }

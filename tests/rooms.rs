@@ -8,10 +8,7 @@
 //! - No two public types have the same name.
 //! - The paths, functions and modules that the head of `src/lib.rs` names exist.
 
-#[path = "support/sources.rs"]
-mod sources;
-
-use sources::{Sources, cycle};
+use crate::support::sources::{Sources, cycle};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 

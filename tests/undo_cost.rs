@@ -5,10 +5,7 @@
 //! renaming a row took as long as two iterations at 100,000 vertices. Only positions counted
 //! towards the bound.
 
-#[path = "support/grid.rs"]
-mod grid;
-
-use grid::grid;
+use crate::support::grid::grid;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{ConstraintSpec, Lesson, MeshSource, Scene, Weights};
 use shape_up::session::{Edit, NewConstraint, Session};

@@ -1,6 +1,6 @@
 //! `shape-up build`.
 
-use crate::folder::{Folder, ROOF};
+use crate::cli::folder::{Folder, ROOF};
 
 #[test]
 fn sheets_tables_and_a_report_are_written_whole() {

@@ -1,6 +1,6 @@
 //! `check MESH`: the report on a mesh.
 
-use crate::folder::{Folder, ROOF};
+use crate::cli::folder::{Folder, ROOF};
 
 #[test]
 fn rows_of_quads_are_told_with_their_size_laid_flat() {

@@ -1,6 +1,6 @@
 //! `shape-up solve` with hard constraints.
 
-use crate::folder::{Folder, ROOF, scene};
+use crate::cli::folder::{Folder, ROOF, scene};
 use serde_json::Value;
 
 fn number(value: &Value) -> f64 {

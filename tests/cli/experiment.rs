@@ -1,6 +1,6 @@
 //! `shape-up experiment`: the list, the table, and the file with every iteration.
 
-use crate::folder::Folder;
+use crate::cli::folder::Folder;
 
 #[test]
 fn experiments_are_listed_and_run() {

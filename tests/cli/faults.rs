@@ -1,6 +1,6 @@
 //! Faults of the input or the call: exit code, one line, no file left.
 
-use crate::folder::{Folder, ROOF, scene};
+use crate::cli::folder::{Folder, ROOF, scene};
 
 /// A faulty scene, and words of its one-line message.
 #[rustfmt::skip]

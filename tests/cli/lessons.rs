@@ -1,6 +1,6 @@
 //! `check RESULTS --scene SCENE`: handed-in results are measured again.
 
-use crate::folder::{Folder, PLANES, ROOF, scene};
+use crate::cli::folder::{Folder, PLANES, ROOF, scene};
 
 const LESSON: &str = r#", "lesson": { "text": "Make it flat.", "goals": [
     { "measure": "planarity", "at_most": 0.001 }, { "constraint": "Plane", "at_most": 0.01 }] }"#;

@@ -1,6 +1,6 @@
 //! Written files: links, pipes, formats, and data that a format cannot store.
 
-use crate::folder::{Folder, PLANES, ROOF, scene};
+use crate::cli::folder::{Folder, PLANES, ROOF, scene};
 
 fn mesh(folder: &Folder, name: &str) -> shape_up::mesh::Mesh {
     shape_up::mesh::read(name, folder.read(name).as_bytes()).unwrap().mesh

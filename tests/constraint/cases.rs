@@ -1,8 +1,8 @@
 //! Test inputs for the properties of every kind: kinds, numbers of points, and points.
 
-use crate::project::project;
-use crate::random::{Points, Random, centred, farthest, in_frame, size};
-use crate::shapes::{Shape, cloud, shapes};
+use crate::support::project::project;
+use crate::support::random::{Points, Random, centred, farthest, in_frame, size};
+use crate::support::shapes::{Shape, cloud, shapes};
 use serde_json::Value;
 use shape_up::constraint::{Arity, Centring, Form, Info, KINDS, Kind, Param};
 use shape_up::math::Vec3;

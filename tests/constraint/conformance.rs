@@ -1,14 +1,14 @@
 //! The property suite over the list of kinds, which covers a new kind automatically. With an
 //! independent description in `support/shapes`, a kind is also compared with its set.
 
-use crate::cases::{
+use crate::constraint::cases::{
     Case, assert_close, cases, centred_as, is_oriented, kind, kinds, scaled, sizes, told, turned,
 };
-use crate::degenerate::degenerate;
-use crate::minimise::least_distance_squared;
-use crate::project::{Project, project};
-use crate::random::{Points, Random, distance_squared, in_frame, size};
-use crate::shapes::{NOISE, Shape, cloud, shapes};
+use crate::support::degenerate::degenerate;
+use crate::support::minimise::least_distance_squared;
+use crate::support::project::{Project, project};
+use crate::support::random::{Points, Random, distance_squared, in_frame, size};
+use crate::support::shapes::{NOISE, Shape, cloud, shapes};
 use serde_json::{Value, json};
 use shape_up::constraint::{Arity, Centring, Form, Info, KINDS, ParamValue};
 use shape_up::math::{LANES, Vec3};

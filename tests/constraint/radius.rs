@@ -1,8 +1,8 @@
 //! Circles and spheres of given radius: far from the radius of the vertices, at the limits, on
 //! degenerate points, and their drawing.
 
-use crate::project::project;
-use crate::random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
+use crate::support::project::project;
+use crate::support::random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
 use serde_json::{Value, json};
 use shape_up::constraint::{Fitted, Kind, KindVisitor, Projection};
 use shape_up::math::Vec3;

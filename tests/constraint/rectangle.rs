@@ -1,7 +1,7 @@
 //! The rectangle of the paper (Eq. 10) against its method, implemented with nalgebra: least-squares
 //! plane, QR decomposition, eigenvector of a 2x2 matrix, intersections of lines.
 
-use crate::random::{Points, Random, centred, farthest, in_frame, size};
+use crate::support::random::{Points, Random, centred, farthest, in_frame, size};
 use nalgebra::{Matrix2, Matrix3, SMatrix, SymmetricEigen, Vector2, Vector3};
 use serde_json::json;
 use shape_up::constraint::Kind;
@@ -9,7 +9,7 @@ use shape_up::math::Vec3;
 
 fn project(fit: &str, points: &Points) -> Points {
     let kind = Kind::new("rectangle", json!({ "fit": fit })).expect("the fit is known");
-    crate::project::project(&kind, points, points)
+    crate::support::project::project(&kind, points, points)
 }
 
 /// The two greatest principal axes of centred points.

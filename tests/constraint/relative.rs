@@ -1,7 +1,7 @@
 //! Relative shapes (paper section 3.2) against the paper's methods, implemented with nalgebra, and
 //! their special cases.
 
-use crate::random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
+use crate::support::random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
 use nalgebra::{DMatrix, Matrix3, SymmetricEigen, Vector3};
 use serde_json::{Value, json};
 use shape_up::constraint::{Kind, KindVisitor, Projection};
@@ -9,7 +9,7 @@ use shape_up::math::Vec3;
 
 fn project(id: &str, params: Value, rest: &Points, points: &Points) -> Points {
     let kind = Kind::new(id, params).expect("the parameters are valid");
-    crate::project::project(&kind, rest, points)
+    crate::support::project::project(&kind, rest, points)
 }
 
 /// Points in a box with these sides.

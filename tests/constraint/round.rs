@@ -1,6 +1,6 @@
 //! Difficult cases of circle and sphere: shallow arcs and caps, their limits, and their drawing.
 
-use crate::random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
+use crate::support::random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
 use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen, Vector3};
 use serde_json::json;
 use shape_up::constraint::{Fitted, Kind, KindVisitor, Projection};
@@ -20,7 +20,7 @@ fn kind(id: &str) -> Kind {
 }
 
 fn project(id: &str, points: &Points) -> Points {
-    crate::project::project(&kind(id), points, points)
+    crate::support::project::project(&kind(id), points, points)
 }
 
 fn placed(frame: [Vec3<f64>; 3], points: &[Vec3<f64>]) -> Points {

@@ -1,6 +1,6 @@
 //! Selectors: the vertices that the constraints of a scene act on.
 
-use crate::meshes::{mixed, wavy};
+use crate::support::meshes::{mixed, wavy};
 use proptest::prelude::*;
 use shape_up::constraint::{Element, SelectError, Selector, Set, Sets, describe, resolve};
 use shape_up::mesh::{Group, GroupKeyword, Mesh, Ragged, Topology};
@@ -293,7 +293,7 @@ fn elements_have_ids_and_words_of_their_own() {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(64))]
+    #![proptest_config(crate::support::fuzz::cases(64))]
 
     #[test]
     fn rows_are_distinct_vertices_and_restriction_only_takes_away(

@@ -1,9 +1,6 @@
 //! Scenes with a known digest of the positions after 30 steps, for native and wasm tests.
 
-#[path = "../support/grid.rs"]
-mod grid;
-
-use grid::grid;
+use super::grid::grid;
 use shape_up::constraint::{Element, Info, KINDS};
 use shape_up::mesh::{Mesh, Point};
 use shape_up::scene::Scene;

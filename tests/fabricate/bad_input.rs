@@ -1,8 +1,9 @@
 //! Meshes that cannot be built completely: one sentence for each, and the parts that are possible.
 
-use super::grid::grid;
 use super::identities::revolution;
-use super::{build, metres, shared};
+use super::{build, metres};
+use crate::support::grid::grid;
+use crate::support::shared;
 use shape_up::fabricate::panel::is_simple;
 use shape_up::fabricate::{Build, BuildSettings, OffsetKind, Product};
 use shape_up::math::{cosine, sine};

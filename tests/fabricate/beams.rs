@@ -1,8 +1,8 @@
 //! Fins, prisms and nodes.
 
-use super::grid::grid;
 use super::identities::revolution;
 use super::{build, dxf};
+use crate::support::grid::grid;
 use shape_up::fabricate::beam::{cut_back, node_types};
 use shape_up::fabricate::sheet::{Inscription, label};
 use shape_up::fabricate::{
@@ -223,7 +223,7 @@ fn fins_have_a_hole_at_each_end_where_there_is_room() {
     for part in &made.parts {
         let [p, q] = [part.holes[0].centre, part.holes[1].centre];
         // More than half a metre apart at 1:10, on the middle line of the fin.
-        assert!(crate::length([p[0] - q[0], p[1] - q[1]]) > 50.0, "{}", part.name);
+        assert!(crate::fabricate::length([p[0] - q[0], p[1] - q[1]]) > 50.0, "{}", part.name);
     }
     let none = build(&cube(), &BuildSettings { hole: 15.0, ..settings() }).report();
     assert_eq!((none.holes, none.dropped_holes), (0, 24));

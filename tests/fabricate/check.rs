@@ -2,8 +2,8 @@
 
 use super::beams::cube;
 use super::build;
-use super::grid::grid;
 use super::identities::revolution;
+use crate::support::grid::grid;
 use shape_up::fabricate::{BuildSettings, CheckLimits, CheckRow, OffsetKind, Worst};
 use shape_up::math::Vec3;
 use shape_up::mesh::Mesh;

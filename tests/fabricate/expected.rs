@@ -1,6 +1,6 @@
 //! Comparison with the numbers of an independent implementation.
 
-use super::shared;
+use crate::support::shared;
 use serde_json::Value;
 use shape_up::fabricate::beam::{end_cuts, nodes};
 use shape_up::fabricate::offset::{OffsetCheck, check, closing, exact, fit};

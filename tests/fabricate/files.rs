@@ -1,8 +1,8 @@
 //! Exported files, read back by other readers: their contents match the built parts, in mm.
 
-use super::grid::grid;
 use super::identities::revolution;
 use super::{build, dxf, metres};
+use crate::support::grid::grid;
 use shape_up::fabricate::file::{self, svg};
 use shape_up::fabricate::sheet::{Inscription, Order, Place, label};
 use shape_up::fabricate::{Build, BuildFile, BuildSettings, Dxf, Pieces, Product};
@@ -219,7 +219,7 @@ fn names_stand_on_their_feet_on_the_sheet_though_parts_do_not() {
     let upwards = |place: &&Place| {
         let stem = &made.parts[place.part].engraved[0];
         let [[x, y], [u, v]] = [stem[0], stem[1]].map(|point| place.to_sheet(point));
-        let length = crate::length([u - x, v - y]);
+        let length = crate::fabricate::length([u - x, v - y]);
         [(u - x) / length, (v - y) / length]
     };
     for place in &places {
@@ -381,7 +381,9 @@ fn holes_lie_opposite_each_other_and_nothing_is_written_over_them() {
         for hole in &part.holes {
             let outline = hole.outline();
             assert!(outline.iter().all(|&corner| is_inside(&part.outline, corner)));
-            let away = |[x, y]: [f64; 2]| crate::length([x - hole.centre[0], y - hole.centre[1]]);
+            let away = |[x, y]: [f64; 2]| {
+                crate::fabricate::length([x - hole.centre[0], y - hole.centre[1]])
+            };
             assert!(part.engraved.iter().flatten().all(|&point| away(point) > hole.radius));
         }
     }
@@ -393,7 +395,7 @@ fn holes_lie_opposite_each_other_and_nothing_is_written_over_them() {
             let cut = made.cut[f as usize].as_ref().unwrap();
             let k = made.surface.sides.row(f as usize).iter().position(|&s| s == e).unwrap();
             let (p, q) = (cut.whole[k], cut.whole[(k + 1) % cut.whole.len()]);
-            let length = crate::length([q[0] - p[0], q[1] - p[1]]);
+            let length = crate::fabricate::length([q[0] - p[0], q[1] - p[1]]);
             let t = [(q[0] - p[0]) / length, (q[1] - p[1]) / length];
             let local = made.parts[cut.part].holes.iter().map(|hole| {
                 let [x, y] = [hole.centre[0] - p[0], hole.centre[1] - p[1]];

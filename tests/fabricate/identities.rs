@@ -1,7 +1,8 @@
 //! Identities of offsets and panels that hold for every mesh, with their tolerances.
 
-use super::grid::grid;
-use super::{build, shared};
+use super::build;
+use crate::support::grid::grid;
+use crate::support::shared;
 use shape_up::fabricate::offset::{check, closing, exact, fit};
 use shape_up::fabricate::panel::lay_flat;
 use shape_up::fabricate::{BuildSettings, OffsetKind, PanelSurface};

@@ -1,8 +1,9 @@
 //! Paper models: no overlaps, hidden tabs, and folds and lengths of the shape.
 
-use super::grid::grid;
+use super::build;
 use super::identities::revolution;
-use super::{build, shared};
+use crate::support::grid::grid;
+use crate::support::shared;
 use shape_up::fabricate::paper::{JointKind, PaperModel};
 use shape_up::fabricate::{Build, BuildFile, BuildSettings, Page, Pieces, Product};
 use shape_up::math::plane::{Point2, area};

@@ -2,9 +2,9 @@
 //! room; names that fit nowhere are reported.
 
 use super::build;
-use super::grid::grid;
 use super::identities::revolution;
 use super::paper::{cases, model, scale, settings};
+use crate::support::grid::grid;
 use shape_up::fabricate::paper::write_names;
 use shape_up::fabricate::sheet::Place;
 use shape_up::fabricate::{BuildSettings, Pieces};

@@ -1,8 +1,8 @@
 //! The report page: the numbers of the card on one page of A4, with the link.
 
 use super::build;
-use super::grid::grid;
 use super::identities::revolution;
+use crate::support::grid::grid;
 use shape_up::fabricate::{BuildSettings, Product, ReportPage, ReportView};
 use shape_up::mesh::Mesh;
 

@@ -2,7 +2,7 @@
 
 use super::build;
 use super::files::settings;
-use super::grid::grid;
+use crate::support::grid::grid;
 use shape_up::fabricate::BuildSettings;
 use shape_up::fabricate::panel::Names;
 use shape_up::fabricate::sheet::Order;
@@ -39,7 +39,7 @@ fn parts_as_large_as_the_sheet_are_laid_despite_rounding() {
         let [c, s] = [f64::from(k) / 7.0, 0.1].map(shape_up::math::cosine);
         let first = mesh.positions.len() as u32;
         let corners = [[0.0, 0.0], [1.22, 0.0], [1.22, 0.61], [0.0, 0.61]];
-        let length = crate::length([c, s]);
+        let length = crate::fabricate::length([c, s]);
         let turned = corners.map(|[x, y]| [(c * x - s * y) / length, (s * x + c * y) / length]);
         mesh.positions.extend(turned.map(|[x, y]| [x + 3.0 * f64::from(k), y, 0.0]));
         mesh.faces.push(&[first, first + 1, first + 2, first + 3]);

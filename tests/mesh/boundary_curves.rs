@@ -1,7 +1,7 @@
 //! Boundary curves: corners, the closest point, and the effect of boundary closeness on a shape.
 
-use crate::meshes::grid;
-use crate::random::Random;
+use crate::support::meshes::grid;
+use crate::support::random::Random;
 use proptest::prelude::*;
 use shape_up::example::model::Dome;
 use shape_up::math::{Vec3, cosine};
@@ -95,11 +95,11 @@ fn a_vertex_on_two_loops_and_the_end_of_an_open_row_are_corners() {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(64))]
+    #![proptest_config(crate::support::fuzz::cases(64))]
 
     #[test]
     fn each_boundary_vertex_is_a_corner_or_on_one_curve(
-        mesh in crate::meshes::mixed(),
+        mesh in crate::support::meshes::mixed(),
         corners in 0.0..180.0f64,
     ) {
         let topology = Topology::new(&mesh);

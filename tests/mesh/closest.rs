@@ -1,6 +1,6 @@
 //! The closest point of a surface against brute force, from every hint.
 
-use crate::meshes::{mixed, wavy};
+use crate::support::meshes::{mixed, wavy};
 use proptest::prelude::*;
 use shape_up::mesh::{ClosestPointCache, Mesh, Point, Ragged, Surface};
 
@@ -67,7 +67,7 @@ fn steps() -> impl Strategy<Value = Vec<Point>> {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(48))]
+    #![proptest_config(crate::support::fuzz::cases(48))]
 
     #[test]
     fn is_as_near_as_brute_force_finds_from_any_warm_start(mesh in mixed(), steps in steps()) {
@@ -158,7 +158,7 @@ proptest! {
 #[test]
 fn vertices_are_on_their_own_surface() {
     for name in ["halftunnel.off", "bunny_poly.obj", "horse_quad.obj", "decimated-knight.off"] {
-        let Some(mesh) = crate::shared::mesh(name) else { continue };
+        let Some(mesh) = crate::support::shared::mesh(name) else { continue };
         let surface = Surface::new(&mesh.positions, &mesh);
         for &p in &mesh.positions {
             let mut hint = Surface::NO_HINT;

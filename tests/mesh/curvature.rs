@@ -1,7 +1,7 @@
 //! Principal curvatures of meshes on surfaces with known curvatures, and the angles of edges to the
 //! principal directions.
 
-use crate::shared;
+use crate::support::shared;
 use shape_up::math;
 use shape_up::mesh::{CurvatureLines, Mesh, Topology, curvatures};
 use std::f64::consts::{PI, TAU};
@@ -23,7 +23,7 @@ fn patch(n: u32, turn: f64, surface: Surface) -> Mesh {
         let [u, v] = even.map(|t| 0.6 * (t + 0.1 * t * t));
         surface(cosine(turn) * u - sine(turn) * v, sine(turn) * u + cosine(turn) * v)
     };
-    crate::grid::grid(n, n, point)
+    crate::support::grid::grid(n, n, point)
 }
 
 fn sphere(u: f64, v: f64) -> [f64; 3] {
@@ -131,7 +131,7 @@ fn edges_along_lines_of_curvature_have_no_angle_to_them_and_turned_ones_theirs()
 #[test]
 fn a_face_has_the_mean_angle_of_its_edges_and_none_where_the_surface_is_flat() {
     // A vault next to flat ground.
-    let mesh = crate::grid::grid(24, 6, |i, j| {
+    let mesh = crate::support::grid::grid(24, 6, |i, j| {
         let u = (f64::from(i) - 12.0).max(0.0) / 12.0;
         [12.0 + if i < 12 { f64::from(i) - 12.0 } else { sine(u) }, f64::from(j), cosine(u)]
     });
@@ -179,7 +179,7 @@ fn faces_that_turn_the_other_way_change_no_angle() {
 
 #[test]
 fn a_lone_face_and_points_have_no_curvature() {
-    let mesh = crate::grid::grid(1, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let mesh = crate::support::grid::grid(1, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);
     let found = curvatures(&mesh.positions, &mesh.faces, &Topology::new(&mesh));
     assert!(found.iter().all(Option::is_none));
 }

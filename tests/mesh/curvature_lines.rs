@@ -1,6 +1,6 @@
 //! Lines of curvature traced on meshes of surfaces with known lines.
 
-use crate::shared;
+use crate::support::shared;
 use shape_up::math;
 use shape_up::mesh::{CurvatureField, CurvatureLine, Family, Mesh, Point, Topology};
 use std::collections::BTreeMap;

@@ -1,6 +1,6 @@
 //! Unrolling: strips of planar quads, and surfaces without Gauss curvature.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use shape_up::example::model::{Court, Strip};
 use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::{Mesh, Point, Topology, UnrolledStrip, gauss_curvature, strips};

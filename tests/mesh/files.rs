@@ -11,7 +11,7 @@ use shape_up::mesh::{
 
 /// Files of a folder beside the project, sorted by name.
 fn files(folder: &str) -> Vec<(String, PathBuf)> {
-    let Some(folder) = crate::shared::path(folder) else { return Vec::new() };
+    let Some(folder) = crate::support::shared::path(folder) else { return Vec::new() };
     let entries = std::fs::read_dir(folder).expect("the folder can be listed");
     let mut files: Vec<_> = entries
         .map(|entry| entry.expect("the folder can be listed").path())

@@ -1,6 +1,6 @@
 //! Faces that are folded over or dented by a change of shape.
 
-use crate::meshes::grid;
+use crate::support::meshes::grid;
 use proptest::prelude::*;
 use shape_up::mesh::{Mesh, Point, Ragged, Topology, folded_faces};
 
@@ -66,7 +66,7 @@ fn a_face_is_dented_where_a_corner_turns_the_other_way() {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(64))]
+    #![proptest_config(crate::support::fuzz::cases(64))]
 
     #[test]
     fn bending_and_moving_fold_nothing(

@@ -110,7 +110,7 @@ fn piece() -> impl Strategy<Value = Vec<u8>> {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(1000))]
+    #![proptest_config(crate::support::fuzz::cases(1000))]
 
     #[test]
     fn random_bytes(bytes in vec(any::<u8>(), 0..300)) {

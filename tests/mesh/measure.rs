@@ -1,6 +1,6 @@
 //! Planarity, circularity and diagonal ratio of faces, and the bounding sphere they are scaled by.
 
-use crate::meshes::{grid, mixed};
+use crate::support::meshes::{grid, mixed};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use proptest::prelude::*;
 use shape_up::math::cosine;
@@ -41,7 +41,7 @@ fn rotate([w, x, y, z]: [f64; 4], p: Point) -> Point {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(256))]
+    #![proptest_config(crate::support::fuzz::cases(256))]
 
     #[test]
     fn concyclic_points_have_no_error_and_lifted_ones_have_theirs(
@@ -205,11 +205,11 @@ fn agrees_with_the_expected_errors_before_the_iteration() {
     ];
     for (name, expected) in cases {
         let (Some(mesh), Some(expected)) =
-            (crate::shared::mesh(name), crate::shared::expected(expected))
+            (crate::support::shared::mesh(name), crate::support::shared::expected(expected))
         else {
             continue;
         };
-        let diameter = crate::shared::diameter(&expected, &mesh);
+        let diameter = crate::support::shared::diameter(&expected, &mesh);
 
         // The reference diameter is from an iteration that ends above the smallest ball.
         let smallest = BoundingSphere::of(&mesh.positions).diameter();
@@ -282,7 +282,7 @@ fn mean_square(ways: &[Vector3<f64>], moved: bool) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(256))]
+    #![proptest_config(crate::support::fuzz::cases(256))]
 
     /// The error was once computed for the circle moved to the mean of the corners, as in the shape
     /// energy, and too small.

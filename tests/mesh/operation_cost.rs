@@ -1,6 +1,6 @@
 //! The time of operations on large meshes does not grow with the square of their size.
 
-use crate::operations::{Picked, apply, done, flat};
+use crate::mesh::operations::{Picked, apply, done, flat};
 use shape_up::mesh::{Group, GroupKeyword, Mesh};
 
 /// The least time of three that an operation takes.

@@ -1,9 +1,9 @@
 //! Operations on meshes: counts, Euler number, orientation, areas, origins of the new elements, and
 //! refusals.
 
-use crate::grid::{grid, wall_on_floor};
-use crate::subdivide::{boundary_edges, cube, euler, most_alike, most_faces};
-use crate::{meshes, shared};
+use crate::mesh::subdivide::{boundary_edges, cube, euler, most_alike, most_faces};
+use crate::support::grid::{grid, wall_on_floor};
+use crate::support::{meshes, shared};
 use proptest::prelude::*;
 use shape_up::mesh::{
     Edited, MESH_OPERATIONS, Mesh, MeshOperation, OperationError, Point, Scheme, Size, SizeError,
@@ -95,7 +95,7 @@ fn check(mesh: &Mesh, id: &str, picked: &Picked) {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(64))]
+    #![proptest_config(crate::support::fuzz::cases(64))]
 
     #[test]
     fn counts_orientation_and_origins_are_right(

@@ -214,7 +214,7 @@ prop_compose! {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(128))]
+    #![proptest_config(crate::support::fuzz::cases(128))]
 
     #[test]
     fn any_outline_is_a_sound_mesh_inside_it_or_is_refused(

@@ -1,7 +1,7 @@
 //! The polygon Laplacian (Alexa, Wardetzky 2011) against the matrices of its definition and against
 //! cotangents; linear precision, and convergence on curved surfaces.
 
-use crate::random::Random;
+use crate::support::random::Random;
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use proptest::prelude::*;
 use shape_up::math::{Vec3, cosine};
@@ -24,7 +24,8 @@ fn dense(laplacian: &Laplacian) -> DMatrix<f64> {
 /// whose common side has its midpoint displaced. Vertex `(i, j)` is at `point(i / n, j / n)`.
 fn mixed_grid(n: u32, point: impl Fn(f64, f64) -> Point) -> Mesh {
     let step = 1.0 / f64::from(n);
-    let quads = crate::meshes::grid(n, n, |i, j| point(f64::from(i) * step, f64::from(j) * step));
+    let quads =
+        crate::support::meshes::grid(n, n, |i, j| point(f64::from(i) * step, f64::from(j) * step));
     let mut faces = Ragged::new();
     for (k, q) in quads.faces.iter().enumerate() {
         let (i, j) = (k as u32 % n, k as u32 / n);
@@ -90,10 +91,10 @@ fn it_is_the_matrix_of_its_definition_on_polygons_that_are_not_planar() {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(64))]
+    #![proptest_config(crate::support::fuzz::cases(64))]
 
     #[test]
-    fn on_triangles_it_is_the_laplacian_of_cotangents(mesh in crate::meshes::triangles()) {
+    fn on_triangles_it_is_the_laplacian_of_cotangents(mesh in crate::support::meshes::triangles()) {
         let topology = Topology::new(&mesh);
         if topology.is_triangle_mesh() {
             let expected = dense(&Laplacian::cotangent(&mesh, &topology));

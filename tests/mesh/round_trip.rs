@@ -83,7 +83,7 @@ fn bits(positions: &[Point]) -> Vec<[u64; 3]> {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(256))]
+    #![proptest_config(crate::support::fuzz::cases(256))]
 
     #[test]
     fn what_is_written_reads_back_bit_for_bit(mesh in mesh()) {

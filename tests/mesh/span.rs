@@ -151,7 +151,7 @@ fn a_filled_boundary_is_a_surface_with_that_boundary() {
         assert!(up.sum::<f64>() > 0.0, "seen from above counterclockwise");
     }
     // Boundary loops of a mesh are curves too, listed after its polylines.
-    let grid = crate::grid::grid(6, 4, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let grid = crate::support::grid::grid(6, 4, |i, j| [f64::from(i), f64::from(j), 0.0]);
     let curves = SpanCurve::all(&grid);
     let words = SpanCurve::labels(&curves);
     assert_eq!(
@@ -189,7 +189,7 @@ fn a_point_at_the_one_before_and_ends_that_meet_make_no_difference() {
 
 #[test]
 fn the_boundary_of_a_wall_on_a_floor_is_open() {
-    let curves = SpanCurve::all(&crate::grid::wall_on_floor());
+    let curves = SpanCurve::all(&crate::support::grid::wall_on_floor());
     let labels = SpanCurve::labels(&curves);
     let found: Vec<_> = labels.iter().map(|label| (label.closed, label.length)).collect();
     assert_eq!(found, [(true, 8.0), (false, 3.0)]);

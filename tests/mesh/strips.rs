@@ -1,6 +1,6 @@
 //! Face strips: quads that are adjacent across opposite edges.
 
-use crate::meshes::{mixed, wavy};
+use crate::support::meshes::{mixed, wavy};
 use proptest::prelude::*;
 use shape_up::example::model::Dome;
 use shape_up::mesh::{Mesh, Ragged, Topology, strips};
@@ -79,7 +79,7 @@ fn faces_that_repeat_corners_are_survived() {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(64))]
+    #![proptest_config(crate::support::fuzz::cases(64))]
 
     #[test]
     fn each_quad_is_crossed_once_in_each_direction(mesh in mixed()) {

@@ -1,8 +1,8 @@
 //! Subdivision: counts, Euler number, manifoldness, orientation, limits against closed forms, and
 //! creases.
 
-use crate::grid::grid;
-use crate::{meshes, shared};
+use crate::support::grid::grid;
+use crate::support::{meshes, shared};
 use proptest::prelude::*;
 use shape_up::mesh::{
     Edited, KEPT_TURN, Mesh, Scheme, SubdivideError, Subdivision, Topology, read,
@@ -72,7 +72,7 @@ fn check(mesh: &Mesh, how: Subdivision) {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(48))]
+    #![proptest_config(crate::support::fuzz::cases(48))]
 
     #[test]
     fn counts_euler_number_boundary_and_orientation_are_right(mesh in meshes::mixed(), levels in 1..3_u32) {

@@ -1,6 +1,6 @@
 //! Edges, neighbours, boundary loops, components, edge lines and Laplacian weights.
 
-use crate::meshes::{mixed, triangles, wavy};
+use crate::support::meshes::{mixed, triangles, wavy};
 use proptest::prelude::*;
 use shape_up::mesh::{Laplacian, Mesh, Point, Ragged, Topology, components, edge_lines};
 
@@ -27,7 +27,7 @@ fn edges_along(row: &[u32]) -> Vec<[u32; 2]> {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(128))]
+    #![proptest_config(crate::support::fuzz::cases(128))]
 
     #[test]
     fn neighbours_edges_and_faces_agree(mesh in mixed()) {
@@ -366,7 +366,7 @@ fn closed_meshes_have_the_euler_characteristic_of_their_genus() {
         ("trimesh_quadknot.obj", 0),
     ];
     for (name, expected) in known {
-        let Some(mesh) = crate::shared::mesh(name) else { continue };
+        let Some(mesh) = crate::support::shared::mesh(name) else { continue };
         let topology = Topology::new(&mesh);
         assert!(topology.boundary_loops().is_empty(), "{name} is closed");
         let count = |n: usize| n as i64;
@@ -383,7 +383,7 @@ fn open_meshes_have_the_boundary_loops_that_one_sees() {
     let known =
         [("halftunnel.off", 3), ("compas_hypar.obj", 1), ("camelhead.off", 1), ("cmc1.obj", 2)];
     for (name, loops) in known {
-        let Some(mesh) = crate::shared::mesh(name) else { continue };
+        let Some(mesh) = crate::support::shared::mesh(name) else { continue };
         assert_eq!(Topology::new(&mesh).boundary_loops().len(), loops, "{name}");
     }
 }

@@ -1,6 +1,6 @@
 //! The scene file: reading, refusals and their messages, and writing without loss.
 
-use crate::asked::constraint;
+use crate::scene::asked::constraint;
 use shape_up::constraint::{Element, Selector, Set};
 use shape_up::mesh::{Group, GroupKeyword, Mesh, Ragged};
 use shape_up::scene::{

@@ -1,6 +1,6 @@
 //! Forecast of the displacement of a mesh for panels of one kind, before solving.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use shape_up::constraint::{KINDS, Kind};
 use shape_up::math;
 use shape_up::mesh::{MESH_OPERATIONS, Mesh, Task, Topology};
@@ -10,7 +10,7 @@ use shape_up::solve::{Constraints, Require, least_move};
 
 /// A vault, whose panels are all circular, with every vertex displaced by up to `off` of an edge.
 fn vault(off: f64) -> Mesh {
-    let mut noise = crate::random::Random::new(7);
+    let mut noise = crate::support::random::Random::new(7);
     let mut mesh = grid(12, 9, |i, j| {
         let turn = f64::from(i) / 40.0;
         [6.0 * math::cosine(turn), f64::from(j), 6.0 * math::sine(turn)]
@@ -204,7 +204,7 @@ const MESHES: [&str; 9] = [
 #[test]
 fn what_is_said_of_real_meshes_is_what_becomes_of_them() {
     for file in MESHES {
-        let Some(mesh) = crate::shared::mesh(file) else { return };
+        let Some(mesh) = crate::support::shared::mesh(file) else { return };
         for kind in ["circle", "plane"] {
             let (moved, of_kind, forecast) = moved_and_forecast(&mesh, kind);
             let ForecastOfKind { least_move, how_far, .. } = of_kind;

@@ -144,7 +144,7 @@ fn most_memory() -> Option<usize> {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(1500))]
+    #![proptest_config(crate::support::fuzz::cases(1500))]
 
     #[test]
     fn sound_scenes_with_other_values(

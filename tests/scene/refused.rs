@@ -1,6 +1,6 @@
 //! Refused scene files: the error, its JSON path, and its message.
 
-use crate::file::{file_with, refused};
+use crate::scene::file::{file_with, refused};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{MeshSource, Scene};
 

@@ -1,6 +1,6 @@
 //! Property: a scene that is written reads back the same, bit for bit.
 
-use crate::asked::constraint;
+use crate::scene::asked::constraint;
 use proptest::prelude::*;
 use shape_up::constraint::{Element, KINDS, Selector, Set};
 use shape_up::fabricate::{BuildSettings, CheckLimits, Dxf, OffsetKind};
@@ -188,7 +188,7 @@ prop_compose! {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(256))]
+    #![proptest_config(crate::support::fuzz::cases(256))]
 
     #[test]
     fn what_is_written_reads_back_the_same(scene in scene()) {

@@ -37,7 +37,7 @@ fn run(session: &mut Session, iterations: u32, goes_on: bool) -> bool {
 fn a_roof_that_shrinks_to_a_dot_stops_and_is_never_called_converged() {
     // Without the guard the mesh shrank to a dot: "converged", "worst panel 0 mm".
     for file in ["botanic-garden-bubble-0.obj", "compas_hypar.obj", "pillow_1.obj"] {
-        let Some(mesh) = crate::shared::mesh(file) else { return };
+        let Some(mesh) = crate::support::shared::mesh(file) else { return };
         let before = mesh.positions.clone();
         let mut session = with_weights_of_fig_5(mesh);
         assert!(run(&mut session, 2000, false), "{file}");
@@ -73,7 +73,7 @@ fn a_run_that_stops_says_in_which_way() {
         ("compas_tubemesh.obj", CollapseReason::Area),
         ("botanic-garden-bubble-0.obj", CollapseReason::Moved),
     ] {
-        let Some(mesh) = crate::shared::mesh(file) else { return };
+        let Some(mesh) = crate::support::shared::mesh(file) else { return };
         let mut session = with_weights_of_fig_5(mesh);
         run(&mut session, 2000, false);
         assert_eq!(session.collapse().unwrap().reason, reason, "{file}");
@@ -99,7 +99,7 @@ fn what_its_author_meant_is_not_stopped() {
 fn a_mesh_that_is_dragged_across_the_scene_has_not_collapsed() {
     let mut scene = Scene::opened("own.obj");
     scene.weights = Weights::default();
-    let mut session = Session::open(scene, crate::grid::bumpy(6)).unwrap();
+    let mut session = Session::open(scene, crate::support::grid::bumpy(6)).unwrap();
     session
         .edit(Edit::MakePanels { kind: "plane".to_owned(), within: None, from: PanelStart::Now })
         .unwrap();
@@ -117,7 +117,7 @@ fn a_mesh_that_is_dragged_across_the_scene_has_not_collapsed() {
 #[test]
 fn real_meshes_with_the_settings_of_an_opened_mesh_do_not_trip_it() {
     for file in ["M2_eq_quad2.obj", "compas_hypar.obj", "pillow_1.obj", "horse_quad.obj"] {
-        let Some(mesh) = crate::shared::mesh(file) else { return };
+        let Some(mesh) = crate::support::shared::mesh(file) else { return };
         for kind in ["circle", "plane"] {
             let mut session = Session::open(Scene::opened("own.obj"), mesh.clone()).unwrap();
             session
@@ -135,8 +135,9 @@ fn real_meshes_with_the_settings_of_an_opened_mesh_do_not_trip_it() {
 
 #[test]
 fn a_scene_that_was_edited_is_watched_over_after_a_reload_too() {
-    let mesh =
-        crate::grid::grid(10, 10, |i, j| [f64::from(i), f64::from(j), f64::from(i * j % 7) * 0.2]);
+    let mesh = crate::support::grid::grid(10, 10, |i, j| {
+        [f64::from(i), f64::from(j), f64::from(i * j % 7) * 0.2]
+    });
     let mut session = with_weights_of_fig_5(mesh.clone());
     let smooth = Weights { shape: 1.0, close: 0.0, smooth: 10.0 };
     session.edit(Edit::SetWeights(smooth)).unwrap();

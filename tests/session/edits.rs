@@ -1,6 +1,6 @@
 //! Edits of whole constraint rows, settings and handles: each has an effect and can be undone.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use serde_json::json;
 use shape_up::scene::{Accelerator, ClosenessTo, Hold, MeshSource, Scene, Weights};
 use shape_up::session::{Edit, Session};

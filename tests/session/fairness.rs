@@ -1,6 +1,6 @@
 //! Panels that leave the surface as fair as it was: rough results of a press are avoided, or named.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use shape_up::mesh::{Mesh, mean_dihedral_angle};
 use shape_up::scene::Scene;
 use shape_up::session::{BendChange, PanelStart, Session, Verdict};

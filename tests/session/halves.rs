@@ -1,6 +1,6 @@
 //! The two halves of an iteration, and the measures of the shape that it started from.
 
-use crate::grid::bumpy;
+use crate::support::grid::bumpy;
 use shape_up::example::EXAMPLES;
 use shape_up::mesh::Point;
 use shape_up::scene::Scene;

@@ -1,6 +1,6 @@
 //! Improving an exact shape in a session, and single steps on a scene with hard constraints.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use serde_json::json;
 use shape_up::scene::Scene;
 use shape_up::session::{Edit, Session};

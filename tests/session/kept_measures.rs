@@ -1,8 +1,8 @@
 //! Lengths, areas, angles and volumes that constraints keep or establish while handles move.
 
-use crate::asked::{new, scene};
-use crate::grid::{bumpy, grid};
-use crate::stories::{PLANES, run};
+use crate::session::asked::{new, scene};
+use crate::session::stories::{PLANES, run};
+use crate::support::grid::{bumpy, grid};
 use shape_up::mesh::Mesh;
 use shape_up::scene::Accelerator;
 use shape_up::session::Session;

@@ -1,6 +1,6 @@
 //! Lessons: goals are measured on the current shape, and handed-in results are measured again.
 
-use crate::grid::bumpy;
+use crate::support::grid::bumpy;
 use serde_json::json;
 use shape_up::constraint::Kind;
 use shape_up::mesh::Mesh;

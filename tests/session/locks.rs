@@ -1,6 +1,6 @@
 //! Locks of a lesson refuse every edit of the locked part, and alterations in a file are detected.
 
-use crate::grid::bumpy;
+use crate::support::grid::bumpy;
 use shape_up::error::Error;
 use shape_up::scene::{Lock, NamedEnum, Results, Scene};
 use shape_up::session::{DragPhase, Edit, PanelStart, Session, check_results};

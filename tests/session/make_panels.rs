@@ -1,7 +1,7 @@
 //! "Make panels" in one press: all panels end within the tolerance, the displacement is bounded,
 //! and the press is one step of undo.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use serde_json::{Value, json};
 use shape_up::begin::{Plan, PlanLayout, PlanPoint, Support};
 use shape_up::mesh::{BoundingSphere, Mesh, folded_faces};
@@ -62,7 +62,7 @@ fn a_press_brings_panels_of_real_meshes_within_the_tolerance_but_those_that_woul
     for file in ["M2_eq_quad2.obj", "botanic-garden-bubble-0.obj", "pillow_1.obj", "halftunnel.off"]
     {
         for kind in ["circle", "plane"] {
-            let Some(mesh) = crate::shared::mesh(file) else { continue };
+            let Some(mesh) = crate::support::shared::mesh(file) else { continue };
             let mut soft = session(mesh.clone(), "");
             soft.make_panels(kind, f64::INFINITY, PanelStart::Now).expect("it has quads");
             run(&mut soft);
@@ -177,7 +177,7 @@ fn a_drag_ends_the_press_and_its_end_meets_again_in_the_same_step() {
 
 #[test]
 fn a_press_that_would_fold_eases_the_panels_that_would_and_no_others() {
-    let meshes = [Some(bumps()), crate::shared::mesh("pillow_1.obj")];
+    let meshes = [Some(bumps()), crate::support::shared::mesh("pillow_1.obj")];
     for (mesh, kind) in meshes.into_iter().flatten().zip(["circle", "circle"]) {
         let mut session = session(mesh, "");
         let (before, asked) = (session.scene(), session.tolerance());
@@ -256,7 +256,7 @@ fn a_press_that_is_interrupted_eases_no_more_than_one_that_is_not() {
 
 #[test]
 fn a_press_that_would_fold_a_few_panels_may_end_exactly() {
-    let Some(mesh) = crate::shared::mesh("halftunnel.off") else { return };
+    let Some(mesh) = crate::support::shared::mesh("halftunnel.off") else { return };
     let mut session = session(mesh, "");
     let asked = session.tolerance();
     session.make_panels("circle", asked, PanelStart::Now).expect("it has quads");
@@ -301,7 +301,7 @@ fn exact_panels_are_those_near_the_shape_where_others_crumple() {
 
 #[test]
 fn what_is_asked_exactly_stays_so_and_folds_less_where_it_can() {
-    let Some(mesh) = crate::shared::mesh("M2_eq_quad2.obj") else { return };
+    let Some(mesh) = crate::support::shared::mesh("M2_eq_quad2.obj") else { return };
     for (kind, require) in [("circle", Require::Exact), ("plane", Require::Within(5e-4))] {
         let mut scene = Scene::opened("own.obj");
         scene.request_panels(kind, require, &mesh).expect("it has quads");

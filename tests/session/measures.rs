@@ -1,6 +1,6 @@
 //! Values of the face measures.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{MeshSource, Scene};
 use shape_up::session::{FACE_MEASURES, Session};

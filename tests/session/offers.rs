@@ -1,6 +1,6 @@
 //! Constraint kinds that hosts may offer, and parameters that are changed later.
 
-use crate::grid::bumpy;
+use crate::support::grid::bumpy;
 use serde_json::{Value, json};
 use shape_up::constraint::{Arity, Centring, Element, KINDS, Selector, Set};
 use shape_up::error::Error;

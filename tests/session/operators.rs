@@ -1,6 +1,6 @@
 //! Single operators in a session: the results that users expect, not the method.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::{Mesh, Point, Surface, Topology, hinges, stars};
 use shape_up::scene::Scene;

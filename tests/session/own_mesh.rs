@@ -47,7 +47,7 @@ fn diagonal(points: &[Point]) -> f64 {
 fn real_meshes_stay_whole_while_their_panels_become_circular_or_flat() {
     // With the defaults of a scene file, 20 of 28 such meshes moved by 20 to 60 per cent.
     for (file, circular, flat) in WANTED {
-        let Some(mesh) = crate::shared::mesh(file) else { return };
+        let Some(mesh) = crate::support::shared::mesh(file) else { return };
         let size = diagonal(&mesh.positions);
         for (kind, [max, mean, worst]) in [("circle", circular), ("plane", flat)] {
             let mut session = pressed(mesh.clone(), kind);
@@ -67,7 +67,7 @@ fn real_meshes_stay_whole_while_their_panels_become_circular_or_flat() {
 
 #[test]
 fn the_press_is_one_step_and_a_choice_between_shapes() {
-    let mut session = pressed(crate::grid::bumpy(4), "plane");
+    let mut session = pressed(crate::support::grid::bumpy(4), "plane");
     let rows = |session: &Session| -> Vec<(&str, bool)> {
         let rows = session.document().constraints.iter();
         rows.map(|row| (row.kind.info().id, row.enabled)).collect::<Vec<_>>()
@@ -102,7 +102,7 @@ fn a_scene_that_would_not_keep_its_mesh_whole_gets_the_weights_that_do() {
     let mut scene = Scene { weights: Default::default(), ..opened.clone() };
     scene.closeness = Default::default();
     scene.smoothness = Default::default();
-    let mesh = crate::grid::bumpy(4);
+    let mesh = crate::support::grid::bumpy(4);
     scene.request_panels("circle", Require::Soft, &mesh).unwrap();
     assert_eq!(scene.weights, opened.weights);
     assert_eq!((scene.closeness, scene.smoothness), (opened.closeness, opened.smoothness));
@@ -138,12 +138,14 @@ fn where_it_means_nothing_the_press_is_refused_in_words() {
         assert!(refused.message.contains(words), "{refused}");
         assert_eq!(scene, Scene::opened("own.obj"));
     }
-    assert!(panel_offers(&crate::grid::bumpy(4)).iter().all(|offer| offer.reason.is_none()));
+    assert!(
+        panel_offers(&crate::support::grid::bumpy(4)).iter().all(|offer| offer.reason.is_none())
+    );
 }
 
 #[test]
 fn triangles_can_be_joined_to_quads_for_which_panels_are_offered() {
-    let quads = crate::grid::bumpy(4);
+    let quads = crate::support::grid::bumpy(4);
     assert_eq!(panel_remedy(&quads), None);
     let remesh = |operation: &str, sizes: &[f64]| {
         let (operation, sizes) = (operation.to_owned(), sizes.to_vec());
@@ -159,7 +161,7 @@ fn triangles_can_be_joined_to_quads_for_which_panels_are_offered() {
 
 #[test]
 fn a_verdict_counts_panels_within_the_tolerance() {
-    let mut session = pressed(crate::grid::bumpy(4), "plane");
+    let mut session = pressed(crate::support::grid::bumpy(4), "plane");
     session.solve(false).unwrap();
     let all = session.verdict(f64::INFINITY).unwrap();
     assert_eq!((all.panels, all.within), (16, 16));
@@ -192,7 +194,7 @@ fn real_meshes_are_opened_the_right_way_up() {
     // The others have no clear direction: a knot, a dodecahedron, a tilted half sphere.
     for (files, up) in [(Z, Up::Z), (Y, Up::Y)] {
         for file in files {
-            let Some(mesh) = crate::shared::mesh(file) else { return };
+            let Some(mesh) = crate::support::shared::mesh(file) else { return };
             assert_eq!(UnitsAndUp::guess_up(&mesh), up, "{file}");
         }
     }
@@ -200,7 +202,7 @@ fn real_meshes_are_opened_the_right_way_up() {
 
 #[test]
 fn real_meshes_are_not_welded_but_what_is_in_pieces_is() {
-    let Some(folder) = crate::shared::path("meshes") else { return };
+    let Some(folder) = crate::support::shared::path("meshes") else { return };
     for folder in [folder.clone(), folder.join("awkward")] {
         for entry in std::fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
@@ -219,7 +221,7 @@ fn real_meshes_are_not_welded_but_what_is_in_pieces_is() {
     }
     // The same faces with separate vertices each.
     for file in ["pillow_1.obj", "horse_quad.obj", "compas_tubemesh.obj"] {
-        let Some(mesh) = crate::shared::mesh(file) else { return };
+        let Some(mesh) = crate::support::shared::mesh(file) else { return };
         let mut text = String::new();
         for [x, y, z] in mesh.faces.indices().iter().map(|&v| mesh.positions[v as usize]) {
             text += &format!("v {x:.6} {y:.6} {z:.6}\n");

@@ -1,6 +1,6 @@
 //! Presentations: steps are part of the scene, and showing one can be undone.
 
-use crate::grid::bumpy;
+use crate::support::grid::bumpy;
 use serde_json::{Value, json};
 use shape_up::scene::{Lesson, Scene, Slide, Variant, Variants, Weights};
 use shape_up::session::{Edit, Session};

@@ -11,7 +11,7 @@ fn opened(mesh: Mesh) -> Session {
 
 #[test]
 fn a_preset_is_one_step_and_known_by_its_settings() {
-    let mut session = opened(crate::grid::bumpy(4));
+    let mut session = opened(crate::support::grid::bumpy(4));
     assert_eq!(Preset::of(session.document()).unwrap().id, "opened");
     for preset in PRESETS {
         session.edit(Edit::Preset { id: preset.id.to_owned() }).unwrap();
@@ -31,7 +31,7 @@ fn a_preset_is_one_step_and_known_by_its_settings() {
 
 #[test]
 fn a_preset_says_what_the_mesh_lacks() {
-    let open = Topology::new(&crate::grid::bumpy(3));
+    let open = Topology::new(&crate::support::grid::bumpy(3));
     let closed = Topology::new(&Mesh {
         positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         faces: [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]].into_iter().collect(),
@@ -51,7 +51,7 @@ fn presets_of_the_paper_keep_real_meshes_whole_when_they_do_not_warn() {
     for file in
         ["botanic-garden-bubble-0.obj", "compas_hypar.obj", "M2_eq_quad2.obj", "pillow_1.obj"]
     {
-        let Some(mesh) = crate::shared::mesh(file) else { return };
+        let Some(mesh) = crate::support::shared::mesh(file) else { return };
         for preset in PRESETS {
             let mut session = opened(mesh.clone());
             if preset.offer(session.topology(), 0).warning.is_some() {

@@ -1,8 +1,8 @@
 //! Refining the mesh of a session: what is carried over, what is dropped and reported, undo, and
 //! refining at once or level by level.
 
-use crate::grid::{bumpy, grid};
-use crate::shared;
+use crate::support::grid::{bumpy, grid};
+use crate::support::shared;
 use shape_up::mesh::{KEPT_TURN, Mesh, Scheme};
 use shape_up::scene::{MeshSource, Scene};
 use shape_up::session::{Edit, Session};

@@ -1,6 +1,6 @@
 //! Remedies that are offered for unmet constraints: each lowers the worst distance.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use shape_up::mesh::Mesh;
 use shape_up::scene::Scene;
 use shape_up::session::{Edit, Remedies, Remedy, Session};
@@ -48,7 +48,7 @@ fn each_helps(session: &mut Session, remedies: &[Remedy]) {
 
 /// Circles on all faces of a mesh of `../shared/meshes`.
 fn on_real_mesh(file: &str) {
-    let Some(mesh) = crate::shared::mesh(file) else { return };
+    let Some(mesh) = crate::support::shared::mesh(file) else { return };
     let mut session = session(mesh, r#""constraints": [{ "kind": "circle", "on": "faces" }]"#);
     run(&mut session, 3000);
     let remedies = remedies(&session);
@@ -113,7 +113,7 @@ fn where_nothing_helps_nothing_is_offered() {
 #[test]
 fn weighing_constraints_more_brings_all_panels_within_the_tolerance() {
     // Ten times the weight, which was offered first, left the worst panel at twice the tolerance.
-    let Some(mesh) = crate::shared::mesh("M2_eq_quad2.obj") else { return };
+    let Some(mesh) = crate::support::shared::mesh("M2_eq_quad2.obj") else { return };
     let mut session = session(mesh, r#""constraints": [{ "kind": "circle", "on": "faces" }]"#);
     run(&mut session, 3000);
     let remedies = remedies(&session);

@@ -1,8 +1,8 @@
 //! Editing the mesh of a session: what is carried over, what is dropped and reported, undo, and the
 //! forecast.
 
-use crate::grid::{bumpy, grid};
-use crate::refine::{everything, open};
+use crate::session::refine::{everything, open};
+use crate::support::grid::{bumpy, grid};
 use shape_up::mesh::{Mesh, Ragged};
 use shape_up::session::{Edit, Remeshing, RemeshingPreview, Session};
 

@@ -1,6 +1,6 @@
 //! Replacing a scene by another: a refused scene leaves the previous one unchanged.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use shape_up::mesh::Mesh;
 use shape_up::scene::Scene;
 use shape_up::session::{Edit, Remeshing, Session};

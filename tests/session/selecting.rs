@@ -1,7 +1,7 @@
 //! Selection by properties of the mesh: properties on random meshes, and expected results on a
 //! torus, a box and a roof.
 
-use crate::meshes::{grid, mixed, wavy};
+use crate::support::meshes::{grid, mixed, wavy};
 use proptest::prelude::*;
 use serde_json::{Map, Value, json};
 use shape_up::constraint::Set;
@@ -105,7 +105,7 @@ fn cube() -> Mesh {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(48))]
+    #![proptest_config(crate::support::fuzz::cases(48))]
 
     #[test]
     fn growing_and_shrinking_undo_each_other_where_they_can(

@@ -1,7 +1,7 @@
 //! Data for the display of constraints: the elements that they act on, and their projections.
 
-use crate::asked::{new, scene};
-use crate::grid::bumpy;
+use crate::session::asked::{new, scene};
+use crate::support::grid::bumpy;
 use shape_up::math::Vec3;
 use shape_up::mesh::{Measures, Ragged, Surface};
 use shape_up::session::{Edit, Session};

@@ -1,7 +1,7 @@
 //! Sequences of session calls in the order in which a user causes them.
 
-use crate::asked::{new, scene};
-use crate::grid::bumpy;
+use crate::session::asked::{new, scene};
+use crate::support::grid::bumpy;
 use serde_json::Map;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Accelerator, Hold, MeshSource, Scene, Weights};

@@ -1,6 +1,6 @@
 //! The tables that a session exports agree with its report.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use shape_up::mesh::{Group, GroupKeyword};
 use shape_up::scene::Scene;
 use shape_up::session::{Edit, FACE_MEASURES, Session};

@@ -1,7 +1,7 @@
 //! Undo: every sequence of operations on a session is reversed exactly.
 
-use crate::asked::new;
-use crate::grid::grid;
+use crate::session::asked::new;
+use crate::support::grid::grid;
 use proptest::prelude::*;
 use serde_json::{Map, json};
 use shape_up::constraint::Form;
@@ -230,7 +230,7 @@ fn an_edit_that_changes_nothing_is_no_step() {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(96))]
+    #![proptest_config(crate::support::fuzz::cases(96))]
 
     #[test]
     fn every_sequence_of_deeds_is_taken_back_to_the_start_and_done_again(
@@ -293,7 +293,7 @@ fn all_states(session: &mut Session) -> Vec<(String, State)> {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(48))]
+    #![proptest_config(crate::support::fuzz::cases(48))]
 
     // The history was lost with every reload and with every replacement of the worker.
     #[test]

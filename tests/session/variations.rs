@@ -1,6 +1,6 @@
 //! Variations in a session: showing, projecting, keeping, undo, and reading from a file.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use serde_json::json;
 use shape_up::mesh::{Mesh, Point};
 use shape_up::scene::{ConstraintSpec, MeshSource, Require, Scene, Variants};

@@ -1,7 +1,7 @@
 //! The list of the worst elements agrees with the values that colour the faces and with the worst
 //! error of each row of constraints.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use shape_up::mesh::{Group, GroupKeyword};
 use shape_up::scene::Scene;
 use shape_up::session::{Edit, FACE_MEASURES, Session};

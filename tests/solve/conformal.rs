@@ -1,7 +1,7 @@
 //! Conformal maps against an independent implementation (`../shared/expected`; reports its
 //! absence), and on surfaces whose flat map is known.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use shape_up::mesh::{Mesh, Topology};
 use shape_up::solve::{ConformalNorm, ConformalWeights, FewerFlips, Parametrization};
 
@@ -25,7 +25,7 @@ fn maps_agree_with_an_independent_implementation() {
         ("conformal_camelhead", "camelhead.off"),
     ] {
         let (Some(expected), Some(mesh)) =
-            (crate::shared::expected(name), crate::shared::mesh(file))
+            (crate::support::shared::expected(name), crate::support::shared::mesh(file))
         else {
             continue;
         };
@@ -147,14 +147,14 @@ fn faces_without_area_are_left_out_and_a_surface_without_any_is_refused() {
 
 #[test]
 fn a_face_that_has_shrunk_to_a_point_or_a_line_does_not_take_the_map_with_it() {
-    let sound = finite_map(&crate::grid::bumpy(4));
+    let sound = finite_map(&crate::support::grid::bumpy(4));
     // Two vertices at the position of a third: only the norm constrained them, and they took up the
     // whole norm. The mean error was infinite, and the exit code 0.
-    let mut point = crate::grid::bumpy(4);
+    let mut point = crate::support::grid::bumpy(4);
     point.positions.extend([point.positions[6]; 2]);
     point.faces.push(&[6, 25, 26]);
     // A sliver with a height near rounding: its weight was 1e14 times the other weights.
-    let mut sliver = crate::grid::bumpy(4);
+    let mut sliver = crate::support::grid::bumpy(4);
     let [a, b] = [0, 1].map(|k| sliver.positions[k]);
     sliver.positions.push(std::array::from_fn(|i| 0.5 * a[i] + 0.5 * b[i] + [0.0, 1e-14, 0.0][i]));
     sliver.faces.push(&[0, 25, 1]);
@@ -169,7 +169,7 @@ fn a_face_that_has_shrunk_to_a_point_or_a_line_does_not_take_the_map_with_it() {
 #[test]
 fn faces_of_an_edge_that_is_not_manifold_do_not_make_the_map_collapse() {
     // A fin on an inner edge, so that three faces share the edge. It is mapped with the rest.
-    let mut fin = crate::grid::bumpy(4);
+    let mut fin = crate::support::grid::bumpy(4);
     fin.positions.extend([[1.0, 1.0, 2.0], [2.0, 1.0, 2.0]]);
     fin.faces.push(&[6, 7, 26, 25]);
     let found = finite_map(&fin);
@@ -205,7 +205,7 @@ fn a_polygon_of_many_corners_is_mapped_in_time_that_grows_with_them() {
 
 #[test]
 fn where_faces_are_turned_over_settings_are_offered_that_turn_fewer() {
-    let Some(mesh) = crate::shared::mesh("halftunnel.off") else { return };
+    let Some(mesh) = crate::support::shared::mesh("halftunnel.off") else { return };
     let topology = Topology::new(&mesh);
     let flipped = |weights, norm| {
         let map = Parametrization::new(&mesh, &topology, weights, norm);

@@ -1,8 +1,8 @@
 //! The total energy never rises (paper section 2.2): both steps of an iteration minimise it if the
 //! projections are the closest points. If they are not, the guard prevents a rise.
 
-use crate::meshes::wavy;
-use crate::random::Random;
+use crate::support::meshes::wavy;
+use crate::support::random::Random;
 use serde_json::json;
 use shape_up::constraint::{Element, KINDS, Kind};
 use shape_up::example::model::Dome;

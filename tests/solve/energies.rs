@@ -1,6 +1,6 @@
 //! The energies of Eq. 13, each against its definition as explicit sums over the mesh.
 
-use crate::random::Random;
+use crate::support::random::Random;
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Surface, Topology};
 use shape_up::scene::{Accelerator, Scene, SmoothnessOf, Weighting};
@@ -15,7 +15,7 @@ fn scene(rest: &str) -> Scene {
 
 /// The wavy grid; with `triangles`, its quads are split.
 fn grid(triangles: bool) -> Mesh {
-    let mut mesh = crate::meshes::wavy(4, 3);
+    let mut mesh = crate::support::meshes::wavy(4, 3);
     if triangles {
         let halves = |f: &[u32]| [[f[0], f[1], f[2]], [f[0], f[2], f[3]]];
         mesh.faces = mesh.faces.iter().flat_map(halves).collect();

@@ -1,8 +1,8 @@
 //! Hard constraints: properties of every solution, and reports for problems without one.
 
 #[allow(dead_code, reason = "of its functions, the operators need a type only")]
-use crate::grid::grid;
-use crate::hard::Case;
+use crate::support::grid::grid;
+use crate::support::hard::Case;
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use proptest::prelude::*;
 use serde_json::json;
@@ -96,10 +96,11 @@ pub(crate) fn known() -> impl Iterator<Item = Known> {
         ("exact_bubble_plane", "botanic-garden-bubble-0.obj", "plane", Some(0.3)),
     ];
     cases.into_iter().filter_map(|(name, file, kind, shortest_edge)| {
-        let (expected, mesh) = (crate::shared::expected(name)?, crate::shared::mesh(file)?);
+        let (expected, mesh) =
+            (crate::support::shared::expected(name)?, crate::support::shared::mesh(file)?);
         let mut case = Case::new(mesh).on_faces(kind, Require::Exact);
         case.shortest_edge = shortest_edge;
-        let diameter = crate::shared::diameter(&expected, &case.mesh);
+        let diameter = crate::support::shared::diameter(&expected, &case.mesh);
         Some(Known { name, case, expected, diameter, is_circle: kind == "circle" })
     })
 }
@@ -125,7 +126,7 @@ fn it_is_as_good_as_the_best_known_on_real_meshes() {
 fn an_approach_that_begins_slowly_is_not_cut_short() {
     // The first rounds hardly move anything: when this was taken for a contradiction, the energy
     // was twenty times as high.
-    let Some(mesh) = crate::shared::mesh("pillow_1.obj") else { return };
+    let Some(mesh) = crate::support::shared::mesh("pillow_1.obj") else { return };
     let case = Case::new(mesh).on_faces("plane", Require::Exact);
     let start = case.soft();
     let mut exact = case.exact(&start);
@@ -139,7 +140,7 @@ fn an_approach_that_begins_slowly_is_not_cut_short() {
 fn circles_far_from_any_curvature_line_are_exact() {
     // Many edges end at the guard. The first polish ended at 2e-5 of the size, and so did all
     // others.
-    let Some(mesh) = crate::shared::mesh("horse_quad.obj") else { return };
+    let Some(mesh) = crate::support::shared::mesh("horse_quad.obj") else { return };
     let case = Case::new(mesh).on_faces("circle", Require::Exact);
     let (positions, answer) = run(&case, &case.soft());
     assert!(answer.met && answer.unmet.is_empty(), "{answer:?}");
@@ -366,7 +367,7 @@ fn miss(kind: &Kind, rest: &Mesh, positions: &[Point], members: &[u32]) -> f64 {
         points
     };
     let (rest, points) = (centred(&rest.positions), centred(positions));
-    let projected = crate::project::project(kind, &rest, &points);
+    let projected = crate::support::project::project(kind, &rest, &points);
     points.iter().zip(&projected).map(|(v, p)| (*v - *p).length()).fold(0.0, f64::max)
 }
 
@@ -439,7 +440,7 @@ fn random_row() -> impl Strategy<Value = (usize, Vec<bool>, u32, f64)> {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(24))]
+    #![proptest_config(crate::support::fuzz::cases(24))]
     #[test]
     fn random_scenes_end_in_time_with_a_true_answer(
         rows in prop::collection::vec(random_row(), 1..4),

@@ -1,7 +1,7 @@
 //! A boundary that is held exactly: on its curve after every iteration, gliding along it, with
 //! fixed corners and energies that never rise.
 
-use crate::meshes::grid;
+use crate::support::meshes::grid;
 use shape_up::math::{Vec3, cosine};
 use shape_up::mesh::{BoundaryCurves, Mesh, Point, Topology};
 use shape_up::scene::Scene;
@@ -87,7 +87,7 @@ fn run_on_curve(session: &mut Session, mesh: &Mesh, iterations: u32, name: &str)
 #[test]
 fn on_real_meshes_the_boundary_is_on_its_curve_and_the_energy_never_rises() {
     for file in MESHES {
-        let Some(mesh) = crate::shared::mesh(file) else { continue };
+        let Some(mesh) = crate::support::shared::mesh(file) else { continue };
         for scene in [FIG_5, OWN] {
             for accelerator in ["quasi-newton", "none", "anderson"] {
                 let solver = format!(r#""solver": {{ "accelerator": "{accelerator}" }}"#);
@@ -102,7 +102,7 @@ fn on_real_meshes_the_boundary_is_on_its_curve_and_the_energy_never_rises() {
 #[test]
 fn its_energy_is_the_limit_of_soft_boundaries() {
     for file in ["M2_eq_quad2.obj", "compas_tubemesh.obj", "halftunnel.off"] {
-        let Some(mesh) = crate::shared::mesh(file) else { continue };
+        let Some(mesh) = crate::support::shared::mesh(file) else { continue };
         let solved = |boundary: &str, iterations: u32| {
             let scene = FIG_5.replace(r#""require": "exact""#, boundary);
             let mut session = opened(&mesh, &scene);

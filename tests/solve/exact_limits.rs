@@ -1,9 +1,9 @@
 //! Limits of hard constraints: too many points, none that weigh, and tolerances of different size.
 
-use crate::exact::{bumps, run};
-use crate::grid::grid;
-use crate::hard::Case;
-use crate::random::Random;
+use crate::solve::exact::{bumps, run};
+use crate::support::grid::grid;
+use crate::support::hard::Case;
+use crate::support::random::Random;
 use serde_json::json;
 use shape_up::math;
 use shape_up::solve::{Handle, Hold, Require, Weights};

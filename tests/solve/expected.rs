@@ -135,11 +135,11 @@ fn scene(case: &Case, weights: &Value) -> Scene {
 fn energies_agree_with_an_independent_implementation() {
     for case in CASES {
         let (Some(expected), Some(mut mesh)) =
-            (crate::shared::expected(case.name), crate::shared::mesh(case.mesh))
+            (crate::support::shared::expected(case.name), crate::support::shared::mesh(case.mesh))
         else {
             continue;
         };
-        let diameter = crate::shared::diameter(&expected, &mesh);
+        let diameter = crate::support::shared::diameter(&expected, &mesh);
         for coordinate in mesh.positions.as_flattened_mut() {
             *coordinate /= diameter;
         }

@@ -1,8 +1,8 @@
 //! The global step: both factorisations give the same shapes, and edits that reuse the factor or
 //! its ordering give the same result as opening the edited scene.
 
-use crate::grid::grid;
-use crate::random::Random;
+use crate::support::grid::grid;
+use crate::support::random::Random;
 use shape_up::mesh::{Mesh, Point};
 use shape_up::scene::{Accelerator, Factorization, Scene, Weights};
 use shape_up::session::{Edit, NewConstraint, Session};

@@ -1,8 +1,8 @@
 //! Improving an exact shape: the energy never rises, and the shape stays exact.
 
-use crate::exact::{Known, known, worst_face};
-use crate::grid::grid;
-use crate::hard::Case;
+use crate::solve::exact::{Known, known, worst_face};
+use crate::support::grid::grid;
+use crate::support::hard::Case;
 use proptest::prelude::*;
 use shape_up::mesh::{Mesh, Point};
 use shape_up::solve::{ExactAnswer, Handle, Hold, Improved, Require, Stage};
@@ -36,7 +36,7 @@ fn it_ends_at_the_best_known_energy_or_below_on_real_meshes() {
 
 #[test]
 fn a_poor_valley_is_left() {
-    let Some(mesh) = crate::shared::mesh("cmc1.obj") else { return };
+    let Some(mesh) = crate::support::shared::mesh("cmc1.obj") else { return };
     let [_, (_, answer)] = improved(&Case::new(mesh).on_faces("plane", Require::Exact));
     let Improved { before, after, .. } = gained(&answer);
     assert!(after < 0.7 * before, "{before} to {after}");
@@ -58,7 +58,7 @@ fn pulled(off: &[f64], kind: &str, pull: f64) -> Case {
 }
 
 proptest! {
-    #![proptest_config(crate::fuzz::cases(24))]
+    #![proptest_config(crate::support::fuzz::cases(24))]
 
     #[test]
     fn it_is_never_worse_never_less_exact_and_the_same_again(
@@ -99,7 +99,7 @@ fn what_is_improved_has_little_left_to_gain() {
 
 #[test]
 fn stopped_at_any_step_it_is_exact_and_no_worse() {
-    let Some(mesh) = crate::shared::mesh("cmc1.obj") else { return };
+    let Some(mesh) = crate::support::shared::mesh("cmc1.obj") else { return };
     let case = Case::new(mesh).on_faces("plane", Require::Exact);
     let mut exact = case.exact(&case.soft());
     exact.run().expect("its systems are regular");

@@ -1,7 +1,7 @@
 //! Accelerated steps use single precision. This must not be noticeable for any unit of the mesh,
 //! any weights, or in the final shape.
 
-use crate::grid::grid;
+use crate::support::grid::grid;
 use shape_up::mesh::{Mesh, Point};
 use shape_up::scene::{Accelerator, Scene};
 use shape_up::session::Session;

@@ -1,7 +1,7 @@
 //! Other uses from paper section 6, with a second file: closeness to another surface, which
 //! attracts the panels (registration), and the shapes of another pose (deformation transfer).
 
-use crate::meshes::grid;
+use crate::support::meshes::grid;
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Point, Ragged, Surface, write_obj};
 use shape_up::scene::{Scene, SceneError};

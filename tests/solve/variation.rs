@@ -1,8 +1,8 @@
 //! Variations of a shape whose hard constraints stay met: properties of every mode and of every
 //! step.
 
-use crate::grid::grid;
-use crate::hard::Case;
+use crate::support::grid::grid;
+use crate::support::hard::Case;
 use libm::{cos, sin};
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point};

@@ -1,7 +1,7 @@
 //! Point sets on which closed forms fail.
 
-use crate::random::{Points, Random};
-use crate::shapes::cloud;
+use crate::support::random::{Points, Random};
+use crate::support::shapes::cloud;
 use shape_up::math::Vec3;
 
 /// Inputs on which closed forms fail, by name.

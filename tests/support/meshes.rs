@@ -1,7 +1,7 @@
 //! Meshes for tests: a wavy grid, and random meshes.
 #![allow(dead_code, reason = "each test uses some of these")]
 
-pub(crate) use crate::grid::grid;
+pub(crate) use crate::support::grid::grid;
 use proptest::prelude::*;
 use shape_up::mesh::Mesh;
 

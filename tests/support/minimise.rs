@@ -1,8 +1,8 @@
 //! Brute force: the least squared distance of points to a shape with free parameters, by
 //! Levenberg-Marquardt with numerical derivatives from many random starts.
 
-use crate::random::{Random, size};
-use crate::shapes::{Closest, Vertex};
+use crate::support::random::{Random, size};
+use crate::support::shapes::{Closest, Vertex};
 use nalgebra::{DMatrix, DVector};
 use shape_up::math::Vec3;
 

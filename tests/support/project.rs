@@ -1,7 +1,7 @@
 //! Runs the operator of a kind.
 #![allow(dead_code, reason = "each test uses some of these")]
 
-use crate::random::Points;
+use crate::support::random::Points;
 use shape_up::constraint::{Kind, KindVisitor, Projection, Reference};
 use shape_up::math::{LANES, Lanes, Vec3};
 use shape_up::mesh::{Mesh, Point, Ragged, Surface};

@@ -1,7 +1,7 @@
 //! Angles at corners.
 
 use super::{Shape, Vertex, at};
-use crate::random::{Points, Random, size};
+use crate::support::random::{Points, Random, size};
 use shape_up::math::Vec3;
 
 /// See [`super::shapes`].

@@ -1,7 +1,7 @@
 //! Areas of triangles and volumes of tetrahedra.
 
 use super::{Shape, Vertex, at, cloud};
-use crate::random::{Points, Random, size};
+use crate::support::random::{Points, Random, size};
 use shape_up::math::Vec3;
 
 /// See [`super::shapes`].

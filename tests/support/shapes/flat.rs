@@ -1,7 +1,7 @@
 //! Lines and planes.
 
 use super::{Shape, at, cloud, singular_values};
-use crate::random::{in_frame, size};
+use crate::support::random::{in_frame, size};
 use shape_up::math::Vec3;
 
 /// See [`super::shapes`].

@@ -4,7 +4,7 @@
 //! each of its coefficients is the area of the triangle of the other three.
 
 use super::{Shape, Vertex, at};
-use crate::random::{Points, Random, in_frame, size};
+use crate::support::random::{Points, Random, in_frame, size};
 use shape_up::math::Vec3;
 
 /// See [`super::shapes`].

@@ -1,7 +1,7 @@
 //! Quads whose opposite sides have the same sum.
 
 use super::{Points, Random, Shape, at, in_turn_or_back};
-use crate::random::size;
+use crate::support::random::size;
 use shape_up::math::Vec3;
 
 /// See [`super::shapes`].

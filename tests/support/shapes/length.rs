@@ -1,7 +1,7 @@
 //! Lengths.
 
 use super::{Shape, any_order, at, cloud};
-use crate::random::size;
+use crate::support::random::size;
 use shape_up::math::Vec3;
 
 /// See [`super::shapes`].

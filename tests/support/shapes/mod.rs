@@ -19,7 +19,7 @@ mod relative;
 mod round;
 mod symmetric;
 
-use crate::random::{Points, Random, in_frame, size};
+use crate::support::random::{Points, Random, in_frame, size};
 use nalgebra::DMatrix;
 use shape_up::constraint::Info;
 use shape_up::math::Vec3;

@@ -2,7 +2,7 @@
 //! description of one vertex can use the other rest points.
 
 use super::{Shape, Vertex, in_turn_or_back, turned};
-use crate::random::{Points, Random, size};
+use crate::support::random::{Points, Random, size};
 use shape_up::math::Vec3;
 use std::ops::Range;
 

@@ -1,7 +1,7 @@
 //! Circles and spheres.
 
 use super::{Shape, at, on_circle, round_residual, singular_values};
-use crate::random::{Random, size};
+use crate::support::random::{Random, size};
 use shape_up::math::Vec3;
 
 /// See [`super::shapes`].

@@ -1,7 +1,7 @@
 //! Mirrors and axes.
 
 use super::{Points, Random, Shape, at};
-use crate::random::size;
+use crate::support::random::size;
 use shape_up::math::Vec3;
 
 /// See [`super::shapes`].

@@ -1,13 +1,6 @@
 //! From a shape to parts: an independent implementation, identities of offsets and panels, files
 //! that are read back by other readers, and meshes that cannot be built.
 
-#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
-
-#[path = "../support/grid.rs"]
-mod grid;
-#[path = "../support/shared.rs"]
-mod shared;
-
 mod bad_input;
 mod beams;
 mod check;

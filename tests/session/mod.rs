@@ -1,16 +1,5 @@
 //! Sessions as hosts use them, from the first edit to undo.
 
-#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
-
-#[path = "../support/fuzz.rs"]
-mod fuzz;
-#[path = "../support/grid.rs"]
-mod grid;
-#[path = "../support/meshes.rs"]
-mod meshes;
-#[path = "../support/shared.rs"]
-mod shared;
-
 mod asked;
 mod collapse;
 mod edits;

@@ -1,7 +1,5 @@
 //! The command line as users run it: written files, exit codes, and messages.
 
-#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
-
 mod build;
 mod check;
 mod edit;

@@ -1,18 +1,5 @@
 //! Meshes: reading and writing files, topology, measures, closest points, Laplacians.
 
-#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
-
-#[path = "../support/fuzz.rs"]
-mod fuzz;
-#[path = "../support/grid.rs"]
-mod grid;
-#[path = "../support/meshes.rs"]
-mod meshes;
-#[path = "../support/random.rs"]
-mod random;
-#[path = "../support/shared.rs"]
-mod shared;
-
 mod begin;
 mod boundary_curves;
 mod closest;

@@ -1,0 +1,8 @@
+//! The scene file.
+
+mod asked;
+mod file;
+mod forecast;
+mod fuzzed;
+mod refused;
+mod round_trip;

@@ -1,0 +1,13 @@
+//! What the tests of several rooms share.
+
+pub(crate) mod degenerate;
+pub(crate) mod fuzz;
+pub(crate) mod grid;
+pub(crate) mod hard;
+pub(crate) mod meshes;
+pub(crate) mod minimise;
+pub(crate) mod project;
+pub(crate) mod random;
+pub(crate) mod shapes;
+pub(crate) mod shared;
+pub(crate) mod sources;

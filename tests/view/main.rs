@@ -1,9 +1,0 @@
-//! The view without a GPU.
-
-#![cfg(feature = "view")]
-#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
-
-mod first_picture;
-mod legible;
-mod seeing;
-mod stage;
