@@ -1,102 +1,47 @@
-// Compressed sizes of the site's downloads, against their budgets.
+// Compressed sizes of what the site loads. One bound: a visit from nothing that uses everything but
+// Rhino's files.
 
-import { existsSync, readFileSync, statSync } from 'node:fs';
-import { basename, dirname, join } from 'node:path';
+import { readFileSync } from 'node:fs';
+import { relative } from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { firstPicture } from './examples.mjs';
 import { at } from './project.mjs';
 import { main, Problem } from './run.mjs';
 import { filesUnder } from './stamp.mjs';
 
-const kB = 1000;
-const compressed = (bytes) => gzipSync(bytes, { level: 9 }).length;
+/** The bound in bytes. */
+const MOST = 3e6;
 
-/** Returns a file without the placeholder picture, which has its own row. */
-function contents(path) {
-  if (!path.endsWith('.html') || path === firstPicture) return readFileSync(path);
-  return Buffer.from(readFileSync(path, 'utf8').replace(readFileSync(firstPicture, 'utf8'), ''));
-}
-
-/** Returns a row of the table: the total size of some files, and their budget. */
-function row(name, paths, budget) {
-  const files = paths.map(contents);
-  const sum = (size) => files.reduce((total, bytes) => total + size(bytes), 0);
-  return { name, raw: sum((bytes) => bytes.length), gzip: sum(compressed), budget };
-}
-
-/** Returns the files of dist/ that a page needs before it works, directly or indirectly. */
-function firstNeeded(page) {
-  const found = new Set([page]);
-  for (const path of found) {
-    const text = readFileSync(path, 'utf8');
-    // Stylesheets, modules and preloads; imports; workers. An import() is loaded later.
-    const names = path.endsWith('.html')
-      ? text.matchAll(/(?:src|href)="\.\/([^"]+\.(?:js|css))"/g)
-      : text.matchAll(/(?:\bfrom|\bimport|new URL\()\s*["'`](?:\.\/)?([\w./-]+\.js)["'`]/g);
-    for (const [, name] of names) {
-      const file = [dirname(path), at('dist')].map((folder) => join(folder, name)).find(existsSync);
-      if (file) found.add(file);
-    }
-  }
-  return [...found];
-}
-
-/** Files loaded on first use: a name, a pattern of their names, and a budget in kB. */
-const LATER = [
-  ['plots', /plot/i, 30],
-  ['parts and sheets', /^(build-worker|build-panel|build-goals|live-build)/, 19.5],
-  ['variations', /^(variation|docked|thumbnail)/, 9],
-  ['new mesh', /^dialog-new-mesh/, 13],
-  ['curvature', /^curvature/, 9],
-  ['refining', /^refine/, 4],
-  ['presentations', /^(present|stage|steps-dialog)/, 6],
-  ['links', /^packed-scene/, 8],
-  ['sharing, embedded', /^(embedded-view|dialog-share|share)/, 12],
-  ['licences', /^licences/, 24],
+/** Groups of files: the first pattern that a path in dist/ matches. Those without a name are not loaded by a visit. */
+const GROUPS = [
+  ['', /^sources\/|^licences|\.map$/],
+  ['Rhino', /^assets\/(rhino|__vite)/],
+  ['engine', /^assets\/engine-.*\.wasm$/],
+  ['view, WebGPU', /^assets\/view-webgpu-/],
+  ['view, WebGL2', /^assets\/view-webgl2-/],
+  ['pages, scripts and styles', /\.(html|js|css)$/],
+  ['examples and pictures', /^(examples|pictures)\//],
+  ['other files', /./],
 ];
 
-const OTHER_PAGES = ['gallery.html', 'projections.html', 'embed.html', 'embedding.html'];
-
 await main(() => {
-  const site = filesUnder(at('dist'));
-  const code = site.filter((path) => /\.(html|css|js)$/.test(path));
-  // The first visit also loads the JavaScript of one view module: the larger one counts.
-  const glue = code.filter((path) => /^view-web/.test(basename(path)));
-  const [largest] = glue.sort((a, b) => statSync(b).size - statSync(a).size);
-  // The service worker is loaded too, after the first picture.
-  const worker = at('dist', 'service-worker.js');
-  const first = new Set([...firstNeeded(at('dist', 'index.html')), largest, worker]);
-  const ofPages = new Set(OTHER_PAGES.flatMap((name) => firstNeeded(at('dist', name))));
-  const isRhino = (path) => /^(rhino|__vite)/.test(basename(path));
-
-  const pages = [];
-  const others = [];
-  const later = new Map(LATER.map(([name]) => [name, []]));
-  for (const path of code) {
-    if (first.has(path) || glue.includes(path) || isRhino(path)) continue;
-    const found = LATER.find(([, pattern]) => pattern.test(basename(path)));
-    if (ofPages.has(path)) pages.push(path);
-    else (found ? later.get(found[0]) : others).push(path);
+  const sums = new Map();
+  for (const path of filesUnder(at('dist'))) {
+    const name = relative(at('dist'), path).replaceAll('\\', '/');
+    const [group] = GROUPS.find(([, pattern]) => pattern.test(name));
+    const bytes = readFileSync(path);
+    const { raw, gzip } = sums.get(group) ?? { raw: 0, gzip: 0 };
+    const small = gzipSync(bytes, { level: 9 }).length;
+    sums.set(group, { raw: raw + bytes.length, gzip: gzip + small });
   }
-  const module = (name, folder, budget) =>
-    row(name, [at('www', 'pkg', folder, 'shape_up_bg.wasm')], budget * kB);
-  const rows = [
-    module('solver module', 'solver', 713),
-    module('parts module', 'build', 311),
-    module('view, WebGPU', 'view-webgpu', 189),
-    module('view, WebGL2', 'view-webgl2', 900),
-    row('first visit', [...first], 78 * kB),
-    row('first picture', [firstPicture], 23 * kB),
-    ...LATER.map(([name, , budget]) => row(name, later.get(name), budget * kB)),
-    row('other dialogs', others, 85.5 * kB),
-    row('other pages', pages, 20 * kB),
-    row('files of Rhino', site.filter(isRhino), 1100 * kB),
-  ];
   const line = (name, ...numbers) =>
-    console.log(name.padEnd(22) + numbers.map((number) => String(number).padStart(11)).join(''));
-  line('bytes', 'raw', 'gzip -9', 'budget');
-  for (const { name, raw, gzip, budget } of rows) line(name, raw, gzip, budget);
-
-  const over = rows.filter(({ gzip, budget }) => gzip > budget).map(({ name }) => name);
-  if (over.length) throw new Problem(`Over the budget: ${over.join(', ')}`);
+    console.log(name.padEnd(28) + numbers.map((number) => String(number).padStart(11)).join(''));
+  line('bytes', 'raw', 'gzip -9');
+  for (const [name] of GROUPS.filter(([name]) => name && sums.has(name)))
+    line(name, sums.get(name).raw, sums.get(name).gzip);
+  // A visit loads one of the two views.
+  const without = ['', 'Rhino', 'view, WebGPU'];
+  const visit = [...sums].filter(([name]) => !without.includes(name));
+  const total = visit.reduce((sum, [, { gzip }]) => sum + gzip, 0);
+  line('a visit with WebGL2', '', total);
+  if (total > MOST) throw new Problem(`A visit loads more than ${MOST} bytes.`);
 });

@@ -21,13 +21,13 @@ export function step(title, command, args, env = {}) {
     child.stderr.setEncoding('utf8').on('data', gather);
     const pulse = setInterval(() => {
       const last = output.trimEnd().split('\n').at(-1).trim();
-      console.log(`    ${secondsSince(start)} s: ${last}`);
+      console.log(`    ${title}, ${secondsSince(start)} s: ${last}`);
     }, 30_000);
 
     const end = (ok) => {
       clearInterval(pulse);
       if (!ok) console.log(output);
-      console.log(`    ${ok ? 'ok' : 'FAILED'} (${secondsSince(start)} s)`);
+      console.log(`    ${title}: ${ok ? 'ok' : 'FAILED'} (${secondsSince(start)} s)`);
       done({ ok, output });
     };
     child.on('error', (error) => {

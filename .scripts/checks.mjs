@@ -1,0 +1,131 @@
+// What `npm test` runs, in two lanes side by side: a machine has at least two cores, and compilers
+// and linkers often use one. `npm run check` runs the steps that need no browser.
+
+import { readdirSync } from 'node:fs';
+import { relative } from 'node:path';
+import { at, root, wasmTarget } from './project.mjs';
+import { filesUnder } from './stamp.mjs';
+import { moduleArguments, modules } from './wasm.mjs';
+
+const tool = (name) => at('node_modules', '.bin', name);
+const script = (name, ...words) => ['node', [`.scripts/${name}.mjs`, ...words]];
+const node = (...tests) => ['node', ['--test', '--test-reporter=tap', ...tests]];
+
+/** Arguments of cargo for a check of all modules at once. */
+const allModules = [
+  ...['--locked', '--target', wasmTarget, '--no-default-features'],
+  ...['--features', modules.join(',')],
+];
+
+const nodeTests = ['scripts', 'page'].flatMap((folder) =>
+  filesUnder(at('tests', folder))
+    .filter((path) => path.endsWith('.test.mjs'))
+    .map((path) => relative(root, path)),
+);
+
+/** The operators: a macro declares their modules, so cargo fmt does not find their files. */
+const operators = readdirSync(at('src', 'constraint', 'kinds'))
+  .filter((name) => name.endsWith('.rs'))
+  .map((name) => `src/constraint/kinds/${name}`);
+
+/** Returns the arguments of Playwright for some of its projects, with those of the command. */
+const pageTests = (...projects) => [
+  ...['test', '--config', 'tests/page/playwright.config.mjs', '--no-deps'],
+  ...projects.map((project) => `--project=${project}`),
+  ...process.argv.slice(3),
+];
+
+const browserTests = (feature) => ({
+  title: `tests of the ${feature} module in the browser`,
+  run: ['cargo', ['test', ...moduleArguments(feature), '--test', `wasm_${feature.split('-')[0]}`]],
+  count: 'cargo',
+});
+
+/** Formats and lints of what is not Rust: seconds each. */
+const texts = [
+  {
+    title: 'format of the page',
+    run: [tool('prettier'), ['--check', '**/*.{js,mjs,css,html}']],
+  },
+  {
+    title: 'lints of JavaScript',
+    run: [tool('eslint'), ['--config', '.scripts/eslint.config.mjs', '--max-warnings', '0', '.']],
+  },
+  {
+    title: 'tests of the scripts, and of the page without a browser',
+    run: node(...nodeTests),
+    count: 'node',
+  },
+];
+
+const native = [
+  { title: 'format of Rust', run: ['cargo', ['fmt', '--check', '--', ...operators]] },
+  {
+    // With the view, which needs no GPU to be checked and tested.
+    title: 'lints of Rust, native',
+    run: [
+      'cargo',
+      ['clippy', '--locked', '--all-targets', '--features', 'view', '--', '-D', 'warnings'],
+    ],
+  },
+  {
+    title: 'native tests',
+    run: ['cargo', ['test', '--locked', '--no-fail-fast', '--features', 'view']],
+    count: 'cargo',
+  },
+];
+
+const compiled = [
+  { title: 'modules of the page', run: script('modules') },
+  {
+    // After the modules, whose declarations it reads.
+    title: 'types of the page',
+    run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],
+  },
+  {
+    title: 'lints of Rust, modules',
+    run: ['cargo', ['clippy', '--lib', '--tests', ...allModules, '--', '-D', 'warnings']],
+  },
+  {
+    // With all features, so that links between all rooms resolve.
+    title: 'documentation',
+    run: ['cargo', ['doc', '--no-deps', ...allModules]],
+    env: { RUSTDOCFLAGS: '-D warnings' },
+  },
+];
+
+const inBrowser = [
+  ...modules.map(browserTests),
+  { title: 'build of the site', run: script('build') },
+  {
+    title: 'benchmark at its smallest size',
+    run: node('tests/bench/bench.test.mjs'),
+    count: 'node',
+  },
+  { title: 'sizes', run: script('sizes'), show: true },
+];
+
+/** After everything else: they measure time, or need both cores. */
+const page = [
+  {
+    title: 'response time of drags',
+    run: [tool('playwright'), pageTests('alone')],
+    count: 'playwright',
+  },
+  {
+    title: 'tests of the page in the browser',
+    run: [tool('playwright'), pageTests('desktop', 'both', 'phone')],
+    count: 'playwright',
+  },
+];
+
+const all = [[[...texts, ...compiled, ...inBrowser], native], [page]];
+
+/** The stages of each command, one after another; the lanes of a stage run side by side. */
+export const stages = {
+  check: [[[...texts, ...compiled], native]],
+  site: [[inBrowser]],
+  page: [[page]],
+  test: all,
+  long: all,
+};
