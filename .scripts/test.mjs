@@ -50,7 +50,7 @@ async function lane(steps) {
 await main(async () => {
   const [command = 'test'] = process.argv.slice(2);
   if (!(command in stages)) throw new Problem(`usage: test.mjs ${Object.keys(stages).join('|')}`);
-  if (command === 'long') process.env.LONG = '1';
+  if (command === 'long') Object.assign(process.env, { LONG: '1', SHAPE_UP_FUZZ: '20' });
   // In a fresh clone, recording what the next build could reuse would cost a fifth of this one.
   if (!existsSync(targetFolder)) process.env.CARGO_INCREMENTAL ??= '0';
   const begun = performance.now();

@@ -49,7 +49,7 @@ export async function buildModule(feature) {
   };
   await unlessUnchanged(work, async () => {
     say(`compiling the ${feature} module`);
-    await run('cargo', ['rustc', '--lib', '--crate-type', 'cdylib', ...moduleArguments(feature)]);
+    await run('cargo', ['build', '--lib', ...moduleArguments(feature)]);
     rmSync(folder, { recursive: true, force: true });
     await bindgen(join(targetFolder, wasmTarget, 'release', 'shape_up.wasm'), folder);
   });

@@ -4,9 +4,9 @@
 use crate::support::grid;
 
 #[path = "data/golden.rs"]
-mod golden;
+mod digests;
 
 #[test]
 fn thirty_steps_give_the_same_bits_natively() {
-    golden::check();
+    digests::check();
 }

@@ -1,6 +1,5 @@
 //! Run time of tests with random input: seconds in `npm test`, longer with `SHAPE_UP_FUZZ=N`, which
 //! multiplies the number of cases by N and uses random seeds.
-#![allow(dead_code, reason = "each test uses some of these")]
 
 use proptest::prelude::ProptestConfig;
 use proptest::test_runner::RngSeed;

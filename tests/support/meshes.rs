@@ -1,5 +1,4 @@
 //! Meshes for tests: a wavy grid, and random meshes.
-#![allow(dead_code, reason = "each test uses some of these")]
 
 pub(crate) use crate::support::grid::grid;
 use proptest::prelude::*;

@@ -1,5 +1,4 @@
 //! Runs the operator of a kind.
-#![allow(dead_code, reason = "each test uses some of these")]
 
 use crate::support::random::Points;
 use shape_up::constraint::{Kind, KindVisitor, Projection, Reference};

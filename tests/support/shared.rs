@@ -1,6 +1,5 @@
 //! Material beside the project, in `../shared`: foreign meshes, and results of an independent
 //! implementation. If it is absent, tests print that they skip.
-#![allow(dead_code, reason = "each test uses some of these")]
 
 use serde_json::Value;
 use shape_up::math::Vec3;
