@@ -29,9 +29,6 @@ const browserTests = (feature) => {
   return readdirSync(at('tests')).some(isOne) ? ['--test', `wasm_${first}*`] : [];
 };
 
-/** Arguments that name the browser programs beside the modules. */
-const examples = { solver: ['--example', 'bench_browser'] };
-
 /** The operators: a macro declares their modules, so cargo fmt does not find their files. */
 const operators = readdirSync(at('src', 'constraint', 'kinds'))
   .filter((name) => name.endsWith('.rs'))
@@ -60,12 +57,7 @@ const steps = [
   { title: 'lints of Rust, native', run: clippy('--all-targets', '--features', 'view') },
   ...modules.map((feature) => ({
     title: `lints of Rust, ${feature} module`,
-    run: clippy(
-      '--lib',
-      ...(examples[feature] ?? []),
-      ...browserTests(feature),
-      ...forModule(feature),
-    ),
+    run: clippy('--lib', ...browserTests(feature), ...forModule(feature)),
   })),
   {
     // With all features, so that links between all rooms resolve.

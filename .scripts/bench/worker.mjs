@@ -1,10 +1,19 @@
-// Times of one problem in the browser, under the same names as in tests/bench/problems.rs, which
-// measures natively. Runs in its own worker with the solver module as shipped. Times are in ms.
+// Measures problems with the solver module as shipped, in a worker of its own for every task. Times
+// are in milliseconds unless named otherwise.
 
-import init, { Solver } from '/solver/shape_up.js';
+import init, { Solver } from '/module/shape_up.js';
+import { iterationsUntil, median, medians } from './statistics.mjs';
 
 const { memory } = await init();
 const encoder = new TextEncoder();
+
+/** Iterations of a run, and how many of the first ones are not counted. */
+const STEPS = 25;
+const UNCOUNTED = 5;
+/** Number of iterations without change after which a run has converged. */
+const PATIENCE = 5;
+/** Relative distance to the converged energy that counts as reached. */
+const NEAR = 1e-4;
 
 /** Returns the result of a call, and its milliseconds. */
 function timed(call) {
@@ -13,17 +22,22 @@ function timed(call) {
   return [value, performance.now() - start];
 }
 
-function open(solver, { sceneBytes, meshBytes }) {
-  for (const path of solver.sceneFiles(sceneBytes)) solver.addFile(path, meshBytes);
-  solver.load('problem.shapeup.json', sceneBytes);
+/** Loads a problem, with other settings of the solver if given. */
+function open(solver, { scene, mesh }, settings = {}) {
+  const document = JSON.parse(scene);
+  Object.assign(document.solver, settings);
+  const bytes = encoder.encode(JSON.stringify(document));
+  const meshBytes = encoder.encode(mesh);
+  return timed(() => {
+    for (const path of solver.sceneFiles(bytes)) solver.addFile(path, meshBytes);
+    solver.load('problem.shapeup.json', bytes);
+  })[1];
 }
 
-/** Moves the handles by a fraction of their displacement. */
-function drag(solver, { vertices, from, to }, part) {
-  if (vertices.length === 0) return;
-  const targets = from.map((x, i) => x + part * (to[i] - x));
-  solver.drag(vertices, targets, 'start');
-  solver.drag(vertices, targets, 'end');
+function run(solver) {
+  solver.beginRun();
+  while (!solver.step());
+  solver.endRun();
 }
 
 /** Times one iteration: the total, and the parts reported by the solver. */
@@ -31,203 +45,148 @@ function step(solver) {
   const before = solver.iterateSeconds();
   const [, total] = timed(() => solver.step());
   const after = solver.iterateSeconds();
-  const [shape, close, smooth, global] = after.map((seconds, i) => 1e3 * (seconds - before[i]));
-  return { total, shape, close, smooth, global };
+  const [shape, close, , global] = after.map((seconds, i) => 1e3 * (seconds - before[i]));
+  return { total, shape, close, global };
 }
 
-function opening(solver, problem) {
-  const [, total] = timed(() => open(solver, problem));
-  const { assemble, order, factor } = solver.report().seconds;
-  const first = total + step(solver).total;
-  return { total, assemble: 1e3 * assemble, order: 1e3 * order, factor: 1e3 * factor, first };
-}
-
-function iterations({ problem, loads, rounds, steps: [all, unmeasured], edits }) {
+/**
+ * Medians of the iterations of some runs, which take `least` milliseconds or more, and with `edits`
+ * of opening and editing until the first iteration.
+ */
+function iterations({ problem, least, edits }) {
   const solver = new Solver();
-  const cold = opening(solver, problem);
-  const bytes = { opened: memory.buffer.byteLength };
-  const openings = [];
-  for (let k = 1; k < loads; k++) openings.push(opening(solver, problem));
-  bytes.again = memory.buffer.byteLength;
-
+  const opening = () => open(solver, problem) + step(solver).total;
+  // The first opening compiles code and is not counted.
+  opening();
+  const opened = median(Array.from({ length: edits && 3 }, opening));
   const steps = [];
-  const fresh = [];
-  let report = null;
-  drag(solver, problem.move, 1);
-  for (let round = 0; round < rounds; round++) {
+  for (let [round, spent] = [0, 0]; round < 4 || spent < least; round++) {
     solver.edit({ type: 'reset' });
-    for (let k = 0; k < all; k++) {
-      const one = step(solver);
-      if (round > 0 && k === 0) fresh.push(one);
-      else if (round > 0 && k >= unmeasured) steps.push(one);
-    }
-    report = solver.report();
+    const all = Array.from({ length: STEPS }, () => step(solver));
+    // The first run compiles code, too.
+    if (round > 0) steps.push(...all.slice(UNCOUNTED));
+    spent += all.reduce((sum, { total }) => sum + total, 0);
   }
-
   const handle = [];
   const change = [];
-  const dragged = [];
   for (let k = 0; k < edits; k++) {
     const vertices = [problem.spare[k % problem.spare.length]];
     handle.push(timed(() => solver.edit({ type: 'addHandles', vertices, fixed: false }))[1]);
     solver.edit({ type: 'removeHandles', vertices });
   }
-  for (let k = 0; k < edits; k++) {
-    const edit = { type: 'setConstraint', index: 0, weight: 1.5 + 0.5 * k };
-    const edited = timed(() => solver.edit(edit))[1];
-    change.push(edited + step(solver).total);
-  }
-  for (let k = 0; k < edits && problem.move.vertices.length > 0; k++) {
-    const moved = timed(() => drag(solver, problem.move, 1 - 0.01 * k))[1];
-    const one = step(solver);
-    dragged.push({ ...one, total: one.total + moved });
-  }
-  return { report, cold, openings, steps, fresh, handle, change, drag: dragged, bytes };
+  for (let k = 0; k < edits; k++) change.push(changed(solver, k));
+  return { ...medians(steps), opened, change: median(change), handle: median(handle) };
 }
 
-/**
- * Milliseconds from changed constraints, and from a file, to the end of the first iteration, with
- * each numeric factor in turn. The scenes differ in the factor only.
- */
-function factors({ problem, factorizations, rounds }) {
-  const scene = JSON.parse(new TextDecoder().decode(problem.sceneBytes));
-  const taken = factorizations.map((factorization) => {
-    const solver = { ...scene.solver, factorization };
-    const sceneBytes = encoder.encode(JSON.stringify({ ...scene, solver }));
-    const one = { factorization, solver: new Solver(), change: [], factor: [], opened: [] };
-    return { ...one, problem: { ...problem, sceneBytes } };
+/** Milliseconds from changed constraints to the end of the first iteration. */
+function changed(solver, k) {
+  const edit = { type: 'setConstraint', index: 0, weight: 1.5 + 0.5 * k };
+  return timed(() => (solver.edit(edit), solver.step()))[1];
+}
+
+/** Changed constraints with each numeric factor in turn. */
+function factors({ problem, rounds }) {
+  const taken = ['sprs-ldl', 'supernodal'].map((factorization) => {
+    const solver = new Solver();
+    open(solver, problem, { factorization });
+    return { factorization, solver, times: [] };
   });
   for (let round = 0; round <= rounds; round++) {
-    for (const one of taken) {
-      const [, opened] = timed(() => (open(one.solver, one.problem), one.solver.step()));
-      if (round > 0) one.opened.push(opened);
-      const edit = { type: 'setConstraint', index: 0, weight: 1.5 + 0.5 * round };
-      const [, ms] = timed(() => (one.solver.edit(edit), one.solver.step()));
-      if (round > 0) one.change.push(ms);
-      if (round > 0) one.factor.push(1e3 * one.solver.report().seconds.factor);
+    for (const { solver, times } of taken) {
+      const ms = changed(solver, round);
+      if (round > 0) times.push(ms);
     }
   }
-  const { unknowns, factor_nonzeros: nonzeros } = taken[0].solver.report();
-  const runs = taken.map(({ factorization, change, factor, opened }) => ({
-    ...{ factorization, change, factor, opened },
-  }));
-  return { unknowns, nonzeros, runs };
+  return Object.fromEntries(
+    taken.map(({ factorization, times }) => [factorization, median(times)]),
+  );
 }
 
-/** Returns energy and milliseconds of every iteration, until the goal or the time limit. */
-function convergence({ problem, goal, limit }) {
+/** Energies and milliseconds of iterations until a goal, a time, or until nothing changes. */
+function descent(problem, accelerator, goal, limit) {
   const solver = new Solver();
-  open(solver, problem);
-  drag(solver, problem.move, 1);
+  open(solver, problem, { accelerator });
   const energies = [solver.report().energy.final.total];
-  const steps = [];
-  // Six numbers per iteration: first its number, last the total. Long traces are subsampled to
-  // every second, fourth, ... iteration. Requesting one costs more than an iteration.
-  const takeTrace = () => {
+  const times = [];
+  let [spent, still] = [0, false];
+  while (spent < limit && energies.at(-1) > goal && !still) {
+    for (let k = 0; k < 20 && spent < limit; k++) {
+      times.push(timed(() => solver.step())[1]);
+      spent += times.at(-1);
+    }
+    // Six numbers per iteration: first its number, last the total. Requesting them costs more than
+    // an iteration, and long traces have only every second, fourth, ... iteration.
     const trace = solver.trace();
     for (let k = 0; k < trace.length; k += 6)
       while (energies.length <= trace[k]) energies.push(trace[k + 5]);
-  };
-  let spent = 0;
-  while (spent < limit && energies.at(-1) > goal) {
-    for (let k = 0; k < 20 && spent < limit; k++) {
-      const [, milliseconds] = timed(() => solver.step());
-      steps.push(milliseconds);
-      spent += milliseconds;
-    }
-    takeTrace();
+    still = energies.at(-1 - PATIENCE) - energies.at(-1) <= PATIENCE * 1e-11 * energies.at(-1);
   }
-  return { energies, steps };
+  return { energies, times, spent, still };
 }
 
-/**
- * Hard constraints met from the soft solution: milliseconds of both together, the solver's report
- * on them, and the times of variations if requested.
- */
-function exact({ problem, step }) {
+/** By accelerator: the seconds and iterations until the energy is near the converged one. */
+function convergence({ problem, limit }) {
+  const { energies, still } = descent(problem, 'quasi-newton', -1, 3 * limit);
+  // Without a certain goal there is nothing to compare.
+  if (!still) return {};
+  const goal = (1 + NEAR) * Math.min(...energies);
+  const of = (accelerator) => {
+    const { energies, times, spent } = descent(problem, accelerator, goal, limit);
+    const iterations = iterationsUntil(goal, energies);
+    const ms = times.slice(0, iterations ?? 0).reduce((sum, one) => sum + one, 0);
+    return { iterations, seconds: (iterations === null ? spent : ms) / 1e3 };
+  };
+  return Object.fromEntries(['none', 'quasi-newton', 'anderson'].map((name) => [name, of(name)]));
+}
+
+/** Hard constraints met from the soft solution, and the memory of the module. */
+function exact({ problem }) {
   const solver = new Solver();
   open(solver, problem);
-  const [, total] = timed(() => {
-    solver.beginRun();
-    while (!solver.step());
-    solver.endRun();
-  });
-  const bytes = memory.buffer.byteLength;
-  return { total, exact: solver.report().exact, bytes, varied: step && variations(solver, step) };
+  run(solver);
+  const { seconds, max_distance, misses } = solver.report().exact;
+  const distance = max_distance / problem.size;
+  return { seconds, distance, misses, megabytes: memory.buffer.byteLength / 1e6 };
 }
 
-/** Milliseconds to compute the modes, and for a step along each of them. */
-function variations(solver, step) {
-  const [found, modes] = timed(() => {
-    if (!solver.findVariations()) return 0;
-    for (;;) {
-      const { found } = solver.advanceVariations(8);
-      if (found !== null && found !== undefined) return found;
+/** Flat maps: the first one, in a module that has run nothing yet, and three more. */
+function map({ problem }) {
+  const solver = new Solver();
+  solver.load('problem.obj', encoder.encode(problem.mesh));
+  const once = () => timed(() => solver.parametrize(problem.map, 'boundary'));
+  const [{ eigenvalue }, cold] = once();
+  return { cold, total: median([1, 2, 3].map(() => once()[1])), eigenvalue };
+}
+
+/** A mesh as opened, whose panels are made of a kind: lengths relative to the mean edge. */
+function folds({ problem: { name, text, kind, way } }) {
+  const solver = new Solver();
+  const { tolerance, meanEdge } = solver.load(name, encoder.encode(text));
+  const [, ms] = timed(() => {
+    if (way === 'press') {
+      solver.makePanels(kind, tolerance, 'now');
+    } else {
+      const require = way === 'exact' ? way : { within: tolerance };
+      solver.edit({ type: 'addConstraint', kind, params: {}, on: 'faces', weight: 1 });
+      solver.edit({ type: 'setConstraint', index: 0, require });
     }
+    run(solver);
   });
-  const project = (k) => {
-    const coefficients = new Float64Array(found);
-    coefficients[k] = step;
-    const [part, ms] = timed(() => solver.projectVariation(coefficients));
-    return { part, ms, distance: solver.report().exact.max_distance };
-  };
-  return { modes, steps: Array.from({ length: found }, (_, k) => project(k)) };
-}
-
-/** Bytes of memory initially, and after opening each of some models in turn. */
-function models({ problems }) {
-  const solver = new Solver();
-  const empty = memory.buffer.byteLength;
-  const opened = problems.map((problem) => {
-    open(solver, problem);
-    solver.step();
-    return memory.buffer.byteLength;
-  });
-  return { empty, opened };
-}
-
-/** Flat maps of one mesh: the first one, in a module that has run nothing yet, and some more. */
-function map({ problem, weights, rounds }) {
-  const solver = new Solver();
-  solver.load('problem.obj', problem.meshBytes);
-  const one = () => {
-    const [{ eigenvalue, secondsOf }, total] = timed(() => solver.parametrize(weights, 'boundary'));
-    const parts = Object.entries(secondsOf).map(([part, seconds]) => [part, 1e3 * seconds]);
-    return { eigenvalue, run: { total, ...Object.fromEntries(parts) } };
-  };
-  const { eigenvalue, run } = one();
-  const runs = Array.from({ length: rounds }, () => one().run);
-  return { eigenvalue, cold: run.total, runs, bytes: memory.buffer.byteLength };
-}
-
-async function stream({ bytes }) {
-  const module = await import('/bench/bench_browser.js');
-  await module.default();
-  return bytes.map((count) => module.stream(count));
-}
-
-const measures = { iterations, factors, convergence, exact, models, map, stream };
-
-/** Fetches the files of a task, which is sent with their addresses only. */
-async function fetched({ scene, mesh, move, from, spare }) {
-  const text = await (await fetch(mesh)).text();
+  const { exact, folded, moved, energy } = solver.report();
   return {
-    sceneBytes: encoder.encode(scene),
-    meshBytes: encoder.encode(text),
-    move: {
-      vertices: Uint32Array.from(move, ([vertex]) => vertex),
-      from: Float64Array.from(from.flat()),
-      to: Float64Array.from(move.flatMap(([, to]) => to)),
-    },
-    spare,
+    ...{ folded: folded ?? 0, met: exact.met ? 'yes' : 'no', eased: exact.eased?.panels ?? 0 },
+    ...{ tolerance: exact.tolerance / meanEdge, farthest: exact.max_distance / meanEdge },
+    ...{ moved: moved.max / meanEdge, mean: moved.mean / meanEdge, attempts: exact.attempts },
+    energy: (energy.final.close + energy.final.smooth) / meanEdge ** 2,
+    seconds: ms / 1e3,
   };
 }
 
-onmessage = async ({ data: task }) => {
+const measures = { iterations, factors, convergence, exact, map, folds };
+
+onmessage = ({ data: task }) => {
   try {
-    if (task.problem) task.problem = await fetched(task.problem);
-    if (task.problems) task.problems = await Promise.all(task.problems.map(fetched));
-    postMessage({ result: await measures[task.measure](task) });
+    postMessage({ result: measures[task.measure](task) });
   } catch (thrown) {
     postMessage({ error: String(thrown?.stack ?? thrown) });
   }
