@@ -1,25 +1,14 @@
 // Measures problems in headless Chromium, with the solver module as shipped.
 
-import { findBrowser, browserFlags } from '../browser.mjs';
+import { browserFlags, findBrowser } from '../browser.mjs';
 import { at } from '../project.mjs';
 import { host } from './host.mjs';
 
 /** The folder of the module that has the solver. */
 const moduleFolder = at('www', 'pkg', 'solver');
 
-/** In the page: passes a task to a new worker and returns its result. */
-function performInWorker(task) {
-  return new Promise((done, reject) => {
-    const worker = new Worker('/bench/worker.mjs', { type: 'module' });
-    worker.onerror = (event) => reject(new Error(event.message));
-    worker.onmessage = ({ data: { ready, result, error } }) => {
-      if (ready) return worker.postMessage(task);
-      worker.terminate();
-      if (error) reject(new Error(error));
-      else done(result);
-    };
-  });
-}
+/** In the page: performs a task of `measures.mjs`. */
+const perform = async ([measure, task]) => (await import('/bench/measures.mjs'))[measure](task);
 
 /** Starts the browser; returns { version, perform, close }. */
 export async function startBrowser() {
@@ -34,12 +23,17 @@ export async function startBrowser() {
   });
   const executablePath = (await findBrowser()) ?? undefined;
   const browser = await chromium.launch({ executablePath, args: browserFlags });
-  const page = await browser.newPage();
-  await page.goto(`${server.address}bench/page.html`);
   return {
     version: browser.version(),
-    /** Returns the result of the task in `worker.mjs`. */
-    perform: (measure, task) => page.evaluate(performInWorker, { measure, ...task }),
+    async perform(measure, task) {
+      const page = await browser.newPage();
+      try {
+        await page.goto(`${server.address}bench/page.html`);
+        return await page.evaluate(perform, [measure, task]);
+      } finally {
+        await page.close();
+      }
+    },
     async close() {
       await browser.close();
       server.close();

@@ -23,7 +23,7 @@ export async function nativeProgram(trial) {
   return join(targetFolder, 'release', 'shape-up');
 }
 
-/** Returns a function that performs a measurement, under the same name as in `worker.mjs`. */
+/** Returns a function that performs a measurement, under the same name as in `measures.mjs`. */
 export function nativePlace(program) {
   const call = (...words) => {
     const started = performance.now();
@@ -41,19 +41,19 @@ export function nativePlace(program) {
      */
     iterations({ problem, least }) {
       const traced = problem.traced ? ['--trace'] : [];
-      const take = (count) => call('solve', problem.files.scene, '--iterations', count, ...traced);
+      const take = (count) => call('solve', problem.sceneFile, '--iterations', count, ...traced);
       const more = Math.max(100, least && Math.round(1.5e6 / problem.vertices));
       const pairs = Array.from({ length: least ? TIMES : 1 }, () => [take(FEW), take(FEW + more)]);
       const [few, many] = [0, 1].map((k) => median(pairs.map((pair) => pair[k])));
       return { total: (many - few) / more };
     },
     exact({ problem }) {
-      const { exact } = reportOn('solve', problem.files.scene);
+      const { exact } = reportOn('solve', problem.sceneFile);
       const { seconds, max_distance, misses } = exact;
       return { seconds, distance: max_distance / problem.size, misses };
     },
     map({ problem }) {
-      const report = reportOn('parametrize', problem.files.mesh, '--weights', problem.map);
+      const report = reportOn('parametrize', problem.meshFile, '--weights', problem.map);
       return { cold: 1e3 * report.seconds.total, eigenvalue: report.eigenvalue };
     },
   };

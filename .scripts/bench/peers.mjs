@@ -96,7 +96,7 @@ export function measurePeer({ library: name, call, iterations }, problem) {
   if (!version) return { library: name, its: 'pip cannot install it here' };
   const library = `${name} ${version}`;
   const { handles, kind } = problem;
-  const task = { call, kind, iterations, handles, mesh: problem.files.mesh };
+  const task = { call, kind, iterations, handles, mesh: problem.meshFile };
   writeFileSync(files[0], JSON.stringify(task));
   const { status, stderr } = spawnSync(python, [at('tests', 'bench', 'peers.py'), ...files], {
     encoding: 'utf8',

@@ -116,19 +116,19 @@ function objText(rows, side, triangles) {
 
 /** The diagonal of the bounding box. */
 function sizeOf(rows) {
-  const extent = (c) => {
+  const extents = [0, 1, 2].map((c) => {
     const values = rows.map((row) => row[c]).sort((a, b) => a - b);
     return values.at(-1) - values[0];
-  };
-  return Math.hypot(...[0, 1, 2].map(extent));
+  });
+  return Math.hypot(...extents);
 }
 
 /** The four corners, a vertex between, and last the middle, which is lifted. */
 function handlesOf(rows, side) {
-  const at = (i, j) => j * side + i;
-  const [last, half] = [side - 1, side >> 1];
-  const vertices = [at(0, 0), at(last, 0), at(0, last), at(last, last)];
-  vertices.push(at(Math.floor(side / 3), side >> 2), at(half, half));
+  const [last, half, third, quarter] = [side - 1, side >> 1, Math.floor(side / 3), side >> 2];
+  const corners = [0, last].flatMap((j) => [0, last].map((i) => [i, j]));
+  const places = [...corners, [third, quarter], [half, half]];
+  const vertices = places.map(([i, j]) => j * side + i);
   const targets = vertices.map((vertex) => [...rows[vertex]]);
   targets.at(-1)[2] += 0.3 * side;
   return { vertices, targets, weight: 100 };
@@ -136,7 +136,7 @@ function handlesOf(rows, side) {
 
 /**
  * Returns the problem on a mesh of about `size` vertices: `scene` and `mesh` are the texts of its
- * files, `files` their paths, `size` is about the diameter of the bounding sphere, `spare` are
+ * files at `sceneFile` and `meshFile`, `size` is about the diameter of the bounding sphere, `spare` are
  * vertices that are no handles.
  */
 export function problemOf(name, size, solver = {}) {
@@ -144,32 +144,24 @@ export function problemOf(name, size, solver = {}) {
   const side = Math.max(6, Math.round(Math.sqrt(size)));
   const point = surfaces[surface](side);
   const rows = Array.from({ length: side * side }, (_, k) => point(k % side, Math.floor(k / side)));
-  const file = `${surface}-${triangles ? 'triangles' : 'quads'}-${side * side}`.replaceAll(
-    ' ',
-    '-',
-  );
+  const file = `${triangles ? 'triangles' : surface}-${side * side}.obj`.replaceAll(' ', '-');
   const handles = lifted ? [handlesOf(rows, side)] : [];
   const document = {
-    ...{ format: 'shape-up-scene', version: 1, mesh: { file: `${file}.obj` }, ...scene, handles },
+    ...{ format: 'shape-up-scene', version: 1, mesh: { file }, ...scene, handles },
     // Hard constraints begin at the converged soft solution, other problems iterate on.
     solver: { ...(rest.kind ? {} : { tolerance: 0 }), ...solver },
   };
   const fifth = Math.floor(side / 5);
+  const [sceneFile, meshFile] = ['problem.shapeup.json', file].map((own) => join(benchFolder, own));
   const problem = {
-    ...rest,
-    surface,
-    scene: JSON.stringify(document),
-    mesh: objText(rows, side, triangles),
-    files: {
-      scene: join(benchFolder, 'problem.shapeup.json'),
-      mesh: join(benchFolder, `${file}.obj`),
-    },
-    handles: handles[0] ?? null,
+    ...{ ...rest, surface, sceneFile, meshFile, handles: handles[0] },
+    ...{ scene: JSON.stringify(document), mesh: objText(rows, side, triangles) },
     spare: [1, 2, 3].map((k) => k * fifth * side + k * fifth + 1),
     vertices: side * side,
     size: sizeOf(rows),
   };
   mkdirSync(benchFolder, { recursive: true });
-  for (const part of ['scene', 'mesh']) writeFileSync(problem.files[part], problem[part]);
+  writeFileSync(sceneFile, problem.scene);
+  writeFileSync(meshFile, problem.mesh);
   return problem;
 }

@@ -2,24 +2,21 @@
 
 import { cpus } from 'node:os';
 
-/** The most that counts as quiet: busy cores beside us, and the part of a second without our core. */
-const MOST_BUSY = 0.25;
-const MOST_STALLED = 0.02;
+/** The most that counts as quiet: busy cores beside us, and the part of the time without our core. */
+const MOST = { busy: 0.25, stalled: 0.02 };
 /** A loop that reads the clock never takes so many milliseconds by itself. */
 const GAP_MS = 0.2;
 
-function idleAndAll() {
-  const times = cpus().map(({ times }) => times);
-  const all = times.map((one) => Object.values(one).reduce((sum, ms) => sum + ms, 0));
-  return [times.map(({ idle }) => idle), all].map((list) => list.reduce((sum, ms) => sum + ms, 0));
-}
+const sum = (numbers) => numbers.reduce((all, one) => all + one, 0);
+
+/** Returns the milliseconds that all cores have been idle so far. */
+const idle = () => sum(cpus().map(({ times }) => times.idle));
 
 /** Returns the number of cores that others use while we wait. */
 async function busyCores(moment) {
-  const [idle, all] = idleAndAll();
+  const [start, before] = [performance.now(), idle()];
   await new Promise((done) => setTimeout(done, moment));
-  const [idleThen, allThen] = idleAndAll();
-  return cpus().length * (1 - (idleThen - idle) / Math.max(1, allThen - all));
+  return Math.max(0, cpus().length - (idle() - before) / (performance.now() - start));
 }
 
 /** Returns the part of a moment in which we compute without pause, but do not get the core. */
@@ -39,13 +36,12 @@ export async function unrest(moment) {
   return { busy: await busyCores(moment), stalled: stalled(moment) };
 }
 
-export const isQuiet = ({ busy, stalled }) => busy <= MOST_BUSY && stalled <= MOST_STALLED;
+export const isQuiet = ({ busy, stalled }) => busy <= MOST.busy && stalled <= MOST.stalled;
 
 /** Describes the measured unrest before and after something. */
-export function unrestText(before, after) {
-  const words = isQuiet(before) && isQuiet(after) ? 'It was quiet' : 'It was **not quiet**';
-  const both = (of) => [before, after].map(of).join(' and ');
-  const cores = both(({ busy }) => Math.max(0, busy).toFixed(1));
-  const lost = both(({ stalled }) => `${(100 * stalled).toFixed(1)} %`);
-  return `${words}: others used ${cores} cores before and after, and our core was lost for ${lost} of the time.`;
+export function unrestText(...moments) {
+  const words = moments.every(isQuiet) ? 'It was quiet' : 'It was **not quiet**';
+  const cores = moments.map(({ busy }) => busy.toFixed(1)).join(' and ');
+  const lost = moments.map(({ stalled }) => `${(100 * stalled).toFixed(1)} %`).join(' and ');
+  return `${words}: before and after, others used ${cores} cores, and ours was lost for ${lost} of the time.`;
 }

@@ -1,4 +1,4 @@
-// Statistics of repeated measurements, for Node.js and for the worker.
+// Statistics of repeated measurements, for Node.js and for the browser.
 
 /** The middle one of the values, or null if there are none. */
 export const median = (values) =>

@@ -6,7 +6,7 @@ const missing = '–';
 export function number(value) {
   if (!Number.isFinite(value)) return missing;
   if (Number.isInteger(value)) return value.toLocaleString('en');
-  if (Math.abs(value) < 5e-3) return value.toExponential(0);
+  if (Math.abs(value) < 1e-3) return value.toExponential(0);
   const digits = Math.max(0, 2 - Math.floor(Math.log10(Math.max(Math.abs(value), 0.01))));
   return value.toFixed(Math.min(3, digits));
 }

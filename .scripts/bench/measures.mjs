@@ -1,5 +1,5 @@
-// Measures problems with the solver module as shipped, in a worker of its own for every task. Times
-// are in milliseconds unless named otherwise.
+// Measures problems with the solver module as shipped, in a new page for every problem. Times are in
+// milliseconds unless named otherwise.
 
 import init, { Solver } from '/module/shape_up.js';
 import { iterationsUntil, median, medians } from './statistics.mjs';
@@ -10,8 +10,9 @@ const encoder = new TextEncoder();
 /** Iterations of a run, and how many of the first ones are not counted. */
 const STEPS = 25;
 const UNCOUNTED = 5;
-/** Number of iterations without change after which a run has converged. */
-const PATIENCE = 5;
+/** Iterations between looks at the energy, and how little they change it in the end, relatively. */
+const LOOK = 20;
+const STILL = 1e-10;
 /** Relative distance to the converged energy that counts as reached. */
 const NEAR = 1e-4;
 
@@ -53,7 +54,7 @@ function step(solver) {
  * Medians of the iterations of some runs, which take `least` milliseconds or more, and with `edits`
  * of opening and editing until the first iteration.
  */
-function iterations({ problem, least, edits }) {
+export function iterations({ problem, least, edits }) {
   const solver = new Solver();
   const opening = () => open(solver, problem) + step(solver).total;
   // The first opening compiles code and is not counted.
@@ -85,7 +86,7 @@ function changed(solver, k) {
 }
 
 /** Changed constraints with each numeric factor in turn. */
-function factors({ problem, rounds }) {
+export function factors({ problem, rounds }) {
   const taken = ['sprs-ldl', 'supernodal'].map((factorization) => {
     const solver = new Solver();
     open(solver, problem, { factorization });
@@ -102,30 +103,33 @@ function factors({ problem, rounds }) {
   );
 }
 
-/** Energies and milliseconds of iterations until a goal, a time, or until nothing changes. */
+/** Energies and milliseconds of iterations until a goal, a time, or until hardly anything changes. */
 function descent(problem, accelerator, goal, limit) {
   const solver = new Solver();
   open(solver, problem, { accelerator });
-  const energies = [solver.report().energy.final.total];
+  const energy = () => solver.report().energy.final.total;
+  const energies = [energy()];
   const times = [];
-  let [spent, still] = [0, false];
+  let [spent, last, still] = [0, Infinity, false];
   while (spent < limit && energies.at(-1) > goal && !still) {
-    for (let k = 0; k < 20 && spent < limit; k++) {
+    for (let k = 0; k < LOOK && spent < limit; k++) {
       times.push(timed(() => solver.step())[1]);
       spent += times.at(-1);
     }
-    // Six numbers per iteration: first its number, last the total. Requesting them costs more than
-    // an iteration, and long traces have only every second, fourth, ... iteration.
+    // Six numbers per iteration: first its number, last the total. Long traces have only every
+    // second, fourth, ... iteration.
     const trace = solver.trace();
     for (let k = 0; k < trace.length; k += 6)
       while (energies.length <= trace[k]) energies.push(trace[k + 5]);
-    still = energies.at(-1 - PATIENCE) - energies.at(-1) <= PATIENCE * 1e-11 * energies.at(-1);
+    const now = energy();
+    still = last - now <= STILL * now;
+    last = now;
   }
   return { energies, times, spent, still };
 }
 
 /** By accelerator: the seconds and iterations until the energy is near the converged one. */
-function convergence({ problem, limit }) {
+export function convergence({ problem, limit }) {
   const { energies, still } = descent(problem, 'quasi-newton', -1, 3 * limit);
   // Without a certain goal there is nothing to compare.
   if (!still) return {};
@@ -140,7 +144,7 @@ function convergence({ problem, limit }) {
 }
 
 /** Hard constraints met from the soft solution, and the memory of the module. */
-function exact({ problem }) {
+export function exact({ problem }) {
   const solver = new Solver();
   open(solver, problem);
   run(solver);
@@ -150,16 +154,16 @@ function exact({ problem }) {
 }
 
 /** Flat maps: the first one, in a module that has run nothing yet, and three more. */
-function map({ problem }) {
+export function map({ problem }) {
   const solver = new Solver();
   solver.load('problem.obj', encoder.encode(problem.mesh));
   const once = () => timed(() => solver.parametrize(problem.map, 'boundary'));
-  const [{ eigenvalue }, cold] = once();
-  return { cold, total: median([1, 2, 3].map(() => once()[1])), eigenvalue };
+  const [[{ eigenvalue }, cold], ...others] = [once(), once(), once(), once()];
+  return { cold, total: median(others.map(([, ms]) => ms)), eigenvalue };
 }
 
 /** A mesh as opened, whose panels are made of a kind: lengths relative to the mean edge. */
-function folds({ problem: { name, text, kind, way } }) {
+export function folds({ problem: { name, text, kind, way } }) {
   const solver = new Solver();
   const { tolerance, meanEdge } = solver.load(name, encoder.encode(text));
   const [, ms] = timed(() => {
@@ -181,14 +185,3 @@ function folds({ problem: { name, text, kind, way } }) {
     seconds: ms / 1e3,
   };
 }
-
-const measures = { iterations, factors, convergence, exact, map, folds };
-
-onmessage = ({ data: task }) => {
-  try {
-    postMessage({ result: measures[task.measure](task) });
-  } catch (thrown) {
-    postMessage({ error: String(thrown?.stack ?? thrown) });
-  }
-};
-postMessage({ ready: true });
