@@ -1,4 +1,4 @@
-// Measures problems with the solver module as shipped, in a new page for every problem. Times are in
+// Measures problems with the solver module as shipped, which starts anew for each. Times are in
 // milliseconds unless named otherwise.
 
 import init, { Solver } from '/module/shape_up.js';
