@@ -97,12 +97,20 @@ const compiled = [
 const inBrowser = [
   ...modules.map(browserTests),
   { title: 'build of the site', run: script('build') },
+  { title: 'sizes', run: script('sizes'), show: true },
+];
+
+/** The benchmark measures the engine, and the program that the native tests run. */
+const bench = [
+  {
+    title: 'the native program',
+    run: ['cargo', ['build', '--locked', '--bin', 'shape-up', '--features', 'view']],
+  },
   {
     title: 'benchmark at its smallest size',
     run: node('tests/bench/bench.test.mjs'),
     count: 'node',
   },
-  { title: 'sizes', run: script('sizes'), show: true },
 ];
 
 /** After everything else: they measure time, or need both cores. */
@@ -119,12 +127,12 @@ const page = [
   },
 ];
 
-const all = [[[...texts, ...compiled, ...inBrowser], native], [page]];
+const all = [[[...texts, ...compiled, ...inBrowser], native], [[...bench, ...page]]];
 
 /** The stages of each command, one after another; the lanes of a stage run side by side. */
 export const stages = {
   check: [[[...texts, ...compiled], native]],
-  site: [[inBrowser]],
+  site: [[[...inBrowser, ...bench]]],
   page: [[page]],
   test: all,
   long: all,

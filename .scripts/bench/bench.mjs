@@ -1,194 +1,186 @@
-// npm run bench: the speed of the solver, natively and in headless Chromium, compared with the
-// limit of the machine and with other libraries. `npm run bench -- --help` lists the options.
+// npm run bench: the speed of the solver, natively and in headless Chromium, compared with other
+// libraries. `npm run bench -- --help` lists the options.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { cpus, loadavg } from 'node:os';
+import { cpus } from 'node:os';
 import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
 import { build as buildSite } from '../build.mjs';
+import { at } from '../project.mjs';
 import { main, outputOf, Problem, say } from '../run.mjs';
 import { setUp } from '../setup.mjs';
-import { measureExact, measureExactPeers } from './exact/measure.mjs';
-import { browserSolver, buildBenchModule } from './in-browser.mjs';
-import { measureLook } from './look.mjs';
-import {
-  mapSizes,
-  measureConvergence,
-  measureFactors,
-  measureIterations,
-  measureMaps,
-  measureModels,
-  measureOperators,
-} from './measure.mjs';
-import { nativeSolver } from './native.mjs';
-import { optionsOf, usage } from './options.mjs';
-import { measureParts } from './parts.mjs';
-import { comparisons, measurePeer, setUpPeers } from './peers.mjs';
-import { benchFolder } from './problems.mjs';
-import { writeReadme } from './readme.mjs';
-import { measureStart } from './start.mjs';
-import { markdown } from './tables.mjs';
+import { startBrowser } from './browser.mjs';
+import { nativePlace, nativeProgram } from './native.mjs';
+import { parts } from './parts.mjs';
+import { benchFolder, problems } from './problems.mjs';
+import { isQuiet, unrest, unrestText } from './quiet.mjs';
+import { table } from './tables.mjs';
 
-/** Numbers of panels for the fabrication benchmark. */
-const PANELS = [1000, 3000, 10_000];
-/** Size of the ten models opened in turn, unless the largest measured size is smaller. */
-const MODELS_SIZE = 10_000;
+const usual = Object.keys(parts).filter((part) => parts[part].usual);
+const letters = Object.keys(problems).filter((name) => name.length === 1);
 
-/** Parts of the benchmark that measure the page or its view, not the solver. */
-const WITHOUT_SOLVER = new Set(['start', 'look']);
+const usage = `npm run bench -- [options] [MESH...]
 
-/** Builds what is measured in the browser, as it is shipped. */
-async function build({ where, parts, trial }) {
-  if (!where.includes('browser')) return;
-  await setUp({ checks: true });
-  await buildSite();
-  const needed = (parts.has('iterations') && !trial) || parts.has('operators');
-  if (needed) await buildBenchModule();
+  --sizes N,N      vertices of the meshes (default 2500,10000; --full 2500,10000,30000,100000)
+  --problems A,B   of ${letters} (default all but E: A with boundary curves and a trace)
+  --parts P,P      of ${Object.keys(parts)} (default ${usual}; folds is on the named meshes)
+  --where W,W      of native, browser (default both)
+  --full           all sizes and parts
+  --trial          check that it works, with what has been built for the tests
+  --readme         write the tables of the README, on a quiet machine
+
+Writes target/bench/bench.md and target/bench/bench.json.`;
+
+const declared = {
+  sizes: { type: 'string' },
+  problems: { type: 'string', default: 'A,B,C,D' },
+  parts: { type: 'string' },
+  where: { type: 'string', default: 'native,browser' },
+  ...{ full: { type: 'boolean' }, trial: { type: 'boolean' } },
+  ...{ readme: { type: 'boolean' }, help: { type: 'boolean' } },
+};
+
+function listOf(name, text, known) {
+  const words = text.split(',');
+  const strange = words.find((word) => !known.includes(word));
+  if (strange === undefined) return words;
+  throw new Problem(`--${name} ${strange}: expected some of ${known.join(', ')}\n\n${usage}`);
 }
 
-function machine(words) {
-  const [{ model }] = cpus();
-  return {
-    command: ['npm run bench', words.length ? `-- ${words.join(' ')}` : ''].join(' ').trim(),
-    date: new Date().toISOString().slice(0, 10),
-    processor: model,
-    cores: cpus().length,
-    rustc: outputOf('rustc', ['--version']),
-    commit: outputOf('git', ['rev-parse', '--short', 'HEAD']),
-    /** Running programs that wanted a core before the benchmark began. */
-    load: loadavg()[0],
+function sizesOf(text) {
+  const sizes = text.split(',').map(Number);
+  if (sizes.every((size) => size >= 36)) return sizes;
+  throw new Problem(`--sizes ${text}: expected numbers from 36 on`);
+}
+
+/** Returns the options given by the arguments. */
+export function optionsOf(args) {
+  try {
+    const { values, positionals } = parseArgs({ args, options: declared, allowPositionals: true });
+    const { full, trial, readme, help } = values;
+    const all = Object.keys(parts);
+    const chosen = full ? all : usual;
+    return {
+      // A trial is no measurement.
+      ...{ full, trial, readme: readme && !trial, help, meshes: positionals },
+      sizes: sizesOf(values.sizes ?? (full ? '2500,10000,30000,100000' : '2500,10000')),
+      names: listOf('problems', values.problems, letters),
+      parts: values.parts ? listOf('parts', values.parts, all) : chosen,
+      where: listOf('where', values.where, ['native', 'browser']),
+    };
+  } catch (error) {
+    throw error instanceof Problem ? error : new Problem(`${error.message}\n\n${usage}`);
+  }
+}
+
+/**
+ * Builds what is measured. Returns the browser's version, `on`, which measures a problem in a place
+ * if the options name that place, and `close`.
+ */
+async function begin({ where, trial }) {
+  const isWanted = (place) => where.includes(place);
+  if (isWanted('browser') && !trial) {
+    await setUp({ checks: true });
+    await buildSite();
+  }
+  const browser = isWanted('browser') ? await startBrowser() : null;
+  const native = isWanted('native') ? nativePlace(await nativeProgram(trial)) : null;
+  const places = { browser: browser?.perform, native };
+  const on = async (place, measure, problem, task = {}) => {
+    const values = await places[place]?.(measure, { problem, ...task });
+    return values && { vertices: problem.vertices, ...values };
   };
+  return { version: browser?.version, on, close: () => browser?.close() };
 }
 
-async function measurePeers(options, places) {
-  const peers = setUpPeers();
+/** Measures all cases of a part; a failure leaves the other rows, which took long. */
+async function rowsOf(name, context) {
   const rows = [];
-  for (const comparison of comparisons) {
-    for (const size of options.sizes) {
-      const { peer, problem, what } = comparison;
-      const there = peers[peer].version !== undefined;
-      if (there) say(`${peer}, ${what}, ${size} vertices`);
-      const theirs = there ? measurePeer(comparison, size) : { reason: peers[peer].reason };
-      const asked = { sizes: [size], letters: [problem], places, trial: options.trial };
-      const ours = there && theirs.ms !== undefined ? await measureOurs(asked) : [];
-      rows.push({ ...comparison, version: peers[peer].version ?? null, size, theirs, ours });
+  for (const one of parts[name].cases(context)) {
+    const words = Object.values(one).filter((value) => typeof value !== 'object');
+    say([name, ...words].join(', '));
+    try {
+      const found = [await parts[name].measure(one, context)].flat();
+      rows.push(...found.map((values) => ({ ...one, ...values })));
+    } catch (error) {
+      say(`failed: ${error.message}`);
+      rows.push({ ...one, failed: error.message });
     }
   }
   return rows;
 }
 
-/** Returns our own milliseconds for a peer's task, as { where, accelerator, ms }. */
-async function measureOurs(asked) {
-  const steps = await measureIterations(asked);
-  const maps = await measureMaps(asked);
-  const ms = steps.map(({ where, accelerator, step }) => ({
-    where,
-    accelerator,
-    ms: step.total.median,
-  }));
-  return [...ms, ...maps.map(({ where, total }) => ({ where, accelerator: null, ms: total }))];
-}
-
-/** Returns where problems can be measured, as far as requested: { places, native, browser }. */
-async function placesOf({ where, trial, parts }) {
-  if ([...parts].every((part) => WITHOUT_SOLVER.has(part)))
-    return { places: {}, native: null, browser: null };
-  const native = await nativeSolver(trial ? 'dev' : 'release');
-  const inNative = {
-    perform: native,
-    stream: async (bytes) => (await native({ measure: 'stream', bytes: [bytes] }))[0],
-  };
-  const browser = where.includes('browser') ? await browserSolver() : null;
-  const inBrowser = browser && {
-    perform: browser.perform,
-    run: browser.run,
-    stream: async (bytes) =>
-      browser.canStream()
-        ? (await browser.perform({ measure: 'stream', bytes: [bytes] }))[0]
-        : null,
-  };
-  const places = {
-    ...(where.includes('native') ? { native: inNative } : {}),
-    ...(inBrowser ? { browser: inBrowser } : {}),
-  };
-  return { places, native: inNative, browser };
-}
-
 async function measure(options, words) {
-  const { sizes, problems: letters, limitMs, full, trial } = options;
-  const results = { machine: machine(words), sizes, failed: {} };
-  await build(options);
-  const { places, native, browser } = await placesOf(options);
-  if (browser) results.machine.browser = browser.version;
-  const inBrowser = options.where.includes('browser');
-  const asked = { sizes, letters, places, native, limitMs, trial };
-  /** Each part of the benchmark adds its results. */
-  const measures = {
-    async iterations() {
-      results.iterations = await measureIterations(asked);
-      results.maps = await measureMaps({ ...asked, sizes: mapSizes(sizes) });
-    },
-    async factors() {
-      if (browser) results.factors = await measureFactors(browser, trial);
-    },
-    async convergence() {
-      results.convergence = await measureConvergence(asked);
-    },
-    async memory() {
-      const size = Math.min(MODELS_SIZE, Math.max(...sizes));
-      if (browser) results.models = await measureModels(browser, size);
-    },
-    async start() {
-      if (inBrowser) results.start = await measureStart(full ? 5 : 3);
-    },
-    async build() {
-      const panels = trial ? [100] : PANELS;
-      results.parts = await measureParts({ panels, where: options.where, native, trial });
-    },
-    async exact() {
-      results.exact = await measureExact({ places, trial });
-      if (options.parts.has('peers')) results.exactPeers = measureExactPeers({ trial });
-    },
-    async operators() {
-      results.operators = await measureOperators({ browser, native: places.native });
-    },
-    async look() {
-      if (inBrowser) results.look = await measureLook({ trial });
-    },
-    async peers() {
-      results.peers = await measurePeers(options, places);
-    },
+  const { version, on, close } = await begin(options);
+  const moment = options.trial ? 50 : 1000;
+  const before = await unrest(moment);
+  const rows = {};
+  // Numbers of a busy machine are of use, but not in the README.
+  const names = options.readme && !isQuiet(before) ? [] : options.parts;
+  for (const name of names) rows[name] = await rowsOf(name, { ...options, on });
+  await close();
+  const machine = {
+    command: ['npm run bench', ...(words.length ? ['--', ...words] : [])].join(' '),
+    commit: outputOf('git', ['rev-parse', '--short', 'HEAD']),
+    date: new Date().toISOString().slice(0, 10),
+    processor: `one of the ${cpus().length} cores of an ${cpus()[0].model}`,
+    versions: [version && `Chromium ${version}`, outputOf('rustc', ['--version'])],
+    ...{ before, after: await unrest(moment) },
   };
-  for (const part of options.parts) {
-    try {
-      await measures[part]();
-    } catch (error) {
-      // Keep the earlier measurements, which took long.
-      console.error(error);
-      results.failed[part] = String(error.message ?? error);
-    }
-  }
-  await browser?.close();
-  results.machine.loadAfter = loadavg()[0];
-  return results;
+  return { machine, rows };
 }
 
-await main(async () => {
-  const words = process.argv.slice(2);
+function machineText({ command, commit, date, processor, versions, before, after }) {
+  const on = [processor, ...versions].filter(Boolean).join(', ');
+  return `\`${command}\` at ${commit} on ${date}, on ${on}. ${unrestText(before, after)}`;
+}
+
+/** Returns the tables of results as text: those of the README, or all. */
+export function markdown({ machine, rows }, { readme = false } = {}) {
+  const texts = Object.entries(rows).flatMap(([name, all]) =>
+    parts[name].tables
+      .filter((one) => one.readme || !readme)
+      .map((one) => [one.title, table(one, all)])
+      .filter(([, text]) => text),
+  );
+  return [machineText(machine), ...texts.flat()].join('\n\n');
+}
+
+/** The lines of the README that enclose its tables. */
+export const marks = [
+  '<!-- speed: written by `npm run bench -- --full --readme` -->\n',
+  '<!-- end of speed -->\n',
+];
+
+function writeReadme(results) {
+  const path = at('README.md');
+  const [start, end] = marks;
+  const [before, rest] = readFileSync(path, 'utf8').split(start);
+  const after = rest?.split(end)[1];
+  if (after === undefined) throw new Problem('README.md: the marks of the speed tables are gone');
+  const section = markdown(results, { readme: true });
+  writeFileSync(path, `${before}${start}\n${section}\n\n${end}${after}`);
+}
+
+async function bench(words) {
   const options = optionsOf(words);
   if (options.help) return console.log(usage);
-  const results = options.from
-    ? JSON.parse(readFileSync(options.from, 'utf8'))
-    : await measure(options, words);
-  const written = (extension) =>
-    join(benchFolder, `${options.trial ? 'trial' : 'bench'}.${extension}`);
-  mkdirSync(benchFolder, { recursive: true });
-  writeFileSync(written('json'), JSON.stringify(results, null, 1));
+  const results = await measure(options, words);
+  const file = join(benchFolder, options.trial ? 'trial' : 'bench');
   const text = markdown(results);
-  writeFileSync(written('md'), text);
+  mkdirSync(benchFolder, { recursive: true });
+  writeFileSync(`${file}.json`, JSON.stringify(results, null, 1));
+  writeFileSync(`${file}.md`, `# How fast it is\n\n${text}\n`);
   console.log(`\n${text}`);
-  if (options.readme) writeReadme(results);
-  const failed = Object.entries(results.failed ?? {});
-  if (failed.length) {
-    throw new Problem(failed.map(([part, message]) => `${part}: ${message}`).join('\n'));
-  }
-});
+  const failed = Object.values(results.rows).flatMap((all) => all.filter((row) => row.failed));
+  if (failed.length) throw new Problem(`${failed.length} measurements failed, see above`);
+  const { before, after } = results.machine;
+  if (!options.readme) return;
+  if (![before, after].every(isQuiet)) throw new Problem('Not quiet: the README is not written.');
+  writeReadme(results);
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  await main(() => bench(process.argv.slice(2)));
+}

@@ -6,103 +6,105 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { at } from '../project.mjs';
 import { outputOf, say } from '../run.mjs';
-import { benchFolder, problemOf } from './problems.mjs';
+import { benchFolder } from './problems.mjs';
 import { median } from './statistics.mjs';
 
-const venv = join(benchFolder, 'peers');
-const python = join(venv, 'bin', 'python');
-
 /**
- * Task of each peer, and the problem whose mesh it gets. `largest`: number of vertices above which
- * it takes too long; `equal` and `differs` describe what is comparable.
+ * Every peer with the problems that it gets, the number of vertices (those that it can do in a
+ * reasonable time), the function of `tests/bench/peers.py` and its number of iterations. `equal` is
+ * what its problem has in common with ours.
  */
-export const comparisons = [
+export const peers = [
   {
-    peer: 'compas_shapeop',
+    library: 'compas_shapeop',
+    // It has no closeness to a surface, so that it cannot be asked for problem A itself.
+    problems: ['circles'],
+    vertices: 10_000,
     call: 'compas_circles',
-    problem: 'circles',
-    steps: 21,
-    largest: 100_000,
+    iterations: 21,
     what: 'circles, closeness to the rest positions',
     equal: 'the mesh, the constraints, closeness to fixed points',
-    differs: 'it has no closeness to a surface, so that it cannot be asked for problem A itself',
   },
   {
-    peer: 'libigl',
+    library: 'libigl',
+    // Its edges are weighted by cotangents, its handles are fixed, ours are soft.
+    problems: ['C'],
+    vertices: 10_000,
     call: 'libigl_arap',
-    problem: 'C',
-    steps: 5,
-    largest: 30_000,
+    iterations: 5,
     what: 'as rigid as possible (spokes), handles',
     equal: 'the mesh, one rotation per vertex, the handles and their move',
-    differs: 'its edges are weighted by cotangents, its handles are fixed, ours are soft',
   },
   {
-    peer: 'libigl',
+    library: 'libigl',
+    // It factors in the same call, so that runs of two lengths are compared.
+    problems: ['planes'],
+    vertices: 2500,
     call: 'libigl_planes',
-    problem: 'planes',
-    steps: 2,
-    largest: 2_500,
+    iterations: 2,
     what: 'planarize_quad_mesh',
     equal: 'the mesh, a plane for every quad, nothing else',
-    differs: 'it factors in the same call, so that runs of two lengths are compared',
   },
   {
-    peer: 'libigl',
+    library: 'libigl',
+    // It holds two vertices and solves one system; ours is free, the smallest eigenvector.
+    problems: ['lscm'],
+    vertices: 10_000,
     call: 'libigl_lscm',
-    problem: 'lscm',
-    steps: 1,
-    largest: 100_000,
+    iterations: 1,
     what: 'least-squares conformal map, the whole call',
     equal: 'the mesh, the energy',
-    differs: 'it holds two vertices and solves one system; ours is free, the smallest eigenvector',
+  },
+  {
+    library: 'compas_shapeop',
+    problems: ['circles near a net', 'planes near a net', 'rough circles', 'rough planes'],
+    vertices: 2500,
+    call: 'compas_exact',
+    iterations: 2000,
+  },
+  {
+    library: 'libigl',
+    problems: ['planes near a net', 'rough planes'],
+    vertices: 2500,
+    call: 'libigl_exact',
+    iterations: 100,
   },
 ];
 
-/** Installs the peers and returns the version of each, or the reason why it is missing. */
-export function setUpPeers() {
-  const names = [...new Set(comparisons.map(({ peer }) => peer))];
-  if (!existsSync(python)) {
-    say('making a folder for the peers under target/');
-    const made = spawnSync('python3', ['-m', 'venv', venv], { encoding: 'utf8' });
-    if (made.status !== 0) {
-      const reason = 'there is no Python 3 with venv';
-      return Object.fromEntries(names.map((name) => [name, { reason }]));
-    }
+const venv = join(benchFolder, 'peers');
+const python = join(venv, 'bin', 'python');
+const files = ['peer-task.json', 'peer-result.json'].map((name) => join(benchFolder, name));
+
+const versionOf = (library) =>
+  existsSync(python)
+    ? outputOf(python, ['-c', `import importlib.metadata as m; print(m.version("${library}"))`])
+    : null;
+
+/** Installs a peer if it is missing; returns its version, or null if that fails. */
+function setUp(library) {
+  if (!existsSync(python)) spawnSync('python3', ['-m', 'venv', venv]);
+  if (!versionOf(library) && existsSync(python)) {
+    say(`installing ${library} from PyPI under target/`);
+    spawnSync(python, ['-m', 'pip', 'install', '--only-binary', ':all:', 'numpy', library]);
   }
-  const found = names.map((name) => {
-    const version = () => outputOf(python, ['-c', versionOf(name)]);
-    if (!version()) {
-      say(`installing ${name} from PyPI under target/`);
-      spawnSync(python, ['-m', 'pip', 'install', '--only-binary', ':all:', 'numpy', name], {
-        encoding: 'utf8',
-      });
-    }
-    return [name, version() ? { version: version() } : { reason: 'pip cannot install it here' }];
-  });
-  return Object.fromEntries(found);
+  return versionOf(library);
 }
 
-const versionOf = (name) => `import importlib.metadata as m; print(m.version("${name}"))`;
-
-/** Measures one comparison at one size: milliseconds, or the reason why not. */
-export function measurePeer({ call, problem, steps, largest }, size) {
-  const { mesh, handles, move, vertices } = problemOf(problem, size);
-  if (vertices > largest * 1.01) return { reason: 'takes too long' };
-  const result = askPeer({ call, mesh, handles, move, steps });
-  return result.reason ? result : { setUp: result.setUp, ms: median(result.steps) };
-}
-
-/** Returns the answer of `tests/bench/peers.py` to a task, or the reason of its failure. */
-export function askPeer(task) {
-  const files = ['peer-task.json', 'peer-result.json'].map((name) => join(benchFolder, name));
+/** Measures a peer on a problem: milliseconds per iteration, or seconds and the distance reached. */
+export function measurePeer({ library: name, call, iterations }, problem) {
+  const version = setUp(name);
+  if (!version) return { library: name, its: 'pip cannot install it here' };
+  const library = `${name} ${version}`;
+  const { handles, kind } = problem;
+  const task = { call, kind, iterations, handles, mesh: problem.meshFile };
   writeFileSync(files[0], JSON.stringify(task));
-  const program = at('tests', 'bench', 'peers.py');
-  const { status, stderr } = spawnSync(python, [program, ...files], {
+  const { status, stderr } = spawnSync(python, [at('tests', 'bench', 'peers.py'), ...files], {
     encoding: 'utf8',
     // One core each, as ours.
     env: { ...process.env, OMP_NUM_THREADS: '1', OPENBLAS_NUM_THREADS: '1' },
   });
-  if (status !== 0) return { reason: stderr.trim().split('\n').at(-1) ?? 'it fails' };
-  return JSON.parse(readFileSync(files[1], 'utf8'));
+  if (status !== 0) return { library, its: stderr.trim().split('\n').at(-1) || 'it fails' };
+  const { steps, ms, distance, way } = JSON.parse(readFileSync(files[1], 'utf8'));
+  if (steps) return { library, its: median(steps) };
+  return { library, way, its: ms / 1e3, itsDistance: distance / problem.size };
 }

@@ -1,34 +1,30 @@
-// Time to open the page: in a new browser profile (cold), and in the same profile again (warm).
+// Time to open the page: three visits in a new browser profile, of which the first one is cold.
 
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { findBrowser, webgl2Flags } from '../browser.mjs';
 import { at } from '../project.mjs';
-import { say } from '../run.mjs';
 import { host } from './host.mjs';
 import { medians } from './statistics.mjs';
 
-/** Timeout of opening the page. */
-const LONGEST_MS = 120_000;
+const visits = ['first visit', 'second visit', 'third visit'];
 
 /** In the page, before its own scripts: records the times. */
 function watch() {
-  const marks = {};
-  Object.assign(window, { benchMarks: marks });
-  const mark = (name, reached) => {
-    if (reached && !(name in marks)) marks[name] = performance.now();
-  };
+  const times = {};
+  Object.assign(window, { benchTimes: times });
   const look = () => {
     const state = window.shapeUp?.state();
-    mark('solved', state?.converged);
-    mark('drawn', state && state.renderer !== 'none' && !document.getElementById('first-picture'));
-    if (!('drawn' in marks && 'solved' in marks)) requestAnimationFrame(look);
+    const isDrawn = state && state.renderer !== 'none' && !document.getElementById('first-picture');
+    if (state?.converged) times.solved ??= performance.now();
+    if (isDrawn) times.drawn ??= performance.now();
+    if (!(times.drawn && times.solved)) requestAnimationFrame(look);
   };
   requestAnimationFrame(look);
 }
 
-/** Opens the page once in a profile; returns milliseconds since the navigation began, and bytes. */
+/** Opens the page once in a profile; returns milliseconds since the navigation began, and kB. */
 async function visit(chromium, profile, server) {
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: (await findBrowser()) ?? undefined,
@@ -41,35 +37,37 @@ async function visit(chromium, profile, server) {
     await page.addInitScript(watch);
     server.takeBytes();
     await page.goto(server.address);
-    const there = () => 'drawn' in window.benchMarks && 'solved' in window.benchMarks;
-    await page.waitForFunction(there, null, { timeout: LONGEST_MS });
+    await page.waitForFunction(() => window.benchTimes.drawn && window.benchTimes.solved, null, {
+      timeout: 120_000,
+    });
     const times = await page.evaluate(() => {
       const [painted] = performance.getEntriesByName('first-contentful-paint');
-      return { painted: painted?.startTime ?? null, ...window.benchMarks };
+      return { painted: painted?.startTime ?? null, ...window.benchTimes };
     });
     // Compiled code is written to the profile a moment later.
     await page.waitForTimeout(1500);
-    const { painted, solved, drawn } = times;
-    return { painted, solved, drawn, bytes: server.takeBytes() };
+    return { ...times, kB: server.takeBytes() / 1e3 };
   } finally {
     await context.close();
   }
 }
 
-/** Returns the medians over some new profiles of the first, second and third visit. */
-export async function measureStart(rounds) {
+/** Returns a row for each visit: medians over some new profiles, rounded. */
+export async function measureStart(profiles) {
   const { chromium } = await import('@playwright/test');
-  const server = await host({ folders: { '/': at('dist') }, compress: true });
-  const visits = { cold: [], warm: [], again: [] };
-  for (let round = 0; round < rounds; round++) {
-    say(`opening the page, profile ${round + 1} of ${rounds}`);
+  const server = await host({ folders: { '/': at('dist') } });
+  const all = visits.map(() => []);
+  for (let k = 0; k < profiles; k++) {
     const profile = mkdtempSync(join(tmpdir(), 'shape-up-bench-'));
     try {
-      for (const done of Object.values(visits)) done.push(await visit(chromium, profile, server));
+      for (const done of all) done.push(await visit(chromium, profile, server));
     } finally {
       rmSync(profile, { recursive: true, force: true });
     }
   }
   server.close();
-  return Object.fromEntries(Object.entries(visits).map(([name, done]) => [name, medians(done)]));
+  return all.map((done, k) => {
+    const rounded = Object.entries(medians(done)).map(([key, value]) => [key, Math.round(value)]);
+    return { visit: visits[k], ...Object.fromEntries(rounded) };
+  });
 }

@@ -3,114 +3,89 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { number } from '../../.scripts/bench/cells.mjs';
-import { optionsOf } from '../../.scripts/bench/options.mjs';
-import { marks, section } from '../../.scripts/bench/readme.mjs';
-import { growth, reached, spread } from '../../.scripts/bench/statistics.mjs';
-import { firstToConverge } from '../../.scripts/bench/tables.mjs';
-import { targetRows } from '../../.scripts/bench/targets.mjs';
+import { markdown, marks, optionsOf } from '../../.scripts/bench/bench.mjs';
+import { parts } from '../../.scripts/bench/parts.mjs';
+import { peers } from '../../.scripts/bench/peers.mjs';
+import { problems } from '../../.scripts/bench/problems.mjs';
+import { isQuiet, unrestText } from '../../.scripts/bench/quiet.mjs';
+import { iterationsUntil, median, medians } from '../../.scripts/bench/statistics.mjs';
+import { number, table } from '../../.scripts/bench/tables.mjs';
 import { at } from '../../.scripts/project.mjs';
 
-test('a spread has the minimum, the median and the 10 % and 90 % quantiles', () => {
-  const values = Array.from({ length: 11 }, (_, k) => 10 - k);
-  assert.deepEqual(spread(values), { least: 0, median: 5, p10: 1, p90: 9 });
-  assert.deepEqual(spread([]), { least: null, median: null, p10: null, p90: null });
+const quiet = { busy: 0.1, stalled: 0.001 };
+const machine = { versions: ['Chromium 1'], before: quiet, after: quiet };
+
+test('medians are those of the sorted values, of each property', () => {
+  assert.equal(median([10, 9, 1, 2, 3]), 3);
+  assert.equal(median([]), null);
+  const all = [
+    { a: 1, b: 9 },
+    { a: 3, b: 7 },
+    { a: 2, b: 8 },
+  ];
+  assert.deepEqual(medians(all), { a: 2, b: 8 });
 });
 
 test('an energy counts as reached at the first iteration that is as close', () => {
-  const run = { energies: [9, 1.5, 1.009, 1.00001], steps: [3, 4, 5] };
-  const [near, nearer, nearest] = reached(run, 1, [1e-2, 1e-4, 1e-6]);
-  assert.deepEqual(
-    [near, nearer, nearest],
-    [{ iterations: 2, ms: 7 }, { iterations: 3, ms: 12 }, null],
+  const energies = [9, 1.5, 1.009, 1.00001];
+  assert.equal(iterationsUntil(1.01, energies), 2);
+  assert.equal(iterationsUntil(1, energies), null);
+});
+
+test('numbers keep three significant digits, tiny ones their power of ten', () => {
+  const values = [0.01234, 1.234, 12.34, 123.4, 12345, 2e-14, null, undefined];
+  const texts = ['0.012', '1.23', '12.3', '123', '12,345', '2e-14', '–', '–'];
+  assert.deepEqual(values.map(number), texts);
+});
+
+test('a table has the rows with a value, and the columns with one', () => {
+  const columns = 'name | time = a.ms | to the goal = a.goal | nothing';
+  const rows = [
+    { name: 'one', a: { ms: 1.25, goal: { seconds: 0.5, iterations: 12 } } },
+    { name: 'two', a: { goal: { seconds: 3.01, iterations: null } } },
+    { name: 'failed' },
+  ];
+  assert.equal(
+    table({ has: 'a', columns }, rows),
+    '| name | time | to the goal |\n|---|---|---|\n| one | 1.25 | 0.500 (12) |\n| two | – | > 3.01 |',
   );
-});
-
-test('n log n growth has a ratio of one', () => {
-  const cost = (n) => 3 * n * Math.log(n);
-  const { exponent, overLinearithmic } = growth([100, cost(100)], [10_000, cost(10_000)]);
-  assert.ok(Math.abs(overLinearithmic - 1) < 1e-12);
-  assert.ok(exponent > 1 && exponent < 1.2);
-});
-
-test('numbers keep three significant digits', () => {
-  assert.deepEqual([0.01234, 1.234, 12.34, 123.4, 12345, null].map(number), [
-    '0.012',
-    '1.23',
-    '12.3',
-    '123',
-    '12,345',
-    '–',
-  ]);
+  assert.equal(table({ has: 'b', columns }, rows), null);
 });
 
 test('command line options are checked', () => {
   assert.throws(() => optionsOf(['--sizes', 'many']), /--sizes many/);
   assert.throws(() => optionsOf(['--problems', 'A,Q']), /Q: expected some of A, B, C, D/);
   assert.throws(() => optionsOf(['--fast']), /--fast/);
-  const { sizes, parts } = optionsOf(['--peers']);
+  const { sizes, parts, meshes } = optionsOf(['roof.obj']);
   assert.deepEqual(sizes, [2500, 10_000]);
-  assert.ok(parts.has('peers') && !parts.has('operators'));
+  assert.ok(parts.includes('start') && !parts.includes('peers'));
+  assert.deepEqual(meshes, ['roof.obj']);
 });
 
-test('the accelerator that converges first is named', () => {
-  const run = (accelerator, vertices, ms) => ({
-    ...{ problem: 'B', vertices, where: 'browser', accelerator },
-    reached: [{ iterations: 1, ms: 1 }, ms && { iterations: 2, ms }, null],
-  });
-  const rows = [run('none', 400, null), run('anderson', 400, 3), run('quasi-newton', 400, 2)];
-  const text = firstToConverge([...rows, run('none', 900, null)]);
-  assert.match(text, /B, 400 vertices, browser: quasi-newton/);
-  assert.match(text, /B, 900 vertices, browser: none of them in time/);
+test('peers get problems that exist', () => {
+  for (const name of peers.flatMap((peer) => peer.problems)) assert.ok(problems[name], name);
 });
 
-const entry = (problem, vertices, ms) => ({
-  problem,
-  vertices,
-  where: 'browser',
-  accelerator: 'quasi-newton',
-  step: Object.fromEntries(
-    ['total', 'shape', 'close', 'smooth', 'global'].map((key) => [key, { median: ms, p90: ms }]),
-  ),
-  setUp: { first: 9 },
-  limit: 0.5,
-  bytes: { opened: 2e6 },
+test('a machine is not quiet if others compute, or take our core', () => {
+  assert.ok(isQuiet(quiet));
+  assert.ok(!isQuiet({ ...quiet, busy: 1 }) && !isQuiet({ ...quiet, stalled: 0.1 }));
+  assert.match(unrestText(quiet, { busy: 1.04, stalled: 0 }), /not quiet.* 0\.1 and 1\.0 cores/);
 });
 
-test('a target is met or missed by its measurement, and left out without one', () => {
-  const rows = targetRows({ iterations: [entry('A', 10_000, 1.4), entry('B', 10_000, 1.4)] });
-  const perIteration = rows.filter(({ name }) => name.endsWith('ms per iteration'));
-  assert.deepEqual(
-    perIteration.map(({ name, met }) => [name[0], met]),
-    [
-      ['A', true],
-      ['B', false],
-    ],
-  );
-  assert.deepEqual(targetRows({}), []);
-});
-
-test('the README has a place for the numbers, which are those of the browser', () => {
+test('the README has the tables that the benchmark writes, and only those of the browser', () => {
   const readme = readFileSync(at('README.md'), 'utf8');
   for (const mark of marks) assert.equal(readme.split(mark).length, 2, mark);
-  const native = { ...entry('A', 2500, 77), where: 'native' };
-  const text = section({ machine: { cores: 2 }, iterations: [native, entry('A', 2500, 1.25)] });
+  const section = readme.split(marks[0])[1].split(marks[1])[0];
+  const shown = Object.values(parts).flatMap(({ tables }) => tables.filter((one) => one.readme));
+  for (const { title } of shown) assert.ok(section.includes(`\n${title}\n`), title);
+  const iterations = [
+    {
+      ...{ problem: 'A', vertices: 2500, iterated: true },
+      browser: { 'quasi-newton': { total: 1.25 } },
+      native: { none: { total: 77 } },
+    },
+  ];
+  const text = markdown({ machine, rows: { iterations } }, { readme: true });
   assert.match(text, /\| A \| 2,500 \| 1\.25 \|/);
   assert.doesNotMatch(text, /77/);
-});
-
-test('the README compares accelerators only if the converged energy is certain', () => {
-  const run = (vertices, accelerator, found, certain = true) => {
-    const reached = [null, found && { ms: 500, iterations: found }, null];
-    return { problem: 'B', vertices, accelerator, where: 'browser', ms: 3000, reached, certain };
-  };
-  const of = (...row) =>
-    ['none', 'quasi-newton', 'anderson'].map((name, k) => run(row[0], name, row[k + 1]));
-  const unsure = of(900, 1, 2, 3).map((row) => ({ ...row, certain: false }));
-  const text = section({
-    machine: { cores: 2 },
-    convergence: [...of(400, null, 12, 34), ...unsure],
-  });
-  assert.match(text, /\| B \| 400 \| > 3 \| 0\.500 \(12\) \| 0\.500 \(34\) \|/);
-  assert.doesNotMatch(text, /900/);
 });
