@@ -35,6 +35,12 @@ const pageTests = (...projects) => [
   ...process.argv.slice(3),
 ];
 
+/** What decides over the tests of Rust. Steps with `inputs` are skipped while these are unchanged. */
+const rust = () => [at('src'), ...toolchain, at('README.md')];
+const toolchain = ['Cargo.toml', 'Cargo.lock', '.cargo/config.toml'].map((name) => at(name));
+/** What decides over the tests of the page: the site without the sources that it offers. */
+const site = () => filesUnder(at('dist')).filter((path) => !path.startsWith(at('dist', 'sources')));
+
 const browserTests = (feature) => ({
   title: `tests of the ${feature} module in the browser`,
   run: ['cargo', ['test', ...moduleArguments(feature), '--test', `wasm_${feature.split('-')[0]}`]],
@@ -72,6 +78,7 @@ const native = [
     title: 'native tests',
     run: ['cargo', ['test', '--locked', '--no-fail-fast', '--features', 'view']],
     count: 'cargo',
+    inputs: () => [...rust(), at('tests')],
   },
 ];
 
@@ -110,6 +117,7 @@ const bench = [
     title: 'benchmark at its smallest size',
     run: node('tests/bench/bench.test.mjs'),
     count: 'node',
+    inputs: () => [...rust(), at('tests', 'bench'), at('.scripts', 'bench')],
   },
 ];
 
@@ -119,11 +127,13 @@ const page = [
     title: 'response time of drags',
     run: [tool('playwright'), pageTests('alone')],
     count: 'playwright',
+    inputs: () => [...site(), at('tests', 'page')],
   },
   {
     title: 'tests of the page in the browser',
     run: [tool('playwright'), pageTests('desktop', 'both', 'phone')],
     count: 'playwright',
+    inputs: () => [...site(), at('tests', 'page')],
   },
 ];
 

@@ -1,7 +1,7 @@
-// Skips a build step whose inputs have not changed: their hash is stored in the target folder.
+// Skips work whose inputs have not changed: their hash is stored in the target folder.
 
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { root, targetFolder } from './project.mjs';
 
@@ -14,18 +14,34 @@ export function filesUnder(folder) {
 }
 
 /**
- * Runs `step` unless it has run with the same inputs and `output` still exists. `inputs`: paths of
- * files, compared by name and content; `settings`: anything else that matters.
+ * Returns a stamp of some inputs. `inputs`: paths of files and folders, compared by name and
+ * content; `settings`: anything else that matters.
  */
-export async function unlessUnchanged({ name, inputs, settings = [], output }, step) {
+export function stampOf({ name, inputs, settings = [] }) {
   const hash = createHash('sha256').update(JSON.stringify(settings));
-  for (const path of inputs)
+  const files = inputs.flatMap((path) => (statSync(path).isDirectory() ? filesUnder(path) : path));
+  for (const path of files)
     hash.update(relative(root, path)).update('\0').update(readFileSync(path));
   const key = hash.digest('hex');
+  const file = join(targetFolder, 'stamps', name);
+  return {
+    /** What was stored with the same inputs; undefined if there is nothing. */
+    stored() {
+      if (!existsSync(file)) return undefined;
+      const { key: before, result } = JSON.parse(readFileSync(file, 'utf8'));
+      return before === key ? result : undefined;
+    },
+    store(result) {
+      mkdirSync(join(targetFolder, 'stamps'), { recursive: true });
+      writeFileSync(file, JSON.stringify({ key, result }));
+    },
+  };
+}
 
-  const stamp = join(targetFolder, 'stamps', name);
-  if (existsSync(output) && existsSync(stamp) && readFileSync(stamp, 'utf8') === key) return;
+/** Runs `step` unless it has run with the same inputs and `output` still exists. */
+export async function unlessUnchanged({ output, ...of }, step) {
+  const stamp = stampOf(of);
+  if (existsSync(output) && stamp.stored()) return;
   await step();
-  mkdirSync(join(targetFolder, 'stamps'), { recursive: true });
-  writeFileSync(stamp, key);
+  stamp.store(true);
 }

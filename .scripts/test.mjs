@@ -7,30 +7,50 @@ import { countTests, inexcusable } from './count.mjs';
 import { targetFolder } from './project.mjs';
 import { main, Problem } from './run.mjs';
 import { setUp } from './setup.mjs';
+import { stampOf } from './stamp.mjs';
 import { step } from './step.mjs';
 
 /** Number of tests that may be flaky without an excuse: shared hosts stall at times. */
 const MOST_FLAKY = 2;
 
-const sum = { passed: 0, failed: 0, skipped: 0, flaky: 0 };
+const none = { passed: 0, failed: 0, skipped: 0, flaky: 0 };
+let sum = none;
+
+const add = (a, b) => Object.fromEntries(Object.keys(none).map((key) => [key, a[key] + b[key]]));
 
 const inWords = ({ passed, failed, skipped, flaky }) =>
   `${passed} passed, ${failed} failed, ${skipped} skipped, ${flaky} flaky`;
 
-/** Adds the tests of a step to the sum; returns what is to be said of them. */
+/** Prints what is to be said of the tests of a step, and returns their numbers. */
 function counted(kind, { ok, output }) {
   const { passed, failed, skipped, flaky } = countTests(kind, output);
   const numbers = { passed, failed, skipped: skipped.length, flaky: flaky.length };
-  for (const key of Object.keys(sum)) sum[key] += numbers[key];
   const [unrun, unsteady] = [inexcusable(skipped), inexcusable(flaky)];
   if (unrun.length > 0 || unsteady.length > MOST_FLAKY) process.exitCode = 1;
-  return [
-    `    ${inWords(numbers)}`,
-    ...unrun.map((test) => `    skipped without a reason: ${test}`),
-    ...unsteady.map((test) => `    flaky without a reason: ${test}`),
-    // How they failed at first: Playwright numbers its reports.
-    ...(ok && unsteady.length > 0 ? [output.slice(output.search(/^ +1\) /m))] : []),
-  ];
+  console.log(`    ${inWords(numbers)}`);
+  for (const test of unrun) console.log(`    skipped without a reason: ${test}`);
+  for (const test of unsteady) console.log(`    flaky without a reason: ${test}`);
+  // How they failed at first: Playwright numbers its reports.
+  if (ok && unsteady.length > 0) console.log(output.slice(output.search(/^ +1\) /m)));
+  return numbers;
+}
+
+/** Runs a step, unless it has passed with the same inputs; resolves with whether it passed. */
+async function perform({ title, run, env, count, show, inputs }) {
+  const name = title.replaceAll(/\W+/g, '-');
+  const stamp = inputs && stampOf({ name, inputs: inputs(), settings: [run, process.env.LONG] });
+  const before = stamp?.stored();
+  if (before) {
+    console.log(`- ${title}: unchanged since it passed, ${inWords(before)}`);
+    sum = add(sum, before);
+    return true;
+  }
+  const done = await step(title, ...run, env);
+  const numbers = count ? counted(count, done) : none;
+  sum = add(sum, numbers);
+  if (show && done.ok) console.log(done.output);
+  if (done.ok && numbers.flaky === 0) stamp?.store(numbers);
+  return done.ok;
 }
 
 /** Whether a step has failed: no step begins after that. */
@@ -38,13 +58,7 @@ let failed = false;
 
 /** Runs the steps of a lane one after another. */
 async function lane(steps) {
-  for (const { title, run, env, count, show } of steps) {
-    if (failed) return;
-    const done = await step(title, ...run, env);
-    for (const line of count ? counted(count, done) : []) console.log(line);
-    if (show && done.ok) console.log(done.output);
-    failed ||= !done.ok;
-  }
+  for (const one of steps) if (!failed) failed = !(await perform(one)) || failed;
 }
 
 await main(async () => {
@@ -59,7 +73,7 @@ await main(async () => {
   for (const lanes of stages[command]) await Promise.all(lanes.map(lane));
   if (failed) {
     // A step without tests of its own counts as one failure.
-    sum.failed = Math.max(sum.failed, 1);
+    sum = { ...sum, failed: Math.max(sum.failed, 1) };
     process.exitCode = 1;
   }
   const minutes = (performance.now() - begun) / 60_000;

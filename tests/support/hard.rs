@@ -1,5 +1,4 @@
 //! Meshes with hard constraints: the problem of the study that they are compared with.
-#![allow(dead_code, reason = "each test uses some of these")]
 
 use shape_up::constraint::{Element, Kind, Selector, Sets, resolve};
 use shape_up::mesh::{BoundingSphere, Mesh, Point, Topology};

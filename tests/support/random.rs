@@ -1,5 +1,4 @@
 //! Seeded random points for tests, the same on every machine.
-#![allow(dead_code, reason = "each test uses some of these")]
 
 use shape_up::math::Vec3;
 
