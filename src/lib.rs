@@ -34,8 +34,7 @@
 //! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |
 //! | `web` | wasm-bindgen interfaces: one for the workers (engine), one for the page (view) | all above |
 //!
-//! `src/bin` is outside: the command line, which drives sessions, and build steps that draw
-//! examples.
+//! `src/bin` is outside: the command line, which drives sessions.
 //!
 //! Beside the pipeline, [`experiment`] contains the methods that the paper compares with: gradient
 //! descent, quasi-Newton without a metric, and a penalty method with Gauss-Newton. It drives
