@@ -28,12 +28,12 @@ export function stampOf({ name, inputs, settings = [] }) {
     /** What was stored with the same inputs; undefined if there is nothing. */
     stored() {
       if (!existsSync(file)) return undefined;
-      const { key: before, result } = JSON.parse(readFileSync(file, 'utf8'));
-      return before === key ? result : undefined;
+      const [before, result] = readFileSync(file, 'utf8').split('\n');
+      return before === key ? JSON.parse(result) : undefined;
     },
     store(result) {
       mkdirSync(join(targetFolder, 'stamps'), { recursive: true });
-      writeFileSync(file, JSON.stringify({ key, result }));
+      writeFileSync(file, `${key}\n${JSON.stringify(result)}`);
     },
   };
 }

@@ -19,6 +19,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         .out_name(if test { "tests" } else { "shape_up" })
         .web(true)?
         .typescript(!test)
+        // The module is beside its JavaScript side.
+        .omit_default_module_path(false)
         // The runner calls the tests itself.
         .emit_start(!test)
         // The names of functions are most of what can be stripped.
