@@ -12,7 +12,7 @@ const WORKER = 'service-worker.js';
 /** Cached only on use: the Rhino converter, the licences and the sources. */
 const SELDOM = /(^|\/)(rhino|licences|sources\/)/;
 /** Pictures of the gallery, a third of all other files: cached together when it is opened. */
-const PICTURE = /^pictures\/.*\.svg$/;
+const PICTURE = /^pictures\/.*\.webp$/;
 /** The view's module, of which a browser uses one variant. */
 const VIEW = /^assets\/view-(webgpu|webgl2)-/;
 

@@ -21,6 +21,7 @@ export const types = {
   '.obj': 'model/obj',
   '.svg': 'image/svg+xml',
   '.wasm': 'application/wasm',
+  '.webp': 'image/webp',
   '.webmanifest': 'application/manifest+json',
 };
 

@@ -1,6 +1,7 @@
 //! The example scenes: clean meshes, scenes that fit them, and something to optimise.
 
 mod exercise;
+mod gallery;
 mod statements;
 
 use shape_up::example::EXAMPLES;

@@ -1,5 +1,6 @@
 //! The statements of each example, measured after solving it with its own settings.
 
+use crate::gallery::{Results, compare_with_gallery};
 use shape_up::constraint::Selector;
 use shape_up::example::model::Court;
 use shape_up::example::{EXAMPLES, Example};
@@ -14,17 +15,17 @@ use shape_up::session::{Report, Session};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Parametrization};
 
 /// A solved example.
-struct Run {
-    before: Report,
-    after: Report,
+pub(crate) struct Run {
+    pub before: Report,
+    pub after: Report,
     /// For each row of constraints, before and after: largest distance of a vertex from its
     /// projection.
     worst: Vec<[f64; 2]>,
     /// Total energy at the start and after each iteration.
     totals: Vec<f64>,
-    mesh: Mesh,
-    positions: Vec<Point>,
-    scene: Scene,
+    pub mesh: Mesh,
+    pub positions: Vec<Point>,
+    pub scene: Scene,
     /// Met goals of the lesson, if it is one.
     goals_met: usize,
 }
@@ -416,10 +417,11 @@ const STATEMENTS: &[Statement] = &[
 ];
 
 #[test]
-fn every_example_does_what_it_states() {
+fn every_example_does_what_it_states_and_the_gallery_shows_its_results() {
     let ids: Vec<_> = STATEMENTS.iter().map(|(id, _)| *id).collect();
     assert!(ids.iter().eq(EXAMPLES.iter().map(|example| &example.id)), "{ids:?}");
     let mut failures = Vec::new();
+    let mut results = Vec::new();
     for (example, (id, measure)) in EXAMPLES.iter().zip(STATEMENTS) {
         let run = Run::of(example);
         let (before, after) = (run.before.energy.initial, run.after.energy.last);
@@ -431,6 +433,7 @@ fn every_example_does_what_it_states() {
             assert!(after.total < 0.5 * before.total, "{id}: {before:?} {after:?}");
             assert!(after.shape < 0.1 * before.shape, "{id}: {before:?} {after:?}");
         }
+        results.push(Results::of(example, &run));
         println!("{id}, {} iterations: {}", run.after.iterations, example.statement);
         for (what, value, bounds) in measure(&run) {
             println!("    {what}: {value:.3e}, expected {bounds:?}");
@@ -440,4 +443,5 @@ fn every_example_does_what_it_states() {
         }
     }
     assert!(failures.is_empty(), "{failures:#?}");
+    compare_with_gallery(&results);
 }

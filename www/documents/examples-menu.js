@@ -42,7 +42,7 @@ export async function examplesMenu(menu, { files, alerts, commands }) {
         // Loaded lazily when the menu opens; not available offline.
         element('img', {
           ...(navigator.onLine && {
-            src: new URL(`pictures/${example.id}-end.svg`, document.baseURI).href,
+            src: new URL(`pictures/${example.id}-end.webp`, document.baseURI).href,
           }),
           alt: '',
           width: 72,

@@ -47,7 +47,7 @@ async function showExample(id, pose) {
       throw new Error(`There is no example called ${id}. The link is outdated or mistyped.`);
     setText(byId('title'), example.title);
     const picture = /** @type {HTMLImageElement} */ (byId('picture'));
-    picture.src = `pictures/${example.id}-${pose}.svg`;
+    picture.src = `pictures/${example.id}-${pose}.webp`;
     picture.alt = example.title;
     picture.hidden = false;
   } catch (error) {

@@ -30,7 +30,7 @@ export function card(example, result) {
     element(
       'figure',
       element('img', {
-        src: new URL(`${id}-${when}.svg`, PICTURES).href,
+        src: new URL(`${id}-${when}.webp`, PICTURES).href,
         alt: `${title}, ${words}`,
         width: 216,
         height: 156,
