@@ -1,7 +1,7 @@
 // npm run build: builds the static site in dist/.
 
 import { fileURLToPath } from 'node:url';
-import { writeExamples, writeFirstPicture, writePictures } from './examples.mjs';
+import { writeExamples } from './examples.mjs';
 import { buildPrograms } from './programs.mjs';
 import { main } from './run.mjs';
 import { setUp } from './setup.mjs';
@@ -13,8 +13,6 @@ export async function buildParts() {
   await buildModules();
   await buildPrograms();
   await writeExamples();
-  await writePictures();
-  await writeFirstPicture();
 }
 
 /** Builds the site, in `dist/`. */

@@ -3,7 +3,6 @@
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { firstPicture } from './examples.mjs';
 import { at } from './project.mjs';
 import { main, Problem } from './run.mjs';
 import { filesUnder } from './stamp.mjs';
@@ -11,15 +10,9 @@ import { filesUnder } from './stamp.mjs';
 const kB = 1000;
 const compressed = (bytes) => gzipSync(bytes, { level: 9 }).length;
 
-/** Returns a file without the placeholder picture, which has its own row. */
-function contents(path) {
-  if (!path.endsWith('.html') || path === firstPicture) return readFileSync(path);
-  return Buffer.from(readFileSync(path, 'utf8').replace(readFileSync(firstPicture, 'utf8'), ''));
-}
-
 /** Returns a row of the table: the total size of some files, and their budget. */
 function row(name, paths, budget) {
-  const files = paths.map(contents);
+  const files = paths.map((path) => readFileSync(path));
   const sum = (size) => files.reduce((total, bytes) => total + size(bytes), 0);
   return { name, raw: sum((bytes) => bytes.length), gzip: sum(compressed), budget };
 }
@@ -86,7 +79,6 @@ await main(() => {
     module('view, WebGPU', 'view-webgpu', 189),
     module('view, WebGL2', 'view-webgl2', 900),
     row('first visit', [...first], 78 * kB),
-    row('first picture', [firstPicture], 23 * kB),
     ...LATER.map(([name, , budget]) => row(name, later.get(name), budget * kB)),
     row('other dialogs', others, 85.5 * kB),
     row('other pages', pages, 20 * kB),

@@ -3,34 +3,25 @@
 
 import { cpSync, readFileSync, statSync } from 'node:fs';
 import { minify } from 'vite';
-import { firstPicture } from './examples.mjs';
 import { licenceTexts } from './licences-page.mjs';
 import { assertLicensed } from './licences.mjs';
 import { writeOfflineParts } from './offline.mjs';
 import { lockPages } from './policy.mjs';
 import { at } from './project.mjs';
 
+/** The pictures of the first screen, which `index.html` has already. */
+const FIRST = /[\\/]first-[^\\/]*$/;
 // Examples and their pictures keep their names, because links to them are permanent.
 const examples = {
   name: 'examples',
   apply: 'build',
   closeBundle() {
     for (const folder of ['examples', 'pictures']) {
-      cpSync(at('www', folder), at('dist', folder), { recursive: true });
+      const filter = (path) => !FIRST.test(path);
+      cpSync(at('www', folder), at('dist', folder), { recursive: true, filter });
     }
     lockPages(at('dist'));
     writeOfflineParts(at('dist'));
-  },
-};
-
-const PLACEHOLDER = '<!-- first picture -->';
-const picture = {
-  name: 'first-picture',
-  transformIndexHtml(html, { path }) {
-    if (path !== '/index.html') return html;
-    if (!html.includes(PLACEHOLDER)) throw new Error(`index.html has no place for ${firstPicture}`);
-    const script = `<script>${readFileSync(at('www', 'viewport', 'placeholder', 'placeholder-drag.js'), 'utf8')}</script>`;
-    return html.replace(PLACEHOLDER, () => readFileSync(firstPicture, 'utf8') + script);
   },
 };
 
@@ -153,7 +144,7 @@ export default {
   base: './',
   define: { 'import.meta.env.SOLVER_BYTES': String(solverBytes) },
   publicDir: false,
-  plugins: [layers, examples, picture, readingPages, licences, smallPages, told()],
+  plugins: [layers, examples, readingPages, licences, smallPages, told()],
   build: {
     outDir: at('dist'),
     emptyOutDir: true,

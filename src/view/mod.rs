@@ -3,7 +3,7 @@
 //!
 //! [`state`] and the modules that it builds on hold the displayed mesh, the camera, and what is
 //! picked or marked. They need no GPU, so that native tests can check them. [`gpu`] turns a state
-//! into draw calls and is compiled for the browser only. [`svg`] writes a state as SVG.
+//! into draw calls and is compiled for the browser only. [`svg`] draws the lines of a state for print.
 //!
 //! | folder | holds |
 //! |---|---|
@@ -15,7 +15,7 @@
 //! | `overlay` | ghost, ground, scale bar |
 //! | `state` | the state that determines a picture, and what has changed since the last one |
 //! | `side_by_side` | two pictures on one canvas: the flat map, the original |
-//! | `svg` | pictures without a GPU |
+//! | `svg` | the line drawing for print |
 //! | `gpu` | pictures with wgpu |
 //!
 //! Positions arrive as `f64` in file coordinates. The view subtracts the centre of the first

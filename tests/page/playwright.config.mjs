@@ -24,7 +24,7 @@ const url = `http://127.0.0.1:${port}${base}`;
 /** Specs that depend on the layout of a phone; the others run on the desktop only. */
 const ARRANGED = [
   'axe',
-  'placeholder',
+  'first-picture',
   'first-visit',
   'layout',
   'messages',

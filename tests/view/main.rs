@@ -3,7 +3,6 @@
 #![cfg(feature = "view")]
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 
-mod first_picture;
 mod legible;
 mod seeing;
 mod stage;

@@ -12,7 +12,6 @@ import { bindButtons, bindKeys, bindRunButton } from './commands.js';
 import { byId } from '../ui/dom.js';
 import { acceptDrops } from '../documents/opening/drop-zone.js';
 import { Files } from '../documents/files.js';
-import { animatePlaceholder } from '../viewport/placeholder/placeholder-scene.js';
 import { ended } from '../ui/format.js';
 import { loadFeatures, loadWhenNeeded } from './features.js';
 import { firstHints } from '../features/hints.js';
@@ -52,7 +51,6 @@ reportUncaughtErrors(alerts, store);
 const solver = new SolverClient();
 bindSolver(solver);
 
-animatePlaceholder(store, solver);
 const actions = createActions(store, solver, alerts);
 const viewport = new Viewport(byId('viewport'), store, solver, actions);
 const files = new Files(store, solver, alerts, actions);

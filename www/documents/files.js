@@ -2,7 +2,7 @@
 
 import { count, ended, groupDigits, length } from '../ui/format.js';
 import { exampleFile, listOfExamples } from '../solver/examples.js';
-import { removePlaceholder } from '../viewport/placeholder/placeholder-scene.js';
+import { removeFirstPicture } from '../viewport/first-picture.js';
 import { Emitter } from '../solver/emitter.js';
 import { messageOf } from '../solver/messages.js';
 import { isReadable, mainOf } from '../solver/opened-files.js';
@@ -113,7 +113,7 @@ export class Files extends Emitter {
       this.origin = origin;
       this.original = origin.original ?? (origin.work ? null : this.#solver.sceneText);
       this.#alerts.clear();
-      if (!origin.first) removePlaceholder();
+      if (!origin.first) removeFirstPicture();
       this.#actions.describeFile({
         firstExample: Boolean(origin.first),
         fileName: origin.title ?? main.name,

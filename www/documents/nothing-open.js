@@ -2,7 +2,7 @@
 
 import '../ui/styles/waiting.css';
 import { byId, element } from '../ui/dom.js';
-import { removePlaceholder } from '../viewport/placeholder/placeholder-scene.js';
+import { removeFirstPicture } from '../viewport/first-picture.js';
 
 const FILES = 'a mesh (.obj, .off, .mesh, .3dm) or a scene (.json)';
 
@@ -12,7 +12,7 @@ const FILES = 'a mesh (.obj, .off, .mesh, .3dm) or a scene (.json)';
  * @param {() => Promise<void>} again opens the first example
  */
 export function showNothingOpen(files, again) {
-  removePlaceholder();
+  removeFirstPicture();
   byId('hint-card').hidden = true;
   byId('model').replaceChildren(element('p.quiet', 'Nothing is open.'));
   const card = element(

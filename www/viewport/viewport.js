@@ -5,7 +5,7 @@
  */
 
 import { Backend, isBlank, openView } from './backend.js';
-import { removePlaceholder } from './placeholder/placeholder-scene.js';
+import { isFirstPictureShown, removeFirstPicture } from './first-picture.js';
 import { Refinement } from './refinement.js';
 import { ShapeTransition } from './shape-transition.js';
 import { Emitter } from '../solver/emitter.js';
@@ -253,7 +253,7 @@ export class Viewport extends Emitter {
     this.view = null;
     this.#canvas = null;
     this.element.replaceChildren();
-    removePlaceholder();
+    removeFirstPicture();
     this.#actions.look({ renderer: 'none' });
     this.emit('none', reason);
   }
@@ -371,6 +371,10 @@ export class Viewport extends Emitter {
     this.#handOver();
     this.#solver.recycle();
     if (!this.#solver.geometry || !this.view) return;
+    // Wait for the colours: the view replaces the first picture with its colours at once, and with
+    // all refinements, which the picture has too.
+    const isComplete = this.#store.get().spread !== null;
+    if (isComplete && isFirstPictureShown()) this.#refinement.finish();
     this.#refinement.prepare(this.view);
     if (!this.view.needsDraw()) return;
     try {
@@ -381,8 +385,7 @@ export class Viewport extends Emitter {
       }
       this.#attempts = 0;
       this.#refinement.drawn();
-      // Wait for the colours: the view replaces the placeholder with its colours at once.
-      if (this.#store.get().spread) removePlaceholder();
+      if (isComplete) removeFirstPicture();
       this.#storeCamera(this.view.camera());
       this.emit('drawn', undefined);
     } catch (thrown) {

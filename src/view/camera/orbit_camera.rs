@@ -252,19 +252,6 @@ impl Eye {
         (self.middle + offset * (self.focal / self.scale_depth(depth)), depth)
     }
 
-    /// Returns [`Eye::project`] as three rows that act on (point, 1): row 0 / row 2 is the
-    /// horizontal position, row 1 / row 2 the vertical one, downwards; row 2 is the depth that
-    /// determines sizes.
-    pub fn rows(&self) -> [Vec4; 3] {
-        let row = |axis: Vec3| axis.extend(-axis.dot(self.at));
-        let depth = self.parallel.map_or(row(self.forward), |scale| Vec4::W * scale);
-        [
-            depth * self.middle.x + row(self.right) * self.focal,
-            depth * self.middle.y - row(self.up) * self.focal,
-            depth,
-        ]
-    }
-
     /// Returns the displacement parallel to the screen that covers `pixels` at a depth.
     pub fn across(&self, pixels: Vec2, depth: f32) -> Vec3 {
         (self.right * pixels.x - self.up * pixels.y) * (self.scale_depth(depth) / self.focal)
@@ -320,8 +307,6 @@ mod tests {
                 let w = if eye.parallel.is_some() { 1.0 } else { depth };
                 assert!((clip.w - w).abs() < 1e-5);
                 assert!(clip.z > 0.0 && clip.z < clip.w);
-                let [x, y, w] = eye.rows().map(|row| row.dot(point.extend(1.0)));
-                assert!((Vec2::new(x, y) / w - screen).length() < 1e-2);
             }
             assert!((eye.project(camera.pivot).0 - eye.middle).length() < 1e-3);
         }

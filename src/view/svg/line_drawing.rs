@@ -5,7 +5,6 @@
 //! depth, so that lines on slanted surfaces stay whole.
 
 use super::circles::fitted;
-use super::picture::line;
 use crate::view::camera::{Eye, Section};
 use crate::view::model::polygon_edges::sides_by_edge;
 use crate::view::picking::DepthMap;
@@ -235,6 +234,12 @@ fn forget_specks(seen: &mut [Seen], speck: usize) {
             run.fill(Seen::OnSurface);
         }
     }
+}
+
+/// Returns the path data of a line: its start, and its end relative to that.
+fn line([start, end]: [Vec2; 2]) -> String {
+    let pair = |Vec2 { x, y }: Vec2| format!("{x}{}{y}", if y < 0.0 { "" } else { " " });
+    format!("M{}l{}", pair(start), pair(end - start))
 }
 
 #[cfg(test)]

@@ -1,15 +1,9 @@
-//! Pictures as SVG: for a page that cannot draw yet, and for print.
+//! The line drawing of a model as SVG, for print.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `picture` | the still picture with which the page starts |
-//! | `circles` | its fitted circles |
-//! | `line_drawing` | visible lines in ink, for print |
-//! | `thumbnail` | small pictures for the gallery |
-//! | `light` | the shaded colour of a face |
+//! | `line_drawing` | visible lines in ink |
+//! | `circles` | the fitted circles |
 
 mod circles;
-pub mod light;
 pub mod line_drawing;
-pub mod picture;
-pub mod thumbnail;

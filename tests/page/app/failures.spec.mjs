@@ -113,6 +113,7 @@ test('without graphics everything but the 3D view works', async ({ page }) => {
   });
   await openPage(page);
   await expect(page.getByText('No 3D view')).toBeVisible();
+  await expect(page.locator('#first-picture')).toHaveCount(0);
   expect((await state(page)).renderer).toBe('none');
   await openText(page, 'grid.obj', wavyGrid(4), 25);
   await addConstraint(page, 'Circle', 'each face');

@@ -15,7 +15,6 @@
  * | touch | one finger as left, two pan and zoom | same |
  */
 
-import { isPlaceholderShown } from '../placeholder/placeholder-scene.js';
 import { HandleDrag, leaveHandle, makeHandle } from '../../store/handle-drag.js';
 import { near, clickTolerance } from './hit-tolerance.js';
 import { combineOf, select } from '../../store/selection.js';
@@ -123,7 +122,7 @@ export class PointerInput {
 
   /** @param {PointerEvent} event */
   #press(event) {
-    if (!this.#viewport.view || isPlaceholderShown()) return;
+    if (!this.#viewport.view) return;
     const at = this.#at(event);
     this.#element.focus({ preventScroll: true });
     this.#element.setPointerCapture(event.pointerId);
