@@ -25,7 +25,7 @@ const BAR = 45;
  * the model, and pixels per CSS pixel.
  */
 const WINDOWS = {
-  wide: { viewport: { width: 1440, height: 900 }, part: 640, scale: 1.5, quality: 0.75 },
+  wide: { viewport: { width: 1440, height: 900 }, part: 700, scale: 1.5, quality: 0.75 },
   narrow: { viewport: { width: 390, height: 844 }, part: 480, scale: 2, quality: 0.7 },
 };
 /** Width of the soft edge of a picture of the first screen, in CSS pixels. */
@@ -242,9 +242,13 @@ await main(async () => {
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder);
   say('solving the examples for their results');
-  await run('cargo', ['test', '--locked', '--quiet', '--features', 'view', '--test', 'native', 'gallery'], {
-    env: { UPDATE: '1' },
-  });
+  await run(
+    'cargo',
+    ['test', '--locked', '--quiet', '--features', 'view', '--test', 'native', 'gallery'],
+    {
+      env: { UPDATE: '1' },
+    },
+  );
   const { address, close } = await serve(at('dist'), { port: 4273 });
   const browser = await chromium.launch({
     executablePath: await findBrowser(),

@@ -91,7 +91,7 @@ test(
   'in a window of other proportions the view is nearly as large as its picture',
   { tag: [looks.tag, '@desktop'] },
   async ({ page }) => {
-    await page.setViewportSize({ width: 1600, height: 800 });
+    await page.setViewportSize({ width: 1366, height: 768 });
     const [still, drawn] = (await replaced(page)).map(ends);
     expect(drawn[1] - drawn[0]).toBeGreaterThan(0.8);
     for (const end of [0, 1]) expect(Math.abs(still[end] - drawn[end])).toBeLessThan(0.03);
