@@ -1,6 +1,7 @@
 // npm run pictures: takes the pictures in www/pictures from the built site in a headless browser,
 // those of the gallery and those of the first screen, and writes the results shown beside them. The
 // pictures are kept in the repository, and the next build puts them into the site.
+// npm run pictures -- first: takes those of the first screen only; the gallery takes some minutes.
 
 import { chromium } from '@playwright/test';
 import { mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -25,7 +26,7 @@ const BAR = 45;
  * the model, and pixels per CSS pixel.
  */
 const WINDOWS = {
-  wide: { viewport: { width: 1440, height: 900 }, part: 700, scale: 1.5, quality: 0.75 },
+  wide: { viewport: { width: 1440, height: 900 }, part: 700, scale: 1, quality: 0.75 },
   narrow: { viewport: { width: 390, height: 844 }, part: 480, scale: 2, quality: 0.7 },
 };
 /** Width of the soft edge of a picture of the first screen, in CSS pixels. */
@@ -238,17 +239,22 @@ async function takeGallery(browser, address) {
   }
 }
 
-await main(async () => {
-  rmSync(folder, { recursive: true, force: true });
-  mkdirSync(folder);
-  say('solving the examples for their results');
-  await run(
+/** Solves the examples and writes the results that the gallery shows. */
+const solveExamples = () =>
+  run(
     'cargo',
     ['test', '--locked', '--quiet', '--features', 'view', '--test', 'native', 'gallery'],
-    {
-      env: { UPDATE: '1' },
-    },
+    { env: { UPDATE: '1' } },
   );
+
+await main(async () => {
+  const onlyFirst = process.argv.includes('first');
+  if (!onlyFirst) {
+    rmSync(folder, { recursive: true, force: true });
+    mkdirSync(folder);
+    say('solving the examples for their results');
+    await solveExamples();
+  }
   const { address, close } = await serve(at('dist'), { port: 4273 });
   const browser = await chromium.launch({
     executablePath: await findBrowser(),
@@ -257,6 +263,7 @@ await main(async () => {
   try {
     say('taking pictures of the first screen');
     await takeFirst(browser, address);
+    if (onlyFirst) return;
     say('taking pictures of the gallery');
     await takeGallery(browser, address);
   } finally {

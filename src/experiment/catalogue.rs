@@ -1,5 +1,6 @@
-//! The files of the examples, which both the command line and the build of the page write: their
-//! scenes and meshes, and the list from which the page builds its menu and the gallery its cards.
+//! The files of the examples, which the command line and the build of the page write, and the engine
+//! of the page makes again: their scenes and meshes, and the list from which the page builds its menu
+//! and the gallery its cards.
 
 use super::Experiment;
 use crate::constraint::Info;
@@ -77,19 +78,30 @@ impl<'a> Entry<'a> {
     }
 }
 
+/// Returns the text of an example's scene or mesh by the name of the file; `None` if no example has
+/// a file of that name. Meshes are OBJ, or Medit if they have tetrahedra.
+pub fn example_file(name: &str) -> Option<String> {
+    let example = EXAMPLES.iter().find(|one| name == one.file() || name == one.mesh_file())?;
+    let (scene, mesh) = example.build();
+    Some(if name == example.file() { scene.to_json(&mesh) } else { mesh_text(&mesh) })
+}
+
+fn mesh_text(mesh: &Mesh) -> String {
+    match mesh.tets.is_empty() {
+        true => write_obj(mesh, &mesh.positions),
+        false => write_medit(mesh),
+    }
+}
+
 /// Returns the names and texts of all files: `<id>.shapeup.json` and the mesh of each example, and
-/// `index.json`. Meshes are OBJ, or Medit if they have tetrahedra.
+/// `index.json`.
 pub fn example_files() -> Vec<(String, String)> {
     let built: Vec<_> = EXAMPLES.iter().map(|example| (example, example.build())).collect();
     let mut files = Vec::new();
     let mut index = Vec::new();
     for (example, (scene, mesh)) in &built {
-        let text = match mesh.tets.is_empty() {
-            true => write_obj(mesh, &mesh.positions),
-            false => write_medit(mesh),
-        };
         files.push((example.file(), scene.to_json(mesh)));
-        files.push((example.mesh_file(), text));
+        files.push((example.mesh_file(), mesh_text(mesh)));
         index.push(Entry::new(example, scene, mesh));
     }
     let index = serde_json::to_string_pretty(&index).expect("it is plain data with finite numbers");

@@ -34,7 +34,7 @@ mod recovery;
 mod run;
 mod two_step;
 
-pub use catalogue::example_files;
+pub use catalogue::{example_file, example_files};
 pub use circularity::AngleSums;
 pub use comparison::COMPARISON;
 pub use declaration::{Experiment, Limits, MethodInfo, Over, Plot, Quantity, Unit};

@@ -6,6 +6,7 @@ mod statements;
 
 use shape_up::example::EXAMPLES;
 use shape_up::example::model::{Canopy, Creature, Dome, Hall, Lantern, Mounds};
+use shape_up::experiment::{example_file, example_files};
 use shape_up::mesh::{Mesh, Point, Topology, components, diagnose, read, write_medit, write_obj};
 use shape_up::scene::Scene;
 
@@ -154,4 +155,13 @@ fn meshes_and_scenes_come_back_from_their_files() {
     ids.sort_unstable();
     ids.dedup();
     assert_eq!(ids.len(), EXAMPLES.len());
+}
+
+#[test]
+fn a_single_file_of_an_example_is_the_one_that_is_written_with_all() {
+    for (name, text) in example_files() {
+        let single = example_file(&name);
+        assert!(single == Some(text) || name == "index.json" && single.is_none(), "{name}");
+    }
+    assert_eq!(example_file("canopy"), None);
 }

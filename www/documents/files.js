@@ -1,7 +1,7 @@
 /** File input and output: open, examples, save, export. Emits `opened` after each opened model. */
 
 import { count, ended, groupDigits, length } from '../ui/format.js';
-import { exampleFile, listOfExamples } from '../solver/examples.js';
+import { listOfExamples } from '../solver/examples.js';
 import { removeFirstPicture } from '../viewport/first-picture.js';
 import { Emitter } from '../solver/emitter.js';
 import { messageOf } from '../solver/messages.js';
@@ -143,7 +143,7 @@ export class Files extends Emitter {
   async openExample(example, first = false) {
     const names = [example.scene, example.mesh];
     const files = await Promise.all(
-      names.map(async (name) => ({ name, bytes: await exampleFile(name) })),
+      names.map(async (name) => ({ name, bytes: await this.exampleFile(name) })),
     );
     // The first view shows the fitted shapes.
     if (first) this.#actions.display({ shapes: true });
@@ -153,9 +153,9 @@ export class Files extends Emitter {
     this.#actions.setStatus(status || `Opened the example ${example.title}`);
   }
 
-  /** Fetches a mesh or a scene of the examples. @param {string} name */
+  /** Returns a mesh or a scene of the examples. @param {string} name */
   exampleFile(name) {
-    return exampleFile(name);
+    return this.#actions.exampleFile(name);
   }
 
   /** Reopens the model that was open before a new mesh. */

@@ -43,19 +43,14 @@
  * @typedef {{ label: string, shows: { split?: [SideChoice, SideChoice], plot?: string } }} Suggestion
  */
 
-const FOLDER = new URL(/* @vite-ignore */ 'examples/', document.baseURI);
+const LIST = new URL(/* @vite-ignore */ 'examples/index.json', document.baseURI);
 
 /** @returns {Promise<Example[]>} in the order of the figures */
 export async function listOfExamples() {
-  return JSON.parse(new TextDecoder().decode(await exampleFile('index.json')));
-}
-
-/** @param {string} name of a file of the examples @returns {Promise<Uint8Array>} */
-export async function exampleFile(name) {
-  const response = await fetch(new URL(name, FOLDER)).catch(() => {
-    throw new Error('The examples could not be fetched. Check the network.');
+  const response = await fetch(LIST).catch(() => {
+    throw new Error('The list of examples could not be fetched. Check the network.');
   });
   if (!response.ok)
-    throw new Error(`The example file ${name} could not be fetched (${response.status}).`);
-  return new Uint8Array(await response.arrayBuffer());
+    throw new Error(`The list of examples could not be fetched (${response.status}).`);
+  return response.json();
 }

@@ -209,6 +209,7 @@
  * - `trace`: the energies of the iterations up to the current shape, subsampled evenly for a plot.
  * - `meshOperations`: the operations on the mesh. `remeshing`: previews one of them. `refinements`:
  *   previews refining once, twice and so on.
+ * - `exampleFile`: the bytes of an example's scene or mesh, by the name of the file.
  * - `comparison`: the declaration of the experiment on the current model.
  * - `runExperiment`: starts the experiment of an example, on its files, the scene first, or the
  *   comparison on the current model, from its original shape; the current model is not changed.
@@ -251,6 +252,7 @@
  *   | { type: "obj", uv?: Float64Array, unwelded?: boolean }
  *   | { type: "table", table: "errors" | "convergence" | "angles" }
  *   | { type: "trace" }
+ *   | { type: "exampleFile", name: string }
  *   | { type: "comparison" }
  *   | { type: "runExperiment", of: { example: string, files: NamedBytes[] } | null, iterations: number }
  *   | { type: "experimentCsv" }
@@ -324,6 +326,7 @@
  * @property {string} obj
  * @property {string} table
  * @property {Float64Array} trace `#iterations by 6`: iteration, shape, close, smooth, handles, total
+ * @property {Uint8Array} exampleFile
  * @property {import("./examples.js").Experiment} comparison
  * @property {null} runExperiment
  * @property {string} experimentCsv

@@ -41,6 +41,9 @@ export function createQueries(solver, reportErrors) {
     /** Returns the angles of face corners, originally and now; reports errors. */
     angles: () => reportErrors(solver.request({ type: 'angles' })),
 
+    /** Returns a mesh or a scene of the examples. @param {string} name of the file */
+    exampleFile: (name) => solver.request({ type: 'exampleFile', name }),
+
     /** The energies of each iteration. */
     trace: () => solver.request({ type: 'trace' }),
 

@@ -1,5 +1,6 @@
 /** Handlers of the page's messages: one entry per command and per request. */
 
+import { exampleFile } from '../pkg/engine/shape_up.js';
 import { cancelExperiment, comparison, experimentCsv, runExperiment } from './experiment.js';
 import { missingFiles, open } from './open.js';
 import { findRemedies } from './remedies.js';
@@ -111,6 +112,7 @@ export function requestHandlers(solver, scheduler, post, died) {
     fewerFlips: ({ flipped }) => paused(() => solver.fewerFlips(flipped)),
     table: ({ table }) => solver.table(table),
     trace: () => solver.trace(),
+    exampleFile: ({ name }) => exampleFile(name),
     comparison,
     runExperiment: (message) => runExperiment(message, solver, post, died),
     experimentCsv,

@@ -87,7 +87,7 @@ test('the autosave module is requested before there is anything to edit', async 
   // It used to be requested after the first example: on a busy machine an edit followed quickly by
   // a reload was lost.
   const asked = page.waitForRequest(/\/autosave-[^/]*\.js$/);
-  await page.route('**/examples/canopy.*', async (route) => {
+  await page.route('**/examples/index.json', async (route) => {
     await asked;
     await route.continue();
   });

@@ -2,7 +2,6 @@
  * Compares methods on the open document: by the experiment of its example, or by the general one.
  */
 
-import { exampleFile } from '../../solver/examples.js';
 import { ExperimentDialog } from './plots-dialog.js';
 
 /** @param {import("../../app/context.js").AppContext} app */
@@ -11,8 +10,11 @@ export async function compareMethods(app) {
   const { example, document: scene } = store.get();
   if (example?.experiment) {
     const { id, experiment, scene, mesh } = example;
-    const fetched = [scene, mesh].map(async (name) => ({ name, bytes: await exampleFile(name) }));
-    const of = { example: id, files: await Promise.all(fetched) };
+    const made = [scene, mesh].map(async (name) => ({
+      name,
+      bytes: await actions.exampleFile(name),
+    }));
+    const of = { example: id, files: await Promise.all(made) };
     return new ExperimentDialog(experiment, { of, name: id }, app).open();
   }
   const experiment = await actions.comparison();
