@@ -13,12 +13,12 @@ const FAILURES = {
     words: `Shape-Up could not be started (a part of the page could not be fetched). ${REMEDY}`,
   },
   "the solver's module is not there": {
-    missing: '**/assets/solver-*.wasm',
+    missing: '**/assets/engine-*.wasm',
     status: 404,
     words: `The solver could not be started (its module could not be fetched: 404). ${REMEDY}`,
   },
   "the network fails at the solver's module": {
-    missing: '**/assets/solver-*.wasm',
+    missing: '**/assets/engine-*.wasm',
     words: `The solver could not be started (its module could not be fetched). ${REMEDY}`,
   },
   "the solver's worker is not there": {

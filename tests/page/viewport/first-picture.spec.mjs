@@ -122,7 +122,7 @@ test('it has the chosen theme rather than that of the system, and lets presses t
 test('presses made before anything has loaded take effect later', looks, async ({ page }) => {
   const releaseScript = await hold(page, '**/*.js');
   const releaseModules = await hold(page, '**/*.wasm');
-  const mesh = page.waitForResponse(/\/examples\/[^/]+\.obj$/);
+  const list = page.waitForResponse(/\/examples\/index\.json$/);
   await page.goto('./', { waitUntil: 'commit' });
   await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
   // On a phone the tools are in place only once the script has loaded.
@@ -133,8 +133,8 @@ test('presses made before anything has loaded take effect later', looks, async (
   if (!early) await run.click();
   const said = page.getByRole('status');
   await expect(said).toHaveText('Starts when the model is loaded');
-  // Also if the example has loaded and only the solver is missing.
-  await (await mesh).finished();
+  // Also if the list of examples has loaded and only the solver is missing.
+  await (await list).finished();
   await expect(said).toHaveText('Starts when the model is loaded');
   releaseModules();
   // A shape that is already exact would leave nothing to run.
