@@ -3,6 +3,7 @@
 
 import { test as base, expect } from '@playwright/test';
 import { decodePng, distinctColours } from './picture.mjs';
+import { closeContext, isWaiting, lend } from './shared-pages.mjs';
 
 export { expect };
 
@@ -43,29 +44,88 @@ export const looks = { tag: '@looks' };
 /** Device pixels per CSS pixel. */
 const HALF = 0.5;
 
+/** A context as Playwright makes it, in which pages start as the options of the test say. */
+async function makeContext(browser, options, { advanced, isLookedAt }) {
+  const context = await browser.newContext(options);
+  if (!isLookedAt) await context.addInitScript(leaveOutPixels);
+  if (advanced) await context.addInitScript(showAdvanced);
+  return context;
+}
+
 /**
  * Fails a test if the page throws or the console has an error or a warning. `advanced`: whether the
- * page starts with every control shown.
+ * page starts with every control shown; `fresh`: whether the test gets a browser context of its own,
+ * with nothing in its cache, as those need that are about starting, storage or crashes.
  */
 export const test = base.extend({
   advanced: [true, { option: true }],
+  fresh: [false, { option: true }],
   deviceScaleFactor: async ({ deviceScaleFactor }, use, { tags }) =>
     use(tags.includes(looks.tag) ? HALF : deviceScaleFactor),
-  context: async ({ context, advanced }, use, { tags }) => {
-    if (!tags.includes(looks.tag)) await context.addInitScript(leaveOutPixels);
-    if (advanced) await context.addInitScript(showAdvanced);
-    await use(context);
+  sharedPages: [
+    // eslint-disable-next-line no-empty-pattern
+    async ({}, use) => {
+      const pages = new Map();
+      await use(pages);
+      for (const { context } of pages.values()) await closeContext(context);
+    },
+    { scope: 'worker' },
+  ],
+  context: async (
+    {
+      browser,
+      sharedPages,
+      fresh,
+      advanced,
+      baseURL,
+      viewport,
+      deviceScaleFactor,
+      hasTouch,
+      isMobile,
+      serviceWorkers,
+      permissions,
+      proxy,
+    },
+    use,
+    testInfo,
+  ) => {
+    const isLookedAt = testInfo.tags.includes(looks.tag);
+    const options = {
+      ...{ baseURL, viewport, deviceScaleFactor, hasTouch, isMobile },
+      ...{ serviceWorkers, permissions, proxy },
+    };
+    const make = () => makeContext(browser, options, { advanced, isLookedAt });
+    if (fresh) {
+      const context = await make();
+      await use(context);
+      await closeContext(context);
+      return;
+    }
+    await lend(
+      sharedPages,
+      JSON.stringify([options, advanced, isLookedAt]),
+      make,
+      async (context) => {
+        await use(context);
+        return testInfo.status === testInfo.expectedStatus;
+      },
+    );
   },
+  page: async ({ context }, use) => use(context.pages()[0] ?? (await context.newPage())),
   complaints: [
     async ({ page }, use) => {
       const complaints = [];
-      page.on('pageerror', (error) => complaints.push(`uncaught: ${error.stack ?? error}`));
-      page.on('console', (message) => {
-        if (!['error', 'warning'].includes(message.type())) return;
-        if (allowed.some((pattern) => pattern.test(message.text()))) return;
-        complaints.push(`console ${message.type()}: ${message.text()} ${message.location().url}`);
-      });
+      const heard = {
+        pageerror: (error) => complaints.push(`uncaught: ${error.stack ?? error}`),
+        console(message) {
+          if (!['error', 'warning'].includes(message.type())) return;
+          if (allowed.some((pattern) => pattern.test(message.text()))) return;
+          complaints.push(`console ${message.type()}: ${message.text()} ${message.location().url}`);
+        },
+      };
+      for (const [event, hear] of Object.entries(heard)) page.on(event, hear);
       await use(complaints);
+      for (const [event, hear] of Object.entries(heard)) page.off(event, hear);
       expect(complaints, 'complaints of the browser').toEqual([]);
     },
     { auto: true },
@@ -86,7 +146,7 @@ export async function visit(page, query = '') {
 /** Opens the first example by its link, at its start and unsolved. */
 export async function openPage(page, query = '') {
   // If the page is already open, changing the fragment would not reload it.
-  if (page.url() !== 'about:blank') await page.goto('about:blank');
+  if (page.url() !== 'about:blank' && !isWaiting(page)) await page.goto('about:blank');
   await page.goto(`./?${query}#example=canopy`);
   await meshIsThere(page);
 }

@@ -291,6 +291,8 @@ function difference() {
   return changed.map((key) => `${key}: ${JSON.stringify(a[key])} became ${JSON.stringify(b[key])}`);
 }
 
+test.use({ fresh: true });
+
 test('after random input the solver is alive and undo leads back to the start', async ({
   page,
 }) => {

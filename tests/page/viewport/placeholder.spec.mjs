@@ -5,6 +5,8 @@ import { file, wavyGrid } from '../meshes.mjs';
 import { decodePng } from '../picture.mjs';
 import { coloursOfView, expect, looks, screenOf, state, test, waitForState } from '../support.mjs';
 
+test.use({ fresh: true });
+
 const viewOf = (page) => page.getByRole('application', { name: '3D view' });
 
 /** Holds requests back; returns a function that releases them. */
