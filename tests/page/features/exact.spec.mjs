@@ -4,6 +4,8 @@ import { openText, showPanel } from '../actions.mjs';
 import { quadScene, wavyGrid } from '../meshes.mjs';
 import { expect, openPage, screenOf, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 
@@ -115,22 +117,26 @@ test('a step iterates once, and notes that a run makes the shape exact', async (
   expect((await exact(page))?.met ?? false).toBe(false);
 });
 
-test('a press while a file is loading applies to that file', async ({ page }) => {
-  await openPage(page);
-  await openText(page, 'first.obj', wavyGrid(N), VERTICES);
-  // Delays the reading of the file.
-  await page.evaluate(() => {
-    const read = File.prototype.arrayBuffer;
-    File.prototype.arrayBuffer = async function () {
-      await new Promise((resolve) => setTimeout(resolve, 600));
-      return read.call(this);
-    };
+test.describe('with slow files', () => {
+  test.use({ sameDocument: false });
+
+  test('a press while a file is loading applies to that file', async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'first.obj', wavyGrid(N), VERTICES);
+    // Delays the reading of the file.
+    await page.evaluate(() => {
+      const read = File.prototype.arrayBuffer;
+      File.prototype.arrayBuffer = async function () {
+        await new Promise((resolve) => setTimeout(resolve, 600));
+        return read.call(this);
+      };
+    });
+    const larger = N + 2;
+    const text = wavyGrid(larger);
+    const chosen = { name: 'second.obj', mimeType: 'text/plain', buffer: Buffer.from(text) };
+    await page.getByLabel('Open file').setInputFiles(chosen);
+    await page.getByRole('button', { name: 'Make panels circular', exact: true }).click();
+    const end = await waitForState(page, (now) => !now.running && now.exact?.met);
+    expect(end.vertices).toBe((larger + 1) ** 2);
   });
-  const larger = N + 2;
-  const text = wavyGrid(larger);
-  const chosen = { name: 'second.obj', mimeType: 'text/plain', buffer: Buffer.from(text) };
-  await page.getByLabel('Open file').setInputFiles(chosen);
-  await page.getByRole('button', { name: 'Make panels circular', exact: true }).click();
-  const end = await waitForState(page, (now) => !now.running && now.exact?.met);
-  expect(end.vertices).toBe((larger + 1) ** 2);
 });

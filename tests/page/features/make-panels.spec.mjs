@@ -4,6 +4,8 @@ import { downloaded, openText, showPanel, tool } from '../actions.mjs';
 import { bumpyGrid, quadScene, steppedGrid, triangleScene, wavyGrid } from '../meshes.mjs';
 import { expect, openPage, screenOf, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 const VERDICT = (adjective) =>

@@ -7,6 +7,8 @@ const N = 6;
 const VERTICES = (N + 1) ** 2;
 const MIDDLE = (VERTICES - 1) / 2;
 
+test.use({ sameDocument: true });
+
 test.beforeEach(({ page }) => openGrid(page, N));
 
 const rows = (page) => page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
