@@ -1,6 +1,8 @@
 // Starting over in the same document, which takes a third of the time of loading another. The first
 // example is opened once more, and all that can be seen of the page is compared with a new one: if
-// anything differs (a setting, an open panel, the camera), the page is not used like that.
+// anything differs (a setting, an open panel, the camera), the page is not used like that. What the
+// page remembers and does not show cannot be compared: which rows were opened, and the last operation
+// on a mesh. Tests to which that matters do not say `sameDocument`.
 
 /** Runs in the page: closes what is open and opens the first example by its link. */
 async function openAgain() {

@@ -4,8 +4,6 @@ import { hidePanels, openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, screenOf, test, waitForState } from '../support.mjs';
 
-test.use({ sameDocument: true });
-
 const N = 4;
 const VERTICES = (N + 1) ** 2;
 

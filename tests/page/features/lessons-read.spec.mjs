@@ -3,8 +3,6 @@
 import { openExample, showPanel } from '../actions.mjs';
 import { expect, openPage, test, waitForState } from '../support.mjs';
 
-test.use({ sameDocument: true });
-
 const lesson = (page) => page.getByRole('region', { name: 'Lesson' });
 
 /** "Under Constraints open …, and set Required to …": the constraint is made exact at once. */

@@ -6,8 +6,6 @@ import { expect, openPage, state, test, waitForState } from '../support.mjs';
 
 const N = 4;
 
-test.use({ sameDocument: true });
-
 test.beforeEach(async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), (N + 1) ** 2);
