@@ -1,4 +1,6 @@
-// A local server of static files: dist/ for `npm start` and for the page tests.
+// A local server of static files: dist/ for `npm start` and for the page tests. A browser keeps what
+// it has fetched: the files of the bundler have new names with new content, the others are asked for
+// again, and sent only if they have changed.
 // As a program: node .scripts/serve.mjs [PORT] [BASE], where BASE is the path prefix of the site.
 
 import { createReadStream, statSync } from 'node:fs';
@@ -25,13 +27,18 @@ export const types = {
   '.webmanifest': 'application/manifest+json',
 };
 
-/** Returns the file of a request, or null. */
+/** The bundler's files, whose names contain a hash of their content. */
+const isHashed = (folder, file) => file.startsWith(join(folder, 'assets') + sep);
+
+/** Returns the file of a request and its version, or null. */
 function fileOf(folder, base, url) {
   try {
     const path = decodeURIComponent(new URL(url, 'http://localhost').pathname);
     if (!path.startsWith(base)) return null;
     const file = join(folder, path.slice(base.length), path.endsWith('/') ? 'index.html' : '');
-    return file.startsWith(folder + sep) && statSync(file).isFile() ? file : null;
+    const { size, mtimeMs } = statSync(file);
+    const isInside = file.startsWith(folder + sep) && statSync(file).isFile();
+    return isInside ? { file, version: `"${size}-${mtimeMs}"` } : null;
   } catch {
     return null;
   }
@@ -40,13 +47,20 @@ function fileOf(folder, base, url) {
 /** Serves `folder`, resolves with { address, close }. If the port is taken, tries the next ones. */
 export function serve(folder, { port, base = '/' }) {
   const server = createServer((request, response) => {
-    const file = fileOf(folder, base, request.url);
-    if (!file) {
+    const found = fileOf(folder, base, request.url);
+    if (!found) {
       response.writeHead(404, { 'content-type': 'text/plain' }).end('Not found\n');
       return;
     }
+    const { file, version } = found;
     const type = types[extname(file)] ?? 'application/octet-stream';
-    response.writeHead(200, { 'content-type': type, 'cache-control': 'no-cache' });
+    const kept = isHashed(folder, file) ? 'max-age=31536000, immutable' : 'no-cache';
+    const headers = { 'content-type': type, 'cache-control': kept, etag: version };
+    if (request.headers['if-none-match'] === version) {
+      response.writeHead(304, headers).end();
+      return;
+    }
+    response.writeHead(200, headers);
     createReadStream(file).pipe(response);
   });
   return new Promise((done, reject) => {

@@ -43,6 +43,12 @@ const specs = (names) => names.map((name) => `**/${name}.spec.mjs`);
 const executablePath = (await findBrowser()) ?? undefined;
 const launched = (args) => ({ launchOptions: { executablePath, args } });
 
+/**
+ * A function of a module has to run ten times as long as usual before it is compiled once more, for
+ * speed: most pages of the tests do not live that long.
+ */
+const lazily = '--js-flags=--wasm-tiering-budget=130000000';
+
 export default defineConfig({
   testDir: '.',
   testMatch: '*.spec.mjs',
@@ -62,7 +68,7 @@ export default defineConfig({
     // A service worker would answer in place of the server, whose answers some tests hold back.
     serviceWorkers: 'block',
     screenshot: 'only-on-failure',
-    ...launched(webgl2Flags),
+    ...launched([...webgl2Flags, lazily]),
   },
   projects: [
     {
@@ -74,12 +80,12 @@ export default defineConfig({
     },
     {
       name: 'both',
-      use: { viewport: { width: 1440, height: 900 }, ...launched(browserFlags) },
+      use: { viewport: { width: 1440, height: 900 }, ...launched([...browserFlags, lazily]) },
       testMatch: specs([BOTH]),
     },
     {
       name: 'alone',
-      use: { viewport: { width: 1440, height: 900 } },
+      use: { viewport: { width: 1440, height: 900 }, ...launched(webgl2Flags) },
       testMatch: specs([ALONE]),
       dependencies: ['desktop', 'both', 'phone'],
     },

@@ -3,6 +3,7 @@
 
 import { test as base, expect } from '@playwright/test';
 import { decodePng, distinctColours } from './picture.mjs';
+import { closeContext, isAtStart, isWaiting, lend, START } from './shared-pages.mjs';
 
 export { expect };
 
@@ -33,6 +34,9 @@ function showAdvanced() {
     localStorage.setItem('shape-up.advanced', 'shown');
 }
 
+/** Whether tests that can go on for long do so: see `npm run test:long`. */
+export const LONG = process.env.LONG === '1';
+
 /**
  * The tag of a test that examines the picture. Filling pixels in software takes longer than the
  * rest of a page: without the tag none are filled, and with it a quarter of them, as in a window
@@ -43,29 +47,98 @@ export const looks = { tag: '@looks' };
 /** Device pixels per CSS pixel. */
 const HALF = 0.5;
 
+/** A context as Playwright makes it, in which pages start as the options of the test say. */
+async function makeContext(browser, options, { advanced, isLookedAt }) {
+  const context = await browser.newContext(options);
+  if (!isLookedAt) await context.addInitScript(leaveOutPixels);
+  if (advanced) await context.addInitScript(showAdvanced);
+  return context;
+}
+
 /**
  * Fails a test if the page throws or the console has an error or a warning. `advanced`: whether the
- * page starts with every control shown.
+ * page starts with every control shown; `fresh`: whether the test gets a browser context of its own,
+ * with nothing in its cache, as those need that are about starting, storage or crashes;
+ * `sameDocument`: whether it may begin in the document of another test, where `openPage` comes first
+ * and nothing in the page is replaced.
  */
 export const test = base.extend({
   advanced: [true, { option: true }],
+  fresh: [false, { option: true }],
+  sameDocument: [false, { option: true }],
   deviceScaleFactor: async ({ deviceScaleFactor }, use, { tags }) =>
     use(tags.includes(looks.tag) ? HALF : deviceScaleFactor),
-  context: async ({ context, advanced }, use, { tags }) => {
-    if (!tags.includes(looks.tag)) await context.addInitScript(leaveOutPixels);
-    if (advanced) await context.addInitScript(showAdvanced);
-    await use(context);
+  sharedPages: [
+    // eslint-disable-next-line no-empty-pattern
+    async ({}, use) => {
+      const pages = new Map();
+      await use(pages);
+      for (const { context } of pages.values()) await closeContext(context);
+    },
+    { scope: 'worker' },
+  ],
+  context: async (
+    {
+      browser,
+      sharedPages,
+      fresh,
+      sameDocument,
+      advanced,
+      baseURL,
+      viewport,
+      deviceScaleFactor,
+      hasTouch,
+      isMobile,
+      serviceWorkers,
+      permissions,
+      proxy,
+    },
+    use,
+    testInfo,
+  ) => {
+    const isLookedAt = testInfo.tags.includes(looks.tag);
+    const options = {
+      ...{ baseURL, deviceScaleFactor, hasTouch, isMobile },
+      ...{ serviceWorkers, permissions, proxy },
+    };
+    const make = () => makeContext(browser, { ...options, viewport }, { advanced, isLookedAt });
+    if (fresh) {
+      const context = await make();
+      await use(context);
+      await closeContext(context);
+      return;
+    }
+    const kind = JSON.stringify([options, advanced, isLookedAt]);
+    await lend(sharedPages, kind, make, { viewport, sameDocument }, async (context) => {
+      await use(context);
+      return testInfo.status === testInfo.expectedStatus;
+    });
   },
+  /** Makes a page of another user, in a context of its own. */
+  otherPage: async ({ browser, baseURL }, use) => {
+    const made = [];
+    await use(async () => {
+      const context = await makeContext(browser, { baseURL, serviceWorkers: 'block' }, {});
+      made.push(context);
+      return context.newPage();
+    });
+    for (const context of made) await closeContext(context);
+  },
+  page: async ({ context }, use) => use(context.pages()[0] ?? (await context.newPage())),
   complaints: [
     async ({ page }, use) => {
       const complaints = [];
-      page.on('pageerror', (error) => complaints.push(`uncaught: ${error.stack ?? error}`));
-      page.on('console', (message) => {
-        if (!['error', 'warning'].includes(message.type())) return;
-        if (allowed.some((pattern) => pattern.test(message.text()))) return;
-        complaints.push(`console ${message.type()}: ${message.text()} ${message.location().url}`);
-      });
+      const heard = {
+        pageerror: (error) => complaints.push(`uncaught: ${error.stack ?? error}`),
+        console(message) {
+          if (!['error', 'warning'].includes(message.type())) return;
+          if (allowed.some((pattern) => pattern.test(message.text()))) return;
+          complaints.push(`console ${message.type()}: ${message.text()} ${message.location().url}`);
+        },
+      };
+      for (const [event, hear] of Object.entries(heard)) page.on(event, hear);
       await use(complaints);
+      for (const [event, hear] of Object.entries(heard)) page.off(event, hear);
       expect(complaints, 'complaints of the browser').toEqual([]);
     },
     { auto: true },
@@ -85,9 +158,10 @@ export async function visit(page, query = '') {
 
 /** Opens the first example by its link, at its start and unsolved. */
 export async function openPage(page, query = '') {
+  if (await isAtStart(page, query)) return;
   // If the page is already open, changing the fragment would not reload it.
-  if (page.url() !== 'about:blank') await page.goto('about:blank');
-  await page.goto(`./?${query}#example=canopy`);
+  if (page.url() !== 'about:blank' && !isWaiting(page)) await page.goto('about:blank');
+  await page.goto(START.replace('?', `?${query}`));
   await meshIsThere(page);
 }
 

@@ -1,4 +1,5 @@
-// The local server: the types that browsers require, a base path, and no files from outside.
+// The local server: the types that browsers require, a base path, what a browser may keep, and no
+// files from outside.
 
 import assert from 'node:assert/strict';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -9,10 +10,11 @@ import { after, test } from 'node:test';
 import { serve } from '../../.scripts/serve.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
-mkdirSync(join(folder, 'site'));
+mkdirSync(join(folder, 'site', 'assets'), { recursive: true });
 writeFileSync(join(folder, 'secret.txt'), 'secret');
 writeFileSync(join(folder, 'site', 'index.html'), '<p>page</p>');
 writeFileSync(join(folder, 'site', 'module.wasm'), 'wasm');
+writeFileSync(join(folder, 'site', 'assets', 'page-1a2b.js'), '1');
 const { address, close } = await serve(join(folder, 'site'), { port: 43170, base: '/sub/' });
 after(() => {
   close();
@@ -40,6 +42,22 @@ test('a folder is answered with its index.html', async () => {
 
 test('wasm has the type that allows streaming compilation', async () => {
   assert.equal((await get('/sub/module.wasm')).type, 'application/wasm');
+});
+
+test('a file is sent again only if it has changed, and one with a hash in its name never', async () => {
+  const [module, script] = ['module.wasm', 'assets/page-1a2b.js'];
+  const first = await fetch(address + module);
+  const again = await fetch(address + module, {
+    headers: { 'if-none-match': first.headers.get('etag') },
+  });
+  assert.deepEqual([first.status, again.status], [200, 304]);
+  assert.equal(first.headers.get('cache-control'), 'no-cache');
+  assert.match((await fetch(address + script)).headers.get('cache-control'), /immutable/);
+  writeFileSync(join(folder, 'site', module), 'another one');
+  const changed = await fetch(address + module, {
+    headers: { 'if-none-match': first.headers.get('etag') },
+  });
+  assert.deepEqual([changed.status, await changed.text()], [200, 'another one']);
 });
 
 test('nothing outside the folder or the base path is served', async () => {

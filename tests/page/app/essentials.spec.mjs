@@ -69,17 +69,14 @@ test('actions on a selection are offered once something is selected', async ({ p
   await expect(fix).toBeEnabled();
 });
 
-test.describe('in small windows', () => {
-  for (const [width, height] of [
-    [390, 844],
-    [844, 390],
-  ]) {
-    test(`nothing covers a moving model at ${width} by ${height}`, async ({ browser }) => {
-      const context = await browser.newContext({
-        ...{ viewport: { width, height }, hasTouch: true, isMobile: true },
-        serviceWorkers: 'block',
-      });
-      const page = await context.newPage();
+for (const [width, height] of [
+  [390, 844],
+  [844, 390],
+])
+  test.describe(`in a window of ${width} by ${height}`, () => {
+    test.use({ viewport: { width, height }, hasTouch: true, isMobile: true });
+
+    test('nothing covers a moving model', async ({ page }) => {
       await visit(page);
       await openText(page, 'roof.obj', wavyGrid(6), 49);
       const card = page.getByRole('group', { name: 'Panels', exact: true });
@@ -97,7 +94,5 @@ test.describe('in small windows', () => {
       // The verdict leaves most of the view free.
       const [lies, all] = [await card.boundingBox(), await view.boundingBox()];
       expect(lies.height / all.height).toBeLessThan(0.45);
-      await context.close();
     });
-  }
-});
+  });

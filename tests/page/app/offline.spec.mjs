@@ -9,7 +9,7 @@ import { serve } from '../../../.scripts/serve.mjs';
 import { downloaded, exported, openExample, runToTheEnd, showPanel } from '../actions.mjs';
 import { expect, keptOffline, state, test, visit, waitForState } from '../support.mjs';
 
-test.use({ serviceWorkers: 'allow' });
+test.use({ fresh: true, serviceWorkers: 'allow' });
 
 test('after one visit the page works without a network', async ({ page, context }) => {
   await visit(page);

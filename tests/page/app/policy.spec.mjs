@@ -45,7 +45,7 @@ const test = base.extend({
   },
 });
 
-test.use({ serviceWorkers: 'allow' });
+test.use({ fresh: true, serviceWorkers: 'allow' });
 
 test('from opening to sharing there are no requests to other sites and no violations', async ({
   page,

@@ -3,6 +3,8 @@
 
 import { expect, test } from '../support.mjs';
 
+test.use({ fresh: true });
+
 const REMEDY = 'Check the network, then reload the page.';
 
 /** What is missing, how it fails, and the message shown. */

@@ -13,6 +13,8 @@ import {
   waitForState,
 } from '../support.mjs';
 
+test.use({ fresh: true });
+
 /** A scene that needs far more iterations than the test has time for. */
 function endlessScene() {
   const scene = JSON.parse(quadScene(40));

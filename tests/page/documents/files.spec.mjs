@@ -18,6 +18,8 @@ import {
   waitForState,
 } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 test('a mesh opens with a report of its errors', async ({ page }) => {
   await openPage(page);
   await openText(page, 'odd.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n', 3);

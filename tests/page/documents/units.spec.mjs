@@ -13,6 +13,8 @@ import {
   waitForState,
 } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const guess = (page) => page.getByText(/ has no units or up axis\. Our guess:$/);
 const looksRight = (page) => page.getByRole('button', { name: 'Looks right' });
 const upOf = (page) => page.evaluate(() => window.shapeUp.scene().up ?? 'z');

@@ -11,6 +11,8 @@ import { downloaded, openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const N = 6;
 const SCALE = 50;
 const roof = `# units: m\n${wavyGrid(N)}`;

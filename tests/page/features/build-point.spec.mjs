@@ -5,6 +5,8 @@ import { wavyGrid } from '../meshes.mjs';
 import { outlinesOf, overPart } from '../sheets.mjs';
 import { expect, openPage, screenOf, state, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const N = 4;
 const panel = (page) => page.getByRole('region', { name: 'Parts and sheets' });
 const sheets = (page) => panel(page).getByRole('group', { name: 'Sheets' });

@@ -6,6 +6,8 @@ import { tube } from '../meshes.mjs';
 import { decodePng } from '../picture.mjs';
 import { expect, looks, openPage, state, test } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 /** A saddle of n by n quads, in metres, whose edges are at 45° to its lines of curvature. */
 function hypar(n) {
   const lines = ['# units: m'];

@@ -25,6 +25,8 @@ const test = base.extend({
   },
 });
 
+test.use({ fresh: true });
+
 /** Returns the frame once a model is open in it. */
 async function started(page, id) {
   const frame = await (await page.locator(`#${id}`).elementHandle()).contentFrame();

@@ -4,6 +4,8 @@ import { openText, showPanel } from '../actions.mjs';
 import { quadScene, wavyGrid } from '../meshes.mjs';
 import { expect, openPage, screenOf, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 
@@ -54,30 +56,35 @@ test('panels within a tolerance are made exact at a stated cost, and a drag keep
   expect(undone.exact.max_distance).toBeLessThan(1e-8);
 });
 
-test('a contradictory constraint is named, and one click makes it soft', async ({ page }) => {
-  await openPage(page);
-  const scene = JSON.parse(quadScene(N));
-  delete scene.current;
-  const length = (length) => ({
-    ...{ kind: 'line-segment', on: { vertices: [0, 1] }, length, require: 'exact' },
-    name: `Length ${length}`,
-  });
-  scene.constraints = [length(0.5), length(0.8)];
-  await openText(page, 'lengths.shapeup.json', JSON.stringify(scene), VERTICES);
-  await page.getByRole('button', { name: 'Run', exact: true }).click();
-  const unmet = await waitForState(page, (now) => !now.running && now.exact);
-  expect(unmet.exact).toMatchObject({ met: false, contradiction: true, unmet: [0, 1] });
-  await expect(verdict(page)).toContainText('2 of 2 cannot be met together');
-  await verdict(page).getByRole('button', { name: 'Make Length 0.8 soft' }).click();
-  await waitForState(page, (now) => !now.running && now.exact?.met);
+// The page remembers which rows were opened.
+test.describe('with every row closed', () => {
+  test.use({ sameDocument: false });
 
-  // The row shows it and can change it.
-  await showPanel(page, 'Model');
-  await page.getByRole('button', { name: /^Length 0\.5 on .*: parameters/ }).click();
-  const required = page.getByRole('combobox', { name: /^Length 0\.5 on .*: required/ });
-  await expect(required).toHaveValue('exact');
-  await required.selectOption('within');
-  await expect(page.getByRole('spinbutton', { name: /: within$/ })).toBeVisible();
+  test('a contradictory constraint is named, and one click makes it soft', async ({ page }) => {
+    await openPage(page);
+    const scene = JSON.parse(quadScene(N));
+    delete scene.current;
+    const length = (length) => ({
+      ...{ kind: 'line-segment', on: { vertices: [0, 1] }, length, require: 'exact' },
+      name: `Length ${length}`,
+    });
+    scene.constraints = [length(0.5), length(0.8)];
+    await openText(page, 'lengths.shapeup.json', JSON.stringify(scene), VERTICES);
+    await page.getByRole('button', { name: 'Run', exact: true }).click();
+    const unmet = await waitForState(page, (now) => !now.running && now.exact);
+    expect(unmet.exact).toMatchObject({ met: false, contradiction: true, unmet: [0, 1] });
+    await expect(verdict(page)).toContainText('2 of 2 cannot be met together');
+    await verdict(page).getByRole('button', { name: 'Make Length 0.8 soft' }).click();
+    await waitForState(page, (now) => !now.running && now.exact?.met);
+
+    // The row shows it and can change it.
+    await showPanel(page, 'Model');
+    await page.getByRole('button', { name: /^Length 0\.5 on .*: parameters/ }).click();
+    const required = page.getByRole('combobox', { name: /^Length 0\.5 on .*: required/ });
+    await expect(required).toHaveValue('exact');
+    await required.selectOption('within');
+    await expect(page.getByRole('spinbutton', { name: /: within$/ })).toBeVisible();
+  });
 });
 
 test('an exact shape is improved in one undo step, and the gain is shown', async ({ page }) => {
@@ -115,22 +122,26 @@ test('a step iterates once, and notes that a run makes the shape exact', async (
   expect((await exact(page))?.met ?? false).toBe(false);
 });
 
-test('a press while a file is loading applies to that file', async ({ page }) => {
-  await openPage(page);
-  await openText(page, 'first.obj', wavyGrid(N), VERTICES);
-  // Delays the reading of the file.
-  await page.evaluate(() => {
-    const read = File.prototype.arrayBuffer;
-    File.prototype.arrayBuffer = async function () {
-      await new Promise((resolve) => setTimeout(resolve, 600));
-      return read.call(this);
-    };
+test.describe('with slow files', () => {
+  test.use({ sameDocument: false });
+
+  test('a press while a file is loading applies to that file', async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'first.obj', wavyGrid(N), VERTICES);
+    // Delays the reading of the file.
+    await page.evaluate(() => {
+      const read = File.prototype.arrayBuffer;
+      File.prototype.arrayBuffer = async function () {
+        await new Promise((resolve) => setTimeout(resolve, 600));
+        return read.call(this);
+      };
+    });
+    const larger = N + 2;
+    const text = wavyGrid(larger);
+    const chosen = { name: 'second.obj', mimeType: 'text/plain', buffer: Buffer.from(text) };
+    await page.getByLabel('Open file').setInputFiles(chosen);
+    await page.getByRole('button', { name: 'Make panels circular', exact: true }).click();
+    const end = await waitForState(page, (now) => !now.running && now.exact?.met);
+    expect(end.vertices).toBe((larger + 1) ** 2);
   });
-  const larger = N + 2;
-  const text = wavyGrid(larger);
-  const chosen = { name: 'second.obj', mimeType: 'text/plain', buffer: Buffer.from(text) };
-  await page.getByLabel('Open file').setInputFiles(chosen);
-  await page.getByRole('button', { name: 'Make panels circular', exact: true }).click();
-  const end = await waitForState(page, (now) => !now.running && now.exact?.met);
-  expect(end.vertices).toBe((larger + 1) ** 2);
 });

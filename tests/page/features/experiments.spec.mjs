@@ -5,6 +5,8 @@ import { wavyGrid } from '../meshes.mjs';
 import { decodePng, distinctColours } from '../picture.mjs';
 import { expect, openPage, state, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 /** Opens the dialog of an example's experiment. */
 async function openExperiment(page, word) {
   await openExample(page, word);

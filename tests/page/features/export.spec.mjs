@@ -10,6 +10,8 @@ import { file, wavyGrid } from '../meshes.mjs';
 import { decodePng, distinctColours } from '../picture.mjs';
 import { expect, looks, openPage, positionOf, state, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const STEPS = 5;
 
 const BOX = [

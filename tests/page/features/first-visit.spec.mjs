@@ -15,6 +15,8 @@ import {
   waitForState,
 } from '../support.mjs';
 
+test.use({ fresh: true });
+
 test('text and tools appear before the solver and the view', async ({ page }) => {
   // Neither module ever arrives.
   await page.route('**/*.wasm', () => {});

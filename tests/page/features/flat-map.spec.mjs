@@ -10,6 +10,8 @@ import { box, tube, wavyGrid } from '../meshes.mjs';
 import { decodePng, differingBytes } from '../picture.mjs';
 import { drawn, expect, looks, openPage, screenOf, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const map = (page) => page.getByRole('application', { name: 'Flat map' });
 const value = (page, name) => page.locator(`dt:text-is("${name}") + dd`);
 

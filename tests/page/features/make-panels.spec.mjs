@@ -4,6 +4,8 @@ import { downloaded, openText, showPanel, tool } from '../actions.mjs';
 import { bumpyGrid, quadScene, steppedGrid, triangleScene, wavyGrid } from '../meshes.mjs';
 import { expect, openPage, screenOf, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 const VERDICT = (adjective) =>
@@ -57,31 +59,36 @@ test('one press makes an opened mesh circular, and a verdict shows how far it mo
   await expect(offer(page)).toBeHidden();
 });
 
-test('panels that would fold stay within a larger tolerance, and the reason is shown', async ({
-  page,
-}) => {
-  await openPage(page);
-  await openText(page, 'bumps.obj', bumpyGrid(12), 169);
-  await press(page, 'flat').click();
-  const { exact } = await waitForState(page, (now) => !now.running && now.exact?.met);
-  expect(exact.eased.folded).toBeGreaterThan(0);
-  expect(exact.tolerance).toBeGreaterThan(exact.eased.asked);
-  const words =
-    /^(\d+) of 144 panels are flat within 1 mm\. The other (\d+) would fold, so they are within [\d.]+ m+\./;
-  await expect(offer(page).getByText(words)).toBeVisible();
-  await expect(page.getByRole('status')).toHaveText(words);
-  await expect(offer(page).getByText(/folded or dented/)).toBeHidden();
-  await expect(offer(page).getByRole('button', { name: 'Show the folds' })).toBeHidden();
-  // The row shows it, too.
-  await showPanel(page, 'Model');
-  const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
-  await row.getByRole('button', { name: /parameters/ }).click();
-  await expect(
-    row.getByText(/^\d+ panels only within .+: any closer, they would fold\.$/),
-  ).toBeVisible();
-  // All of this is one undo step.
-  await tool(page, 'Undo');
-  await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
+// The page remembers which rows were opened.
+test.describe('with every row closed', () => {
+  test.use({ sameDocument: false });
+
+  test('panels that would fold stay within a larger tolerance, and the reason is shown', async ({
+    page,
+  }) => {
+    await openPage(page);
+    await openText(page, 'bumps.obj', bumpyGrid(12), 169);
+    await press(page, 'flat').click();
+    const { exact } = await waitForState(page, (now) => !now.running && now.exact?.met);
+    expect(exact.eased.folded).toBeGreaterThan(0);
+    expect(exact.tolerance).toBeGreaterThan(exact.eased.asked);
+    const words =
+      /^(\d+) of 144 panels are flat within 1 mm\. The other (\d+) would fold, so they are within [\d.]+ m+\./;
+    await expect(offer(page).getByText(words)).toBeVisible();
+    await expect(page.getByRole('status')).toHaveText(words);
+    await expect(offer(page).getByText(/folded or dented/)).toBeHidden();
+    await expect(offer(page).getByRole('button', { name: 'Show the folds' })).toBeHidden();
+    // The row shows it, too.
+    await showPanel(page, 'Model');
+    const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
+    await row.getByRole('button', { name: /parameters/ }).click();
+    await expect(
+      row.getByText(/^\d+ panels only within .+: any closer, they would fold\.$/),
+    ).toBeVisible();
+    // All of this is one undo step.
+    await tool(page, 'Undo');
+    await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
+  });
 });
 
 test('panels that fold at every tolerance are reported and shown', async ({ page }) => {
@@ -163,20 +170,25 @@ test('Something else opens the constraint dialog, and the offer disappears once 
   await expect(offer(page)).toBeHidden();
 });
 
-test('triangles are joined to quads first, and then the press is offered', async ({ page }) => {
-  await openPage(page);
-  await openText(page, 'triangles.shapeup.json', triangleScene(3), 16);
-  await expect(press(page, 'flat')).toBeHidden();
-  const join = page.getByRole('button', { name: 'Triangles to quads', exact: true });
-  await expect(join).toHaveAccessibleDescription(/triangles, which are always flat and circular/);
-  await join.click();
-  const dialog = page.getByRole('dialog', { name: 'Edit mesh' });
-  await expect(dialog.getByText('18 faces become 9 quads, with 16 vertices.')).toBeVisible();
-  await dialog.getByRole('button', { name: 'Apply' }).click();
-  await waitForState(page, (now) => now.faces === 9);
-  await expect(join).toBeHidden();
-  await press(page, 'flat').click();
-  await waitForState(page, (now) => !now.running && now.constraints.plane === 9);
+// The page remembers the last operation on a mesh.
+test.describe('with no operation chosen before', () => {
+  test.use({ sameDocument: false });
+
+  test('triangles are joined to quads first, and then the press is offered', async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'triangles.shapeup.json', triangleScene(3), 16);
+    await expect(press(page, 'flat')).toBeHidden();
+    const join = page.getByRole('button', { name: 'Triangles to quads', exact: true });
+    await expect(join).toHaveAccessibleDescription(/triangles, which are always flat and circular/);
+    await join.click();
+    const dialog = page.getByRole('dialog', { name: 'Edit mesh' });
+    await expect(dialog.getByText('18 faces become 9 quads, with 16 vertices.')).toBeVisible();
+    await dialog.getByRole('button', { name: 'Apply' }).click();
+    await waitForState(page, (now) => now.faces === 9);
+    await expect(join).toBeHidden();
+    await press(page, 'flat').click();
+    await waitForState(page, (now) => !now.running && now.constraints.plane === 9);
+  });
 });
 
 test('triangles are not offered to be joined where a lesson locks the mesh', async ({ page }) => {

@@ -5,6 +5,8 @@ import { openText, tool } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 async function openNewMesh(page) {
   await page.getByRole('button', { name: 'Examples' }).click();
   await page.getByRole('menuitem', { name: 'New mesh' }).click();

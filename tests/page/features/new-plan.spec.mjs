@@ -2,6 +2,8 @@
 
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 async function openPlan(page) {
   await openPage(page);
   await page.getByRole('button', { name: 'Examples' }).click();

@@ -4,6 +4,8 @@ import { openText, tool } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const dialogOf = (page) => page.getByRole('dialog', { name: 'Presentation' });
 const stageOf = (page) => page.getByRole('region', { name: 'Presentation' });
 

@@ -5,6 +5,8 @@ import { openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const N = 4;
 const VERTICES = (N + 1) ** 2;
 const FACES = N ** 2;

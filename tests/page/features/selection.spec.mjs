@@ -4,6 +4,8 @@ import { hidePanels, openText } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, screenOf, state, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const N = 6;
 const SIDE = N + 1;
 const VERTICES = SIDE ** 2;

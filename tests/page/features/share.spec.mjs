@@ -24,15 +24,14 @@ async function linkOf(page) {
 const dialogOf = (page) => page.getByRole('dialog', { name: 'Share' });
 
 /** Opens a link in a new browser context, as another user would. */
-async function openElsewhere(browser, link) {
-  const context = await browser.newContext({ serviceWorkers: 'block' });
-  const page = await context.newPage();
+async function openElsewhere(otherPage, link) {
+  const page = await otherPage();
   await page.goto(link);
   await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
   return page;
 }
 
-test("a link contains the user's mesh, which is solved again", async ({ page, browser }) => {
+test("a link contains the user's mesh, which is solved again", async ({ page, otherPage }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `g east\n${wavyGrid(4)}`, 25);
   await addConstraint(page, 'Plane', 'each face');
@@ -41,7 +40,7 @@ test("a link contains the user's mesh, which is solved again", async ({ page, br
   expect(new URL(link).hash).toMatch(/^#link=[\w-]+$/);
   await expect(dialogOf(page).getByText('Short enough')).toBeVisible();
 
-  const other = await openElsewhere(browser, link);
+  const other = await openElsewhere(otherPage, link);
   const after = await waitForState(other, (now) => now.converged && !now.running);
   expect(after.constraints).toEqual(before.constraints);
   expect(after.iteration).toBe(before.iteration);
@@ -52,7 +51,7 @@ test("a link contains the user's mesh, which is solved again", async ({ page, br
   expect(await sceneOf(other)).toEqual(await sceneOf(page));
 });
 
-test('an example is linked by name, together with its edits', async ({ page, browser }) => {
+test('an example is linked by name, together with its edits', async ({ page, otherPage }) => {
   await openPage(page);
   await openExample(page, 'Hypar');
   const asItCame = (await sceneOf(page)).constraints;
@@ -66,20 +65,20 @@ test('an example is linked by name, together with its edits', async ({ page, bro
   expect(edited.length).toBeLessThan(1000);
   expect((await sceneOf(page)).constraints).not.toEqual(asItCame);
 
-  const other = await openElsewhere(browser, edited);
+  const other = await openElsewhere(otherPage, edited);
   expect(await sceneOf(other)).toEqual(await sceneOf(page));
   // The same tab opens another link.
   await other.goto(plain);
   await expect.poll(async () => (await sceneOf(other)).constraints).toEqual(asItCame);
 });
 
-test('a dragged handle is restored at its target', async ({ page, browser }) => {
+test('a dragged handle is restored at its target', async ({ page, otherPage }) => {
   await openPage(page);
   const soft = (await state(page)).handles.find((handle) => !handle.fixed);
   await dragVertex(page, soft.vertex, [10, -20]);
   await waitForState(page, (now) => now.iteration > 0);
   const link = await linkOf(page);
-  const other = await openElsewhere(browser, link);
+  const other = await openElsewhere(otherPage, link);
   expect((await state(other)).handles).toEqual((await state(page)).handles);
 });
 

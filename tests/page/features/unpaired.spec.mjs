@@ -2,6 +2,8 @@
 
 import { expect, openPage, test } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 test('a symmetry reports how many vertices have an image', async ({ page }) => {
   await openPage(page);
   const open = (mirror) =>

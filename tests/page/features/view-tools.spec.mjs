@@ -24,6 +24,8 @@ import {
   waitForState,
 } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 /** Two squares side by side, two units wide, the right one three units higher; in metres. */
 const STEPS = `# units: m
 v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 3 0 3\nv 5 0 3\nv 5 2 3\nv 3 2 3

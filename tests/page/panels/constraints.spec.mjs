@@ -7,44 +7,51 @@ const N = 6;
 const VERTICES = (N + 1) ** 2;
 const MIDDLE = (VERTICES - 1) / 2;
 
+test.use({ sameDocument: true });
+
 test.beforeEach(({ page }) => openGrid(page, N));
 
 const rows = (page) => page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
 
-test('rows show their share of the energy, can be duplicated, keep the focus, and select their elements', async ({
-  page,
-}) => {
-  await addConstraint(page, 'Plane', 'each face');
-  await addConstraint(page, 'Circle', 'each face');
-  await showPanel(page, 'Model');
-  const share = async (row) => {
-    const text = await rows(page).nth(row).innerText();
-    return Number(/(\d+) % of energy/.exec(text)?.[1]);
-  };
-  await expect.poll(() => share(1)).toBeGreaterThan(0);
-  expect((await share(0)) + (await share(1))).toBeGreaterThan(97);
-  expect((await share(0)) + (await share(1))).toBeLessThan(103);
+// The page remembers which rows were opened.
+test.describe('with every row closed', () => {
+  test.use({ sameDocument: false });
 
-  const first = rows(page).first();
-  await first.getByRole('button', { name: /parameters/ }).click();
-  await first.getByRole('button', { name: /duplicate/ }).click();
-  await expect(rows(page)).toHaveCount(3);
-  const { constraints } = await sceneOf(page);
-  expect(constraints[0]).toEqual(constraints[1]);
-  // Their fields have equal names. The focus used to move to the first of them after a change.
-  const weight = rows(page)
-    .nth(1)
-    .getByRole('spinbutton', { name: /weight/ });
-  await weight.fill('3');
-  await weight.press('Enter');
-  await expect.poll(async () => (await sceneOf(page)).constraints[1].weight).toBe(3);
-  await expect(weight).toBeFocused();
-  await rows(page)
-    .first()
-    .getByRole('button', { name: /select what it acts on/ })
-    .click();
-  await waitForState(page, (now) => now.selection.faces.length === 36);
-  await expect(page.getByRole('status')).toHaveText('36 faces selected');
+  test('rows show their share of the energy, can be duplicated, keep the focus, and select their elements', async ({
+    page,
+  }) => {
+    await addConstraint(page, 'Plane', 'each face');
+    await addConstraint(page, 'Circle', 'each face');
+    await showPanel(page, 'Model');
+    const share = async (row) => {
+      const text = await rows(page).nth(row).innerText();
+      return Number(/(\d+) % of energy/.exec(text)?.[1]);
+    };
+    await expect.poll(() => share(1)).toBeGreaterThan(0);
+    expect((await share(0)) + (await share(1))).toBeGreaterThan(97);
+    expect((await share(0)) + (await share(1))).toBeLessThan(103);
+
+    const first = rows(page).first();
+    await first.getByRole('button', { name: /parameters/ }).click();
+    await first.getByRole('button', { name: /duplicate/ }).click();
+    await expect(rows(page)).toHaveCount(3);
+    const { constraints } = await sceneOf(page);
+    expect(constraints[0]).toEqual(constraints[1]);
+    // Their fields have equal names. The focus used to move to the first of them after a change.
+    const weight = rows(page)
+      .nth(1)
+      .getByRole('spinbutton', { name: /weight/ });
+    await weight.fill('3');
+    await weight.press('Enter');
+    await expect.poll(async () => (await sceneOf(page)).constraints[1].weight).toBe(3);
+    await expect(weight).toBeFocused();
+    await rows(page)
+      .first()
+      .getByRole('button', { name: /select what it acts on/ })
+      .click();
+    await waitForState(page, (now) => now.selection.faces.length === 36);
+    await expect(page.getByRole('status')).toHaveText('36 faces selected');
+  });
 });
 
 test('shapes that do not apply are named with the reason', async ({ page }) => {

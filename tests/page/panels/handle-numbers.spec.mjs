@@ -8,6 +8,8 @@ const N = 6;
 const VERTICES = (N + 1) ** 2;
 const MIDDLE = (VERTICES - 1) / 2;
 
+test.use({ sameDocument: true });
+
 const details = (page) => page.getByRole('group', { name: 'Selected handles' });
 const target = (page, axis) => details(page).getByRole('textbox', { name: `Target ${axis}` });
 const undoButton = (page) => page.getByRole('button', { name: 'Undo' });

@@ -6,12 +6,15 @@ import {
   dragVertex,
   drawn,
   expect,
+  LONG,
   openPage,
   screenOf,
   state,
   test,
   waitForState,
 } from '../support.mjs';
+
+test.use({ sameDocument: true });
 
 const MESHES = [
   { name: 'quads', text: quadScene(4), vertices: 25 },
@@ -110,8 +113,14 @@ async function tryKind(page, name, mesh) {
   return { before, after };
 }
 
-test('every kind can be added to a suitable mesh, and its energy falls', async ({ page }) => {
-  test.setTimeout(240_000);
+/** The kinds that are added and iterated: all of them with LONG=1, else some on each of the meshes. */
+const isTried = (name) =>
+  LONG || ['Plane', 'Sphere', 'Equal lengths', 'Tangent incircles', 'Volume'].includes(name);
+
+test('every kind is offered on a suitable mesh, can be added there, and its energy falls', async ({
+  page,
+}) => {
+  if (LONG) test.setTimeout(240_000);
   await openPage(page);
   const labels = (await kindsOf(page)).map((kind) => kind.label);
   const walked = new Set();
@@ -122,10 +131,11 @@ test('every kind can be added to a suitable mesh, and its energy falls', async (
     const offered = await namesIn(dialog, 'Shape');
     await dialog.getByRole('button', { name: 'Close' }).click();
     for (const name of offered.filter((one) => !walked.has(one))) {
+      walked.add(name);
+      if (!isTried(name)) continue;
       const { before, after } = await tryKind(page, name, mesh);
       expect(before, `${name} on ${mesh.name} has something to do`).toBeGreaterThan(NOTHING);
       expect(after, `${name} on ${mesh.name}`).toBeLessThan(before);
-      walked.add(name);
     }
   }
   expect([...walked].sort()).toEqual([...labels].sort());

@@ -4,6 +4,8 @@ import { addConstraint, openText, runToTheEnd, showPanel } from '../actions.mjs'
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 

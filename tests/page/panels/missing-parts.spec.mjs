@@ -85,6 +85,7 @@ test('the label of a drag comes at the next drag', async ({ page, complaints }) 
   await hidePanels(page);
   await page.mouse.click(...(await screenOf(page, MIDDLE)));
   await page.keyboard.press('h');
+  await waitForState(page, (now) => now.handles.length === 1);
   await dragVertex(page, MIDDLE, [60, 0]);
   await expect(alert(page)).toHaveText(WORDS);
   await page.unroute(part);

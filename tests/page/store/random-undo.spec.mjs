@@ -5,15 +5,18 @@ import {
   dragVertex,
   everything,
   expect,
+  LONG,
   screenOf,
   state,
   test,
   waitForState,
 } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const N = 4;
 const VERTICES = (N + 1) ** 2;
-const DEEDS = 16;
+const DEEDS = LONG ? 60 : 10;
 
 /** Returns a generator of numbers in [0, limit), the same on every machine for a seed. */
 function seeded(seed) {

@@ -11,6 +11,8 @@ import {
   waitForState,
 } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 const MIDDLE = (VERTICES - 1) / 2;

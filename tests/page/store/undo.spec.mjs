@@ -12,6 +12,8 @@ import {
   waitForState,
 } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 test('all actions are undone step by step to the start, and redone', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);

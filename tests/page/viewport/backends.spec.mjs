@@ -11,6 +11,8 @@ import {
   waitForState,
 } from '../support.mjs';
 
+test.use({ fresh: true });
+
 /** Records the variants of the view's module that a page loads. */
 function watchModules(page) {
   const loaded = new Set();

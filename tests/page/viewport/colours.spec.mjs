@@ -22,6 +22,8 @@ import {
   waitForState,
 } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 test("faces are coloured by their constraint's measure until the user chooses another", async ({
   page,
 }) => {

@@ -6,6 +6,8 @@
 import { showPanel } from '../actions.mjs';
 import { expect, screenOf, state, test, visit, waitForState } from '../support.mjs';
 
+test.use({ fresh: true });
+
 /** The example with about 2500 vertices. */
 const EXAMPLE = 'fig-05-mixed';
 /**

@@ -5,6 +5,8 @@ import { file, wavyGrid } from '../meshes.mjs';
 import { decodePng } from '../picture.mjs';
 import { coloursOfView, expect, looks, state, test, waitForState } from '../support.mjs';
 
+test.use({ fresh: true });
+
 // As a visitor sees the page for the first time.
 test.use({ advanced: false });
 

@@ -3,6 +3,8 @@
 import { addConstraint, hidePanels, openGrid, showPanel } from '../actions.mjs';
 import { everything, expect, screenOf, state, test, waitForState } from '../support.mjs';
 
+test.use({ sameDocument: true });
+
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 const MIDDLE = (VERTICES - 1) / 2;
