@@ -107,12 +107,13 @@ const inBrowser = [
   { title: 'sizes', run: script('sizes'), show: true },
 ];
 
-/** The benchmark measures the engine, and the program that the native tests run. */
+/** The program that the native tests run, with which the benchmark and the page are compared. */
+const program = {
+  title: 'the native program',
+  run: ['cargo', ['build', '--locked', '--bin', 'shape-up', '--features', 'view']],
+};
+
 const bench = [
-  {
-    title: 'the native program',
-    run: ['cargo', ['build', '--locked', '--bin', 'shape-up', '--features', 'view']],
-  },
   {
     title: 'benchmark at its smallest size',
     run: node('tests/bench/bench.test.mjs'),
@@ -124,7 +125,7 @@ const bench = [
 /** After everything else: they measure time, or need both cores. */
 const page = [
   {
-    title: 'response time of drags',
+    title: 'response times of the page',
     run: [tool('playwright'), pageTests('alone')],
     count: 'playwright',
     inputs: () => [...site(), at('tests', 'page')],
@@ -137,13 +138,13 @@ const page = [
   },
 ];
 
-const all = [[[...texts, ...compiled, ...inBrowser], native], [[...bench, ...page]]];
+const all = [[[...texts, ...compiled, ...inBrowser], native], [[program, ...bench, ...page]]];
 
 /** The stages of each command, one after another; the lanes of a stage run side by side. */
 export const stages = {
   check: [[[...texts, ...compiled], native]],
-  site: [[[...inBrowser, ...bench]]],
-  page: [[page]],
+  site: [[[...inBrowser, program, ...bench]]],
+  page: [[[program, ...page]]],
   test: all,
   long: all,
 };

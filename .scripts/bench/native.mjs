@@ -2,7 +2,7 @@
 
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { targetFolder } from '../project.mjs';
+import { program, targetFolder } from '../project.mjs';
 import { outputOf, Problem, run, say } from '../run.mjs';
 import { benchFolder } from './problems.mjs';
 import { median } from './statistics.mjs';
@@ -15,9 +15,8 @@ const reportFile = join(benchFolder, 'report.json');
 
 /** Compiles the program; a trial takes the one that `cargo test` leaves. */
 export async function nativeProgram(trial) {
-  const tested = join(targetFolder, 'debug', 'shape-up');
-  if (trial && !existsSync(tested)) throw new Problem('cargo test builds what a trial measures');
-  if (trial) return tested;
+  if (trial && !existsSync(program)) throw new Problem('cargo test builds what a trial measures');
+  if (trial) return program;
   say('compiling the native program');
   await run('cargo', ['build', '--locked', '--quiet', '--release', '--bin', 'shape-up']);
   return join(targetFolder, 'release', 'shape-up');

@@ -36,8 +36,8 @@ const ARRANGED = [
 /** The spec that compares WebGPU and WebGL2, in a browser that has both. */
 const BOTH = 'backends';
 
-/** The spec that measures time; `npm test` runs it alone, before the others. */
-const ALONE = 'drag-speed';
+/** The specs that measure time; `npm test` runs them alone, before the others. */
+const ALONE = ['drag-speed', 'build-large'];
 
 const specs = (names) => names.map((name) => `**/${name}.spec.mjs`);
 const executablePath = (await findBrowser()) ?? undefined;
@@ -75,7 +75,7 @@ export default defineConfig({
       name: 'desktop',
       use: { viewport: { width: 1440, height: 900 } },
       // Touch tests are for the phone.
-      testIgnore: specs(['phone', 'touch', BOTH, ALONE]),
+      testIgnore: specs(['phone', 'touch', BOTH, ...ALONE]),
       grepInvert: /@phone/,
     },
     {
@@ -86,7 +86,7 @@ export default defineConfig({
     {
       name: 'alone',
       use: { viewport: { width: 1440, height: 900 }, ...launched(webgl2Flags) },
-      testMatch: specs([ALONE]),
+      testMatch: specs(ALONE),
       dependencies: ['desktop', 'both', 'phone'],
     },
     {

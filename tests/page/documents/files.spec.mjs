@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { program } from '../../../.scripts/programs.mjs';
+import { program } from '../../../.scripts/project.mjs';
 import { addConstraint, exported, openText, runToTheEnd, saved, showPanel } from '../actions.mjs';
 import { file, wavyGrid } from '../meshes.mjs';
 import {
@@ -200,7 +200,7 @@ test('the export is identical to that of the command line for the same scene', a
     writeFileSync(input, scene.text);
     const options = ['solve', input, '--iterations', String(iterations), '--out', output];
     // The build of the site has compiled the program.
-    execFileSync(program('shape-up'), options);
+    execFileSync(program, options);
     expect(mesh.text).toBe(readFileSync(output, 'utf8'));
   } finally {
     rmSync(folder, { recursive: true });

@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import DxfParser from 'dxf-parser';
 import { unzipSync } from 'fflate';
-import { program } from '../../../.scripts/programs.mjs';
+import { program } from '../../../.scripts/project.mjs';
 import { downloaded, openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, test, waitForState } from '../support.mjs';
@@ -127,7 +127,7 @@ test('panels made circular and then exact are the outlines in the saved drawings
 
 test('on the command line too: solved exactly, then built', async () => {
   await inFolder(async (folder) => {
-    const run = (...asked) => execFileSync(program('shape-up'), asked, { cwd: folder });
+    const run = (...asked) => execFileSync(program, asked, { cwd: folder });
     writeFileSync(join(folder, 'roof.obj'), roof);
     run('solve', 'roof.obj', '--panels', 'circle', '--exact', '--out', 'exact.obj');
     mkdirSync(join(folder, 'parts'));

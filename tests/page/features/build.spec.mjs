@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import DxfParser from 'dxf-parser';
 import { unzipSync } from 'fflate';
-import { program } from '../../../.scripts/programs.mjs';
+import { program } from '../../../.scripts/project.mjs';
 import { downloaded, openText, saved, showPanel } from '../actions.mjs';
 import { quadScene, wavyGrid } from '../meshes.mjs';
 import { outlinesOf, overPart } from '../sheets.mjs';
@@ -80,7 +80,7 @@ test('circular panels become drawings in mm, identical to those of the command l
   try {
     const [input, report] = ['roof.shapeup.json', 'report.json'].map((name) => join(folder, name));
     writeFileSync(input, scene.text);
-    execFileSync(program('shape-up'), ['build', input, '--out', folder, '--report', report]);
+    execFileSync(program, ['build', input, '--out', folder, '--report', report]);
     expect(JSON.parse(readFileSync(report, 'utf8'))).toEqual(build);
     expect(files['model.glb'].toString('latin1', 0, 4)).toBe('glTF');
     for (const [name, content] of Object.entries(files))

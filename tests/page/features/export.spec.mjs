@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { program } from '../../../.scripts/programs.mjs';
+import { program } from '../../../.scripts/project.mjs';
 import { addConstraint, exported, openText, runToTheEnd, saved, tool } from '../actions.mjs';
 import { file, wavyGrid } from '../meshes.mjs';
 import { decodePng, distinctColours } from '../picture.mjs';
@@ -53,7 +53,7 @@ test('the exported tables equal the report of the command line', async ({ page }
     const [input, output] = ['roof.shapeup.json', 'report.json'].map((name) => join(folder, name));
     writeFileSync(input, scene.text);
     const options = ['solve', input, '--iterations', String(STEPS), '--trace', '--report', output];
-    execFileSync(program('shape-up'), options);
+    execFileSync(program, options);
     const report = JSON.parse(readFileSync(output, 'utf8'));
     expect(rowsOf(convergence.text)).toEqual(report.trace);
     const rows = rowsOf(errors.text);

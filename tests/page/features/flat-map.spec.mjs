@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { program } from '../../../.scripts/programs.mjs';
+import { program } from '../../../.scripts/project.mjs';
 import { openExample, openText, runToTheEnd, saved, showPanel } from '../actions.mjs';
 import { box, tube, wavyGrid } from '../meshes.mjs';
 import { decodePng, differingBytes } from '../picture.mjs';
@@ -28,7 +28,7 @@ function commandLine(obj, ...options) {
   try {
     writeFileSync(mesh, obj);
     const asked = ['--out', out, '--report', report, ...options];
-    execFileSync(program('shape-up'), ['parametrize', mesh, ...asked]);
+    execFileSync(program, ['parametrize', mesh, ...asked]);
     return { report: JSON.parse(readFileSync(report, 'utf8')), text: readFileSync(out, 'utf8') };
   } finally {
     rmSync(folder, { recursive: true });

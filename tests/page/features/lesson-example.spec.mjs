@@ -5,8 +5,7 @@ import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
-import { program } from '../../../.scripts/programs.mjs';
-import { at } from '../../../.scripts/project.mjs';
+import { at, program } from '../../../.scripts/project.mjs';
 import { downloaded, openExample, runToTheEnd, showPanel } from '../actions.mjs';
 import { expect, openPage, test, waitForState } from '../support.mjs';
 
@@ -66,7 +65,7 @@ test('the goals are missed by Run alone, met with the right weights, handed in a
     const file = join(mkdtempSync(join(tmpdir(), 'shape-up-lesson-')), results.name);
     writeFileSync(file, text);
     const words = ['check', file, '--scene', at('dist', 'examples', `${ID}.shapeup.json`)];
-    return promisify(execFile)(program('shape-up'), words).then(
+    return promisify(execFile)(program, words).then(
       ({ stdout }) => ({ stdout, code: 0 }),
       ({ stdout, stderr, code }) => ({ stdout: stdout + stderr, code }),
     );

@@ -5,7 +5,7 @@ import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
-import { program } from '../../../.scripts/programs.mjs';
+import { program } from '../../../.scripts/project.mjs';
 import { addConstraint, openText, runToTheEnd, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, test, waitForState } from '../support.mjs';
@@ -101,7 +101,7 @@ test('a lesson is written, met, handed in and checked', async ({ page }) => {
     writeFileSync(file, text);
     writeFileSync(exercise, saved.text);
     const words = ['check', file, '--scene', exercise];
-    return promisify(execFile)(program('shape-up'), words).then(
+    return promisify(execFile)(program, words).then(
       ({ stdout }) => ({ stdout, code: 0 }),
       ({ stdout, code }) => ({ stdout, code }),
     );
