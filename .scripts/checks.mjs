@@ -126,7 +126,7 @@ const bench = [
 const page = [
   {
     title: 'response times of the page',
-    run: [tool('playwright'), pageTests('alone')],
+    run: [tool('playwright'), [...pageTests('alone'), '--workers=1']],
     count: 'playwright',
     inputs: () => [...site(), at('tests', 'page')],
   },
