@@ -110,7 +110,8 @@ const inBrowser = [
 /** The program that the native tests run, with which the benchmark and the page are compared. */
 const program = {
   title: 'the native program',
-  run: ['cargo', ['build', '--locked', '--bin', 'shape-up', '--features', 'view']],
+  // As the tests compile it: by itself it would be compiled anew, with fewer features of its crates.
+  run: ['cargo', ['test', '--locked', '--no-run', '--features', 'view', '--test', 'native']],
 };
 
 const bench = [

@@ -4,7 +4,7 @@
 //! | file or folder | holds |
 //! |---|---|
 //! | `worker` | the interface of the solver |
-//! | `examples` | the files of the examples, for the build of the page |
+//! | `examples` | the files of the examples |
 //! | `page` | the interface of the view |
 //! | `build` | the interface of sheets and the build check |
 //! | `begin` | the interface of new meshes |
