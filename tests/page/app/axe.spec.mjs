@@ -34,6 +34,9 @@ function endlessScene() {
   return JSON.stringify(scene);
 }
 
+/** Runs in the page: whether nothing fades any more. */
+const isAtRest = () => !document.getAnimations().some((one) => one instanceof CSSTransition);
+
 /** axe's colour rules, the only ones that depend on the theme. */
 const OF_COLOURS = ['color-contrast', 'link-in-text-block'];
 
@@ -48,6 +51,7 @@ async function expectNothing(page, name = '') {
   const isPhone = test.info().project.name === 'phone';
   for (const [colorScheme, rules] of isPhone ? themes.slice(0, 1) : themes) {
     await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+    await page.waitForFunction(isAtRest);
     expect.soft(await complaintsOf(page, rules), `${name}, ${colorScheme}`).toEqual([]);
   }
 }
