@@ -133,6 +133,8 @@ export const test = base.extend({
         console(message) {
           if (!['error', 'warning'].includes(message.type())) return;
           if (allowed.some((pattern) => pattern.test(message.text()))) return;
+          // Asked for by the document in which pages wait; told at times only to the next test.
+          if (message.location().url.endsWith('/favicon.ico')) return;
           complaints.push(`console ${message.type()}: ${message.text()} ${message.location().url}`);
         },
       };
