@@ -1,8 +1,9 @@
 // wasm-bindgen: writes the JavaScript side of a compiled module. The crate has this as a library; a
-// small program of ours calls it, which compiles in a sixth of the time of its own command line.
+// small program of ours calls it, which compiles in a fraction of the time of its own command
+// line.
 
-import { at, targetFolder } from './project.mjs';
 import { join } from 'node:path';
+import { at, targetFolder } from './project.mjs';
 import { run } from './run.mjs';
 
 const manifest = at('.scripts', 'bindgen', 'Cargo.toml');

@@ -35,16 +35,29 @@ const pageTests = (...projects) => [
   ...process.argv.slice(3),
 ];
 
-/** What decides over the tests of Rust. Steps with `inputs` are skipped while these are unchanged. */
-const rust = () => [at('src'), ...toolchain, at('README.md')];
-const toolchain = ['Cargo.toml', 'Cargo.lock', '.cargo/config.toml'].map((name) => at(name));
+/** How everything is compiled and run. */
+const common = () =>
+  ['.scripts', '.cargo', 'Cargo.toml', 'Cargo.lock', 'package-lock.json'].map((name) => at(name));
+/**
+ * What decides over the tests of Rust, which also read the README and the results that the gallery
+ * shows. Steps with `inputs` are skipped while these are unchanged.
+ */
+const rust = () => [
+  ...common(),
+  ...['src', 'tests', 'README.md', 'www/pictures'].map((name) => at(name)),
+];
 /** What decides over the tests of the page: the site without the sources that it offers. */
-const site = () => filesUnder(at('dist')).filter((path) => !path.startsWith(at('dist', 'sources')));
+const site = () => [
+  ...common(),
+  at('tests', 'page'),
+  ...filesUnder(at('dist')).filter((path) => !path.startsWith(at('dist', 'sources'))),
+];
 
 const browserTests = (feature) => ({
   title: `tests of the ${feature} module in the browser`,
   run: ['cargo', ['test', ...moduleArguments(feature), '--test', `wasm_${feature.split('-')[0]}`]],
   count: 'cargo',
+  inputs: rust,
 });
 
 /** Formats and lints of what is not Rust: seconds each. */
@@ -78,7 +91,7 @@ const native = [
     title: 'native tests',
     run: ['cargo', ['test', '--locked', '--no-fail-fast', '--features', 'view']],
     count: 'cargo',
-    inputs: () => [...rust(), at('tests')],
+    inputs: rust,
   },
 ];
 
@@ -119,7 +132,7 @@ const bench = [
     title: 'benchmark at its smallest size',
     run: node('tests/bench/bench.test.mjs'),
     count: 'node',
-    inputs: () => [...rust(), at('tests', 'bench'), at('.scripts', 'bench')],
+    inputs: rust,
   },
 ];
 
@@ -129,13 +142,13 @@ const page = [
     title: 'response times of the page',
     run: [tool('playwright'), [...pageTests('alone'), '--workers=1']],
     count: 'playwright',
-    inputs: () => [...site(), at('tests', 'page')],
+    inputs: site,
   },
   {
     title: 'tests of the page in the browser',
     run: [tool('playwright'), pageTests('desktop', 'both', 'phone')],
     count: 'playwright',
-    inputs: () => [...site(), at('tests', 'page')],
+    inputs: site,
   },
 ];
 
