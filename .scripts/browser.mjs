@@ -3,7 +3,11 @@
 import { existsSync } from 'node:fs';
 import { outputOf, Problem } from './run.mjs';
 
-const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable'];
+/** The one without a window of its own first: the page tests take a sixth less time in it. */
+const names = [
+  ...['chromium-headless-shell', 'chromium', 'chromium-browser'],
+  ...['google-chrome', 'google-chrome-stable'],
+];
 
 // Ubuntu's chromium-browser may be a stub without a Chromium: a browser has to answer.
 const starts = (path) => outputOf(path, ['--version']) !== null;

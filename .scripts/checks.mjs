@@ -11,11 +11,11 @@ const tool = (name) => at('node_modules', '.bin', name);
 const script = (name, ...words) => ['node', [`.scripts/${name}.mjs`, ...words]];
 const node = (...tests) => ['node', ['--test', '--test-reporter=tap', ...tests]];
 
-/** Arguments of cargo for a check of all modules at once. */
-const allModules = [
-  ...['--locked', '--target', wasmTarget, '--no-default-features'],
-  ...['--features', modules.join(',')],
-];
+/**
+ * Arguments of cargo for a check of all modules at once. As they are released: what runs while they
+ * are compiled is there already, and the native builds beside are not waited for.
+ */
+const allModules = moduleArguments(modules.join(','));
 
 const nodeTests = ['scripts', 'page'].flatMap((folder) =>
   filesUnder(at('tests', folder))
@@ -53,12 +53,17 @@ const site = () => [
   ...filesUnder(at('dist')).filter((path) => !path.startsWith(at('dist', 'sources'))),
 ];
 
+const module = (feature) => ({ title: `the ${feature} module`, run: script('modules', feature) });
+
 const browserTests = (feature) => ({
   title: `tests of the ${feature} module in the browser`,
   run: ['cargo', ['test', ...moduleArguments(feature), '--test', `wasm_${feature.split('-')[0]}`]],
   count: 'cargo',
   inputs: rust,
 });
+
+/** Each before the next module, which takes its place as the library of this target. */
+const modulesAndTests = modules.flatMap((feature) => [module(feature), browserTests(feature)]);
 
 /** Formats and lints of what is not Rust: seconds each. */
 const texts = [
@@ -95,10 +100,9 @@ const native = [
   },
 ];
 
+/** After the modules, whose declarations `tsc` reads. */
 const compiled = [
-  { title: 'modules of the page', run: script('modules') },
   {
-    // After the modules, whose declarations it reads.
     title: 'types of the page',
     run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],
   },
@@ -114,8 +118,7 @@ const compiled = [
   },
 ];
 
-const inBrowser = [
-  ...modules.map(browserTests),
+const built = [
   { title: 'build of the site', run: script('build') },
   { title: 'sizes', run: script('sizes'), show: true },
 ];
@@ -152,12 +155,15 @@ const page = [
   },
 ];
 
-const all = [[[...texts, ...compiled, ...inBrowser], native], [[program, ...bench, ...page]]];
+const all = [
+  [[...texts, ...modulesAndTests, ...compiled, ...built], native],
+  [[program, ...bench, ...page]],
+];
 
 /** The stages of each command, one after another; the lanes of a stage run side by side. */
 export const stages = {
-  check: [[[...texts, ...compiled], native]],
-  site: [[[...inBrowser, program, ...bench]]],
+  check: [[[...texts, ...modules.map(module), ...compiled], native]],
+  site: [[[...modulesAndTests, ...built, program, ...bench]]],
   page: [[[program, ...page]]],
   test: all,
   long: all,

@@ -1,6 +1,11 @@
-// Builds the WebAssembly modules of the page in www/pkg/.
+// node .scripts/modules.mjs [<feature> ...]: builds modules of the page, or all, in www/pkg/.
 
-import { main } from './run.mjs';
-import { buildModules } from './wasm.mjs';
+import { main, Problem } from './run.mjs';
+import { buildModules, modules } from './wasm.mjs';
 
-await main(buildModules);
+await main(async () => {
+  const wanted = process.argv.slice(2);
+  const unknown = wanted.find((feature) => !modules.includes(feature));
+  if (unknown) throw new Problem(`${unknown} is no module: ${modules.join(', ')}`);
+  await buildModules(wanted.length > 0 ? wanted : modules);
+});

@@ -17,7 +17,9 @@ export async function setUpBrowser() {
       say(error.message);
     }
   }
-  throw new Problem('No browser for the tests. Install one: sudo apt install chromium');
+  throw new Problem(
+    'No browser for the tests. Install one: sudo apt install chromium-headless-shell',
+  );
 }
 
 async function downloadChromium() {
@@ -29,6 +31,6 @@ async function downloadChromium() {
 }
 
 async function installChromium() {
-  say('installing the system package chromium');
-  await apt.install('chromium');
+  say('installing the system package chromium-headless-shell');
+  await apt.install('chromium-headless-shell');
 }

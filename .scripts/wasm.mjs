@@ -26,10 +26,10 @@ function sourcesOf(feature) {
   return paths.filter((path) => isOfView(relative(root, path)));
 }
 
-/** Builds all modules. */
-export async function buildModules() {
+/** Builds modules, or all of them. */
+export async function buildModules(wanted = modules) {
   await buildBindgen();
-  for (const feature of modules) await buildModule(feature);
+  for (const feature of wanted) await buildModule(feature);
 }
 
 /** Builds one module into `www/pkg/<feature>/`. */
