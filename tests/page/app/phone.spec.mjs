@@ -172,7 +172,7 @@ test.describe('behind tabs', () => {
     await page.keyboard.press('Escape');
     await expect(divider).toBeHidden();
 
-    await openExample(page, 'Mask');
+    await openExample(page, 'Hypar');
     await showPanel(page, SHEET);
     await page.getByRole('button', { name: 'Flatten' }).click();
     const map = page.getByRole('application', { name: 'Flat map' });

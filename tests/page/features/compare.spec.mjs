@@ -110,7 +110,7 @@ test(
   'both sides show bands, ghost and ground, and a saved picture has bands in both legends',
   looks,
   async ({ page }, { project }) => {
-    await openExample(page, 'fig-05-planar', 2040);
+    await openExample(page, 'fig-04-squares', 384);
     await page.getByRole('button', { name: 'Step' }).click();
     await waitForState(page, (state) => state.iteration === 1);
     await view(page).focus();

@@ -44,7 +44,7 @@ async function pictureOf(page, part) {
 test('an example is flattened, and Escape returns to the model', looks, async ({ page }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');
-  await openExample(page, 'Mask');
+  await openExample(page, 'Hypar');
   await expect(map(page)).toBeHidden();
   await parametrize(page);
   await expect(map(page)).toBeVisible();
