@@ -3,7 +3,7 @@
 
 import { readdirSync } from 'node:fs';
 import { relative } from 'node:path';
-import { at, root, wasmTarget } from './project.mjs';
+import { at, root } from './project.mjs';
 import { filesUnder } from './stamp.mjs';
 import { moduleArguments, modules } from './wasm.mjs';
 
