@@ -3,7 +3,7 @@
 
 import { readdirSync } from 'node:fs';
 import { relative } from 'node:path';
-import { at, root } from './project.mjs';
+import { at, root, wasmTarget } from './project.mjs';
 import { filesUnder } from './stamp.mjs';
 import { moduleArguments, modules } from './wasm.mjs';
 
@@ -12,10 +12,13 @@ const script = (name, ...words) => ['node', [`.scripts/${name}.mjs`, ...words]];
 const node = (...tests) => ['node', ['--test', '--test-reporter=tap', ...tests]];
 
 /**
- * Arguments of cargo for a check of all modules at once. As they are released: what runs while they
- * are compiled is there already, and the native builds beside are not waited for.
+ * Arguments of cargo for a check of all modules at once. Not as they are released: cargo would wait
+ * until the lane beside has compiled them.
  */
-const allModules = moduleArguments(modules.join(','));
+const allModules = [
+  ...['--locked', '--target', wasmTarget, '--no-default-features'],
+  ...['--features', modules.join(',')],
+];
 
 const nodeTests = ['scripts', 'page'].flatMap((folder) =>
   filesUnder(at('tests', folder))
@@ -82,7 +85,13 @@ const texts = [
   },
 ];
 
-const native = [
+/** After the modules, whose declarations it reads. */
+const types = {
+  title: 'types of the page',
+  run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],
+};
+
+const rustChecks = [
   { title: 'format of Rust', run: ['cargo', ['fmt', '--check', '--', ...operators]] },
   {
     // With the view, which needs no GPU to be checked and tested.
@@ -93,28 +102,6 @@ const native = [
     ],
   },
   {
-    title: 'unit tests',
-    run: ['cargo', ['test', '--locked', '--features', 'view', '--lib']],
-    // They run for seconds even so, and the crate compiles three times as fast.
-    env: { CARGO_PROFILE_TEST_OPT_LEVEL: '0' },
-    count: 'cargo',
-    inputs: rust,
-  },
-  {
-    title: 'native tests',
-    run: ['cargo', ['test', '--locked', '--features', 'view', '--test', 'native']],
-    count: 'cargo',
-    inputs: rust,
-  },
-];
-
-/** After the modules, whose declarations `tsc` reads. */
-const compiled = [
-  {
-    title: 'types of the page',
-    run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],
-  },
-  {
     title: 'lints of Rust, modules',
     run: ['cargo', ['clippy', '--lib', '--test', 'wasm_*', ...allModules, '--', '-D', 'warnings']],
   },
@@ -123,6 +110,12 @@ const compiled = [
     title: 'documentation',
     run: ['cargo', ['doc', '--no-deps', ...allModules]],
     env: { RUSTDOCFLAGS: '-D warnings' },
+  },
+  {
+    title: 'native tests',
+    run: ['cargo', ['test', '--locked', '--no-fail-fast', '--features', 'view']],
+    count: 'cargo',
+    inputs: rust,
   },
 ];
 
@@ -164,13 +157,13 @@ const page = [
 ];
 
 const all = [
-  [[...texts, ...modulesAndTests, ...compiled, ...built], native],
+  [[...texts, ...modulesAndTests, types, ...built], rustChecks],
   [[program, ...bench, ...page]],
 ];
 
 /** The stages of each command, one after another; the lanes of a stage run side by side. */
 export const stages = {
-  check: [[[...texts, ...modules.map(module), ...compiled], native]],
+  check: [[[...texts, ...modules.map(module), types], rustChecks]],
   site: [[[...modulesAndTests, ...built, program, ...bench]]],
   page: [[[program, ...page]]],
   test: all,
