@@ -110,6 +110,15 @@ fn whatever_is_open_can_be_compared_with_bfgs_where_it_fits() {
     assert_eq!(of(&large, "l-bfgs").ended_by, Some(EndedBy::Iterations));
 }
 
+/// The length of the shortest edge of an example at its start.
+fn shortest_edge_of(example: &str) -> f64 {
+    let (scene, mesh) = EXAMPLES.iter().find(|e| e.id == example).expect("there is one").build();
+    let session = Session::open(scene, mesh).expect("it fits");
+    let at = |v: u32| Vec3::from(session.positions()[v as usize]);
+    let lengths = session.topology().edges().iter().map(|&[a, b]| (at(b) - at(a)).length());
+    lengths.fold(f64::INFINITY, f64::min)
+}
+
 /// Fig. 11: at the same circularity error Shape-Up is smoother, and lets edges shrink further.
 #[test]
 fn fitted_circles_are_smoother_than_penalised_angles_at_the_same_error() {
@@ -125,6 +134,7 @@ fn fitted_circles_are_smoother_than_penalised_angles_at_the_same_error() {
     for (a, b) in start.iter().zip(&all[1].1.samples[0].values) {
         assert!((a - b).abs() <= 1e-12 * a, "the same start: {a} and {b}");
     }
+    assert!((start[2] / shortest_edge_of("fig-11-strip") - 1.0).abs() < 1e-12, "{start:?}");
     assert!((fitted[1] / penalised[1] - 1.0).abs() < 0.1, "{fitted:?} {penalised:?}");
     assert!(fitted[0] < 0.93 * penalised[0], "{fitted:?} {penalised:?}");
     assert!(fitted[2] < 0.05 * start[2], "{fitted:?} of {start:?}");

@@ -42,6 +42,23 @@ fn results_that_only_say_so_do_not() {
 }
 
 #[test]
+fn results_with_one_locked_part_altered_do_not_pass() {
+    let locked = LESSON.replace("\"goals\"", "\"lock\": [\"weights\"], \"goals\"");
+    let given = scene(&format!("{PLANES}{locked}"));
+    let mesh = shape_up::mesh::read("roof.obj", ROOF.as_bytes()).unwrap().mesh;
+    let parsed = shape_up::scene::Scene::from_json(&given).unwrap();
+    let mut session = shape_up::session::Session::open(parsed, mesh).unwrap();
+    session.solve(false).unwrap();
+    let mut results = session.results("Mallory", "").unwrap();
+    results.weights.as_mut().unwrap().close = 0.5;
+    let folder = Folder::new("altered");
+    folder.write("roof.obj", ROOF).write("s.json", given).write("r.json", results.to_json());
+    let ended = folder.run(&["check", "r.json", "--scene", "s.json"]);
+    assert_eq!(ended.code, Some(1), "{ended:?}");
+    assert_eq!(ended.err, "r.json: locked weights altered, expected the same as in the scene\n");
+}
+
+#[test]
 fn results_of_something_else_are_refused() {
     let folder = folder("else");
     let check = |results: &str, scene: &str| folder.run(&["check", results, "--scene", scene]);

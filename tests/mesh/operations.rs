@@ -299,6 +299,17 @@ fn a_flat_boundary_goes_outward_as_far_as_asked() {
 }
 
 #[test]
+fn a_row_of_quads_around_a_sharp_corner_has_no_spike() {
+    // A corner of six degrees, whose sides would meet at nineteen times the distance.
+    let positions = vec![[0.0, 0.0, 0.0], [10.0, -0.5, 0.0], [10.0, 0.5, 0.0]];
+    let mesh = Mesh { positions, faces: [&[0, 1, 2][..]].into_iter().collect() };
+    let Edited { mesh: wider, .. } =
+        apply(&mesh, "extrude", Some(&[0.5, 0.0]), &Picked::default()).unwrap();
+    let [x, y, _] = wider.positions[3];
+    assert!((x + 1.0).abs() < 1e-12 && y.abs() < 1e-12, "twice the distance: {x}, {y}");
+}
+
+#[test]
 fn holes_are_closed_and_the_outline_stays() {
     let mut mesh = flat(5, 5);
     let whole = mesh.clone();

@@ -162,6 +162,15 @@ fn a_filled_boundary_is_a_surface_with_that_boundary() {
 }
 
 #[test]
+fn corners_are_taken_along_the_curve_however_sharp_they_are() {
+    // The first and the third are the sharpest.
+    let corners = vec![[0.0, 0.0, 0.0], [5.0, -2.0, 0.0], [10.5, 0.0, 0.0], [5.0, 2.5, 0.0]];
+    let mesh = fill(&curves(&[(corners, true)])[0], 0.5, UP).unwrap();
+    assert_sound(&mesh);
+    assert!((area(&mesh) - 0.5 * 10.5 * 4.5).abs() < 1e-9, "{}", area(&mesh));
+}
+
+#[test]
 fn a_point_at_the_one_before_and_ends_that_meet_make_no_difference() {
     let [low, high] = [arch(6, 0.0, 3.0), arch(9, 4.0, 5.0)];
     let lofted = |first: Vec<Point>| {

@@ -175,6 +175,40 @@ fn the_step_minimises_what_the_energies_say() {
 }
 
 #[test]
+fn every_accelerator_ends_where_the_energies_are_least() {
+    // Its steps follow the gradient, in which every vertex has its own weight.
+    let mesh = grid(true);
+    for (to, accelerator) in ["rest", "surface"]
+        .into_iter()
+        .flat_map(|to| [(to, Accelerator::QuasiNewton), (to, Accelerator::Anderson)])
+    {
+        let rest = format!(
+            r#"{ROW}, "closeness": {{ "to": "{to}", {WEIGHTS} }}, "smoothness": {{ "of": "displacement" }},
+                "handles": [{{ "vertices": [7], "weight": 3, "targets": [[1, 1, 1]] }}]"#
+        );
+        let mut scene = scene(&rest);
+        scene.weights.smooth = 0.3;
+        scene.solver.accelerator = accelerator;
+        scene.solver.tolerance = 0.0;
+        let mut session = Session::open(scene.clone(), mesh.clone()).expect("it fits");
+        (0..400).for_each(|_| _ = session.step().expect("positions stay finite"));
+        let (least, lowest) = (session.solver().energy().total, session.positions());
+        for v in 0..mesh.positions.len() {
+            for i in 0..3 {
+                for by in [-1e-3, 1e-3] {
+                    let mut moved = lowest.clone();
+                    moved[v][i] += by;
+                    scene.current = Some(moved);
+                    let session = Session::open(scene.clone(), mesh.clone()).expect("it fits");
+                    let energy = session.solver().energy().total;
+                    assert!(energy >= least, "{to}, {accelerator:?}, vertex {v}: {energy} {least}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn without_mean_centring_the_energy_is_the_same_and_the_step_is_shorter() {
     let mesh = grid(false);
     let step = |mean_centring: bool| {

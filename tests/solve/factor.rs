@@ -72,7 +72,7 @@ fn both_factorisations_give_the_same_shapes() {
     }
 }
 
-/// Compares one plain step of the edited session with one of a session opened on the same scene.
+/// Compares one step of the edited session with one of a session opened on the same scene.
 fn check_as_opened_anew(session: &mut Session, seed: u64, what: &str) {
     let mut anew = open(&session.scene(), seed);
     let (energy, expected) = (session.solver().energy(), anew.solver().energy());
@@ -84,17 +84,24 @@ fn check_as_opened_anew(session: &mut Session, seed: u64, what: &str) {
     run(session, 1);
     run(&mut anew, 1);
     let far = farthest(&session.positions(), &anew.positions());
-    assert!(far <= 1e-10, "{what}: {far} apart after a step");
+    // Other steps than plain ones are solved in single precision.
+    let is_plain = session.scene().solver.accelerator == Accelerator::None;
+    let tolerance = if is_plain { 1e-10 } else { 1e-5 };
+    assert!(far <= tolerance, "{what}: {far} apart after a step");
     assert_eq!(session.report().unknowns, anew.report().unknowns, "{what}");
 }
 
 #[test]
 fn edits_end_where_the_edited_scene_begins() {
     for (problem, seed) in PROBLEMS.into_iter().zip(1..) {
-        for factorization in [Factorization::Supernodal, Factorization::SprsLdl] {
+        for (factorization, accelerator) in [
+            (Factorization::Supernodal, Accelerator::None),
+            (Factorization::SprsLdl, Accelerator::None),
+            (Factorization::Supernodal, Accelerator::QuasiNewton),
+        ] {
             let mut scene = scene(problem);
             scene.solver.factorization = factorization;
-            scene.solver.accelerator = Accelerator::None;
+            scene.solver.accelerator = accelerator;
             let mut session = open(&scene, seed);
             run(&mut session, 3);
             let edits: Vec<(&str, Edit)> = vec![

@@ -178,6 +178,23 @@ fn the_ground_lies_below_and_goes_with_another_mesh() {
 }
 
 #[test]
+fn lines_of_the_ghost_and_of_the_ground_join_their_own_points() {
+    let mut state = state();
+    // Four vertices and five edges.
+    let corners = [0.0, 0.0, 0.0, 9.0, 0.0, 0.0, 9.0, 9.0, 0.0, 0.0, 9.0, 0.0];
+    state.set_mesh((vec![0, 3, 6], vec![0, 1, 2, 0, 2, 3]), (vec![], vec![]), &corners).unwrap();
+    state.set_rest(&corners).unwrap();
+    state.set_surroundings(true, true);
+    let points: Vec<_> = state.surrounding_points().collect();
+    let lines = state.surrounding_lines();
+    assert_eq!(lines.iter().filter(|line| line[2] == LineKind::Ghost as u32).count(), 5);
+    for [a, b, kind] in lines {
+        let is_ground = kind == LineKind::Ground as u32;
+        assert!([a, b].iter().all(|&end| (points[end as usize].z < 0.0) == is_ground));
+    }
+}
+
+#[test]
 fn the_tape_measures_now_and_at_rest() {
     let mut state = state();
     state.set_tape(&[0, 6]).unwrap();

@@ -23,6 +23,11 @@ test('the guess is shown in the panel, covers nothing, and is written into saved
   page,
 }) => {
   await openPage(page);
+  // Forty other files are remembered, as many as there is room for.
+  await page.evaluate(() => {
+    const others = Array.from({ length: 40 }, (_, k) => [`${k}.obj`, { units: 'mm', up: 'z' }]);
+    localStorage.setItem('shape-up.frames', JSON.stringify(others));
+  });
   // The example states its unit and axis.
   await showPanel(page, 'Model');
   await expect(guess(page)).toBeHidden();

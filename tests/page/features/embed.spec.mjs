@@ -94,6 +94,9 @@ test('a view in a page of another origin starts with a press and is controlled b
   await call(page, 'a', { name: 'handle', vertex: 2, target: [1, 1, 1] });
   const { handles } = (await call(page, 'a', { name: 'state' })).result;
   expect(handles[0]).toMatchObject({ vertex: 2, target: [1, 1, 1] });
+  expect((await call(page, 'a', { name: 'handle', vertex: 9, target: [0, 0, 0] })).error).toMatch(
+    /vertex 9|vertices/,
+  );
   expect((await call(page, 'a', { name: 'weight', constraint: 9, weight: 1 })).error).toMatch(
     /constraint/,
   );

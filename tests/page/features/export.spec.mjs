@@ -7,8 +7,17 @@ import { join } from 'node:path';
 import { program } from '../../../.scripts/project.mjs';
 import { addConstraint, exported, openText, runToTheEnd, saved, tool } from '../actions.mjs';
 import { file, wavyGrid } from '../meshes.mjs';
-import { decodePng, distinctColours } from '../picture.mjs';
-import { expect, looks, openPage, positionOf, state, test, waitForState } from '../support.mjs';
+import { decodePng, differingBytes, distinctColours } from '../picture.mjs';
+import {
+  expect,
+  looks,
+  middleOfPicture,
+  openPage,
+  positionOf,
+  state,
+  test,
+  waitForState,
+} from '../support.mjs';
 
 test.use({ sameDocument: true });
 
@@ -156,6 +165,22 @@ test('a picture has the chosen size, legend and background', looks, async ({ pag
   expect(worst).toBeLessThan(6);
   // The view itself is unchanged.
   await expect.poll(async () => (await state(page)).renderer).not.toBe('none');
+});
+
+test('a picture on white leaves the view in the dark theme', looks, async ({ page }) => {
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const before = await middleOfPicture(page);
+  await tool(page, 'More formats');
+  const dialog = page.getByRole('dialog', { name: 'Export' });
+  await dialog.getByRole('combobox', { name: 'Background' }).selectOption('white');
+  await page.keyboard.press('Escape');
+  await exported(page, 'PNG');
+  // Turned a little, so that it is drawn anew, and back.
+  for (const key of ['ArrowLeft', 'ArrowRight']) await page.keyboard.press(key);
+  const changed = differingBytes(await middleOfPicture(page), before);
+  expect(changed).toBeLessThan(0.1 * before.pixels.length);
 });
 
 test('a line drawing for print has the visible lines, in millimetres', async ({ page }) => {

@@ -77,6 +77,12 @@ test('steps are shown by buttons and by the keys of a presenter', async ({ page 
   await page.keyboard.press('Escape');
   await expect(stage).toHaveCount(0);
   await expect(page.getByRole('banner')).toBeVisible();
+  // The presenter's keys are nobody's again.
+  const isTaken = await page.evaluate(() => {
+    const press = new KeyboardEvent('keydown', { key: 'PageUp', bubbles: true, cancelable: true });
+    return !document.body.dispatchEvent(press);
+  });
+  expect(isTaken).toBe(false);
 });
 
 test('the steps are saved in the scene: they can be moved, removed, and undone', async ({

@@ -77,6 +77,15 @@ test('a file whose opening is cancelled before its answer does not replace the s
   assert.deepEqual(names, ['large.obj', 'roof.obj']);
 });
 
+test('progress is saved beside the scene that it continues, and not beside a newer one', async () => {
+  const client = await clientWithRoof();
+  const bytes = new Uint8Array(1);
+  FakeWorker.latest.say({ type: 'progress', bytes, iteration: 9 });
+  assert.equal(client.saved.progress, bytes);
+  FakeWorker.latest.scene('the edited roof', 10);
+  assert.deepEqual(client.saved, { iteration: 10, history: null, progress: null });
+});
+
 test('work cancelled while the scene is being restored restores it without a notice', async () => {
   const client = await clientWithRoof();
   const events = [];

@@ -83,6 +83,24 @@ test('a run spends most of its time on iterations, however long a frame takes', 
   assert.ok(part < 0.3, `frames take ${part} of the time`);
 });
 
+test('every run sends its progress, however the one before ended', async (context) => {
+  closeChannel(context);
+  let due = 0;
+  context.mock.method(globalThis, 'setTimeout', () => ++due);
+  context.mock.method(globalThis, 'clearTimeout', () => {});
+  const scheduler = new Scheduler(solverWith({ step: () => false }), () => {}, assert.fail);
+  scheduler.begin(false);
+  scheduler.frames.renew(3);
+  for (const runs of [1, 2]) {
+    scheduler.run();
+    for (let slice = 0; due < runs && slice < 20; slice++)
+      await new Promise((done) => setImmediate(done));
+    // Before the timer fires.
+    scheduler.pause();
+    assert.equal(due, runs);
+  }
+});
+
 test('a file that is refused during a run leaves the page with the ended run', (context) => {
   closeChannel(context);
   const sent = [];
