@@ -302,7 +302,8 @@ fn a_flat_boundary_goes_outward_as_far_as_asked() {
 fn a_row_of_quads_around_a_sharp_corner_has_no_spike() {
     // A corner of six degrees, whose sides would meet at nineteen times the distance.
     let positions = vec![[0.0, 0.0, 0.0], [10.0, -0.5, 0.0], [10.0, 0.5, 0.0]];
-    let mesh = Mesh { positions, faces: [&[0, 1, 2][..]].into_iter().collect() };
+    let faces = [&[0, 1, 2][..]].into_iter().collect();
+    let mesh = Mesh { positions, faces, ..Mesh::default() };
     let Edited { mesh: wider, .. } =
         apply(&mesh, "extrude", Some(&[0.5, 0.0]), &Picked::default()).unwrap();
     let [x, y, _] = wider.positions[3];

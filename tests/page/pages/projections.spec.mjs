@@ -91,5 +91,10 @@ test.describe('with a clock of its own', () => {
     const sums = await proximities(page);
     await page.clock.runFor(10_000);
     expect(await proximities(page)).toEqual(sums);
+
+    await page.getByRole('button', { name: 'Play' }).click();
+    await page.clock.runFor(60_000);
+    await expect(page.getByRole('status')).toContainText('The point has arrived.');
+    await expect(page.getByRole('button', { name: 'Play' })).toBeVisible();
   });
 });
