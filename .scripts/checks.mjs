@@ -3,7 +3,7 @@
 
 import { readdirSync } from 'node:fs';
 import { relative } from 'node:path';
-import { at, root, wasmTarget } from './project.mjs';
+import { at, root } from './project.mjs';
 import { filesUnder } from './stamp.mjs';
 import { moduleArguments, modules } from './wasm.mjs';
 
@@ -12,13 +12,10 @@ const script = (name, ...words) => ['node', [`.scripts/${name}.mjs`, ...words]];
 const node = (...tests) => ['node', ['--test', '--test-reporter=tap', ...tests]];
 
 /**
- * Arguments of cargo for a check of all modules at once. Not as they are released: cargo would wait
- * until the lane beside has compiled them.
+ * Arguments of cargo for a check of all modules at once: as they are released, so that the lane
+ * beside, which builds natively, is not waited for.
  */
-const allModules = [
-  ...['--locked', '--target', wasmTarget, '--no-default-features'],
-  ...['--features', modules.join(',')],
-];
+const allModules = moduleArguments(modules.join(','));
 
 const nodeTests = ['scripts', 'page'].flatMap((folder) =>
   filesUnder(at('tests', folder))
@@ -65,8 +62,11 @@ const browserTests = (feature) => ({
   inputs: rust,
 });
 
-/** Each before the next module, which takes its place as the library of this target. */
-const modulesAndTests = modules.flatMap((feature) => [module(feature), browserTests(feature)]);
+/** Its tests come before the next module, which takes its place as the library of this target. */
+const engine = [module('engine'), browserTests('engine')];
+const [, ...views] = modules;
+/** Those of the last view first. Beside a compiler, drawing in software takes five times as long. */
+const viewTests = views.toReversed().map(browserTests);
 
 /** Formats and lints of what is not Rust: seconds each. */
 const texts = [
@@ -85,21 +85,11 @@ const texts = [
   },
 ];
 
-/** After the modules, whose declarations it reads. */
-const types = {
-  title: 'types of the page',
-  run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],
-};
-
-const rustChecks = [
-  { title: 'format of Rust', run: ['cargo', ['fmt', '--check', '--', ...operators]] },
+const compiled = [
   {
-    // With the view, which needs no GPU to be checked and tested.
-    title: 'lints of Rust, native',
-    run: [
-      'cargo',
-      ['clippy', '--locked', '--all-targets', '--features', 'view', '--', '-D', 'warnings'],
-    ],
+    // After the modules, whose declarations it reads.
+    title: 'types of the page',
+    run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],
   },
   {
     title: 'lints of Rust, modules',
@@ -110,6 +100,18 @@ const rustChecks = [
     title: 'documentation',
     run: ['cargo', ['doc', '--no-deps', ...allModules]],
     env: { RUSTDOCFLAGS: '-D warnings' },
+  },
+];
+
+const native = [
+  { title: 'format of Rust', run: ['cargo', ['fmt', '--check', '--', ...operators]] },
+  {
+    // With the view, which needs no GPU to be checked and tested.
+    title: 'lints of Rust, native',
+    run: [
+      'cargo',
+      ['clippy', '--locked', '--all-targets', '--features', 'view', '--', '-D', 'warnings'],
+    ],
   },
   {
     title: 'native tests',
@@ -157,14 +159,14 @@ const page = [
 ];
 
 const all = [
-  [[...texts, ...modulesAndTests, types, ...built], rustChecks],
-  [[program, ...bench, ...page]],
+  [[...texts, ...engine, ...views.map(module), ...compiled, ...built], native],
+  [[program, ...bench, ...viewTests, ...page]],
 ];
 
 /** The stages of each command, one after another; the lanes of a stage run side by side. */
 export const stages = {
-  check: [[[...texts, ...modules.map(module), types], rustChecks]],
-  site: [[[...modulesAndTests, ...built, program, ...bench]]],
+  check: [[[...texts, ...modules.map(module), ...compiled], native]],
+  site: [[[...engine, ...views.map(module), ...viewTests, ...built, program, ...bench]]],
   page: [[[program, ...page]]],
   test: all,
   long: all,
