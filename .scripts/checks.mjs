@@ -5,7 +5,7 @@ import { readdirSync } from 'node:fs';
 import { relative } from 'node:path';
 import { at, root } from './project.mjs';
 import { filesUnder } from './stamp.mjs';
-import { moduleArguments, modules } from './wasm.mjs';
+import { moduleArguments, modules, sourcesOf } from './wasm.mjs';
 
 const tool = (name) => at('node_modules', '.bin', name);
 const script = (name, ...words) => ['node', [`.scripts/${name}.mjs`, ...words]];
@@ -59,7 +59,11 @@ const browserTests = (feature) => ({
   title: `tests of the ${feature} module in the browser`,
   run: ['cargo', ['test', ...moduleArguments(feature), '--test', `wasm_${feature.split('-')[0]}`]],
   count: 'cargo',
-  inputs: rust,
+  inputs: () => [
+    ...common(),
+    ...sourcesOf(feature),
+    ...['wasm_engine.rs', 'wasm_view.rs', 'data', 'support'].map((name) => at('tests', name)),
+  ],
 });
 
 /** Its tests come before the next module, which takes its place as the library of this target. */

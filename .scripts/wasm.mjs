@@ -20,7 +20,7 @@ export const moduleArguments = (feature) => [
 const isOfView = (path) => /^src\/(lib\.rs|math\/|view\/|web\/(mod\.rs|page\/))/.test(path);
 
 /** Returns the sources of a module: edits of the engine recompile no view. */
-function sourcesOf(feature) {
+export function sourcesOf(feature) {
   const paths = filesUnder(at('src'));
   if (feature === 'engine') return paths;
   return paths.filter((path) => isOfView(relative(root, path)));
