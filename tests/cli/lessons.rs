@@ -1,15 +1,22 @@
 //! `check RESULTS --scene SCENE`: handed-in results are measured again.
 
 use crate::cli::folder::{Folder, PLANES, ROOF, scene};
+use shape_up::scene::Scene;
+use shape_up::session::Session;
 
 const LESSON: &str = r#", "lesson": { "text": "Make it flat.", "goals": [
     { "measure": "planarity", "at_most": 0.001 }, { "constraint": "Plane", "at_most": 0.01 }] }"#;
 
+/// The scene with a lesson, as opened.
+fn session(lesson: &str) -> Session {
+    let mesh = shape_up::mesh::read("roof.obj", ROOF.as_bytes()).unwrap().mesh;
+    let scene = Scene::from_json(&scene(&format!("{PLANES}{lesson}"))).unwrap();
+    Session::open(scene, mesh).unwrap()
+}
+
 /// Results of the student Ada for that scene: as opened, or solved.
 fn results(solved: bool) -> String {
-    let mesh = shape_up::mesh::read("roof.obj", ROOF.as_bytes()).unwrap().mesh;
-    let scene = shape_up::scene::Scene::from_json(&scene(&format!("{PLANES}{LESSON}"))).unwrap();
-    let mut session = shape_up::session::Session::open(scene, mesh).unwrap();
+    let mut session = session(LESSON);
     if solved {
         session.solve(false).unwrap();
     }
@@ -44,15 +51,13 @@ fn results_that_only_say_so_do_not() {
 #[test]
 fn results_with_one_locked_part_altered_do_not_pass() {
     let locked = LESSON.replace("\"goals\"", "\"lock\": [\"weights\"], \"goals\"");
-    let given = scene(&format!("{PLANES}{locked}"));
-    let mesh = shape_up::mesh::read("roof.obj", ROOF.as_bytes()).unwrap().mesh;
-    let parsed = shape_up::scene::Scene::from_json(&given).unwrap();
-    let mut session = shape_up::session::Session::open(parsed, mesh).unwrap();
+    let mut session = session(&locked);
     session.solve(false).unwrap();
     let mut results = session.results("Mallory", "").unwrap();
     results.weights.as_mut().unwrap().close = 0.5;
     let folder = Folder::new("altered");
-    folder.write("roof.obj", ROOF).write("s.json", given).write("r.json", results.to_json());
+    folder.write("roof.obj", ROOF).write("s.json", scene(&format!("{PLANES}{locked}")));
+    folder.write("r.json", results.to_json());
     let ended = folder.run(&["check", "r.json", "--scene", "s.json"]);
     assert_eq!(ended.code, Some(1), "{ended:?}");
     assert_eq!(ended.err, "r.json: locked weights altered, expected the same as in the scene\n");

@@ -6,6 +6,7 @@ mod closest;
 mod curvature;
 mod curvature_lines;
 mod developable;
+mod extrude;
 mod files;
 mod folds;
 mod fuzzed;

@@ -40,12 +40,12 @@ pub(crate) fn done(mesh: &Mesh, id: &str) -> Edited {
     apply(mesh, id, None, &Picked::default()).unwrap()
 }
 
-fn with_vertices(vertices: &[u32]) -> Picked {
+pub(crate) fn with_vertices(vertices: &[u32]) -> Picked {
     Picked { vertices: vertices.to_vec(), ..Picked::default() }
 }
 
 /// Area of the surface, as the sum over the triangle fan at the first corner of each face.
-fn area(mesh: &Mesh) -> f64 {
+pub(crate) fn area(mesh: &Mesh) -> f64 {
     let at = |v: u32| mesh.positions[v as usize];
     let twice = |[a, b, c]: [Point; 3]| {
         let [p, q] = [b, c].map(|x: Point| -> Point { std::array::from_fn(|i| x[i] - a[i]) });
@@ -281,33 +281,6 @@ fn a_strip_that_is_put_in_can_be_taken_out() {
     let cut = apply(&mixed, "insert-strip", None, &with_vertices(&[1, 5])).unwrap().mesh;
     let sizes: Vec<usize> = cut.faces.iter().map(<[u32]>::len).collect();
     assert_eq!(sizes, [4, 4, 4, 3, 4]);
-}
-
-#[test]
-fn a_flat_boundary_goes_outward_as_far_as_asked() {
-    let mesh = flat(4, 3);
-    let sizes = [0.5, 0.0];
-    let Edited { mesh: wider, .. } =
-        apply(&mesh, "extrude", Some(&sizes), &Picked::default()).unwrap();
-    assert_eq!(wider.faces.len(), 12 + 14);
-    assert!((area(&wider) - 5.0 * 4.0).abs() < 1e-12, "corners too: {}", area(&wider));
-    assert_eq!(most_alike(&wider), 1);
-    let down = apply(&mesh, "extrude", Some(&[0.0, -2.0]), &with_vertices(&[0, 1, 2])).unwrap();
-    assert_eq!(down.mesh.faces.len(), 14);
-    assert!(down.mesh.positions[20..].iter().all(|p| p[2] == -2.0 && p[1] == 0.0));
-    assert!(down.origins.faces.row(13).len() == 1, "a wall belongs to the face that it hangs on");
-}
-
-#[test]
-fn a_row_of_quads_around_a_sharp_corner_has_no_spike() {
-    // A corner of six degrees, whose sides would meet at nineteen times the distance.
-    let positions = vec![[0.0, 0.0, 0.0], [10.0, -0.5, 0.0], [10.0, 0.5, 0.0]];
-    let faces = [&[0, 1, 2][..]].into_iter().collect();
-    let mesh = Mesh { positions, faces, ..Mesh::default() };
-    let Edited { mesh: wider, .. } =
-        apply(&mesh, "extrude", Some(&[0.5, 0.0]), &Picked::default()).unwrap();
-    let [x, y, _] = wider.positions[3];
-    assert!((x + 1.0).abs() < 1e-12 && y.abs() < 1e-12, "twice the distance: {x}, {y}");
 }
 
 #[test]

@@ -1,0 +1,32 @@
+//! Rows of quads along a boundary.
+
+use crate::mesh::operations::{Picked, apply, area, flat, with_vertices};
+use crate::mesh::subdivide::most_alike;
+use shape_up::mesh::{Edited, Mesh};
+
+#[test]
+fn a_flat_boundary_goes_outward_as_far_as_asked() {
+    let mesh = flat(4, 3);
+    let sizes = [0.5, 0.0];
+    let Edited { mesh: wider, .. } =
+        apply(&mesh, "extrude", Some(&sizes), &Picked::default()).unwrap();
+    assert_eq!(wider.faces.len(), 12 + 14);
+    assert!((area(&wider) - 5.0 * 4.0).abs() < 1e-12, "corners too: {}", area(&wider));
+    assert_eq!(most_alike(&wider), 1);
+    let down = apply(&mesh, "extrude", Some(&[0.0, -2.0]), &with_vertices(&[0, 1, 2])).unwrap();
+    assert_eq!(down.mesh.faces.len(), 14);
+    assert!(down.mesh.positions[20..].iter().all(|p| p[2] == -2.0 && p[1] == 0.0));
+    assert!(down.origins.faces.row(13).len() == 1, "a wall belongs to the face that it hangs on");
+}
+
+#[test]
+fn a_row_of_quads_around_a_sharp_corner_has_no_spike() {
+    // A corner of six degrees, whose sides would meet at nineteen times the distance.
+    let positions = vec![[0.0, 0.0, 0.0], [10.0, -0.5, 0.0], [10.0, 0.5, 0.0]];
+    let faces = [&[0, 1, 2][..]].into_iter().collect();
+    let mesh = Mesh { positions, faces, ..Mesh::default() };
+    let Edited { mesh: wider, .. } =
+        apply(&mesh, "extrude", Some(&[0.5, 0.0]), &Picked::default()).unwrap();
+    let [x, y, _] = wider.positions[3];
+    assert!((x + 1.0).abs() < 1e-12 && y.abs() < 1e-12, "twice the distance: {x}, {y}");
+}
