@@ -1,12 +1,10 @@
 // From circular, then exact panels to drawings on disk: the parts are the panels of the shape.
 
-import { execFileSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import DxfParser from 'dxf-parser';
 import { unzipSync } from 'fflate';
-import { program } from '../../../.scripts/project.mjs';
 import { downloaded, openText, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
 import { expect, openPage, sceneOf, test, waitForState } from '../support.mjs';
@@ -122,26 +120,5 @@ test('panels made circular and then exact are the outlines in the saved drawings
       flat.slice(3 * v, 3 * v + 3),
     );
     expectPanels(outlinesIn(folder), positions, faces, 1000 / SCALE);
-  });
-});
-
-test('on the command line too: solved exactly, then built', async () => {
-  await inFolder(async (folder) => {
-    const run = (...asked) => execFileSync(program, asked, { cwd: folder });
-    writeFileSync(join(folder, 'roof.obj'), roof);
-    run('solve', 'roof.obj', '--panels', 'circle', '--exact', '--out', 'exact.obj');
-    mkdirSync(join(folder, 'parts'));
-    run('build', 'exact.obj', '--scale', String(SCALE), '--sheet', '60x297', '--out', 'parts');
-    const lines = readFileSync(join(folder, 'exact.obj'), 'ascii').split('\n');
-    const of = (key) =>
-      lines.filter((line) => line.startsWith(`${key} `)).map((line) => line.split(/\s+/).slice(1));
-    const faces = of('f').map((face) => face.map((corner) => Number(corner) - 1));
-    const outlines = outlinesIn(join(folder, 'parts'));
-    expectPanels(
-      outlines,
-      of('v').map((place) => place.map(Number)),
-      faces,
-      1000 / SCALE,
-    );
   });
 });

@@ -1,4 +1,4 @@
-// The example lessons, done by following their texts: each text leads to its goals.
+// An example lesson, done by following its text. That each text leads to its goals is shown natively.
 
 import { openExample, showPanel } from '../actions.mjs';
 import { expect, openPage, test, waitForState } from '../support.mjs';
@@ -21,23 +21,6 @@ const colourBy = (page, label) =>
   page.getByRole('combobox', { name: 'Colour by' }).selectOption({ label });
 
 const expectGoals = (page, words) => expect(lesson(page)).toContainText(words);
-
-for (const [title, kind, measure] of [
-  ['Lesson: circles and offsets, why circular', 'Circle', 'Moved'],
-  ['Lesson: the stiffness of hexagons', 'Plane', 'Planarity'],
-]) {
-  test(`${title}: the goals are missed by a plain run and met with Exact`, async ({ page }) => {
-    await openPage(page);
-    await openExample(page, title);
-    await expectGoals(page, '1 of 2 goals met');
-    await colourBy(page, measure);
-    await page.getByRole('button', { name: 'Run' }).click();
-    await waitForState(page, (state) => state.iteration > 0 && !state.running);
-    await expectGoals(page, '1 of 2 goals met');
-    await require(page, kind, 'Exact');
-    await expectGoals(page, 'Passed: 2 goals met');
-  });
-}
 
 test('Lesson: curvature and panels: the goals are met with Within, and missed with Exact', async ({
   page,
