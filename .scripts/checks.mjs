@@ -9,7 +9,8 @@ import { moduleArguments, modules, sourcesOf } from './wasm.mjs';
 
 const tool = (name) => at('node_modules', '.bin', name);
 const script = (name, ...words) => ['node', [`.scripts/${name}.mjs`, ...words]];
-const node = (...tests) => ['node', ['--test', '--test-reporter=tap', ...tests]];
+/** Node's own tests; tsx reads the modules of the page, which are in TypeScript. */
+const node = (...tests) => ['node', ['--import', 'tsx', '--test', '--test-reporter=tap', ...tests]];
 
 /**
  * Arguments of cargo for a check of all modules at once: as they are released, so that the lane
@@ -19,7 +20,7 @@ const allModules = moduleArguments(modules.join(','));
 
 const nodeTests = ['scripts', 'page'].flatMap((folder) =>
   filesUnder(at('tests', folder))
-    .filter((path) => path.endsWith('.test.mjs'))
+    .filter((path) => /\.test\.(mjs|ts)$/.test(path))
     .map((path) => relative(root, path)),
 );
 
@@ -30,7 +31,7 @@ const operators = readdirSync(at('src', 'constraint', 'kinds'))
 
 /** Returns the arguments of Playwright for some of its projects, with those of the command. */
 const pageTests = (...projects) => [
-  ...['test', '--config', 'tests/page/playwright.config.mjs', '--no-deps'],
+  ...['test', '--config', 'tests/page/playwright.config.ts', '--no-deps'],
   ...projects.map((project) => `--project=${project}`),
   ...process.argv.slice(3),
 ];
@@ -76,10 +77,10 @@ const viewTests = views.toReversed().map(browserTests);
 const texts = [
   {
     title: 'format of the page',
-    run: [tool('prettier'), ['--check', '**/*.{js,mjs,css,html}']],
+    run: [tool('prettier'), ['--check', '**/*.{ts,tsx,mjs,css,html}']],
   },
   {
-    title: 'lints of JavaScript',
+    title: 'lints of the page',
     run: [tool('eslint'), ['--config', '.scripts/eslint.config.mjs', '--max-warnings', '0', '.']],
   },
   {

@@ -3,10 +3,11 @@
 import { createHash } from 'node:crypto';
 import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
 import { relative, sep } from 'node:path';
-import { minifySync } from 'vite';
+import { minify, transformWithOxc } from 'vite';
 import { at } from './project.mjs';
 import { filesUnder } from './stamp.mjs';
 
+const SOURCE = at('www', 'app', 'offline', 'service-worker.ts');
 const NAMED = ['icon.svg', 'manifest.webmanifest'];
 const WORKER = 'service-worker.js';
 /**
@@ -20,9 +21,9 @@ const PICTURE = /^pictures\/.*\.webp$/;
 const VIEW = /^assets\/view-(webgpu|webgl2)-/;
 
 /** Completes the site in `folder`, which contains everything else already. */
-export function writeOfflineParts(folder) {
+export async function writeOfflineParts(folder) {
   for (const name of NAMED) copyFileSync(at('www', name), `${folder}/${name}`);
-  const source = readFileSync(at('www', 'app', 'offline', WORKER), 'utf8');
+  const source = readFileSync(SOURCE, 'utf8');
   const hash = createHash('sha256').update(source);
   const files = [];
   const pictures = [];
@@ -39,6 +40,7 @@ export function writeOfflineParts(folder) {
     else if (!SELDOM.test(name)) files.push(name === 'index.html' ? './' : `./${name}`);
   }
   const site = { version: hash.digest('hex').slice(0, 12), files, views, pictures };
-  const { code } = minifySync(WORKER, source, { module: false });
+  const script = await transformWithOxc(source, SOURCE);
+  const { code } = await minify(WORKER, script.code, { module: false });
   writeFileSync(`${folder}/${WORKER}`, `const SITE = ${JSON.stringify(site)};\n${code}`);
 }

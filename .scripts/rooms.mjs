@@ -26,14 +26,17 @@ export const MOST_FILES = 14;
 export const TYPES = { ui: ['solver'] };
 
 /** This file has only types, which the highest room provides: any room may name them. */
-export const CONTEXT = 'app/context.js';
+export const CONTEXT = 'app/context.ts';
 
 const own = ({ message, regex }, files, room) => {
   const source = regex.replaceAll('/', '\\/');
   return {
     files,
     rules: {
-      'no-restricted-imports': ['error', { patterns: [{ regex, message }] }],
+      '@typescript-eslint/no-restricted-imports': [
+        'error',
+        { patterns: [{ regex, message, allowTypeImports: true }] },
+      ],
       'no-restricted-syntax': [
         'error',
         ...STYLES,
@@ -60,7 +63,7 @@ const ACTS = [
 ].flatMap(([what, methods]) =>
   ['name', 'property.name'].map((name) => ({
     selector: `CallExpression[callee.object.${name}=${what}][callee.property.name=/^(${methods})$/]`,
-    message: `Only actions do this: see www/store/actions.js.`,
+    message: `Only actions do this: see www/store/actions.ts.`,
   })),
 );
 
@@ -73,10 +76,10 @@ export const roomRules = Object.entries(ROOMS).flatMap(([room, lower]) => {
     regex: `^(\\.\\./)+(${others.join('|')})/`,
     message: `${room}/ ${may}: see .scripts/rooms.mjs.`,
   };
-  if (!APART.includes(room)) return [own(outside, [`www/${room}/**/*.js`], room)];
+  if (!APART.includes(room)) return [own(outside, [`www/${room}/**/*.ts`], room)];
   const message = `${outside.message} What is beside it is another part of the page.`;
   return [
-    own({ regex: `${outside.regex}|^\\./`, message }, [`www/${room}/*.js`], room),
-    own({ regex: `${outside.regex}|^\\.\\./[^.]`, message }, [`www/${room}/*/**/*.js`], room),
+    own({ regex: `${outside.regex}|^\\./`, message }, [`www/${room}/*.ts`], room),
+    own({ regex: `${outside.regex}|^\\.\\./[^.]`, message }, [`www/${room}/*/**/*.ts`], room),
   ];
 });

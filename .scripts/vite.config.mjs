@@ -15,13 +15,13 @@ const FIRST = /[\\/]first-[^\\/]*$/;
 const examples = {
   name: 'examples',
   apply: 'build',
-  closeBundle() {
+  async closeBundle() {
     for (const folder of ['examples', 'pictures']) {
       const filter = (path) => !FIRST.test(path);
       cpSync(at('www', folder), at('dist', folder), { recursive: true, filter });
     }
     lockPages(at('dist'));
-    writeOfflineParts(at('dist'));
+    await writeOfflineParts(at('dist'));
   },
 };
 

@@ -17,7 +17,7 @@ const fn unit(symbol: &'static str, metres: f64, rhino: &'static str) -> LengthU
 }
 
 /// The units that hosts offer, in order. Scenes may use others, which are shown unchanged. A copy
-/// of this table for the page is in `www/ui/units.js`.
+/// of this table for the page is in `www/ui/units.ts`.
 pub const UNITS: [LengthUnit; 5] = [
     unit("m", 1.0, "Meters"),
     unit("cm", 0.01, "Centimeters"),
@@ -32,7 +32,7 @@ mod tests {
 
     #[test]
     fn the_page_has_the_same_units() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/www/ui/units.js");
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/www/ui/units.ts");
         let mut module = "/** The units of length. `src/scene/units.rs` is their table, and its test writes this file:\n \
             * `UPDATE=1 cargo test --lib units`. */\nexport const UNITS = [\n"
             .to_owned();

@@ -27,10 +27,10 @@ test result: ok. 1 passed; 0 failed; 2 ignored; 0 measured; 0 filtered out; fini
 
 test('playwright: tests that did not run have not passed', () => {
   const output = `
-  ✘  1 [desktop] › page.spec.mjs:5:1 › first paint (3.1s)
+  ✘  1 [desktop] › page.spec.ts:5:1 › first paint (3.1s)
 
   1 failed
-    [desktop] › page.spec.mjs:5:1 › first paint
+    [desktop] › page.spec.ts:5:1 › first paint
   2 did not run
   7 passed (12.3s)`;
   assert.deepEqual(countTests('playwright', output), { passed: 7, failed: 3, ...none });
@@ -38,19 +38,19 @@ test('playwright: tests that did not run have not passed', () => {
 
 test('playwright: skipped and flaky tests are named', () => {
   const output = `
-  -  1 [phone] › app/axe.spec.mjs:48:3 › axe: plots
-  ✘  2 [desktop] › page.spec.mjs:5:1 › first paint (3.1s)
-  ✓  3 [desktop] › page.spec.mjs:5:1 › first paint (retry #1) (1.1s)
+  -  1 [phone] › app/axe.spec.ts:48:3 › axe: plots
+  ✘  2 [desktop] › page.spec.ts:5:1 › first paint (3.1s)
+  ✓  3 [desktop] › page.spec.ts:5:1 › first paint (retry #1) (1.1s)
 
   2 flaky
-    [desktop] › page.spec.mjs:5:1 › first paint
-    [phone] › touch.spec.mjs:9:1 › pinch
+    [desktop] › page.spec.ts:5:1 › first paint
+    [phone] › touch.spec.ts:9:1 › pinch
   1 skipped
   7 passed (12.3s)`;
   assert.deepEqual(countTests('playwright', output), {
     ...{ passed: 9, failed: 0 },
-    skipped: ['[phone] › app/axe.spec.mjs:48:3 › axe: plots'],
-    flaky: ['[desktop] › page.spec.mjs:5:1 › first paint', '[phone] › touch.spec.mjs:9:1 › pinch'],
+    skipped: ['[phone] › app/axe.spec.ts:48:3 › axe: plots'],
+    flaky: ['[desktop] › page.spec.ts:5:1 › first paint', '[phone] › touch.spec.ts:9:1 › pinch'],
   });
 });
 
@@ -62,6 +62,6 @@ test('node: the TAP summary is read', () => {
 
 test('only listed tests are excused', () => {
   const excused = [{ name: 'touch.spec', reason: 'the machine has no fingers' }];
-  const tests = ['[phone] › touch.spec.mjs:9:1 › pinch', '[desktop] › page.spec.mjs:5:1 › paint'];
+  const tests = ['[phone] › touch.spec.ts:9:1 › pinch', '[desktop] › page.spec.ts:5:1 › paint'];
   assert.deepEqual(inexcusable(tests, excused), [tests[1]]);
 });

@@ -50,7 +50,7 @@ test('a new component under another licence, or under none, is refused', () => {
     /axe-core is bundled/,
   );
   assertLicensed(at('node_modules', 'uplot', 'dist', 'uPlot.esm.js'));
-  assertLicensed(at('www', 'app', 'main.js'));
+  assertLicensed(at('www', 'app', 'main.ts'));
 });
 
 test('of several licences the first allowed one is taken', () => {

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
-import { decodePng, distinctColours } from '../page/picture.mjs';
+import { decodePng, distinctColours } from '../page/picture.ts';
 
 const chunk = (type, data) => {
   const length = Buffer.alloc(4);

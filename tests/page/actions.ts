@@ -1,0 +1,107 @@
+// User actions, by the names that the user sees. On a phone the panels are behind tabs and some
+// tools are behind "More".
+
+import type { Page } from '@playwright/test';
+import { expect, openPage, waitForState } from './support.ts';
+import { file, wavyGrid } from './meshes.ts';
+
+/** Shows the named panel if panels are behind tabs. */
+export async function showPanel(page: Page, name: string) {
+  const tab = page.getByRole('tab', { name });
+  const panel = page.getByRole('complementary', { name });
+  if (!(await panel.isVisible())) await tab.click();
+  await expect(panel).toBeVisible();
+}
+
+/** Closes the sheet on a phone, so that the view is large. */
+export async function hidePanels(page: Page) {
+  const open = page.getByRole('tablist', { name: 'Panels' }).getByRole('tab', { selected: true });
+  const bar = page.getByRole('toolbar', { name: 'Main tools' });
+  if ((await bar.isVisible()) && (await open.count()) > 0) await open.click();
+}
+
+/** Opens the text of a file through the file input and waits until it is the current model. */
+export async function openText(page: Page, name: string, text: string, vertices: number) {
+  await page.getByLabel('Open file').setInputFiles(file(name, text));
+  await waitForState(page, (state, count) => state.vertices === count, vertices);
+}
+
+/** Opens the page with a wavy grid of n by n quads, and waits for the view. */
+export async function openGrid(page: Page, n: number) {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(n), (n + 1) ** 2);
+  await waitForState(page, (now) => now.renderer !== 'none');
+}
+
+/** Opens the example whose title contains the word. */
+export async function openExample(page: Page, word: string) {
+  const examples = page.getByRole('button', { name: 'Examples' });
+  if (!(await examples.isVisible()))
+    await page.getByRole('button', { name: 'More', exact: true }).click();
+  await examples.click();
+  await page.getByRole('menuitem', { name: word }).click();
+  await expect(page.getByRole('status')).toHaveText(new RegExp(`Opened the example .*${word}`));
+}
+
+/** Adds a constraint through the dialog and waits until it is in the list. */
+export async function addConstraint(page: Page, kind: string, where: string) {
+  const before = await constraintCount(page);
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Add constraint' }).click();
+  const dialog = page.getByRole('dialog', { name: 'New constraint' });
+  await dialog.getByRole('radio', { name: kind, exact: true }).check();
+  await dialog.getByRole('radio', { name: where, exact: true }).check();
+  await dialog.getByRole('button', { name: 'Add', exact: true }).click();
+  await expect(dialog).toBeHidden();
+  await expect.poll(() => constraintCount(page)).toBe(before + 1);
+}
+
+/** Returns the number of constraints in the scene. */
+export const constraintCount = (page: Page) =>
+  page.evaluate(() => window.shapeUp.scene().constraints.length);
+
+/** Runs until the solver has converged. */
+export async function runToTheEnd(page: Page) {
+  await page.getByRole('button', { name: 'Run' }).click();
+  return waitForState(page, (state) => state.converged && !state.running);
+}
+
+/** Clicks a toolbar button, which may be behind "More". */
+export async function tool(page: Page, name: string) {
+  const options = { name, exact: true };
+  const button = page
+    .getByRole('button', options)
+    .or(page.getByRole('switch', options))
+    .filter({ visible: true });
+  if (!(await button.isVisible())) {
+    await page.getByRole('button', { name: 'More', exact: true }).click();
+  }
+  await button.click();
+}
+
+/** Clicks the button and returns the text of the saved file. */
+export async function saved(page: Page, name: string) {
+  return downloaded(page, () => tool(page, name));
+}
+
+/** Exports in the given format and returns the saved file. */
+export async function exported(page: Page, format: string) {
+  await tool(page, 'More formats');
+  const dialog = page.getByRole('dialog', { name: 'Export' });
+  const file = await downloaded(page, () =>
+    dialog.getByRole('button', { name: new RegExp(`^${format}`) }).click(),
+  );
+  await expect(dialog).toBeHidden();
+  return file;
+}
+
+/** Returns the file that `action` saves. */
+export async function downloaded(page: Page, action: () => unknown) {
+  const download = page.waitForEvent('download');
+  await action();
+  const got = await download;
+  const chunks = [];
+  for await (const chunk of await got.createReadStream()) chunks.push(chunk);
+  const bytes = Buffer.concat(chunks);
+  return { name: got.suggestedFilename(), bytes, text: bytes.toString() };
+}

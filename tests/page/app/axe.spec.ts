@@ -1,0 +1,132 @@
+// axe finds no violations in any state of the page, in either theme.
+
+import type { Page } from '@playwright/test';
+import AxeBuilder from '@axe-core/playwright';
+import { openText } from '../actions.ts';
+import { quadScene, wavyGrid } from '../meshes.ts';
+import { expect, openPage, state, test, visit, waitForState } from '../support.ts';
+import { walks, withoutGraphics } from '../walks.ts';
+
+/**
+ * Returns axe's violations, one line each. None of these pages has its content in frames, so axe's
+ * legacy mode, which opens no extra page, is enough.
+ * @param rules all if absent
+ */
+async function complaintsOf(page: Page, rules?: string[]) {
+  // A document that has axe already is not sent its half a megabyte again.
+  const axeSource = (await page.evaluate(() => 'axe' in window)) ? ';' : undefined;
+  const axe = new AxeBuilder({ page, axeSource })
+    .setLegacyMode()
+    .options({ resultTypes: ['violations'] });
+  const { violations } = await (rules ? axe.withRules(rules) : axe).analyze();
+  return violations.flatMap(({ id, impact, nodes }) =>
+    nodes.map(({ target, failureSummary = '' }) => {
+      const reason = failureSummary.split('\n').slice(1, 3).join(' ').trim();
+      return `${impact} ${id} at ${target.join(' ')}: ${reason}`;
+    }),
+  );
+}
+
+/** A scene whose run never converges. */
+function endlessScene() {
+  const scene = JSON.parse(quadScene(40));
+  scene.constraints = [{ kind: 'circle', on: 'faces' }];
+  scene.solver = { tolerance: 0, accelerator: 'none' };
+  return JSON.stringify(scene);
+}
+
+/** Runs in the page: whether nothing fades any more. */
+const isAtRest = () => !document.getAnimations().some((one) => one instanceof CSSTransition);
+
+/** axe's colour rules, the only ones that depend on the theme. */
+const OF_COLOURS = ['color-contrast', 'link-in-text-block'];
+
+/**
+ * Checks both themes; on a phone only one, because its colours are the same as in other windows.
+ */
+async function expectNothing(page: Page, name = '') {
+  const themes: ['light' | 'dark', string[] | undefined][] = [
+    ['light', undefined],
+    ['dark', OF_COLOURS],
+  ];
+  const isPhone = test.info().project.name === 'phone';
+  for (const [colorScheme, rules] of isPhone ? themes.slice(0, 1) : themes) {
+    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+    await page.waitForFunction(isAtRest);
+    expect.soft(await complaintsOf(page, rules), `${name}, ${colorScheme}`).toEqual([]);
+  }
+}
+
+for (const [title, states] of Object.entries(walks)) {
+  // Walks with desktop states only are not run on a phone.
+  const tag = states.every(({ only }) => only === 'desktop') ? ['@desktop'] : [];
+  test(`axe: ${title}`, { tag }, async ({ page }, { project }) => {
+    const seen = states.filter(({ only = project.name }) => only === project.name);
+    await visit(page);
+    for (const { name, reach, leave } of seen) {
+      await test.step(name, async () => {
+        await reach?.(page);
+        await expectNothing(page, name);
+        await leave?.(page);
+      });
+    }
+  });
+}
+
+test.describe('with essential controls only', () => {
+  test.use({ advanced: false });
+
+  test('axe: the essentials, at each suggested next step', async ({ page }) => {
+    await visit(page);
+    await expectNothing(page, 'solved');
+    await openText(page, 'roof.obj', wavyGrid(6), 49);
+    await expectNothing(page, 'opened');
+    await page.getByRole('button', { name: 'Make panels flat' }).click();
+    await waitForState(page, (now) => now.converged && !now.running);
+    await expect(page.getByRole('group', { name: 'Panels', exact: true })).toContainText('flat');
+    await expectNothing(page, 'made flat');
+  });
+});
+
+test('axe: while only the HTML has loaded', async ({ page }) => {
+  await page.route('**/*.wasm', () => {});
+  await page.goto('./');
+  await expectNothing(page);
+});
+
+// With graphics, software rendering leaves axe no time while the solver runs.
+test('axe: without graphics, and while running', async ({ page }) => {
+  await withoutGraphics(page);
+  await openPage(page);
+  await expect(page.getByText('No 3D view')).toBeVisible();
+  await expectNothing(page, 'without graphics');
+  await openText(page, 'endless.shapeup.json', endlessScene(), 41 * 41);
+  await page.getByRole('button', { name: 'Run' }).click();
+  await waitForState(page, (now) => now.running && now.iteration > 0);
+  await expectNothing(page, 'running');
+  expect((await state(page)).running).toBe(true);
+});
+
+test('axe: the gallery, with and without results', async ({ page }) => {
+  await page.goto('./gallery.html');
+  const cards = page.getByRole('article');
+  await expect(cards.first()).toBeVisible();
+  await expectNothing(page, 'the gallery');
+  await page.getByRole('searchbox', { name: 'Search' }).fill('no such thing');
+  await expect(cards).toHaveCount(0);
+  await expectNothing(page, 'with nothing found');
+});
+
+test('axe: the page about projections', async ({ page }) => {
+  await page.goto('./projections.html');
+  await page.getByRole('button', { name: 'Step' }).click();
+  await expect(page.getByRole('status')).toContainText('Step I, iteration 1');
+  await expectNothing(page);
+});
+
+test('axe: the embedding page with two views not yet started', async ({ page }) => {
+  await page.goto('./embedding.html');
+  const view = page.frameLocator('#right');
+  await expect(view.getByRole('img', { name: 'Hall of circular panels' })).toBeVisible();
+  await expectNothing(page);
+});

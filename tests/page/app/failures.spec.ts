@@ -1,0 +1,144 @@
+// Failures of the solver and the graphics.
+
+import type { Page } from '@playwright/test';
+import { addConstraint, openText, runToTheEnd, exported } from '../actions.ts';
+import { quadScene, wavyGrid } from '../meshes.ts';
+import { coloursOfView, expect, looks, openPage, state, test, waitForState } from '../support.ts';
+
+/** Opens a grid, adds circle constraints on its faces and solves; returns the final state. */
+async function openSolved(page: Page) {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Circle', 'each face');
+  return runToTheEnd(page);
+}
+
+// Software rendering takes seconds per frame, in which the page cannot watch its solver.
+test.describe('the solver', () => {
+  test('a crashed solver is replaced, and the model is as before', async ({ page }) => {
+    const before = await openSolved(page);
+    const [worker] = page.workers();
+    await worker.evaluate(() => {
+      setTimeout(() => {
+        throw new Error('out of order');
+      });
+    });
+    await expect(page.getByRole('alert')).toContainText('was restarted');
+    const after = await state(page);
+    expect(after.constraints).toEqual(before.constraints);
+    expect(after.iteration).toBe(before.iteration);
+    await expect(page.getByRole('alert')).toContainText(`iteration ${before.iteration}`);
+    await expect(page.getByText('grid.obj', { exact: true })).toBeVisible();
+    expect(after.circularity?.max_distance).toBeCloseTo(
+      before.circularity?.max_distance ?? NaN,
+      12,
+    );
+    await runToTheEnd(page);
+  });
+
+  test('a solver that stops answering is replaced within five seconds, and undo still works', async ({
+    page,
+  }) => {
+    const before = await openSolved(page);
+    const [worker] = page.workers();
+    await worker.evaluate(() => {
+      setTimeout(() => {
+        for (;;);
+      });
+    });
+    await expect(page.getByRole('alert')).toContainText('did not answer', { timeout: 5000 });
+    await expect(page.getByRole('alert')).toContainText(`iteration ${before.iteration}`);
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await waitForState(page, (now) => now.iteration === 0);
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
+  });
+
+  test('long work is not mistaken for a hung solver, and can be stopped', async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'grid.obj', wavyGrid(4), 25);
+    const [worker] = page.workers();
+    // Delays the next answer of the worker.
+    await worker.evaluate(() => {
+      const { postMessage } = self;
+      self.postMessage = (message, ...rest) => {
+        Reflect.apply(postMessage, self, [message, ...rest]);
+        if (message.type !== 'working') return;
+        for (const until = performance.now() + 7000; performance.now() < until;);
+      };
+    });
+    await page.getByRole('button', { name: 'Step', exact: true }).click();
+    const card = page.getByRole('group', { name: 'Long work' });
+    await expect(card).toBeVisible();
+    await card.getByRole('button', { name: 'Cancel' }).click();
+    await expect(card).toBeHidden();
+    await addConstraint(page, 'Circle', 'each face');
+    await runToTheEnd(page);
+  });
+
+  test('a run of more than 300,000 iterations goes on', async ({ page }) => {
+    await openPage(page);
+    const scene = JSON.parse(quadScene(1));
+    scene.constraints = [{ kind: 'circle', on: 'faces' }];
+    scene.solver = { tolerance: 0 };
+    await openText(page, 'endless.shapeup.json', JSON.stringify(scene), 4);
+    await page.getByRole('button', { name: 'Run' }).click();
+    // Passing that many values at once would exceed the limit of an argument list.
+    await waitForState(page, (now) => now.iteration > 300_000);
+    expect((await state(page)).running).toBe(true);
+    await page.getByRole('button', { name: 'Pause' }).click();
+    await expect(page.getByRole('alert')).toBeEmpty();
+    await expect(page.getByText(/^Iteration/).first()).toBeVisible();
+  });
+
+  test('unexpected errors are shown', async ({ page, complaints }) => {
+    await openPage(page);
+    const alert = page.getByRole('alert');
+    await page.evaluate(() => {
+      setTimeout(() => {
+        throw new Error('out of order');
+      });
+    });
+    await expect(alert).toContainText('Something went wrong on this page: out of order');
+    await expect(alert.getByRole('button', { name: 'Copy report' })).toBeVisible();
+    await page.evaluate(() => void Promise.reject(new Error('nobody waited')));
+    await expect(alert).toContainText('nobody waited');
+    expect(complaints.splice(0)).toHaveLength(2);
+  });
+});
+
+test('without graphics everything but the 3D view works', async ({ page }) => {
+  await page.addInitScript(() => {
+    const prototype: { getContext(kind: string, options?: unknown): unknown } =
+      HTMLCanvasElement.prototype;
+    const { getContext } = prototype;
+    prototype.getContext = function (kind, ...rest) {
+      return kind === '2d' ? getContext.call(this, kind, ...rest) : null;
+    };
+    Object.defineProperty(Navigator.prototype, 'gpu', { value: undefined });
+  });
+  await openPage(page);
+  await expect(page.getByText('No 3D view')).toBeVisible();
+  await expect(page.locator('#first-picture')).toHaveCount(0);
+  expect((await state(page)).renderer).toBe('none');
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Circle', 'each face');
+  const before = await state(page);
+  const after = await runToTheEnd(page);
+  expect(after.circularity?.max_distance).toBeLessThan(before.circularity?.max_distance ?? NaN);
+  expect((await exported(page, 'OBJ')).text).toContain('\nf ');
+});
+
+test('a lost graphics context is restored', looks, async ({ page }) => {
+  await openPage(page, 'backend=webgl2');
+  await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
+  await page.evaluate(() => {
+    const canvas = document.querySelector('[role="application"] canvas') as HTMLCanvasElement;
+    canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
+    canvas.dataset.lost = 'yes';
+  });
+  await expect(page.locator('[role="application"] canvas[data-lost]')).toHaveCount(0);
+  await waitForState(page, (now) => now.renderer === 'webgl2');
+  await expect(page.getByRole('status')).toHaveText('The 3D view was lost and is being restored');
+  await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
+});

@@ -1,0 +1,59 @@
+// Messages do not cover the controls in use.
+
+import type { Locator } from '@playwright/test';
+import { file } from '../meshes.ts';
+import { showPanel } from '../actions.ts';
+import { boxOf, expect, openPage, test } from '../support.ts';
+
+/** Whether two elements do not overlap. */
+async function apart(one: Locator, other: Locator) {
+  const [a, b] = await Promise.all([boxOf(one), boxOf(other)]);
+  return (
+    a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y
+  );
+}
+
+test('a message does not cover the constraint dialog', async ({ page }, { project }) => {
+  await openPage(page);
+  await page.getByLabel('Open file').setInputFiles(file('notes.txt', 'not a mesh'));
+  const message = page.getByRole('alert').getByText('cannot be read');
+  await expect(message).toBeVisible();
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Add constraint' }).click();
+  const dialog = page.getByRole('dialog', { name: 'New constraint' });
+  await expect(dialog).toBeVisible();
+  const desktop = [1440, 1280, 1120, 1000, 760].map((width) => ({ width, height: 900 }));
+  const sizes = project.name === 'phone' ? [{ width: 390, height: 844 }] : desktop;
+  for (const size of sizes) {
+    await page.setViewportSize(size);
+    const place = page.getByRole('alert').locator('.message');
+    await expect.poll(() => apart(place, dialog), `at ${size.width}`).toBe(true);
+    await expect(message).toBeInViewport({ ratio: 1 });
+    // The dialog is in its place.
+    const panel = page.getByRole('complementary', { name: 'Model', includeHidden: true });
+    if (project.name !== 'phone') expect(await apart(place, panel), `at ${size.width}`).toBe(true);
+    // Nothing else lies under the pointer either.
+    await dialog.getByRole('button', { name: 'Close' }).click({ trial: true });
+  }
+  await dialog.getByRole('button', { name: 'Close' }).click();
+  await expect(dialog).toBeHidden();
+  await expect(message).toBeVisible();
+  const buttons = page.getByRole('group', { name: 'Camera' });
+  for (const size of sizes) {
+    await page.setViewportSize(size);
+    const place = page.getByRole('alert').locator('.message');
+    await expect.poll(() => apart(place, buttons), `at ${size.width}`).toBe(true);
+  }
+});
+
+// Only a phone has the sheet.
+const phone = { tag: '@phone' };
+test('on a phone no tab is selected while the sheet is closed', phone, async ({ page }) => {
+  await openPage(page);
+  const chosen = page.getByRole('tablist', { name: 'Panels' }).getByRole('tab', { selected: true });
+  await expect(chosen).toHaveCount(0);
+  await page.getByRole('tab', { name: 'Model' }).click();
+  await expect(chosen).toHaveText('Model');
+  await page.getByRole('tab', { name: 'Model' }).click();
+  await expect(chosen).toHaveCount(0);
+});

@@ -1,0 +1,66 @@
+// If a part of the page cannot be loaded, one plain message gives the reason and the remedy, and no
+// later error covers it.
+
+import { expect, test } from '../support.ts';
+
+test.use({ fresh: true });
+
+const REMEDY = 'Check the network, then reload the page.';
+
+/** What is missing, how it fails, and the message shown. */
+const FAILURES: Record<string, { missing: string; status?: number; words: string }> = {
+  'the script of the page is not there': {
+    missing: '**/assets/workbench-*.js',
+    status: 404,
+    words: `Shape-Up could not be started (a part of the page could not be fetched). ${REMEDY}`,
+  },
+  "the solver's module is not there": {
+    missing: '**/assets/engine-*.wasm',
+    status: 404,
+    words: `The solver could not be started (its module could not be fetched: 404). ${REMEDY}`,
+  },
+  "the network fails at the solver's module": {
+    missing: '**/assets/engine-*.wasm',
+    words: `The solver could not be started (its module could not be fetched). ${REMEDY}`,
+  },
+  "the solver's worker is not there": {
+    missing: '**/assets/solver-worker-*.js',
+    status: 404,
+    words: `The solver could not be started (its worker could not be fetched). ${REMEDY}`,
+  },
+};
+
+for (const [title, { missing, status, words }] of Object.entries(FAILURES)) {
+  test(`${title}: the message appears and stays`, async ({ page, complaints }) => {
+    await page.route(missing, (route) => (status ? route.fulfill({ status }) : route.abort()));
+    await page.goto('./');
+    const message = page.getByRole('alert').getByRole('paragraph');
+    await expect(message).toHaveText(words);
+    // Without its script the page's buttons do nothing.
+    if (await page.evaluate(() => Boolean(window.shapeUp))) {
+      // Requests made meanwhile fail without covering the message.
+      const refused = await page.evaluate(() =>
+        window.shapeUp.open('v 0 0 0', 'a.obj').catch(({ message }) => message),
+      );
+      expect(refused).toContain('the solver');
+      await expect(message).toHaveText(words);
+      await page.unroute(missing);
+      await page.getByRole('alert').getByRole('button', { name: 'Reload' }).click();
+      await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
+    }
+    expect(complaints.filter((text) => !/net::ERR_FAILED|404/.test(text))).toEqual([]);
+    complaints.length = 0;
+  });
+}
+
+test('a view that could not be fetched is not reported as missing graphics support', async ({
+  page,
+  complaints,
+}) => {
+  await page.route('**/assets/view-web*.wasm', (route) => route.fulfill({ status: 404 }));
+  await page.goto('./');
+  await expect(page.getByText('the drawing module could not be loaded')).toBeVisible();
+  await expect(page.getByText(REMEDY)).toBeVisible();
+  expect(complaints.filter((text) => !/404/.test(text))).toEqual([]);
+  complaints.length = 0;
+});

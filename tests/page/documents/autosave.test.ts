@@ -1,0 +1,62 @@
+// To which saved work a scene belongs.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import './storage.ts';
+import { Autosave } from '../../../www/documents/autosave.ts';
+import { contentsOf } from '../../../www/documents/recent-documents.ts';
+import { Emitter } from '../../../www/solver/emitter.ts';
+import { createStore } from '../../../www/store/state.ts';
+import type { Files } from '../../../www/documents/files.ts';
+import type { Loaded } from '../../../www/solver/messages.ts';
+import type { SolverClient } from '../../../www/solver/solver-client.ts';
+import type { ViewContext } from '../../../www/viewport/saved-view.ts';
+
+/** The parts of the solver that autosave follows. */
+class Solver extends Emitter<{ model: object; scene: object }> {
+  restoring = false;
+  sceneText = 'the roof';
+  saved = { iteration: 0, history: null, progress: null };
+
+  model(restoring: boolean) {
+    this.restoring = restoring;
+    this.emit('model', {});
+  }
+  scene(text: string) {
+    this.sceneText = text;
+    this.emit('scene', {});
+  }
+}
+
+test('autosave goes on after the opening of another file was cancelled', async (context) => {
+  // It used to be off for the rest of the visit.
+  context.after(() => {
+    for (const name of ['document', 'location']) Reflect.deleteProperty(globalThis, name);
+  });
+  globalThis.document = { addEventListener() {} } as unknown as Document;
+  globalThis.location = { hash: '' } as Location;
+  const solver = new Solver();
+  const files = Object.assign(new Emitter(), { origin: {}, original: null, name: 'roof' });
+  const store = createStore();
+  store.set({ model: { title: '', name: 'roof.obj' } as Loaded });
+  const seen = { store, actions: { describeFile() {} }, analysis: { shown: () => '' } };
+  const autosave = new Autosave(
+    solver as unknown as SolverClient,
+    files as unknown as Files,
+    seen as unknown as ViewContext,
+  );
+  const { id } = autosave;
+  await autosave.save();
+
+  solver.model(false);
+  solver.scene('a large mesh');
+  await autosave.save();
+  assert.equal(autosave.id, '');
+  assert.equal((await contentsOf(id)).text, 'the roof');
+
+  solver.model(true);
+  solver.scene('the roof with a door');
+  await autosave.save();
+  assert.equal(autosave.id, id);
+  assert.equal((await contentsOf(id)).text, 'the roof with a door');
+});

@@ -1,0 +1,235 @@
+// What a link contains and unpacks to; a link that was cut or changed is refused.
+
+import type { Locator } from '@playwright/test';
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { deflateRawSync } from 'node:zlib';
+import { linkTo, readLink, writeLink } from '../../../www/documents/share-link.ts';
+import { MOST_BYTES, inflate } from '../../../www/documents/short-link/deflated.ts';
+import { wavyGrid } from '../meshes.ts';
+
+const TOLERANCE = 0.001;
+const LETTERS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.~!';
+
+/** The mesh of an OBJ file of vertices and faces. */
+function meshOf(obj: string) {
+  const words = obj.split('\n').map((line: string) => line.split(' '));
+  const rows = (name: string, from) => words.filter(([word]) => word === name).map(from);
+  const numbers = ([, ...values]) => values.map(Number);
+  return {
+    positions: rows('v', numbers),
+    faces: rows('f', (row: Locator) => numbers(row).map((index) => index - 1)),
+  };
+}
+
+const sceneWith = (mesh, more = {}) => ({
+  format: 'shape-up-scene',
+  version: 1,
+  mesh,
+  constraints: [{ kind: 'plane', on: 'faces' }],
+  ...more,
+});
+
+const linkOf = (scene, how = {}) =>
+  writeLink(JSON.stringify(scene), {
+    ...{ example: undefined, original: null, run: true, tolerance: TOLERANCE },
+    ...how,
+  });
+
+const opened = async (fragment: string) => JSON.parse((await readLink(fragment)).text);
+
+/** Returns a generator of the same numbers in every run. */
+function numbers(seed: number) {
+  let state = seed;
+  return () => (state = (state * 1103515245 + 12345) % 2 ** 31) / 2 ** 31;
+}
+
+test('a small scene is restored exactly from its link', async () => {
+  const scene = sceneWith(meshOf(wavyGrid(4)), { title: 'Dach ✓' });
+  const { fragment, rounded } = await linkOf(scene);
+  assert.equal(rounded, null);
+  assert.deepEqual(await opened(fragment), scene);
+  assert.equal((await readLink(fragment)).run, true);
+});
+
+test('a link of 900 panels has at most 6,000 characters, rounded to 1 % of the tolerance', async () => {
+  const mesh = meshOf(wavyGrid(30));
+  const scene = sceneWith(
+    { ...mesh, groups: { east: { faces: '0-99' } } },
+    { handles: [{ vertices: [7], targets: [[0.123456789, 2, 3]] }] },
+  );
+  const { fragment, rounded } = await linkOf(scene);
+  assert.equal(mesh.faces.length, 900);
+  assert.ok(fragment.length <= 6000, `${fragment.length} characters`);
+  assert.ok(rounded > 0 && rounded <= TOLERANCE / 100);
+  const back = await opened(fragment);
+  const { mesh: found, handles } = back;
+  assert.deepEqual(found.faces, mesh.faces);
+  assert.deepEqual(found.groups, scene.mesh.groups);
+  found.positions.flat().forEach((value, i: number) => {
+    assert.ok(Math.abs(value - mesh.positions.flat()[i]) <= rounded / 2 + 1e-12);
+  });
+  assert.deepEqual(handles, [{ vertices: [7], targets: [[0.12346, 2, 3]] }]);
+  assert.deepEqual({ ...back, mesh: null, handles: null }, { ...scene, mesh: null, handles: null });
+});
+
+/** 900 uneven quads, each flat up to a distance of at most `off`. */
+function unevenQuads(off) {
+  const n = 30;
+  const random = numbers(3);
+  const about = (size) => (2 * random() - 1) * size;
+  const positions = [];
+  const at = (x: number, y: number) => positions[y * (n + 1) + x];
+  for (let y = 0; y <= n; y++)
+    for (let x = 0; x <= n; x++) {
+      if (x === 0 || y === 0) {
+        positions.push([x + about(0.2), y + about(0.2), Math.sin(0.2 * (x + y)) + about(0.2)]);
+        continue;
+      }
+      const [a, b, c] = [at(x - 1, y), at(x, y - 1), at(x - 1, y - 1)];
+      const [p, q] = [1 + about(0.02), 1 + about(0.02)];
+      positions.push(c.map((value, k: number) => value + p * (a[k] - value) + q * (b[k] - value)));
+      positions.at(-1)[2] += about(off);
+    }
+  const faces = Array.from({ length: n * n }, (_, i) => {
+    const corner = Math.floor(i / n) * (n + 1) + (i % n);
+    return [corner, corner + 1, corner + n + 2, corner + n + 1];
+  });
+  return { positions, faces };
+}
+
+test('flat panels make a link a fifth shorter and at most 6,000 characters, even if uneven', async () => {
+  const [flat, bent] = await Promise.all(
+    [0, 0.02].map(async (off) => (await linkOf(sceneWith(unevenQuads(off)))).fragment.length),
+  );
+  assert.ok(flat <= 6000, `${flat} characters`);
+  assert.ok(flat <= 0.8 * bent, `${flat} of ${bent} characters`);
+});
+
+test('any mesh is restored with its vertices and faces in their order', async () => {
+  const random = numbers(7);
+  for (let turn = 0; turn < 60; turn++) {
+    const vertices = 150 + Math.floor(random() * 200);
+    const scale = 10 ** Math.floor(random() * 9 - 4);
+    const far = turn % 3 === 0 ? 1e6 * scale : 0;
+    const flat = turn % 4 === 0;
+    const positions = Array.from({ length: vertices }, () =>
+      [random(), random(), flat ? 0 : random()].map((value) => far + value * scale),
+    );
+    const faces = Array.from({ length: Math.floor(random() * 300) + 1 }, () => {
+      const face = new Set();
+      const corners = 3 + Math.floor(random() * 5);
+      while (face.size < corners) face.add(Math.floor(random() * vertices));
+      return [...face];
+    });
+    const step = 10 ** -Math.floor(5 + random() * 3) * scale;
+    const { fragment, rounded } = await linkOf(sceneWith({ positions, faces }), {
+      tolerance: 100 * step,
+    });
+    assert.ok(rounded !== null, `turn ${turn} is not rounded`);
+    const { mesh } = await opened(fragment);
+    assert.deepEqual(mesh.faces, faces);
+    mesh.positions.flat().forEach((value, i: number) => {
+      const error = Math.abs(value - positions.flat()[i]);
+      assert.ok(error <= 0.5001 * rounded + 1e-15 * far, `turn ${turn}: ${error} of ${rounded}`);
+    });
+  }
+});
+
+test('vertices that rounding would merge, lessons, and meshes without a tolerance stay exact', async () => {
+  const mesh = meshOf(wavyGrid(20));
+  const close = structuredClone(mesh);
+  close.positions[5] = close.positions[4].map((value) => value + 1e-9);
+  for (const [scene, how] of [
+    [sceneWith(close), {}],
+    [sceneWith(mesh, { lesson: { text: 'Flat!', goals: [] } }), {}],
+    [sceneWith(mesh), { tolerance: 0 }],
+  ]) {
+    const { fragment, rounded } = await linkOf(scene, how);
+    assert.equal(rounded, null);
+    assert.deepEqual(await opened(fragment), scene);
+  }
+});
+
+test('every shortened link, and every link with a changed character, is refused', async () => {
+  const small = await linkOf(sceneWith(meshOf(wavyGrid(1))));
+  const rounded = await linkOf(sceneWith(meshOf(wavyGrid(12))));
+  for (const { fragment } of [small, rounded]) {
+    const start = '#link='.length;
+    for (let end = start; end < fragment.length; end++)
+      await assert.rejects(readLink(fragment.slice(0, end)), /incomplete or damaged/);
+    for (let at = start; at < fragment.length; at++)
+      for (const other of fragment === small.fragment ? LETTERS : 'Aq-.') {
+        if (other === fragment[at]) continue;
+        const changed = fragment.slice(0, at) + other + fragment.slice(at + 1);
+        await assert.rejects(readLink(changed), /incomplete or damaged/);
+      }
+    await assert.rejects(readLink(`${fragment}.`), /incomplete or damaged/);
+  }
+});
+
+test('links of earlier versions open', async () => {
+  const text = JSON.stringify(sceneWith(meshOf(wavyGrid(3))));
+  const code = deflateRawSync(Buffer.from(text)).toString('base64url');
+  assert.deepEqual(await readLink(`#scene=${code}&run`), { example: null, text, run: true });
+  // Positions predicted without the planes of the faces.
+  const early =
+    'AwAAAFMATa8c_9hkmh8L0MQnaj7ssgH7ZDgHOAcLeKHT10ibXPN1UCUE7nhJ5W0JLKcNrm6-3j4Pz-R6DjJ0CsZKkhU7GIZkihhEeY_nxFtGYDrXSpLnbyXLMQ6AIAxG4bv8Mw6uvYpxaLBEohRC0YVwd6PO73sd5kUF1BFyTdxAsJ2LTFeZ_uRwS7WYFTQ7JLEd1IeDz2qtctRmoKXjiLqBUE7-ptcjsBfDWMd4APS-Bxg';
+  const { mesh } = await opened(`#link=${early}`);
+  assert.deepEqual(mesh.faces, meshOf(wavyGrid(3)).faces);
+  mesh.positions.flat().forEach((value, i: number) => {
+    assert.ok(Math.abs(value - meshOf(wavyGrid(3)).positions.flat()[i]) <= 0.5001e-5);
+  });
+  const edits = await readLink(`#example=hypar&edits=${code}`);
+  assert.deepEqual(edits, { example: 'hypar', text, run: false });
+  await assert.rejects(readLink(`#scene=${code.slice(0, -9)}`), /incomplete or damaged/);
+  await assert.rejects(readLink('#scene=!'), /incomplete or damaged/);
+});
+
+test('an example is stored by its name, and edits in the code', async () => {
+  const example = { id: 'hypar', mesh: 'hypar.obj' };
+  const original = JSON.stringify(sceneWith({ file: 'hypar.obj' }));
+  const how = { example, original, run: false };
+  const plain = await linkOf(JSON.parse(original), how);
+  assert.equal(plain.fragment, '#example=hypar');
+  const edited = sceneWith({ file: 'hypar.obj' }, { weights: { close: 3 } });
+  const { fragment } = await linkOf(edited, how);
+  assert.deepEqual(await readLink(fragment), {
+    ...{ example: 'hypar', text: JSON.stringify(edited), run: false },
+  });
+});
+
+test('an example whose mesh was refined is stored with that mesh, also when it was resumed', async (context) => {
+  // The link used to name the example's mesh: constraints and handles lay on vertices it lacks.
+  context.after(() => delete globalThis.location);
+  globalThis.location = { href: 'https://shape-up.test/#example=roof' } as any;
+  const obj = `# roof\n${wavyGrid(2)}`;
+  const linkOf = (mesh, original) =>
+    linkTo({
+      store: { get: () => ({ tolerance: TOLERANCE }) } as any,
+      actions: { sceneText: async () => JSON.stringify(sceneWith(mesh)) } as any,
+      files: {
+        origin: { example: { id: 'roof', mesh: 'roof.obj' } },
+        original: original && JSON.stringify(sceneWith(original)),
+        exampleFile: async () => new TextEncoder().encode(obj),
+      } as any,
+    });
+  const hashOf = async (...given) => new URL((await linkOf(...given)).address).hash;
+  const [mesh, refined] = [meshOf(obj), meshOf(wavyGrid(4))];
+  assert.equal(await hashOf(mesh, mesh), '#example=roof');
+  assert.equal((await readLink(await hashOf(mesh, null))).example, 'roof');
+  for (const original of [mesh, null]) {
+    const back = await readLink(await hashOf(refined, original));
+    assert.equal(back.example, null);
+    assert.deepEqual(JSON.parse(back.text).mesh, refined);
+  }
+});
+
+test('data that unpacks to more than the limit is refused without blocking the page', async () => {
+  const bomb = deflateRawSync(Buffer.alloc(MOST_BYTES * 2));
+  let turns = 0;
+  const timer = setInterval(() => (turns += 1), 1);
+  await assert.rejects(inflate(bomb), /more than 32 MB/);
+  clearInterval(timer);
+  assert.ok(turns >= 10, `${turns} turns while it was unpacked`);
+});

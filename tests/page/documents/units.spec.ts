@@ -1,0 +1,104 @@
+// The unit and up axis of a mesh file, which does not state them.
+
+import type { Page } from '@playwright/test';
+import { exported, hidePanels, openText, saved, showPanel } from '../actions.ts';
+import { wavyGrid } from '../meshes.ts';
+import {
+  drawn,
+  expect,
+  openPage,
+  positionOf,
+  screenOf,
+  state,
+  test,
+  waitForState,
+} from '../support.ts';
+
+test.use({ sameDocument: true });
+
+const guess = (page: Page) => page.getByText(/ has no units or up axis\. Our guess:$/);
+const looksRight = (page: Page) => page.getByRole('button', { name: 'Looks right' });
+const upOf = (page: Page) => page.evaluate(() => window.shapeUp.scene().up ?? 'z');
+
+test('the guess is shown in the panel, covers nothing, and is written into saved files', async ({
+  page,
+}) => {
+  await openPage(page);
+  // Forty other files are remembered, as many as there is room for.
+  await page.evaluate(() => {
+    const others = Array.from({ length: 40 }, (_, k) => [`${k}.obj`, { units: 'mm', up: 'z' }]);
+    localStorage.setItem('shape-up.frames', JSON.stringify(others));
+  });
+  // The example states its unit and axis.
+  await showPanel(page, 'Model');
+  await expect(guess(page)).toBeHidden();
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  const corner = await positionOf(page, 24);
+  const units = page.getByRole('combobox', { name: 'Unit' });
+  const up = page.getByRole('combobox', { name: 'Up axis' });
+  await expect(guess(page)).toBeVisible();
+  // The guess is a line of the panel: it does not cover the model and needs no answer.
+  await expect(
+    page.getByRole('complementary', { name: 'Model' }).locator(guess(page)),
+  ).toBeVisible();
+  await expect(units).toHaveValue('m');
+  await expect(up).toHaveValue('z');
+  await units.selectOption('ft');
+  await expect(guess(page)).toBeHidden();
+  await up.selectOption('y');
+  await expect.poll(() => upOf(page)).toBe('y');
+  expect(await positionOf(page, 24), 'nothing is rescaled').toEqual(corner);
+
+  const scene = JSON.parse((await saved(page, 'Save scene')).text);
+  expect([scene.units, scene.up]).toEqual(['ft', 'y']);
+  const mesh = await exported(page, 'OBJ');
+  expect(mesh.text).toMatch(/^# units: ft\n# up: y\nv /);
+
+  // The same file opened again gets the same unit, and so does its export.
+  for (const [name, text] of [
+    ['roof.obj', wavyGrid(4)],
+    ['copy.obj', mesh.text],
+  ]) {
+    await openText(page, 'other.obj', wavyGrid(2), 9);
+    await expect(guess(page)).toBeVisible();
+    await openText(page, name, text, 25);
+    await expect(guess(page)).toBeHidden();
+    await expect.poll(() => upOf(page)).toBe('y');
+  }
+  // A guess marked as right is not asked for again.
+  await openText(page, 'other.obj', wavyGrid(2), 9);
+  await looksRight(page).click();
+  await expect(guess(page)).toBeHidden();
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await openText(page, 'other.obj', wavyGrid(2), 9);
+  await expect(guess(page)).toBeHidden();
+});
+
+test('another axis turns the view, and undo turns it back', async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  // The view is framed anew beside the offer.
+  await page.getByRole('button', { name: 'Make panels flat' }).first().waitFor();
+  await drawn(page);
+  const before = await screenOf(page, 0);
+  await showPanel(page, 'Model');
+  await page.getByRole('combobox', { name: 'Up axis' }).selectOption('y');
+  await hidePanels(page);
+  await expect.poll(() => page.evaluate(() => window.shapeUp.screen(0))).not.toEqual(before);
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => upOf(page)).toBe('z');
+  await expect.poll(() => page.evaluate(() => window.shapeUp.screen(0))).toEqual(before);
+});
+
+test('lengths are shown in the chosen unit', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await showPanel(page, 'Model');
+  await page.getByRole('combobox', { name: 'Unit' }).selectOption('ft');
+  await showPanel(page, 'Energies and display');
+  await page.getByLabel('Colour by').selectOption('planarity');
+  const worst = page.locator('#numbers').getByText(/^[\d.]+ ft$/);
+  await expect(worst.first()).toBeAttached();
+  expect((await state(page)).planarity?.max_distance).toBeGreaterThan(0);
+});

@@ -1,0 +1,447 @@
+// From a mesh to drawings on disk: what the parts panel shows and saves.
+
+import type { Page } from '@playwright/test';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import DxfParser, { type IDxf, type IEntity, type ILwpolylineEntity } from 'dxf-parser';
+import { unzipSync } from 'fflate';
+import { program } from '../../../.scripts/project.mjs';
+import type { BuildReport } from '../../../www/solver/messages.ts';
+import { downloaded, openText, saved, showPanel } from '../actions.ts';
+import { quadScene, wavyGrid } from '../meshes.ts';
+import { outlinesOf, overPart } from '../sheets.ts';
+import {
+  expect,
+  openPage,
+  sceneOf,
+  state,
+  test,
+  waitForState,
+  type PageState,
+} from '../support.ts';
+
+test.use({ sameDocument: true });
+
+declare global {
+  interface Window {
+    /** Whether the page has asked for a print. */
+    isPrinted: boolean;
+  }
+}
+
+const FACES = 16;
+const panel = (page: Page) => page.getByRole('region', { name: 'Parts and sheets' });
+
+/** The report in a state of the page with parts. */
+function reportOf({ build }: PageState): BuildReport {
+  if (!build) throw new Error('the page has no parts');
+  return build;
+}
+
+async function openBuild(page: Page) {
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  await expect(panel(page)).toBeVisible();
+  return reportOf(await waitForState(page, (now) => now.build !== null));
+}
+
+/** Enters a number into a field and leaves the field. */
+async function setField(page: Page, label: string, value: number) {
+  await panel(page).getByLabel(label).fill(String(value));
+  await panel(page).getByLabel(label).press('Tab');
+}
+
+const areaOf = (points: { x: number; y: number }[]) =>
+  points.reduce((sum, { x, y }, k) => {
+    const next = points[(k + 1) % points.length];
+    return sum + (x * next.y - y * next.x) / 2;
+  }, 0);
+
+/** Whether a line of a drawing is closed. */
+const isClosed = (line: IEntity): line is ILwpolylineEntity => (line as ILwpolylineEntity).shape;
+
+/** The files of an archive by name. */
+const filesOf = (bytes: Uint8Array) =>
+  Object.fromEntries(
+    Object.entries(unzipSync(bytes)).map(([name, content]) => [name, Buffer.from(content)]),
+  );
+
+test('circular panels become drawings in mm, identical to those of the command line', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  await page.getByRole('button', { name: 'Make panels circular' }).click();
+  await waitForState(page, (now) => now.iteration > 0 && !now.running);
+  const first = await openBuild(page);
+  expect(first.panels).toBe(FACES);
+  await setField(page, 'Joint', 0.02);
+  await waitForState(page, (now) => (now.build?.joint_mm ?? 0) > 0);
+  await setField(page, 'Sheet width, mm', 200);
+  await waitForState(page, (now) => now.build?.sheet_mm[0] === 200);
+  await expect(panel(page).getByRole('img')).toHaveCount(reportOf(await state(page)).sheets);
+
+  const build = reportOf(await state(page));
+  const archive = await downloaded(page, () =>
+    panel(page).getByRole('button', { name: 'Save drawings' }).click(),
+  );
+  expect(archive.name).toBe('roof-parts.zip');
+  const files = filesOf(archive.bytes);
+  const drawings = Object.keys(files).filter((name) => name.endsWith('.dxf'));
+  expect(drawings).toHaveLength(build.sheets);
+  const outlines = drawings.flatMap((name) => {
+    const drawing = new DxfParser().parseSync(files[name].toString()) as IDxf;
+    expect(drawing.header.$INSUNITS, 'mm').toBe(4);
+    return drawing.entities.filter(isClosed);
+  });
+  expect(outlines.map(({ layer }) => layer)).toEqual(Array(FACES).fill('CUT'));
+  const area = outlines.reduce((sum, { vertices }) => sum + areaOf(vertices), 0);
+  expect(area / build.cut_area_mm2).toBeCloseTo(1, 6);
+
+  // The command line writes the same bytes and numbers for this scene.
+  const scene = await saved(page, 'Save scene');
+  const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
+  try {
+    const [input, report] = ['roof.shapeup.json', 'report.json'].map((name) => join(folder, name));
+    writeFileSync(input, scene.text);
+    execFileSync(program, ['build', input, '--out', folder, '--report', report]);
+    expect(JSON.parse(readFileSync(report, 'utf8'))).toEqual(build);
+    expect(files['model.glb'].toString('latin1', 0, 4)).toBe('glTF');
+    for (const [name, content] of Object.entries(files))
+      expect(readFileSync(join(folder, name)).equals(content), name).toBe(true);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test('failed checks are red on the sheet at once, and Tighten makes the parts fit', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  const before = await openBuild(page);
+  const missed = ({ check }: BuildReport) => check.filter(({ met }) => !met).map(({ id }) => id);
+  const [flatness] = before.check.filter(({ id }) => id === 'panel_flatness');
+  expect(flatness.failed).toBeGreaterThan(0);
+  const failed = () => outlinesOf(panel(page), 'failed');
+  await expect.poll(failed).toHaveLength(flatness.failed);
+  // No other line is red; cut lines are red only in the saved files.
+  const lines = panel(page).locator('.sheets path:not(.failed-sides)');
+  const colours = await lines.evaluateAll((all) => all.map((one) => getComputedStyle(one).stroke));
+  const isRed = (colour: string) => {
+    const [red, green, blue] = (colour.match(/\d+/g) ?? [0, 0, 0]).map(Number);
+    return red > 2 * Math.max(green, blue);
+  };
+  expect(colours.filter(isRed)).toEqual([]);
+
+  // The slider is limited to safe distances.
+  const slider = panel(page).getByLabel('Distance');
+  const safe = before.offset?.safe_distance_mm[1] ?? NaN;
+  const most = Number(await slider.getAttribute('max'));
+  expect(Math.abs(most) * 1000).toBeLessThan(Math.abs(safe));
+  await slider.press('End');
+  const far = await waitForState(page, (now) => (now.build?.offset?.distance_mm ?? NaN) > 1000);
+  expect(far.build?.check.find(({ id }) => id === 'safe_distance')?.met).toBe(true);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await waitForState(page, (now) => (now.build?.offset?.distance_mm ?? NaN) < 1000);
+  // At 0, which parts cannot have, slider and parts go back to the distance of the settings.
+  const figure = panel(page).locator('output[for="parts-distance"]');
+  const [kept, words] = [await slider.inputValue(), await figure.innerText()];
+  await slider.fill('0');
+  await expect(slider).toHaveValue(kept);
+  await expect(figure).toHaveText(words);
+
+  await panel(page).getByRole('button', { name: 'Tighten' }).click();
+  const tightened = await waitForState(
+    page,
+    (now) => !now.running && now.build?.check.every(({ met }) => met),
+  );
+  expect(missed(reportOf(tightened))).toEqual([]);
+  await expect.poll(failed).toEqual([]);
+  await expect(panel(page).getByRole('button', { name: 'Corners' })).toContainText('exact');
+  await expect(panel(page).getByRole('button', { name: 'Tighten' })).toBeDisabled();
+});
+
+test('settings are saved in the scene and can be undone; parts and panels are selected together', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await openBuild(page);
+  const before = (await sceneOf(page)).build;
+  await panel(page).getByLabel('Material').selectOption({ index: 2 });
+  await waitForState(page, (now) => now.build?.scale === 20);
+  expect((await sceneOf(page)).build).toEqual({
+    material: 'plywood',
+    scale: 20,
+    sheet: [600, 400],
+    thickness: 3,
+  });
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await waitForState(page, (now) => now.build?.scale === 50);
+  expect((await sceneOf(page)).build).toEqual(before);
+
+  // The part under the pointer, and no other, is marked, selected with its panel, and unmarked.
+  for (const part of [3, 5]) {
+    const { at, outline } = await overPart(panel(page), part);
+    await expect.poll(() => outlinesOf(panel(page), 'pointed')).toEqual([outline]);
+    await page.mouse.click(...at);
+    await expect.poll(() => outlinesOf(panel(page), 'chosen')).toEqual([outline]);
+    expect((await state(page)).selection.faces).toHaveLength(1);
+  }
+  await panel(page).getByLabel('Material').hover();
+  await expect.poll(() => outlinesOf(panel(page), 'pointed')).toEqual([]);
+  await panel(page).getByRole('button', { name: 'Panel flatness' }).click();
+  await waitForState(page, (now) => now.selection.faces.length === 1);
+  await panel(page).getByLabel('Material').press('Escape');
+  await expect(panel(page)).toBeHidden();
+  expect((await state(page)).build).toBe(null);
+});
+
+test('fins and a paper model are made of the same shape and saved', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  await openBuild(page);
+  const made = async (product: string) => {
+    await panel(page).getByLabel('Make').selectOption(product);
+    const build = reportOf(
+      await waitForState(page, (now, own) => now.build?.product === own, product),
+    );
+    await expect.poll(() => outlinesOf(panel(page), 'cut')).toHaveLength(build.placed);
+    const archive = await downloaded(page, () =>
+      panel(page).getByRole('button', { name: 'Save drawings' }).click(),
+    );
+    return { build, files: Object.keys(filesOf(archive.bytes)) };
+  };
+  const fins = await made('fins');
+  expect(fins.build.parts).toBe(40);
+  expect(fins.files).toEqual(expect.arrayContaining(['fins.csv', 'node-types.csv', 'beams.obj']));
+  const paper = await made('paper');
+  expect(paper.build.paper?.tabs).toBeGreaterThan(0);
+  expect(paper.files).toEqual(expect.arrayContaining(['pieces.csv', 'joins.csv', 'sheets.pdf']));
+  // Clicking a piece selects its panels.
+  const { at, outline } = await overPart(panel(page), 0);
+  await page.mouse.click(...at);
+  await waitForState(page, (now) => now.selection.faces.length > 0);
+  await expect.poll(() => outlinesOf(panel(page), 'chosen')).toEqual([outline]);
+});
+
+test('pieces too small for their names are listed by name', async ({ page }) => {
+  await openPage(page);
+  const scene = JSON.parse(quadScene(6));
+  // Panels of 7 mm on sheets filled with pieces.
+  scene.build = { product: 'paper', scale: 143, sheet: [36, 36], gap: 0.5, margin: 1 };
+  await openText(page, 'small.shapeup.json', JSON.stringify(scene), 49);
+  const { unnamed, parts } = await openBuild(page);
+  expect(unnamed.length).toBeGreaterThan(1);
+  expect(unnamed.length).toBeLessThan(parts);
+  const words = `${unnamed.length} pieces have no room for a name: ${unnamed.slice(0, 6).join(', ')}`;
+  await expect(panel(page)).toContainText(words);
+});
+
+test('parts are exported to Rhino with layers and names', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  await openBuild(page);
+  await panel(page).getByLabel('Make').selectOption('fins');
+  const build = reportOf(await waitForState(page, (now) => now.build?.product === 'fins'));
+  const { name, bytes } = await downloaded(page, () =>
+    panel(page).getByRole('button', { name: 'Rhino' }).click(),
+  );
+  expect(name).toBe('roof-parts.3dm');
+  const { default: openRhino } = await import('rhino3dm');
+  const rhino = await openRhino();
+  const written = rhino.File3dm.fromByteArray(new Uint8Array(bytes));
+  expect(written.settings().modelUnitSystem).toBe(rhino.UnitSystem.Meters);
+  const named: Record<string, string[]> = {};
+  for (let i = 0; i < written.objects().count; i++) {
+    const attributes = written.objects().get(i).attributes();
+    (named[written.layers().get(attributes.layerIndex).name] ??= []).push(attributes.name);
+  }
+  expect(named.Panels).toHaveLength(FACES);
+  expect(named.Nodes).toHaveLength(25);
+  expect(named.Beams).toContain('B0-1');
+  expect(named['Sheets CUT']).toHaveLength(build.placed);
+});
+
+test('a tolerance is chosen by the number of panel types that it leaves', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  const { types_curve: curve, types } = await openBuild(page);
+  expect(types).toBe(curve.find(([at]) => at === 1)?.[1]);
+  const bars = panel(page).getByRole('group', { name: 'Types of panels' }).getByRole('button');
+  await expect(bars).toHaveCount(curve.length);
+  await bars.last().click();
+  const [at, fewest] = curve[curve.length - 1];
+  await waitForState(page, (now, own) => now.build?.types === own, fewest);
+  await expect(bars.last()).toHaveAttribute('aria-pressed', 'true');
+  expect((await sceneOf(page)).build.alike).toBe(at);
+});
+
+test('types of panels, edges and nodes are counted at each tolerance', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  await openBuild(page);
+  const what = panel(page).getByLabel('Types of', { exact: true });
+  await expect(what.locator('option')).toHaveCount(2);
+  await panel(page).getByLabel('Make').selectOption('fins');
+  const build = reportOf(await waitForState(page, (now) => now.build?.product === 'fins'));
+  const { edge_types_curve: edges, types_curve: panels, frame } = build;
+  const nodes = frame?.node_types_curve ?? [];
+  for (const [noun, curve] of Object.entries({ edges, panels, nodes })) {
+    await what.selectOption(noun);
+    const bars = panel(page)
+      .getByRole('group', { name: `Types of ${noun}` })
+      .getByRole('button');
+    const names = await bars.evaluateAll((all) => all.map((bar) => parseInt(bar.ariaLabel ?? '')));
+    expect(names).toEqual(curve.map(([, types]) => types));
+  }
+  // The choice stays when a tolerance is taken: a length for edges, an angle for nodes.
+  const bars = panel(page).getByRole('group', { name: 'Types of nodes' }).getByRole('button');
+  await bars.last().click();
+  await waitForState(page, (now) => now.build?.frame?.alike_deg === 2);
+  await what.selectOption('edges');
+  await panel(page)
+    .getByRole('group', { name: 'Types of edges' })
+    .getByRole('button')
+    .first()
+    .click();
+  await waitForState(page, (now) => (now.build?.edge_types ?? 0) > 1);
+  await expect(what).toHaveValue('edges');
+  expect((await sceneOf(page)).build).toMatchObject({ alike: edges[0][0], alike_deg: 2 });
+});
+
+test.describe('with a printer', () => {
+  test.use({ sameDocument: false });
+
+  test('the report is one page with the numbers of the card, and can be saved and printed', async ({
+    page,
+  }) => {
+    await openPage(page);
+    await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+    const { check } = await openBuild(page);
+    await panel(page).getByRole('button', { name: 'Report' }).click();
+    const dialog = page.getByRole('dialog', { name: 'Report' });
+    const paper = dialog.getByRole('img', { name: 'Report on roof' });
+    await expect(paper).toContainText('16 panels on 1 sheet');
+    const states = await paper.locator('text', { hasText: /^(met|not met)/ }).allTextContents();
+    expect(states.map((words) => words === 'met')).toEqual(check.map(({ met }) => met));
+    // The link opens this model.
+    await expect(paper.getByRole('link')).toHaveAttribute('href', /#link=/);
+
+    const { name, bytes } = await downloaded(page, () =>
+      dialog.getByRole('button', { name: 'Save as PDF' }).click(),
+    );
+    expect(name).toBe('roof-report.pdf');
+    expect(Buffer.from(bytes).toString('latin1')).toMatch(/^%PDF-1\.5[^]*\/URI \(http[^]*%%EOF\n$/);
+
+    await page.evaluate(() => (window.print = () => (window.isPrinted = true)));
+    await dialog.getByRole('button', { name: 'Print' }).click();
+    expect(await page.evaluate(() => window.isPrinted)).toBe(true);
+    await page.emulateMedia({ media: 'print' });
+    await expect(paper).toBeVisible();
+    await expect(dialog.getByRole('button')).toHaveCount(0);
+    await expect(panel(page)).toBeHidden();
+  });
+});
+
+test('a lesson has goals on the parts, measured once the shape is at rest', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  const scene = await sceneOf(page);
+  scene.lesson = {
+    text: 'Build it flat, on one sheet.',
+    goals: [
+      { build: 'panel_flatness', at_most: 0.001 },
+      { build: 'sheets', at_most: 1 },
+    ],
+  };
+  await openText(page, 'lesson.shapeup.json', JSON.stringify(scene), 25);
+  const goals = page.getByRole('list', { name: 'Goals', exact: true });
+  await expect(goals).toContainText('Sheets: at most 1');
+  await expect(goals.getByRole('listitem').nth(1)).toContainText('✓');
+  await expect(goals.getByRole('listitem').nth(0)).toContainText('✗');
+  await page.getByRole('button', { name: 'Make panels circular' }).click();
+  await waitForState(page, (now) => now.iteration > 0 && !now.running);
+  await expect(goals.getByRole('listitem').nth(0)).toContainText('✓');
+});
+
+const STRANGE: [what: string, text: string, vertices: number, words: RegExp][] = [
+  ['points', 'v 0 0 0\nv 1 0 0\nv 0 1 0\n', 3, /no faces: there is nothing to cut/],
+  ['an open curve', 'v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n', 3, /no faces: there is nothing to cut/],
+  [
+    'triangles',
+    'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 .5\nf 1 2 3\nf 1 3 4\n',
+    4,
+    /2 panels on 1 sheet/,
+  ],
+  [
+    'several components',
+    'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 5 0 0\nv 6 0 0\nv 6 1 0\nf 1 2 3\nf 4 5 6\n',
+    6,
+    /2 panels on 1 sheet/,
+  ],
+  [
+    'an edge without length',
+    'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 1 0\nv 2 0 0\nf 1 2 3 4\nf 2 5 3\n',
+    5,
+    /2 panels on 1 sheet/,
+  ],
+];
+for (const [what, text, vertices, words] of STRANGE) {
+  test(`${what}: drawings are saved if there are faces, else the reason is shown`, async ({
+    page,
+  }) => {
+    await openPage(page);
+    await openText(page, 'strange.obj', text, vertices);
+    await showPanel(page, 'Model');
+    await page.getByRole('button', { name: 'Build', exact: true }).click();
+    await expect(panel(page)).toContainText(words);
+    const save = panel(page).getByRole('button', { name: 'Save drawings' });
+    if (/no faces/.test(words.source)) {
+      await expect(save).toBeDisabled();
+      return;
+    }
+    const archive = await downloaded(page, () =>
+      panel(page).getByRole('button', { name: 'Save drawings' }).click(),
+    );
+    expect(Object.keys(filesOf(archive.bytes))).toContain('sheet-01.dxf');
+  });
+}
+
+test('folded panels and a one-sided surface show why there is no offset', async ({ page }) => {
+  await openPage(page);
+  // Moves an inner vertex past its neighbour.
+  const folded = wavyGrid(3).split('\n');
+  folded[5] = 'v 2.6 2.5 0';
+  await openText(page, 'folded.obj', folded.join('\n'), 16);
+  const { problems, offset } = await openBuild(page);
+  expect(offset).toBe(null);
+  expect(problems.join()).toContain('folded over');
+  await expect(panel(page)).toContainText('folded over');
+  await expect(panel(page).getByLabel('Distance')).toBeHidden();
+
+  await openText(page, 'one-sided.obj', moebius(8), 16);
+  const other = await waitForState(page, (now) => now.build?.panels === 8);
+  expect(other.build?.problems.join()).toContain('one side only');
+  await expect(panel(page)).toContainText('8 panels on');
+});
+
+/** A Möbius strip of quads. */
+function moebius(quads: number) {
+  const lines = [];
+  for (let i = 0; i < quads; i++) {
+    const turn = (2 * Math.PI * i) / quads;
+    for (const side of [-0.5, 0.5]) {
+      const radius = 3 + side * Math.cos(turn / 2);
+      const [x, y] = [radius * Math.cos(turn), radius * Math.sin(turn)];
+      lines.push(`v ${x.toFixed(6)} ${y.toFixed(6)} ${(side * Math.sin(turn / 2)).toFixed(6)}`);
+    }
+  }
+  const at = (i: number, side: number) => 1 + 2 * (i % quads) + (i < quads ? side : 1 - side);
+  for (let i = 0; i < quads; i++)
+    lines.push(`f ${at(i, 0)} ${at(i + 1, 0)} ${at(i + 1, 1)} ${at(i, 1)}`);
+  return `${lines.join('\n')}\n`;
+}

@@ -1,0 +1,119 @@
+// Curvature of a surface: its directions and lines, Gauss and mean curvature as colours, and what
+// they mean for panels.
+
+import type { Page } from '@playwright/test';
+import { openText, showPanel } from '../actions.ts';
+import { tube } from '../meshes.ts';
+import { decodePng } from '../picture.ts';
+import { expect, looks, openPage, state, test } from '../support.ts';
+
+test.use({ sameDocument: true });
+
+/** A saddle of n by n quads, in metres, whose edges are at 45° to its lines of curvature. */
+function hypar(n: number) {
+  const lines = ['# units: m'];
+  for (let y = 0; y <= n; y++)
+    for (let x = 0; x <= n; x++) lines.push(`v ${x} ${y} ${0.1 * (x - n / 2) * (y - n / 2)}`);
+  for (let y = 0; y < n; y++)
+    for (let x = 0; x < n; x++) {
+      const corner = y * (n + 1) + x + 1;
+      lines.push(`f ${corner} ${corner + 1} ${corner + n + 2} ${corner + n + 1}`);
+    }
+  return `${lines.join('\n')}\n`;
+}
+
+async function openCurvature(page: Page) {
+  await page.getByRole('button', { name: 'Views' }).click();
+  await page.getByRole('button', { name: 'Curvature', exact: true }).click();
+  return page.getByRole('region', { name: 'Curvature' });
+}
+
+/** Counts the pixels of the view in which red, or blue, clearly dominates. */
+async function tinted(page: Page) {
+  const view = page.getByRole('application', { name: '3D view' });
+  const { pixels, channels } = decodePng(await view.screenshot());
+  const found = { red: 0, blue: 0 };
+  for (let i = 0; i < pixels.length; i += channels) {
+    const [r, g, b] = [pixels[i], pixels[i + 1], pixels[i + 2]];
+    if (r > g + 60 && r > b + 60) found.red += 1;
+    if (b > r + 60 && b > g + 20) found.blue += 1;
+  }
+  return found;
+}
+
+test(
+  'directions and lines of curvature are drawn over a saddle, and disappear with the card',
+  looks,
+  async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'hypar.obj', hypar(12), 169);
+    const before = await tinted(page);
+    const card = await openCurvature(page);
+    await expect(card.getByText(/edges are \d+° off the lines of curvature/)).toBeVisible();
+    await card.getByLabel('Coloured by').selectOption({ label: 'Another measure' });
+    await expect(async () => {
+      const now = await tinted(page);
+      expect(now.red).toBeGreaterThan(before.red + 300);
+      expect(now.blue).toBeGreaterThan(before.blue + 300);
+    }).toPass();
+    await card.getByLabel('Lines', { exact: true }).selectOption('Lines of curvature');
+    await expect(card.getByLabel('Distance between lines')).toHaveAttribute('placeholder', /\d/);
+    await card.getByLabel('Distance between lines').fill('0.0001');
+    await card.getByLabel('Distance between lines').press('Enter');
+    await expect(card.getByText('expected a distance from')).toBeVisible();
+    await card.getByLabel('Distance between lines').fill('1.5');
+    await card.getByLabel('Distance between lines').press('Enter');
+    await expect(card.getByText('expected a distance from')).toBeHidden();
+    await card.getByLabel('Lines', { exact: true }).selectOption('Lines through the selection');
+    await expect(card.getByText('Select vertices or faces')).toBeVisible();
+    await page.getByRole('button', { name: 'Close curvature' }).click();
+    await expect(card).toBeHidden();
+    await expect(async () => {
+      expect((await tinted(page)).red).toBeLessThan(before.red + 50);
+    }).toPass();
+  },
+);
+
+test('Gauss and mean curvature are coloured around zero, with units in metres', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'hypar.obj', hypar(12), 169);
+  const card = await openCurvature(page);
+  const legend = page.locator('#legend');
+  // The first measure is the angle between edges and lines of curvature, with its histogram.
+  await expect(legend).toContainText('Off the lines of curvature');
+  await card.getByLabel('Coloured by').selectOption('Gauss curvature (1/m²)');
+  // In the middle it is -(0.1 / m)^2.
+  await expect(legend.getByRole('img')).toHaveAttribute(
+    'aria-label',
+    /^144 faces between −0\.0\d+ 1\/m² and 0\.0\d+ 1\/m²$/,
+  );
+  await expect(legend.getByLabel('Tolerance')).toBeHidden();
+  const [low, high] = [legend.getByLabel('Colours from'), legend.getByLabel('Colours to')];
+  expect(await low.inputValue()).toBe(`−${await high.inputValue()}`);
+  await high.fill('0.02');
+  await high.press('Enter');
+  await expect(low).toHaveValue('−0.0200');
+  await card.getByLabel('Coloured by').selectOption('Mean curvature (1/m)');
+  await expect(legend).toContainText('Mean curvature');
+  // Closing the card removes its colours.
+  await page.getByRole('button', { name: 'Close curvature' }).click();
+  await expect(legend).toBeHidden();
+  expect((await state(page)).problems).toEqual([]);
+  // They were not the user's own choice: the first constraints colour the faces as ever.
+  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
+  await expect(legend).toContainText('Planarity');
+});
+
+test('a tube has lines around and along it', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'tube.obj', tube(), 60);
+  const card = await openCurvature(page);
+  await card.getByLabel('Lines', { exact: true }).selectOption('Lines through the selection');
+  await showPanel(page, 'Model');
+  await page.evaluate(() => (document.querySelector('#viewport') as HTMLElement).focus());
+  await page.keyboard.press('3');
+  await page.keyboard.press('Control+A');
+  await expect(card.getByText('Select vertices or faces')).toBeHidden();
+});

@@ -1,0 +1,107 @@
+// A shape refused by the curvature worker is discarded on both sides.
+
+import assert from 'node:assert/strict';
+import { register } from 'node:module';
+import { test } from 'node:test';
+import type { AppContext } from '../../../www/app/context.ts';
+import type { Answer, Question } from '../../../www/features/curvature/curvature-worker.ts';
+import { surfaceLines } from '../../../www/features/curvature/surface-lines.ts';
+
+/** What the worker posts: the lines, or why there are none. */
+interface Posted {
+  value?: Partial<Answer>;
+  refused?: string;
+}
+
+test('after a refusal the shape is sent again', async () => {
+  const sent: Question[] = [];
+  let answer: Posted = { refused: 'The surface has no area.' };
+  globalThis.Worker = class {
+    onmessage: (event: { data: Posted }) => void = () => {};
+    postMessage(question: Question) {
+      sent.push(question);
+      queueMicrotask(() => this.onmessage({ data: answer }));
+    }
+  } as unknown as typeof Worker;
+  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
+  const app = {
+    store: { get: () => ({ model, running: false }) },
+    solver: { geometry: { positions: new Float64Array(9), connectivity } },
+    viewport: { unmeasured() {}, on() {} },
+  } as unknown as AppContext;
+  const model = { vertices: 3 };
+  const none = new Uint32Array(0);
+  const how: Question = { draw: 'strokes', distance: null, vertices: none, faces: none };
+  const told: string[] = [];
+  const lines = surfaceLines(
+    app,
+    () => how,
+    (_, refused) => told.push(refused),
+  );
+  await lines.update();
+  assert.deepEqual(told, ['The surface has no area.']);
+  // The same request is not sent again; a different one is, together with the shape.
+  await lines.update();
+  how.draw = 'lines';
+  answer = { value: { points: new Float64Array(0), offsets: Uint32Array.of(0), count: 0 } };
+  await lines.update();
+  how.draw = 'strokes';
+  await lines.update();
+  assert.deepEqual(
+    sent.map(({ draw, shape }) => [draw, Boolean(shape)]),
+    [
+      ['strokes', true],
+      ['lines', true],
+      ['strokes', false],
+    ],
+  );
+});
+
+test('the worker does not use a surface that it has freed', async () => {
+  const stand = `
+    export default async () => {};
+    export class SurfaceCurvature {
+      #isFreed = false;
+      constructor(positions) { if (positions.length === 0) throw new Error('no vertices'); }
+      #live() { if (this.#isFreed) throw new Error('null pointer passed to rust'); }
+      free() { this.#live(); this.#isFreed = true; }
+      distance() { this.#live(); return 1; }
+      strokes() { this.#live(); return { points: new Float64Array(3), offsets: Uint32Array.of(0, 1), count: 1, free() {} }; }
+    }`;
+  const hooks = `
+    const url = 'data:text/javascript,' + ${JSON.stringify(encodeURIComponent(stand))};
+    export const resolve = (name, context, next) =>
+      name.endsWith('pkg/engine/shape_up.js') ? { url, shortCircuit: true } : next(name, context);`;
+  register(`data:text/javascript,${encodeURIComponent(hooks)}`);
+  const answers: Posted[] = [];
+  globalThis.postMessage = (answer) => answers.push(answer);
+  // Workers have this property, which the module sets.
+  const worker = globalThis as unknown as {
+    onmessage: ((event: { data: Question }) => Promise<void>) | null;
+  };
+  worker.onmessage = null;
+  await import('../../../www/features/curvature/curvature-worker.ts');
+  const ask = (length: number) => {
+    const shape = {
+      positions: new Float64Array(length),
+      offsets: new Uint32Array(1),
+      indices: new Uint32Array(0),
+    };
+    const none = new Uint32Array(0);
+    const question: Question = {
+      shape,
+      draw: 'strokes',
+      distance: null,
+      vertices: none,
+      faces: none,
+    };
+    return worker.onmessage?.({ data: question });
+  };
+  await ask(9);
+  await ask(0);
+  await ask(9);
+  assert.deepEqual(
+    answers.map(({ value, refused }) => refused ?? value?.count),
+    [1, 'no vertices', 1],
+  );
+});

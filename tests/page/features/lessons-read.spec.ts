@@ -1,0 +1,65 @@
+// An example lesson, done by following its text. That each text leads to its goals is shown natively.
+
+import type { Page } from '@playwright/test';
+import { openExample, showPanel } from '../actions.ts';
+import { expect, openPage, test, waitForState } from '../support.ts';
+
+const lesson = (page: Page) => page.getByRole('region', { name: 'Lesson' });
+
+/** "Under Constraints open …, and set Required to …": the constraint is made exact at once. */
+async function require(page: Page, kind: string, word: string) {
+  await showPanel(page, 'Model');
+  const row = page.getByRole('button', { name: new RegExp(`^${kind} on .*: parameters`) });
+  if ((await row.getAttribute('aria-expanded')) !== 'true') await row.click();
+  await page
+    .getByRole('combobox', { name: new RegExp(`^${kind} on .*: required`) })
+    .selectOption({ label: word });
+  await waitForState(page, (state) => state.converged && !state.running);
+}
+
+/** "Under Display colour by …". */
+const colourBy = (page: Page, label: string) =>
+  page.getByRole('combobox', { name: 'Colour by' }).selectOption({ label });
+
+const expectGoals = (page: Page, words: string) => expect(lesson(page)).toContainText(words);
+
+test('Lesson: curvature and panels: the goals are met with Within, and missed with Exact', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openExample(page, 'Lesson: curvature and panels');
+  await expectGoals(page, '1 of 2 goals met');
+  await expect(lesson(page)).toContainText('144 panels');
+  for (const measure of ['Off the lines of curvature', 'Planarity']) await colourBy(page, measure);
+  await require(page, 'Plane', 'Within');
+  await colourBy(page, 'Moved');
+  await expectGoals(page, 'Passed: 2 goals met');
+  await require(page, 'Plane', 'Exact');
+  await expectGoals(page, '1 of 2 goals met');
+});
+
+test('locked controls are shown as locked with the reason, and scripts are refused', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openExample(page, 'Lesson: the stiffness of hexagons');
+  await expect(lesson(page)).toContainText('Locked: mesh, weights, handles');
+  const weight = page.getByRole('spinbutton', { name: 'Close weight' });
+  await expect(weight).toBeVisible();
+  await expect(weight).toBeDisabled();
+  await expect(page.getByText('Locked by the lesson: the weights stay as they are.')).toBeVisible();
+  const edit = page.getByRole('button', { name: 'Edit mesh' });
+  await expect(edit).toBeDisabled();
+  const before = await weight.inputValue();
+  // Keys and the mouse do not bypass the lock.
+  await page.getByRole('button', { name: 'Write a lesson' }).click();
+  const dialog = page.getByRole('dialog', { name: 'Lesson' });
+  await dialog.getByRole('button', { name: 'Remove lesson' }).click();
+  await expect(page.getByRole('alert')).toContainText('locked by the lesson');
+  await expect(weight).toHaveValue(before);
+  // The lock ends when another scene is opened.
+  await openExample(page, 'Hypar of straight beams');
+  await expect(weight).toBeEnabled();
+  await expect(edit).toBeEnabled();
+  await expect(page.getByText('Locked by the lesson').filter({ visible: true })).toHaveCount(0);
+});

@@ -1,0 +1,183 @@
+// A teacher writes a lesson, a student meets its goals and hands in, and the command line agrees.
+
+import type { Locator, Page } from '@playwright/test';
+import { execFile } from 'node:child_process';
+import { mkdtempSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { promisify } from 'node:util';
+import { program } from '../../../.scripts/project.mjs';
+import { addConstraint, openText, runToTheEnd, showPanel } from '../actions.ts';
+import { wavyGrid } from '../meshes.ts';
+import { expect, openPage, sceneOf, test, waitForState } from '../support.ts';
+
+const N = 6;
+const VERTICES = (N + 1) ** 2;
+const WORDS = 'Make every panel flat.\nStay near.';
+
+const lesson = (page: Page) => page.getByRole('region', { name: 'Lesson' });
+const goals = (page: Page) =>
+  lesson(page).getByRole('list', { name: 'Goals' }).getByRole('listitem');
+
+test.beforeEach(async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  await addConstraint(page, 'Plane', 'each face');
+});
+
+/** The fields of a goal: its measure and its limit. */
+const worst = (dialog: Locator, goal: number) =>
+  dialog.getByRole('combobox', { name: `Goal ${goal}: worst`, exact: true });
+const most = (dialog: Locator, name: string) =>
+  dialog.getByRole('spinbutton', { name, exact: true });
+
+/** Writes a lesson with two goals, up to the last button. */
+async function write(page: Page) {
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Write a lesson' }).click();
+  const dialog = page.getByRole('dialog', { name: 'Lesson' });
+  await dialog.getByLabel('Task').fill(WORDS);
+  await worst(dialog, 1).selectOption({ label: 'Planarity' });
+  await most(dialog, 'Goal 1: planarity at most, mm').fill('5');
+  await dialog.getByRole('button', { name: 'Add goal' }).click();
+  await worst(dialog, 2).selectOption({ label: 'Constraint: Plane' });
+  await most(dialog, 'Goal 2: constraint: plane at most, mm').fill('10');
+  return dialog;
+}
+
+/** Performs `action` and returns the name and text of the file that it saves. */
+async function download(page: Page, action: () => unknown) {
+  const waiting = page.waitForEvent('download');
+  await action();
+  const got = await waiting;
+  const chunks = [];
+  for await (const chunk of await got.createReadStream()) chunks.push(chunk);
+  return { name: got.suggestedFilename(), text: Buffer.concat(chunks).toString('utf8') };
+}
+
+test('a lesson is written, met, handed in and checked', async ({ page }) => {
+  const dialog = await write(page);
+  const saved = await download(page, () =>
+    dialog.getByRole('button', { name: 'Lesson as a scene file' }).click(),
+  );
+  expect(JSON.parse(saved.text).lesson).toEqual({
+    text: WORDS,
+    goals: [
+      { measure: 'planarity', at_most: 0.005 },
+      { constraint: 'Plane', at_most: 0.01 },
+    ],
+  });
+  await showPanel(page, 'Model');
+  await expect(lesson(page)).toContainText('Make every panel flat.');
+  await expect(goals(page)).toHaveCount(2);
+  await expect(goals(page).first()).toContainText(/at most 5\.00 mm.*not met: /);
+  await expect(lesson(page)).toContainText('0 of 2 goals met');
+  await runToTheEnd(page);
+  await showPanel(page, 'Model');
+  await expect(goals(page).first()).toContainText('✓');
+  await expect(lesson(page)).toContainText('Passed: 2 goals met');
+
+  const handedIn = async () => {
+    await showPanel(page, 'Model');
+    await lesson(page).getByRole('button', { name: 'Results for hand-in' }).click();
+    const form = page.getByRole('dialog', { name: 'Results for hand-in' });
+    await form.getByLabel('Your name').fill('Ada Lovelace');
+    return download(page, () => form.getByRole('button', { name: 'Save the file' }).click());
+  };
+  const passed = await handedIn();
+  expect(passed.name).toBe('grid.results.json');
+  const results = JSON.parse(passed.text);
+  expect(results).toMatchObject({ student: 'Ada Lovelace', passed: true });
+  expect(results.goals.map(({ met }: { met: boolean }) => met)).toEqual([true, true]);
+  expect(results.positions).toHaveLength(VERTICES);
+
+  await page.getByRole('button', { name: 'Reset' }).click();
+  await showPanel(page, 'Model');
+  await expect(lesson(page)).toContainText('0 of 2 goals met');
+  const failed = await handedIn();
+  expect(JSON.parse(failed.text).passed).toBe(false);
+
+  // The command line's check of both files.
+  const folder = mkdtempSync(join(tmpdir(), 'shape-up-lesson-'));
+  const check = async (text: string) => {
+    const [file, exercise] = ['results.json', 'scene.json'].map((name) => join(folder, name));
+    writeFileSync(file, text);
+    writeFileSync(exercise, saved.text);
+    const words = ['check', file, '--scene', exercise];
+    return promisify(execFile)(program, words).then(
+      ({ stdout }) => ({ stdout, code: 0 }),
+      ({ stdout, code }) => ({ stdout, code }),
+    );
+  };
+  const good = await check(passed.text);
+  expect(good.code, good.stdout).toBe(0);
+  expect(good.stdout).toContain('Ada Lovelace');
+  const bad = await check(failed.text.replace('"passed": false', '"passed": true'));
+  expect(bad.code).toBe(1);
+  expect(bad.stdout).toContain('not met');
+});
+
+test('a lesson is opened from a link, and undone', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  const dialog = await write(page);
+  await dialog.getByRole('button', { name: 'Lesson as a link' }).click();
+  const share = page.getByRole('dialog', { name: 'Share' });
+  const link = await share.getByRole('textbox', { name: 'Link' }).inputValue();
+  await share.getByRole('button', { name: 'Close' }).click();
+
+  const student = await context.newPage();
+  await student.goto(link);
+  await waitForState(student, (now, count) => now.vertices === count, VERTICES);
+  await showPanel(student, 'Model');
+  await expect(lesson(student)).toContainText('Stay near.');
+  await expect(goals(student)).toHaveCount(2);
+  await student.close();
+
+  await page.keyboard.press('Control+z');
+  await expect(page.getByRole('status')).toHaveText('Undid: Change lesson');
+  await expect(lesson(page)).toBeHidden();
+  expect((await sceneOf(page)).lesson).toBeUndefined();
+});
+
+test('a lesson with a missing limit or without goals is not saved, and can be removed', async ({
+  page,
+}) => {
+  const dialog = await write(page);
+  await most(dialog, 'Goal 1: planarity at most, mm').fill('');
+  await dialog.getByRole('button', { name: 'Save lesson' }).click();
+  await expect(dialog).toBeVisible();
+  // The remaining goal becomes the first.
+  await dialog.getByRole('button', { name: 'Remove Goal 1: planarity' }).click();
+  await worst(dialog, 1).selectOption({ label: 'Angle quality' });
+  await expect(most(dialog, 'Goal 1: angle quality at most, °')).toHaveValue('10');
+  await dialog.getByRole('button', { name: 'Remove Goal 1: angle quality' }).click();
+  await dialog.getByRole('button', { name: 'Save lesson' }).click();
+  await expect(dialog).toContainText('expected at least one goal');
+  await dialog.getByRole('button', { name: 'Add goal' }).click();
+  await dialog.getByLabel(/^Goal 1: .* at most/).fill('2');
+  await dialog.getByRole('button', { name: 'Save lesson' }).click();
+  await expect(dialog).toBeHidden();
+  await showPanel(page, 'Model');
+  await expect(goals(page)).toHaveCount(1);
+  await page.getByRole('button', { name: 'Write a lesson' }).click();
+  await expect(dialog.getByLabel('Task')).toHaveValue(WORDS);
+  await dialog.getByRole('button', { name: 'Remove lesson' }).click();
+  await expect(lesson(page)).toBeHidden();
+});
+
+test('a lesson with locks is passed on twice, as a file and as a link', async ({
+  page,
+  context,
+}) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  const dialog = await write(page);
+  await dialog.getByLabel('Constraints', { exact: true }).check();
+  await download(page, () =>
+    dialog.getByRole('button', { name: 'Lesson as a scene file' }).click(),
+  );
+  await expect(dialog).toBeHidden();
+  await page.getByRole('button', { name: 'Write a lesson' }).click();
+  await dialog.getByRole('button', { name: 'Lesson as a link' }).click();
+  const share = page.getByRole('dialog', { name: 'Share' });
+  await expect(share.getByRole('textbox', { name: 'Link' })).toHaveValue(/#/);
+});

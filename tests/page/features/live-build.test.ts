@@ -1,0 +1,95 @@
+// When the parts are built again.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import type { AppContext } from '../../../www/app/context.ts';
+import { LiveBuild } from '../../../www/features/build/live-build.ts';
+import type { BuildRequest } from '../../../www/solver/messages.ts';
+
+/** What the page sends to the worker that makes parts. */
+interface Sent {
+  id: number;
+  request: BuildRequest;
+}
+
+test('faces that change during a build are built, although no vertex has moved', async () => {
+  /** Corners of the meshes that were built. */
+  const built: number[] = [];
+  /** Called when a build has begun. */
+  let begun = () => {};
+  globalThis.Worker = class {
+    onmessage: (event: { data: object }) => void = () => {};
+    postMessage({ id, request }: Sent) {
+      if (request.type === 'build') built.push(request.indices.length);
+      begun();
+      const value = request.type === 'offers' ? { presets: [], defaults: {} } : {};
+      setTimeout(() => this.onmessage({ data: { id, value } }));
+    }
+  } as unknown as typeof Worker;
+  const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
+  const mesh = (offsets: number[], indices: number[]) => ({
+    positions,
+    connectivity: {
+      faceOffsets: Uint32Array.from(offsets),
+      faceIndices: Uint32Array.from(indices),
+    },
+  });
+  const state = {
+    ...{ model: { faces: 1, vertices: 4 }, numbers: { iteration: 0 }, dragged: [], running: false },
+    document: { units: 'm', build: {} },
+  };
+  const solver = { geometry: mesh([0, 3, 6], [0, 1, 2, 0, 2, 3]) };
+  const app = { store: { get: () => state }, solver } as unknown as AppContext;
+  const live = new LiveBuild(app, {
+    show() {},
+    showOffset() {},
+    refuse: (why) => assert.fail(why),
+  });
+  await live.offers();
+  begun = () => {
+    begun = () => {};
+    // The triangles are joined to a quad.
+    solver.geometry = mesh([0, 4], [0, 1, 2, 3]);
+    void live.update();
+  };
+  await live.update();
+  assert.deepEqual(built, [6, 4]);
+  await live.update();
+  assert.deepEqual(built, [6, 4]);
+});
+
+test('what is saved while a large shape moves is built of its current positions', async () => {
+  /** The first coordinate of each request, and its type. */
+  const asked: (string | number)[] = [];
+  globalThis.Worker = class {
+    onmessage: (event: { data: object }) => void = () => {};
+    postMessage({ id, request }: Sent) {
+      asked.push(request.type === 'build' ? request.positions[0] : request.type);
+      const value = request.type === 'offers' ? { presets: [], defaults: {} } : {};
+      setTimeout(() => this.onmessage({ data: { id, value } }));
+    }
+  } as unknown as typeof Worker;
+  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
+  const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0);
+  const state = {
+    ...{ model: { faces: 1, vertices: 100_000 }, numbers: { iteration: 0 }, dragged: [] },
+    ...{ running: false, document: { units: 'm', build: {} } },
+  };
+  const app = {
+    store: { get: () => state },
+    solver: { geometry: { positions, connectivity } },
+  } as unknown as AppContext;
+  const refuse = (why: string) => assert.fail(why);
+  const live = new LiveBuild(app, { show() {}, showOffset() {}, refuse });
+  await live.offers();
+  await live.update();
+  state.running = true;
+  positions[0] = 7;
+  await live.update();
+  assert.deepEqual(asked.splice(0), ['offers', 0]);
+  await live.zip();
+  await live.spatialParts();
+  positions[0] = 8;
+  await live.reportPage({ title: '', camera: null, link: '' });
+  assert.deepEqual(asked, [7, 'zip', 'spatialParts', 8, 'reportPage']);
+});

@@ -1,0 +1,284 @@
+// One press for all panels: from a file to the verdict, and runs that collapse a mesh.
+
+import type { Page } from '@playwright/test';
+import { downloaded, openText, showPanel, tool } from '../actions.ts';
+import { bumpyGrid, quadScene, steppedGrid, triangleScene, wavyGrid } from '../meshes.ts';
+import { boxOf, expect, openPage, screenOf, test, waitForState } from '../support.ts';
+
+test.use({ sameDocument: true });
+
+const N = 6;
+const VERTICES = (N + 1) ** 2;
+const VERDICT = (adjective: string) =>
+  new RegExp(
+    `^(All|\\d+ of) ${N * N} panels are ${adjective} within 1 mm\\. Worst .+\\. ` +
+      'Your mesh moved by at most .+, .+ on average\\.$',
+  );
+
+const offer = (page: Page) => page.getByRole('group', { name: 'Panels', exact: true });
+const press = (page: Page, adjective: string) =>
+  page.getByRole('button', { name: `Make panels ${adjective}`, exact: true });
+
+test('one press makes an opened mesh circular, and a verdict shows how far it moved', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  // The cost is shown before the press.
+  const forecast = 'This mesh will move a little for flat or circular panels.';
+  await expect(offer(page).getByText(forecast)).toBeVisible();
+  // Each button exists only once.
+  await press(page, 'circular').click();
+  const status = page.getByRole('status');
+  await expect(status).toHaveText(VERDICT('circular'));
+  const solved = await waitForState(page, (now) => !now.running && now.iteration > 0);
+  expect(solved.constraints).toEqual({ circle: N * N });
+  await expect(offer(page).getByText(VERDICT('circular'))).toBeVisible();
+
+  // The circles are drawn once the mesh is there.
+  await showPanel(page, 'Energies and display');
+  await expect(page.getByRole('checkbox', { name: 'Fitted shapes' })).toBeChecked();
+
+  // The other button is in the panel by now; it replaces the first constraint.
+  await showPanel(page, 'Model');
+  await press(page, 'flat').click();
+  await expect(status).toHaveText(VERDICT('flat'));
+  const flat = await waitForState(page, (now) => !now.running);
+  expect(flat.constraints).toEqual({ plane: N * N });
+  expect(flat.planarity?.max_distance).toBeLessThan(0.01);
+
+  // The verdict makes room for the legends of two pictures.
+  const verdict = offer(page).getByText(VERDICT('flat'));
+  await page.getByRole('application').focus();
+  await page.keyboard.press('c');
+  await expect(page.getByRole('group', { name: 'Right picture' })).toBeVisible();
+  await expect(verdict).toBeHidden();
+  await page.keyboard.press('Escape');
+  await expect(verdict).toBeVisible();
+
+  await offer(page).getByRole('button', { name: 'Close', exact: true }).click();
+  await expect(offer(page)).toBeHidden();
+});
+
+// The page remembers which rows were opened.
+test.describe('with every row closed', () => {
+  test.use({ sameDocument: false });
+
+  test('panels that would fold stay within a larger tolerance, and the reason is shown', async ({
+    page,
+  }) => {
+    await openPage(page);
+    await openText(page, 'bumps.obj', bumpyGrid(12), 169);
+    await press(page, 'flat').click();
+    const { exact } = await waitForState(page, (now) => !now.running && now.exact?.met);
+    expect(exact?.eased?.folded).toBeGreaterThan(0);
+    expect(exact?.tolerance).toBeGreaterThan(exact?.eased?.asked ?? NaN);
+    const words =
+      /^(\d+) of 144 panels are flat within 1 mm\. The other (\d+) would fold, so they are within [\d.]+ m+\./;
+    await expect(offer(page).getByText(words)).toBeVisible();
+    await expect(page.getByRole('status')).toHaveText(words);
+    await expect(offer(page).getByText(/folded or dented/)).toBeHidden();
+    await expect(offer(page).getByRole('button', { name: 'Show the folds' })).toBeHidden();
+    // The row shows it, too.
+    await showPanel(page, 'Model');
+    const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
+    await row.getByRole('button', { name: /parameters/ }).click();
+    await expect(
+      row.getByText(/^\d+ panels only within .+: any closer, they would fold\.$/),
+    ).toBeVisible();
+    // All of this is one undo step.
+    await tool(page, 'Undo');
+    await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
+  });
+});
+
+test('panels that fold at every tolerance are reported and shown', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'steps.obj', steppedGrid(8), 81);
+  await press(page, 'flat').click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  await expect(offer(page).getByText(/But \d+ faces are folded or dented\./)).toBeVisible();
+  await offer(page).getByRole('button', { name: 'Show the folds' }).click();
+  await waitForState(page, (now) => now.selection.faces.length > 0);
+  // Another attempt ends like the first.
+  await offer(page).getByRole('button', { name: 'Avoid them' }).click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  await expect(offer(page).getByText(/But \d+ faces are folded or dented\./)).toBeVisible();
+});
+
+for (const [device, width, height] of [
+  ['a desktop', 1440, 900],
+  ['a phone', 390, 844],
+] as const) {
+  test(`the offer covers none of the mesh on ${device}`, async ({ page }) => {
+    await page.setViewportSize({ width, height });
+    await openPage(page);
+    // The model is as high as the view.
+    await openText(
+      page,
+      'tower.obj',
+      wavyGrid(N).replace(/^v (\S+) (\S+) .*/gm, 'v $1 0 $2'),
+      VERTICES,
+    );
+    const card = await boxOf(offer(page));
+    await expect
+      .poll(() =>
+        page.evaluate((count) => {
+          const places = Array.from({ length: count }, (_, vertex) =>
+            window.shapeUp.screen(vertex),
+          );
+          return Math.max(...places.map((place) => place?.[1] ?? 0));
+        }, VERTICES),
+      )
+      .toBeLessThan(card.y);
+  });
+}
+
+test('the picture moves to the result gradually, without stalling', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  const corner = await screenOf(page, 0);
+  await press(page, 'circular').click();
+  const places = await page.evaluate(
+    () =>
+      new Promise<[number, number][]>((done) => {
+        const seen: [number, number][] = [];
+        const began = performance.now();
+        const look = () => {
+          seen.push(window.shapeUp.screen(0) as [number, number]);
+          if (performance.now() - began < 1500) requestAnimationFrame(look);
+          else done(seen);
+        };
+        look();
+      }),
+  );
+  const far = places.map(([x, y]) => Math.hypot(x - corner[0], y - corner[1]));
+  const end = far[far.length - 1];
+  expect(end).toBeGreaterThan(1);
+  const between = far.filter((way) => way > 0.1 * end && way < 0.9 * end);
+  expect(between.length).toBeGreaterThan(3);
+});
+
+test('Something else opens the constraint dialog, and the offer disappears once there is a constraint', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  await offer(page).getByRole('button', { name: 'Something else' }).click();
+  const dialog = page.getByRole('dialog', { name: 'New constraint' });
+  await dialog.getByRole('button', { name: /^Add/ }).first().click();
+  await waitForState(page, (now) => Object.keys(now.constraints).length === 1);
+  await expect(offer(page)).toBeHidden();
+});
+
+// The page remembers the last operation on a mesh.
+test.describe('with no operation chosen before', () => {
+  test.use({ sameDocument: false });
+
+  test('triangles are joined to quads first, and then the press is offered', async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'triangles.shapeup.json', triangleScene(3), 16);
+    await expect(press(page, 'flat')).toBeHidden();
+    const join = page.getByRole('button', { name: 'Triangles to quads', exact: true });
+    await expect(join).toHaveAccessibleDescription(/triangles, which are always flat and circular/);
+    await join.click();
+    const dialog = page.getByRole('dialog', { name: 'Edit mesh' });
+    await expect(dialog.getByText('18 faces become 9 quads, with 16 vertices.')).toBeVisible();
+    await dialog.getByRole('button', { name: 'Apply' }).click();
+    await waitForState(page, (now) => now.faces === 9);
+    await expect(join).toBeHidden();
+    await press(page, 'flat').click();
+    await waitForState(page, (now) => !now.running && now.constraints.plane === 9);
+  });
+});
+
+test('triangles are not offered to be joined where a lesson locks the mesh', async ({ page }) => {
+  await openPage(page);
+  const goals = [{ measure: 'planarity', beyond: 0.001, at_most: 3 }];
+  const lesson = { text: 'Look at it.', lock: ['mesh'], goals };
+  const scene = { ...JSON.parse(triangleScene(3)), lesson };
+  await openText(page, 'triangles.shapeup.json', JSON.stringify(scene), 16);
+  const join = page.getByRole('button', { name: 'Triangles to quads', exact: true });
+  await expect(join).toBeDisabled();
+  await expect(join).toHaveAttribute('title', 'Locked by the lesson');
+});
+
+test('a run that collapses the mesh is stopped, and can be undone, held closer or continued', async ({
+  page,
+}) => {
+  await openPage(page);
+  const scene = JSON.parse(quadScene(N));
+  delete scene.current;
+  scene.constraints = [{ kind: 'circle', on: 'faces' }];
+  await openText(page, 'roof.shapeup.json', JSON.stringify(scene), VERTICES);
+  // Only smoothness acts on the mesh, which shrinks to a point.
+  await showPanel(page, 'Energies and display');
+  const weight = page.getByRole('spinbutton', { name: 'Smooth weight' });
+  await weight.fill('10');
+  await weight.press('Enter');
+  const positions = () => page.evaluate(() => [...window.shapeUp.positions()]);
+  const original = await positions();
+  const alert = page.getByRole('alert');
+  const run = async () => {
+    await tool(page, 'Run');
+    await expect(alert).toContainText(/^Stopped: the mesh shrank to a dot\./);
+  };
+
+  await run();
+  const stopped = await waitForState(page, (now) => !now.running);
+  expect(stopped.converged).toBe(false);
+  await expect(page.getByRole('status')).not.toContainText('Converged');
+
+  // The export requires confirmation.
+  await tool(page, 'Export');
+  const question = page.getByRole('dialog', { name: 'Export this shape?' });
+  await question.getByRole('button', { name: 'Cancel' }).click();
+  await expect(question).toBeHidden();
+  const { text } = await downloaded(page, async () => {
+    await tool(page, 'Export');
+    await question.getByRole('button', { name: 'Export anyway' }).click();
+  });
+  expect(text).toContain('v ');
+
+  await alert.getByRole('button', { name: 'Undo' }).click();
+  await expect.poll(positions).toEqual(original);
+
+  await run();
+  await alert.getByRole('button', { name: 'Increase closeness' }).click();
+  await waitForState(page, (now) => now.converged && now.iteration > 0);
+  await expect(alert).toBeEmpty();
+
+  await tool(page, 'Undo');
+  await tool(page, 'Undo');
+  await run();
+  await alert.getByRole('button', { name: 'Continue anyway' }).click();
+  await waitForState(page, (now) => !now.running && now.iteration > 0);
+  await expect(alert).toBeEmpty();
+});
+
+test('unconstrained vertices are reported, and follow or are fixed by one click', async ({
+  page,
+}) => {
+  await openPage(page);
+  const scene = JSON.parse(quadScene(N));
+  delete scene.current;
+  scene.constraints = [{ kind: 'sphere', on: { vertices: [0, 1, 2, N + 1, N + 2, N + 3] } }];
+  await openText(page, 'roof.shapeup.json', JSON.stringify(scene), VERTICES);
+  const notice = page.getByRole('group', { name: 'Vertices that stand still' });
+  await expect(notice).toContainText(`${VERTICES - 6} vertices stand still`);
+  await notice.getByRole('button', { name: 'Let them follow' }).click();
+  await expect(notice).toBeHidden();
+  const positions = () => page.evaluate(() => [...window.shapeUp.positions()]);
+  const before = await positions();
+  await tool(page, 'Run');
+  await waitForState(page, (now) => !now.running && now.iteration > 0);
+  const after = await positions();
+  const still = before.filter((x, i) => i % 3 === 2 && x === after[i]);
+  expect(still.length).toBeLessThan(VERTICES / 2);
+
+  await tool(page, 'Undo');
+  await tool(page, 'Undo');
+  await notice.getByRole('button', { name: 'Fix them' }).click();
+  await expect(notice).toBeHidden();
+  await waitForState(page, (now, count) => now.handles.length === count, VERTICES - 6);
+});

@@ -1,0 +1,112 @@
+// A mesh without a file: choosing a shape and its sizes with a live preview, keeping or cancelling
+// it.
+
+import type { Page } from '@playwright/test';
+import { openText, tool } from '../actions.ts';
+import { wavyGrid } from '../meshes.ts';
+import { expect, openPage, sceneOf, state, test, waitForState } from '../support.ts';
+
+test.use({ sameDocument: true });
+
+async function openNewMesh(page: Page) {
+  await page.getByRole('button', { name: 'Examples' }).click();
+  await page.getByRole('menuitem', { name: 'New mesh' }).click();
+  return page.getByRole('dialog', { name: 'New mesh' });
+}
+
+test('a new mesh follows its sizes, is kept, and is constrained', async ({ page }) => {
+  await openPage(page);
+  const dialog = await openNewMesh(page);
+  await dialog.getByLabel('Shape').selectOption({ label: 'Hypar' });
+  await waitForState(page, (now) => now.faces === 144);
+  const [first] = await dialog.getByRole('spinbutton').all();
+  const length = Number(await first.inputValue());
+  await dialog.getByLabel('Unit').selectOption('mm');
+  await expect(first).toHaveValue(String(1000 * length));
+  await first.fill('-1');
+  await expect(dialog.getByRole('button', { name: 'Begin with this' })).toBeDisabled();
+  await first.fill(String(2000 * length));
+  await expect(dialog.getByText(/faces, .* vertices\./)).toBeVisible();
+  await dialog.getByRole('button', { name: 'Begin with this' }).click();
+  await expect(dialog).toBeHidden();
+  const scene = await sceneOf(page);
+  expect(scene.units).toBe('mm');
+  const xs = scene.mesh.positions.map(([x]: number[]) => x);
+  expect(Math.max(...xs) - Math.min(...xs)).toBeCloseTo(2000 * length, 6);
+  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+});
+
+test('Cancel restores the previous model, an edited example as edited and under the same saved work', async ({
+  page,
+}) => {
+  await openPage(page);
+  const { vertices } = await state(page);
+  const weight = page.getByLabel('Shape weight', { exact: true });
+  await weight.fill('7');
+  await weight.press('Enter');
+  await expect.poll(async () => (await sceneOf(page)).weights.shape).toBe(7);
+  const before = await sceneOf(page);
+  const own = () => page.evaluate(() => sessionStorage.getItem('shape-up.work'));
+  const work = await own();
+  const dialog = await openNewMesh(page);
+  await waitForState(page, (now, count) => now.vertices !== count, vertices);
+  await dialog.getByRole('button', { name: 'Cancel' }).click();
+  await waitForState(page, (now, count) => now.vertices === count, vertices);
+  expect(await sceneOf(page)).toEqual(before);
+  expect((await state(page)).running).toBe(false);
+  expect(await own()).toBe(work);
+  await tool(page, 'Share');
+  const link = page.getByRole('dialog', { name: 'Share' }).getByRole('textbox', { name: 'Link' });
+  await expect(link).toHaveValue(/#link=/);
+});
+
+test('Undo restores the model before a new mesh, with its undo history', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  const undo = page.getByRole('button', { name: 'Undo', exact: true });
+  await expect(undo).toHaveAttribute('title', /^Undo: /);
+  const before = await sceneOf(page);
+  const title = await undo.getAttribute('title');
+  const dialog = await openNewMesh(page);
+  await waitForState(page, (now) => now.vertices !== 25);
+  await dialog.getByRole('button', { name: 'Begin with this' }).click();
+  await expect(undo).toHaveAttribute('title', 'Undo: New mesh (Ctrl+Z)');
+  await undo.click();
+  await waitForState(page, (now) => now.vertices === 25);
+  expect(await sceneOf(page)).toEqual(before);
+  await expect(undo).toHaveAttribute('title', title ?? '');
+  await undo.click();
+  await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
+});
+
+test('a surface is made between two curves of the model, or inside a boundary', async ({
+  page,
+}) => {
+  await openPage(page);
+  const arches = [0, 10].flatMap((y) =>
+    [0, 1, 2, 3, 4].map((x) => `v ${3 * x} ${y} ${(0.2 + 0.05 * y) * x * (4 - x)}`),
+  );
+  const text = `# units: m\n${arches.join('\n')}\nl 1 2 3 4 5\nl 10 9 8 7 6\n`;
+  await openText(page, 'arches.obj', text, 10);
+  const dialog = await openNewMesh(page);
+  await dialog.getByLabel('Shape').selectOption({ label: 'Between curves' });
+  await dialog.getByLabel('Size of a panel').fill('2');
+  await waitForState(page, (now) => now.faces === 20 && now.vertices === 30);
+  await dialog.getByLabel('Made').selectOption('Inside a closed curve');
+  await expect(dialog.getByText('None of the curves is closed.')).toBeVisible();
+  await dialog.getByLabel('Made').selectOption('Between two curves');
+  await waitForState(page, (now) => now.faces === 20);
+  await dialog.getByRole('button', { name: 'Begin with this' }).click();
+  await expect(dialog).toBeHidden();
+  const again = await openNewMesh(page);
+  await again.getByLabel('Shape').selectOption({ label: 'Between curves' });
+  // The boundary is the only curve, and it is closed.
+  await expect(again.getByLabel('Made')).toHaveValue('inside');
+  await again.getByLabel('Size of a panel').fill('1.5');
+  await waitForState(page, (now) => now.faces > 30);
+  await again.getByRole('button', { name: 'Cancel' }).click();
+  await waitForState(page, (now) => now.faces === 20);
+});

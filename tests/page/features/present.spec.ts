@@ -1,0 +1,144 @@
+// Presentations: steps are made from views, saved in the scene, and shown in order.
+
+import type { Page } from '@playwright/test';
+import type { Slide } from '../../../www/solver/messages.ts';
+import { openText, tool } from '../actions.ts';
+import { wavyGrid } from '../meshes.ts';
+import { expect, openPage, sceneOf, state, test, waitForState } from '../support.ts';
+
+test.use({ sameDocument: true });
+
+const dialogOf = (page: Page) => page.getByRole('dialog', { name: 'Presentation' });
+const stageOf = (page: Page) => page.getByRole('region', { name: 'Presentation' });
+
+/** Opens the dialog of the steps. */
+async function openSteps(page: Page) {
+  await page.getByRole('button', { name: 'Present', exact: true }).click();
+  await expect(dialogOf(page)).toBeVisible();
+}
+
+/** Makes a roof with two steps, the original and the flat panels, with different measures. */
+async function makeSteps(page: Page) {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(6), 49);
+  await page.getByLabel('Colour by').selectOption({ label: 'Planarity' });
+  await openSteps(page);
+  await dialogOf(page).getByRole('button', { name: 'Add this view' }).click();
+  await dialogOf(page).getByLabel('Title of step 1').fill('The design');
+  await dialogOf(page).getByLabel('Shape of step 1').selectOption('original');
+  await dialogOf(page).getByRole('button', { name: 'Close' }).click();
+
+  await page.getByRole('button', { name: 'Make panels flat' }).click();
+  await waitForState(page, (now) => now.converged && !now.running);
+  await page.getByLabel('Colour by').selectOption({ label: 'Moved' });
+  await page.getByRole('application', { name: '3D view' }).focus();
+  await page.keyboard.press('ArrowLeft');
+  await openSteps(page);
+  await dialogOf(page).getByRole('button', { name: 'Add this view' }).click();
+  await dialogOf(page).getByLabel('Title of step 2').fill('Flat panels');
+  await dialogOf(page).getByLabel('Text of step 2').fill('Each can be cut from a sheet.');
+  // The press that ends the typing changes the step too.
+  await dialogOf(page).getByRole('listitem').nth(1).getByLabel('Run').check();
+  await expect.poll(async () => (await sceneOf(page)).steps?.[1].run).toBe(true);
+}
+
+test('steps are shown by buttons and by the keys of a presenter', async ({ page }) => {
+  await makeSteps(page);
+  const { steps } = await sceneOf(page);
+  expect(steps.map(({ title, measure }: Slide) => [title, measure])).toEqual([
+    ['The design', 'planarity'],
+    ['Flat panels', 'displacement'],
+  ]);
+  expect(steps[0].original).toBe(true);
+  expect(steps[0].camera).not.toEqual(steps[1].camera);
+
+  await dialogOf(page).getByRole('button', { name: 'Start', exact: true }).click();
+  const stage = stageOf(page);
+  await expect(stage.getByRole('heading', { name: 'The design' })).toBeVisible();
+  await expect(stage).toContainText('1 of 2');
+  await expect(page.getByRole('banner')).toBeHidden();
+  const moved = async () => (await state(page)).moved?.max;
+  await expect.poll(moved).toBe(0);
+  await expect(stage.getByRole('button', { name: 'Previous' })).toBeDisabled();
+
+  await page.keyboard.press('PageDown');
+  await expect(stage.getByRole('heading', { name: 'Flat panels' })).toBeVisible();
+  await expect(stage).toContainText('Each can be cut from a sheet.');
+  await expect.poll(moved).toBeGreaterThan(0);
+  await page.keyboard.press('ArrowLeft');
+  await expect(stage).toContainText('1 of 2');
+  await expect.poll(moved).toBe(0);
+  await stage.getByRole('button', { name: 'Next' }).click();
+  await expect(stage).toContainText('2 of 2');
+  const isDark = () => stage.evaluate((element) => element.hasAttribute('data-dark'));
+  await page.keyboard.press('b');
+  expect(await isDark()).toBe(true);
+  await page.keyboard.press('b');
+  expect(await isDark()).toBe(false);
+
+  await page.keyboard.press('Escape');
+  await expect(stage).toHaveCount(0);
+  await expect(page.getByRole('banner')).toBeVisible();
+  // The presenter's keys are nobody's again.
+  const isTaken = await page.evaluate(() => {
+    const press = new KeyboardEvent('keydown', { key: 'PageUp', bubbles: true, cancelable: true });
+    return !document.body.dispatchEvent(press);
+  });
+  expect(isTaken).toBe(false);
+});
+
+test('the steps are saved in the scene: they can be moved, removed, and undone', async ({
+  page,
+}) => {
+  await makeSteps(page);
+  const titles = async () => (await sceneOf(page)).steps?.map(({ title }: Slide) => title) ?? [];
+  await dialogOf(page).getByRole('button', { name: 'Step 2 earlier' }).click();
+  await expect.poll(titles).toEqual(['Flat panels', 'The design']);
+  await dialogOf(page).getByRole('button', { name: 'Remove step 1' }).click();
+  await expect.poll(titles).toEqual(['The design']);
+  await dialogOf(page).getByRole('button', { name: 'Close' }).click();
+  await tool(page, 'Undo');
+  await expect.poll(titles).toEqual(['Flat panels', 'The design']);
+  const text = await page.evaluate(() => JSON.stringify(window.shapeUp.scene()));
+  await page.evaluate((text) => window.shapeUp.open(text, 'again.shapeup.json'), text);
+  await expect.poll(titles).toEqual(['Flat panels', 'The design']);
+});
+
+/** The colours of each step's picture, as one string per step. */
+const picturesOf = (page: Page) =>
+  dialogOf(page)
+    .getByRole('img', { name: /Picture of step/ })
+    .evaluateAll((all: HTMLCanvasElement[]) =>
+      all.map((canvas) => {
+        const context = canvas.getContext('2d') as CanvasRenderingContext2D;
+        const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+        return String(new Uint32Array(data.buffer));
+      }),
+    );
+
+test('each step has its picture, and only the presenter sees the notes', async ({ page }) => {
+  await makeSteps(page);
+  const pictures = await picturesOf(page);
+  expect(pictures).toHaveLength(2);
+  for (const picture of pictures) expect(new Set(picture.split(',')).size).toBeGreaterThan(20);
+  expect(pictures[0]).not.toBe(pictures[1]);
+
+  const withNotes = dialogOf(page).getByRole('button', { name: 'Start with notes' });
+  await expect(withNotes).toBeHidden();
+  const words = 'Ask who has built one.';
+  await dialogOf(page).getByLabel('Notes of step 2').fill(words);
+  await dialogOf(page).getByLabel('Notes of step 2').blur();
+  await expect.poll(async () => (await sceneOf(page)).steps?.[1].notes).toBe(words);
+  const [notes] = await Promise.all([page.waitForEvent('popup'), withNotes.click()]);
+  await expect(notes.getByRole('heading', { name: 'The design' })).toBeVisible();
+  await expect(notes.getByText('Next: Flat panels')).toBeVisible();
+  // A presenter's keys work in either window.
+  await notes.keyboard.press('PageDown');
+  const stage = stageOf(page);
+  await expect(stage.getByRole('heading', { name: 'Flat panels' })).toBeVisible();
+  await expect(notes.getByText(words)).toBeVisible();
+  await expect(notes.getByText('This is the last step.')).toBeVisible();
+  await expect(page.getByText(words)).toHaveCount(0);
+  await stage.getByRole('button', { name: 'End' }).click();
+  await expect.poll(() => notes.isClosed()).toBe(true);
+});

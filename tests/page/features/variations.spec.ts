@@ -1,0 +1,99 @@
+// From an opened mesh to exact panels and a variation that is kept, undone, redone, shared and
+// opened again.
+
+import type { Locator, Page } from '@playwright/test';
+import { openText, showPanel } from '../actions.ts';
+import { wavyGrid } from '../meshes.ts';
+import { everything, expect, openPage, state, test, waitForState } from '../support.ts';
+
+const N = 6;
+const VERTICES = (N + 1) ** 2;
+
+const farthest = (a: number[], b: number[]) =>
+  Math.max(...a.map((value, i) => Math.abs(value - b[i])));
+const positions = (page: Page) => page.evaluate(() => [...window.shapeUp.positions()]);
+
+/** Moves a slider by keys and releases it. */
+async function slide(slider: Locator, key: string, presses: number) {
+  await slider.focus();
+  for (let i = 0; i < presses; i++) await slider.press(key);
+}
+
+test('a variation is exact, kept, undone, shared and opened again', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  const verdict = page.getByRole('group', { name: 'Verdict' });
+  const make = verdict.getByRole('button', { name: 'Make exact' });
+  await expect(make.or(verdict.getByText(/Also made exact/))).toBeVisible();
+  if (await make.isVisible()) await make.click();
+  await waitForState(page, (now) => now.exact?.met && now.exact.tolerance < 1e-8);
+
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Variations', exact: true }).click();
+  const panel = page.getByRole('region', { name: 'Variations' });
+  await expect(panel.getByRole('slider')).toHaveCount(8);
+  const start = await positions(page);
+  // Two variations add up; on each release the shape is made exact.
+  await slide(panel.getByRole('slider', { name: 'Variation 1', exact: true }), 'ArrowRight', 20);
+  await slide(panel.getByRole('slider', { name: 'Variation 3', exact: true }), 'ArrowLeft', 10);
+  const keep = panel.getByRole('button', { name: 'Keep', exact: true });
+  await expect(keep).toBeEnabled();
+  const varied = await waitForState(page, (now) => now.exact?.met);
+  expect(varied.exact?.max_distance).toBeLessThan(1e-8);
+  await keep.click();
+  const strip = panel.getByRole('group', { name: 'Kept', exact: true });
+  await expect(strip.getByRole('button', { name: 'Variant 1', exact: true })).toHaveAttribute(
+    'aria-current',
+  );
+  const kept = await everything(page);
+  expect(farthest(kept.positions, start)).toBeGreaterThan(0.01);
+  expect((await state(page)).exact?.met).toBe(true);
+
+  // One step of undo, and of redo.
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await expect(strip).toBeHidden();
+  expect(await positions(page)).toEqual(start);
+  await page.getByRole('button', { name: 'Redo', exact: true }).click();
+  const table = panel.getByRole('table', { name: 'Kept shapes compared' });
+  await expect(table.getByRole('row')).toHaveCount(3);
+  expect(await positions(page)).toEqual(kept.positions);
+
+  // Shows the start again, beside the kept variant.
+  await strip.getByRole('button', { name: 'Start', exact: true }).click();
+  await expect.poll(() => positions(page)).toEqual(start);
+  await strip.getByRole('button', { name: 'Show Variant 1 beside the open shape' }).click();
+  await expect(page.getByRole('combobox', { name: 'Left: shape' })).toHaveValue('kept');
+  await strip.getByRole('button', { name: 'Variant 1', exact: true }).click();
+  await expect.poll(() => positions(page)).toEqual(kept.positions);
+
+  // Sliders that were moved but not kept are reset on closing.
+  await expect(panel.getByRole('slider')).toHaveCount(8);
+  await slide(panel.getByRole('slider', { name: 'Variation 2', exact: true }), 'ArrowRight', 5);
+  await expect.poll(() => positions(page)).not.toEqual(kept.positions);
+  await panel.getByRole('button', { name: 'Close variations' }).click();
+  await expect.poll(() => positions(page)).toEqual(kept.positions);
+
+  await page.getByRole('button', { name: 'Share', exact: true }).click();
+  const link = page.getByRole('dialog').getByRole('textbox').first();
+  await expect(link).toHaveValue(/#/);
+  const address = await link.inputValue();
+  await page.goto('about:blank');
+  await page.goto(address);
+  await waitForState(page, (now) => now.vertices > 0 && now.exact?.met);
+  const opened = await everything(page);
+  expect(opened.positions).toEqual(kept.positions);
+  expect(opened.scene.variants).toEqual(kept.scene.variants);
+
+  // A second press before the strip is drawn anew does not remove the next shape.
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Variations', exact: true }).click();
+  await strip.getByRole('button', { name: 'Remove Start' }).evaluate((button: HTMLElement) => {
+    button.click();
+    button.click();
+  });
+  await expect(table.getByRole('row')).toHaveCount(2);
+  await page.evaluate(() => window.shapeUp.settled());
+  await expect(page.getByRole('alert')).toBeEmpty();
+});

@@ -1,0 +1,104 @@
+// The page tests: dist/ on its own port, in a desktop and a phone window.
+
+import { defineConfig } from '@playwright/test';
+import { createServer } from 'node:net';
+import { browserFlags, findBrowser, webgl2Flags } from '../../.scripts/browser.mjs';
+
+/** Returns a free port. */
+function freePort() {
+  return new Promise<number>((done) => {
+    const probe = createServer().listen(0, '127.0.0.1', () => {
+      const address = probe.address();
+      probe.close(() => done(typeof address === 'object' && address ? address.port : 0));
+    });
+  });
+}
+
+// This file is read again in every worker process, which inherits the port of the first.
+process.env.SHAPE_UP_TEST_PORT ??= String(await freePort());
+const port = process.env.SHAPE_UP_TEST_PORT;
+// Not the root of the host: the site must work under any path.
+const base = '/some/sub-path/';
+const url = `http://127.0.0.1:${port}${base}`;
+
+/** Specs that depend on the layout of a phone; the others run on the desktop only. */
+const ARRANGED = [
+  'axe',
+  'first-picture',
+  'first-visit',
+  'layout',
+  'messages',
+  'phone',
+  'shaping',
+  'touch',
+];
+
+/** The spec that compares WebGPU and WebGL2, in a browser that has both. */
+const BOTH = 'backends';
+
+/** The specs that measure time; `npm test` runs them alone, before the others. */
+const ALONE = ['drag-speed', 'build-large'];
+
+const specs = (names: string[]) => names.map((name) => `**/${name}.spec.ts`);
+const executablePath = (await findBrowser()) ?? undefined;
+const launched = (args: string[]) => ({ launchOptions: { executablePath, args } });
+
+/**
+ * A function of a module is examined only when it is called, and has to run a hundred times as long
+ * as usual before it is compiled once more, for speed: most pages of the tests do not live that long.
+ */
+const lazily = '--js-flags=--wasm-lazy-validation --wasm-tiering-budget=1300000000';
+
+export default defineConfig({
+  testDir: '.',
+  testMatch: '*.spec.ts',
+  outputDir: '../../test-results',
+  reporter: 'list',
+  // A test that passes only on the second try is reported and fails the run: see
+  // .scripts/count.mjs.
+  retries: 1,
+  workers: 2,
+  fullyParallel: true,
+  forbidOnly: true,
+  // SwiftShader draws a few pictures a second on two cores.
+  timeout: 120_000,
+  expect: { timeout: 30_000 },
+  use: {
+    baseURL: url,
+    // A service worker would answer in place of the server, whose answers some tests hold back.
+    serviceWorkers: 'block',
+    screenshot: 'only-on-failure',
+    ...launched([...webgl2Flags, lazily]),
+  },
+  projects: [
+    {
+      name: 'desktop',
+      use: { viewport: { width: 1440, height: 900 } },
+      // Touch tests are for the phone.
+      testIgnore: specs(['phone', 'touch', BOTH, ...ALONE]),
+      grepInvert: /@phone/,
+    },
+    {
+      name: 'both',
+      use: { viewport: { width: 1440, height: 900 }, ...launched([...browserFlags, lazily]) },
+      testMatch: specs([BOTH]),
+    },
+    {
+      name: 'alone',
+      use: { viewport: { width: 1440, height: 900 }, ...launched(webgl2Flags) },
+      testMatch: specs(ALONE),
+      dependencies: ['desktop', 'both', 'phone'],
+    },
+    {
+      name: 'phone',
+      use: { viewport: { width: 390, height: 844 } },
+      testMatch: specs(ARRANGED),
+      grepInvert: /@desktop/,
+    },
+  ],
+  webServer: {
+    command: `node ../../.scripts/serve.mjs ${port} ${base}`,
+    url,
+    reuseExistingServer: false,
+  },
+});

@@ -1,0 +1,115 @@
+// Which scene a new worker opens after work was cancelled.
+
+import assert from 'node:assert/strict';
+import { mock, test } from 'node:test';
+import { SolverClient } from '../../../www/solver/solver-client.ts';
+import type { ToWorker } from '../../../www/solver/messages.ts';
+
+const tick = () => new Promise((done) => setTimeout(done));
+
+/** A worker that says what the test tells it to say. */
+class FakeWorker {
+  declare static latest: FakeWorker;
+  posted: ToWorker[] = [];
+  /** Set by the client. */
+  declare onmessage: (event: { data: object }) => void;
+
+  constructor() {
+    FakeWorker.latest = this;
+  }
+  postMessage(message: ToWorker) {
+    this.posted.push(message);
+  }
+  terminate() {}
+  say(message: object) {
+    this.onmessage({ data: message });
+  }
+  model(name: string) {
+    this.say({
+      ...{ type: 'model', loaded: { name }, connectivity: {} },
+      positions: new Float64Array(3),
+    });
+  }
+  scene(text: string, iteration: number) {
+    this.say({ type: 'scene', text, iteration, history: null });
+  }
+  /** Answers the request to open a file. */
+  opened() {
+    const { id } = this.#opening;
+    this.say({ type: 'reply', id, value: { undoLost: '' } });
+  }
+  get reopened() {
+    const { files } = this.#opening;
+    return new TextDecoder().decode(files[0].bytes);
+  }
+  /** The request to open a file. */
+  get #opening() {
+    const request = this.posted.find((message) => message.type === 'open');
+    assert.ok(request);
+    return request;
+  }
+}
+
+/** Opens roof.obj. */
+async function clientWithRoof() {
+  const client = new SolverClient();
+  const worker = FakeWorker.latest;
+  const opened = client.request({ type: 'open', files: [] });
+  worker.say({ type: 'ready' });
+  worker.model('roof.obj');
+  worker.scene('the roof', 7);
+  worker.opened();
+  await opened;
+  worker.posted.length = 0;
+  return client;
+}
+
+globalThis.Worker = FakeWorker as unknown as typeof Worker;
+// Node does not exit while the client watches its worker.
+mock.method(globalThis, 'setInterval', () => 0);
+
+test('a file whose opening is cancelled before its answer does not replace the scene', async () => {
+  const client = await clientWithRoof();
+  const names: string[] = [];
+  client.on('model', ({ loaded }) => names.push(loaded.name));
+  const refused = assert.rejects(client.request({ type: 'open', files: [] }));
+  FakeWorker.latest.model('large.obj');
+  FakeWorker.latest.scene('the large mesh', 0);
+  client.abandon();
+  await refused;
+  // The cancelled file used to be restored.
+  assert.equal(client.sceneText, 'the roof');
+  assert.equal(client.saved.iteration, 7);
+  FakeWorker.latest.say({ type: 'ready' });
+  assert.equal(FakeWorker.latest.reopened, 'the roof');
+  FakeWorker.latest.model('restored.shapeup.json');
+  assert.deepEqual(names, ['large.obj', 'roof.obj']);
+});
+
+test('progress is saved beside the scene that it continues, and not beside a newer one', async () => {
+  const client = await clientWithRoof();
+  const bytes = new Uint8Array(1);
+  FakeWorker.latest.say({ type: 'progress', bytes, iteration: 9 });
+  assert.equal(client.saved.progress, bytes);
+  FakeWorker.latest.scene('the edited roof', 10);
+  assert.deepEqual(client.saved, { iteration: 10, history: null, progress: null });
+});
+
+test('work cancelled while the scene is being restored restores it without a notice', async () => {
+  const client = await clientWithRoof();
+  const events: string[] = [];
+  client.on('restarted', ({ message }) => events.push(message));
+  client.on('model', ({ loaded }) => events.push(`${loaded.name}, ${client.restoring}`));
+  for (let time = 0; time < 2; time++) {
+    client.abandon();
+    await tick();
+    FakeWorker.latest.say({ type: 'ready' });
+  }
+  FakeWorker.latest.model('restored.shapeup.json');
+  FakeWorker.latest.scene('the roof', 7);
+  FakeWorker.latest.opened();
+  await tick();
+  // The first restoring used to report that the scene could not be reopened, and the model then
+  // counted as another one, called restored.shapeup.json.
+  assert.deepEqual(events, ['roof.obj, true']);
+});

@@ -1,0 +1,80 @@
+// Refining by levels: when it waits for a run, goes on, and stops.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Emitter } from '../../../www/solver/emitter.ts';
+import { meshActions } from '../../../www/store/actions/mesh-actions.ts';
+import { createStore, type Store } from '../../../www/store/state.ts';
+import type { SolverClient } from '../../../www/solver/solver-client.ts';
+import type { Actions } from '../../../www/store/actions.ts';
+
+/** Whether it runs, and whether it has converged. */
+interface Activity {
+  running: boolean;
+  converged: boolean;
+}
+
+/** A solver that runs, and whose runs end only when the test says so. */
+class RunningSolver extends Emitter<{ activity: Activity }> {
+  store: Store;
+  refinements = 0;
+
+  constructor(store: Store) {
+    super();
+    this.store = store;
+    this.#turn(true, false);
+  }
+
+  #turn(running: boolean, converged: boolean) {
+    this.store.set({ running, converged });
+    this.emit('activity', { running, converged });
+  }
+
+  /** `run` is ignored during a run. */
+  send({ type }: { type: string }) {
+    if (type === 'run' && !this.store.get().running) this.#turn(true, false);
+  }
+
+  async request({ type }: { type: string }) {
+    assert.equal(type, 'editAndRun');
+    this.refinements += 1;
+    this.#turn(true, false);
+  }
+
+  async endRun(converged: boolean) {
+    this.#turn(false, converged);
+    await new Promise((done) => setTimeout(done));
+  }
+}
+
+function refineDuringRun() {
+  const store = createStore();
+  const solver = new RunningSolver(store);
+  const actions = { setStatus() {}, verdict: async () => null };
+  const given = [store, solver as unknown as SolverClient, actions as unknown as Actions] as const;
+  const how = { scheme: 'catmull-clark' as const, levels: 1, keep: 75 };
+  return { store, solver, ended: meshActions(...given).refine(how, true) };
+}
+
+test('Refine and solve during a run refines when that run has converged', async () => {
+  // It used to wait for the beginning of another run: the button stayed Pause.
+  const { store, solver, ended } = refineDuringRun();
+  await solver.endRun(true);
+  assert.equal(solver.refinements, 1);
+  await solver.endRun(true);
+  await ended;
+  assert.equal(store.get().refining, false);
+});
+
+test('Pause before the first level ends Refine and solve', async () => {
+  for (const converged of [false, true]) {
+    const { store, solver, ended } = refineDuringRun();
+    store.set({ refining: false });
+    await solver.endRun(converged);
+    await ended;
+    // A later run used to refine.
+    solver.send({ type: 'run' });
+    await solver.endRun(true);
+    assert.equal(solver.refinements, 0);
+  }
+});

@@ -1,0 +1,43 @@
+// A command runs only if it is enabled, wherever it is pressed; menus used to bypass that.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { isEnabled, press, runEarlyPresses } from '../../../www/store/press.ts';
+import { createStore } from '../../../www/store/state.ts';
+import type { Command } from '../../../www/app/context.ts';
+import type { SceneDocument } from '../../../www/solver/messages.ts';
+
+const command = (done: string[], more: Partial<Command> = {}): Command => ({
+  id: 'fit',
+  group: 'View',
+  label: 'Fit',
+  keys: [],
+  action: () => done.push('fit'),
+  ...more,
+});
+
+test('a disabled command does not run', () => {
+  const store = createStore();
+  const done: string[] = [];
+  const drawn = command(done, { enabled: ({ renderer }) => renderer !== 'none' });
+  store.set({ renderer: 'none' });
+  assert.equal(isEnabled(drawn, store.get()), false);
+  press(drawn, store);
+  assert.deepEqual(done, []);
+  store.set({ renderer: 'webgl2' });
+  press(drawn, store);
+  assert.deepEqual(done, ['fit']);
+  assert.equal(isEnabled(command(done), store.get()), true);
+});
+
+test('a command that needs a model waits for it and runs once', async () => {
+  const store = createStore();
+  const done: string[] = [];
+  const waiting = command(done, { needsModel: true });
+  runEarlyPresses([waiting], store, ['fit', 'fit']);
+  assert.deepEqual(done, []);
+  assert.notEqual(store.get().status, '');
+  store.set({ document: {} as SceneDocument });
+  await Promise.resolve();
+  assert.deepEqual(done, ['fit']);
+});

@@ -1,0 +1,20 @@
+// What is asked of the solver once, and when it is asked again.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { createQueries } from '../../../www/store/queries.ts';
+import type { SolverClient } from '../../../www/solver/solver-client.ts';
+
+test('the original is asked for once for every model', async () => {
+  const heard: Record<string, () => void> = {};
+  let asked = 0;
+  const solver = {
+    on: (event: string, hear: () => void) => (heard[event] = hear),
+    request: async () => ++asked,
+  } as unknown as SolverClient;
+  const { originalPositions } = createQueries(solver, (promise) => promise);
+  assert.equal(await originalPositions(), 1);
+  assert.equal(await originalPositions(), 1);
+  heard.model();
+  assert.equal(await originalPositions(), 2);
+});

@@ -1,0 +1,33 @@
+// How clicks and regions change the selection.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { NOTHING, combineOf, describe, select, verticesOf } from '../../../www/store/selection.ts';
+
+/** What a click does with these keys held. */
+const withKeys = (held: Partial<Parameters<typeof combineOf>[0]>) =>
+  combineOf({ shiftKey: false, ctrlKey: false, metaKey: false, ...held });
+
+test('Shift adds, Ctrl removes, and a plain click replaces', () => {
+  assert.equal(withKeys({ shiftKey: true }), 'add');
+  assert.equal(withKeys({ ctrlKey: true, shiftKey: true }), 'remove');
+  assert.equal(withKeys({}), 'replace');
+  const two = select(select(NOTHING, 'faces', [4], 'replace'), 'faces', [5], 'add');
+  assert.deepEqual([...two.faces], [4, 5]);
+  assert.deepEqual([...select(two, 'faces', [4], 'remove').faces], [5]);
+  const vertex = select(two, 'vertices', [1], 'replace');
+  assert.deepEqual([[...vertex.vertices], [...vertex.faces]], [[1], []]);
+});
+
+test('selected faces and edges stand for their vertices, each listed once', () => {
+  const square = {
+    faceOffsets: Uint32Array.of(0, 4),
+    faceIndices: Uint32Array.of(0, 1, 2, 3),
+    curveOffsets: Uint32Array.of(0),
+    curveIndices: Uint32Array.of(),
+    edges: Uint32Array.of(2, 9),
+  };
+  const selection = { vertices: new Set([3]), edges: new Set([0]), faces: new Set([0]) };
+  assert.deepEqual(verticesOf(selection, square), [0, 1, 2, 3, 9]);
+  assert.equal(describe(selection), '1 vertex, 1 edge, 1 face');
+});

@@ -1,0 +1,162 @@
+// How a run divides the worker's time between iterations and the frames sent to the page, and what
+// the page is told.
+
+import assert from 'node:assert/strict';
+import { test, type TestContext } from 'node:test';
+import type { Solver } from '../../../www/pkg/engine/shape_up.js';
+import { SLICE_MS, type FromWorker } from '../../../www/solver/messages.ts';
+import { Scheduler } from '../../../www/worker/scheduler.ts';
+import { runInSlices } from '../../../www/worker/trials.ts';
+
+/** A clock that advances only when the test does work. */
+function clock() {
+  let now = 0;
+  return { now: () => now, pass: (ms: number) => (now += ms) };
+}
+
+/** Closes the channel of the scheduler at the end: Node does not exit while one is open. */
+function closeChannel(context: TestContext) {
+  const channel = new MessageChannel();
+  context.mock.method(globalThis, 'MessageChannel', function () {
+    return channel;
+  });
+  context.after(() => channel.port1.close());
+}
+
+/** A solver with these methods; all others do nothing. */
+function solverWith(methods: Partial<Solver>) {
+  const all: Record<string | symbol, unknown> = {
+    savedHistory: () => new Uint8Array(0),
+    savedProgress: () => new Uint8Array(0),
+    ...methods,
+  };
+  const get = (_: object, name: string | symbol) => all[name] ?? (() => undefined);
+  return new Proxy(all, { get }) as unknown as Solver;
+}
+
+/** The solver does not die in these tests. */
+const died = (thrown: unknown) => assert.fail(thrown as Error);
+
+test('a run spends most of its time on iterations, however long a frame takes', async (context) => {
+  // Frames used to be sent whenever the page returned a buffer: colours that took as long as an
+  // iteration halved the number of iterations, because the time of those frames was not counted.
+  const time = clock();
+  context.mock.method(performance, 'now', time.now);
+  closeChannel(context);
+  const [ITERATION, COLOURS, ITERATIONS] = [40, 40, 120];
+  let [iterations, coloured] = [0, 0];
+  const solver = solverWith({
+    step() {
+      time.pass(ITERATION);
+      return ++iterations === ITERATIONS;
+    },
+    faceValues() {
+      time.pass(COLOURS);
+      coloured += 1;
+      return new Float32Array(1);
+    },
+  });
+  let ended = () => {};
+  const end = new Promise<void>((resolve) => (ended = resolve));
+  const scheduler = new Scheduler(
+    solver,
+    (message) => {
+      // A fast page, which returns each buffer at once.
+      if (message.type === 'frame') {
+        queueMicrotask(() => {
+          scheduler.frames.takeBack(message.positions);
+          scheduler.sendFrame();
+        });
+      }
+      if (message.type === 'activity' && !message.running) ended();
+    },
+    died,
+  );
+  scheduler.begin(false);
+  scheduler.frames.renew(3);
+  scheduler.frames.shown = {
+    measure: 'surface',
+    shapes: false,
+    projections: false,
+    corners: false,
+  };
+  scheduler.run();
+  await end;
+  const part = (coloured * COLOURS) / (coloured * COLOURS + iterations * ITERATION);
+  assert.ok(coloured > 10, `${coloured} frames`);
+  assert.ok(part < 0.3, `frames take ${part} of the time`);
+});
+
+test('a run sends its progress, however the one before ended', async (context) => {
+  const time = clock();
+  context.mock.method(performance, 'now', time.now);
+  closeChannel(context);
+  context.mock.timers.enable({ apis: ['setTimeout'] });
+  const sent: FromWorker['type'][] = [];
+  const post = ({ type }: FromWorker) => sent.push(type);
+  let steps = 0;
+  const step = () => {
+    time.pass(SLICE_MS);
+    steps += 1;
+    return false;
+  };
+  const scheduler = new Scheduler(solverWith({ step }), post, died);
+  scheduler.begin(false);
+  scheduler.frames.renew(3);
+  // The first one ends before its progress is due.
+  for (const due of [0, 60_000]) {
+    scheduler.run();
+    for (const before = steps; steps === before;) await new Promise((done) => setImmediate(done));
+    context.mock.timers.tick(due);
+    scheduler.pause();
+  }
+  assert.ok(sent.includes('progress'), `${sent}`);
+});
+
+test('a file that is refused during a run leaves the page with the ended run', (context) => {
+  closeChannel(context);
+  const sent: { type: string; running?: boolean }[] = [];
+  const scheduler = new Scheduler(solverWith({}), (message) => sent.push(message), died);
+  scheduler.begin(false);
+  scheduler.frames.renew(3);
+  scheduler.run();
+  assert.equal(sent.at(-1)?.running, true);
+  const refuse = () => {
+    throw new Error('it is no mesh');
+  };
+  assert.throws(() => scheduler.replace(refuse), /it is no mesh/);
+  assert.deepEqual(sent.at(-1), { type: 'activity', running: false, converged: false });
+});
+
+test('steps that may take seconds are announced as work, so that the worker is not given up', async (context) => {
+  const time = clock();
+  context.mock.method(performance, 'now', time.now);
+  closeChannel(context);
+  const sent: FromWorker['type'][] = [];
+  const post = ({ type }: FromWorker) => sent.push(type);
+  // The last message before each step.
+  const before: (FromWorker['type'] | undefined)[] = [];
+  let ended = () => {};
+  const end = new Promise<void>((resolve) => (ended = resolve));
+  const solver = solverWith({
+    // The first two of five steps iterate, and the others meet hard constraints.
+    isMeeting: () => before.length >= 2,
+    step() {
+      time.pass(SLICE_MS);
+      return before.push(sent.at(-1)) === 5;
+    },
+    endRun: () => ended(),
+  });
+  const scheduler = new Scheduler(solver, post, died);
+  scheduler.begin(false);
+  scheduler.run();
+  await end;
+  // The first step may have to factor the system.
+  assert.deepEqual(before, ['working', 'pong', 'working', 'working', 'working']);
+
+  before.length = 0;
+  const trial = { advance: () => before.push(sent.at(-1)) < 3 };
+  assert.ok(await runInSlices(trial, post));
+  assert.deepEqual(before, ['working', 'working', 'working']);
+  assert.equal(sent.at(-1), 'pong', 'the work has ended');
+});

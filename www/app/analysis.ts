@@ -1,0 +1,116 @@
+/**
+ * The analysis region: a tab for each plot and table. The code of a tab is loaded when it is first
+ * shown.
+ */
+
+import { itemByKey } from '../ui/controls/arrow-keys.ts';
+import { byId, element } from '../ui/dom.ts';
+import { messageOf } from '../solver/messages.ts';
+import type { AppContext } from './context.ts';
+
+interface Tab {
+  id: string;
+  label: string;
+  /** fills the panel; called once */
+  make: (panel: HTMLElement, app: AppContext) => unknown;
+}
+
+/** The tabs in display order. */
+const TABS: Tab[] = [
+  {
+    id: 'convergence',
+    label: 'Convergence',
+    make: async (panel, app) =>
+      new (await import('../panels/convergence/convergence.ts')).Convergence(panel, app),
+  },
+  {
+    id: 'angles',
+    label: 'Angles',
+    make: async (panel, app) =>
+      (await import('../panels/angles/angles.ts')).anglesPanel(panel, app),
+  },
+  {
+    id: 'worst',
+    label: 'Worst',
+    make: async (panel, app) =>
+      (await import('../panels/worst/worst.ts')).worstElements(panel, app),
+  },
+  {
+    id: 'log',
+    label: 'Log',
+    make: async (panel, app) => (await import('../panels/log/log.ts')).logOf(panel, app),
+  },
+];
+
+/**
+ * @returns `bring`
+ *   shows a tab and scrolls the region into view; `shown` returns the id of the current tab
+ */
+export function analysisRegion(
+  place: HTMLElement,
+  app: AppContext,
+): { bring: (id: string) => void; show: (id: string) => void; shown: () => string } {
+  const list = element('div', { role: 'tablist', 'aria-label': 'Analysis' });
+  const entries = TABS.map((tab) => {
+    const button = element(
+      'button',
+      { role: 'tab', id: `tab-${tab.id}`, 'aria-controls': tab.id, onclick: () => show(tab.id) },
+      tab.label,
+    );
+    const panel = element('div', {
+      id: tab.id,
+      role: 'tabpanel',
+      'aria-labelledby': `tab-${tab.id}`,
+    });
+    return { ...tab, button, panel, isMade: false };
+  });
+  list.append(...entries.map(({ button }) => button));
+  place.append(list, ...entries.map(({ panel }) => panel));
+
+  list.addEventListener('keydown', (event) => {
+    const buttons = entries.map(({ button }) => button);
+    const next = itemByKey(event, buttons, { along: 'x' });
+    next?.focus();
+    next?.click();
+  });
+
+  async function fill(entry: (typeof entries)[number]) {
+    if (entry.isMade) return;
+    entry.isMade = true;
+    try {
+      await entry.make(entry.panel, app);
+    } catch (error) {
+      entry.isMade = false;
+      app.alerts.error(messageOf(error));
+    }
+  }
+
+  let shown = '';
+
+  function show(id: string) {
+    const entry = entries.find((one) => one.id === id);
+    if (!entry) return undefined;
+    shown = id;
+    for (const { id: other, panel, button } of entries) {
+      const isShown = other === id;
+      panel.hidden = !isShown;
+      button.setAttribute('aria-selected', String(isShown));
+      button.tabIndex = isShown ? 0 : -1;
+    }
+    return fill(entry);
+  }
+  void show(TABS[0].id);
+  return {
+    show,
+    shown: () => shown,
+    async bring(id) {
+      const filled = show(id);
+      app.store.set({ advanced: true });
+      await Promise.resolve();
+      // In a narrow window the panel may be behind another panel or closed.
+      if (place.offsetParent === null) byId('tab-inspector').click();
+      await filled;
+      place.scrollIntoView({ block: 'nearest' });
+    },
+  };
+}

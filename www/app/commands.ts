@@ -1,0 +1,61 @@
+/** Binds buttons (`data-command`) and keys to the commands of `command-table.ts`. */
+
+import { isEnabled, press } from '../store/press.ts';
+import { setText } from '../ui/dom.ts';
+import { chordOf, digitOf, isTyping, keyName } from '../ui/keys.ts';
+import { isSwitchedOff } from '../ui/single-keys.ts';
+import type { Command } from './context.ts';
+import type { Store } from '../store/state.ts';
+
+export function bindButtons(commands: Command[], store: Store) {
+  const byName = new Map(commands.map((command) => [command.id, command]));
+  for (const button of document.querySelectorAll('button[data-command]')) {
+    if (!(button instanceof HTMLButtonElement)) continue;
+    const command = byName.get(button.dataset.command ?? '');
+    if (!command) throw new Error(`no command is called ${button.dataset.command}`);
+    button.addEventListener('click', () => press(command, store));
+    const shortcut = command.keys.length > 0 ? ` (${keyName(command.keys[0])})` : '';
+    store.subscribe(store.steady, (state) => {
+      const title = (command.title ? command.title(state) : command.label) + shortcut;
+      // Assign changes only: assigning the same value also invalidates styles and notifies
+      // mutation observers.
+      if (button.title !== title) button.title = title;
+      const disabled = !isEnabled(command, state);
+      if (button.disabled !== disabled) button.disabled = disabled;
+      const pressed = command.pressed ? String(command.pressed(state)) : null;
+      if (pressed !== button.getAttribute('aria-pressed') && pressed !== null) {
+        button.setAttribute('aria-pressed', pressed);
+      }
+    });
+  }
+}
+
+export function bindKeys(commands: Command[], store: Store) {
+  window.addEventListener('keydown', (event) => {
+    if (event.defaultPrevented || event.altKey) return;
+    const chord = chordOf(event);
+    if (!chord.startsWith('Ctrl+') && chord !== 'Escape' && isTyping(event)) return;
+    const digit = digitOf(event);
+    // With Shift, the printed character has precedence: some keyboards have + on a digit key.
+    const names = digit.startsWith('Shift') ? [chord, digit] : [digit, chord];
+    const [command] = names.flatMap((name) => commands.filter(({ keys }) => keys.includes(name)));
+    if (!command || isSwitchedOff(chord)) return;
+    // Modal dialogs and open popovers handle their own keys, and Escape closes them.
+    if (document.querySelector('dialog:modal, :popover-open')) return;
+    // The browser's own shortcut (open, save, print) never applies, even if the command is
+    // disabled.
+    if (chord !== 'Escape') event.preventDefault();
+    press(command, store);
+  });
+}
+
+/** Binds the label and icon of the button that is both Run and Pause. */
+export function bindRunButton(button: HTMLButtonElement, store: Store) {
+  const label = button.querySelector('span');
+  const use = button.querySelector('use');
+  store.subscribe(['running', 'refining'], ({ running, refining }) => {
+    const pauses = running || refining;
+    if (label) setText(label, pauses ? 'Pause' : 'Run');
+    use?.setAttribute('href', pauses ? '#icon-pause' : '#icon-run');
+  });
+}

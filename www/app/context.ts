@@ -1,0 +1,69 @@
+/**
+ * Types of the objects that `main.ts` passes to the other folders. There is no code here, so every
+ * folder may import them.
+ */
+
+import type { State, Store } from '../store/state.ts';
+import type { SolverClient } from '../solver/solver-client.ts';
+import type { Viewport } from '../viewport/viewport.ts';
+import type { Files } from '../documents/files.ts';
+import type { Actions } from '../store/actions.ts';
+import type { Selecting } from '../store/mesh-queries.ts';
+import type { Alerts } from '../ui/controls/alerts.ts';
+import type { HoldOriginal } from '../features/hold-original.ts';
+import type { Choice } from '../store/view-modes.ts';
+
+export interface Command {
+  /** value of `data-command` */
+  id: string;
+  /** heading in the help */
+  group: string;
+  /** in the help */
+  label: string;
+  /** such as "Ctrl+Shift+Z"; letters are the characters printed on the keys */
+  keys: string[];
+  /** may load its implementation */
+  action: () => unknown;
+  /** whether a press waits until the first model is loaded */
+  needsModel?: boolean;
+  /** always, if absent */
+  enabled?: (state: State) => boolean;
+  /** for toggle buttons */
+  pressed?: (state: State) => boolean;
+  /** tooltip, else the label */
+  title?: (state: State) => string;
+}
+
+/** objects shared by the parts of the page */
+export interface AppContext {
+  store: Store;
+  solver: SolverClient;
+  viewport: Viewport;
+  files: Files;
+  actions: Actions;
+  selecting: Selecting;
+  alerts: Alerts;
+  hold: HoldOriginal;
+  /** splits the view into left and right */
+  showSides: (choices: [Choice, Choice]) => Promise<void>;
+  /** the API for scripts */
+  script: ReturnType<typeof import('./script-api.ts').scriptApi>;
+  /** commands of selection operations are added later */
+  commands: Command[];
+}
+
+/** Declaration of a folder of `features/` or `panels/`, exported by its `feature.ts`. */
+export interface Feature {
+  commands?: (app: AppContext) => Command[];
+  /** each is loaded when it is first needed */
+  parts?: Part[];
+}
+
+export interface Part {
+  /** the state that `isNeeded` depends on */
+  keys: (keyof State)[];
+  isNeeded: (state: Readonly<State>) => boolean;
+  load: (app: AppContext) => Promise<unknown>;
+}
+
+export {};

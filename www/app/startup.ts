@@ -1,0 +1,207 @@
+/**
+ * Opens the first document of the page (that of a link, the last work, or the first example) and
+ * starts autosave. All other code is loaded when it is needed.
+ */
+
+import { messageOf } from '../solver/messages.ts';
+import { saveFile } from '../ui/save-file.ts';
+import { isEmbedded } from '../ui/embedded.ts';
+import { getItem } from '../ui/safe-storage.ts';
+import type { Files } from '../documents/files.ts';
+import type { Autosave, Taken } from '../documents/autosave.ts';
+import type { SolverClient } from '../solver/solver-client.ts';
+import type { Alerts } from '../ui/controls/alerts.ts';
+import type { ViewContext } from '../viewport/saved-view.ts';
+import type { Work } from '../documents/recent-documents.ts';
+
+export class Startup {
+  #store;
+  #viewContext;
+  #solver;
+  #files;
+  #alerts;
+  #autosave: Promise<Autosave> | null = null;
+
+  constructor(solver: SolverClient, files: Files, alerts: Alerts, viewContext: ViewContext) {
+    this.#store = viewContext.store;
+    this.#viewContext = viewContext;
+    this.#solver = solver;
+    this.#files = files;
+    this.#alerts = alerts;
+  }
+
+  /** Opens the first document. */
+  async begin() {
+    window.addEventListener('hashchange', () =>
+      this.#viewContext.actions.reportErrors(this.#openLink()),
+    );
+    let lost: unknown = null;
+    try {
+      if (await this.#restored()) return;
+    } catch (error) {
+      // Continue, so that the page does not stay without a model.
+      lost = error;
+    }
+    // Start autosave before opening, so that the first edits are saved even if the page closes
+    // soon.
+    this.#startAutosave();
+    let problem = '';
+    const linked = await this.#openLink().catch((error) => {
+      problem = messageOf(error);
+      return false;
+    });
+    if (!linked) await this.#openFirst();
+    if (problem) this.#alerts.error(problem);
+    if (lost) this.#reportUnreadable(lost);
+  }
+
+  /** Opens the first example, or explains how to continue without it. */
+  async #openFirst() {
+    try {
+      await this.startFresh();
+    } catch (error) {
+      this.#alerts.error(messageOf(error));
+      if (this.#solver.isAbsent) return;
+      const { showNothingOpen } = await import('../documents/nothing-open.ts');
+      showNothingOpen(this.#files, async () => {
+        await this.#viewContext.actions.reportErrors(this.startFresh());
+      });
+    }
+  }
+
+  /** Opens the model that first-time visitors get. */
+  async startFresh() {
+    const [example] = await this.#files.examples();
+    await this.#files.openExample(example, true);
+  }
+
+  /** Saves all unsaved changes. */
+  async saveNow() {
+    await (await this.#autosave)?.save();
+  }
+
+  /** Returns the works stored in this browser, except the current one. */
+  async recent() {
+    const { recentDocuments } = await import('../documents/recent-documents.ts');
+    const current = (await this.#autosave)?.id;
+    return (await recentDocuments()).filter(({ id }) => id !== current);
+  }
+
+  /** Opens a work chosen by the user, or reports why it cannot be opened. */
+  async openWork(work: Work) {
+    const { title } = work;
+    try {
+      await this.saveNow();
+      const { take } = await import('../documents/autosave.ts');
+      const taken = await take(work);
+      if (!taken) throw new Error(`${title} is open in another tab of this browser.`);
+      const { undoLost } = await this.#openWork(taken);
+      this.#store.set({ status: `Opened ${title}` });
+      if (undoLost) this.#alerts.notice(`The undo history of ${title} is lost: ${undoLost}.`);
+    } catch (error) {
+      this.#reportUnreadable(error);
+    }
+  }
+
+  /** Reports that a work cannot be opened, and offers to save its file. */
+  #reportUnreadable(error: unknown) {
+    if (!(error instanceof Error && 'work' in error && 'raw' in error)) {
+      return this.#alerts.error(messageOf(error));
+    }
+    const { raw } = error;
+    const { title, name } = error.work as Work;
+    const text = typeof raw === 'string' ? raw : (JSON.stringify(raw) ?? '');
+    const words = `${title} is saved in this browser, but cannot be opened: ${messageOf(error)}.`;
+    this.#alerts.error(words.replace(/\.\.$/, '.'), {
+      label: 'Save its file',
+      action: () => saveFile(`${name}.shapeup.json`, text, 'application/json'),
+    });
+  }
+
+  #startAutosave() {
+    if (isEmbedded) return;
+    const [solver, files, viewContext] = [this.#solver, this.#files, this.#viewContext];
+    this.#autosave ??= import('../documents/autosave.ts').then(
+      ({ Autosave }) => new Autosave(solver, files, viewContext),
+    );
+    this.#autosave.catch(() => this.#store.set({ saved: 'Autosave is off: use Save scene' }));
+  }
+
+  /**
+   * Restores the last work of this tab, if any.
+   * @returns whether it did
+   */
+  async #restored(): Promise<boolean> {
+    if (!hasStoredWork()) return false;
+    const { lastWork } = await import('../documents/autosave.ts');
+    const last = await lastWork();
+    if (!last) return false;
+    // Autosave must be running before the user can edit the work and close the page.
+    this.#startAutosave();
+    await this.#autosave;
+    const { undoLost } = await this.#openWork(last);
+    const fresh = () => {
+      if (location.hash) history.replaceState(null, '', location.pathname + location.search);
+      void this.#viewContext.actions.reportErrors(this.startFresh());
+    };
+    const but = undoLost && `, but its undo history is lost: ${undoLost}`;
+    this.#alerts.notice(`${last.work.title} is back as you left it${but}.`, {
+      label: 'Start fresh',
+      action: fresh,
+    });
+    return true;
+  }
+
+  async #openWork({ work, text, saved }: Taken) {
+    const bytes = new TextEncoder().encode(text);
+    const examples = work.example ? await this.#files.examples() : [];
+    const example = examples.find(({ id }) => id === work.example);
+    const { id, title } = work;
+    const origin = { example, work: id, title, saved, text };
+    const files = [{ name: `${work.name}.shapeup.json`, bytes }];
+    const loaded = await this.#files.open(files, origin).catch(async (error) => {
+      const { Unreadable, releaseWork } = await import('../documents/autosave.ts');
+      await releaseWork(work);
+      throw new Unreadable(work, text, messageOf(error));
+    });
+    const { restoreView } = await import('../viewport/saved-view.ts');
+    restoreView(work.view, this.#viewContext);
+    return loaded;
+  }
+
+  /**
+   * Opens the document of the link, if any.
+   * @returns whether there is one
+   */
+  async #openLink(): Promise<boolean> {
+    if (location.hash.length < 2) return false;
+    const { readLink } = await import('../documents/share-link.ts');
+    const link = await readLink(location.hash);
+    if (!link) return false;
+    const { example, text, run } = link;
+    if (example) await this.#openExample(example, text);
+    else if (text) await this.#files.open([sceneFile('shared', text)]);
+    if (run) this.#solver.send({ type: 'run' });
+    return true;
+  }
+
+  /** @param edits text of a scene that replaces the scene of the example */
+  async #openExample(id: string, edits: string | null) {
+    const examples = await this.#files.examples();
+    const example = examples.find((one) => one.id === id);
+    if (!example)
+      throw new Error(`There is no example called ${id}. The link is outdated or mistyped.`);
+    if (!edits) return this.#files.openExample(example);
+    const mesh = { name: example.mesh, bytes: await this.#files.exampleFile(example.mesh) };
+    await this.#files.open([sceneFile(example.id, edits), mesh], { example });
+    // The edits are stored in the link only, not in a file.
+    this.#files.original = null;
+  }
+}
+
+function sceneFile(name: string, text: string) {
+  return { name: `${name}.shapeup.json`, bytes: new TextEncoder().encode(text) };
+}
+
+/** Whether any work was ever stored in this browser. */
+const hasStoredWork = () => getItem('shape-up.works') !== null;

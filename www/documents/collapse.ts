@@ -1,0 +1,50 @@
+/**
+ * Message for a run that was stopped because the mesh collapsed, with offers of what to do, and the
+ * question before such a shape is exported.
+ */
+
+import { openDialog } from '../ui/controls/dialog.ts';
+import { button } from '../ui/controls/fields.ts';
+import { element } from '../ui/dom.ts';
+import type { AppContext } from '../app/context.ts';
+
+/** @param collapse description, as the end of a sentence */
+export function reportCollapse({ alerts, actions }: AppContext, collapse: string) {
+  const text = `Stopped: ${collapse}.`;
+  actions.setStatus(text);
+  alerts.notice(
+    text,
+    { label: 'Undo', action: () => actions.undo() },
+    {
+      label: 'Increase closeness',
+      action: async () => {
+        await actions.undo();
+        if ((await actions.edit({ type: 'holdCloser' })) !== undefined) actions.run();
+      },
+    },
+    { label: 'Continue anyway', action: () => actions.run(true) },
+  );
+}
+
+/**
+ * Asks whether to export a collapsed shape.
+ * @param collapse description, as the end of a sentence
+ */
+export function askToExport(collapse: string): Promise<boolean> {
+  const answer = (value: string) => () => dialog.close(value);
+  const dialog = openDialog(
+    { id: 'export-anyway', title: 'Export this shape?' },
+    element(
+      'div.dialog-body',
+      element('p', `In the last run ${collapse}. You probably do not want to export this shape.`),
+      element(
+        'div.dialog-foot',
+        button('Export anyway', answer('export')),
+        button('Cancel', answer(''), { class: 'primary' }),
+      ),
+    ),
+  );
+  return new Promise((resolve) =>
+    dialog.addEventListener('close', () => resolve(dialog.returnValue === 'export')),
+  );
+}

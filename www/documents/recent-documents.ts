@@ -1,0 +1,144 @@
+/**
+ * Scenes saved in this browser's database. Each has its own records, and the list is derived from
+ * the existing records, so that a damaged record affects no other scene.
+ */
+
+import { createStore, promisifyRequest } from 'idb-keyval';
+import type { SavedView } from '../viewport/saved-view.ts';
+
+export interface Work {
+  id: string;
+  /** base name of its files */
+  name: string;
+  title: string;
+  /** milliseconds since 1970 */
+  savedAt: number;
+  iteration: number;
+  /** id of the example whose mesh it has */
+  example: string | null;
+  /** fragment of the address at which it was opened */
+  hash: string;
+  /** camera and display */
+  view: SavedView | null;
+  /** opening it failed */
+  unreadable?: boolean;
+}
+
+/**
+ * Contents of a work: the text of its scene, its undo history, and the progress of a run or a drag
+ * that started from that scene; null if there is none.
+ */
+export interface Contents {
+  text: string;
+  history: Uint8Array | null;
+  progress: Uint8Array | null;
+}
+
+/** A key consists of a part's prefix and the id of a work. */
+const ABOUT = 'work ';
+const TEXT = 'text ';
+const PARTS = [ABOUT, TEXT, 'history ', 'progress '];
+/** Earlier versions stored a list instead. */
+const OLD_LIST = 'list';
+/** Number of works kept, beside those that are open. */
+const MOST = 8;
+/** A tab holds a lock with this prefix and the id of its work. */
+export const LOCK_PREFIX = 'shape-up.work.';
+const database = createStore('shape-up', 'works');
+
+/** Returns all works, newest first. */
+export async function recentDocuments(): Promise<Work[]> {
+  const [keys, about, old] = await database('readonly', (store) =>
+    Promise.all([
+      promisifyRequest(store.getAllKeys()),
+      promisifyRequest(store.getAll(IDBKeyRange.bound(ABOUT, `${ABOUT}\uffff`))),
+      promisifyRequest(store.get(OLD_LIST)),
+    ]),
+  );
+  const known = [...(Array.isArray(old) ? old : []), ...about].filter(isWork);
+  const byId = new Map(known.map((work) => [work.id, work]));
+  return keys
+    .map(String)
+    .filter((key) => key.startsWith(TEXT))
+    .map((key) => key.slice(TEXT.length))
+    .map((id) => byId.get(id) ?? unknown(id))
+    .sort((a, b) => b.savedAt - a.savedAt);
+}
+
+/** Reads the stored contents of a work without checking them. */
+export async function contentsOf(id: string): Promise<{ [part in keyof Contents]: unknown }> {
+  const parts = PARTS.slice(1).map((part) => part + id);
+  const [text, history, progress] = await database('readonly', (store) =>
+    Promise.all(parts.map((key) => promisifyRequest(store.get(key)))),
+  );
+  return { text, history, progress };
+}
+
+/**
+ * Stores a work and the given parts of its contents in one transaction. If there is no room, all
+ * works that no tab has open are deleted first.
+ */
+export async function keep(work: Work, contents: Partial<Contents>) {
+  try {
+    await write(work, contents);
+  } catch (error) {
+    if (!(error instanceof DOMException && error.name === 'QuotaExceededError')) throw error;
+    await deleteExcept(({ id }) => id === work.id);
+    await write(work, contents);
+  }
+}
+
+/** Deletes the oldest works beyond the limit, except those that are open. */
+export const pruneOldest = () => deleteExcept((_, rank) => rank < MOST);
+
+/** Returns the ids of the works that are open in this tab or another one. */
+export async function openWorks() {
+  const { held = [] } = (await navigator.locks?.query()) ?? {};
+  return held.flatMap(({ name }) => name?.split(LOCK_PREFIX)[1] ?? []);
+}
+
+/**
+ * Also spares the works that are open.
+ * @param stays gets the works in order, the newest first
+ */
+async function deleteExcept(stays: (work: Work, rank: number) => boolean) {
+  const open = await openWorks();
+  const all = await recentDocuments();
+  const gone = all.filter((work, rank) => !open.includes(work.id) && !stays(work, rank));
+  if (gone.length === 0) return;
+  await database('readwrite', (store) => {
+    for (const { id } of gone) for (const part of PARTS) store.delete(part + id);
+    return promisifyRequest(store.transaction);
+  });
+}
+
+function write(work: Work, contents: Partial<Contents>) {
+  return database('readwrite', (store) => {
+    store.put(work, ABOUT + work.id);
+    for (const [part, value] of Object.entries(contents)) {
+      const key = `${part} ${work.id}`;
+      if (value === null) store.delete(key);
+      else store.put(value, key);
+    }
+    // Commit now: the page may be closed before the transaction would commit by itself.
+    store.transaction.commit?.();
+    return promisifyRequest(store.transaction);
+  });
+}
+
+function isWork(value: unknown): value is Work {
+  const work: Partial<Work> = value ?? {};
+  const words = [work.id, work.name, work.title, work.hash];
+  const numbers = [work.savedAt, work.iteration];
+  return words.every((word) => typeof word === 'string') && numbers.every(Number.isFinite);
+}
+
+/** Returns the record of a scene without one; its id contains the time at which the work began. */
+function unknown(id: string): Work {
+  const begun = Number.parseInt(id, 36);
+  const savedAt = begun < Date.now() ? begun : 0;
+  return {
+    ...{ id, name: 'recovered', title: 'Recovered model', savedAt, iteration: 0 },
+    ...{ example: null, hash: '', view: null },
+  };
+}

@@ -1,0 +1,66 @@
+/** Adds layers, polylines and meshes to a Rhino file. */
+
+export type Point = [number, number, number];
+
+/**
+ * @param colour red, green, blue
+ * @returns index of the layer
+ */
+export function addLayer(
+  api: any,
+  file: any,
+  name: string,
+  colour?: [number, number, number],
+): number {
+  const layer = new api.Layer();
+  layer.name = name;
+  if (colour) {
+    const [r, g, b] = colour;
+    layer.color = { r, g, b, a: 255 };
+  }
+  const index = file.layers().add(layer);
+  layer.delete();
+  return index;
+}
+
+/**
+ * Creates attributes: layer, user text and name. They are deleted when added with an object.
+ * @param text user text
+ */
+export function attributesOf(api: any, layer: number, text: Record<string, string>, name?: string) {
+  const attributes = new api.ObjectAttributes();
+  attributes.layerIndex = layer;
+  if (name) attributes.name = name;
+  for (const [key, value] of Object.entries(text)) attributes.setUserString(key, value);
+  return attributes;
+}
+
+export function addPolyline(api: any, file: any, points: Point[], attributes: any) {
+  const list = new api.Point3dList(points.length);
+  for (const point of points) list.add(...point);
+  file.objects().addPolyline(list, attributes);
+  attributes.delete();
+  list.delete();
+}
+
+/**
+ * Adds a mesh; rhino3dm has no n-gons, so convex polygons of more than four corners become fans.
+ */
+export function addMesh(
+  api: any,
+  file: any,
+  { points, faces }: { points: Point[]; faces: number[][] },
+  attributes: any,
+) {
+  const mesh = new api.Mesh();
+  for (const point of points) mesh.vertices().addPoint3d(...point);
+  for (const face of faces) {
+    if (face.length === 4) mesh.faces().addQuadFace(...face);
+    else
+      for (let k = 2; k < face.length; k++) mesh.faces().addTriFace(face[0], face[k - 1], face[k]);
+  }
+  mesh.normals().computeNormals();
+  file.objects().addMesh(mesh, attributes);
+  attributes.delete();
+  mesh.delete();
+}

@@ -1,0 +1,89 @@
+/**
+ * Writes a scene as a Rhino file, in full precision. Each group of faces becomes a layer. Triangles
+ * and quads form a mesh on it; panels with more corners, which rhino3dm cannot write into a mesh,
+ * become closed polylines. The user text gives the planarity distance of a panel, or the largest
+ * one of a mesh. Rhino's vertical axis is z: a scene with y up is rotated.
+ */
+
+import { NAMES, ROLE, rhino } from './rhino.ts';
+import { byLayer } from './rhino-layers.ts';
+import { addLayer, addMesh, addPolyline, attributesOf, type Point } from './rhino-objects.ts';
+import { pointsOf } from './rhino-points.ts';
+
+const PLANARITY = 'shape-up:planarity';
+const CURVES = 'Curves';
+
+/**
+ * @param text scene with its mesh
+ * @param errors table of face errors from the solver (CSV)
+ */
+export async function rhinoFile(text: string, errors: string): Promise<Uint8Array<ArrayBuffer>> {
+  const api = await rhino();
+  const scene = JSON.parse(text);
+  const { faces = [], curves = [], groups = {} } = scene.mesh;
+  const points = pointsOf(scene);
+  const distances = planarities(errors);
+  const inWords = (value: number) => `${value} ${scene.units ?? ''}`.trim();
+
+  const file = new api.File3dm();
+  try {
+    const unit = NAMES[scene.units];
+    file.settings().modelUnitSystem = api.UnitSystem[unit ?? 'None'];
+    file.applicationName = 'Shape-Up';
+    for (const [name, members] of byLayer(faces.length, groups)) {
+      const layer = addLayer(api, file, name);
+      addPanels(api, file, layer, members, faces, points, inWords, distances);
+      for (const face of members.filter((member) => faces[member].length > 4)) {
+        const corners = faces[face];
+        const text = { [ROLE]: 'panel', [PLANARITY]: inWords(distances[face]) };
+        const loop = [...corners, corners[0]].map((vertex) => points[vertex]);
+        addPolyline(api, file, loop, attributesOf(api, layer, text));
+      }
+    }
+    if (curves.length > 0) {
+      const layer = addLayer(api, file, CURVES);
+      for (const curve of curves) {
+        const line = curve.map((vertex: number) => points[vertex]);
+        addPolyline(api, file, line, attributesOf(api, layer, { [ROLE]: 'curve' }));
+      }
+    }
+    return file.toByteArray();
+  } finally {
+    file.delete();
+  }
+}
+
+/** Reads the planarity distance of each face. */
+function planarities(csv: string) {
+  const [head, ...rows] = csv.trim().split('\n');
+  const heads = head.split(',');
+  // Counted from the right, since a group name may contain commas.
+  const fromRight = heads.length - heads.findIndex((name) => /^Planarity( \(|$)/.test(name));
+  return rows.map((row) => Number(row.split(',').at(-fromRight)));
+}
+
+/**
+ * Adds the triangles and quads among some faces as one mesh.
+ * @param planarity formats a distance
+ */
+function addPanels(
+  api: any,
+  file: any,
+  layer: number,
+  members: number[],
+  faces: number[][],
+  points: Point[],
+  planarity: (worst: number) => string,
+  distances: number[],
+) {
+  const flat = members.filter((face) => faces[face].length <= 4);
+  if (flat.length === 0) return;
+  const localIndex: Map<number, number> = new Map();
+  for (const vertex of flat.flatMap((face) => faces[face]))
+    if (!localIndex.has(vertex)) localIndex.set(vertex, localIndex.size);
+  const own = [...localIndex.keys()].map((vertex) => points[vertex]);
+  const corners = flat.map((face) => faces[face].map((vertex) => localIndex.get(vertex) ?? 0));
+  const worst = flat.reduce((most, face) => Math.max(most, distances[face]), 0);
+  const text = { [PLANARITY]: planarity(worst) };
+  addMesh(api, file, { points: own, faces: corners }, attributesOf(api, layer, text));
+}

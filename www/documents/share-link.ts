@@ -1,0 +1,123 @@
+/**
+ * Links that carry a scene. The data is in the fragment, which never leaves the browser:
+ *
+ * | fragment | content |
+ * |---|---|
+ * | `#example=ID`, `#example=ID&run` | an unchanged example; `&run` iterates after opening |
+ * | `#link=CODE` | a scene with its mesh, or with an example's; see `short-link/packed-scene.ts` |
+ * | `#scene=CODE`, `#example=ID&edits=CODE` | the same in earlier versions, see `short-link/deflated.ts` |
+ *
+ * No link contains the current positions: the receiver solves again, so that the errors shown are
+ * not those of rounded positions. A kept design is part of the scene, as its start positions.
+ */
+
+import type { Example, Files } from './files.ts';
+import type { AppContext } from '../app/context.ts';
+
+/** Content of a fragment. */
+interface Linked {
+  /** id of the example whose mesh it has */
+  example: string | null;
+  /** of the scene, unless it is the example's */
+  text: string | null;
+  /** whether to iterate after opening */
+  run: boolean;
+}
+
+/**
+ * @param hash fragment of an address, with its #
+ * @returns null if it is no link of this page; rejects if it was altered
+ */
+export async function readLink(hash: string): Promise<Linked | null> {
+  const parts = new URLSearchParams(hash.slice(1));
+  const code = parts.get('link');
+  if (code !== null) return (await packing()).unpackScene(code);
+  const example = parts.get('example');
+  const earlier = parts.get('scene') ?? parts.get('edits');
+  if (!example && !earlier) return null;
+  return {
+    example,
+    text: earlier && (await (await packing()).inflated(earlier)),
+    run: parts.has('run'),
+  };
+}
+
+/** Returns the address that opens the current scene, and the rounding step of its positions. */
+export async function linkTo({
+  store,
+  actions,
+  files,
+}: Pick<AppContext, 'store' | 'actions' | 'files'>) {
+  const text = await actions.sceneText();
+  const { numbers, tolerance, model } = store.get();
+  const { mesh, variants, current } = JSON.parse(text);
+  const example = (await isUnchanged(mesh, files)) ? files.origin.example : undefined;
+  // A kept design needs no run: it is already solved.
+  const isKept = variants?.design !== undefined && !current;
+  const run = (numbers?.iteration ?? 0) > 0 && !isKept;
+  const about = { example, original: files.original, run };
+  const { fragment, rounded } = await writeLink(text, {
+    ...about,
+    tolerance: tolerance ?? model?.tolerance ?? 0,
+  });
+  return { address: new URL(fragment, location.href.split('#')[0]).href, rounded };
+}
+
+/** Whether a mesh is still that of its example: refining and other edits of the mesh change it. */
+async function isUnchanged(
+  { positions, faces = [], tets }: { positions: number[][]; faces?: number[][]; tets?: number[][] },
+  files: Files,
+) {
+  const { example } = files.origin;
+  // The solver changes no mesh of tetrahedra.
+  if (!example || tets) return true;
+  const bytes = await files.exampleFile(example.mesh).catch(() => null);
+  const rows = new TextDecoder().decode(bytes ?? undefined).split(/\r?\n/);
+  const numbers = (letter: string) =>
+    rows.filter((row) => row.startsWith(letter)).map((row) => row.slice(2).split(' ').map(Number));
+  const before = [numbers('v '), numbers('f ').map((face) => face.map((corner) => corner - 1))];
+  return JSON.stringify(before) === JSON.stringify([positions, faces]);
+}
+
+/**
+ * Returns the fragment of a link to a scene.
+ * @param text scene with its mesh
+ * @param about.example whose mesh the scene has
+ * @param about.original text of the unchanged example
+ * @param about.tolerance in the unit of the mesh
+ * @returns with the rounding step, if rounded
+ */
+export async function writeLink(
+  text: string,
+  {
+    example,
+    original,
+    run,
+    tolerance,
+  }: { example?: Example; original: string | null; run: boolean; tolerance: number },
+): Promise<{ fragment: string; rounded: number | null }> {
+  const scene = withoutPositions(text);
+  const { packScene } = await packing();
+  if (!example) {
+    const { code, rounded } = await packScene({ scene, run, tolerance });
+    return { fragment: `#link=${code}`, rounded };
+  }
+  const edits = { ...scene, mesh: { file: example.mesh } };
+  const before = original && { ...withoutPositions(original), mesh: { file: example.mesh } };
+  if (before && JSON.stringify(before) === JSON.stringify(edits)) {
+    const fragment = `#example=${encodeURIComponent(example.id)}${run ? '&run' : ''}`;
+    return { fragment, rounded: null };
+  }
+  const { code } = await packScene({ scene: edits, example: example.id, run, tolerance });
+  return { fragment: `#link=${code}`, rounded: null };
+}
+
+/** Loaded on demand: most links name only an example. */
+const packing = () => import('./short-link/packed-scene.ts');
+
+/** @param text of a scene */
+function withoutPositions(text: string) {
+  const scene = JSON.parse(text);
+  delete scene.current;
+  return scene;
+}

@@ -1,0 +1,31 @@
+/**
+ * Lesson goals on the parts. The session lacks the large module that makes parts, so their numbers
+ * are measured here while the shape is at rest; the session discards them when it moves.
+ */
+
+import { LiveBuild } from './live-build.ts';
+import type { AppContext } from '../../app/context.ts';
+
+export async function buildGoals(app: AppContext) {
+  const { store, actions } = app;
+  const live = new LiveBuild(app, {
+    show: tell,
+    showOffset: () => {},
+    refuse: () => actions.setBuildNumbers([]),
+  });
+  await live.offers();
+
+  async function tell() {
+    await actions.setBuildNumbers(await live.numbers());
+  }
+
+  const isAsked = () =>
+    !store.get().running && store.get().document?.lesson?.goals.some(({ build }) => build);
+  store.subscribe(['running', 'document'], () => {
+    if (isAsked()) void live.again();
+  });
+  store.subscribe(['numbers'], () => {
+    if (isAsked()) void live.update();
+  });
+  if (isAsked()) void live.again();
+}

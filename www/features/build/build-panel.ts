@@ -1,0 +1,188 @@
+/** The docked panel of parts: settings, the build check, the sheets and their files. */
+
+import './build-panel.css';
+import { docked } from '../../docked/docked.ts';
+import { button, closeButton } from '../../ui/controls/fields.ts';
+import { element } from '../../ui/dom.ts';
+import { latestOnly } from '../../store/latest-only.ts';
+import { MOST_LIVE_VERTICES } from '../../store/live-shape.ts';
+import { showElements } from '../../viewport/reveal-elements.ts';
+import { checkCard, sheetsInWords, warnings } from './check-card.ts';
+import { showReport } from './report/dialog-report.ts';
+import { LiveBuild, MOST_SHEETS } from './live-build.ts';
+import { offsetLayer } from './offset-layer.ts';
+import { settingsForm } from './settings-form.ts';
+import { panelUnderPointer } from './sheets/panel-under-pointer.ts';
+import { sheetPictures } from './sheets/sheet-pictures.ts';
+import { thicknessForm } from './thickness.ts';
+import { typesCurve } from './types-curve.ts';
+import type { BuildReplies, BuildReport, BuildSettings, CheckRow } from '../../solver/messages.ts';
+import type { AppContext } from '../../app/context.ts';
+
+/** Colour of the panels of the part pointed at on a sheet. */
+const POINTED: [number, number, number] = [230, 120, 20];
+
+let only: { toggle: () => void } | null = null;
+
+export async function toggleBuild(app: AppContext) {
+  only ??= await buildPanel(app);
+  only.toggle();
+}
+
+async function buildPanel(app: AppContext) {
+  const { store, actions, files } = app;
+  const live = new LiveBuild(app, { show, showOffset, refuse });
+  const offers = await live.offers();
+  const form = settingsForm(offers, change);
+  const check = checkCard(showWorst, tighten);
+  const thickness = thicknessForm({
+    tryDistance: (distance) => tried.ask(distance),
+    restore: () => tried.ask(null),
+    change,
+  });
+  const types = typesCurve(change);
+  const layer = offsetLayer(app);
+  // Without a distance, the parts have that of the settings again.
+  const tried = latestOnly((distance: number | null) =>
+    actions.reportErrors(
+      distance === null ? live.again() : live.moveLayer(distance).then(showOffset),
+    ),
+  );
+  const pictures = sheetPictures({
+    point: (panels) =>
+      actions.tint(
+        panels && {
+          ...{ faces: Uint32Array.from(panels), vertices: new Uint32Array(0) },
+          colour: POINTED,
+        },
+      ),
+    choose: (panels) => actions.select({ vertices: [], faces: panels }),
+  });
+  panelUnderPointer(app.viewport, {
+    isAsked: () => !panel.hidden,
+    point: (face) => pictures.pointAtPanel(face),
+    press: () => pictures.revealPointed(),
+  });
+  const words = element('p', { 'aria-live': 'polite' });
+  const notes = element('div');
+  const save = button('Save drawings and tables', saveAll, { class: 'primary' });
+  const rhino = button('Rhino', () => actions.reportErrors(saveForRhino()), {
+    title: 'Panels, beams, nodes and sheets as layers of a .3dm file',
+  });
+  const report = button('Report', () => actions.reportErrors(showReport(app, live)));
+  const panel = element(
+    'section.docked',
+    { id: 'parts-panel', 'aria-labelledby': 'heading-parts', hidden: true },
+    element(
+      'div.heading-row',
+      element('h2', { id: 'heading-parts' }, 'Parts and sheets'),
+      words,
+      report,
+      rhino,
+      save,
+      closeButton('Close parts and sheets', () => place.close()),
+    ),
+    element(
+      'div.docked-columns.parts-columns',
+      form.form,
+      element('div.parts-check', thickness.place, check.card, types.place, notes),
+      pictures.place,
+    ),
+  );
+
+  /** Shows what depends on the offset and follows a drag. */
+  function showOffset(built: BuildReplies['reshape']) {
+    if (panel.hidden || !built) return;
+    const { metres } = live.unit();
+    check.update(built.report, store.get(), metres);
+    thickness.update(built.report, live.settings(), metres);
+    layer.show(built.layer);
+  }
+
+  function show({ report: found, sheets, layer }: BuildReplies['build']) {
+    if (panel.hidden) return;
+    actions.look({ build: found });
+    check.card.hidden = false;
+    words.textContent = sheetsInWords(found);
+    showOffset({ report: found, layer });
+    types.update(found, live.settings());
+    notes.replaceChildren(...warnings(found).map((line) => element('p.notice', line)));
+    pictures.show(sheets, new Set(layer.panels), Math.max(0, found.sheets - MOST_SHEETS));
+    pictures.mark(store.get().selection.faces);
+    save.disabled = rhino.disabled = report.disabled = false;
+    void offerKinds();
+  }
+
+  /** Shows the error of each kind of offset, while the shape is at rest. */
+  async function offerKinds() {
+    const { running, dragged, model } = store.get();
+    if (!running && !dragged.length && (model?.vertices ?? 0) <= MOST_LIVE_VERTICES)
+      thickness.offer(await live.choices());
+  }
+
+  function refuse(why: string) {
+    words.textContent = '';
+    notes.replaceChildren(element('p.notice', why));
+    pictures.show([], new Set(), 0);
+    layer.show(null);
+    actions.look({ build: null });
+    for (const own of [check.card, thickness.place, types.place]) own.hidden = true;
+    save.disabled = rhino.disabled = report.disabled = true;
+  }
+
+  function change(own: Partial<BuildSettings>) {
+    const build = { ...store.get().document?.build, ...own };
+    void actions.edit({ type: 'setBuild', build });
+  }
+
+  function showWorst(worst: CheckRow['worst']) {
+    if (worst === 'none') return;
+    if ('panel' in worst) showElements(app, { vertices: [], faces: [worst.panel] });
+    else showElements(app, { vertices: 'edge' in worst ? worst.edge : [worst.vertex], faces: [] });
+  }
+
+  function tighten({ constraint, within }: BuildReport['tighten']['remedies'][number]) {
+    return actions.makePanels(constraint, within);
+  }
+
+  async function saveAll() {
+    const bytes = await actions.reportErrors(live.zip());
+    if (bytes) files.save('-parts.zip', bytes, 'application/zip');
+  }
+
+  /** Saves a 3DM file, loading its large writer. */
+  async function saveForRhino() {
+    const { askRhino } = await import('../../documents/rhino/rhino-client.ts');
+    const [parts, { symbol }] = [await live.spatialParts(), live.unit()];
+    const bytes = await askRhino({ type: 'writeParts', parts, symbol });
+    files.save('-parts.3dm', bytes, 'model/vnd.3dm');
+  }
+
+  const place = docked(panel, {
+    opened() {
+      form.show(live.settings(), live.unit().symbol);
+      void live.again();
+      panel.querySelector('select')?.focus();
+    },
+    closed() {
+      layer.show(null);
+      actions.tint(null);
+      actions.look({ build: null });
+    },
+  });
+
+  store.subscribe(
+    ['document', 'numbers', 'running', 'dragged', 'model'],
+    ({ document: scene, model }) => {
+      if (panel.hidden) return;
+      if (!model) return place.close();
+      if (!scene) return;
+      form.show(live.settings(), live.unit().symbol);
+      void live.update();
+    },
+  );
+  store.subscribe(['selection'], ({ selection }) => {
+    if (!panel.hidden) pictures.mark(selection.faces);
+  });
+  return place;
+}

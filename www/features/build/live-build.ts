@@ -1,0 +1,167 @@
+/** Keeps the parts up to date with the shape: one request at a time, for the newest state. */
+
+import { messageOf, type BuildReplies, type BuildSettings } from '../../solver/messages.ts';
+import { latestOnly } from '../../store/latest-only.ts';
+import { MOST_LIVE_VERTICES, checksum } from '../../store/live-shape.ts';
+import { UNITS } from '../../ui/units.ts';
+import { BuildClient } from './build-client.ts';
+import type { AppContext } from '../../app/context.ts';
+
+type Built = BuildReplies['build'];
+type Reshaped = BuildReplies['reshape'];
+
+/** Longest build, in ms, for which the sheets follow a moving shape; the offset always follows. */
+const LIVE_MS = 100;
+/** Maximum number of sheets drawn. */
+export const MOST_SHEETS = 24;
+
+export class LiveBuild {
+  #app;
+  #client = new BuildClient();
+  #builds = latestOnly(() => this.#once());
+  /** State of the last build, except its mesh. */
+  #key = '';
+  /** Mesh of the last build. */
+  #mesh: object | null = null;
+  /** Settings of the last build; empty if it was refused. */
+  #agreed = '';
+  /** Duration of the last build. */
+  #milliseconds = 0;
+  #defaults: BuildSettings | null = null;
+  #show: (built: Built) => void;
+  #showOffset: (reshaped: Reshaped) => void;
+  #refuse: (why: string) => void;
+
+  /** @param on.showOffset called while the shape moves */
+  constructor(
+    app: AppContext,
+    {
+      show,
+      showOffset,
+      refuse,
+    }: {
+      show: (built: Built) => void;
+      showOffset: (reshaped: Reshaped) => void;
+      refuse: (why: string) => void;
+    },
+  ) {
+    this.#app = app;
+    this.#show = show;
+    this.#showOffset = showOffset;
+    this.#refuse = refuse;
+  }
+
+  /** Returns the presets and the defaults. */
+  async offers() {
+    const offers = await this.#client.ask({ type: 'offers' });
+    this.#defaults = offers.defaults;
+    return offers;
+  }
+
+  /** The settings of the scene, completed by the defaults. */
+  settings() {
+    const { document } = this.#app.store.get();
+    return { ...(this.#defaults as BuildSettings), ...document?.build };
+  }
+
+  /** The unit of the mesh; metres if the file has none. */
+  unit() {
+    const symbol = this.#app.store.get().document?.units ?? '';
+    return UNITS.find((unit) => unit.symbol === symbol) ?? UNITS[0];
+  }
+
+  /** Builds even if nothing has changed. */
+  again() {
+    this.#key = '';
+    return this.update();
+  }
+
+  /** Builds what has changed; during a build, once more after it. */
+  update() {
+    return this.#builds.ask();
+  }
+
+  /** @param isSaved whether the parts are built of the shape as it is, however long it takes */
+  async #once(isSaved: boolean = false) {
+    const { store, solver } = this.#app;
+    const { model, numbers, document, running, dragged } = store.get();
+    const { geometry } = solver;
+    if (!model || !document || !geometry || !this.#defaults) return;
+    if (!model.faces) {
+      this.#key = '';
+      return this.#refuse(
+        'The model has no faces: there is nothing to cut. Parts are made of panels.',
+      );
+    }
+    const isMoving = running || dragged.length > 0;
+    if (isMoving && !isSaved && model.vertices > MOST_LIVE_VERTICES) return;
+    const settings = this.settings();
+    const { symbol, metres } = this.unit();
+    const { connectivity: mesh } = geometry;
+    const positions = geometry.positions.slice();
+    const agreed = [symbol, JSON.stringify(settings)].join();
+    const key = [numbers?.iteration, checksum(positions), agreed].join();
+    // Operations such as joining triangles change the faces only.
+    if (key === this.#key && mesh === this.#mesh) return;
+    const isOther = mesh !== this.#mesh || agreed !== this.#agreed;
+    const isSlow = this.#milliseconds > LIVE_MS;
+    try {
+      if (isMoving && isSlow && !isOther && !isSaved) {
+        // The last build no longer belongs to this shape.
+        this.#key = '';
+        return this.#showOffset(await this.#client.ask({ type: 'reshape', positions }));
+      }
+      [this.#key, this.#mesh, this.#agreed] = [key, mesh, agreed];
+      const { faceOffsets: offsets, faceIndices: indices } = mesh;
+      const shape = { positions, offsets, indices, symbol, metres };
+      const request = { type: 'build' as const, ...shape, settings };
+      const begun = performance.now();
+      const built = await this.#client.ask({ ...request, sheets: MOST_SHEETS });
+      this.#milliseconds = performance.now() - begun;
+      this.#show(built);
+    } catch (error) {
+      this.#agreed = '';
+      this.#refuse(messageOf(error));
+    }
+  }
+
+  /**
+   * Previews the offset at another distance.
+   * @param distance in the unit of the mesh
+   */
+  moveLayer(distance: number) {
+    return this.#client.ask({ type: 'moveLayer', distance });
+  }
+
+  /** The error of each kind of offset. */
+  choices() {
+    return this.#client.ask({ type: 'choices' });
+  }
+
+  /** All files as a ZIP archive. */
+  async zip() {
+    await this.#once(true);
+    return this.#client.ask({ type: 'zip', zUp: this.#isZUp() });
+  }
+
+  /** The numbers that a lesson may bound. */
+  numbers() {
+    return this.#client.ask({ type: 'numbers' });
+  }
+
+  /** The parts in space and the sheets, for CAD programs. */
+  async spatialParts() {
+    await this.#once(true);
+    return this.#client.ask({ type: 'spatialParts', zUp: this.#isZUp() });
+  }
+
+  /** The report. */
+  async reportPage(view: { title: string; camera: Float64Array | null; link: string }) {
+    await this.#once(true);
+    return this.#client.ask({ type: 'reportPage', zUp: this.#isZUp(), ...view });
+  }
+
+  #isZUp() {
+    return this.#app.store.get().document?.up === 'z';
+  }
+}

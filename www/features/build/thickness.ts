@@ -1,0 +1,126 @@
+/**
+ * The offset: a slider for distances at which no edge flips, the choice of what keeps the distance,
+ * with the error of each, and the weight of following the surface.
+ */
+
+import { element, setText } from '../../ui/dom.ts';
+import { millimetres } from './check-card.ts';
+import type { BuildCard, BuildChoice, BuildSettings } from '../../solver/messages.ts';
+
+const KINDS: { kind: BuildChoice['kind']; label: string; title: string }[] = [
+  {
+    kind: 'corner',
+    label: 'Corners',
+    title: 'Nodes keep their distance: exact on circular panels',
+  },
+  { kind: 'face', label: 'Panels', title: 'Planes of panels keep their distance: one thickness' },
+  { kind: 'edge', label: 'Beams', title: 'All beams are equally high' },
+];
+/** Range of the slider in mean edge lengths, if nothing else limits it. */
+const FAR = 2;
+/** Fraction of the distance at which an edge would have no length. */
+const INSIDE = 0.99;
+/** Exponent to base ten of the smallest weight of following. */
+const LEAST_FOLLOW = -5;
+
+/**
+ * @param on.tryDistance called during a drag, in the unit of the mesh
+ * @param on.restore called for a distance of 0, which parts cannot have
+ */
+export function thicknessForm({
+  tryDistance,
+  restore,
+  change,
+}: {
+  tryDistance: (distance: number) => void;
+  restore: () => void;
+  change: (change: Partial<BuildSettings>) => void;
+}) {
+  /** Millimetres of the building per unit of the mesh. */
+  let scale = 1000;
+  const slider = element('input', {
+    ...{ type: 'range', id: 'parts-distance', step: 'any' },
+    oninput: () => {
+      if (slider.valueAsNumber !== 0) tryDistance(slider.valueAsNumber);
+    },
+    onchange: () => {
+      if (slider.valueAsNumber !== 0) change({ distance: slider.valueAsNumber });
+      else restore();
+    },
+  });
+  const figure = element('output', { for: 'parts-distance' });
+  const ends = element('p.quiet');
+  const buttons = KINDS.map(({ kind, label, title }) => {
+    const error = element('span.quiet');
+    const one = element(
+      'button.bordered',
+      { title, onclick: () => change({ kind: one.ariaPressed === 'true' ? null : kind }) },
+      element('span', label),
+      error,
+    );
+    return { kind, one, error };
+  });
+  const follow = element('input', {
+    ...{ type: 'range', id: 'parts-follow', min: String(LEAST_FOLLOW), max: '0', step: '0.5' },
+    title: 'More: axes are more upright. Less: beams are flatter.',
+    onchange: () => change({ follow: Number((10 ** follow.valueAsNumber).toPrecision(2)) }),
+  });
+  const followRow = element(
+    'div.field-row',
+    element('label', { for: 'parts-follow' }, 'Follow the surface'),
+    follow,
+  );
+  const keepsId = 'parts-keeps';
+  const place = element(
+    'div.thickness',
+    element('div.heading', element('label', { for: 'parts-distance' }, 'Distance'), figure),
+    slider,
+    ends,
+    element('span', { id: keepsId }, 'Kept by'),
+    element(
+      'div.kinds',
+      { role: 'group', 'aria-labelledby': keepsId },
+      ...buttons.map(({ one }) => one),
+    ),
+    followRow,
+  );
+
+  return {
+    place,
+    /** @param metres per unit of the mesh */
+    update({ offset, mean_edge_mm: edge }: BuildCard, settings: BuildSettings, metres: number) {
+      place.hidden = !offset;
+      if (!offset) return;
+      scale = 1000 * metres;
+      const far = FAR * edge;
+      const [inwards, outwards] = offset.safe_distance_mm;
+      const low = Math.max(-far, INSIDE * (inwards ?? -Infinity));
+      const high = Math.min(far, INSIDE * (outwards ?? Infinity));
+      slider.min = String(low / scale);
+      slider.max = String(high / scale);
+      setText(figure, millimetres(offset.distance_mm));
+      slider.setAttribute('aria-valuetext', figure.textContent ?? '');
+      if (!slider.matches(':active')) slider.value = String(offset.distance_mm / scale);
+      const side = (limit: number | null, way: string) =>
+        limit === null ? `at any distance ${way}` : `up to ${millimetres(Math.abs(limit))} ${way}`;
+      setText(ends, `Safe ${side(inwards, 'inwards')}, ${side(outwards, 'outwards')}.`);
+      for (const { kind, one } of buttons) {
+        one.ariaPressed = String(kind === settings.kind);
+        one.classList.toggle('proposed', settings.kind === null && kind === offset.kind);
+      }
+      followRow.hidden = offset.exact;
+      if (document.activeElement !== follow) follow.value = String(Math.log10(settings.follow));
+    },
+    /** Shows the error that each kind would have. */
+    offer(choices: BuildChoice[]) {
+      for (const { kind, error } of buttons) {
+        const own = choices.find((choice) => choice.kind === kind);
+        setText(error, own ? errorInWords(own) : '');
+      }
+    },
+  };
+}
+
+function errorInWords({ exact, warp_mm: warp, distance_error_mm: distance }: BuildChoice) {
+  return exact ? 'exact' : `± ${millimetres(Number(Math.max(warp, distance).toPrecision(2)))}`;
+}

@@ -1,0 +1,151 @@
+/** The view as a PNG picture, optionally larger than the screen, with the legend drawn into it. */
+
+import { cutOut } from './cut-out.ts';
+import { rampStops } from '../../viewport/ramp.ts';
+import { colourOf } from '../../ui/dom.ts';
+import { groupDigits } from '../../ui/format.ts';
+import { declared, toleranceOf, valueInWords } from '../../store/colours/measures.ts';
+import { spreadOf } from '../../ui/plot/histogram.ts';
+import { axisOf, positionOf } from '../../ui/plot/value-axis.ts';
+import type { Label, Viewport } from '../../viewport/viewport.ts';
+import type { State } from '../../store/state.ts';
+
+/** The background; transparent for `none`. */
+export type Ground = 'view' | 'white' | 'none';
+
+/** Maximum of the longer side and of the pixel count, set by the memory of common browsers. */
+const [LONGEST, MOST_PIXELS] = [7680, 60e6];
+
+/**
+ * The size of the picture, in pixels.
+ * @param scale pixels per CSS pixel; infinite for the maximum
+ */
+export function pictureSize(viewport: Viewport, scale: number) {
+  const { width, height } = viewport.element.getBoundingClientRect();
+  const most = Math.sqrt(MOST_PIXELS / Math.max(width * height, 1));
+  const used = Math.min(scale, most, LONGEST / Math.max(width, height, 1));
+  return { width: Math.round(width * used), height: Math.round(height * used), scale: used };
+}
+
+export async function pictureOf(
+  viewport: Viewport,
+  state: State,
+  { scale, legend, ground }: { scale: number; legend: boolean; ground: Ground },
+): Promise<Blob> {
+  const size = pictureSize(viewport, scale);
+  const drawnOn = (grey: number | undefined) => {
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [size.width, size.height];
+    const context = canvas.getContext('2d', { willReadFrequently: ground === 'none' });
+    if (!context)
+      throw new Error('This browser gave the page no canvas for the picture: try a smaller one.');
+    const drawn = viewport.still(size, grey, (tile, left, top) => {
+      context.drawImage(tile, left, top);
+    });
+    if (!drawn) throw new Error('The picture could not be drawn: try a smaller one.');
+    return context;
+  };
+  const context = drawnOn({ view: undefined, white: 1, none: 0 }[ground]);
+  if (ground === 'none') cutOut(context, drawnOn(1));
+  const { canvas } = context;
+  const onLight = ground !== 'view';
+  if (legend && state.model?.faces) {
+    legendsOf(state).forEach(([from, shown], i) => {
+      context.setTransform(size.scale, 0, 0, size.scale, from * size.width, 0);
+      drawLegend(context, shown, rampStops(viewport, state.split ? i : undefined), size, onLight);
+    });
+  }
+  drawLabels(context, viewport.labels(), size.scale, state.dark && !onLight);
+  const blob = await new Promise<Blob | null>((done) => canvas.toBlob(done, 'image/png'));
+  if (!blob) throw new Error('The picture is too large for this browser: try a smaller one.');
+  return blob;
+}
+
+/** Draws the labels, each on a background that sets it off from the picture. */
+function drawLabels(
+  context: CanvasRenderingContext2D,
+  labels: Label[],
+  scale: number,
+  dark: boolean,
+) {
+  const [ink, ground] = dark ? ['#e6e8e8', '#25292c'] : ['#1d2123', '#ffffff'];
+  context.setTransform(scale, 0, 0, scale, 0, 0);
+  context.font = `12px ${getComputedStyle(document.body).fontFamily}`;
+  for (const { text, x, y, align, bar } of labels) {
+    const { width } = context.measureText(text);
+    const left = align === 'center' ? x - width / 2 : x - width;
+    context.fillStyle = ground;
+    if (align === 'center') context.fillRect(left - 5, y - 13, width + 10, 18);
+    context.fillStyle = ink;
+    context.textAlign = 'left';
+    context.fillText(text, left, bar > 0 ? y - 8 : y);
+    if (bar === 0) continue;
+    context.fillRect(x - bar, y - 1.5, bar, 1.5);
+    for (const end of [x - bar, x - 1.5]) context.fillRect(end, y - 5, 1.5, 5);
+  }
+}
+
+/**
+ * The left edge of each legend as a fraction of the width, and the state that it shows. In the
+ * split view each picture has its own legend.
+ */
+function legendsOf(state: State): [number, State][] {
+  if (!state.split) return [[0, state]];
+  return state.split.sides.map(({ measure, values, low, top, tolerance }, i) => {
+    const axis = axisOf(declared(state, measure)?.signed ? -top : 0, top, false);
+    const spread = values ? spreadOf(measure, values, axis, tolerance) : null;
+    const display = { ...state.display, log: false };
+    return [i / 2, { ...state, measure, spread, display, range: [low, top] }];
+  });
+}
+
+/** Draws the legend at the lower left, in the page's sizes: the histogram above the colour ramp. */
+function drawLegend(
+  context: CanvasRenderingContext2D,
+  state: State,
+  stops: [number, string][],
+  size: { height: number; scale: number },
+  onLight: boolean,
+) {
+  const { spread, range, document: scene, dark, display } = state;
+  const about = declared(state, state.measure);
+  if (!about || !spread || spread.measure !== about.id) return;
+  const tolerance = toleranceOf(state, about);
+  const { axis } = spread;
+  const units = scene?.units ?? '';
+  const words = (value: number) => valueInWords(about, value, units, tolerance);
+  const bottom = size.height / size.scale - (tolerance === null ? 16 : 28);
+  const [left, width] = [16, 212];
+  const ink = dark && !onLight ? '#e6e8e8' : '#1d2123';
+  const [foot, tallest] = [bottom - 26, 28];
+  context.textAlign = 'left';
+  context.font = `12px ${getComputedStyle(document.body).fontFamily}`;
+  context.fillStyle = ink;
+  context.fillText(about.label, left, foot - tallest - 8);
+  context.fillText(axis.low === 0 ? '0' : words(axis.low), left, bottom);
+  context.textAlign = 'right';
+  context.fillText(words(axis.high), left + width, bottom);
+
+  const most = Math.max(...spread.counts, 1);
+  const bar = width / spread.counts.length;
+  spread.counts.forEach((count, i) => {
+    const height = count > 0 ? Math.max(2, (tallest * count) / most) : 0;
+    context.fillRect(left + i * bar, foot - height, bar - 1, height);
+  });
+  const ramp = context.createLinearGradient(left, 0, left + width, 0);
+  const [from, to] = range.map((value) => positionOf(axis, value));
+  for (const [at, colour] of stops) ramp.addColorStop(from + (to - from) * at, colour);
+  context.fillStyle = ramp;
+  context.fillRect(left, foot, width, 10);
+  if (tolerance === null) return;
+  const limit = left + positionOf(axis, tolerance) * width;
+  if (!display.full) {
+    context.fillStyle = onLight ? '#f1efea' : colourOf(document.body, '--material');
+    context.fillRect(left, foot, limit - left, 10);
+  }
+  context.fillStyle = ink;
+  const within = `${groupDigits(spread.within)} of ${groupDigits(spread.faces)} within ${words(tolerance)}`;
+  context.textAlign = 'center';
+  context.fillText(within, left + width / 2, bottom + 14);
+  if (tolerance <= axis.high) context.fillRect(limit - 1, foot - tallest, 2, tallest + 10);
+}

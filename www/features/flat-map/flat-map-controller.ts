@@ -1,0 +1,109 @@
+/**
+ * Requests a flat map of the model with the last chosen options, and owns its panel and its region
+ * of the canvas. Loaded on first use.
+ */
+
+import './flat-map.css';
+import { byId } from '../../ui/dom.ts';
+import { duration } from '../../ui/format.ts';
+import { once } from '../../ui/once.ts';
+import { FlatMapRegion } from './flat-map-region.ts';
+import { flatMapPanel } from './flat-map-panel.ts';
+import type { FlatMap } from '../../store/view-modes.ts';
+import type { AppContext } from '../../app/context.ts';
+
+/** Other settings are tried without asking if a map takes less than this, in seconds. */
+const QUICK = 0.3;
+
+type Choices = Pick<FlatMap, 'weights' | 'norm' | 'onModel' | 'onMap' | 'squares'>;
+
+export class FlatMapController {
+  #store;
+  #viewport;
+  #actions;
+  #choices: Choices = {
+    weights: 'inverse-area',
+    norm: 'boundary',
+    onModel: 'checks',
+    onMap: 'errors',
+    squares: 32,
+  };
+
+  /** The only instance of the page. */
+  static of = once((app: AppContext) => new FlatMapController(app));
+
+  constructor({ store, viewport, actions }: AppContext) {
+    this.#store = store;
+    this.#viewport = viewport;
+    this.#actions = actions;
+    flatMapPanel(byId('flat-map-section'), store, this);
+    new FlatMapRegion(byId('flat-map'), store, viewport);
+  }
+
+  async toggle() {
+    if (this.#store.get().flatMap) this.close();
+    else await this.flatten();
+  }
+
+  /** Closes the flat map. */
+  close() {
+    this.#actions.look({ flatMap: null, status: 'Back to the model' });
+  }
+
+  /** Changes options. Options of appearance apply at once; the others require a new map. */
+  choose(choices: Partial<Choices>) {
+    Object.assign(this.#choices, choices);
+    const { flatMap } = this.#store.get();
+    if ('weights' in choices || 'norm' in choices) void this.flatten();
+    else if (flatMap) this.#actions.look({ flatMap: { ...flatMap, ...choices } });
+  }
+
+  /** Selects the faces that the map flips, and zooms to them on the model and on the map. */
+  showFlipped() {
+    const { flatMap } = this.#store.get();
+    if (!flatMap) return;
+    this.#actions.select({ vertices: [], faces: flatMap.found.flippedFaces });
+    this.#viewport.with((view) => view.showFlipped());
+  }
+
+  /** Looks for settings that flip fewer triangles of the current shape. */
+  async findFewerFlips() {
+    const { flatMap } = this.#store.get();
+    if (!flatMap) return;
+    const { found } = flatMap;
+    const show = (fewerFlips: FlatMap['fewerFlips']) => {
+      const now = this.#store.get().flatMap;
+      if (now?.found === found) this.#actions.look({ flatMap: { ...now, fewerFlips } });
+    };
+    show('searching');
+    const search = this.#actions.fewerFlips(found.flipped).catch((error) => {
+      show(null);
+      throw error;
+    });
+    await this.#actions.reportErrors(search.then((better) => show(better ?? 'none')));
+  }
+
+  /** Computes the map of the current shape. */
+  async flatten() {
+    const { model } = this.#store.get();
+    const { weights, norm } = this.#choices;
+    this.#actions.setStatus('Flattening …');
+    try {
+      const found = await this.#actions.parametrize(weights, norm);
+      const { model: now, numbers } = this.#store.get();
+      const isNewest = weights === this.#choices.weights && norm === this.#choices.norm;
+      if (now !== model || !isNewest) return;
+      const iteration = numbers?.iteration ?? 0;
+      this.#actions.look({
+        flatMap: { found, iteration, fewerFlips: null, ...this.#choices },
+        status: `Flattened in ${duration(1000 * found.seconds)}`,
+      });
+      // Every map of a surface without boundary folds over itself.
+      const isOpen = found.closedParts < found.parts;
+      if (found.flipped > 0 && isOpen && found.seconds < QUICK) await this.findFewerFlips();
+    } catch (error) {
+      this.#actions.setStatus('');
+      await this.#actions.reportErrors(Promise.reject(error));
+    }
+  }
+}

@@ -1,0 +1,98 @@
+/** The help: all actions of keys and mouse, from the table that binds them. */
+
+import './help.css';
+import { keyName } from '../../ui/keys.ts';
+import { dialogHead } from '../../ui/controls/dialog.ts';
+import { element } from '../../ui/dom.ts';
+import { singleKeys } from '../../ui/single-keys.ts';
+import type { Command } from '../../app/context.ts';
+
+/** Actions of the pointer; see `pointer.ts`. */
+const POINTER: [string, string][] = [
+  ['Drag a handle', 'move it, parallel to the screen'],
+  ['Drag an arrow', 'move the selected handles along it; a square: in its plane'],
+  ['Drag elsewhere', 'orbit; with Select: a box, a lasso or a brush'],
+  ['Box to the right', 'select what is inside'],
+  ['Box to the left', 'select what it touches'],
+  ['Click', 'select; Shift adds, Ctrl removes'],
+  [
+    'Double-click',
+    'a vertex: make a handle; an edge: select its loop; a face: select its flat patch',
+  ],
+  ['Right drag', 'orbit; a right click or a long press opens the menu'],
+  ['Middle drag', 'pan; so does Shift + right drag'],
+  ['Wheel, pinch', 'zoom to the cursor'],
+  ['Two fingers', 'pan and zoom'],
+  ['Hold Reset', 'show the original as long as it is held'],
+];
+/** Keys of the view itself; see `view-keys.ts`, `handle-keys.ts` and `pointer.ts`. */
+const VIEW_KEYS: [string, string][] = [
+  ['Arrows', 'orbit, while the view has the focus'],
+  ['PgUp PgDn', 'zoom'],
+  ['Enter', 'move the selected handles with the arrow keys; Enter accepts, Esc cancels'],
+  ['X Y Z', 'while a handle is dragged: move along that axis'],
+  ['Shift Ctrl', 'while a handle is dragged: Shift keeps its height, Ctrl moves it vertically'],
+  ['Alt + drag', 'on a vertex: make it a handle and move it'],
+];
+
+export function showHelp(dialog: HTMLDialogElement, commands: Command[]) {
+  const bound = commands.filter((command) => command.keys.length > 0);
+  const groups = [...new Set(bound.map((command) => command.group))];
+  dialog.replaceChildren(
+    dialogHead(dialog, 'help-title', 'Mouse and keys'),
+    singleKeysSwitch(),
+    element(
+      'div.columns',
+      section(
+        'Mouse and touch',
+        POINTER.map(([what, effect]) => [[what], effect]),
+      ),
+      ...groups.map((group) =>
+        section(group, [
+          ...bound.filter((command) => command.group === group).map((command) => keysOf(command)),
+          ...(group === 'View' ? VIEW_KEYS.map(([key, effect]) => keyRow([key], effect)) : []),
+        ]),
+      ),
+    ),
+    element(
+      'p.about',
+      'Everything is computed in this browser; nothing is uploaded. After “Shape-Up: Shaping Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012. ',
+      element('a', { href: './licences.html', target: '_blank' }, 'Licences'),
+      ' ',
+      element('button.bordered', { onclick: cite, 'aria-haspopup': 'dialog' }, 'Cite'),
+    ),
+  );
+  dialog.onclick = (event) => {
+    if (event.target === dialog) dialog.close();
+  };
+  dialog.showModal();
+}
+
+const cite = () => import('./cite.ts').then((it) => it.showCitation());
+
+function keysOf({ keys, label }: Command): [(Node | string)[], string] {
+  return keyRow(keys.map(keyName), label);
+}
+
+function keyRow(keys: string[], effect: string): [(Node | string)[], string] {
+  return [keys.flatMap((key) => [element('kbd', key), ' ']), effect];
+}
+
+function section(title: string, rows: [(Node | string)[], string][]) {
+  return element(
+    'section',
+    element('h3', title),
+    element(
+      'dl',
+      ...rows.flatMap(([term, effect]) => [element('dt', ...term), element('dd', effect)]),
+    ),
+  );
+}
+
+/** The switch for shortcuts without Ctrl. */
+function singleKeysSwitch() {
+  const onchange = () => singleKeys.set(box.checked);
+  const box = element('input', { type: 'checkbox', checked: singleKeys.on, onchange });
+  const words = element('span', 'Enable single-key shortcuts');
+  return element('label.single-keys', box, words);
+}

@@ -1,0 +1,82 @@
+/**
+ * Shows the original instead of the current shape while the user holds a key or a button. The
+ * document does not change, and a run continues in the background.
+ */
+
+import { messageOf } from '../solver/messages.ts';
+import type { Store } from '../store/state.ts';
+import type { Actions } from '../store/actions.ts';
+
+const STATUS = 'Showing the original while held';
+/** A button with a click action shows the original if held at least this long, in milliseconds. */
+const LONG_PRESS_MS = 300;
+
+export class HoldOriginal {
+  #store;
+  #actions;
+  #isHeld = false;
+  /** The status text before. */
+  #status = '';
+
+  constructor(store: Store, actions: Actions) {
+    this.#store = store;
+    this.#actions = actions;
+    for (const type of ['keyup', 'blur', 'pointerup', 'pointercancel'])
+      window.addEventListener(type, () => this.end());
+  }
+
+  /** Shows the original until a key or the pointer is released. */
+  async begin() {
+    if (this.#isHeld) return;
+    this.#isHeld = true;
+    const { model, measure, status } = this.#store.get();
+    this.#status = status;
+    try {
+      const [positions, values] = await Promise.all([
+        this.#actions.originalPositions(),
+        measure ? this.#actions.faceValues(measure, true) : null,
+      ]);
+      if (!this.#isHeld || this.#store.get().model !== model) return;
+      this.#actions.look({ heldOriginal: { positions, values }, status: STATUS });
+    } catch (error) {
+      this.#actions.setStatus(messageOf(error));
+    }
+  }
+
+  end() {
+    if (!this.#isHeld) return;
+    this.#isHeld = false;
+    const { heldOriginal, status } = this.#store.get();
+    if (!heldOriginal) return;
+    this.#actions.look({ heldOriginal: null, status: status === STATUS ? this.#status : status });
+  }
+
+  /**
+   * Makes a button show the original while it is pressed, by pointer or key. A button with an
+   * action of its own (`clicks`) performs that only after a short press.
+   */
+  bind(button: HTMLElement, { clicks = false }: { clicks?: boolean } = {}) {
+    let timer = 0;
+    let isLong = false;
+    button.addEventListener('pointerdown', ({ button: which }) => {
+      if (which !== 0) return;
+      isLong = false;
+      const begin = () => {
+        isLong = true;
+        void this.begin();
+      };
+      if (clicks) timer = window.setTimeout(begin, LONG_PRESS_MS);
+      else begin();
+    });
+    for (const type of ['pointerup', 'pointerleave', 'pointercancel'])
+      button.addEventListener(type, () => clearTimeout(timer));
+    button.addEventListener('pointerleave', () => this.end());
+    // A long touch would open the browser's context menu.
+    button.addEventListener('contextmenu', (event) => event.preventDefault());
+    button.addEventListener('click', (event) => isLong && event.stopImmediatePropagation(), true);
+    if (clicks) return;
+    button.addEventListener('keydown', ({ key }) => {
+      if (key === ' ' || key === 'Enter') void this.begin();
+    });
+  }
+}

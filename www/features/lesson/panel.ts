@@ -1,0 +1,118 @@
+/**
+ * The lesson of the scene: its text, its goals with their current values, and the results for
+ * hand-in. If its panel is hidden behind a tab, a line over the view shows how many goals are met.
+ */
+
+import './lesson.css';
+import { RENEW_MS, byId, element, icon, setText, throttled } from '../../ui/dom.ts';
+import { count } from '../../ui/format.ts';
+import { movedInWords } from '../../store/colours/measures.ts';
+import { goalInWords, nowInWords } from './goal.ts';
+import { lockedPlaces, locksInWords } from './locks.ts';
+import type { AppContext } from '../../app/context.ts';
+
+const MARKS = { met: '✓', missed: '✗' };
+
+export function lessonPanel(app: AppContext) {
+  const { store } = app;
+  const text = element('p.lesson-text');
+  const list = element('ul', { 'aria-label': 'Goals' });
+  const locked = element('p.quiet');
+  let showLocks: ReturnType<typeof lockedPlaces> | null = null;
+  const sum = element('p.lesson-sum', { 'aria-live': 'polite' });
+  const cost = element('p.quiet');
+  const place = element(
+    'section',
+    { id: 'lesson', 'aria-labelledby': 'heading-lesson', hidden: true },
+    element('h2', { id: 'heading-lesson' }, 'Lesson'),
+    text,
+    list,
+    locked,
+    sum,
+    cost,
+    element(
+      'button.bordered',
+      { 'aria-haspopup': 'dialog', onclick: handIn },
+      'Results for hand-in',
+    ),
+  );
+  byId('model-panel').prepend(place);
+  const line = element('span');
+  const card = element(
+    'div',
+    { id: 'lesson-card', 'aria-live': 'polite', hidden: true },
+    element('button.card', { title: 'Show the goals', onclick: showGoals }, line, icon('chevron')),
+  );
+  byId('messages').before(card);
+  let rows: { mark: HTMLElement; value: HTMLElement; row: HTMLElement }[] = [];
+  let shown = '';
+
+  /** The panel is hidden while the card is shown. */
+  function showGoals() {
+    byId('tab-model').click();
+    byId('model-panel').scrollTo(0, 0);
+  }
+
+  async function handIn() {
+    await app.actions.reportErrors(import('./hand-in.ts').then(({ handIn }) => handIn(app)));
+  }
+
+  const showNumbers = throttled(RENEW_MS, () => {
+    const { document, numbers, size } = store.get();
+    const goals = document?.lesson?.goals;
+    if (!goals || numbers?.goals.length !== goals.length) return;
+    numbers.goals.forEach(({ value, met }, index) => {
+      const { mark, value: place, row } = rows[index];
+      const words =
+        value === null
+          ? goals[index].build
+            ? 'measured when the shape is at rest'
+            : 'no such constraint or value'
+          : nowInWords(goals[index], value, { units: document.units, size });
+      row.className = met ? 'goal-met' : 'goal-missed';
+      setText(mark, met ? MARKS.met : MARKS.missed);
+      setText(place, `${met ? 'met' : 'not met'}: ${words}`);
+    });
+    const met = numbers.goals.filter((goal) => goal.met).length;
+    const passed = met === goals.length;
+    const words = passed
+      ? `Passed: ${count(met, 'goal')} met`
+      : `${met} of ${count(goals.length, 'goal')} met`;
+    sum.classList.toggle('passed', passed);
+    card.classList.toggle('passed', passed);
+    setText(sum, passed ? `${MARKS.met} ${words}` : words);
+    const moved = movedInWords(store.get());
+    setText(cost, moved && `Moved ${moved}`);
+    setText(line, `${passed ? MARKS.met : MARKS.missed} Lesson: ${words}`);
+  });
+
+  store.subscribe(['document'], ({ document }) => {
+    const lesson = document?.lesson ?? null;
+    const isNew = lesson && place.hidden;
+    if (document) place.hidden = card.hidden = !lesson;
+    // The button of the lesson dialog is farther down.
+    if (isNew) place.parentElement?.scrollTo(0, 0);
+    const lock = lesson?.lock ?? [];
+    if (document && (lock.length > 0 || showLocks)) (showLocks ??= lockedPlaces())(lock);
+    setText(locked, lock.length > 0 ? `Locked: ${locksInWords(lock)}` : '');
+    const now = JSON.stringify([lesson, document?.units]);
+    if (!lesson || now === shown) return;
+    shown = now;
+    setText(text, lesson.text);
+    rows = lesson.goals.map((goal) => {
+      const mark = element('span.mark', { 'aria-hidden': 'true' });
+      const value = element('span.now');
+      const row = element(
+        'li',
+        { title: `The ${goal.words}` },
+        mark,
+        element('span', goalInWords(goal, document?.units ?? '')),
+        value,
+      );
+      return { mark, value, row };
+    });
+    list.replaceChildren(...rows.map(({ row }) => row));
+    showNumbers();
+  });
+  store.subscribe(['numbers'], showNumbers);
+}

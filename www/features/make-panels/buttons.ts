@@ -1,0 +1,64 @@
+/**
+ * Buttons that make all panels one shape; a disabled one gives the reason. If a change of the mesh is
+ * needed first, there is a button for that instead.
+ */
+
+import { button } from '../../ui/controls/fields.ts';
+import { element } from '../../ui/dom.ts';
+import { sketch } from '../../ui/kinds/sketch.ts';
+import type { KindInfo } from '../../solver/messages.ts';
+import type { State } from '../../store/state.ts';
+
+/** Whether a lesson locks the mesh. */
+export const isMeshLocked = ({ document }: Readonly<State>) =>
+  document?.lesson?.lock.includes('mesh') ?? false;
+
+/**
+ * @param id of the element with the reasons, which describes the buttons
+ * @param change opens the operation on the mesh
+ */
+export function panelButtons(
+  state: Readonly<State>,
+  id: string,
+  press: (kind: KindInfo) => void,
+  change: (operation: string) => void,
+): { buttons: HTMLButtonElement[]; reasons: HTMLElement[] } {
+  const { kinds, model } = state;
+  const remedy = model?.panelRemedy;
+  if (remedy) {
+    const act = () => change(remedy.operation);
+    const disabled = isMeshLocked(state);
+    const title = disabled ? 'Locked by the lesson' : '';
+    const dialog = { 'aria-haspopup': 'dialog', 'aria-describedby': id };
+    return {
+      buttons: [button(remedy.label, act, { ...dialog, disabled, title })],
+      reasons: [element('p.quiet', { id }, remedy.words)],
+    };
+  }
+  const reasonOf: Map<string, string | null> = new Map(
+    model?.panels.map(({ kind, reason }) => [kind, reason]),
+  );
+  // Kinds are listed from the weakest to the strongest requirement; here the strongest comes first.
+  const offered = kinds.filter((kind) => kind.panels !== null && reasonOf.has(kind.id)).reverse();
+  const buttons = offered.map((kind) => {
+    const reason = reasonOf.get(kind.id);
+    return element(
+      'button.bordered',
+      {
+        disabled: Boolean(reason),
+        title: reason || kind.summary,
+        style: `--chip: rgb(${kind.colour.join(' ')})`,
+        ...(reason && { 'aria-describedby': id }),
+        onclick: () => press(kind),
+      },
+      sketch(kind.sketch),
+      element('span', `Make panels ${kind.panels}`),
+    );
+  });
+  const reasons = new Set(offered.map((kind) => reasonOf.get(kind.id)).filter(Boolean));
+  const words = [...reasons].join(' ');
+  return {
+    buttons,
+    reasons: words ? [element('p.quiet', { id }, words)] : [],
+  };
+}

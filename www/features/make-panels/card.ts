@@ -1,0 +1,297 @@
+/**
+ * One press for all panels: the offer over the view for a mesh just opened, the progress, and the
+ * verdict. Without the offer, the same buttons are in the Model panel.
+ */
+
+import './make-panels.css';
+import { button, closeButton } from '../../ui/controls/fields.ts';
+import { RENEW_MS, byId, element, removeKeepingFocus, setText, throttled } from '../../ui/dom.ts';
+import { cover } from '../../viewport/covered.ts';
+import { showElements } from '../../viewport/reveal-elements.ts';
+import { isMeshLocked, panelButtons } from './buttons.ts';
+import { addButtons } from './refine-buttons.ts';
+import { progressWords, verdictWords } from './verdict.ts';
+import type { KindInfo, PanelStart, Verdict } from '../../solver/messages.ts';
+import type { MeshRemedy } from '../../pkg/engine/shape_up.js';
+import type { AppContext } from '../../app/context.ts';
+
+/** Minimum duration of the transition: a jump would not show what changes. */
+const TRANSITION_MS = 800;
+const still = matchMedia('(prefers-reduced-motion: reduce)');
+
+export class MakePanels {
+  #app;
+  #card = byId('make-panels-card');
+  #panel = byId('make-panels');
+  /** The content of the card. */
+  #shows: 'nothing' | 'offer' | 'verdict' = 'nothing';
+  /** The model whose offer or verdict the user closed. */
+  #closed: unknown = null;
+  /** The model whose panels were made one shape. */
+  #pressed: unknown = null;
+  /** The model in transition. */
+  #underWay: unknown = null;
+  /** The model for which a press has switched the fitted shapes on. */
+  #shown: unknown = null;
+  #text = element('p');
+  /** How far the mesh will move, and why. */
+  #forecast = element('p.quiet');
+  /** The model of the forecast. */
+  #forecastOf: unknown = null;
+  /** A change of the mesh that would reduce the move. */
+  #remedy: MeshRemedy | null = null;
+  #remedyButton = button('', () => this.#applyRemedy(), {
+    class: 'bordered remedy',
+    'aria-haspopup': 'dialog',
+  });
+  #showFolds = button('Show the folds', () => this.#showFolded());
+  #avoidFolds = button('Avoid them', () => this.#makeAgain('original'), {
+    title: 'Makes the panels again from the original, smoother or within a larger tolerance',
+  });
+  #smoother = button('Smoother', () => this.#makeAgain('smoother'), {
+    title: 'Makes the panels again from the original, with more smoothness; they will move farther',
+  });
+  #changes = element('div.changes', this.#showFolds, this.#avoidFolds, this.#smoother);
+  /** The id of the kind of the verdict. */
+  #kind = '';
+  /** Whether a verdict is being requested. */
+  #isBusy = false;
+
+  constructor(app: AppContext) {
+    this.#app = app;
+    addButtons(app);
+    const { store, solver } = app;
+    store.subscribe(['model', 'kinds', 'document', 'example'], () => this.#show());
+    store.subscribe(['split', 'flatMap'], () => this.#show());
+    // The next mesh starts without fitted shapes.
+    store.subscribe(['model'], ({ model }) => {
+      if (!this.#shown || this.#shown === model) return;
+      this.#shown = null;
+      this.#app.actions.display({ shapes: false });
+    });
+    let wasRunning = false;
+    store.subscribe(['running'], ({ running }) => {
+      if (wasRunning && !running && !this.#isUnderWay()) void this.#showVerdict(true);
+      wasRunning = running;
+    });
+    const updateSoon = throttled(RENEW_MS, () => this.#showVerdict(false));
+    solver.on('frame', updateSoon);
+    store.subscribe(['tolerance'], updateSoon);
+    // The card grows when remedies are added later.
+    new ResizeObserver(() => this.#cover()).observe(this.#card);
+    // A docked panel hides the card. Noticed here, before the smaller view is framed anew.
+    const { body } = document;
+    new MutationObserver(() => this.#cover()).observe(body, { attributeFilter: ['data-docked'] });
+  }
+
+  #isUnderWay() {
+    return this.#underWay !== null && this.#underWay === this.#app.store.get().model;
+  }
+
+  /**
+   * Makes all panels of this kind, with a transition.
+   * @param from the shape to start from
+   */
+  async #make(kind: KindInfo, from: PanelStart = 'now') {
+    const { store, viewport, actions, files } = this.#app;
+    if (files.coming && !(await this.#nextTakes(kind.id))) return;
+    const { model, display } = store.get();
+    this.#pressed = this.#underWay = model;
+    this.#closed = null;
+    const arrived = still.matches ? null : viewport.transition(TRANSITION_MS);
+    const show = (shapes: boolean) => actions.display({ shapes });
+    // The fitted shapes are those of the final shape.
+    if (arrived) show(false);
+    if ((await actions.makePanels(kind.id, undefined, from)) === undefined) {
+      this.#underWay = null;
+      viewport.endTransition();
+      return show(display.shapes);
+    }
+    const ended = this.#endOfRun();
+    await arrived;
+    if (store.get().model !== model) return;
+    show(true);
+    if (!display.shapes) this.#shown = model;
+    await ended;
+    if (store.get().model !== model) return;
+    this.#underWay = null;
+    void this.#showVerdict(true);
+  }
+
+  /** Waits for the next model. Returns whether its panels can be this kind. */
+  async #nextTakes(id: string) {
+    const { store, actions, files } = this.#app;
+    const { model: before } = store.get();
+    actions.setStatus('Starts when the model is loaded');
+    await files.coming?.catch(() => {});
+    const { model } = store.get();
+    const offered = model?.panels.find(({ kind }) => kind === id);
+    return model !== before && offered !== undefined && !offered.reason;
+  }
+
+  /** Resolves when the current run has ended. */
+  #endOfRun() {
+    const { store, solver } = this.#app;
+    return new Promise((ended) => {
+      let began = store.get().running;
+      const stop = solver.on('activity', ({ running }) => {
+        began ||= running;
+        if (running || !began) return;
+        stop();
+        ended(undefined);
+      });
+    });
+  }
+
+  #show() {
+    const state = this.#app.store.get();
+    const { model, document, example, split, flatMap } = state;
+    // The split view and the flat map have legends in the card's position.
+    const hasRoom = !split && !flatMap;
+    const rows = document?.constraints.length ?? 0;
+    const offers = Boolean(model?.faces && model.panels.length > 0);
+    if (!offers || !document || !hasRoom || this.#closed === model) this.#turnTo('nothing');
+    else if (this.#pressed === model && rows > 0) this.#turnTo('verdict');
+    else this.#turnTo(rows === 0 && !example ? 'offer' : 'nothing');
+
+    const here = this.#shows === 'offer' ? this.#card : this.#panel;
+    const press = (kind: KindInfo) => this.#make(kind);
+    const change = (operation: string) => this.#change(operation);
+    const { buttons, reasons } = panelButtons(state, 'make-panels-reason', press, change);
+    this.#panel.hidden = !offers || here !== this.#panel;
+    if (here === this.#panel) renew(here, element('div', ...buttons), ...reasons);
+    else {
+      const press = element('div', ...buttons, this.#remedyButton, this.#somethingElse());
+      renew(here, ...reasons, this.#forecast, press, this.#closeButton());
+      void this.#showForecast();
+    }
+    this.#cover();
+  }
+
+  /** Opens an operation on the mesh. */
+  #change(operation: string) {
+    const dialog = import('./refine-operation.ts');
+    void this.#app.actions.reportErrors(dialog.then((it) => it.openEdit(this.#app, operation)));
+  }
+
+  /** Shows how far the mesh will move for the offer; requested once for each model. */
+  async #showForecast() {
+    const { store, actions } = this.#app;
+    const { model } = store.get();
+    if (this.#forecastOf === model) return;
+    this.#forecastOf = model;
+    this.#remedy = null;
+    this.#forecast.hidden = this.#remedyButton.hidden = true;
+    const forecast = await actions.forecast().catch(() => null);
+    if (store.get().model !== model) return;
+    setText(this.#forecast, forecast?.words ?? '');
+    this.#forecast.hidden = !forecast;
+    this.#remedy = forecast?.remedy ?? null;
+    this.#remedyButton.hidden = !this.#canChangeMesh();
+    setText(this.#remedyButton, this.#remedy?.label ?? '');
+    this.#cover();
+  }
+
+  #canChangeMesh() {
+    return this.#remedy !== null && !isMeshLocked(this.#app.store.get());
+  }
+
+  /** Opens the operation that reduces the move, on the original shape. */
+  async #applyRemedy() {
+    const { store, actions } = this.#app;
+    if (!this.#remedy) return;
+    if (store.get().document?.constraints.length) await actions.reset();
+    this.#change(this.#remedy.operation);
+  }
+
+  #turnTo(what: 'nothing' | 'offer' | 'verdict') {
+    if (this.#shows === what) return;
+    this.#shows = what;
+    const show = () => {
+      this.#card.hidden = what === 'nothing';
+      this.#card.dataset.shows = what;
+      this.#card.classList.remove('warning');
+      this.#card.replaceChildren();
+    };
+    removeKeepingFocus(this.#card, show);
+    if (what !== 'verdict') return;
+    setText(this.#text, '');
+    const hold = button('Hold to see the original', () => {});
+    this.#app.hold.bind(hold);
+    this.#changes.hidden = true;
+    this.#changes.append(this.#remedyButton);
+    this.#card.append(this.#text, hold, this.#closeButton(), this.#changes);
+    void this.#showVerdict(false);
+  }
+
+  #somethingElse() {
+    const onclick = () => byId('add-constraint-button').click();
+    return element('button', { 'aria-haspopup': 'dialog', onclick }, 'Something else');
+  }
+
+  #closeButton() {
+    const close = () => {
+      this.#closed = this.#app.store.get().model;
+      this.#show();
+    };
+    return closeButton('Close', close);
+  }
+
+  /** Shows the verdict, and announces it at the end of a run. */
+  async #showVerdict(atEnd: boolean) {
+    if (this.#shows !== 'verdict' || (this.#isBusy && !atEnd)) return;
+    const { store, actions } = this.#app;
+    const { model, document } = store.get();
+    const tolerance = store.get().tolerance ?? model?.tolerance ?? 0;
+    this.#isBusy = true;
+    const verdict = await actions.verdict(tolerance).catch(() => null);
+    this.#isBusy = false;
+    const { running, numbers } = store.get();
+    if (!verdict || store.get().model !== model || this.#shows !== 'verdict') return;
+    const words = running || this.#isUnderWay() ? progressWords : verdictWords;
+    const text = words(verdict, document?.units ?? '');
+    setText(this.#text, text);
+    this.#kind = verdict.kind;
+    this.#showChanges(words === verdictWords ? verdict : null);
+    if (atEnd && !running && !numbers?.collapse) actions.setStatus(text);
+  }
+
+  /** Offers ways to a better shape, if the final `verdict` asks for it. */
+  #showChanges(verdict: Verdict | null) {
+    const change = verdict?.bend.change ?? null;
+    const isFolded = Boolean(verdict?.folded);
+    this.#showFolds.hidden = this.#avoidFolds.hidden = !isFolded;
+    this.#smoother.hidden = change !== 'rougher';
+    this.#remedyButton.hidden = !change || !this.#canChangeMesh();
+    this.#changes.hidden = !this.#changes.querySelector(':scope > :not([hidden])');
+    this.#card.classList.toggle('warning', isFolded || change !== null);
+  }
+
+  /** Selects the folded faces and brings them into view. */
+  async #showFolded() {
+    const { actions } = this.#app;
+    const found = await actions.reportErrors(actions.flawed('folded-faces'));
+    if (found) showElements(this.#app, found);
+  }
+
+  /** Makes the panels again. */
+  async #makeAgain(from: PanelStart) {
+    const kind = this.#app.store.get().kinds.find(({ id }) => id === this.#kind);
+    if (kind) await this.#make(kind, from);
+  }
+
+  /** Frames the model in the area above the card. */
+  #cover() {
+    const covered = cover(this.#app.viewport, this.#card);
+    byId('main').style.setProperty('--covered', `${covered}px`);
+  }
+}
+
+/** Replaces the content of an element and keeps the focus on the button of the same index. */
+function renew(place: HTMLElement, ...content: HTMLElement[]) {
+  const at = [...place.querySelectorAll('button')].findIndex(
+    (one) => one === document.activeElement,
+  );
+  place.replaceChildren(...content);
+  place.querySelectorAll('button')[at]?.focus();
+}

@@ -1,0 +1,202 @@
+/**
+ * The New mesh dialog: the kinds that the solver declares, their sizes, and the mesh in the view.
+ * Unless the mesh is kept, closing the dialog reopens the previous document.
+ */
+
+import './new-mesh.css';
+import { openDialog } from '../../ui/controls/dialog.ts';
+import { button, choice } from '../../ui/controls/fields.ts';
+import { element, setText } from '../../ui/dom.ts';
+import { count } from '../../ui/format.ts';
+import init, { newKinds, newMesh as meshOf, newPlan } from '../../pkg/engine/shape_up.js';
+import { messageOf } from '../../solver/messages.ts';
+import { UNITS } from '../../ui/units.ts';
+import { planForm } from './plan-form.ts';
+import { spanForm } from './span-form.ts';
+import { sizesForm } from './sizes-form.ts';
+import type { AppContext } from '../../app/context.ts';
+
+/** The unit of the defaults. */
+const METRE = 'm';
+/** Choices that are not kinds of the solver. */
+const PLAN = { id: 'plan', label: 'From a plan' };
+const SPAN = { id: 'span', label: 'Between curves' };
+/** Pause in typing after which the mesh is made. */
+const QUIET_MS = 150;
+
+export async function newMesh({ store, solver, files, actions, alerts }: AppContext) {
+  await init();
+  const kinds = newKinds();
+  const before = await whatIsOpen();
+  const open = openMesh();
+  /** One autosave entry for all trials. */
+  const work = crypto.randomUUID();
+  let kept = false;
+  /** Set while a change waits to be made. */
+  let timer = 0;
+  /** The mesh being made, if any. */
+  let making: Promise<void> | undefined;
+  let again = false;
+  /** The vertices on which the mesh stands, to be fixed. */
+  let held: number[] = [];
+
+  const kind = choice(
+    {},
+    showForm,
+    [...kinds, PLAN, SPAN].map(({ id, label }) => [id, label]),
+  );
+  const units = choice(
+    {},
+    convert,
+    UNITS.map(({ symbol }) => [symbol, symbol]),
+  );
+  units.value = METRE;
+  let unit = METRE;
+  const said = element('p', { 'aria-live': 'polite' });
+  const place = element('div.form');
+  let form: Pick<ReturnType<typeof planForm>, 'element' | 'show' | 'made' | 'convert'> & {
+    kept?: () => void;
+  };
+  const keep = button('Begin with this', keepIt, { class: 'primary' });
+
+  /** The open document with its undo history, which belongs to the solver's last scene text. */
+  async function whatIsOpen() {
+    const { document: scene, fileName } = store.get();
+    if (!scene) return null;
+    const { saved, sceneText } = solver;
+    const bytes = new TextEncoder().encode(sceneText ?? (await actions.sceneText()));
+    const { original } = files;
+    const origin = { ...files.origin, first: false, saved, original };
+    return {
+      given: [{ name: `${files.name}.shapeup.json`, bytes }],
+      origin: { ...origin, title: fileName },
+    };
+  }
+
+  /** The open mesh, whose curves the span form uses. */
+  function openMesh() {
+    const { document: scene } = store.get();
+    const { geometry } = solver;
+    if (!scene || !geometry) return null;
+    const { positions, connectivity } = geometry;
+    return { positions: positions.slice(), connectivity, units: scene.units, up: scene.up };
+  }
+
+  const chosen = () => [...kinds, PLAN, SPAN].find(({ id }) => id === kind.value) ?? PLAN;
+
+  function showForm() {
+    const found = kinds.find(({ id }) => id === kind.value);
+    const given = { unit, metre: 1 / metresOf(unit), onchange: changed };
+    const isPlan = kind.value === PLAN.id;
+    if (found) {
+      const make = (sizes: number[], units: string) =>
+        meshOf(found.id, Float64Array.from(sizes), units);
+      form = sizesForm(found, { ...given, make });
+    } else form = isPlan ? planForm({ ...given, make: newPlan }) : spanForm(open, changed);
+    dialog.classList.toggle('wide', isPlan);
+    place.replaceChildren(form.element);
+    form.show();
+    changed();
+  }
+
+  /** @param symbol of a unit */
+  const metresOf = (symbol: string) => UNITS.find((one) => one.symbol === symbol)?.metres ?? 1;
+
+  function convert() {
+    form.convert(units.value, metresOf(unit) / metresOf(units.value));
+    unit = units.value;
+    changed();
+  }
+
+  function changed() {
+    clearTimeout(timer);
+    timer = window.setTimeout(make, QUIET_MS);
+  }
+
+  function make() {
+    clearTimeout(timer);
+    timer = 0;
+    again = Boolean(making);
+    making ??= makeOne().finally(() => {
+      making = undefined;
+      if (again && dialog.open) void make();
+    });
+    return making;
+  }
+
+  async function makeOne() {
+    const fields = [...place.querySelectorAll('input')];
+    const wrong = fields.find((field) => !field.validity.valid);
+    keep.disabled = true;
+    if (wrong) {
+      const label = wrong.closest('label')?.firstChild?.textContent;
+      return setText(said, `${label}: ${wrong.validationMessage}`);
+    }
+    const { label } = chosen();
+    try {
+      const { text, supports } = form.made(units.value);
+      const bytes = new TextEncoder().encode(text);
+      const origin = { work, title: label, before };
+      const loaded = await files.open([{ name: `${label}.obj`, bytes }], origin);
+      const vertices = count(loaded.vertices, 'vertex', 'vertices');
+      setText(said, `${count(loaded.faces, 'face')}, ${vertices}.`);
+      held = supports;
+      keep.disabled = false;
+    } catch (error) {
+      setText(said, messageOf(error));
+    }
+  }
+
+  async function keepIt() {
+    // A number typed last is reported when its field loses the focus to this button.
+    if (timer) {
+      await make();
+      while (making) await making;
+      if (keep.disabled || !dialog.open) return;
+    }
+    kept = true;
+    keep.disabled = true;
+    form.kept?.();
+    // The next command acts on the mesh with its fixed vertices.
+    if (held.length) await hold(held);
+    dialog.close();
+    actions.setStatus(`New mesh: ${chosen().label}`);
+  }
+
+  /** Fixes vertices; Undo still reopens the previous document. */
+  async function hold(vertices: number[]) {
+    await actions.addHandles(vertices, true);
+    const bytes = new TextEncoder().encode(await actions.sceneText());
+    const origin = { work, title: chosen().label, before };
+    await files.open([{ name: `${files.name}.shapeup.json`, bytes }], origin);
+  }
+
+  const dialog = openDialog(
+    { id: 'new-mesh', title: 'New mesh' },
+    element(
+      'div.dialog-body',
+      element(
+        'div.choices',
+        element('label', element('span', 'Shape'), kind),
+        element('label', element('span', 'Unit'), units),
+      ),
+      place,
+      element(
+        'footer',
+        said,
+        element(
+          'div.dialog-buttons',
+          keep,
+          button('Cancel', () => dialog.close()),
+        ),
+      ),
+    ),
+  );
+  dialog.addEventListener('close', async () => {
+    clearTimeout(timer);
+    await making;
+    if (kept || !before) return;
+    await files.open(before.given, before.origin).catch((error) => alerts.error(messageOf(error)));
+  });
+  showForm();
+}

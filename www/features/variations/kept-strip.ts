@@ -1,0 +1,141 @@
+/** The kept shapes: a strip of thumbnails, and a table of their numbers. */
+
+import { closeButton } from '../../ui/controls/fields.ts';
+import { element } from '../../ui/dom.ts';
+import { groupDigits, length, number } from '../../ui/format.ts';
+import { measureOfScene } from '../../store/colours/measures.ts';
+import { isDrawn } from '../../store/state.ts';
+import { variationActions } from '../../store/actions/variation-actions.ts';
+import { drawShape } from '../../ui/plot/thumbnail.ts';
+import type { SceneDocument, VariantRow } from '../../solver/messages.ts';
+import type { AppContext } from '../../app/context.ts';
+import type { KeptShape } from '../../store/view-modes.ts';
+
+export function keptStrip(app: AppContext) {
+  const { store, solver, actions } = app;
+  const variations = variationActions(solver, actions);
+  const strip = element('div.kept-strip', { role: 'group', 'aria-label': 'Kept' });
+  const body = element('tbody');
+  const table = element(
+    'table.kept-table',
+    { 'aria-label': 'Kept shapes compared' },
+    element(
+      'thead',
+      element(
+        'tr',
+        ...COLUMNS.map(([name, title]) => element('th', { scope: 'col', title }, name)),
+      ),
+    ),
+    body,
+  );
+  const empty = element(
+    'p.quiet',
+    'The shapes that you keep appear here, to compare and to return to.',
+  );
+  const place = element('div.kept', element('h3', 'Kept'), empty, strip, table);
+  let asked = 0;
+  let isRemoving = false;
+
+  async function update() {
+    const mine = ++asked;
+    const { document: scene, model, tolerance } = store.get();
+    const { connectivity } = solver.geometry ?? {};
+    if (!scene || !model || !connectivity) return;
+    const { variants, units, up } = scene;
+    empty.hidden = variants.length > 0;
+    strip.hidden = table.hidden = variants.length === 0;
+    if (variants.length === 0) return strip.replaceChildren();
+    const allowed = tolerance ?? model.tolerance;
+    const rows = await variations.table(allowed);
+    const shapes: Float64Array[] = [];
+    for (const index of rows.keys()) shapes.push(await variations.positions(index));
+    // A newer update has started.
+    if (mine !== asked) return;
+    const cards = rows.map((row, index) => card(scene, row, index, shapes[index]));
+    strip.replaceChildren(...cards.map(({ place }) => place));
+    cards.forEach(({ canvas }, index) => drawShape(canvas, connectivity, shapes[index], { up }));
+    strip.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    body.replaceChildren(...rows.map((row) => numbers(row, units, allowed)));
+  }
+
+  /**
+   * Removes a shape. Until the strip is drawn anew, an index in it may be that of another shape.
+   * @param scene which the strip shows
+   */
+  async function remove(index: number, scene: SceneDocument) {
+    if (isRemoving || scene !== store.get().document) return;
+    isRemoving = true;
+    await actions.edit({ type: 'removeVariant', index });
+    isRemoving = false;
+  }
+
+  function card(
+    scene: SceneDocument,
+    { name, isCurrent, isDesign }: VariantRow,
+    index: number,
+    positions: Float64Array,
+  ) {
+    const canvas = element('canvas', { 'aria-hidden': 'true' });
+    const go = element(
+      'button.kept-picture',
+      {
+        title: isCurrent ? 'This shape is open' : `Go to ${name}`,
+        onclick: () => actions.edit({ type: 'goToVariant', index }),
+      },
+      canvas,
+      element('span', name),
+    );
+    if (isCurrent) go.setAttribute('aria-current', 'true');
+    const beside = element(
+      'button.small',
+      {
+        'aria-label': `Show ${name} beside the open shape`,
+        title: `${name} beside the open shape`,
+        onclick: () => compare({ index, name, positions }),
+        hidden: isCurrent || !isDrawn(store.get()),
+      },
+      'Beside',
+    );
+    const cross = closeButton(`Remove ${name}`, () => remove(index, scene), { hidden: isDesign });
+    return { canvas, place: element('div.kept-card', go, element('div', beside, cross)) };
+  }
+
+  function compare(variant: KeptShape) {
+    const state = store.get();
+    const measure = state.measure ?? measureOfScene(state) ?? state.measures[0].id;
+    void app.showSides([
+      { measure, original: false, variant },
+      { measure, original: false },
+    ]);
+  }
+
+  return { place, update: () => actions.reportErrors(update()) };
+}
+
+/** Headings and tooltips of the table. */
+const COLUMNS = [
+  ['', ''],
+  ['Farthest', 'The greatest distance of a vertex from its exact constraints'],
+  ['Moved', 'The greatest distance from the model as it was opened'],
+  ['Area', 'Of all faces'],
+  ['Beyond', 'Panels beyond the tolerance'],
+];
+
+function numbers(
+  { name, isCurrent, distance, moved, area, panels, beyond }: VariantRow,
+  units: string,
+  allowed: number,
+) {
+  const cells = [
+    distance === null ? '–' : length(distance, units, allowed),
+    length(moved.max, units),
+    units ? `${number(area)} ${units}²` : number(area),
+    panels > 0 ? `${groupDigits(beyond)} of ${groupDigits(panels)}` : '–',
+  ];
+  return element(
+    'tr',
+    isCurrent ? { 'aria-current': 'true' } : {},
+    element('th', { scope: 'row' }, name),
+    ...cells.map((words) => element('td.figure', words)),
+  );
+}

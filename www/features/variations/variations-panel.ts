@@ -1,0 +1,163 @@
+/** The docked panel of variations, which keep the shape exact, and of the kept shapes. */
+
+import './variations.css';
+import { docked } from '../../docked/docked.ts';
+import { button, closeButton } from '../../ui/controls/fields.ts';
+import { element, setText } from '../../ui/dom.ts';
+import { once } from '../../ui/once.ts';
+import { latestOnly } from '../../store/latest-only.ts';
+import { variationActions } from '../../store/actions/variation-actions.ts';
+import { keptStrip } from './kept-strip.ts';
+import { variationCard } from './variation-card.ts';
+import type { AppContext } from '../../app/context.ts';
+
+const NONE = 'The shape is not exact: there is nothing to vary.';
+const HINT = 'Move the sliders; their effects add up. The line under each shows how far it can go.';
+
+const thePanel = once(variationsPanel);
+
+export const toggleVariations = (app: AppContext) => thePanel(app).toggle();
+
+function variationsPanel(app: AppContext) {
+  const { store, solver, actions } = app;
+  const variations = variationActions(solver, actions);
+  let cards: ReturnType<typeof variationCard>[] = [];
+  /** Number of the current search; a new number ends it. */
+  let search = 0;
+  /** Whether the slider was released, so that the shape is made exact again. */
+  let isReleased = false;
+  /** The document and theme for which the variations were computed. */
+  let searched: unknown[] = [];
+
+  const words = element('p', { 'aria-live': 'polite' });
+  const grid = element('div.variation-cards');
+  const back = button('Back', leave, { title: 'Moves all sliders to the middle', disabled: true });
+  const keep = button('Keep', keepIt, {
+    class: 'primary',
+    title: 'Makes this the design',
+    disabled: true,
+  });
+  const kept = keptStrip(app);
+  const panel = element(
+    'section.docked',
+    { id: 'variations-panel', 'aria-labelledby': 'heading-variations', hidden: true },
+    element(
+      'div.heading-row',
+      element('h2', { id: 'heading-variations' }, 'Variations'),
+      words,
+      back,
+      keep,
+      closeButton('Close variations', () => place.close()),
+    ),
+    element('div.docked-columns.variation-columns', grid, kept.place),
+  );
+
+  /** Computes the variations of the open shape. */
+  async function find() {
+    const mine = ++search;
+    const { connectivity } = solver.geometry ?? {};
+    cards = [];
+    grid.replaceChildren();
+    setText(words, 'Looking for variations of the shape …');
+    searched = [store.get().document, store.get().dark];
+    if (!connectivity || !(await variations.find())) {
+      if (mine === search) setText(words, NONE);
+      return;
+    }
+    let progress = await variations.advance();
+    while (mine === search && progress.found === null) progress = await variations.advance();
+    if (mine !== search) return;
+    const shape = solver.geometry?.positions.slice() ?? new Float64Array(0);
+    for (let index = 0; index < (progress.found ?? 0); index++) {
+      const displacement = await variations.displacement(index);
+      if (mine !== search) return;
+      const card = variationCard(index, progress.slide, change, release);
+      cards.push(card);
+      grid.append(card.place);
+      card.draw(connectivity, shape, displacement, store.get().document?.up ?? 'z');
+    }
+    setText(words, cards.length > 0 ? HINT : 'The shape cannot change and stay exact.');
+    while (mine === search) {
+      cards.forEach((card, k) => card.showRange(progress.ranges[k]));
+      if (!progress.more) break;
+      // Slider moves take priority.
+      while (updates.isBusy() && mine === search)
+        await new Promise((resolve) => setTimeout(resolve, 50));
+      if (mine === search) progress = await variations.advance();
+    }
+  }
+
+  /** Shows the shape of the sliders, or makes it exact. */
+  const follow = (): Promise<unknown> => (isReleased ? project() : variations.show(coefficients()));
+  const updates = latestOnly(() => actions.reportErrors(follow()));
+  const coefficients = () => Float64Array.from(cards, (card) => card.value());
+  const isMoved = () => cards.some((card) => card.value() !== 0);
+
+  /** While a slider moves: shows the deformed shape. */
+  function change() {
+    isReleased = false;
+    update();
+  }
+
+  /** After a slider is released: makes the shape exact. */
+  function release() {
+    isReleased = true;
+    update();
+  }
+
+  /** Shows the shape of the sliders; during an update, once more after it. */
+  function update() {
+    keep.disabled = true;
+    back.disabled = !isMoved();
+    void updates.ask();
+  }
+
+  async function project() {
+    const asked = coefficients();
+    const part = await variations.project(asked);
+    if (part === null || updates.hasNext()) return;
+    if (part < 1) cards.forEach((card, k) => card.set(part * asked[k]));
+    setText(words, part < 1 ? 'This is as far as the shape can go and stay exact.' : HINT);
+    back.disabled = keep.disabled = !isMoved();
+  }
+
+  async function keepIt() {
+    keep.disabled = true;
+    const done = await variations.keep();
+    if (done) actions.setStatus('Kept: this is the design now');
+    else keep.disabled = !isMoved();
+  }
+
+  /** Returns to the shape without variation. */
+  function leave() {
+    cards.forEach((card) => card.set(0));
+    back.disabled = keep.disabled = true;
+    isReleased = false;
+    return variations.leave();
+  }
+
+  const place = docked(panel, {
+    opened() {
+      void kept.update();
+      void actions.reportErrors(find());
+      keep.focus();
+    },
+    closed() {
+      search++;
+      if (isMoved()) void leave();
+    },
+  });
+
+  store.subscribe(
+    ['document', 'running', 'model', 'dark'],
+    ({ document: scene, running, model, dark }) => {
+      if (panel.hidden) return;
+      if (!model?.faces || !scene) return place.close();
+      void kept.update();
+      // An edit or undo step may have changed the shape, and with it the variations.
+      if (!running && (scene !== searched[0] || dark !== searched[1]))
+        void actions.reportErrors(find());
+    },
+  );
+  return place;
+}

@@ -1,0 +1,126 @@
+/**
+ * The measuring tape between two vertices: their distance now and in the original model. The
+ * distance is shown at the tape, and the components in a small table; both follow the mesh.
+ */
+
+import { closeButton } from '../../ui/controls/fields.ts';
+import { element, setText } from '../../ui/dom.ts';
+import { lengthUnit } from '../../ui/format.ts';
+import type { Store } from '../../store/state.ts';
+import type { Label, Viewport } from '../../viewport/viewport.ts';
+import type { Actions } from '../../store/actions.ts';
+
+/** Significant digits of the distance; the components have as many decimals. */
+const DIGITS = 5;
+const NAMES = ['Distance', 'dx', 'dy', 'dz'];
+
+export class Tape {
+  #store;
+  #viewport;
+  #actions;
+  #label = element('div', { id: 'tape-label', 'aria-hidden': 'true', hidden: true });
+  #title = element('span');
+  /** Cells by row and column. */
+  #cells = [0, 1].map(() => NAMES.map(() => element('td.figure')));
+  #table = element(
+    'table',
+    element('tr', element('td'), ...NAMES.map((name) => element('th', { scope: 'col' }, name))),
+    ...['now', 'original'].map((name, i) =>
+      element('tr', element('th', { scope: 'row' }, name), ...this.#cells[i]),
+    ),
+  );
+  #card;
+  /** The vertices last announced: once, not in every iteration. */
+  #said = '';
+
+  constructor(store: Store, viewport: Viewport, actions: Actions) {
+    this.#store = store;
+    this.#actions = actions;
+    this.#viewport = viewport;
+    const end = () => actions.useTool({ tape: null });
+    const close = closeButton('End measuring', end, { title: 'Esc' });
+    this.#card = element(
+      'div.card',
+      { id: 'tape', role: 'group', 'aria-label': 'Measuring tape', hidden: true },
+      element('div.title', this.#title, close),
+      this.#table,
+    );
+    viewport.element.after(this.#label, this.#card);
+  }
+
+  /** Updates the card and the label after a frame. */
+  show() {
+    const { tape, document } = this.#store.get();
+    this.#card.hidden = !tape;
+    const measured = tape && this.#measured();
+    this.#label.hidden = !measured;
+    this.#table.hidden = !measured;
+    if (!tape) {
+      this.#said = '';
+      return;
+    }
+    if (!measured) return this.#ask(tape);
+    const { now, rest, unit, write } = measured;
+    setText(this.#title, `Vertices ${tape.join(' and ')}${unit && `, in ${unit}`}`);
+    now.forEach((value, i) => setText(this.#cells[0][i], write(value)));
+    rest.forEach((value, i) => setText(this.#cells[1][i], write(value)));
+    setText(this.#label, `${write(now[0])} ${unit}`);
+    this.#place();
+    const about = tape.join(' ');
+    // Waits for the original distance, which arrives a moment later.
+    if (about === this.#said || rest.length === 0) return;
+    this.#said = about;
+    const unitOf = document?.units ? ` ${unit}` : '';
+    this.#actions.setStatus(
+      `Distance ${write(now[0])}${unitOf}, originally ${write(rest[0])}${unitOf}`,
+    );
+  }
+
+  #ask(tape: number[]) {
+    this.#said = '';
+    setText(this.#title, tape.length === 0 ? 'Click two vertices' : 'Click the other vertex');
+  }
+
+  /** Distance, dx, dy, dz now and at rest, with the unit and a formatter; null if incomplete. */
+  #measured() {
+    const numbers = this.#viewport.view?.measured();
+    if (!numbers) return null;
+    const units = this.#store.get().document?.units ?? '';
+    const lengths = [...numbers];
+    const [now, rest] = [lengths.slice(0, 3), lengths.slice(3)].map((way) =>
+      way.length > 0 ? [Math.hypot(...way), ...way] : [],
+    );
+    const longest = Math.max(now[0], rest[0] ?? 0);
+    const { unit, factor } = lengthUnit(longest, units);
+    const power = longest > 0 ? Math.floor(Math.log10(longest * factor)) : 0;
+    const decimals = Math.min(Math.max(DIGITS - 1 - power, 0), 12);
+    const write = (value: number) => {
+      const text = (value * factor).toFixed(decimals);
+      return /[1-9]/.test(text) ? text.replace('-', '−') : (0).toFixed(decimals);
+    };
+    return { now, rest, unit, write };
+  }
+
+  #middle(): number[] | undefined {
+    const at = this.#viewport.view?.tapeMiddle();
+    return at && [...at];
+  }
+
+  /** Places the label at the middle of the tape, or hides it if that is outside the view. */
+  #place() {
+    const at = this.#middle();
+    const { clientWidth, clientHeight } = this.#viewport.element;
+    const isSeen = at && at[0] > 0 && at[1] > 0 && at[0] < clientWidth && at[1] < clientHeight;
+    this.#label.hidden = !isSeen;
+    if (isSeen) this.#label.style.translate = `calc(${at[0]}px - 50%) calc(${at[1]}px - 50%)`;
+  }
+
+  /** The label for a saved picture. */
+  labels(): Label[] {
+    const measured = this.#store.get().tape && this.#measured();
+    const at = this.#middle();
+    if (!measured || !at) return [];
+    const text = `${measured.write(measured.now[0])} ${measured.unit}`;
+    return [{ text, x: at[0], y: at[1] + 4, align: 'center', bar: 0 }];
+  }
+}

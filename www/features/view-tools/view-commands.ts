@@ -1,0 +1,113 @@
+/**
+ * The commands of the view: directions, projection, ghost, ground grid, section plane and measuring
+ * tape. Their implementation is loaded with `view-tools.ts` on first use.
+ */
+
+import { placeMenu } from '../../ui/controls/menu.ts';
+import type { AppContext, Command } from '../../app/context.ts';
+import type { State } from '../../store/state.ts';
+
+/** Name of the view, and for some a numpad key; all also have Shift + digit. */
+const VIEWS = [
+  ['top', 'Numpad7'],
+  ['front', 'Numpad1'],
+  ['right', 'Numpad3'],
+  ['back'],
+  ['left'],
+  ['bottom'],
+  ['isometric', 'Numpad0'],
+];
+
+const load = () => import('./view-tools.ts');
+
+export function viewCommands(app: AppContext): Command[] {
+  const { store, actions } = app;
+  const tools = async () => (await load()).ViewTools.of(app);
+  const enabled = ({ renderer }: State) => renderer !== 'none';
+  store.subscribe(['display', 'parallel', 'tape', 'section'], (state) => {
+    const { display, parallel, tape, section } = state;
+    if (display.ghost || display.ground || parallel || tape || section)
+      void actions.reportErrors(tools());
+  });
+  return [
+    ...VIEWS.map(([name, ...keys], i) => ({
+      id: `view-${name}`,
+      group: 'View',
+      label: `View: ${name}`,
+      keys: [`Shift+${i + 1}`, ...keys],
+      action: () => tools().then((it) => it.flyTo(name)),
+      enabled,
+    })),
+    {
+      id: 'parallel',
+      group: 'View',
+      label: 'Parallel or perspective',
+      keys: ['5', 'Numpad5'],
+      action: () => actions.look({ parallel: !store.get().parallel }),
+      enabled,
+      pressed: ({ parallel }) => parallel,
+    },
+    ...['ghost', 'ground'].map((name) => ({
+      id: name,
+      group: 'View',
+      label: name === 'ghost' ? 'Ghost of the original' : 'Ground grid',
+      keys: name === 'ghost' ? ['O'] : [],
+      action: () => actions.display({ [name]: !store.get().display[name as 'ghost' | 'ground'] }),
+      enabled,
+      pressed: ({ display }: State) => display[name as 'ghost' | 'ground'],
+    })),
+    {
+      id: 'tape',
+      group: 'View',
+      label: 'Measure the distance between two vertices',
+      keys: ['D'],
+      action: () => {
+        const { tape, selection } = store.get();
+        const chosen = [...selection.vertices];
+        actions.useTool({ tape: tape ? null : chosen.length === 2 ? chosen : [], tool: 'drag' });
+      },
+      needsModel: true,
+      enabled,
+      pressed: ({ tape }) => tape !== null,
+    },
+    {
+      id: 'section',
+      group: 'View',
+      label: 'Section plane',
+      keys: [],
+      action: () => {
+        const section = store.get().section ? null : { axis: 0, at: 0.5, turned: false };
+        actions.look({ section });
+      },
+      needsModel: true,
+      enabled,
+      pressed: ({ section }) => section !== null,
+    },
+    {
+      id: 'turn-slowly',
+      group: 'View',
+      label: 'Turn slowly, until the view is touched',
+      keys: [],
+      action: () => load().then((it) => it.turnSlowly(app.viewport)),
+      needsModel: true,
+      enabled,
+    },
+  ];
+}
+
+/** Binds the menu of the views, which is built when first opened. */
+export function bindViewMenu(
+  menu: HTMLElement,
+  button: HTMLElement,
+  commands: Command[],
+  app: AppContext,
+) {
+  placeMenu(menu, () => button);
+  const build = async () => {
+    (await load()).buildViewMenu(menu, commands, app);
+    // Reopened because it has its size only now.
+    menu.hidePopover();
+    menu.showPopover();
+  };
+  menu.addEventListener('beforetoggle', build, { once: true });
+}

@@ -1,0 +1,121 @@
+/**
+ * The view tools: flights to named views, the original for the ghost and the ground grid, the
+ * scale, the section card, the measuring tape and the menu. Loaded on first use.
+ */
+
+import './view-tools.css';
+import { element, setText } from '../../ui/dom.ts';
+import { lengthUnit } from '../../ui/format.ts';
+import { once } from '../../ui/once.ts';
+import { fly } from '../../viewport/flight.ts';
+import { SectionCard } from './section-card.ts';
+import { Tape } from './tape.ts';
+import type { AppContext } from '../../app/context.ts';
+import type { Label } from '../../viewport/viewport.ts';
+
+export { turnSlowly } from './turntable.ts';
+export { buildViewMenu } from './view-menu.ts';
+
+/** Maximum length of the scale bar in CSS pixels. */
+const BAR = 120;
+
+export class ViewTools {
+  #store;
+  #actions;
+  #viewport;
+  #tape;
+  #bar = element('i');
+  #scaleText = element('span');
+  #scale = element('div', { id: 'scale' }, this.#bar, this.#scaleText);
+  /** The model whose rest positions are stored or requested. */
+  #model: unknown = null;
+  /** Rest positions of that model, #V by 3. */
+  #rest: Float64Array | null = null;
+
+  /** The only instance of the page. */
+  static of = once((app: AppContext) => new ViewTools(app));
+
+  constructor({ store, actions, viewport }: AppContext) {
+    this.#store = store;
+    this.#actions = actions;
+    this.#viewport = viewport;
+    this.#tape = new Tape(store, viewport, actions);
+    new SectionCard(store, viewport, actions);
+    viewport.element.after(this.#scale);
+    viewport.on('ready', () => this.#handOver());
+    viewport.on('drawn', () => this.#show());
+    store.subscribe(
+      ['model', 'display', 'tape', 'parallel', 'flatMap', 'split', 'document'],
+      () => {
+        void this.#takeRest();
+        this.#show();
+      },
+    );
+    viewport.labels = () => [...this.#scaleLabels(), ...this.#tape.labels()];
+  }
+
+  /** Turns the camera to a named view, in a short flight unless the user prefers reduced motion. */
+  flyTo(name: string) {
+    const { parallel } = this.#store.get();
+    this.#actions.setStatus(`View: ${name}${parallel ? ', parallel' : ''}`);
+    fly(this.#viewport, (view) => view.preset(name));
+  }
+
+  /** Requests the original positions, once for each model that needs them. */
+  async #takeRest() {
+    const { model, display, tape } = this.#store.get();
+    if (!model || model === this.#model) return;
+    if (!display.ghost && !display.ground && !tape) return;
+    this.#model = model;
+    this.#rest = null;
+    const rest = await this.#actions.originalPositions();
+    if (this.#store.get().model !== model) return;
+    this.#rest = rest;
+    this.#handOver();
+  }
+
+  #handOver() {
+    const rest = this.#rest;
+    if (rest && this.#store.get().model === this.#model)
+      this.#viewport.with((view) => view.setRest(rest));
+  }
+
+  /** The scale: the size of the grid's squares, or in parallel projection a scale bar. */
+  #scaleNow() {
+    const { document, flatMap, parallel } = this.#store.get();
+    const { view } = this.#viewport;
+    if (!view || !document || flatMap) return { text: '', pixels: 0 };
+    const step = view.gridStep();
+    if (!parallel) {
+      const text = step === undefined ? '' : `Grid ${roundLength(step, document.units)}`;
+      return { text, pixels: 0 };
+    }
+    const [long, pixels] = view.scaleBar(BAR);
+    return { text: roundLength(long, document.units), pixels };
+  }
+
+  #show() {
+    const { text, pixels } = this.#scaleNow();
+    this.#scale.hidden = text === '';
+    setText(this.#scaleText, text);
+    this.#bar.style.width = `${pixels}px`;
+    this.#bar.hidden = pixels === 0;
+    this.#tape.show();
+  }
+
+  #scaleLabels(): Label[] {
+    const { text, pixels } = this.#scaleNow();
+    if (text === '') return [];
+    const box = this.#viewport.element.getBoundingClientRect();
+    return [{ text, x: box.width - 14, y: box.height - 14, align: 'right', bar: pixels }];
+  }
+}
+
+/**
+ * A round length with its unit: 5 m, not 5.00 m.
+ * @param units of the mesh
+ */
+function roundLength(value: number, units: string) {
+  const { unit, factor } = lengthUnit(value, units);
+  return `${Number((value * factor).toPrecision(3))} ${unit}`.trim();
+}

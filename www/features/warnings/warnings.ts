@@ -1,0 +1,168 @@
+/**
+ * Messages about a shape beyond its numbers: problems of its file if the Model panel is hidden,
+ * faces of zero area, and the verdict on a run: within the tolerance, or solved as far as possible,
+ * with remedies. Each is shown once, among the messages or on the card of the panels.
+ */
+
+import '../../ui/styles/lists.css';
+import { button, closeButton } from '../../ui/controls/fields.ts';
+import { element, setText } from '../../ui/dom.ts';
+import { count, length, limit } from '../../ui/format.ts';
+import { movedInWords } from '../../store/colours/measures.ts';
+import { isHard } from '../../store/state.ts';
+import { showElements } from '../../viewport/reveal-elements.ts';
+import type { AppContext } from '../../app/context.ts';
+import type { ConstraintRow, Edit } from '../../solver/messages.ts';
+
+const ZERO_SIZE = 'zero-size-faces';
+/** Maximum number of remedies offered. */
+const MOST_REMEDIES = 3;
+
+export function watchConditions(app: AppContext) {
+  const { store, solver, files, alerts, actions } = app;
+  const place = element('div', { 'aria-live': 'polite', id: 'conditions' });
+  document.getElementById('messages')?.append(place);
+  /** Number of zero-area faces when last counted. */
+  let flat = 0;
+  /** The current message. */
+  let shown: HTMLElement | null = null;
+
+  /** Reports the problems of the opened file. */
+  function showProblems() {
+    const { problems = [] } = store.get().model ?? {};
+    const isListed = document.getElementById('model')?.checkVisibility();
+    if (problems.length === 0 || isListed) return void lookForFlatFaces();
+    alerts.notice(`${count(problems.length, 'problem')}, see Model: ${problems[0].message}`);
+  }
+
+  async function lookForFlatFaces() {
+    if (!store.get().model?.faces) return;
+    const found = await actions.flawed(ZERO_SIZE).catch(() => null);
+    const before = flat;
+    flat = found?.faces.length ?? 0;
+    if (!found || flat === 0 || flat === before) return;
+    const [have, they] = flat === 1 ? ['has', 'it is'] : ['have', 'they are'];
+    alerts.notice(`${count(flat, 'face')} ${have} zero size; ${they} kept but not coloured.`, {
+      label: 'Select',
+      action: () => showElements(app, found),
+    });
+  }
+
+  /** Whether a hint is shown: a first-time user should read one message at a time. */
+  const hasHint = () => document.getElementById('hint-card')?.hidden === false;
+
+  /** Reports the result of a run: all within the tolerance, or the worst element and remedies. */
+  async function showVerdict() {
+    const { document: scene, numbers, model, tolerance } = store.get();
+    if (!scene || !numbers || !model) return;
+    const allowed = tolerance ?? model.tolerance;
+    if (numbers.exact && scene.constraints.some(isHard)) {
+      const { showExactVerdict } = await import('./exact-verdict.ts');
+      return showExactVerdict(app, {
+        showMessage,
+        offer,
+        hasCard: () => cardOfPanels() !== null,
+        hasHint,
+      });
+    }
+    const isAsked = ({ enabled, weight }: ConstraintRow) => enabled && weight > 0;
+    const errors = scene.constraints.map((row) =>
+      isAsked(row) ? (numbers.worst[row.index] ?? 0) : 0,
+    );
+    const greatest = Math.max(0, ...errors);
+    if (hasHint() || !scene.constraints.some(isAsked)) return;
+    const most = limit(allowed, scene.units);
+    const moved = movedInWords(store.get());
+    const cost = moved && ` Moved ${moved}.`;
+    if (greatest <= allowed) {
+      if (!cardOfPanels()) showMessage(`All constraints are met within ${most}.${cost}`);
+      return;
+    }
+    const row = scene.constraints[errors.indexOf(greatest)];
+    const [worst] = await actions.worst({ measure: null, row: row.index }, 1).catch(() => []);
+    if (!worst || store.get().document !== scene || store.get().running) return;
+    const far = length(worst.value, scene.units, allowed);
+    const what = `Worst: ${row.label} on ${worst.element}, ${far}; the tolerance is ${most}.`;
+    const group = showMessage(
+      // The card already shows the verdict on the panels.
+      cardOfPanels() ? 'Solved as far as possible.' : `Solved as far as possible. ${what}${cost}`,
+      offer('Show it', () => showElements(app, worst)),
+    );
+    const waiting = element('p.quiet', 'Looking for changes that help …');
+    group.append(waiting);
+    const remedies = await actions.remedies().catch(() => []);
+    const helping = remedies
+      .slice(0, MOST_REMEDIES)
+      .map(({ label, edit, worst }) =>
+        offer(
+          `${label}: ${length(worst, scene.units, allowed)}`,
+          () => take(edit),
+          'The largest distance after this change',
+        ),
+      );
+    if (helping.length === 0) setText(waiting, 'None of the changes that were tried lowers it.');
+    else waiting.replaceWith(...helping);
+  }
+
+  /** The card that shows the verdict on panels, if it is shown. */
+  const cardOfPanels = (): HTMLElement | null =>
+    document.querySelector('#make-panels-card[data-shows="verdict"]:not([hidden])');
+
+  function offer(label: string, action: () => unknown, title: string = '') {
+    const onclick = () => {
+      clear();
+      action();
+    };
+    return button(label, onclick, { class: 'small bordered', title });
+  }
+
+  /** @returns to which more can be appended */
+  function showMessage(text: string, ...buttons: HTMLElement[]): HTMLElement {
+    const group = element(
+      'div.remedies',
+      { role: 'group', 'aria-label': 'Verdict' },
+      element('p', text),
+      ...buttons,
+    );
+    clear();
+    const card = cardOfPanels();
+    if (card) {
+      card.append(group);
+    } else {
+      group.classList.add('message', 'notice');
+      group.append(closeButton('Dismiss the verdict', clear));
+      place.append(group);
+    }
+    shown = group;
+    return group;
+  }
+
+  function clear() {
+    shown?.remove();
+    shown = null;
+  }
+
+  /** Applies a remedy and runs on. */
+  async function take(edit: Edit) {
+    if ((await actions.edit(edit)) !== undefined) actions.run();
+  }
+
+  let wasRunning = false;
+  solver.on('activity', ({ running, converged }) => {
+    if (running) clear();
+    const ended = wasRunning && !running;
+    wasRunning = running;
+    // A collapse has a message of its own.
+    if (!ended || store.get().numbers?.collapse) return;
+    void lookForFlatFaces();
+    if (converged) void showVerdict();
+  });
+  solver.on('model', () => {
+    clear();
+    flat = 0;
+    wasRunning = false;
+  });
+  store.subscribe(['document', 'tolerance'], clear);
+  files.on('opened', showProblems);
+  showProblems();
+}

@@ -1,0 +1,52 @@
+/** The poster of an embedded view until the user starts it: a picture, a button and a link. */
+
+import { CALLED, PRESSED, callIn, post } from '../../features/embed/protocol.ts';
+import { readLink } from '../../documents/share-link.ts';
+import { listOfExamples } from '../../solver/examples.ts';
+import { messageOf } from '../../solver/messages.ts';
+import { byId, setText } from '../../ui/dom.ts';
+
+const { hash, search } = location;
+byId<HTMLAnchorElement>('home').href = `./${hash}`;
+byId('start').addEventListener('click', () => start(PRESSED));
+
+addEventListener('message', (event) => {
+  const call = callIn(event);
+  if (!call) return;
+  const { id } = call;
+  if (call.name === 'start') {
+    post({ shapeUp: 'answer', id }, event.origin);
+    start(CALLED);
+  } else post({ shapeUp: 'answer', id, error: 'The view has not been started.' }, event.origin);
+});
+post({ shapeUp: 'news', news: 'waiting' });
+
+readLink(hash).then(
+  (link) =>
+    link?.example
+      ? showExample(link.example, link.run || link.text ? 'start' : 'end')
+      : setText(byId('title'), 'A mesh to shape'),
+  (error) => setText(byId('trouble'), messageOf(error)),
+);
+
+/** Replaces this page by the view, with the same options. */
+function start(how: string) {
+  const options = new URLSearchParams(search);
+  options.set('embed', how);
+  location.replace(`./?${options}${hash}`);
+}
+
+async function showExample(id: string, pose: 'start' | 'end') {
+  try {
+    const example = (await listOfExamples()).find((one) => one.id === id);
+    if (!example)
+      throw new Error(`There is no example called ${id}. The link is outdated or mistyped.`);
+    setText(byId('title'), example.title);
+    const picture = byId<HTMLImageElement>('picture');
+    picture.src = `pictures/${example.id}-${pose}.webp`;
+    picture.alt = example.title;
+    picture.hidden = false;
+  } catch (error) {
+    setText(byId('trouble'), messageOf(error));
+  }
+}

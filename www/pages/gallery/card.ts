@@ -1,0 +1,81 @@
+/** A card of the gallery: pictures of start and end, a summary, and the measured results. */
+
+import { element } from '../../ui/dom.ts';
+import { linkTo } from '../../documents/example-links.ts';
+import { number as energyInWords } from '../../ui/format.ts';
+import { goalInWords } from '../../features/lesson/goal.ts';
+import { angleHistogram } from './angles.ts';
+import { withSymbols } from '../../ui/symbols.ts';
+import type { Example } from '../../solver/examples.ts';
+
+/** An entry of `pictures/results.json`. */
+export interface Result {
+  id: string;
+  iterations: number;
+  /** total energy at the start and at the end */
+  energy?: [number, number];
+  /** of corners, at the start and at the end */
+  angles?: [number[], number[]];
+}
+
+const PICTURES = new URL(/* @vite-ignore */ 'pictures/', document.baseURI);
+
+export function card(example: Example, result: Result | undefined) {
+  const { id, title, summary, statement, kinds, weights, goals = [], units } = example;
+  // Without constraints, the example is one to flatten.
+  const isMap = kinds.length === 0;
+  const picture = (when: 'start' | 'end', words: string) =>
+    element(
+      'figure',
+      element('img', {
+        src: new URL(`${id}-${when}.webp`, PICTURES).href,
+        alt: `${title}, ${words}`,
+        width: 216,
+        height: 156,
+        loading: 'lazy',
+      }),
+      element('figcaption', when === 'start' ? 'Start' : isMap ? 'Flat map' : 'Solved'),
+    );
+  return element(
+    'article.example',
+    { id, 'aria-labelledby': `${id}-title` },
+    element(
+      'div.pictures',
+      picture('start', 'at the start'),
+      picture('end', isMap ? 'as a flat map' : 'solved'),
+    ),
+    element('h3', { id: `${id}-title` }, element('a', { href: `./${linkTo(id)}` }, title)),
+    element('p', summary),
+    element('p.statement', element('strong', 'Measured: '), ...withSymbols(statement)),
+    result?.angles && angleHistogram(result.angles),
+    element(
+      'dl',
+      ...goals.flatMap((goal) => fact('Goal', goalInWords(goal, units))),
+      ...(isMap ? [] : fact('Constraints', kinds.map(({ label }) => label).join(', '))),
+      ...(isMap
+        ? []
+        : fact('Weights', `shape ${weights[0]}, close ${weights[1]}, smooth ${weights[2]}`)),
+      ...fact('Mesh', sizeInWords(example)),
+      ...(result?.energy ? fact('Energy', energyFall(result.energy, result.iterations)) : []),
+    ),
+  );
+}
+
+function fact(name: string, value: string) {
+  return [element('dt', name), element('dd', value)];
+}
+
+function sizeInWords({ vertices, faces, tets }: Example) {
+  const parts = [
+    [vertices, 'vertices'],
+    [faces, 'faces'],
+    [tets, 'tetrahedra'],
+  ];
+  const words = parts.filter(([count]) => count).map(([count, name]) => `${count} ${name}`);
+  return words.join(', ');
+}
+
+function energyFall(energy: [number, number], iterations: number) {
+  const [before, after] = energy.map(energyInWords);
+  return `${before} → ${after} in ${iterations} iterations`;
+}

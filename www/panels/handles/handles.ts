@@ -1,0 +1,60 @@
+/** The handles: their number, and buttons for the selected ones. */
+
+import { element } from '../../ui/dom.ts';
+import { count } from '../../ui/format.ts';
+import { sizeOfSelection } from '../../store/selection.ts';
+import type { AppContext } from '../../app/context.ts';
+
+export function handlesPanel(place: HTMLElement, { store, actions }: AppContext) {
+  const summary = element('p.quiet');
+  const button = (label: string, title: string, act: (vertices: number[]) => void) =>
+    element('button', { title, onclick: () => act(actions.selectedVertices()) }, label);
+  const add = button('Make handle', 'Turn the selected vertices into handles (H)', (vertices) =>
+    actions.addHandles(vertices, false),
+  );
+  const fix = button('Fix', 'Fix the selected vertices where they are', (vertices) =>
+    actions.addHandles(vertices, true),
+  );
+  const remove = button('Remove', 'Remove the selected handles (Shift+H)', actions.removeHandles);
+  const row = element('div.handles-row', add, fix, remove);
+  place.replaceChildren(summary, row);
+  /** The fields for the selected handles, once loaded. */
+  let details: HTMLElement | null = null;
+  /** The selection for which they were last requested. */
+  let requestedFor: object | null = null;
+  const loadDetails = async () => {
+    const { handleDetails } = await import('./handle-details.ts');
+    if (!details) place.append((details = handleDetails(store, actions)));
+  };
+
+  store.subscribe(['document', 'selection'], ({ document, selection }) => {
+    const handles = document?.handles ?? [];
+    const fixed = handles.filter((handle) => handle.fixed).length;
+    const chosen = sizeOfSelection(selection) > 0;
+    summary.textContent = wordsFor(handles.length, fixed);
+    const pinned = document?.pinned.length ?? 0;
+    // Without constraints nothing moves, so pinned vertices do not matter.
+    if (pinned > 0 && document?.constraints.length) {
+      summary.textContent += ` ${count(pinned, 'vertex is', 'vertices are')} fixed automatically, because nothing else holds that part. Add a handle to hold it where you want.`;
+    }
+    add.disabled = fix.disabled = !chosen;
+    const vertices = new Set(actions.selectedVertices());
+    remove.disabled = !handles.some(({ vertex }) => vertices.has(vertex));
+    // Hidden if no button could do anything.
+    row.hidden = !chosen && handles.length === 0;
+    // If loading fails, the next selection tries again.
+    if (remove.disabled || details || selection === requestedFor) return;
+    requestedFor = selection;
+    void actions.reportErrors(loadDetails());
+  });
+}
+
+/**
+ * @param all number of handles
+ * @param fixed number of fixed handles
+ */
+function wordsFor(all: number, fixed: number) {
+  if (all === 0) return 'No handles yet. Double-click a vertex to make one, then drag it.';
+  const share = fixed === all ? ', fixed' : fixed > 0 ? `, ${fixed} of them fixed` : '';
+  return `${count(all, 'handle')}${share}. Drag the blue handles in the view.`;
+}

@@ -1,0 +1,38 @@
+/** Files opened together: the main one, those that it names, and those that are ignored. */
+
+import type { NamedBytes } from './messages.ts';
+
+type Named = { name: string };
+
+const isScene = ({ name }: Named) => /\.json$/i.test(name);
+
+/** Whether the file can be a mesh or a scene, by its name. */
+export const isReadable = ({ name }: Named) => /\.(obj|off|mesh|json|3dm)$/i.test(name);
+
+/** Returns the first scene, or else the first file. */
+export const mainOf = <File extends Named>(files: File[]) => files.find(isScene) ?? files[0];
+
+/**
+ * Returns the files to read: a scene and the files it may name, or one mesh. If there is none, the
+ * first file, which is then refused with a reason.
+ */
+export function worthReading<File extends Named>(files: File[]) {
+  const readable = files.filter(isReadable);
+  const main = mainOf(readable);
+  if (!main) return files.slice(0, 1);
+  return isScene(main) ? [main, ...readable.filter((file) => !isScene(file))] : [main];
+}
+
+/**
+ * Returns the paths that the main file names, each with the file of that name, if given.
+ * @param namesOf returns the paths that a scene names
+ */
+export function filesNamed(files: NamedBytes[], namesOf: (scene: Uint8Array) => string[]) {
+  const main = mainOf(files);
+  const paths = isScene(main) ? namesOf(main.bytes) : [];
+  const isOther = (file: Named) => file !== main;
+  return paths.map((path) => {
+    const name = path.split('/').pop();
+    return { path, file: files.filter(isOther).find((file) => file.name === name) };
+  });
+}

@@ -1,0 +1,332 @@
+/**
+ * Page side of the solver's worker: its lifecycle, answers, and geometry.
+ *
+ * Messages are queued until the worker is ready. A worker that dies or stops answering is replaced
+ * by a new one, which gets the last scene with its undo history.
+ */
+
+import { Emitter } from './emitter.ts';
+import {
+  messageOf,
+  type FromWorker,
+  type Replies,
+  type Command,
+  type Connectivity,
+  type Measure,
+  type Projections,
+  type WorkerEvents,
+  type Saved,
+  type ToWorker,
+  type Request,
+} from './messages.ts';
+
+/** The current mesh. */
+export interface Geometry {
+  connectivity: Connectivity;
+  /** latest positions, `#V by 3`; replaced with every frame */
+  positions: Float64Array;
+  /** of `measure`, `#F` */
+  values: Float32Array | null;
+  /** values of `measure` at the vertices, `#V`, if it has any */
+  corners: Float32Array | null;
+  measure: Measure | null;
+  /** fitted shapes, eight numbers each */
+  shapes: Float64Array | null;
+  projections: Projections | null;
+}
+
+/**
+ * A silent worker gets a ping at each check, and is replaced after `MOST_MISSED` checks without an
+ * answer; later if the last iteration took long, as it may take `STEPS_MISSED` times as long.
+ */
+const CHECK_EVERY_MS = 1000;
+const MOST_MISSED = 3;
+const STEPS_MISSED = 10;
+/** Number of checks after which the user may want to stop the current work. */
+const LONG_WORK = 3;
+
+/** Error of a refused request; `path` is the position of the error in the scene, if any. */
+class Refusal extends Error {
+  path;
+
+  constructor(message: string, path: string) {
+    super(message);
+    this.path = path;
+  }
+}
+
+/**
+ * The worker's messages, and events about the worker itself: it has been working for long (`busy`),
+ * it could not be started (`absent`), it was replaced (`restarted`).
+ */
+type SolverEvents = Omit<WorkerEvents, 'reply' | 'refused' | 'died' | 'working' | 'pong'> & {
+  busy: { busy: boolean };
+  absent: { message: string };
+  restarted: { message: string };
+};
+
+export class SolverClient extends Emitter<SolverEvents> {
+  geometry: Geometry | null = null;
+  /** Text of the scene as last sent by the worker. */
+  sceneText: string | null = null;
+  /** Data saved with that text. */
+  saved: Saved = { iteration: 0, history: null, progress: null };
+
+  #worker: Worker | null = null;
+  #ready = false;
+  /** The worker replaces one that died, and has not opened its scene yet. */
+  #restoring = false;
+  /** The latest `model` is the previous model, in a new worker or with another mesh. */
+  #isSameModel = false;
+  #modelName = '';
+  /** The previous scene, while the next one is being opened. */
+  #replaced: { name: string; text: string | null; saved: Saved } | null = null;
+  /** Whether the worker has begun work that may take long. */
+  #working = false;
+  /** Number of checks since then. */
+  #busyChecks = 0;
+  /** Number of checks since its last message. */
+  #missed = 0;
+  #stepMs = 0;
+  #held: [ToWorker, Transferable[]][] = [];
+  #waiting: Map<
+    number,
+    { type: string; resolve: (value: unknown) => void; reject: (error: Error) => void }
+  > = new Map();
+  #nextId = 1;
+  /** A buffer that the view may still be reading. */
+  #previous: Float64Array | null = null;
+  /** The last `show`, sent again to a new worker. */
+  #show: Command | null = null;
+
+  constructor() {
+    super();
+    this.#start();
+    this.#watch();
+  }
+
+  /** Whether the current model is being opened again, in a new worker or with another mesh. */
+  get restoring() {
+    return this.#isSameModel;
+  }
+
+  /** Sends a request; the promise settles after all events that the request causes. */
+  request<Type extends keyof Replies>(
+    request: Extract<Request, { type: Type }>,
+  ): Promise<Replies[Type]> {
+    const id = this.#nextId++;
+    return new Promise((resolve, reject) => {
+      this.#waiting.set(id, {
+        type: request.type,
+        resolve: resolve as (value: unknown) => void,
+        reject,
+      });
+      this.#post({ ...request, id });
+    });
+  }
+
+  /** Sends a command, which has no answer. */
+  send(command: Command, transfer: Transferable[] = []) {
+    if (command.type === 'show') this.#show = command;
+    this.#post(command, transfer);
+  }
+
+  /** Returns the previous buffer once the latest positions have been transferred to the view. */
+  recycle() {
+    if (!this.#previous) return;
+    const positions = this.#previous;
+    this.#previous = null;
+    this.send({ type: 'recycle', positions }, [positions.buffer]);
+  }
+
+  /** Whether there is no worker, for good. */
+  get isAbsent() {
+    return !this.#worker;
+  }
+
+  /** Abandons the current work; the previous model is opened again. */
+  abandon() {
+    void this.#died('it was cancelled', true);
+  }
+
+  #start() {
+    const worker = new Worker(new URL('../worker/solver-worker.ts', import.meta.url), {
+      type: 'module',
+      name: 'solver',
+    });
+    this.#worker = worker;
+    this.#ready = false;
+    worker.onmessage = (event) => this.#receive(event.data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      const message = event.message?.replace(/^Uncaught /, '');
+      void this.#died(message || 'its worker could not be fetched');
+    };
+  }
+
+  /** Replaces a worker that neither works nor answers. */
+  #watch() {
+    let last = performance.now();
+    setInterval(() => {
+      const now = performance.now();
+      // After the page slept (in the background, or with the computer), answers may be pending.
+      const slept = now - last > 2 * CHECK_EVERY_MS;
+      last = now;
+      if (slept || !this.#ready) return;
+      if (this.#working) return this.#setBusy(this.#busyChecks + 1);
+      this.#missed += 1;
+      const most = Math.max(MOST_MISSED, (STEPS_MISSED * this.#stepMs) / CHECK_EVERY_MS);
+      if (this.#missed > most) void this.#died('it did not answer');
+      else this.#post({ type: 'ping' });
+    }, CHECK_EVERY_MS);
+  }
+
+  /** Emits `busy` when work becomes long, and when it has ended. */
+  #setBusy(checks: number) {
+    const before = this.#busyChecks;
+    this.#busyChecks = checks;
+    const busy = checks >= LONG_WORK;
+    if (busy === before >= LONG_WORK) return;
+    this.emit('busy', { busy });
+  }
+
+  #post(message: ToWorker, transfer: Transferable[] = []) {
+    if (!this.#worker) {
+      if ('id' in message)
+        this.#answer(message.id, null, new Error('the solver has stopped: reload the page'));
+    } else if (this.#ready) {
+      this.#worker.postMessage(message, transfer);
+    } else {
+      this.#held.push([message, transfer]);
+    }
+  }
+
+  #receive(message: FromWorker) {
+    this.#missed = 0;
+    this.#working = message.type === 'working';
+    if (!this.#working) this.#setBusy(0);
+    switch (message.type) {
+      case 'working':
+      case 'pong':
+        return;
+      case 'ready': {
+        this.#ready = true;
+        const held = this.#held;
+        this.#held = [];
+        for (const [early, transfer] of held) this.#post(early, transfer);
+        break;
+      }
+      case 'model':
+        // A restored model keeps its file name.
+        this.#isSameModel = this.#restoring || !message.loaded.name;
+        if (!this.#isSameModel) {
+          this.#replaced = { name: this.#modelName, text: this.sceneText, saved: this.saved };
+          this.#modelName = message.loaded.name;
+        }
+        message.loaded.name = this.#modelName;
+        this.#previous = null;
+        this.geometry = {
+          connectivity: message.connectivity,
+          positions: message.positions,
+          values: null,
+          corners: null,
+          measure: null,
+          shapes: null,
+          projections: null,
+        };
+        break;
+      case 'scene':
+        this.sceneText = message.text;
+        this.saved = { iteration: message.iteration, history: message.history, progress: null };
+        break;
+      case 'progress':
+        this.saved = { ...this.saved, progress: message.bytes };
+        break;
+      case 'frame': {
+        const { geometry } = this;
+        if (!geometry || geometry.positions.length !== message.positions.length) return;
+        this.#previous = geometry.positions;
+        geometry.positions = message.positions;
+        geometry.values = message.values;
+        geometry.corners = message.corners;
+        geometry.measure = message.measure;
+        geometry.shapes = message.shapes;
+        geometry.projections = message.projections;
+        this.#stepMs = message.numbers.stepMs;
+        break;
+      }
+      case 'reply':
+        return this.#answer(message.id, message.value, null);
+      case 'refused':
+        return this.#answer(message.id, null, new Refusal(message.message, message.path));
+      case 'died':
+        return this.#died(message.message);
+    }
+    this.emit(message.type, message);
+  }
+
+  #answer(id: number, value: unknown, error: Error | null) {
+    const waiting = this.#waiting.get(id);
+    this.#waiting.delete(id);
+    if (waiting?.type === 'open') this.#replaced = null;
+    if (error) waiting?.reject(error);
+    else waiting?.resolve(value);
+  }
+
+  /** @param wanted at the user's request: show no message */
+  async #died(reason: string, wanted: boolean = false) {
+    // A scene that has not been opened to the end is not the page's scene.
+    if (this.#replaced)
+      ({ name: this.#modelName, text: this.sceneText, saved: this.saved } = this.#replaced);
+    const lastScene = this.sceneText;
+    const again = this.#restoring;
+    const atStart = !this.#ready;
+    this.#worker?.terminate();
+    this.#worker = null;
+    this.#ready = this.#working = false;
+    this.#missed = 0;
+    this.#setBusy(0);
+    this.#held = [];
+    for (const id of [...this.#waiting.keys()])
+      this.#answer(id, null, new Error(`the solver stopped (${reason})`));
+    this.emit('activity', { type: 'activity', running: false, converged: false });
+
+    if (atStart && !lastScene && !wanted) {
+      const message = `The solver could not be started (${reason}). Check the network, then reload the page.`;
+      return this.emit('absent', { message });
+    }
+    if ((atStart || again) && !wanted) {
+      const what = again ? 'stopped again on the same model' : 'could not be started';
+      return this.#notice(
+        `The solver ${what} (${reason}). Reload the page; the last scene can still be saved.`,
+      );
+    }
+    this.#start();
+    if (this.#show) this.send(this.#show);
+    const notice = (text: string) => wanted || this.#notice(text);
+    if (!lastScene) return void notice(`The solver stopped (${reason}) and was restarted.`);
+    this.#restoring = true;
+    const worker = this.#worker;
+    const { saved } = this;
+    try {
+      const bytes = new TextEncoder().encode(lastScene);
+      const files = [{ name: 'restored.shapeup.json', bytes }];
+      const { undoLost } = await this.request({ type: 'open', files, saved });
+      const back = `your model is back as it was at iteration ${this.saved.iteration}`;
+      const but = undoLost ? `, but its undo history is lost: ${undoLost}.` : '.';
+      notice(`The solver stopped (${reason}) and was restarted; ${back}${but}`);
+    } catch (error) {
+      // Not if this worker has been replaced in its turn.
+      if (this.#worker === worker)
+        this.#notice(
+          `The solver was restarted, but could not reopen the scene: ${messageOf(error)}`,
+        );
+    } finally {
+      if (this.#worker === worker) this.#restoring = false;
+    }
+  }
+
+  #notice(message: string) {
+    this.emit('restarted', { message });
+  }
+}

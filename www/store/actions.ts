@@ -1,0 +1,175 @@
+/**
+ * Actions of the page on the solver, each with its status text and error handling. Buttons, keys,
+ * panels and scripts all go through here.
+ */
+
+import { count, ended } from '../ui/format.ts';
+import {
+  messageOf,
+  type Edit,
+  type PanelStart,
+  type Request,
+  type Handle,
+} from '../solver/messages.ts';
+import { createQueries } from './queries.ts';
+import { verticesOf } from './selection.ts';
+import { isHard, type Store } from './state.ts';
+import { createViewActions } from './view-actions.ts';
+import type { SolverClient } from '../solver/solver-client.ts';
+import type { Alerts } from '../ui/controls/alerts.ts';
+
+export function createActions(store: Store, solver: SolverClient, alerts: Alerts) {
+  const view = createViewActions(store);
+  const { setStatus } = view;
+
+  /** Reports an error in an alert; the result is undefined then. */
+  async function reportErrors<T>(promise: Promise<T> | T): Promise<T | undefined> {
+    try {
+      return await promise;
+    } catch (error) {
+      alerts.error(messageOf(error));
+      return undefined;
+    }
+  }
+
+  /** @param showError shows an error at its field; false if there is none */
+  function edit(
+    change: Edit,
+    showError: (error: unknown) => boolean = () => false,
+  ): Promise<null | undefined> {
+    return attempt({ type: 'edit', edit: change }, showError);
+  }
+
+  /**
+   * Adds one constraint kind to all panels, and runs until they are within the tolerance.
+   * @param within tolerance in the unit of the mesh, if other than the displayed one
+   * @param from the shape to start from
+   */
+  function makePanels(
+    kind: string,
+    within?: number,
+    from: PanelStart = 'now',
+  ): Promise<null | undefined> {
+    const { tolerance: own, model } = store.get();
+    const tolerance = within ?? own ?? model?.tolerance ?? 0;
+    return attempt({ type: 'makePanels', kind, tolerance, from });
+  }
+
+  /** @returns undefined if refused */
+  async function attempt(
+    request: Request & { type: 'edit' | 'makePanels' },
+    showError: (error: unknown) => boolean = () => false,
+  ): Promise<null | undefined> {
+    try {
+      return await solver.request(request);
+    } catch (error) {
+      if (!showError(error)) alerts.error(messageOf(error));
+      return undefined;
+    }
+  }
+
+  /** Returns the selected vertices, ends of selected edges and corners of selected faces. */
+  function selectedVertices() {
+    const { geometry } = solver;
+    return geometry ? verticesOf(store.get().selection, geometry.connectivity) : [];
+  }
+
+  const connectivity = () => solver.geometry?.connectivity;
+
+  /** Returns the selected vertices that are handles. */
+  function selectedHandles() {
+    const { selection, document } = store.get();
+    return (document?.handles ?? [])
+      .map((handle) => handle.vertex)
+      .filter((vertex) => selection.vertices.has(vertex));
+  }
+
+  async function addHandles(vertices: number[], fixed: boolean) {
+    if (vertices.length === 0) return setStatus('Select a vertex first, then press H.');
+    if ((await edit({ type: 'addHandles', vertices, fixed })) === undefined) return;
+    setStatus(`${count(vertices.length, 'handle')} ${fixed ? 'fixed' : 'added'}`);
+  }
+
+  async function removeHandles(vertices: number[]) {
+    const handles = new Set(store.get().document?.handles.map((handle) => handle.vertex));
+    const held = vertices.filter((vertex) => handles.has(vertex));
+    if (held.length === 0) return setStatus('No handle is selected.');
+    if ((await edit({ type: 'removeHandles', vertices: held })) === undefined) return;
+    setStatus(`${count(held.length, 'handle')} removed`);
+  }
+
+  return {
+    ...view,
+    ...createQueries(solver, reportErrors),
+    edit,
+    makePanels,
+    reportErrors,
+    connectivity,
+    selectedVertices,
+    selectedHandles,
+    addHandles,
+    removeHandles,
+
+    /** Opens files; rejects with the error. */
+    open: (given: Omit<Extract<Request, { type: 'open' }>, 'type'>) =>
+      solver.request({ type: 'open', ...given }),
+
+    runOrPause() {
+      const { running, refining } = store.get();
+      store.set({ refining: false });
+      solver.send({ type: running || refining ? 'pause' : 'run' });
+    },
+
+    async step() {
+      const converged = await reportErrors(solver.request({ type: 'step' }));
+      if (converged === undefined) return;
+      const { document, numbers } = store.get();
+      const done = converged ? ended(true, numbers?.iteration ?? 0) : 'One iteration';
+      const isInexact = document?.constraints.some(isHard) && !numbers?.exact?.met;
+      setStatus(isInexact ? `${done}; Run makes it exact` : done);
+    },
+
+    /** Performs the local step, or the global step after it. */
+    async halfStep() {
+      const words = reportErrors(import('./half-step/half-step-words.ts'));
+      const done = await reportErrors(solver.request({ type: 'halfStep' }));
+      const loaded = await words;
+      if (done && loaded) setStatus(loaded.halfStepWords(done));
+    },
+
+    async reset() {
+      if ((await edit({ type: 'reset' })) !== undefined) setStatus('Back to the original');
+    },
+
+    async undo() {
+      const what = await reportErrors(solver.request({ type: 'undo' }));
+      if (what) setStatus(`Undid: ${what}`);
+    },
+
+    async redo() {
+      const what = await reportErrors(solver.request({ type: 'redo' }));
+      if (what) setStatus(`Redid: ${what}`);
+    },
+
+    selectNextHandle() {
+      const { document, selection } = store.get();
+      const handles = (document?.handles ?? []).map(({ vertex }) => vertex);
+      if (handles.length === 0) return setStatus('There is no handle yet.');
+      const at = handles.findIndex((vertex) => selection.vertices.has(vertex));
+      const next = handles[(at + 1) % handles.length];
+      view.select({ vertices: [next], faces: [] });
+    },
+
+    /** @param ignoreCollapse continue although the mesh has collapsed */
+    run: (ignoreCollapse?: boolean) => solver.send({ type: 'run', ignoreCollapse }),
+
+    /** Sends the new targets of handles. */
+    moveHandles(handles: Pick<Handle, 'vertex' | 'target'>[], phase: 'start' | 'move' | 'end') {
+      const vertices = Uint32Array.from(handles, ({ vertex }) => vertex);
+      const targets = Float64Array.from(handles.flatMap(({ target }) => target));
+      solver.send({ type: 'drag', vertices, targets, phase });
+    },
+  };
+}
+
+export type Actions = ReturnType<typeof createActions>;

@@ -1,0 +1,28 @@
+/** Actions on the hardness of constraints. Loaded on first use. */
+
+import type { Require } from '../../solver/messages.ts';
+import type { SolverClient } from '../../solver/solver-client.ts';
+import type { Actions } from '../actions.ts';
+
+export const exactActions = (solver: SolverClient, { reportErrors }: Actions) => ({
+  /** Sets the hardness of a row and runs, as one step of undo. */
+  require: (index: number, require: Require) =>
+    reportErrors(
+      solver.request({ type: 'editAndRun', edit: { type: 'setConstraint', index, require } }),
+    ),
+
+  /** Returns the cost of meeting constraints exactly instead of within a distance. */
+  offer: () => solver.request({ type: 'exactOffer' }),
+
+  /** Searches for an equally exact shape of lower energy; returns how far it came. */
+  improve: () => solver.request({ type: 'improvement' }),
+
+  /** Ends the search and keeps its result. */
+  endTrial: () => solver.request({ type: 'endTrial' }),
+
+  /**
+   * Applies the last offer.
+   * @param joins merges it into the last step of undo
+   */
+  accept: (joins: boolean) => reportErrors(solver.request({ type: 'makeExact', joins })),
+});

@@ -1,0 +1,100 @@
+/** Actions on the mesh itself. Loaded on first use. */
+
+import { count, length } from '../../ui/format.ts';
+import type { Remeshing } from '../../pkg/engine/shape_up.js';
+import type { Edit } from '../../solver/messages.ts';
+import type { Store } from '../state.ts';
+import type { SolverClient } from '../../solver/solver-client.ts';
+import type { Actions } from '../actions.ts';
+
+type Refinement = Omit<Extract<Edit, { type: 'refine' }>, 'type'>;
+
+export function meshActions(store: Store, solver: SolverClient, actions: Actions) {
+  /** Runs to the end; false if stopped before convergence. */
+  async function untilEnd(begin: () => unknown) {
+    // A current run goes on, and is waited for.
+    let began = store.get().running;
+    const ended = new Promise((settle) => {
+      const stop = solver.on('activity', ({ running, converged }) => {
+        began ||= running;
+        if (running || !began) return;
+        stop();
+        settle(converged);
+      });
+    });
+    await begin();
+    return ended;
+  }
+
+  /** Summarises the panels' distances from their constraints, for the status line. */
+  async function verdict() {
+    const { tolerance, model, document } = store.get();
+    const within = tolerance ?? model?.tolerance ?? 0;
+    const found = await actions.verdict(within);
+    if (!found) return '';
+    const [worst, limit] = [found.worst, found.tolerance].map((far) =>
+      length(far, document?.units ?? ''),
+    );
+    return `, ${found.within} of ${found.panels} panels ${found.adjective} within ${limit}, the worst ${worst}`;
+  }
+
+  return {
+    /** Returns the available operations, with sizes that fit the mesh. */
+    operations: () => solver.request({ type: 'meshOperations' }),
+
+    /** Previews the result of an operation. */
+    remeshing: (asked: Remeshing) => solver.request({ type: 'remeshing', asked }),
+
+    /**
+     * Performs an operation.
+     * @returns what was lost
+     */
+    async remesh(asked: Remeshing, label: string): Promise<string[]> {
+      const { faces: before = 0 } = store.get().model ?? {};
+      await solver.request({ type: 'edit', edit: { type: 'remesh', ...asked } });
+      const { model } = store.get();
+      actions.setStatus(
+        `${label}: ${count(before, 'face')} became ${count(model?.faces ?? 0, 'face')}`,
+      );
+      return model?.notes ?? [];
+    },
+
+    /** Previews the result of refining once, twice and so on. */
+    refinements: (scheme: Refinement['scheme'], keep: number) =>
+      solver.request({ type: 'refinements', scheme, keep }),
+
+    /**
+     * Refines; or alternately solves and refines once, until all levels are done or the user stops.
+     * @returns what could not be transferred
+     */
+    async refine(how: Refinement, solves: boolean): Promise<string[]> {
+      const lost: string[] = [];
+      const refined = () => {
+        const { model } = store.get();
+        lost.push(...(model?.notes ?? []));
+        return `Refined to ${count(model?.faces ?? 0, 'face')}`;
+      };
+      if (!solves) {
+        await solver.request({ type: 'edit', edit: { type: 'refine', ...how } });
+        actions.setStatus(refined());
+        return lost;
+      }
+      const once: Edit = { type: 'refine', ...how, levels: 1 };
+      store.set({ refining: true });
+      try {
+        let goesOn = store.get().converged || (await untilEnd(() => solver.send({ type: 'run' })));
+        goesOn &&= store.get().refining;
+        for (let level = 1; level <= how.levels && goesOn; level++) {
+          const ended = await untilEnd(() => solver.request({ type: 'editAndRun', edit: once }));
+          const words = `${refined()}${await verdict()}`;
+          // The user may also have paused between two levels, when nothing runs.
+          goesOn = ended && (level === how.levels || store.get().refining);
+          actions.setStatus(goesOn ? words : `${words}; stopped`);
+        }
+      } finally {
+        store.set({ refining: false });
+      }
+      return lost;
+    },
+  };
+}

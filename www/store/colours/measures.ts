@@ -1,0 +1,104 @@
+/** The measure that fits a scene, the format of its values, and their rounding error. */
+
+import { METRES, length, lengthUnit, number } from '../../ui/format.ts';
+import { ROUNDING } from '../../ui/rounding.ts';
+import type { FaceMeasure, Measure } from '../../solver/messages.ts';
+
+type State = Readonly<import('../state.ts').State>;
+
+const SIGNS = { percent: '%', degrees: '°', number: '' };
+/** Exponent of the mesh unit in each unit. */
+const POWERS: Partial<Record<FaceMeasure['unit'], number>> = {
+  length: 1,
+  'per-length': -1,
+  'per-area': -2,
+};
+
+/** Returns the declaration of a measure. */
+export const declared = ({ measures }: State, measure: Measure | null): FaceMeasure | undefined =>
+  measures.find(({ id }) => id === measure);
+
+/**
+ * Returns the bound below which values are rounding errors.
+ * @param size of the mesh
+ */
+export function roundingOf({ unit }: FaceMeasure, size: number) {
+  const power = POWERS[unit];
+  if (power) return ROUNDING * size ** power;
+  // Per cent and degrees have two digits before the point; e_p and e_c are squares.
+  return unit === 'number' ? ROUNDING ** 2 : 100 * ROUNDING;
+}
+
+/**
+ * Returns the tolerance of a measure, in its unit: the model's if it applies, else the one set for
+ * this measure; null if there is none.
+ */
+export function toleranceOf(
+  { tolerance, tolerances }: State,
+  { id, toleranced, signed }: FaceMeasure,
+) {
+  if (signed) return null;
+  return toleranced ? tolerance : (tolerances[id] ?? null);
+}
+
+/**
+ * Returns the unit in which values of a size are written and entered, and the factor to it.
+ * @param size of the value; for errors, their tolerance
+ * @param units of the mesh
+ */
+export function unitOf({ unit }: FaceMeasure, size: number, units: string) {
+  if (unit === 'length') return lengthUnit(size, units);
+  const power = POWERS[unit];
+  if (!power) return { unit: SIGNS[unit as keyof typeof SIGNS], factor: 1 };
+  // Curvatures are shown in 1/m, so that the radius in metres can be read off.
+  const metres = METRES[units];
+  return { unit: metres ? `1/m${power < -1 ? '²' : ''}` : '', factor: (metres ?? 1) ** power };
+}
+
+/**
+ * Formats a value with its unit.
+ * @param units of the mesh
+ * @param like value that determines the unit: for errors, their tolerance
+ */
+export function valueInWords(
+  measure: FaceMeasure,
+  value: number,
+  units: string,
+  like: number | null = null,
+) {
+  if (measure.unit === 'length') return length(value, units, like ?? value);
+  const { unit, factor } = unitOf(measure, value, units);
+  return `${number(value * factor)}${unit.length > 1 || unit === '%' ? ' ' : ''}${unit}`;
+}
+
+/**
+ * Returns the largest value of a measure over all faces, in its unit: from the latest frame if it
+ * colours the faces, else from the numbers that accompany every frame.
+ */
+export function worstOf({ numbers, spread }: State, measure: Measure) {
+  if (spread?.measure === measure) return spread.greatest;
+  const always = (numbers as Record<string, unknown> | null)?.[measure] as
+    { max_distance: number } | undefined;
+  return always ? always.max_distance : Math.max(0, ...(numbers?.worst ?? []));
+}
+
+/**
+ * Formats the vertices' distances from rest, "0.21 m, mean 0.05 m"; empty until something moves.
+ */
+export function movedInWords({ numbers, document, size }: State) {
+  if (!numbers?.moved || numbers.moved.max < ROUNDING * size) return '';
+  const { max, mean } = numbers.moved;
+  const units = document?.units ?? '';
+  return `${length(max, units)}, mean ${length(mean, units, max)}`;
+}
+
+/**
+ * Returns the measure of the first enabled row that has one; `residual`, the distance to the
+ * constraints, if none has one; null without constraints or faces.
+ */
+export function measureOfScene({ document, model }: State): Measure | null {
+  const rows = document?.constraints ?? [];
+  if (rows.length === 0 || model?.faces === 0) return null;
+  const measured = rows.find(({ enabled, measure }) => enabled && measure !== null);
+  return measured?.measure ?? 'residual';
+}

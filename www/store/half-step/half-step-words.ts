@@ -1,0 +1,24 @@
+/** Status texts of the two halves of an iteration (Fig. 4 of the paper). Loaded on first use. */
+
+import { groupDigits } from '../../ui/format.ts';
+import type { Half } from '../../solver/messages.ts';
+
+/** Describes a half step and the next. */
+export function halfStepWords(done: Half) {
+  if (done.half === 'local') {
+    const all = done.fitted.reduce((sum, { count }) => sum + count, 0);
+    const one = done.fitted.length === 1;
+    const kinds = done.fitted.map(
+      ({ label, count }) => `${one ? '' : `${groupDigits(count)} `}${label.toLowerCase()}`,
+    );
+    const fitted =
+      all > 0
+        ? `${groupDigits(all)} ${all === 1 ? 'shape' : 'shapes'} fitted (${kinds.join(', ')})`
+        : 'nothing to fit';
+    return `Local step done: ${fitted}; next: global step`;
+  }
+  const where = done.accelerated ? 'beyond the' : 'to the';
+  const why = done.accelerated ? ', because steps are accelerated' : '';
+  const next = done.converged ? 'converged' : 'next: local step';
+  return `Global step done: moved ${where} least-squares solution${why}; ${next}`;
+}

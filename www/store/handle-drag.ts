@@ -1,0 +1,141 @@
+/**
+ * Dragging handles: on the screen, at constant height, along an axis, in a plane. Handles that are
+ * selected together move alike. The view computes the displacement from the pointer.
+ */
+
+import { handlesNow, type Store } from './state.ts';
+import type { SolverClient } from '../solver/solver-client.ts';
+
+const AXES = ['x', 'y', 'z'];
+
+/**
+ * Returns the displacement of the held handle for one of the pointer in pixels; undefined if none.
+ */
+export type MoveConstraint = (
+  direction: string,
+  dx: number,
+  dy: number,
+) => Float64Array | undefined;
+
+export class HandleDrag {
+  #store;
+  #solver;
+  #constrain;
+  #vertices;
+  /** Targets of the handles at the start, `#vertices by 3`. */
+  #from;
+  /** Current targets. */
+  #targets: Float64Array;
+  /** Displacement of the pointer since the start. */
+  #by: [number, number] = [0, 0];
+  /** The axis or plane of the gizmo being dragged. */
+  #part;
+  #plane = 'screen';
+  /** The axis to which a key restricts the handle: 0, 1, 2 or none. */
+  #axis: number | null = null;
+
+  /**
+   * @param vertex the handle under the pointer, or one of those at the gizmo
+   * @param part of the gizmo
+   * @param begun whether the solver has already begun a drag
+   */
+  constructor(
+    store: Store,
+    solver: SolverClient,
+    constrain: MoveConstraint,
+    vertex: number,
+    part?: string,
+    begun: boolean = false,
+  ) {
+    this.#store = store;
+    this.#solver = solver;
+    this.#constrain = constrain;
+    this.#part = part;
+    const { document, selection } = store.get();
+    const together = (document?.handles ?? []).filter((handle) =>
+      selection.vertices.has(vertex)
+        ? selection.vertices.has(handle.vertex)
+        : handle.vertex === vertex,
+    );
+    this.#vertices = Uint32Array.from(together, (handle) => handle.vertex);
+    this.#from = Float64Array.from(together.flatMap((handle) => handle.target));
+    this.#targets = this.#from;
+    // A message about a finished run is outdated.
+    store.set({ dragged: [...this.#vertices], gizmoPart: part, status: '' });
+    if (!begun) this.#send('start');
+  }
+
+  /**
+   * @param dx pixels to the right since the beginning
+   * @param dy pixels down
+   * @param time of the event, on the clock of `performance.now()`
+   */
+  move(dx: number, dy: number, time: number = performance.now()) {
+    this.#by = [dx, dy];
+    const direction = this.#axis !== null ? AXES[this.#axis] : (this.#part ?? this.#plane);
+    const moved = this.#constrain(direction, dx, dy);
+    // Near the horizon of the plane a pixel is arbitrarily far: the handle stays.
+    if (!moved) return;
+    this.#targets = this.#from.map((value, i) => value + moved[i % 3]);
+    // The dots follow the pointer at once, the mesh when the solver answers.
+    this.#store.set({ moved: { by: [...moved], targets: this.#targets }, gizmoPart: direction });
+    this.#send('move', time);
+  }
+
+  /** Sets the plane of the drag. */
+  setPlane(plane: 'screen' | 'horizontal' | 'vertical') {
+    this.#plane = plane;
+  }
+
+  /**
+   * Toggles a restriction of the handles to an axis.
+   * @param axis 0, 1, 2
+   */
+  toggleAxis(axis: number) {
+    this.#axis = this.#axis === axis ? null : axis;
+    this.move(...this.#by);
+  }
+
+  end() {
+    this.#send('end');
+    const { document } = this.#store.get();
+    // Valid until the solver sends the new document.
+    if (document)
+      this.#store.set({ document: { ...document, handles: handlesNow(this.#store.get()) } });
+    this.#leave();
+  }
+
+  /** Cancels the drag and restores the targets. */
+  cancel() {
+    this.#targets = this.#from;
+    this.#send('cancel');
+    this.#leave();
+  }
+
+  #leave() {
+    this.#store.set({ dragged: [], moved: null, gizmoPart: undefined });
+  }
+
+  #send(phase: 'start' | 'move' | 'end' | 'cancel', time?: number) {
+    const vertices = this.#vertices.slice();
+    const targets = this.#targets.slice();
+    this.#solver.send({ type: 'drag', vertices, targets, phase, time });
+  }
+}
+
+/** Makes a vertex a handle, which may then be dragged, as one step of undo. */
+export function makeHandle(store: Store, solver: SolverClient, vertex: number) {
+  sendOfNew(solver, [vertex], 'make');
+  store.set({ dragged: [vertex] });
+}
+
+/** Ends or cancels a handle that was made but not dragged. */
+export function leaveHandle(store: Store, solver: SolverClient, phase: 'end' | 'cancel') {
+  sendOfNew(solver, [], phase);
+  store.set({ dragged: [] });
+}
+
+function sendOfNew(solver: SolverClient, vertices: number[], phase: 'make' | 'end' | 'cancel') {
+  const targets = new Float64Array(0);
+  solver.send({ type: 'drag', vertices: Uint32Array.from(vertices), targets, phase });
+}

@@ -1,0 +1,116 @@
+/**
+ * Selection by properties of the mesh: the solver declares and performs the operations; this module
+ * applies their results. The status line shows the size of every new selection.
+ */
+
+import { combineOf, describe, select, sizeOfSelection, type Combine } from './selection.ts';
+import type { Operation, ParamValue } from '../solver/messages.ts';
+import type { Mode, Store } from './state.ts';
+import type { SolverClient } from '../solver/solver-client.ts';
+import type { Actions } from './actions.ts';
+import type { Command } from '../app/context.ts';
+
+const MODES: Mode[] = ['vertices', 'edges', 'faces'];
+
+export class Selecting {
+  #store;
+  #solver;
+  #actions;
+
+  constructor(store: Store, solver: SolverClient, actions: Actions) {
+    this.#store = store;
+    this.#solver = solver;
+    this.#actions = actions;
+    this.#announce();
+  }
+
+  /** Whether an operation is applicable now. */
+  canApply({ modes, needsSelection }: Operation) {
+    const { mode, selection } = this.#store.get();
+    return modes.includes(mode) && (!needsSelection || sizeOfSelection(selection) > 0);
+  }
+
+  /**
+   * Selects with an operation. One that starts from the selection replaces it; the others may also
+   * add to it or remove from it.
+   * @param options.from in place of the selection
+   * @returns rejects with an error in the parameters
+   */
+  async apply(
+    operation: Operation,
+    {
+      params = {},
+      combine = 'replace',
+      from,
+    }: {
+      params?: Record<string, ParamValue>;
+      combine?: Combine;
+      from?: Partial<Record<Mode, Iterable<number>>>;
+    } = {},
+  ): Promise<boolean> {
+    const { mode, selection, model } = this.#store.get();
+    const lists = Object.entries(from ?? selection).map(([name, items]) => [name, [...items]]);
+    const found = await this.#solver.request({
+      type: 'select',
+      request: { operation: operation.id, mode, from: Object.fromEntries(lists), params },
+    });
+    // Another model was opened meanwhile.
+    if (this.#store.get().model !== model) return false;
+    const gives = MODES.find((one) => found[one].length > 0);
+    if (!gives) {
+      this.#actions.setStatus(`${operation.label}: nothing found`);
+      return false;
+    }
+    const now = this.#store.get().selection;
+    this.#store.set({ mode: gives, selection: select(now, gives, found[gives], combine) });
+    return true;
+  }
+
+  /** As {@link apply}, but reports errors in an alert. */
+  async applyOrReport(...asked: Parameters<Selecting['apply']>) {
+    return (await this.#actions.reportErrors(this.apply(...asked))) ?? false;
+  }
+
+  /** Performs the operation of a double-click on an element, if any. */
+  doubleClick(mode: Mode, item: number, event: MouseEvent) {
+    const { operations } = this.#store.get();
+    const operation = operations.find(({ doubleClick }) => doubleClick === mode);
+    if (!operation) return;
+    this.#store.set({ mode });
+    void this.applyOrReport(operation, { from: { [mode]: [item] }, combine: combineOf(event) });
+  }
+
+  /** Adds the operations with keys to the commands, once the solver has declared them. */
+  bindKeys(commands: Command[]) {
+    let bound = false;
+    this.#store.subscribe(['operations'], ({ operations }) => {
+      if (bound || operations.length === 0) return;
+      bound = true;
+      for (const operation of operations.filter(({ keys }) => keys.length > 0)) {
+        const { id, label, keys } = operation;
+        commands.push({
+          id: `select-${id}`,
+          group: 'Select',
+          label: `Selection: ${label.toLowerCase()}`,
+          keys,
+          action: () => this.applyOrReport(operation),
+          needsModel: true,
+          enabled: () => this.canApply(operation),
+        });
+      }
+    });
+  }
+
+  #announce() {
+    let { selection, model } = this.#store.get();
+    this.#store.subscribe(['selection', 'model'], (state) => {
+      const before = selection;
+      const isNew = state.model !== model;
+      ({ selection, model } = state);
+      if (isNew || before === selection) return;
+      if (sizeOfSelection(before) + sizeOfSelection(selection) === 0) return;
+      const words = describe(selection);
+      this.#actions.setStatus(words ? `${words} selected` : 'Nothing selected');
+    });
+  }
+}

@@ -1,0 +1,38 @@
+/** Execution of commands from buttons, keys and menus, and whether they are enabled. */
+
+import type { Command } from '../app/context.ts';
+import type { State, Store } from './state.ts';
+
+/** Commands given before there was a model. */
+const waiting: Set<Command> = new Set();
+
+export const isEnabled: (command: Command, state: State) => boolean = ({ enabled }, state) =>
+  !enabled || enabled(state);
+
+/** Executes a command if it is enabled, now or as soon as there is a model. */
+export function press(command: Command, store: Store) {
+  const state = store.get();
+  if (command.needsModel && !state.document) {
+    if (waiting.size === 0) store.set({ status: 'Starts when the model is loaded' });
+    waiting.add(command);
+  } else if (isEnabled(command, state)) {
+    command.action();
+  }
+}
+
+/**
+ * Executes commands given before this script was loaded, and later those that wait for the model.
+ * @param early names of commands
+ */
+export function runEarlyPresses(commands: Command[], store: Store, early: string[]) {
+  for (const name of early) {
+    const command = commands.find(({ id }) => id === name);
+    if (command) press(command, store);
+  }
+  store.subscribe(['document'], ({ document }) => {
+    if (!document) return;
+    const pressed = [...waiting];
+    waiting.clear();
+    pressed.forEach((command) => press(command, store));
+  });
+}

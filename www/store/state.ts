@@ -1,0 +1,295 @@
+/**
+ * State of the page, in one place; panels subscribe to the parts they show. Geometry is not part of
+ * it (it would be copied and compared needlessly); see `solver-client.ts`.
+ */
+
+import type {
+  BuildReport,
+  ConstraintRow,
+  ElementInfo,
+  FaceMeasure,
+  Handle,
+  KindInfo,
+  Loaded,
+  Measure,
+  Numbers,
+  Operation,
+  RowColours,
+  SceneDocument,
+  SettingInfo,
+} from '../solver/messages.ts';
+import type { Example } from '../solver/examples.ts';
+import type { Spread } from '../ui/plot/histogram.ts';
+import type { FlatMap, Split } from './view-modes.ts';
+
+export interface State {
+  kinds: KindInfo[];
+  elements: ElementInfo[];
+  measures: FaceMeasure[];
+  /** selection operations */
+  operations: Operation[];
+  /** settings of a scene */
+  settings: SettingInfo[];
+  model: Loaded | null;
+  /** diagonal of the bounding box of the mesh as it was opened, in its unit */
+  size: number;
+  /** name of the file, also of resumed work */
+  fileName: string;
+  /** whether the model is the page's first one */
+  firstExample: boolean;
+  /** whose mesh is open, if any */
+  example: Example | null;
+  document: SceneDocument | null;
+  numbers: Numbers | null;
+  /** Run was pressed and the iteration has not converged */
+  running: boolean;
+  /** "Refine and solve" is running, level by level */
+  refining: boolean;
+  converged: boolean;
+  /** the local step is done, the global step is next */
+  halfway: boolean;
+  tool: 'drag' | 'select';
+  /** of a drag with the Select tool */
+  shape: 'box' | 'lasso' | 'paint';
+  /** whether a drag also selects hidden elements */
+  through: boolean;
+  /** radius, CSS pixels */
+  brush: number;
+  /** what a click selects */
+  mode: Mode;
+  selection: Selection;
+  /** handles under the pointer */
+  dragged: number[];
+  /** how far they are dragged, in units of the mesh, and where to, `#dragged by 3` */
+  moved: { by: number[]; targets: Float64Array } | null;
+  /** axis or plane of the gizmo under the pointer */
+  gizmoPart: string | undefined;
+  /** handle under the pointer */
+  pointedAt: number | undefined;
+  /** time from the last pointer move to new positions */
+  dragMs: number;
+  /** members of the constraint under the pointer */
+  tint: Tint | null;
+  /** colours of constraint rows */
+  rowColours: RowColours | null;
+  /** the visible panel if there is room for only one */
+  tab: 'model' | 'inspector';
+  /** by which the faces are coloured */
+  measure: Measure | null;
+  /** whether the user chose it since the model was opened */
+  measureChosen: boolean;
+  /** range of the colours, in the unit of the measure */
+  range: [number, number];
+  /** the parts of the range that the user chose */
+  ownRange: OwnRange;
+  /** distribution of face values */
+  spread: Spread | null;
+  /** tolerance of lengths, in the unit of the mesh */
+  tolerance: number | null;
+  /** of the other measures, in their units */
+  tolerances: Record<Measure, number | null>;
+  /** `map` applies if all values are coloured */
+  display: {
+    edges: boolean;
+    vertices: boolean;
+    shapes: boolean;
+    outlines: boolean;
+    arrows: boolean;
+    ghost: boolean;
+    ground: boolean;
+    bands: boolean;
+    full: boolean;
+    log: boolean;
+    gizmo: boolean;
+    timings: boolean;
+    map: 'viridis' | 'diverging' | 'grey';
+  };
+  /**
+   * in the format of `View.camera`; if anything other than the viewport sets it, the camera moves
+   * there
+   */
+  camera: number[] | null;
+  /** projection, instead of perspective */
+  parallel: boolean;
+  /** section plane through the model */
+  section: Section | null;
+  /** saved views */
+  views: { name: string; camera: number[]; parallel: boolean }[];
+  /** chosen ends of the measuring tape, while that tool is active */
+  tape: number[] | null;
+  /** shown beside the model */
+  flatMap: FlatMap | null;
+  /** two pictures in place of one */
+  split: Split | null;
+  /** null without fabrication panel */
+  build: BuildReport | null;
+  /** shown instead of the current shape, on request */
+  heldOriginal: HeldOriginal | null;
+  /** whether all controls are shown, not only the essential ones */
+  advanced: boolean;
+  dark: boolean;
+  renderer: 'webgpu' | 'webgl2' | 'none' | 'starting';
+  /** the model is a new mesh that replaced another model */
+  isNew: boolean;
+  /** state of the autosave, as text */
+  saved: string;
+  /** last event, as text */
+  status: string;
+}
+
+/** User-chosen ends of the colour range and of the legend's axis; null if automatic. */
+export type OwnRange = { low: number | null; high: number | null; top: number | null };
+/**
+ * A section plane across an axis of the file (0 to 2), at a fraction from 0 to 1 of the model's
+ * extent. The part before it along the axis is kept, or the part after it if `turned`.
+ */
+export type Section = { axis: number; at: number; turned: boolean };
+export type Mode = 'vertices' | 'edges' | 'faces';
+/** Edges by their index in `Connectivity.edges`. */
+export type Selection = Record<Mode, ReadonlySet<number>>;
+export type Tint = { vertices: Uint32Array; faces: Uint32Array; colour: [number, number, number] };
+/** The original shape, `#V by 3`, and its values of the measure, `#F`, if there is one. */
+type HeldOriginal = { positions: Float64Array; values: Float32Array | null };
+
+export interface Store {
+  get: () => Readonly<State>;
+  /** keys on which commands may depend */
+  steady: (keyof State)[];
+  set: (patch: Partial<State>) => void;
+  /** calls the listener now, and after every task in which one of the keys changed */
+  subscribe: (keys: (keyof State)[], listener: (state: Readonly<State>) => void) => void;
+}
+
+const INITIAL: State = {
+  kinds: [],
+  elements: [],
+  measures: [],
+  operations: [],
+  settings: [],
+  model: null,
+  size: 0,
+  fileName: '',
+  firstExample: false,
+  example: null,
+  document: null,
+  numbers: null,
+  running: false,
+  refining: false,
+  converged: false,
+  halfway: false,
+  tool: 'drag',
+  shape: 'box',
+  through: false,
+  brush: 24,
+  mode: 'vertices',
+  selection: { vertices: new Set(), edges: new Set(), faces: new Set() },
+  dragged: [],
+  moved: null,
+  gizmoPart: undefined,
+  pointedAt: undefined,
+  dragMs: 0,
+  tint: null,
+  rowColours: null,
+  tab: 'model',
+  measure: null,
+  measureChosen: false,
+  range: [0, 0],
+  ownRange: { low: null, high: null, top: null },
+  spread: null,
+  tolerance: null,
+  tolerances: {},
+  display: {
+    edges: true,
+    vertices: false,
+    shapes: false,
+    outlines: false,
+    arrows: false,
+    ghost: false,
+    ground: false,
+    bands: false,
+    full: false,
+    log: false,
+    gizmo: true,
+    timings: false,
+    map: 'viridis',
+  },
+  camera: null,
+  parallel: false,
+  section: null,
+  views: [],
+  tape: null,
+  flatMap: null,
+  split: null,
+  heldOriginal: null,
+  build: null,
+  advanced: false,
+  dark: false,
+  renderer: 'starting',
+  isNew: false,
+  saved: '',
+  status: '',
+};
+
+/** Keys that change with every frame; no command depends on them. */
+const LIVE: (keyof State)[] = ['numbers', 'moved', 'pointedAt', 'dragMs', 'spread', 'camera'];
+
+/** Whether the view can draw. */
+export const isDrawn = ({ renderer }: Pick<State, 'renderer'>) =>
+  renderer === 'webgpu' || renderer === 'webgl2';
+
+/** Whether a constraint must be met, exactly or within a distance. */
+export const isHard = ({ enabled, require }: ConstraintRow) => enabled && require !== 'soft';
+
+/** Returns the handles, with the current targets of dragged ones. */
+export function handlesNow({ document, dragged, moved }: Readonly<State>): Handle[] {
+  const handles = document?.handles ?? [];
+  if (!moved) return handles;
+  const offsets = new Map(dragged.map((vertex, i) => [vertex, 3 * i]));
+  return handles.map((handle) => {
+    const at = offsets.get(handle.vertex);
+    if (at === undefined) return handle;
+    const [x, y, z] = moved.targets.subarray(at, at + 3);
+    return { ...handle, target: [x, y, z] };
+  });
+}
+
+export function createStore(): Store {
+  let state = INITIAL;
+  const subscriptions: { keys: (keyof State)[]; listener: (state: Readonly<State>) => void }[] = [];
+  let changed: Set<keyof State> = new Set();
+
+  function notify() {
+    const keys = changed;
+    changed = new Set();
+    for (const { keys: wanted, listener } of subscriptions) {
+      if (wanted.some((key) => keys.has(key))) notifyListener(listener);
+    }
+  }
+
+  /** Calls a listener and reports its error. */
+  function notifyListener(listener: (state: Readonly<State>) => void) {
+    try {
+      listener(state);
+    } catch (error) {
+      reportError(error);
+    }
+  }
+
+  return {
+    get: () => state,
+    steady: (Object.keys(INITIAL) as (keyof State)[]).filter((key) => !LIVE.includes(key)),
+    set(patch) {
+      const keys = (Object.keys(patch) as (keyof State)[]).filter(
+        (key) => patch[key] !== state[key],
+      );
+      if (keys.length === 0) return;
+      state = { ...state, ...patch };
+      if (changed.size === 0) queueMicrotask(notify);
+      keys.forEach((key) => changed.add(key));
+    },
+    subscribe(keys, listener) {
+      subscriptions.push({ keys, listener });
+      notifyListener(listener);
+    },
+  };
+}

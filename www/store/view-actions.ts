@@ -1,0 +1,86 @@
+/** Actions on the display and the selection, which do not concern the solver. */
+
+import { NOTHING } from './selection.ts';
+import type { State, Store } from './state.ts';
+
+export function createViewActions(store: Store) {
+  return {
+    /** @param status last event, as text */
+    setStatus: (status: string) => store.set({ status }),
+
+    display: (change: Partial<State['display']>) =>
+      store.set({ display: { ...store.get().display, ...change } }),
+
+    /** Sets the measure that colours the faces. */
+    colourBy: (measure: State['measure']) => store.set({ measure, measureChosen: true }),
+
+    /** @param change of the range of the colours */
+    setRange: (change: Partial<State['ownRange']>) =>
+      store.set({ ownRange: { ...store.get().ownRange, top: null, ...change } }),
+
+    /** Sets the tolerance of lengths, in the unit of the mesh. */
+    setTolerance: (tolerance: number | null) => store.set({ tolerance }),
+
+    /** Sets the tolerance of another measure, in its unit. */
+    setToleranceOf: (id: string, value: number | null) =>
+      store.set({ tolerances: { ...store.get().tolerances, [id]: value } }),
+
+    tint: (tint: State['tint']) => store.set({ tint }),
+
+    useTool: (tool: Partial<Pick<State, 'tool' | 'shape' | 'through' | 'brush' | 'tape'>>) =>
+      store.set(tool),
+
+    /** Sets parts of the display. */
+    look: (
+      look: Partial<
+        Pick<
+          State,
+          | 'parallel'
+          | 'split'
+          | 'flatMap'
+          | 'heldOriginal'
+          | 'build'
+          | 'status'
+          | 'renderer'
+          | 'camera'
+          | 'section'
+          | 'views'
+          | 'tab'
+          | 'measure'
+          | 'measureChosen'
+          | 'tolerance'
+          | 'tolerances'
+        >
+      >,
+    ) => store.set(look),
+
+    /** Sets what the pointer is over. */
+    pointAt: (over: Pick<State, 'gizmoPart' | 'pointedAt'>) => store.set(over),
+
+    /** Sets the source and the save status of the model. */
+    describeFile: (
+      file: Partial<
+        Pick<State, 'firstExample' | 'fileName' | 'example' | 'isNew' | 'saved' | 'status'>
+      >,
+    ) => store.set(file),
+
+    /** Selects only the faces if there are any, else the edges, else the vertices. */
+    select({
+      vertices,
+      edges = [],
+      faces,
+    }: {
+      vertices: Iterable<number>;
+      edges?: Iterable<number>;
+      faces: Iterable<number>;
+    }) {
+      const sets = { faces: new Set(faces), edges: new Set(edges), vertices: new Set(vertices) };
+      const mode = sets.faces.size > 0 ? 'faces' : sets.edges.size > 0 ? 'edges' : 'vertices';
+      store.set({ mode, selection: { ...NOTHING, [mode]: sets[mode] } });
+    },
+
+    setSelection: (selection: State['selection']) => store.set({ selection }),
+
+    selectNothing: () => store.set({ selection: NOTHING }),
+  };
+}

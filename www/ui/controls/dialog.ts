@@ -1,0 +1,37 @@
+/** Dialogs with a title, a close button, and a body. */
+
+import '../styles/dialog.css';
+import { element } from '../dom.ts';
+import { closeButton } from './fields.ts';
+
+/**
+ * Makes the head of a dialog: its title and close button.
+ * @param id of the title, which labels the dialog
+ */
+export function dialogHead(dialog: HTMLDialogElement, id: string, title: string) {
+  return element(
+    'div.dialog-head',
+    element('h2', { id }, title),
+    closeButton('Close', () => dialog.close(), { class: 'square' }),
+  );
+}
+
+/**
+ * Shows a dialog, and removes it when it is closed.
+ * @param about `light`: a click outside closes it
+ */
+export function openDialog(
+  { id, title, light = false }: { id: string; title: string; light?: boolean },
+  ...body: Node[]
+) {
+  const dialog = element('dialog', { id, 'aria-labelledby': `${id}-title` });
+  dialog.append(dialogHead(dialog, `${id}-title`, title), ...body);
+  dialog.addEventListener('close', () => dialog.remove());
+  if (light)
+    dialog.addEventListener('click', (event) => {
+      if (event.target === dialog) dialog.close();
+    });
+  document.body.append(dialog);
+  dialog.showModal();
+  return dialog;
+}

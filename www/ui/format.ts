@@ -1,0 +1,103 @@
+/** Formatting of numbers and units. */
+
+import { UNITS } from './units.ts';
+
+/** The length of each unit in metres. */
+export const METRES: Record<string, number> = Object.fromEntries(
+  UNITS.map(({ symbol, metres }) => [symbol, metres]),
+);
+
+const DIGITS = 3;
+
+/** Formats a number with three significant digits; powers of ten below 1e-3 and from 1e6 on. */
+export function number(value: number): string {
+  if (!Number.isFinite(value)) return '–';
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  if (size < 1e-3 || size >= 1e6)
+    return value
+      .toExponential(DIGITS - 1)
+      .replace('-', '−')
+      .replace('e+', 'e');
+  // Three digits would round the numbers just below to 1000, with a power of ten.
+  const text = size >= 999.5 ? String(Math.round(value)) : value.toPrecision(DIGITS);
+  return text.replace('-', '−');
+}
+
+/**
+ * Returns a readable unit for a length of this size, and the factor to it. Metres become
+ * millimetres below a decimetre; other units stay as they are.
+ * @param units of the mesh; empty when not known
+ */
+export function lengthUnit(size: number, units: string): { unit: string; factor: number } {
+  if (units === 'm' && Math.abs(size) < 0.1) return { unit: 'mm', factor: METRES.m / METRES.mm };
+  return { unit: units, factor: 1 };
+}
+
+/** Lengths below these are irrelevant for buildings, by unit. */
+const LEAST: Record<string, number> = { mm: 0.001, m: 1e-6 };
+
+/**
+ * Formats a length with its unit.
+ * @param value in units of the mesh
+ * @param like the length that determines the unit: errors use that of their tolerance
+ */
+export function length(value: number, units: string, like: number = value): string {
+  const { unit, factor } = lengthUnit(like, units);
+  const scaled = value * factor;
+  const size = Math.abs(scaled);
+  if (size > 0 && size < LEAST[unit]) return `< ${LEAST.mm} mm`;
+  if (unit === 'mm' && size > 0 && size < 1) return `${scaled.toFixed(3)} mm`;
+  return `${number(scaled)} ${unit}`.trim();
+}
+
+/**
+ * Formats a length entered by the user, such as a tolerance, without trailing zeros.
+ * @param value in units of the mesh
+ */
+export function limit(value: number, units: string) {
+  const { unit, factor } = lengthUnit(value, units);
+  return `${round(value * factor)} ${unit}`.trim();
+}
+
+/** Formats a number as briefly as possible, with at most six significant digits. */
+export function round(value: number) {
+  const rounded = Number(value.toPrecision(6));
+  const isTiny = rounded !== 0 && Math.abs(rounded) < 1e-3;
+  return isTiny ? rounded.toExponential().replace('-', '−') : String(rounded);
+}
+
+/**
+ * Formats a fraction in per cent.
+ * @param share from 0 to 1
+ */
+export function part(share: number) {
+  const percent = 100 * share;
+  return percent > 0 && percent < 1 ? '< 1 %' : `${Math.round(percent)} %`;
+}
+
+export function duration(milliseconds: number): string {
+  return `${milliseconds >= 99.5 ? Math.round(milliseconds) : milliseconds.toPrecision(2)} ms`;
+}
+
+/** Formats a ratio that is ideally near one. */
+export function ratio(value: number): string {
+  if (!Number.isFinite(value)) return Number.isNaN(value) ? '–' : '∞';
+  return value < 100 ? value.toFixed(4) : number(value);
+}
+
+/** Formats a count with its noun: "1 face", "12 faces". */
+export function count(value: number, noun: string, plural: string = `${noun}s`): string {
+  return `${groupDigits(value)} ${value === 1 ? noun : plural}`;
+}
+
+/** Describes how a run ended. */
+export function ended(converged: boolean, iterations: number) {
+  return `${converged ? 'Converged' : 'Paused'} after ${count(iterations, 'iteration')}`;
+}
+
+/** Formats a whole number with thin spaces between thousands, from five digits on. */
+export function groupDigits(value: number): string {
+  const digits = String(value);
+  return digits.length < 5 ? digits : digits.replace(/\B(?=(\d{3})+$)/g, '\u2009');
+}

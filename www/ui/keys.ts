@@ -1,0 +1,56 @@
+/** Keys: the chords of the table of commands, and their display names. */
+
+/** Keys that activate a focused button or list. */
+const ACTIVATING = new Set([' ', 'Enter']);
+const NOT_TYPED_INTO = '[type="checkbox"], [type="radio"], [type="file"], [type="range"]';
+
+/**
+ * Returns the chord of an event as in the table of commands. Letters are identified by character,
+ * not by position, as keyboard layouts differ.
+ */
+export function chordOf(event: KeyboardEvent) {
+  const letter = event.key.length === 1;
+  const key = letter ? event.key.toUpperCase() : event.key;
+  const isLetter = letter && key !== event.key.toLowerCase();
+  const shift = event.shiftKey && (isLetter || !letter);
+  return `${event.ctrlKey || event.metaKey ? 'Ctrl+' : ''}${shift ? 'Shift+' : ''}${key}`;
+}
+
+/**
+ * Returns a digit by the position of its key, as some layouts have other characters there; empty
+ * for other keys. Digits of the number pad, with Num Lock only, are prefixed by `Numpad`.
+ */
+export function digitOf({ code, key, shiftKey, ctrlKey, metaKey }: KeyboardEvent) {
+  const [, pad, digit] = /^(Digit|Numpad)(\d)$/.exec(code) ?? [];
+  if (!digit || ctrlKey || metaKey) return '';
+  if (pad === 'Numpad') return key === digit ? code : '';
+  return `${shiftKey ? 'Shift+' : ''}${digit}`;
+}
+
+/** Whether a key types into a field or activates the focused control. */
+export function isTyping({ target, key }: KeyboardEvent) {
+  if (!(target instanceof HTMLElement)) return false;
+  if (target.matches('select, textarea') || target.matches(`input:not(${NOT_TYPED_INTO})`))
+    return true;
+  return ACTIVATING.has(key) && target.matches('button, summary, a, input:not([type="range"])');
+}
+
+/** The direction of each arrow key on the screen, in which y points down. */
+export const ARROWS: Record<string, [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+const IS_MAC = /Mac|iPhone|iPad/.test(globalThis.navigator?.platform ?? '');
+
+/** Returns the display name of a chord. */
+export function keyName(chord: string) {
+  return chord
+    .replace('Ctrl+', IS_MAC ? '⌘' : 'Ctrl+')
+    .replace('Shift+', IS_MAC ? '⇧' : 'Shift+')
+    .replace('Numpad', 'Num ')
+    .replace(/ $/, 'Space')
+    .replace('Escape', 'Esc');
+}

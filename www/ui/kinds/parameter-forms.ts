@@ -1,0 +1,122 @@
+/** The forms of parameter values: keys, labels, conversion between forms, and values in words. */
+
+import { number } from '../format.ts';
+import type { Form, ParamInfo, ParamValue } from '../../solver/messages.ts';
+
+/** The part of the model that the controls use. */
+export interface Model {
+  /** of lengths; empty when not known */
+  units: string;
+  /** default length */
+  meanEdge: number;
+  up: 'y' | 'z';
+}
+
+export const AXES = ['x', 'y', 'z'];
+
+/** Labels of the forms. */
+const FORM_LABELS: Record<string, string> = {
+  number: 'exactly',
+  range: 'between',
+  vector: 'direction',
+  nothing: 'Best fit',
+};
+
+/** Suffixes of the accessible names of the fields of a form. */
+export const FIELD_NAMES: Record<string, string[]> = {
+  number: [''],
+  range: [' from', ' to'],
+  vector: AXES.map((axis) => ` ${axis}`),
+};
+
+/** Returns the key of a form: its name, or one made from its word. */
+export function keyOf(form: Form) {
+  return typeof form === 'string' ? form : `word ${form.word}`;
+}
+
+/** Returns the key of the form of a value. */
+export function keyOfValue(value: ParamValue) {
+  if (value === null) return 'nothing';
+  if (typeof value === 'string') return `word ${value}`;
+  if (typeof value === 'number') return 'number';
+  return value.length === 2 ? 'range' : 'vector';
+}
+
+export function labelOf(form: Form) {
+  return typeof form === 'string' ? FORM_LABELS[form] : form.word;
+}
+
+export function unitOf({ unit }: ParamInfo, units: string) {
+  if (unit === 'degrees') return '°';
+  if (!unit || !units) return '';
+  return units + { length: '', area: '²', volume: '³' }[unit];
+}
+
+/** Rounds an initial number to two digits. */
+const rounded = (value: number) => Number(value.toPrecision(2));
+
+function inRange({ range: [least, greatest] }: ParamInfo, value: number) {
+  return Math.min(Math.max(value, least), greatest ?? Infinity);
+}
+
+/** Returns an initial number for a parameter without a numeric default. */
+function usual(param: ParamInfo, { meanEdge }: Model) {
+  const edge = meanEdge || 1;
+  const [least, greatest] = param.range;
+  const middle = Number.isFinite(greatest) ? (least + greatest) / 2 : 90;
+  const byUnit = { length: edge, area: edge ** 2, volume: edge ** 3, degrees: middle, '': 1 };
+  return inRange(param, rounded(byUnit[param.unit]));
+}
+
+/** Converts a value to another form of the parameter. */
+export function converted(
+  param: ParamInfo,
+  form: Form,
+  before: ParamValue,
+  model: Model,
+): ParamValue {
+  const [low, high] = Array.isArray(before) && before.length === 2 ? before : [null, null];
+  switch (form) {
+    case 'number':
+      if (low !== null && high !== null) return rounded((low + high) / 2);
+      return (
+        low ?? high ?? (typeof param.default === 'number' ? param.default : usual(param, model))
+      );
+    case 'range': {
+      if (keyOfValue(param.default) === 'range') return param.default;
+      const middle = typeof before === 'number' ? before : usual(param, model);
+      const ends = middle === 0 ? [0, usual(param, model)] : [0.9 * middle, 1.1 * middle];
+      const [from, to] = ends.map((end) => inRange(param, Number(end.toPrecision(3))));
+      return from < to ? [from, to] : [to, from];
+    }
+    case 'vector':
+      return keyOfValue(param.default) === 'vector' ? param.default : axis(model.up);
+    case 'nothing':
+      return null;
+    default:
+      return form.word;
+  }
+}
+
+export function axis(name: string): [number, number, number] {
+  return name === 'x' ? [1, 0, 0] : name === 'y' ? [0, 1, 0] : [0, 0, 1];
+}
+
+/** Formats a value with its unit. */
+export function valueInWords(param: ParamInfo, value: ParamValue, units: string) {
+  const unit = unitOf(param, units);
+  const amount = (one: number) =>
+    unit === '°' ? `${number(one)}°` : `${number(one)} ${unit}`.trim();
+  if (value === null) return FORM_LABELS.nothing;
+  if (typeof value === 'string') return value;
+  if (typeof value === 'number') return amount(value);
+  if (value.length === 3) {
+    const named = AXES.find((name) => axis(name).every((part, i) => part === value[i]));
+    return named?.toUpperCase() ?? value.map((part) => Number(part.toPrecision(2))).join(', ');
+  }
+  const [from, to] = value;
+  if (from === null && to === null) return 'any';
+  if (from === null) return `up to ${amount(to as number)}`;
+  if (to === null) return `from ${amount(from)}`;
+  return `${number(from)} to ${amount(to)}`;
+}

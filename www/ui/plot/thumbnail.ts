@@ -1,0 +1,127 @@
+/** Thumbnails of shapes: faces from far to near, shaded, and coloured by displacement. */
+
+import { colourOf } from '../dom.ts';
+import type { Connectivity } from '../../solver/messages.ts';
+
+/** Canvas pixels per CSS pixel. */
+const DENSITY = 2;
+/** The fraction of the picture that the shape fills. */
+const FILLED = 0.92;
+/** The default view direction: rotation about the vertical axis, then elevation, in radians. */
+const FROM = { turn: 0.6, above: 0.5 };
+
+/**
+ * @param positions `#V by 3`
+ * @param options displacements of the vertices, `#V by 3`
+ */
+export function drawShape(
+  canvas: HTMLCanvasElement,
+  { faceOffsets, faceIndices }: Connectivity,
+  positions: ArrayLike<number>,
+  {
+    up,
+    displacements,
+    from = FROM,
+  }: { up: 'y' | 'z'; displacements?: ArrayLike<number>; from?: typeof FROM },
+) {
+  const { clientWidth: width, clientHeight: height } = canvas;
+  const context = canvas.getContext('2d');
+  if (!context || width === 0) return;
+  canvas.width = DENSITY * width;
+  canvas.height = DENSITY * height;
+  const { points, scale, centre } = viewed(positions, up, from, canvas);
+  const displacement = displacements ? relativeLengths(displacements) : null;
+  const plain = channels(colourOf(canvas, '--material'));
+  const accent = channels(colourOf(canvas, '--accent'));
+  const faces = faceOffsets.length - 1;
+  const depths = new Float32Array(faces);
+  for (let face = 0; face < faces; face++) {
+    const [start, end] = [faceOffsets[face], faceOffsets[face + 1]];
+    for (let k = start; k < end; k++)
+      depths[face] += points[3 * faceIndices[k] + 2] / (end - start);
+  }
+  const order = Uint32Array.from(depths.keys()).sort((a, b) => depths[a] - depths[b]);
+  context.lineWidth = DENSITY / 4;
+  for (const face of order) {
+    const corners = faceIndices.subarray(faceOffsets[face], faceOffsets[face + 1]);
+    const light = 0.55 + 0.45 * facing(points, corners);
+    let part = 0;
+    if (displacement) for (const v of corners) part += displacement[v] / corners.length;
+    const colour = plain.map((value, c) => light * (value + part * (accent[c] - value)));
+    context.fillStyle = context.strokeStyle = `rgb(${colour.map(Math.round).join(' ')})`;
+    context.beginPath();
+    for (const v of corners) {
+      context.lineTo(
+        canvas.width / 2 + scale * (points[3 * v] - centre[0]),
+        canvas.height / 2 - scale * (points[3 * v + 1] - centre[1]),
+      );
+    }
+    context.closePath();
+    context.fill();
+    // Covers the seams between neighbours.
+    context.stroke();
+  }
+}
+
+/** Returns positions in view coordinates: to the right, up, and towards the viewer. */
+function viewed(
+  positions: ArrayLike<number>,
+  up: 'y' | 'z',
+  { turn, above }: typeof FROM,
+  { width, height }: { width: number; height: number },
+) {
+  const points = new Float32Array(positions.length);
+  const [low, high] = [
+    [Infinity, Infinity],
+    [-Infinity, -Infinity],
+  ];
+  const [sine, cosine] = [Math.sin(turn), Math.cos(turn)];
+  const [down, level] = [Math.sin(above), Math.cos(above)];
+  for (let i = 0; i < positions.length; i += 3) {
+    const x = positions[i];
+    const [back, top] =
+      up === 'z' ? [positions[i + 1], positions[i + 2]] : [-positions[i + 2], positions[i + 1]];
+    const right = cosine * x + sine * back;
+    const far = -sine * x + cosine * back;
+    points[i] = right;
+    points[i + 1] = level * top + down * far;
+    points[i + 2] = down * top - level * far;
+    for (let c = 0; c < 2; c++) {
+      low[c] = Math.min(low[c], points[i + c]);
+      high[c] = Math.max(high[c], points[i + c]);
+    }
+  }
+  const scale =
+    FILLED * Math.min(width / (high[0] - low[0] || 1), height / (high[1] - low[1] || 1));
+  return { points, scale, centre: low.map((value, c) => (value + high[c]) / 2) };
+}
+
+/** Returns the lengths of displacements, relative to the longest. */
+function relativeLengths(displacements: ArrayLike<number>) {
+  const lengths = new Float32Array(displacements.length / 3);
+  let most = 0;
+  for (let v = 0; v < lengths.length; v++) {
+    lengths[v] = Math.hypot(
+      displacements[3 * v],
+      displacements[3 * v + 1],
+      displacements[3 * v + 2],
+    );
+    most = Math.max(most, lengths[v]);
+  }
+  return lengths.map((value) => value / (most || 1));
+}
+
+/** How directly a face is seen, from 0 to 1. */
+function facing(points: Float32Array, corners: Uint32Array) {
+  let [x, y, z] = [0, 0, 0];
+  corners.forEach((v, k) => {
+    const [a, b] = [3 * v, 3 * corners[(k + 1) % corners.length]];
+    x += points[a + 1] * points[b + 2] - points[a + 2] * points[b + 1];
+    y += points[a + 2] * points[b] - points[a] * points[b + 2];
+    z += points[a] * points[b + 1] - points[a + 1] * points[b];
+  });
+  return Math.abs(z) / (Math.hypot(x, y, z) || 1);
+}
+
+/** @param colour as CSS computes it */
+const channels = (colour: string) => (colour.match(/[\d.]+/g) ?? []).slice(0, 3).map(Number);

@@ -1,0 +1,70 @@
+/**
+ * Moves handles by keys while the view has the focus: Enter grabs the selected handles, arrow keys
+ * move them on the screen (with Shift at constant height), X, Y and Z restrict them to an axis,
+ * Enter drops them, Escape puts them back.
+ */
+
+import { HandleDrag } from '../../store/handle-drag.ts';
+import { ARROWS } from '../../ui/keys.ts';
+import type { Viewport } from '../viewport.ts';
+import type { Store } from '../../store/state.ts';
+import type { SolverClient } from '../../solver/solver-client.ts';
+import type { Actions } from '../../store/actions.ts';
+
+/** Step of an arrow key, in CSS pixels. */
+const STEP = 8;
+const AXES = ['x', 'y', 'z'];
+
+/** Must be bound before the view's keys, which use the arrows otherwise. */
+export function bindHandleKeys(
+  viewport: Viewport,
+  store: Store,
+  solver: SolverClient,
+  actions: Actions,
+) {
+  const { element } = viewport;
+  let drag: HandleDrag | null = null;
+  let at = [0, 0];
+
+  function grab() {
+    const [vertex] = actions.selectedHandles();
+    if (vertex === undefined || !viewport.view || store.get().dragged.length > 0) return false;
+    viewport.view.holdVertex(vertex);
+    drag = new HandleDrag(store, solver, viewport.constrainMove, vertex);
+    at = [0, 0];
+    actions.setStatus('Moving the handle with the arrow keys: Enter accepts, Esc cancels');
+    return true;
+  }
+
+  function release(keep: boolean) {
+    if (keep) drag?.end();
+    else drag?.cancel();
+    drag = null;
+    actions.setStatus(keep ? 'Handle moved' : 'Move cancelled');
+    return true;
+  }
+
+  /** Handles a key; returns whether it applied to a handle. */
+  function press({ key, shiftKey }: KeyboardEvent) {
+    if (!drag) return key === 'Enter' && grab();
+    if (key === 'Enter' || key === 'Escape') return release(key === 'Enter');
+    const axis = AXES.indexOf(key.toLowerCase());
+    if (axis >= 0) drag.toggleAxis(axis);
+    const arrow = ARROWS[key];
+    if (arrow) {
+      at = [at[0] + STEP * arrow[0], at[1] + STEP * arrow[1]];
+      drag.setPlane(shiftKey ? 'horizontal' : 'screen');
+      drag.move(at[0], at[1]);
+    }
+    return axis >= 0 || arrow !== undefined;
+  }
+
+  element.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || !press(event)) return;
+    event.preventDefault();
+    event.stopImmediatePropagation();
+  });
+  element.addEventListener('blur', () => {
+    if (drag) release(true);
+  });
+}

@@ -1,0 +1,105 @@
+/** Functions that transfer parts of the state to the view: colours, handles, selection etc. */
+
+import { handlesNow, type State } from '../store/state.ts';
+import { declared, toleranceOf } from '../store/colours/measures.ts';
+import { modelErrors, showFlatMap } from './flat-map-layer.ts';
+import { showSplit } from './split-layer.ts';
+import type { View } from '../pkg/view-webgl2/shape_up.js';
+import type { Geometry } from '../solver/solver-client.ts';
+export type { View } from '../pkg/view-webgl2/shape_up.js';
+
+const NONE = new Uint32Array(0);
+const FINGERS = matchMedia('(pointer: coarse)');
+const NO_COLOURS = {
+  faces: new Uint8Array(0),
+  vertices: new Uint8Array(0),
+  palette: new Float32Array(0),
+};
+
+/** Display functions, each with the parts of the state that it depends on. */
+export const LAYERS: [
+  (keyof State)[],
+  (view: View, state: State, geometry: Geometry | null) => void,
+][] = [
+  [['dark'], (view, state) => view.setTheme(state.dark)],
+  [['document'], (view, { document }) => document && view.setUp(document.up)],
+  [['display', 'halfway', 'heldOriginal'], showDisplay],
+  [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
+  [
+    ['section', 'model'],
+    (view, { section }) => view.setSection(section?.axis, section?.at ?? 0, !!section?.turned),
+  ],
+  [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
+  [
+    ['document', 'dragged', 'moved', 'pointedAt', 'selection', 'model', 'heldOriginal'],
+    showHandles,
+  ],
+  [
+    ['gizmoPart', 'dragged'],
+    (view, state) => view.highlightGizmo(state.gizmoPart, state.dragged.length > 0),
+  ],
+  [['selection', 'model'], showSelection],
+  [['tint', 'model'], showTint],
+  [['rowColours', 'model', 'flatMap'], showRowColours],
+  [['measure', 'range', 'tolerance', 'tolerances', 'display', 'flatMap'], showValues],
+  [['flatMap'], showFlatMap],
+  [['split'], showSplit],
+];
+export function showValues(view: View, state: State, geometry: Geometry | null) {
+  const { heldOriginal } = state;
+  const isCurrent = geometry?.measure === state.measure && !state.flatMap && !heldOriginal;
+  view.setCornerValues((isCurrent && geometry?.corners) || undefined);
+  if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
+  // Just after the measure was changed, the values are still the old ones, or have no range yet.
+  const isRanged = geometry?.measure === state.measure && state.spread;
+  const values = isRanged ? (heldOriginal ?? geometry)?.values : null;
+  const { full, log, map } = state.display;
+  const about = declared(state, state.measure);
+  const allowed = about && toleranceOf(state, about);
+  const tolerance = full ? null : allowed;
+  const isLog = log && !about?.signed;
+  view.setColourMap(map, allowed ?? undefined);
+  view.setFaceValues(values ?? undefined, ...state.range, tolerance ?? undefined, isLog);
+}
+
+export function showDisplay(view: View, { display, halfway, heldOriginal }: State) {
+  const { edges, vertices } = display;
+  // All three show the current shape, not the original. Outlines also show during a half step, when
+  // the projections are computed but not yet applied.
+  const [shapes, outlines, arrows] = heldOriginal
+    ? [false, false, false]
+    : [display.shapes, display.outlines || halfway, display.arrows];
+  view.setDisplay(edges, vertices, shapes, outlines, arrows);
+  view.setSurroundings(display.ghost, display.ground);
+  view.setBands(display.bands);
+  view.setGizmo(display.gizmo, FINGERS.matches);
+}
+
+/** Transfers the handles. States: 0 soft, 1 fixed, 2 under the pointer or dragged. */
+function showHandles(view: View, state: State) {
+  const { dragged, pointedAt } = state;
+  // Targets refer to the current shape, not to the original.
+  const handles = state.heldOriginal ? [] : handlesNow(state);
+  const vertices = Uint32Array.from(handles, (handle) => handle.vertex);
+  const states = Uint8Array.from(handles, (handle) =>
+    handle.vertex === pointedAt || dragged.includes(handle.vertex) ? 2 : handle.fixed ? 1 : 0,
+  );
+  const targets = Float64Array.from(handles.flatMap((handle) => handle.target));
+  view.setHandles(vertices, states, targets);
+}
+
+function showSelection(view: View, { selection }: State) {
+  view.setSelection(Uint32Array.from(selection.vertices), Uint32Array.from(selection.faces));
+  view.setSelectedEdges(Uint32Array.from(selection.edges));
+}
+
+function showTint(view: View, { tint }: State) {
+  const { vertices, faces, colour } = tint ?? { vertices: NONE, faces: NONE, colour: [0, 0, 0] };
+  const [red, green, blue] = colour.map((byte) => byte / 255);
+  view.setTint(vertices, faces, red, green, blue);
+}
+
+function showRowColours(view: View, { rowColours, flatMap }: State) {
+  const { faces, vertices, palette } = (!flatMap && rowColours) || NO_COLOURS;
+  view.setRowColours(faces, vertices, palette);
+}

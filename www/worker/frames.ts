@@ -1,0 +1,74 @@
+/**
+ * Frames for the page: positions in two buffers that travel back and forth, and the other requested
+ * data. Without a free buffer no frame is sent.
+ */
+
+import type { Command, FromWorker, Projections } from '../solver/messages.ts';
+import type { Solver } from '../pkg/engine/shape_up.js';
+
+type Show = Extract<Command, { type: 'show' }>;
+
+export class Frames {
+  /** Whether the state has changed since the last frame. */
+  due = false;
+  shown: Omit<Show, 'type'> = { measure: null, shapes: false, projections: false, corners: false };
+
+  #solver;
+  #post;
+  /** Buffers available for writing. */
+  #free: Float64Array[] = [];
+  #length = 0;
+
+  constructor(solver: Solver, post: (message: FromWorker, transfer?: Transferable[]) => void) {
+    this.#solver = solver;
+    this.#post = post;
+  }
+
+  /**
+   * Starts with another mesh.
+   * @returns the first of the two buffers, filled with its positions
+   */
+  renew(vertices: number): Float64Array {
+    this.#length = 3 * vertices;
+    this.#free = [new Float64Array(this.#length)];
+    const positions = new Float64Array(this.#length);
+    this.#solver.writePositions(positions);
+    return positions;
+  }
+
+  /** Takes a buffer back, unless it is of the previous mesh. */
+  takeBack(positions: Float64Array) {
+    if (positions.length === this.#length && this.#free.length < 2) this.#free.push(positions);
+  }
+
+  /**
+   * Sends the state of the iteration, if it has changed and a buffer is free.
+   * @param answers the move of a drag that the frame shows
+   * @param iterating whether more frames follow
+   * @returns whether it was sent
+   */
+  send(answers: () => [number, number] | null, iterating: boolean): boolean {
+    const positions = this.#free.at(-1);
+    if (!this.due || !positions) return false;
+    const solver = this.#solver;
+    const { measure, shapes, projections, corners } = this.shown;
+    solver.writePositions(positions);
+    const parts = {
+      values: measure ? solver.faceValues(measure) : null,
+      corners: (measure && corners && solver.cornerValues(measure)) || null,
+      shapes: shapes ? solver.fitted() : null,
+    };
+    const projected: Projections | null = projections ? solver.projections() : null;
+    this.#free.pop();
+    const arrays = [positions, ...Object.values(parts), ...Object.values(projected ?? {})];
+    this.#post(
+      {
+        ...{ type: 'frame', numbers: solver.frame(iterating), positions, measure },
+        ...{ ...parts, projections: projected, answers: answers() },
+      },
+      arrays.flatMap((array) => array?.buffer ?? []),
+    );
+    this.due = false;
+    return true;
+  }
+}

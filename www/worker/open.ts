@@ -1,0 +1,58 @@
+/** Opens the files of a model in the worker. */
+
+import {
+  messageOf,
+  type Request,
+  type Loaded,
+  type Saved,
+  type NamedBytes,
+} from '../solver/messages.ts';
+import { filesNamed, mainOf } from '../solver/opened-files.ts';
+import { isTrap } from './wasm-errors.ts';
+import type { Solver } from '../pkg/engine/shape_up.js';
+import type { Scheduler } from './scheduler.ts';
+
+type Open = Extract<Request, { type: 'open' }>;
+
+export function open(
+  solver: Solver,
+  scheduler: Scheduler,
+  { files, saved, frame = '', solved, weld }: Open,
+): Loaded {
+  const main = mainOf(files);
+  const named = filesNamed(files, (scene) => solver.sceneFiles(scene));
+  solver.setDefaultFrame(frame);
+  solver.keepUnwelded(weld === false);
+  for (const { path, file } of named) if (file) solver.addFile(path, file.bytes);
+  const read = scheduler.replace(() => solver.load(main.name, main.bytes));
+  const loaded: Loaded = {
+    ...read,
+    files: [main.name, ...named.map(({ file }) => file?.name ?? '')],
+    undoLost: saved ? restore(solver, saved) : '',
+  };
+  scheduler.begin(solved ?? false);
+  scheduler.sendModel(loaded);
+  scheduler.changed();
+  return loaded;
+}
+
+/**
+ * Restores the saved state of the scene that was just opened.
+ * @returns reason why its undo history is lost; empty if it is not
+ */
+function restore(solver: Solver, { iteration, history, progress }: Saved): string {
+  solver.restoreIteration(iteration);
+  try {
+    solver.restore(history ?? new Uint8Array(0), progress ?? new Uint8Array(0));
+    return '';
+  } catch (thrown) {
+    if (isTrap(thrown)) throw thrown;
+    return messageOf(thrown);
+  }
+}
+
+/** Returns the paths of files that the main file names and that are missing. */
+export function missingFiles(solver: Solver, files: NamedBytes[]) {
+  const named = filesNamed(files, (scene) => solver.sceneFiles(scene));
+  return named.filter(({ file }) => !file).map(({ path }) => path);
+}

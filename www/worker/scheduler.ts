@@ -1,0 +1,379 @@
+/**
+ * Iterates the solver in short slices and keeps the state between messages: whether it runs, what
+ * is dragged, and which updates are due for the page.
+ */
+
+import {
+  SLICE_MS,
+  messageOf,
+  type FromWorker,
+  type Drag,
+  type Loaded,
+  type Half,
+} from '../solver/messages.ts';
+import { Frames } from './frames.ts';
+import { isTrap } from './wasm-errors.ts';
+import type { Solver } from '../pkg/engine/shape_up.js';
+
+/** Largest share of the time for frames while iterating, unless a drag waits for its answer. */
+const FRAME_SHARE = 0.25;
+/**
+ * Interval at which a run or a drag sends its progress, so that little is lost if the page or the
+ * worker dies, and the largest share of the time that this may take.
+ */
+const PROGRESS_EVERY_MS = 800;
+const PROGRESS_SHARE = 0.05;
+
+export class Scheduler {
+  frames;
+  #solver;
+  #post;
+  #died;
+  #isLoaded = false;
+  /** Run was pressed, and the iteration has not converged since. */
+  #isRunning = false;
+  /** Whether the run continues even if the shape collapses. */
+  #ignoresCollapse = false;
+  #isDragging = false;
+  /** While iterating, no frame is sent before this time. */
+  #nextFrame = 0;
+  /** Whether the iteration has converged; a moved handle or an edit resets it. */
+  #isSettled = false;
+  /** The latest move of a drag that is not applied yet. */
+  #move: Drag | null = null;
+  /** The move that the next frame answers. */
+  #answering: { time: number; came: number } | null = null;
+  /** Timer of the next progress message; 0 if none is due. */
+  #progressTimer: ReturnType<typeof setTimeout> | 0 = 0;
+  #progressEvery = PROGRESS_EVERY_MS;
+  /** Whether `activity` must be sent, after the frame that belongs to it. */
+  #activityDue = false;
+  #sliceQueued = false;
+  /** Whether the next slice may have to factor the system first. */
+  #sliceIsNew = false;
+  /** Whether the page was told in this slice that its work may take long. */
+  #isWorking = false;
+  #yielding = new MessageChannel();
+
+  /** @param died called when the wasm instance has trapped */
+  constructor(
+    solver: Solver,
+    post: (message: FromWorker, transfer?: Transferable[]) => void,
+    died: (thrown: unknown) => void,
+  ) {
+    this.#solver = solver;
+    this.#post = post;
+    this.#died = died;
+    this.frames = new Frames(solver, post);
+    this.#yielding.port1.onmessage = () => this.#slice();
+  }
+
+  get isLoaded() {
+    return this.#isLoaded;
+  }
+
+  get isIterating() {
+    return this.#isLoaded && (this.#isRunning || this.#isDragging) && !this.#isSettled;
+  }
+
+  /** Replaces the model, after the end of its run; if the other one is refused, it stays. */
+  replace<T>(load: () => T): T {
+    const wasRunning = this.#isRunning;
+    if (wasRunning) this.#endRun();
+    try {
+      return load();
+    } catch (thrown) {
+      // The page does not know yet that the run has ended.
+      if (wasRunning && !isTrap(thrown)) this.changed();
+      throw thrown;
+    }
+  }
+
+  /**
+   * Starts with another mesh.
+   * @param solved iterate until convergence first
+   */
+  begin(solved: boolean) {
+    this.#isLoaded = true;
+    this.#isSettled = this.#isDragging = false;
+    this.#move = this.#answering = null;
+    if (solved) this.#iterate();
+  }
+
+  /** @param ignoreCollapse continue even if the shape collapses */
+  run(ignoreCollapse: boolean = false) {
+    if (!this.#isLoaded || this.#isRunning) return;
+    this.#post({ type: 'working' });
+    this.#solver.beginRun();
+    this.#ignoresCollapse = ignoreCollapse;
+    if (ignoreCollapse) this.#solver.ignoreCollapse();
+    this.#isRunning = true;
+    this.#isSettled = false;
+    this.#sliceIsNew = true;
+    this.#sendActivity();
+    this.#queueSlice();
+  }
+
+  pause() {
+    if (!this.#isRunning) return;
+    this.#post({ type: 'working' });
+    this.#endRun();
+    this.changed();
+  }
+
+  /**
+   * Iterates once.
+   * @returns whether it has converged
+   */
+  step(): boolean {
+    this.#isSettled = this.#solver.singleStep();
+    this.#activityDue = true;
+    this.changed();
+    return this.#isSettled;
+  }
+
+  halfStep(): Half {
+    const done = this.#solver.halfStep();
+    if (done.half === 'global') {
+      this.#isSettled = done.converged;
+      this.#activityDue = true;
+      this.changed();
+    } else {
+      this.frames.due = true;
+      this.sendFrame();
+    }
+    return done;
+  }
+
+  /**
+   * Performs an edit as a separate step of undo from the run's, and updates the page.
+   * @param settles whether no run could improve the shape of an edit that returns true
+   */
+  betweenRuns<T>(edit: () => T, settles: boolean = false): T {
+    if (this.#isRunning) this.#solver.endRun();
+    let result;
+    try {
+      result = edit();
+    } finally {
+      if (this.#isRunning) this.#solver.beginRun();
+    }
+    this.#isSettled = settles && result === true;
+    this.#activityDue = true;
+    this.changed();
+    this.#sliceIsNew = true;
+    if (this.#isRunning) this.#queueSlice();
+    return result;
+  }
+
+  /** Requests something of the panels, and runs. */
+  runFor(ask: () => void) {
+    ask();
+    this.#isRunning = true;
+    this.#ignoresCollapse = this.#isSettled = false;
+    this.#activityDue = true;
+    this.changed();
+    this.#sliceIsNew = true;
+    this.#queueSlice();
+  }
+
+  drag(message: Drag) {
+    const { vertices, targets, phase, time } = message;
+    if (phase === 'start' || phase === 'make') {
+      const isNew = phase === 'make';
+      if (isNew) this.#post({ type: 'working' });
+      if (this.#isRunning) this.#solver.endRun();
+      this.#solver.drag(vertices, targets, phase);
+      this.#isDragging = true;
+      this.#activityDue = true;
+      // Not the scene: the saved one stays that before the drag until the drag ends.
+      if (isNew) this.#sendDocument();
+    } else if (!this.#isDragging) {
+      return;
+    } else if (phase === 'move') {
+      this.#move = message;
+      if (time !== undefined) this.#answering = { time, came: performance.now() };
+    } else {
+      this.#post({ type: 'working' });
+      this.#move = this.#answering = null;
+      this.#isDragging = false;
+      this.#solver.drag(vertices, targets, phase);
+      if (this.#isRunning) this.#solver.beginRun();
+      // Hard constraints are met again after the drag.
+      this.#isRunning = this.#solver.isRunning();
+      this.#activityDue = true;
+      this.changed();
+    }
+    this.#isSettled = false;
+    if (phase !== 'move') this.#sliceIsNew = true;
+    this.#queueSlice();
+  }
+
+  /** Sends mesh, scene, document and frame after an edit, a load, or the end of a run or a drag. */
+  changed() {
+    // Refining, and undoing it, replace the mesh.
+    const loaded = this.#solver.remeshed();
+    if (loaded) this.sendModel(loaded as Loaded);
+    // The scene comes first, so that it is up to date whenever the page has the document.
+    this.#sendScene();
+    this.#sendDocument();
+    this.frames.due = true;
+    this.sendFrame();
+  }
+
+  /** Sends the current mesh; the next frame is followed by `activity`. */
+  sendModel(loaded: Loaded) {
+    const solver = this.#solver;
+    this.#activityDue = true;
+    const connectivity = {
+      faceOffsets: solver.faceOffsets(),
+      faceIndices: solver.faceIndices(),
+      curveOffsets: solver.curveOffsets(),
+      curveIndices: solver.curveIndices(),
+      edges: solver.edges(),
+    };
+    const positions = this.frames.renew(loaded.vertices);
+    const arrays = [positions, ...Object.values(connectivity)];
+    this.#post(
+      { type: 'model', loaded, connectivity, positions },
+      arrays.map(({ buffer }) => buffer),
+    );
+  }
+
+  /**
+   * Sends the state of the iteration, if it has changed. The end of a run is reported after its
+   * last frame, so that the page shows the final state by then.
+   */
+  sendFrame() {
+    const answers = () => {
+      if (!this.#answering || this.#move) return null;
+      const { time, came } = this.#answering;
+      this.#answering = null;
+      return [time, performance.now() - came] as [number, number];
+    };
+    const begun = performance.now();
+    if (this.isIterating && !this.#answering && begun < this.#nextFrame) return;
+    if (!this.frames.send(answers, this.isIterating)) return;
+    const ended = performance.now();
+    this.#nextFrame = ended + (ended - begun) * (1 / FRAME_SHARE - 1);
+    if (this.#activityDue) this.#sendActivity();
+  }
+
+  /**
+   * Performs an action that no request waits for. An ordinary error stops the run and is reported;
+   * a trap leaves the solver unusable.
+   */
+  guard(action: () => void) {
+    try {
+      action();
+    } catch (thrown) {
+      if (isTrap(thrown)) return this.#died(thrown);
+      this.#isRunning = this.#isDragging = false;
+      this.#isSettled = true;
+      this.#post({ type: 'trouble', message: messageOf(thrown) });
+      this.#post({ type: 'activity', running: false, converged: false });
+    }
+  }
+
+  /** Stops everything; the solver is unusable. */
+  stop() {
+    this.#isRunning = this.#isDragging = this.#isLoaded = false;
+  }
+
+  /** Iterates until convergence, as a run of its own. */
+  #iterate() {
+    this.#solver.beginRun();
+    try {
+      do this.#isSettled = this.#solver.step();
+      while (!this.#isSettled);
+    } finally {
+      this.#solver.endRun();
+    }
+  }
+
+  /** Ends the run and its step of undo. */
+  #endRun() {
+    this.#isRunning = false;
+    this.#solver.endRun();
+    this.#activityDue = true;
+  }
+
+  #queueSlice() {
+    if (this.#sliceQueued) return;
+    this.#sliceQueued = true;
+    this.#yielding.port2.postMessage(null);
+  }
+
+  /** Iterates for a slice, sends a frame, and queues the next slice. */
+  #slice() {
+    this.#sliceQueued = false;
+    if (this.#sliceIsNew) this.#work();
+    this.#sliceIsNew = false;
+    this.guard(() => this.#iterateForSlice());
+    if (this.#isWorking) this.#post({ type: 'pong' });
+    this.#isWorking = false;
+    if (this.isIterating) this.#queueSlice();
+  }
+
+  /** Tells the page, once per slice, that its work may take long. */
+  #work() {
+    if (!this.#isWorking) this.#post({ type: 'working' });
+    this.#isWorking = true;
+  }
+
+  #iterateForSlice() {
+    let collapse: string | undefined;
+    if (this.#move) {
+      this.#solver.drag(this.#move.vertices, this.#move.targets, 'move');
+      this.#move = null;
+      this.#isSettled = false;
+    }
+    // Shorter while the user waits for the answer of a drag.
+    const until = performance.now() + (this.#answering ? SLICE_MS / 2 : SLICE_MS);
+    while (this.isIterating && performance.now() < until) {
+      // Factoring all hard constraints takes seconds on a large mesh.
+      if (this.#solver.isMeeting()) this.#work();
+      this.#isSettled = this.#solver.step();
+      this.frames.due = true;
+    }
+    if (this.#isSettled && this.#isRunning && !this.#isDragging) {
+      this.#endRun();
+      this.changed();
+      if (!this.#ignoresCollapse) collapse = this.#solver.collapse();
+    } else if (this.frames.due) {
+      this.#progressTimer ||= setTimeout(() => this.#sendProgress(), this.#progressEvery);
+    }
+    this.sendFrame();
+    if (collapse) this.#post({ type: 'collapsed', collapse });
+  }
+
+  #sendDocument() {
+    this.#post({ type: 'document', document: this.#solver.document() });
+  }
+
+  #sendScene() {
+    clearTimeout(this.#progressTimer);
+    this.#progressTimer = 0;
+    const history = this.#solver.savedHistory();
+    const [text, iteration] = [this.#solver.scene(), this.#solver.iteration()];
+    this.#post({ type: 'scene', text, history, iteration }, [history.buffer]);
+  }
+
+  /** Sends the progress of a run or a drag since the last scene sent. */
+  #sendProgress() {
+    this.#progressTimer = 0;
+    if (!this.#isLoaded || !(this.#isRunning || this.#isDragging)) return;
+    this.guard(() => {
+      const begun = performance.now();
+      const bytes = this.#solver.savedProgress();
+      const took = performance.now() - begun;
+      this.#progressEvery = Math.max(PROGRESS_EVERY_MS, took / PROGRESS_SHARE);
+      this.#post({ type: 'progress', bytes, iteration: this.#solver.iteration() }, [bytes.buffer]);
+    });
+  }
+
+  #sendActivity() {
+    this.#activityDue = false;
+    const converged = this.#isSettled && !this.#solver.collapse();
+    this.#post({ type: 'activity', running: this.#isRunning, converged });
+  }
+}
