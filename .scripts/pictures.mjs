@@ -33,9 +33,9 @@ const WINDOWS = {
 const SOFT = 20;
 
 /**
- * In a page or frame: a picture of the view, or the given part of it, as WebP in base64. Its edge is
- * faded over `soft` pixels. Without a background it is also without the shadow on the ground, and
- * its opacity has few levels: the opacity takes most of the bytes.
+ * In a page: a picture of the view, or the given part of it, as WebP in base64. Its edge is faded
+ * over `soft` pixels. Without a background it is also without the shadow on the ground, and its
+ * opacity has few levels: the opacity takes most of the bytes.
  */
 async function take({ width, ground, part, soft = 0, quality }) {
   const [FAINTEST, LEVELS] = [0.5, 15];
@@ -75,10 +75,10 @@ async function take({ width, ground, part, soft = 0, quality }) {
   return url.slice(url.indexOf(',') + 1);
 }
 
-/** Writes a picture of the view in a page or frame. */
-async function write(name, view, options) {
-  await view.evaluate(() => window.shapeUp.drawn());
-  const base64 = await view.evaluate(take, options);
+/** Writes a picture of the view in a page. */
+async function write(name, page, options) {
+  await page.evaluate(() => window.shapeUp.drawn());
+  const base64 = await page.evaluate(take, options);
   writeFileSync(join(folder, `${name}.webp`), base64, 'base64');
 }
 
@@ -100,48 +100,18 @@ async function takeFirst(browser, address) {
   }
 }
 
-/** The page around two embedded views: of an example, and of what is framed. */
-const AROUND = `<!doctype html><style>
-iframe { border: 0; width: ${CARD.width}px; height: ${CARD.height + BAR}px }
-</style>
-<iframe name="example"></iframe><iframe name="framed"></iframe>`;
+/** The window of an embedded view with the size of a picture, or of one that is `wider` times as wide. */
+const windowOf = (wider = 1) => ({ width: wider * CARD.width, height: CARD.height + BAR });
+/** A window in which drawing in software takes no time. */
+const TINY = { width: 60, height: 60 };
 
-/** In the page around: keeps the last camera of each view, and passes calls to them. */
-function around() {
-  const cameras = {};
-  const waiting = [];
-  addEventListener('message', ({ source, data }) => {
-    if (data.news === 'camera') cameras[source.name] = data.camera;
-    if (data.shapeUp === 'answer') waiting[data.id](data);
-  });
-  const call = (name, asked) =>
-    new Promise((done) => {
-      const id = waiting.push(done) - 1;
-      frames[name].postMessage({ shapeUp: 'call', id, ...asked }, '*');
-    });
-  Object.assign(window, { cameras, call });
-}
-
-/** Opens the page around two embedded views. */
-async function openViews(browser, address) {
-  const page = await browser.newPage({ viewport: { width: 1000, height: 800 } });
-  page.on('pageerror', (error) => console.error(error));
-  const url = new URL('around.html', address).href;
-  await page.route(url, (route) => route.fulfill({ contentType: 'text/html', body: AROUND }));
-  await page.goto(url);
-  await page.evaluate(around);
-  return page;
-}
-
-/** Loads an embedded view, with the first example or the one of a link; resolves with its frame. */
-async function load(page, address, name, link = '') {
-  const frame = page.frame({ name });
+/** Loads an embedded view, with the first example or the one of a link. */
+async function load(page, address, link = '') {
   // Another fragment alone would not reload it.
-  await frame.goto('about:blank');
-  await frame.goto(`${address}?embed=called&theme=light${link}`);
-  await frame.waitForFunction(() => window.shapeUp?.state().energy, null, { timeout: 0 });
-  await frame.evaluate(() => window.shapeUp.drawn());
-  return frame;
+  await page.goto('about:blank');
+  await page.goto(`${address}?embed=pressed&theme=light${link}`);
+  await page.waitForFunction(() => window.shapeUp?.state().energy, null, { timeout: 0 });
+  await page.evaluate(() => window.shapeUp.drawn());
 }
 
 /** The camera that shows all points, with the standard direction of view. */
@@ -149,75 +119,74 @@ async function cameraFor(page, points, up) {
   const vertices = Array.from({ length: points.length / 3 }, (_, v) => v);
   const positions = vertices.map((v) => points.slice(3 * v, 3 * v + 3));
   const scene = { format: 'shape-up-scene', version: 1, up, mesh: { positions, faces: [] } };
-  const call = (asked) => page.evaluate((it) => window.call('framed', it), asked);
-  await call({ name: 'open', text: JSON.stringify(scene) });
-  await page.frame({ name: 'framed' }).evaluate(() => window.shapeUp.drawn());
-  // Its answer comes after the news of the camera.
-  await call({ name: 'state' });
-  const camera = await page.evaluate(() => window.cameras.framed);
+  await page.evaluate((it) => window.shapeUp.open(it), scene);
+  await page.evaluate(() => window.shapeUp.drawn());
+  const camera = await page.evaluate(() => window.shapeUp.camera());
   // The last number would adapt it to elements in front of the view.
   return [...camera.slice(0, -1), 0];
 }
 
+/** Moves the camera of a view. */
+const look = (page, camera) => page.evaluate((it) => window.shapeUp.look(it), camera);
+
 /**
- * In the page around: runs the example until it converges, or iterates it to the limit of its scene,
- * at which the command line stops. Meanwhile the view is tiny: drawing in software takes longer than
- * solving. Returns the energy.
+ * In the page: runs the example until it converges, or iterates it to the limit of its scene, at
+ * which the command line stops. Returns the energy.
  */
 async function solve(limit) {
-  const { shapeUp } = window.frames.example;
-  const { style } = document.querySelector('[name=example]');
-  style.width = style.height = '60px';
-  await shapeUp.drawn();
-  for (let left = limit; left > 0 && !shapeUp.state().converged; left--)
-    await window.call('example', { name: 'step' });
-  if (!limit) await window.call('example', { name: 'run' });
+  const { shapeUp } = window;
+  const press = (command) => document.querySelector(`[data-command=${command}]`).click();
+  for (let left = limit; left > 0 && !shapeUp.state().converged; left--) {
+    press('step');
+    await shapeUp.settled();
+  }
+  if (!limit) press('run');
   while (shapeUp.state().running || shapeUp.state().iteration === 0)
     await new Promise((done) => setTimeout(done, 50));
   await shapeUp.drawn();
-  style.width = style.height = '';
   return shapeUp.state().energy.total;
 }
 
 /**
- * Loads an example and solves it, so that its energy is that of the results; returns its frame, and
- * its positions before and after.
+ * Loads an example and solves it, so that its energy is that of the results; returns its upward
+ * axis, and its positions before and after.
  */
 async function loadSolved(page, address, { id, energy: [start, end] }) {
   const isNear = (total) => Math.abs(total - end) <= 0.01 * end + 1e-9 * start;
   // A run is the fastest and meets hard constraints, but has no limit.
   for (const isLimited of [false, true]) {
-    const frame = await load(page, address, 'example', `#example=${id}`);
-    const positions = () => frame.evaluate(() => [...window.shapeUp.positions()]);
-    const { solver, up = 'z' } = await frame.evaluate(() => window.shapeUp.scene());
+    await load(page, address, `#example=${id}`);
+    const positions = () => page.evaluate(() => [...window.shapeUp.positions()]);
+    const { solver, up = 'z' } = await page.evaluate(() => window.shapeUp.scene());
     const before = await positions();
+    // Drawing in software takes longer than solving.
+    await page.setViewportSize(TINY);
     const total = await page.evaluate(solve, isLimited ? (solver?.iterations ?? 200) : 0);
-    if (isNear(total)) return { frame, up, points: [...before, ...(await positions())] };
+    await page.setViewportSize(windowOf());
+    if (isNear(total)) return { up, points: [...before, ...(await positions())] };
   }
   throw new Problem(`${id}: the page does not get the energy ${end} of its results`);
 }
 
-/** Takes both pictures of an example with the same camera. */
-async function takeSolved(page, address, result) {
-  const { frame, up, points } = await loadSolved(page, address, result);
-  const camera = await cameraFor(page, points, up);
-  const call = (asked) => page.evaluate((it) => window.call('example', it), asked);
-  await call({ name: 'camera', camera });
-  await write(`${result.id}-end`, frame, CARD_PICTURE);
-  const unsolved = await load(page, address, 'example', `#example=${result.id}`);
-  await call({ name: 'camera', camera });
-  await write(`${result.id}-start`, unsolved, CARD_PICTURE);
+/** Takes both pictures of an example with the same camera, which the page `framing` finds. */
+async function takeSolved({ page, framing }, address, result) {
+  const { up, points } = await loadSolved(page, address, result);
+  const camera = await cameraFor(framing, points, up);
+  await look(page, camera);
+  await write(`${result.id}-end`, page, CARD_PICTURE);
+  await load(page, address, `#example=${result.id}`);
+  await look(page, camera);
+  await write(`${result.id}-start`, page, CARD_PICTURE);
 }
 
 /** Takes the pictures of an example without constraints: its end is its flat map. */
-async function takeFlattened(page, address, { id }) {
-  const frame = await load(page, address, 'example', `#example=${id}`);
-  await write(`${id}-start`, frame, CARD_PICTURE);
+async function takeFlattened({ page }, address, { id }) {
+  await load(page, address, `#example=${id}`);
+  await write(`${id}-start`, page, CARD_PICTURE);
   // The map has a half of the view.
-  const view = page.locator('iframe[name=example]');
-  await view.evaluate((element, width) => (element.style.width = `${2 * width}px`), CARD.width);
-  await frame.evaluate(() => document.querySelector('[data-command=parametrize]').click());
-  const map = frame.getByRole('application', { name: 'Flat map' });
+  await page.setViewportSize(windowOf(2));
+  await page.evaluate(() => document.querySelector('[data-command=parametrize]').click());
+  const map = page.getByRole('application', { name: 'Flat map' });
   await map.waitFor();
   const scale = CARD_PICTURE.width / CARD.width;
   const part = await map.evaluate((element, factor) => {
@@ -226,16 +195,19 @@ async function takeFlattened(page, address, { id }) {
       Math.round(side * factor),
     );
   }, scale);
-  await write(`${id}-end`, frame, { ...CARD_PICTURE, width: 2 * CARD_PICTURE.width, part });
-  await view.evaluate((element) => element.removeAttribute('style'));
+  await write(`${id}-end`, page, { ...CARD_PICTURE, width: 2 * CARD_PICTURE.width, part });
+  await page.setViewportSize(windowOf());
 }
 
 async function takeGallery(browser, address) {
-  const page = await openViews(browser, address);
-  await load(page, address, 'framed');
+  const [page, framing] = await Promise.all(
+    [0, 1].map(() => browser.newPage({ viewport: windowOf() })),
+  );
+  page.on('pageerror', (error) => console.error(error));
+  await load(framing, address);
   const results = JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8'));
   for (const result of results) {
-    await (result.energy ? takeSolved : takeFlattened)(page, address, result);
+    await (result.energy ? takeSolved : takeFlattened)({ page, framing }, address, result);
   }
 }
 

@@ -22,7 +22,6 @@ function hashes(html, element) {
 export function policyOf(html) {
   const directives = {
     'default-src': ["'none'"],
-    'frame-src': ["'self'"],
     'script-src': ["'self'", "'wasm-unsafe-eval'", ...hashes(html, 'script')],
     'style-src': ["'self'", ...hashes(html, 'style')],
     'img-src': ["'self'"],

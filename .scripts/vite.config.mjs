@@ -98,7 +98,7 @@ const layers = {
 };
 
 /** The pages of the site. */
-const pages = ['index', 'gallery', 'projections', 'licences', 'embed', 'embedding'];
+const pages = ['index', 'gallery', 'projections', 'licences', 'embed'];
 
 const documents = pages.map((page) => at('www', `${page}.html`));
 /**

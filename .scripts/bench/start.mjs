@@ -16,7 +16,8 @@ function watch() {
   Object.assign(window, { benchTimes: times });
   const look = () => {
     const state = window.shapeUp?.state();
-    const isDrawn = state && state.renderer !== 'none' && !document.getElementById('first-picture');
+    const isDrawn =
+      state && state.renderer.startsWith('web') && !document.getElementById('first-picture');
     if (state?.converged) times.solved ??= performance.now();
     if (isDrawn) times.drawn ??= performance.now();
     if (!(times.drawn && times.solved)) requestAnimationFrame(look);

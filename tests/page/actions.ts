@@ -30,7 +30,7 @@ export async function openText(page: Page, name: string, text: string, vertices:
 export async function openGrid(page: Page, n: number) {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(n), (n + 1) ** 2);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
 }
 
 /** Opens the example whose title contains the word. */

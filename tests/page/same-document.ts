@@ -67,7 +67,7 @@ const [LOOKS, EVERY] = [30, 100];
  * What a page looks like that has opened the first example, once it is at rest or as `expected`.
  */
 export async function lookOf(page: Page, expected = '') {
-  await page.waitForFunction(() => window.shapeUp.state().renderer !== 'none');
+  await page.waitForFunction(() => window.shapeUp.state().renderer.startsWith('web'));
   let last = '';
   for (let time = 0; time < LOOKS; time++) {
     const now = await page.evaluate(look);

@@ -141,7 +141,7 @@ export const walks: Record<string, State[]> = {
     {
       name: 'the menu of views',
       reach: async (page) => {
-        await waitForState(page, (now) => now.renderer !== 'none');
+        await waitForState(page, (now) => now.renderer.startsWith('web'));
         await page.getByRole('button', { name: 'Views' }).click();
         await expect(page.getByRole('button', { name: 'Ground grid' })).toBeVisible();
       },
@@ -257,7 +257,7 @@ export const walks: Record<string, State[]> = {
       name: 'the second hint',
       only: 'desktop',
       reach: async (page) => {
-        await waitForState(page, (now) => now.renderer !== 'none');
+        await waitForState(page, (now) => now.renderer.startsWith('web'));
         const soft = await softHandle(page);
         await dragVertex(page, soft, [10, -20]);
         await expect(page.getByText('Press Reset to see the original')).toBeVisible();
@@ -436,7 +436,7 @@ export const walks: Record<string, State[]> = {
       name: 'before and after, side by side',
       reach: async (page) => {
         await page.goto('./#example=fig-05-planar');
-        await waitForState(page, (now) => now.vertices === 2135 && now.renderer !== 'none');
+        await waitForState(page, (now) => now.vertices === 2135 && now.renderer.startsWith('web'));
         await showPanel(page, 'Model');
         await page.getByRole('button', { name: 'Before and after' }).click();
         await expect(page.getByRole('slider', { name: 'Divider' })).toBeVisible();

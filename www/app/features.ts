@@ -3,6 +3,7 @@
  * named here.
  */
 
+import { oneAtATime } from '../ui/once.ts';
 import type { AppContext, Feature, Part } from './context.ts';
 
 const FEATURES: Record<string, Feature> = import.meta.glob(
@@ -13,11 +14,17 @@ const FEATURES: Record<string, Feature> = import.meta.glob(
   },
 );
 
-/** The commands of the features; the errors of their actions are reported. */
+/**
+ * The commands of the features. Errors of their actions are reported; a second press while one loads
+ * and opens something has no effect.
+ */
 export const featureCommands = (app: AppContext) =>
   Object.values(FEATURES)
     .flatMap(({ commands }) => commands?.(app) ?? [])
-    .map((one) => ({ ...one, action: () => app.actions.reportErrors(one.action()) }));
+    .map((one) => {
+      const begin = oneAtATime(one.action);
+      return { ...one, action: () => app.actions.reportErrors(begin()) };
+    });
 
 /** Loads a part when it is first needed, and after a failure when it is needed anew. */
 export function loadWhenNeeded(app: AppContext, { keys, isNeeded, load }: Part) {

@@ -67,7 +67,7 @@ export function scriptApi(store: Store, solver: SolverClient, viewport: Viewport
           edges: [...selection.edges],
           faces: [...selection.faces],
         },
-        renderer: renderer === 'starting' ? 'none' : renderer,
+        renderer,
         threads: 1,
         last_step_ms: numbers?.stepMs ?? 0,
         problems: model?.problems ?? [],
@@ -124,6 +124,19 @@ export function scriptApi(store: Store, solver: SolverClient, viewport: Viewport
      */
     gizmo(part: string) {
       return onPage(viewport.with((view) => view.gizmoPart(part)));
+    },
+
+    /** A copy of the camera, in the format of `View.camera`; null before the first picture. */
+    camera() {
+      return store.get().camera?.slice() ?? null;
+    },
+
+    /**
+     * Moves the camera at once.
+     * @param camera as `camera` returns it
+     */
+    look(camera: number[]) {
+      store.set({ camera: [...camera] });
     },
 
     /**

@@ -6,6 +6,7 @@ import { removeFirstPicture } from '../viewport/first-picture.ts';
 import { Emitter } from '../solver/emitter.ts';
 import { messageOf, type NamedBytes, type Saved, type Loaded } from '../solver/messages.ts';
 import { isReadable, mainOf } from '../solver/opened-files.ts';
+import { oneAtATime } from '../ui/once.ts';
 import { saveFile } from '../ui/save-file.ts';
 import { rememberedFrame } from './units-prompt.ts';
 import type { Store } from '../store/state.ts';
@@ -179,7 +180,7 @@ export class Files extends Emitter<{ opened: void }> {
   /** Asks for confirmation if a run has collapsed the mesh; true if the export may go on. */
   async mayExport() {
     const collapse = this.#store.get().numbers?.collapse;
-    return !collapse || (await import('./collapse.ts')).askToExport(collapse);
+    return !collapse || Boolean(await askToExport(collapse));
   }
 
   /** Exports the current shape as OBJ, with the displayed flat map. */
@@ -210,6 +211,11 @@ export class Files extends Emitter<{ opened: void }> {
     this.#actions.setStatus(`Saved ${name}`);
   }
 }
+
+/** Asks whether to export a shape that has collapsed. */
+const askToExport = oneAtATime((collapse: string) =>
+  import('./collapse.ts').then((it) => it.askToExport(collapse)),
+);
 
 /**
  * Converts a Rhino file to OBJ, with a converter loaded on demand; returns other files unchanged.

@@ -22,6 +22,11 @@ import {
 
 /** The current mesh. */
 export interface Geometry {
+  /**
+   * raised with every other mesh and every other shape: what was made for another generation is out
+   * of date
+   */
+  generation: number;
   connectivity: Connectivity;
   /** latest positions, `#V by 3`; replaced with every frame */
   positions: Float64Array;
@@ -94,6 +99,8 @@ export class SolverClient extends Emitter<SolverEvents> {
     { type: string; resolve: (value: unknown) => void; reject: (error: Error) => void }
   > = new Map();
   #nextId = 1;
+  /** Generation of the latest geometry. */
+  #generation = 0;
   /** A buffer that the view may still be reading. */
   #previous: Float64Array | null = null;
   /** The last `show`, sent again to a new worker. */
@@ -226,6 +233,7 @@ export class SolverClient extends Emitter<SolverEvents> {
         message.loaded.name = this.#modelName;
         this.#previous = null;
         this.geometry = {
+          generation: ++this.#generation,
           connectivity: message.connectivity,
           positions: message.positions,
           values: null,
@@ -245,6 +253,9 @@ export class SolverClient extends Emitter<SolverEvents> {
       case 'frame': {
         const { geometry } = this;
         if (!geometry || geometry.positions.length !== message.positions.length) return;
+        // Frames also come for another measure, or for numbers alone.
+        if (message.positions.some((x, i) => x !== geometry.positions[i]))
+          geometry.generation = ++this.#generation;
         this.#previous = geometry.positions;
         geometry.positions = message.positions;
         geometry.values = message.values;

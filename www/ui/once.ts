@@ -1,4 +1,4 @@
-/** What a page has one of, made when it is first needed. */
+/** What happens once: things that a page has one of, and actions of which one is under way at a time. */
 
 /** Returns a function that makes something at its first call and returns the same at later ones. */
 export function once<Arguments extends unknown[], Made>(
@@ -6,4 +6,26 @@ export function once<Arguments extends unknown[], Made>(
 ): (...values: Arguments) => Made {
   let made: Made | undefined;
   return (...values) => (made ??= make(...values));
+}
+
+/**
+ * Returns the action without effect while its last promise is pending: what loads a dialog and opens
+ * it would open a second one at a second press.
+ */
+export function oneAtATime<Arguments extends unknown[], Made>(
+  action: (...values: Arguments) => Made,
+): (...values: Arguments) => Made | undefined {
+  let isPending = false;
+  const end = () => {
+    isPending = false;
+  };
+  return (...values) => {
+    if (isPending) return undefined;
+    const made = action(...values);
+    if (made instanceof Promise) {
+      isPending = true;
+      made.then(end, end);
+    }
+    return made;
+  };
 }

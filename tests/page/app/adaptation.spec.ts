@@ -59,7 +59,7 @@ test.describe('at 200 % zoom', () => {
 
   test('every tool is there, and nothing lies outside the window', async ({ page }) => {
     await visit(page);
-    await waitForState(page, (now) => now.renderer !== 'none');
+    await waitForState(page, (now) => now.renderer.startsWith('web'));
     const names = ['Export', 'Share', 'Run', 'Step', 'Reset', 'Undo', 'Drag', 'Faces', 'Help'];
     for (const name of names) {
       const box = await boxOf(page.getByRole('button', { name, exact: true }));

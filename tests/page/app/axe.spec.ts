@@ -124,9 +124,8 @@ test('axe: the page about projections', async ({ page }) => {
   await expectNothing(page);
 });
 
-test('axe: the embedding page with two views not yet started', async ({ page }) => {
-  await page.goto('./embedding.html');
-  const view = page.frameLocator('#right');
-  await expect(view.getByRole('img', { name: 'Hall of circular panels' })).toBeVisible();
+test('axe: an embedded view that is not yet started', async ({ page }) => {
+  await page.goto('./embed.html?embed#example=fig-05-circular');
+  await expect(page.getByRole('img', { name: 'Hall of circular panels' })).toBeVisible();
   await expectNothing(page);
 });

@@ -100,7 +100,7 @@ test.describe('behind tabs', () => {
     await row.getByRole('button', { name: /duplicate/ }).click();
     await expect(row).toHaveCount(2);
     await hidePanels(page);
-    await waitForState(page, (now) => now.renderer !== 'none');
+    await waitForState(page, (now) => now.renderer.startsWith('web'));
     await page.mouse.click(...(await screenOf(page, 24)));
     await page.keyboard.press('h');
     await waitForState(page, (now) => now.handles.length === 1);
@@ -160,7 +160,7 @@ test.describe('behind tabs', () => {
 
   test('two pictures are side by side, and a flat map lies below the model', async ({ page }) => {
     await page.goto('./#example=fig-04-squares');
-    await waitForState(page, (now) => now.faces === 384 && now.renderer !== 'none');
+    await waitForState(page, (now) => now.faces === 384 && now.renderer.startsWith('web'));
     await tool(page, 'Step');
     await waitForState(page, (now) => now.iteration === 1);
     await page.getByRole('application', { name: '3D view' }).focus();

@@ -245,7 +245,7 @@ test('a missing graphics card is noted quietly; going offline and online is each
   context,
 }) => {
   await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
   const note = page.locator('#numbers').getByText('Software rendering');
   // The tests draw in software; a narrow window has no room for the note.
   await expect(note).toBeAttached();
@@ -265,7 +265,7 @@ test('a missing graphics card is noted quietly; going offline and online is each
 
 test('a part that cannot be fetched is reported in plain words', async ({ page, complaints }) => {
   await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
   await page.route('**/split-view*', (route) => route.abort());
   await page.getByRole('application', { name: '3D view' }).focus();
   await page.keyboard.press('c');

@@ -76,7 +76,7 @@ test('the guess is shown in the panel, covers nothing, and is written into saved
 
 test('another axis turns the view, and undo turns it back', async ({ page }) => {
   await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   // The view is framed anew beside the offer.
   await page.getByRole('button', { name: 'Make panels flat' }).first().waitFor();

@@ -26,7 +26,7 @@ test('after a refusal the shape is sent again', async () => {
   const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
   const app = {
     store: { get: () => ({ model, running: false }) },
-    solver: { geometry: { positions: new Float64Array(9), connectivity } },
+    solver: { geometry: { generation: 1, positions: new Float64Array(9), connectivity } },
     viewport: { unmeasured() {}, on() {} },
   } as unknown as AppContext;
   const model = { vertices: 3 };
@@ -55,6 +55,38 @@ test('after a refusal the shape is sent again', async () => {
       ['strokes', false],
     ],
   );
+});
+
+test('another shape is sent to the worker, even one with equal sums of its coordinates', async () => {
+  /** The shapes that were sent, by their first coordinate. */
+  const sent: number[] = [];
+  const value = { points: new Float64Array(0), offsets: Uint32Array.of(0), count: 0 };
+  globalThis.Worker = class {
+    postMessage({ shape }) {
+      if (shape) sent.push(shape.positions[0]);
+      queueMicrotask(() => this.onmessage({ data: { value } }));
+    }
+  } as any;
+  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
+  const shape = (generation, ...positions) => ({
+    ...{ generation, connectivity, positions: Float64Array.from(positions) },
+  });
+  const solver = { geometry: shape(1, 1, 0, 0, 0, 1, 0, 0, 5, 0) };
+  const model = { vertices: 3 };
+  const lines = surfaceLines(
+    {
+      ...{ store: { get: () => ({ model, running: false }) }, solver },
+      viewport: { unmeasured() {}, on() {} },
+    } as any,
+    () => ({ draw: 'strokes', distance: null, vertices: [], faces: [] }) as any,
+    () => {},
+  );
+  await lines.update();
+  // The first and the eighth coordinate had the same weight in a check sum.
+  solver.geometry = shape(2, 5, 0, 0, 0, 1, 0, 0, 1, 0);
+  await lines.update();
+  await lines.update();
+  assert.deepEqual(sent, [1, 5]);
 });
 
 test('the worker does not use a surface that it has freed', async () => {

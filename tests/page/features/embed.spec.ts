@@ -1,5 +1,5 @@
-// The page embedded in another one: it starts on request, stores nothing, uses the wheel only while
-// it is active, and is controlled by messages.
+// The page embedded in another one: it starts on request, stores nothing, and uses the wheel only
+// while it is active.
 
 import type { Page } from '@playwright/test';
 import { createServer, type Server } from 'node:http';
@@ -45,27 +45,7 @@ async function started(page: Page, id: string) {
   return frame;
 }
 
-/** An answer of a view, whose result is that of any call. */
-type Answered = Omit<Answer, 'result'> & { result: any };
-
-/** Runs in the outer page: posts a call and resolves with the answer. */
-const call = (page: Page, id: string, asked: { name: string; [argument: string]: unknown }) =>
-  page.evaluate(
-    ([frame, body]) =>
-      new Promise<Answered>((done) => {
-        const { contentWindow } = document.getElementById(frame) as HTMLIFrameElement & {
-          contentWindow: Window;
-        };
-        const call = { shapeUp: 'call', id: Math.random(), ...body };
-        addEventListener('message', ({ source, data }) => {
-          if (source === contentWindow && data.id === call.id) done(data);
-        });
-        contentWindow.postMessage(call, '*');
-      }),
-    [id, asked] as const,
-  );
-
-test('a view in a page of another origin starts with a press and is controlled by messages', async ({
+test('a view in a page of another origin starts with a press, or plays by itself', async ({
   page,
   baseURL,
   elsewhere,
@@ -78,7 +58,6 @@ test('a view in a page of another origin starts with a press and is controlled b
   );
   const a = page.frameLocator('#a');
   await expect(a.getByRole('img', { name: 'Hypar' })).toBeVisible();
-  expect((await call(page, 'a', { name: 'run' })).error).toBe('The view has not been started.');
   await a.getByRole('button', { name: 'Start the 3D model' }).click();
   const [first, second] = [await started(page, 'a'), await started(page, 'b')];
   await expect(a.getByRole('banner')).toBeHidden();
@@ -89,37 +68,13 @@ test('a view in a page of another origin starts with a press and is controlled b
 
   // The second view runs by itself, the first on request; both reach the same shape.
   await second.waitForFunction(() => window.shapeUp.state().converged);
-  expect((await call(page, 'a', { name: 'state' })).result.iteration).toBe(0);
-  await call(page, 'a', { name: 'run' });
+  expect(await first.evaluate(() => window.shapeUp.state().iteration)).toBe(0);
+  await a.getByRole('button', { name: 'Run' }).click();
   await first.waitForFunction(() => window.shapeUp.state().converged);
-  const [one, other] = [
-    (await call(page, 'a', { name: 'positions' })).result,
-    (await call(page, 'b', { name: 'positions' })).result,
-  ];
+  const [one, other] = await Promise.all(
+    [first, second].map((frame) => frame.evaluate(() => [...window.shapeUp.positions()])),
+  );
   expect(one).toEqual(other);
-
-  // Other weights and another mesh; an impossible call is answered with an error message.
-  await call(page, 'a', { name: 'weight', constraint: 0, weight: 7 });
-  const { result } = await call(page, 'a', { name: 'scene' });
-  expect(result.constraints[0].weight).toBe(7);
-  const text = 'v 0 0 0\nv 1 0 0\nv 1 1 0.2\nv 0 1 0\nf 1 2 3 4\n';
-  expect((await call(page, 'a', { name: 'open', text, as: 'panel.obj' })).result).toEqual({
-    vertices: 4,
-    faces: 1,
-  });
-  await call(page, 'a', { name: 'handle', vertex: 2, target: [1, 1, 1] });
-  const { handles } = (await call(page, 'a', { name: 'state' })).result;
-  expect(handles[0]).toMatchObject({ vertex: 2, target: [1, 1, 1] });
-  expect((await call(page, 'a', { name: 'handle', vertex: 9, target: [0, 0, 0] })).error).toMatch(
-    /vertex 9|vertices/,
-  );
-  expect((await call(page, 'a', { name: 'weight', constraint: 9, weight: 1 })).error).toMatch(
-    /constraint/,
-  );
-  expect((await call(page, 'a', { name: 'dance' })).error).toMatch(/no call "dance"/);
-  expect((await call(page, 'a', { name: 'measure', measure: 'flatness' })).error).toMatch(
-    /no measure "flatness", expected null or .*planarity/,
-  );
 });
 
 test('a view leaves the wheel to the outer page until it is in use', async ({
@@ -143,7 +98,7 @@ test('a view leaves the wheel to the outer page until it is in use', async ({
   await page.evaluate(() => scrollTo(0, 0));
   await view.click({ position: { x: 12, y: 12 } });
   await page.mouse.wheel(0, 240);
-  await call(page, 'a', { name: 'state' });
+  await frame.evaluate(() => window.shapeUp.drawn());
   expect(await page.evaluate(() => scrollY)).toBe(0);
 });
 
@@ -187,59 +142,4 @@ test('Share gives the HTML that embeds the model, and a QR code of the link', as
   await frame.getByRole('button', { name: 'Start the 3D model' }).click();
   await expect(frame.getByRole('contentinfo')).toContainText('Canopy');
   await context.close();
-});
-
-test('the example page controls its two views together', async ({ page }) => {
-  await page.goto('./embedding.html');
-  await page.getByRole('button', { name: 'Start both' }).click();
-  await started(page, 'left');
-  await started(page, 'right');
-  await page.getByRole('button', { name: 'Run both' }).click();
-  for (const title of ['Flat panels', 'Circular panels'])
-    await expect(page.getByRole('figure').filter({ hasText: title })).toContainText(
-      /[1-9]\d* iter/,
-    );
-
-  const camera = (at: number) =>
-    page.frames()[at].evaluate(() => window.shapeUp.screen(0)?.map(Math.round) ?? null);
-  const before = await camera(2);
-  const view = page.frameLocator('#left').getByRole('application', { name: '3D view' });
-  await view.hover({ position: { x: 20, y: 20 } });
-  await page.mouse.down();
-  await page.mouse.move(300, 500, { steps: 4 });
-  await page.mouse.up();
-  await expect.poll(() => camera(2)).not.toEqual(before);
-});
-
-test('the example page works from another origin with only the addresses of its frames changed', async ({
-  page,
-  baseURL,
-}) => {
-  const site = new URL(baseURL ?? '');
-  const server = createServer(async (request, response) => {
-    const { pathname } = new URL(request.url ?? '', 'http://localhost');
-    const answer = await fetch(new URL(`.${pathname}`, site));
-    const body = Buffer.from(await answer.arrayBuffer());
-    const isPage = pathname.endsWith('.html');
-    const copied = (text: string) =>
-      text
-        .replaceAll('src="./embed.html', `src="${site}embed.html`)
-        .replace("frame-src 'self'", `frame-src ${site.origin}`);
-    response
-      .writeHead(answer.status, { 'content-type': answer.headers.get('content-type') ?? '' })
-      .end(isPage ? copied(body.toString()) : body);
-  });
-  await page.goto(`http://localhost:${await listen(server)}/embedding.html`);
-  await page.getByRole('button', { name: 'Start both' }).click();
-  for (const id of ['left', 'right']) {
-    const frame = await started(page, id);
-    expect(await frame.evaluate(() => self.origin)).toBe(site.origin);
-  }
-  await page.getByRole('button', { name: 'Run both' }).click();
-  for (const title of ['Flat panels', 'Circular panels'])
-    await expect(page.getByRole('figure').filter({ hasText: title })).toContainText(
-      /[1-9]\d* iter/,
-    );
-  server.closeAllConnections();
-  server.close();
 });

@@ -109,7 +109,7 @@ test('a picture has the chosen size, legend and background', looks, async ({ pag
   // The largest picture has 16 times the pixels of the view.
   await page.setViewportSize({ width: 900, height: 640 });
   await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
   const view = await boxOf(page.getByRole('application', { name: '3D view' }));
   const pictures: Record<string, Picture> = {};
   for (const [scale, legend, ground] of [
@@ -167,13 +167,13 @@ test('a picture has the chosen size, legend and background', looks, async ({ pag
   }
   expect(worst).toBeLessThan(6);
   // The view itself is unchanged.
-  await expect.poll(async () => (await state(page)).renderer).not.toBe('none');
+  await expect.poll(async () => (await state(page)).renderer).toMatch(/^web/);
 });
 
 test('a picture on white leaves the view in the dark theme', looks, async ({ page }) => {
   await page.emulateMedia({ colorScheme: 'dark' });
   await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
   const before = await middleOfPicture(page);
   await tool(page, 'More formats');
   const dialog = page.getByRole('dialog', { name: 'Export' });
@@ -276,7 +276,7 @@ test('a Rhino file without readable geometry is refused with the reason', async 
 
 test('a script gets the same picture in one tile or in several', looks, async ({ page }) => {
   await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
   const found = await page.evaluate(async () => {
     const small = async (width: number) => {
       const blob = await window.shapeUp.picture({ width, legend: false, ground: 'white' });
@@ -305,7 +305,7 @@ test('a script gets the same picture in one tile or in several', looks, async ({
 
 test('a film shows one turn if the browser can record', looks, async ({ page }) => {
   await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
   const corner = () => page.evaluate(() => window.shapeUp.screen(0) as [number, number]);
   const before = await corner();
   const film = await page.evaluate(async () => {

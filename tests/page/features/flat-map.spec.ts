@@ -44,7 +44,7 @@ async function pictureOf(page: Page, part: Locator) {
 
 test('an example is flattened, and Escape returns to the model', looks, async ({ page }) => {
   await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
   await openExample(page, 'Hypar');
   await expect(map(page)).toBeHidden();
   await parametrize(page);
@@ -156,7 +156,7 @@ test(
   looks,
   async ({ page }) => {
     await openPage(page);
-    await waitForState(page, (now) => now.renderer !== 'none');
+    await waitForState(page, (now) => now.renderer.startsWith('web'));
     // The map of a sheet has no folds; the map of a box must have some.
     await openText(page, 'grid.obj', wavyGrid(4), 25);
     await parametrize(page);

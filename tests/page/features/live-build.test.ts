@@ -27,18 +27,18 @@ test('faces that change during a build are built, although no vertex has moved',
     }
   } as unknown as typeof Worker;
   const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
-  const mesh = (offsets: number[], indices: number[]) => ({
-    positions,
+  const mesh = (generation: number, offsets: number[], indices: number[]) => ({
+    ...{ generation, positions },
     connectivity: {
       faceOffsets: Uint32Array.from(offsets),
       faceIndices: Uint32Array.from(indices),
     },
   });
   const state = {
-    ...{ model: { faces: 1, vertices: 4 }, numbers: { iteration: 0 }, dragged: [], running: false },
+    ...{ model: { faces: 1, vertices: 4 }, dragged: [], running: false },
     document: { units: 'm', build: {} },
   };
-  const solver = { geometry: mesh([0, 3, 6], [0, 1, 2, 0, 2, 3]) };
+  const solver = { geometry: mesh(1, [0, 3, 6], [0, 1, 2, 0, 2, 3]) };
   const app = { store: { get: () => state }, solver } as unknown as AppContext;
   const live = new LiveBuild(app, {
     show() {},
@@ -49,7 +49,7 @@ test('faces that change during a build are built, although no vertex has moved',
   begun = () => {
     begun = () => {};
     // The triangles are joined to a quad.
-    solver.geometry = mesh([0, 4], [0, 1, 2, 3]);
+    solver.geometry = mesh(2, [0, 4], [0, 1, 2, 3]);
     void live.update();
   };
   await live.update();
@@ -72,24 +72,55 @@ test('what is saved while a large shape moves is built of its current positions'
   const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
   const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0);
   const state = {
-    ...{ model: { faces: 1, vertices: 100_000 }, numbers: { iteration: 0 }, dragged: [] },
-    ...{ running: false, document: { units: 'm', build: {} } },
+    ...{ model: { faces: 1, vertices: 100_000 }, dragged: [], running: false },
+    document: { units: 'm', build: {} },
   };
-  const app = {
-    store: { get: () => state },
-    solver: { geometry: { positions, connectivity } },
-  } as unknown as AppContext;
+  const geometry = { generation: 1, positions, connectivity };
+  const app = { store: { get: () => state }, solver: { geometry } } as unknown as AppContext;
   const refuse = (why: string) => assert.fail(why);
   const live = new LiveBuild(app, { show() {}, showOffset() {}, refuse });
   await live.offers();
   await live.update();
   state.running = true;
   positions[0] = 7;
+  geometry.generation = 2;
   await live.update();
   assert.deepEqual(asked.splice(0), ['offers', 0]);
   await live.zip();
   await live.spatialParts();
   positions[0] = 8;
+  geometry.generation = 3;
   await live.reportPage({ title: '', camera: null, link: '' });
   assert.deepEqual(asked, [7, 'zip', 'spatialParts', 8, 'reportPage']);
+});
+
+test('another shape is built, even one with equal sums of its coordinates', async () => {
+  /** The first coordinate of each shape that was built. */
+  const built: number[] = [];
+  globalThis.Worker = class {
+    postMessage({ id, request }) {
+      if (request.type === 'build') built.push(request.positions[0]);
+      const value = request.type === 'offers' ? { presets: [], defaults: {} } : {};
+      setTimeout(() => this.onmessage({ data: { id, value } }));
+    }
+  } as any;
+  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
+  const shape = (generation, ...positions) => ({
+    ...{ generation, connectivity, positions: Float64Array.from(positions) },
+  });
+  const state = {
+    ...{ model: { faces: 1, vertices: 3 }, dragged: [], running: false },
+    document: { units: 'm', build: {} },
+  };
+  const solver = { geometry: shape(1, 1, 0, 0, 0, 1, 0, 0, 5, 0) };
+  const app = { store: { get: () => state }, solver } as any;
+  const refuse = (why: string) => assert.fail(why);
+  const live = new LiveBuild(app, { show() {}, showOffset() {}, refuse });
+  await live.offers();
+  await live.update();
+  // The first and the eighth coordinate had the same weight in a check sum.
+  solver.geometry = shape(2, 5, 0, 0, 0, 1, 0, 0, 1, 0);
+  await live.update();
+  await live.update();
+  assert.deepEqual(built, [1, 5]);
 });

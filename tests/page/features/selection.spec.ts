@@ -16,7 +16,7 @@ const vertex = (x: number, y: number) => y * SIDE + x;
 test.beforeEach(async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
   await hidePanels(page);
 });
 

@@ -46,7 +46,7 @@ async function makeHandles(page: Page, vertices: number[]) {
 async function open(page: Page, text = wavyGrid(N)) {
   await openPage(page);
   await openText(page, 'grid.obj', text, VERTICES);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
 }
 
 test('a coordinate is set for all selected handles in one step', async ({ page }) => {

@@ -13,7 +13,7 @@ const VERTICES = (N + 1) ** 2;
 test.beforeEach(async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
 });
 
 /** Brings a tab of the analysis to the front. */

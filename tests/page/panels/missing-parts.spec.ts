@@ -16,7 +16,7 @@ const alert = (page: Page) => page.getByRole('alert');
 test.beforeEach(async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
 });
 
 /** Expects no complaints other than those about the aborted requests. */

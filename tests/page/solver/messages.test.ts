@@ -1,8 +1,9 @@
-// Shared by page and worker: events, and the choice of the file to open.
+// Shared by page and worker: events, the choice of the file to open, and the words of errors.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.ts';
+import { messageOf } from '../../../www/solver/messages.ts';
 import { filesNamed, mainOf, worthReading } from '../../../www/solver/opened-files.ts';
 import type { NamedBytes } from '../../../www/solver/messages.ts';
 
@@ -40,4 +41,39 @@ test('a scene is opened with the mesh that it names, else the first readable fil
     { path: 'other.obj', file: undefined },
   ]);
   assert.deepEqual(named([mesh]), []);
+});
+
+test('what could not be fetched is said in plain words', () => {
+  const words = 'A part of the page could not be fetched. Check the network.';
+  for (const message of [
+    'Failed to fetch dynamically imported module: http://localhost/assets/help-1234567.js',
+    'error loading dynamically imported module: http://localhost/assets/help-1234567.js',
+    'Importing a module script failed.',
+    'Failed to fetch',
+    'NetworkError when attempting to fetch resource.',
+    'Load failed',
+    'WebAssembly compilation aborted: Network error: Response body loading was aborted',
+  ])
+    assert.equal(messageOf(new TypeError(message)), words, message);
+  for (const message of [
+    'Unable to preload CSS for /assets/help-1234567.css',
+    "failed to fetch Wasm: 404 Not Found fetching 'http://localhost/assets/engine-1234567.wasm'",
+  ])
+    assert.equal(messageOf(new Error(message)), words, message);
+});
+
+test('an error about a file keeps its words, whatever the file is called', () => {
+  for (const message of [
+    'imported module.obj, line 3: expected a number, found "x"',
+    'Failed to fetch.obj, line 1: nothing here is known',
+    'Failed to fetch',
+    'Load failed',
+    'roof.obj, line 2: expected a number, found "Failed to fetch"',
+    'The file "preload CSS.off" ends in line 7.',
+    'failed to fetch Wasm: no number in line 2',
+  ]) {
+    assert.equal(messageOf(new Error(message)), message);
+    assert.equal(messageOf(message), message);
+  }
+  assert.equal(messageOf(new TypeError('x is not a function')), 'x is not a function');
 });

@@ -1,4 +1,4 @@
-// Which scene a new worker opens after work was cancelled.
+// Which scene a new worker opens after work was cancelled, and the generations of the shape.
 
 import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
@@ -112,4 +112,28 @@ test('work cancelled while the scene is being restored restores it without a not
   // The first restoring used to report that the scene could not be reopened, and the model then
   // counted as another one, called restored.shapeup.json.
   assert.deepEqual(events, ['roof.obj, true']);
+});
+
+test('every other mesh and every other shape is another generation, other frames are not', async () => {
+  const client = await clientWithRoof();
+  const generations = [];
+  const say = (type, ...positions) => {
+    const loaded = { name: 'roof.obj' };
+    FakeWorker.latest.say({
+      ...{ type, loaded, connectivity: {}, positions: Float64Array.from(positions) },
+      numbers: { stepMs: 1 },
+    });
+    generations.push(client.geometry?.generation);
+  };
+  const first = client.geometry?.generation ?? 0;
+  // The same sums of coordinates, another measure of the same shape, another mesh of it.
+  say('frame', 0, 1, 2);
+  say('frame', 2, 1, 0);
+  say('frame', 2, 1, 0);
+  say('model', 2, 1, 0);
+  say('frame', 2, 1, 0);
+  assert.deepEqual(
+    generations.map((generation) => generation - first),
+    [1, 2, 2, 3, 3],
+  );
 });

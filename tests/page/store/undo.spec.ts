@@ -64,7 +64,7 @@ test('all actions are undone step by step to the start, and redone', async ({ pa
 
 test('a drag is one step, and a cancelled drag is none', async ({ page }) => {
   await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
   const before = await everything(page);
   const soft = known((await state(page)).handles.find((handle) => !handle.fixed));
   await dragVertex(page, soft.vertex, [10, -20]);

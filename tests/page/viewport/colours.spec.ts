@@ -103,7 +103,7 @@ test(
   async ({ page }) => {
     const n = 4;
     await openPage(page);
-    await waitForState(page, (now) => now.renderer !== 'none');
+    await waitForState(page, (now) => now.renderer.startsWith('web'));
     await openText(page, 'grid.obj', wavyGrid(n), 25);
     const tints = async () => {
       await hidePanels(page);
@@ -166,7 +166,7 @@ test(
   looks,
   async ({ page }) => {
     await openPage(page);
-    await waitForState(page, (now) => now.renderer !== 'none');
+    await waitForState(page, (now) => now.renderer.startsWith('web'));
     await openText(page, 'grid.obj', wavyGrid(4), 25);
     await addConstraint(page, 'Plane', 'each face');
     /** The number of bytes of the picture that the arrows change, with outlines shown. */
@@ -234,7 +234,7 @@ const rangeOf = async (page: Page) =>
 
 test('choosing a measure again restores the same picture', looks, async ({ page }) => {
   await openPage(page);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
   // An intermediate shape, better than the start but not exact yet.
   const press = (name: string) => page.getByRole('button', { name, exact: true }).click();
   await press('Reset');
@@ -278,7 +278,7 @@ test(
   looks,
   async ({ page }) => {
     await openPage(page);
-    await waitForState(page, (now) => now.renderer !== 'none');
+    await waitForState(page, (now) => now.renderer.startsWith('web'));
     const high = page.getByRole('slider', { name: 'High end of the range' });
     const low = page.getByRole('slider', { name: 'Low end of the range' });
     await expect(high).toHaveAttribute('aria-valuenow', '100');

@@ -39,7 +39,7 @@ async function fingers(page: Page) {
 test.beforeEach(async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
-  await waitForState(page, (now) => now.renderer !== 'none');
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
 });
 
 test('after a touch that the system cancels, one finger selects as before', async ({ page }) => {

@@ -32,7 +32,7 @@ let dialog: AddConstraintDialog | undefined;
 /** Opens the dialog, or closes it when it is open. */
 export function toggleAddConstraint(app: AppContext) {
   dialog ??= new AddConstraintDialog(byId('add-constraint'), app);
-  return dialog.toggle();
+  dialog.toggle();
 }
 
 class AddConstraintDialog {
@@ -111,15 +111,15 @@ class AddConstraintDialog {
     });
   }
 
-  async toggle() {
+  toggle() {
     if (this.#dialog.open) return this.#dialog.close();
     this.#isChosen = false;
     this.#weight.value = '1';
     this.#parametersOf = '';
     this.#allow(false);
     this.#dialog.show();
-    await this.#ask();
-    this.#kinds.focus(this.#kindId);
+    // Meanwhile a press closes it.
+    this.#actions.reportErrors(this.#ask().then(() => this.#kinds.focus(this.#kindId)));
   }
 
   /** All selectors, whether a kind fits them or not. */

@@ -4,6 +4,7 @@ import './build-panel.css';
 import { docked } from '../../docked/docked.ts';
 import { button, closeButton } from '../../ui/controls/fields.ts';
 import { element } from '../../ui/dom.ts';
+import { oneAtATime } from '../../ui/once.ts';
 import { latestOnly } from '../../store/latest-only.ts';
 import { MOST_LIVE_VERTICES } from '../../store/live-shape.ts';
 import { showElements } from '../../viewport/reveal-elements.ts';
@@ -69,7 +70,8 @@ async function buildPanel(app: AppContext) {
   const rhino = button('Rhino', () => actions.reportErrors(saveForRhino()), {
     title: 'Panels, beams, nodes and sheets as layers of a .3dm file',
   });
-  const report = button('Report', () => actions.reportErrors(showReport(app, live)));
+  const open = oneAtATime(() => showReport(app, live));
+  const report = button('Report', () => actions.reportErrors(open()));
   const panel = element(
     'section.docked',
     { id: 'parts-panel', 'aria-labelledby': 'heading-parts', hidden: true },

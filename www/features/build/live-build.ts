@@ -2,7 +2,7 @@
 
 import { messageOf, type BuildReplies, type BuildSettings } from '../../solver/messages.ts';
 import { latestOnly } from '../../store/latest-only.ts';
-import { MOST_LIVE_VERTICES, checksum } from '../../store/live-shape.ts';
+import { MOST_LIVE_VERTICES } from '../../store/live-shape.ts';
 import { UNITS } from '../../ui/units.ts';
 import { BuildClient } from './build-client.ts';
 import type { AppContext } from '../../app/context.ts';
@@ -19,7 +19,7 @@ export class LiveBuild {
   #app;
   #client = new BuildClient();
   #builds = latestOnly(() => this.#once());
-  /** State of the last build, except its mesh. */
+  /** Generation and settings of the last build. */
   #key = '';
   /** Mesh of the last build. */
   #mesh: object | null = null;
@@ -84,7 +84,7 @@ export class LiveBuild {
   /** @param isSaved whether the parts are built of the shape as it is, however long it takes */
   async #once(isSaved: boolean = false) {
     const { store, solver } = this.#app;
-    const { model, numbers, document, running, dragged } = store.get();
+    const { model, document, running, dragged } = store.get();
     const { geometry } = solver;
     if (!model || !document || !geometry || !this.#defaults) return;
     if (!model.faces) {
@@ -97,12 +97,11 @@ export class LiveBuild {
     if (isMoving && !isSaved && model.vertices > MOST_LIVE_VERTICES) return;
     const settings = this.settings();
     const { symbol, metres } = this.unit();
-    const { connectivity: mesh } = geometry;
+    const { connectivity: mesh, generation } = geometry;
     const positions = geometry.positions.slice();
     const agreed = [symbol, JSON.stringify(settings)].join();
-    const key = [numbers?.iteration, checksum(positions), agreed].join();
-    // Operations such as joining triangles change the faces only.
-    if (key === this.#key && mesh === this.#mesh) return;
+    const key = [generation, agreed].join();
+    if (key === this.#key) return;
     const isOther = mesh !== this.#mesh || agreed !== this.#agreed;
     const isSlow = this.#milliseconds > LIVE_MS;
     try {

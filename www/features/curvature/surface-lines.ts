@@ -1,7 +1,7 @@
 /** Draws lines on the current shape: one request at a time, always for the latest state. */
 
 import { latestOnly } from '../../store/latest-only.ts';
-import { MOST_LIVE_VERTICES, checksum } from '../../store/live-shape.ts';
+import { MOST_LIVE_VERTICES } from '../../store/live-shape.ts';
 import type { Answer, Question } from './curvature-worker.ts';
 import type { AppContext } from '../../app/context.ts';
 
@@ -15,8 +15,8 @@ export function surfaceLines(
     type: 'module',
     name: 'curvature',
   });
-  /** Checksums of the shape that the worker has. */
-  let known = '';
+  /** Generation of the shape that the worker has; 0 if none. */
+  let known = 0;
   /** The last question. */
   let asked = '';
   /** The lines drawn now. */
@@ -49,11 +49,10 @@ export function surfaceLines(
       return draw();
     }
     if (running && model.vertices > MOST_LIVE_VERTICES) return;
-    const { positions, connectivity } = geometry;
+    const { generation, positions, connectivity } = geometry;
     const { faceOffsets: offsets, faceIndices: indices } = connectivity;
-    const shape = `${checksum(positions)} ${offsets.length} ${checksum(indices)}`;
     const question = JSON.stringify([
-      shape,
+      generation,
       how.draw,
       how.distance,
       [...how.vertices],
@@ -61,13 +60,13 @@ export function surfaceLines(
     ]);
     if (question === asked) return;
     asked = question;
-    const isNew = shape !== known;
+    const isNew = generation !== known;
     const { value, refused } = await ask({
       ...how,
       ...(isNew && { shape: { positions: positions.slice(), offsets, indices } }),
     });
     // A worker that refuses may not have taken the shape.
-    known = value ? shape : '';
+    known = value ? generation : 0;
     // Another mesh may have been opened since.
     if (store.get().model !== model || !wanted()) return;
     drawn = value ?? null;

@@ -2,7 +2,7 @@
  * The bar of an embedded view, and its input: the view handles wheel and touch only while it has
  * the focus, so that the user can scroll the page around it past the view.
  *
- * Options in the address after `?embed`, whose value is how it started (`CALLED`, `PRESSED`):
+ * Options in the address after `?embed`, whose value is `PRESSED` if the user started the view:
  *
  * | option | meaning |
  * |---|---|
@@ -15,8 +15,7 @@
 import './embedded-view.css';
 import { byId, element, icon, setText } from '../../ui/dom.ts';
 import { linkTo } from '../../documents/share-link.ts';
-import { answerMessages } from './answer.ts';
-import { PRESSED } from './protocol.ts';
+import { PRESSED } from '../../ui/embedded.ts';
 import type { AppContext } from '../../app/context.ts';
 
 export async function embeddedView(app: AppContext) {
@@ -29,7 +28,6 @@ export async function embeddedView(app: AppContext) {
     if (measure) app.actions.colourBy(measure === 'none' ? null : measure);
     if (asked.has('autoplay')) app.actions.run();
   });
-  answerMessages(app);
 }
 
 function bar(app: AppContext) {

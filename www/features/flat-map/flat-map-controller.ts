@@ -40,9 +40,9 @@ export class FlatMapController {
     new FlatMapRegion(byId('flat-map'), store, viewport);
   }
 
-  async toggle() {
+  toggle() {
     if (this.#store.get().flatMap) this.close();
-    else await this.flatten();
+    else this.flatten();
   }
 
   /** Closes the flat map. */

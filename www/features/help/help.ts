@@ -4,6 +4,7 @@ import './help.css';
 import { keyName } from '../../ui/keys.ts';
 import { dialogHead } from '../../ui/controls/dialog.ts';
 import { element } from '../../ui/dom.ts';
+import { oneAtATime } from '../../ui/once.ts';
 import { singleKeys } from '../../ui/single-keys.ts';
 import type { Command } from '../../app/context.ts';
 
@@ -68,7 +69,7 @@ export function showHelp(dialog: HTMLDialogElement, commands: Command[]) {
   dialog.showModal();
 }
 
-const cite = () => import('./cite.ts').then((it) => it.showCitation());
+const cite = oneAtATime(() => import('./cite.ts').then((it) => it.showCitation()));
 
 function keysOf({ keys, label }: Command): [(Node | string)[], string] {
   return keyRow(keys.map(keyName), label);

@@ -6,6 +6,7 @@
 import './lesson.css';
 import { RENEW_MS, byId, element, icon, setText, throttled } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
+import { oneAtATime } from '../../ui/once.ts';
 import { movedInWords } from '../../store/colours/measures.ts';
 import { goalInWords, nowInWords } from './goal.ts';
 import { lockedPlaces, locksInWords } from './locks.ts';
@@ -14,7 +15,8 @@ import type { AppContext } from '../../app/context.ts';
 const MARKS = { met: '✓', missed: '✗' };
 
 export function lessonPanel(app: AppContext) {
-  const { store } = app;
+  const { store, actions } = app;
+  const open = oneAtATime(() => import('./hand-in.ts').then((it) => it.handIn(app)));
   const text = element('p.lesson-text');
   const list = element('ul', { 'aria-label': 'Goals' });
   const locked = element('p.quiet');
@@ -32,7 +34,7 @@ export function lessonPanel(app: AppContext) {
     cost,
     element(
       'button.bordered',
-      { 'aria-haspopup': 'dialog', onclick: handIn },
+      { 'aria-haspopup': 'dialog', onclick: () => actions.reportErrors(open()) },
       'Results for hand-in',
     ),
   );
@@ -51,10 +53,6 @@ export function lessonPanel(app: AppContext) {
   function showGoals() {
     byId('tab-model').click();
     byId('model-panel').scrollTo(0, 0);
-  }
-
-  async function handIn() {
-    await app.actions.reportErrors(import('./hand-in.ts').then(({ handIn }) => handIn(app)));
   }
 
   const showNumbers = throttled(RENEW_MS, () => {

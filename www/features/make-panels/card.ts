@@ -9,6 +9,7 @@ import { RENEW_MS, byId, element, removeKeepingFocus, setText, throttled } from 
 import { cover } from '../../viewport/covered.ts';
 import { showElements } from '../../viewport/reveal-elements.ts';
 import { isMeshLocked, panelButtons } from './buttons.ts';
+import { openEdit } from './open-edit.ts';
 import { addButtons } from './refine-buttons.ts';
 import { progressWords, verdictWords } from './verdict.ts';
 import type { KindInfo, PanelStart, Verdict } from '../../solver/messages.ts';
@@ -170,8 +171,7 @@ export class MakePanels {
 
   /** Opens an operation on the mesh. */
   #change(operation: string) {
-    const dialog = import('./refine-operation.ts');
-    void this.#app.actions.reportErrors(dialog.then((it) => it.openEdit(this.#app, operation)));
+    void this.#app.actions.reportErrors(openEdit(this.#app, operation));
   }
 
   /** Shows how far the mesh will move for the offer; requested once for each model. */

@@ -1,5 +1,6 @@
 /** Actions on the whole mesh: one press for all panels, and changes of the mesh itself. */
 
+import { openEdit } from './open-edit.ts';
 import type { Feature } from '../../app/context.ts';
 
 export default {
@@ -11,8 +12,7 @@ export default {
       keys: [],
       enabled: ({ model, document }) =>
         Boolean(model?.faces && !model.tets && !document?.lesson?.lock.includes('mesh')),
-      action: () =>
-        app.actions.reportErrors(import('./refine-operation.ts').then((it) => it.openEdit(app))),
+      action: () => openEdit(app),
     },
   ],
   parts: [

@@ -2,17 +2,19 @@
 
 import { button } from '../../ui/controls/fields.ts';
 import { byId } from '../../ui/dom.ts';
+import { oneAtATime } from '../../ui/once.ts';
 import { isMeshLocked } from './buttons.ts';
+import { openEdit } from './open-edit.ts';
 import type { AppContext } from '../../app/context.ts';
 
 export function addButtons(app: AppContext) {
   const { store, actions } = app;
-  const offer = (label: string, open: () => Promise<unknown>) =>
+  const offer = (label: string, open: () => unknown) =>
     button(label, () => actions.reportErrors(open()), { 'aria-haspopup': 'dialog' });
-  const buttons = [
-    offer('Refine', () => import('./refine-dialog.ts').then((it) => it.openRefine(app))),
-    offer('Edit mesh', () => import('./refine-operation.ts').then((it) => it.openEdit(app))),
-  ];
+  const openRefine = oneAtATime(() =>
+    import('./refine-dialog.ts').then((it) => it.openRefine(app)),
+  );
+  const buttons = [offer('Refine', openRefine), offer('Edit mesh', () => openEdit(app))];
   byId('mesh-tools').prepend(...buttons);
   store.subscribe(['model', 'document'], (state) => {
     const { model, document: scene } = state;

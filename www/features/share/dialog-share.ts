@@ -35,7 +35,7 @@ const LEVELS = [
 ];
 
 export async function share(app: AppContext) {
-  const { files } = app;
+  const { files, actions } = app;
   const { address: link, rounded } = await linkTo(app);
   const { example, fileName, document: scene } = app.store.get();
   const title = example?.title ?? fileName;
@@ -54,7 +54,7 @@ export async function share(app: AppContext) {
   // The beginning identifies the link.
   if (field) field.scrollTop = 0;
   // Some browsers allow copying only on a user action; the button still works there.
-  if (found) await copy(link, dialog, '');
+  if (found) actions.reportErrors(copy(link, dialog, ''));
 }
 
 /**
@@ -139,12 +139,7 @@ function others(link: string, title: string) {
       line,
       element(
         'p.quiet',
-        'A live model that loads when somebody starts it, and stores nothing. ',
-        element(
-          'a',
-          { href: './embedding.html', target: '_blank', rel: 'noopener' },
-          'Options, and how a page controls it',
-        ),
+        'A live model that loads when somebody starts it, and stores nothing. With “&autoplay” after “?embed” it starts and runs at once.',
       ),
       element('button.bordered', { onclick: copyLine }, 'Copy line'),
     ),

@@ -1,25 +1,14 @@
 /** The poster of an embedded view until the user starts it: a picture, a button and a link. */
 
-import { CALLED, PRESSED, callIn, post } from '../../features/embed/protocol.ts';
 import { readLink } from '../../documents/share-link.ts';
 import { listOfExamples } from '../../solver/examples.ts';
 import { messageOf } from '../../solver/messages.ts';
 import { byId, setText } from '../../ui/dom.ts';
+import { PRESSED } from '../../ui/embedded.ts';
 
 const { hash, search } = location;
 byId<HTMLAnchorElement>('home').href = `./${hash}`;
-byId('start').addEventListener('click', () => start(PRESSED));
-
-addEventListener('message', (event) => {
-  const call = callIn(event);
-  if (!call) return;
-  const { id } = call;
-  if (call.name === 'start') {
-    post({ shapeUp: 'answer', id }, event.origin);
-    start(CALLED);
-  } else post({ shapeUp: 'answer', id, error: 'The view has not been started.' }, event.origin);
-});
-post({ shapeUp: 'news', news: 'waiting' });
+byId('start').addEventListener('click', start);
 
 readLink(hash).then(
   (link) =>
@@ -30,9 +19,9 @@ readLink(hash).then(
 );
 
 /** Replaces this page by the view, with the same options. */
-function start(how: string) {
+function start() {
   const options = new URLSearchParams(search);
-  options.set('embed', how);
+  options.set('embed', PRESSED);
   location.replace(`./?${options}${hash}`);
 }
 

@@ -189,15 +189,17 @@ export class PointerInput {
     this.#become(making);
     if (vertex === undefined) return;
     makeHandle(this.#store, this.#solver, vertex);
-    const made = () => {
+    const end = this.#solver.on('document', ({ document }) => {
       // The gesture was ended or cancelled meanwhile.
-      if (this.#gesture !== making) return;
+      if (this.#gesture !== making) return void end();
+      // That of an earlier edit has no such handle yet.
+      if (!document.handles.some((handle) => handle.vertex === vertex)) return;
+      end();
       this.#handle = vertex;
       this.#begin(true);
       const last = this.#down.get(event.pointerId);
       if (last) this.#drag(event, last);
-    };
-    this.#solver.once('document', made);
+    });
   }
 
   #drag(event: PointerEvent, at: [number, number]) {

@@ -1,0 +1,40 @@
+// Two quick presses on a control open one dialog, although its code is loaded first.
+
+import { openText } from '../actions.ts';
+import { wavyGrid } from '../meshes.ts';
+import { drawn, expect, openPage, test } from '../support.ts';
+
+const N = 4;
+
+/** What is pressed, and the dialog that it opens. */
+const DIALOGS = [
+  ['button', 'Present', 'Presentation'],
+  ['button', 'Share', 'Share'],
+  ['button', 'More formats', 'Export'],
+  ['button', 'Write a lesson', 'Lesson'],
+  ['button', 'Refine', 'Refine'],
+  ['button', 'Edit mesh', 'Edit mesh'],
+  ['menuitem', 'New mesh', 'New mesh'],
+];
+
+test('two quick presses open one dialog, and a press after it opens it again', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(N), (N + 1) ** 2);
+  const open = page.locator('dialog:modal');
+  for (const [role, name, title] of DIALOGS) {
+    // The menu of the examples is closed.
+    const exact = role === 'button';
+    const control = page.getByRole(role, { name, exact, includeHidden: true }).first();
+    for (const presses of [2, 1]) {
+      await control.evaluate((element, times) => {
+        for (let time = 0; time < times; time++) element.click();
+      }, presses);
+      await expect(page.getByRole('dialog', { name: title, exact: true })).toBeVisible();
+      // By now a second one would be open.
+      await drawn(page);
+      await expect(open, title).toHaveCount(1);
+      await open.getByRole('button', { name: 'Close' }).click();
+      await expect(open).toHaveCount(0);
+    }
+  }
+});

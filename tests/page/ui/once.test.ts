@@ -1,0 +1,34 @@
+// What happens once.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { oneAtATime } from '../../../www/ui/once.ts';
+
+test('a second press has no effect while the first one loads, and has one after it, also after a failure', async () => {
+  const loaded: ((opened: string) => void)[] = [];
+  const fail = [];
+  const open = oneAtATime(
+    () =>
+      new Promise((done, refuse) => {
+        loaded.push(done);
+        fail.push(refuse);
+      }),
+  );
+  const first = open();
+  assert.equal(open(), undefined);
+  loaded[0]('the dialog');
+  assert.equal(await first, 'the dialog');
+
+  const second = open();
+  fail[1](new Error('not there'));
+  await assert.rejects(second as Promise<unknown>, /not there/);
+  open();
+  assert.equal(loaded.length, 3);
+});
+
+test('an action without a promise takes every press', () => {
+  let radius = 1;
+  const larger = oneAtATime((factor: number) => (radius *= factor));
+  larger(2);
+  assert.equal(larger(3), 6);
+});

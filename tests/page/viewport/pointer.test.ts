@@ -1,0 +1,75 @@
+// Alt and a press make a vertex a handle, which is dragged as soon as the solver has made it.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Emitter } from '../../../www/solver/emitter.ts';
+import { createStore } from '../../../www/store/state.ts';
+import { PointerInput } from '../../../www/viewport/input/pointer.ts';
+
+const VERTEX = 5;
+const ALT = { altKey: true, button: 0, buttons: 1, pointerId: 1, pointerType: 'mouse' };
+
+globalThis.window = { addEventListener() {} } as any;
+globalThis.PointerEvent = class {} as any;
+
+/** Pointer input on a view in which the pointer is always at the vertex. */
+function inputAtVertex() {
+  const store = createStore();
+  /** Drags that were sent: phase and vertices. */
+  const sent: any[] = [];
+  const send = ({ phase, vertices }) => sent.push([phase, ...vertices]);
+  const solver = Object.assign(new Emitter(), { send });
+  solver.on('document', ({ document }) => store.set({ document }));
+  const listeners = {};
+  const element = {
+    ...{ dataset: {}, focus() {}, setPointerCapture() {}, toggleAttribute() {} },
+    addEventListener: (type, listener) => (listeners[type] = listener),
+    getBoundingClientRect: () => ({ left: 0, top: 0 }),
+  };
+  const view = {
+    pickGizmo: () => undefined,
+    pickHandle: () => undefined,
+    pickVertex: () => VERTEX,
+    holdVertex() {},
+  };
+  const constrainMove = (_, dx, dy) => Float64Array.of(dx, dy, 0);
+  const viewport = { element, view, with: (action) => action(view), constrainMove };
+  const region = { paints: false, hide() {} };
+  new PointerInput(...([store, solver, viewport, region, {}, {}] as any));
+  const event = (type, clientX, more = {}) =>
+    listeners[type]({ ...ALT, ...{ type, clientX, clientY: 0, timeStamp: 0 }, ...more });
+  /** The solver says that these vertices are handles. */
+  const say = (...vertices) => {
+    const handles = vertices.map((vertex) => ({ vertex, target: [0, 0, 0], fixed: false }));
+    solver.emit('document', { document: { handles } });
+  };
+  return { element, event, say, sent };
+}
+
+test('the document of an earlier edit does not count as that of the new handle', () => {
+  const { element, event, say, sent } = inputAtVertex();
+  event('pointerdown', 10);
+  event('pointermove', 14);
+  say(1);
+  assert.equal(element.dataset.gesture, 'making');
+  say(1, VERTEX);
+  assert.equal(element.dataset.gesture, 'handle');
+  event('pointermove', 20);
+  event('pointerup', 20);
+  assert.deepEqual(sent, [
+    ['make', VERTEX],
+    ['move', VERTEX],
+    ['move', VERTEX],
+    ['move', VERTEX],
+    ['end', VERTEX],
+  ]);
+});
+
+test('a handle that is made after the release is not dragged', () => {
+  const { element, event, say, sent } = inputAtVertex();
+  event('pointerdown', 10);
+  event('pointerup', 10);
+  say(VERTEX);
+  assert.equal(element.dataset.gesture, '');
+  assert.deepEqual(sent, [['make', VERTEX], ['end']]);
+});
