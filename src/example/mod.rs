@@ -6,7 +6,7 @@
 //! | `declaration` | the texts of an example, and how it is built |
 //! | `scene` | the list of examples, and the scene of each |
 //! | `model` | the meshes |
-//! | `suggestions` | further views of some examples that hosts offer |
+//! | `suggestions` | plots of some examples that hosts offer |
 
 mod declaration;
 pub mod model;
@@ -15,4 +15,4 @@ mod suggestions;
 
 pub use declaration::Example;
 pub use scene::EXAMPLES;
-pub use suggestions::{Shows, SplitSide, Suggestion, suggestions};
+pub use suggestions::{Suggestion, suggestions};

@@ -2,7 +2,6 @@
 //! of the page makes again: their scenes and meshes, and the list from which the page builds its menu
 //! and the gallery its cards.
 
-use super::Experiment;
 use crate::constraint::Info;
 use crate::example::{EXAMPLES, Example, Suggestion, suggestions};
 use crate::mesh::{Mesh, write_medit, write_obj};
@@ -31,9 +30,7 @@ struct Entry<'a> {
     kinds: Vec<KindName>,
     /// `lambda_shape`, `lambda_close` and `lambda_smooth` of Eq. 13.
     weights: [f64; 3],
-    /// The experiment of the example.
-    experiment: Option<&'static Experiment>,
-    /// The description of the example.
+    /// Plots that hosts offer.
     suggestions: &'static [Suggestion],
     /// The task of a lesson.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -71,7 +68,6 @@ impl<'a> Entry<'a> {
             units: &scene.units,
             kinds,
             weights: [scene.weights.shape, scene.weights.close, scene.weights.smooth],
-            experiment: Experiment::of(example.id),
             suggestions: suggestions(example.id),
             goals: scene.lesson.as_ref().map(goals_in_words).unwrap_or_default(),
         }

@@ -3,14 +3,13 @@
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
-use serde::Serialize;
 
 /// A comparison of methods on the same problem.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct Experiment {
     /// Its name on the command line.
     pub id: &'static str,
-    /// Its name on the page.
+    /// Its name in tables and plots.
     pub label: &'static str,
     /// The comparison in one sentence.
     pub summary: &'static str,
@@ -27,19 +26,18 @@ pub struct Experiment {
 }
 
 /// A quantity measured after every iteration.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct Quantity {
-    /// Its name in files.
+    /// Its name in CSV files.
     pub id: &'static str,
-    /// Its name on the page.
+    /// Its name in tables and plots.
     pub label: &'static str,
     /// Its unit.
     pub unit: Unit,
 }
 
 /// The unit of a quantity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// The square of the unit of the mesh.
     Energy,
@@ -50,7 +48,7 @@ pub enum Unit {
 }
 
 /// A plot of a quantity over iterations or time.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct Plot {
     /// The index of the quantity.
     pub quantity: usize,
@@ -61,8 +59,7 @@ pub struct Plot {
 }
 
 /// The horizontal axis of a plot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Over {
     /// Iterations of the method.
     Iterations,
@@ -71,17 +68,16 @@ pub enum Over {
 }
 
 /// One of the compared methods.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct MethodInfo {
-    /// Its name in files.
+    /// Its name in CSV files.
     pub id: &'static str,
-    /// Its name on the page.
+    /// Its name in tables and plots.
     pub label: &'static str,
     /// A description in one sentence.
     pub summary: &'static str,
     /// The largest mesh that it accepts, in vertices; none if there is no limit.
     pub most_vertices: Option<usize>,
-    #[serde(skip)]
     pub(super) start: Start,
 }
 
@@ -89,7 +85,7 @@ pub struct MethodInfo {
 pub(super) type Start = fn(&Scene, &Mesh) -> Result<Box<dyn Method>, Error>;
 
 /// Limits at which a method is stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Maximum number of iterations of each method.
     pub iterations: u32,

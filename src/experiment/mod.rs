@@ -5,9 +5,8 @@
 //! | file | holds |
 //! |---|---|
 //! | `declaration` | the declarations of an experiment and its methods |
-//! | `recovery` | Fig. 10: recovery from a collapsed start, by five methods |
 //! | `penalty` | Fig. 11: circular panels whose edges collapse, against a penalty method |
-//! | `comparison` | all methods compared on any scene |
+//! | `comparison` | Fig. 10: recovery from a collapsed start, by five methods; all methods on any scene |
 //! | `run` | a running experiment: one method after another, one iteration at a time |
 //! | `methods` | the methods that lower the energy of a scene |
 //! | `two_step` | the project's own solver as a method |
@@ -15,7 +14,8 @@
 //! | `curvature` | curvature estimates of L-BFGS and BFGS |
 //! | `circularity`, `gauss_newton` | the penalty method: angle sums, and Gauss-Newton on them |
 //! | `continuation` | the weight of the circles for a given circularity error |
-//! | `catalogue` | the files of the examples, with their experiments |
+//! | `figure` | the plots of a run as SVG |
+//! | `catalogue` | the files of the examples |
 //!
 //! Experiments and their methods are declared in lists, and hosts show whatever is in them.
 
@@ -26,11 +26,11 @@ mod continuation;
 mod curvature;
 mod declaration;
 mod descent;
+mod figure;
 mod gauss_newton;
 mod line_search;
 mod methods;
 mod penalty;
-mod recovery;
 mod run;
 mod two_step;
 
@@ -41,7 +41,7 @@ pub use declaration::{Experiment, Limits, MethodInfo, Over, Plot, Quantity, Unit
 pub use run::{EndedBy, Run, Sample, Series};
 
 /// The experiments on examples of their own; [`COMPARISON`] runs on any scene.
-pub const EXPERIMENTS: &[Experiment] = &[recovery::RECOVERY, penalty::PENALTY];
+pub const EXPERIMENTS: &[Experiment] = &[comparison::RECOVERY, penalty::PENALTY];
 
 impl Experiment {
     /// Returns the experiment that is meant for an example.

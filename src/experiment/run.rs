@@ -56,7 +56,7 @@ impl EndedBy {
 /// An experiment on a scene.
 pub struct Run {
     experiment: &'static Experiment,
-    scene: Scene,
+    pub(super) scene: Scene,
     mesh: Mesh,
     limits: Limits,
     under_way: Option<Box<dyn Method>>,

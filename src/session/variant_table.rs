@@ -60,17 +60,6 @@ impl Session {
         rows.collect()
     }
 
-    /// Returns the values of the measure `id` for the faces of variant `index`, as
-    /// [`Session::face_values`]; none if the variant does not exist.
-    ///
-    /// # Errors
-    /// As [`Session::variant_table`].
-    pub fn variant_values(&mut self, index: usize, id: &str) -> Result<Option<Vec<f64>>, Error> {
-        let Some(variant) = self.document().variants.kept.get(index) else { return Ok(None) };
-        let positions = Rc::clone(&variant.positions);
-        self.at(positions, |session| session.face_values(id))
-    }
-
     /// Evaluates `ask` at other positions, `#V by 3`, and restores the current ones.
     fn at<T>(
         &mut self,

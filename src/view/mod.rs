@@ -14,7 +14,7 @@
 //! | `gizmo` | arrows and squares for dragging handles |
 //! | `overlay` | ghost, ground, scale bar |
 //! | `state` | the state that determines a picture, and what has changed since the last one |
-//! | `side_by_side` | two pictures on one canvas: the flat map, the original |
+//! | `side_by_side` | the model, and its flat map beside it on one canvas |
 //! | `svg` | the line drawing for print |
 //! | `gpu` | pictures with wgpu |
 //!

@@ -382,20 +382,6 @@ export const walks: Record<string, State[]> = {
       },
     },
     {
-      name: 'an experiment that has been run',
-      only: 'desktop',
-      reach: async (page) => {
-        await openExample(page, 'Animal, pressed flat');
-        await showPanel(page, 'Model');
-        await page.getByRole('button', { name: 'Compare methods' }).click();
-        const dialog = page.getByRole('dialog');
-        await dialog.getByLabel('At most').fill('2');
-        await dialog.getByRole('button', { name: 'Run all' }).click();
-        await expect(dialog.getByRole('status')).toHaveText('All methods have ended.');
-      },
-      leave: escape,
-    },
-    {
       name: 'the flat map',
       reach: async (page) => {
         await openExample(page, 'Mask');
@@ -430,16 +416,6 @@ export const walks: Record<string, State[]> = {
         }
         const lesson = page.getByRole('region', { name: 'Lesson' });
         await expect(lesson).toContainText('Passed: 2 goals met');
-      },
-    },
-    {
-      name: 'before and after, side by side',
-      reach: async (page) => {
-        await page.goto('./#example=fig-05-planar');
-        await waitForState(page, (now) => now.vertices === 2135 && now.renderer.startsWith('web'));
-        await showPanel(page, 'Model');
-        await page.getByRole('button', { name: 'Before and after' }).click();
-        await expect(page.getByRole('slider', { name: 'Divider' })).toBeVisible();
       },
     },
   ],

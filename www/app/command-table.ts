@@ -29,7 +29,6 @@ export function commandTable(
     if (newConstraint.open) return newConstraint.close();
     if (store.get().tape) return store.set({ tape: null, status: 'Measuring ended' });
     if (store.get().flatMap) return store.set({ flatMap: null });
-    if (store.get().split) return store.set({ split: null });
     alerts.clear();
     actions.selectNothing();
   }

@@ -11,7 +11,6 @@ import type { Actions } from '../store/actions.ts';
 import type { Selecting } from '../store/mesh-queries.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
 import type { HoldOriginal } from '../features/hold-original.ts';
-import type { Choice } from '../store/view-modes.ts';
 
 export interface Command {
   /** value of `data-command` */
@@ -44,8 +43,6 @@ export interface AppContext {
   selecting: Selecting;
   alerts: Alerts;
   hold: HoldOriginal;
-  /** splits the view into left and right */
-  showSides: (choices: [Choice, Choice]) => Promise<void>;
   /** the API for scripts */
   script: ReturnType<typeof import('./script-api.ts').scriptApi>;
   /** commands of selection operations are added later */

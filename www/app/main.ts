@@ -33,7 +33,6 @@ import { scriptApi } from './script-api.ts';
 import { Selecting } from '../store/mesh-queries.ts';
 import { NOTHING } from '../store/selection.ts';
 import { SolverClient } from '../solver/solver-client.ts';
-import { splitInto } from '../features/split/split.ts';
 import { runEarlyPresses } from '../store/press.ts';
 import { createStore } from '../store/state.ts';
 import { followAdvanced } from './arrangement/advanced.ts';
@@ -74,7 +73,6 @@ colourRows(store, solver, actions);
 const hold = new HoldOriginal(store, actions);
 const app: AppContext = {
   ...{ store, solver, viewport, files, actions, selecting, alerts, hold, commands: [] },
-  showSides: (choices) => splitInto(app, choices),
   script: scriptApi(store, solver, viewport, files),
 };
 viewport.once('ready', showLegend);
@@ -91,10 +89,7 @@ loadWhenNeeded(app, {
   isNeeded: ({ example }) => example !== null,
   load: () =>
     import('../panels/example/example.ts').then((it) =>
-      it.exampleNote(byId('example-note'), app, ({ split, plot }) => {
-        if (split) void app.showSides(split);
-        if (plot) analysis.bring(plot);
-      }),
+      it.exampleNote(byId('example-note'), app, (plot) => analysis.bring(plot)),
     ),
 });
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
@@ -204,7 +199,6 @@ function bindSolver(client: SolverClient) {
       numbers: null,
       halfway: false,
       flatMap: null,
-      split: null,
       heldOriginal: null,
       selection: NOTHING,
       dragged: [],

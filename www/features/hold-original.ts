@@ -34,7 +34,7 @@ export class HoldOriginal {
     try {
       const [positions, values] = await Promise.all([
         this.#actions.originalPositions(),
-        measure ? this.#actions.faceValues(measure, true) : null,
+        measure ? this.#actions.originalValues(measure) : null,
       ]);
       if (!this.#isHeld || this.#store.get().model !== model) return;
       this.#actions.look({ heldOriginal: { positions, values }, status: STATUS });

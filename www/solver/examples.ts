@@ -1,6 +1,6 @@
 /** List of the examples. */
 
-import type { LessonWords, Measure } from './messages.ts';
+import type { LessonWords } from './messages.ts';
 
 /** An entry of `examples/index.json`, as the command line writes it. */
 export interface Example {
@@ -22,9 +22,6 @@ export interface Example {
   kinds: { id: string; label: string }[];
   /** shape, close, smooth */
   weights: [number, number, number];
-  /** comparison of methods on it */
-  experiment: Experiment | null;
-  /** displays worth looking at */
   suggestions: Suggestion[];
   /** goals of a lesson */
   goals?: LessonWords['goals'];
@@ -32,26 +29,8 @@ export interface Example {
   units: string;
 }
 
-/** A comparison of methods, as declared in the list of examples. */
-export interface Experiment {
-  id: string;
-  label: string;
-  summary: string;
-  quantities: { id: string; label: string; unit: 'energy' | 'length' | 'none' }[];
-  plots: { quantity: number; over: 'iterations' | 'seconds'; above_lowest: boolean }[];
-  methods: { id: string; label: string; summary: string }[];
-  /** of each method */
-  limits: { iterations: number; seconds: number };
-}
-
-/** Content of a side of the split view. */
-type SideChoice = { measure: Measure; original: boolean };
-
-/** A suggested display: two pictures side by side, or the name of a plot. */
-export type Suggestion = {
-  label: string;
-  shows: { split?: [SideChoice, SideChoice]; plot?: string };
-};
+/** A plot worth looking at: the label of its button, and the id of its tab. */
+type Suggestion = { label: string; plot: string };
 
 const LIST = new URL(/* @vite-ignore */ 'examples/index.json', document.baseURI);
 

@@ -51,7 +51,6 @@ import type {
   Verdict,
   WorstElement,
 } from '../pkg/engine/shape_up.js';
-import type { Experiment } from './examples.ts';
 export type {
   BuildCard,
   BuildPreset,
@@ -215,7 +214,6 @@ export interface Saved {
  *   `time` is that of its event. During a drag the solver iterates even when paused.
  * - `show`: what to send with each frame besides positions.
  * - `recycle`: returns a buffer of positions.
- * - `cancelExperiment`: ends it; its measurements are kept.
  * - `ping`: answered by `pong`.
  */
 export type Command =
@@ -230,7 +228,6 @@ export type Command =
       corners: boolean;
     }
   | { type: 'recycle'; positions: Float64Array }
-  | { type: 'cancelExperiment' }
   | { type: 'ping' };
 
 export type Drag = {
@@ -259,7 +256,6 @@ export type Drag = {
  *   change; returns how far it came, which `makeExact` applies, or null if that no longer belongs to
  *   the current shape and constraints.
  * - `variations`: other shapes that are equally exact, and kept shapes; see {@link VariationAsk}.
- *   `faceValues` can refer to a kept shape, a `variant`.
  * - `members`: elements on which a constraint acts. `rowColours`: the colours of all rows.
  *   `previews`: the result of adding each kind at some selectors. `select`: the new selection.
  * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the
@@ -268,9 +264,8 @@ export type Drag = {
  *   mesh will move for that.
  * - `remedies`: changes that lower the worst distance, tried on a copy; ends early on a change.
  * - `mostFaces`: number of faces up to which this computer stays interactive.
- * - `faceValues`: values of a measure, of the current shape or the original. `cornerValues`: those
- *   of the vertices, if it has any. `originalPositions`: positions of the original. `angles`:
- *   angles of the face corners.
+ * - `originalValues`, `originalPositions`: values of a measure, and positions, of the original.
+ *   `angles`: angles of the face corners.
  * - `parametrize`: ends a run. Refused without faces or without area.
  * - `missingFiles`: paths of files that the scene names and that are missing.
  * - `fewerFlips`: ends a run; the map settings with the fewest flips, if fewer than `flipped`.
@@ -282,10 +277,6 @@ export type Drag = {
  * - `meshOperations`: the operations on the mesh. `remeshing`: previews one of them. `refinements`:
  *   previews refining once, twice and so on.
  * - `exampleFile`: the bytes of an example's scene or mesh, by the name of the file.
- * - `comparison`: the declaration of the experiment on the current model.
- * - `runExperiment`: starts the experiment of an example, on its files, the scene first, or the
- *   comparison on the current model, from its original shape; the current model is not changed.
- *   `experimentCsv`: its measurements.
  */
 export type Request =
   | {
@@ -308,8 +299,7 @@ export type Request =
   | { type: 'redo' }
   | { type: 'step' }
   | { type: 'halfStep' }
-  | { type: 'faceValues'; measure: Measure; original: boolean; variant?: number }
-  | { type: 'cornerValues'; measure: Measure }
+  | { type: 'originalValues'; measure: Measure }
   | { type: 'originalPositions' }
   | { type: 'angles' }
   | { type: 'members'; constraint: number }
@@ -333,13 +323,6 @@ export type Request =
   | { type: 'table'; table: 'errors' | 'convergence' | 'angles' }
   | { type: 'trace' }
   | { type: 'exampleFile'; name: string }
-  | { type: 'comparison' }
-  | {
-      type: 'runExperiment';
-      of: { example: string; files: NamedBytes[] } | null;
-      iterations: number;
-    }
-  | { type: 'experimentCsv' }
   | { type: 'meshOperations' }
   | { type: 'refinements'; scheme: string; keep: number }
   | { type: 'remeshing'; asked: Remeshing };
@@ -401,9 +384,7 @@ export interface Replies {
   step: boolean;
   halfStep: Half;
   /** `#F`; NaN if a face has none */
-  faceValues: Float32Array;
-  /** `#V` */
-  cornerValues: Float32Array | undefined;
+  originalValues: Float32Array;
   /** `#V by 3` */
   originalPositions: Float64Array;
   angles: Angles;
@@ -433,19 +414,10 @@ export interface Replies {
   /** `#iterations by 6`: iteration, shape, close, smooth, handles, total */
   trace: Float64Array;
   exampleFile: Uint8Array;
-  comparison: Experiment;
-  runExperiment: null;
-  experimentCsv: string;
   meshOperations: OfferedOperation[];
   remeshing: RemeshingPreview;
   refinements: Refinement[];
 }
-
-/**
- * Progress of a method of an experiment: its index, why it ended, and for each iteration its
- * number, the seconds, and the quantities of the experiment.
- */
-type ExperimentNews = { method: number; endedBy: string | null; samples: Float64Array };
 
 export type ToWorker = Command | (Request & { id: number });
 
@@ -465,8 +437,6 @@ export type ToWorker = Command | (Request & { id: number });
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
  *   frame that belongs to it.
  * - `collapsed`: the run has ended with a collapsed shape (`collapse` tells how), not converged.
- * - `experiment`: the measurements since the last such event. `ended` is null while it continues;
- *   `message` is the reason of a failure.
  * - `trouble`: an iteration failed; the last good state stays.
  * - `died`: the state is unusable, the worker must be replaced.
  * - `working`: work begins that may take long, with no message until then. `pong`: sign of life.
@@ -500,12 +470,6 @@ export type FromWorker =
     }
   | { type: 'activity'; running: boolean; converged: boolean }
   | { type: 'collapsed'; collapse: string }
-  | {
-      type: 'experiment';
-      news: ExperimentNews[];
-      ended: 'done' | 'cancelled' | 'failed' | null;
-      message: string;
-    }
   | { type: 'trouble'; message: string }
   | { type: 'died'; message: string }
   | { type: 'working' }

@@ -6,7 +6,6 @@ import type {
   MapWeights,
   Measure,
   NamedBytes,
-  Request,
   SelectRequest,
   Selector,
 } from '../solver/messages.ts';
@@ -68,16 +67,8 @@ export function createQueries(
         throw error;
       })),
 
-    /**
-     * Returns values of the faces.
-     * @param original whether to return those at opening
-     * @param variant index of a kept shape
-     */
-    faceValues: (measure: Measure, original: boolean, variant?: number) =>
-      solver.request({ type: 'faceValues', measure, original, variant }),
-
-    /** Returns values of the vertices, if the measure has any. */
-    cornerValues: (measure: Measure) => solver.request({ type: 'cornerValues', measure }),
+    /** Returns the values of the faces at opening. */
+    originalValues: (measure: Measure) => solver.request({ type: 'originalValues', measure }),
 
     /** Returns a flat map of the current shape. */
     parametrize: (weights: MapWeights, norm: MapNorm) =>
@@ -100,21 +91,6 @@ export function createQueries(
     missingFiles: (files: NamedBytes[]) => solver.request({ type: 'missingFiles', files }),
 
     sceneText: () => solver.request({ type: 'scene' }),
-
-    /** Returns the declaration of the comparison of methods on the current model. */
-    comparison: () => solver.request({ type: 'comparison' }),
-
-    /**
-     * Runs the methods of an experiment one after another; their samples arrive as events.
-     * @param iterations at most
-     */
-    runExperiment: (of: Extract<Request, { type: 'runExperiment' }>['of'], iterations: number) =>
-      solver.request({ type: 'runExperiment', of, iterations }),
-
-    cancelExperiment: () => solver.send({ type: 'cancelExperiment' }),
-
-    /** Returns the samples of the last experiment as CSV. */
-    experimentCsv: () => solver.request({ type: 'experimentCsv' }),
 
     /** Returns the fabrication numbers that a lesson may bound. */
     buildNumbers: () => solver.request({ type: 'buildNumbers' }),

@@ -8,19 +8,22 @@ import type {
   ConstraintRow,
   ElementInfo,
   FaceMeasure,
+  FewerFlips,
   Handle,
   KindInfo,
   Loaded,
+  MapNorm,
+  MapWeights,
   Measure,
   Numbers,
   Operation,
+  Parametrization,
   RowColours,
   SceneDocument,
   SettingInfo,
 } from '../solver/messages.ts';
 import type { Example } from '../solver/examples.ts';
 import type { Spread } from '../ui/plot/histogram.ts';
-import type { FlatMap, Split } from './view-modes.ts';
 
 export interface State {
   kinds: KindInfo[];
@@ -119,8 +122,6 @@ export interface State {
   tape: number[] | null;
   /** shown beside the model */
   flatMap: FlatMap | null;
-  /** two pictures in place of one */
-  split: Split | null;
   /** null without fabrication panel */
   build: BuildReport | null;
   /** shown instead of the current shape, on request */
@@ -135,6 +136,27 @@ export interface State {
   saved: string;
   /** last event, as text */
   status: string;
+}
+
+/**
+ * Content of a surface: the checkerboard of the map, or the colours of the quasi-conformal error.
+ */
+type Look = 'checks' | 'errors';
+
+export interface FlatMap {
+  found: Parametrization;
+  /** of the computation */
+  weights: MapWeights;
+  /** of the computation */
+  norm: MapNorm;
+  /** of the shape that was flattened */
+  iteration: number;
+  /** settings with fewer flipped triangles; null if not searched */
+  fewerFlips: FewerFlips | 'searching' | 'none' | null;
+  onModel: Look;
+  onMap: Look;
+  /** number of squares along the longer side of the map */
+  squares: number;
 }
 
 /** User-chosen ends of the colour range and of the legend's axis; null if automatic. */
@@ -219,7 +241,6 @@ const INITIAL: State = {
   views: [],
   tape: null,
   flatMap: null,
-  split: null,
   heldOriginal: null,
   build: null,
   advanced: false,

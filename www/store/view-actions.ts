@@ -36,7 +36,6 @@ export function createViewActions(store: Store) {
         Pick<
           State,
           | 'parallel'
-          | 'split'
           | 'flatMap'
           | 'heldOriginal'
           | 'build'

@@ -1,7 +1,7 @@
 /** Display of the flat map beside the model. */
 
 import type { View } from '../pkg/view-webgl2/shape_up.js';
-import type { FlatMap } from '../store/view-modes.ts';
+import type { FlatMap } from '../store/state.ts';
 import type { Parametrization } from '../solver/messages.ts';
 
 /** Map of each view. */

@@ -3,7 +3,6 @@
 import { handlesNow, type State } from '../store/state.ts';
 import { declared, toleranceOf } from '../store/colours/measures.ts';
 import { modelErrors, showFlatMap } from './flat-map-layer.ts';
-import { showSplit } from './split-layer.ts';
 import type { View } from '../pkg/view-webgl2/shape_up.js';
 import type { Geometry } from '../solver/solver-client.ts';
 export type { View } from '../pkg/view-webgl2/shape_up.js';
@@ -43,7 +42,6 @@ export const LAYERS: [
   [['rowColours', 'model', 'flatMap'], showRowColours],
   [['measure', 'range', 'tolerance', 'tolerances', 'display', 'flatMap'], showValues],
   [['flatMap'], showFlatMap],
-  [['split'], showSplit],
 ];
 export function showValues(view: View, state: State, geometry: Geometry | null) {
   const { heldOriginal } = state;

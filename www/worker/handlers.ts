@@ -1,7 +1,6 @@
 /** Handlers of the page's messages: one entry per command and per request. */
 
 import { exampleFile, type Solver } from '../pkg/engine/shape_up.js';
-import { cancelExperiment, comparison, experimentCsv, runExperiment } from './experiment.ts';
 import { missingFiles, open } from './open.ts';
 import { findRemedies } from './remedies.ts';
 import { runInSlices, stopTrials } from './trials.ts';
@@ -23,15 +22,12 @@ export const commandHandlers = (scheduler: Scheduler): Omit<CommandHandlers, 'pi
   run: ({ ignoreCollapse }) => scheduler.run(ignoreCollapse),
   pause: () => scheduler.pause(),
   drag: (message) => scheduler.drag(message),
-  cancelExperiment,
 });
 
-/** @param died called when the wasm instance has trapped */
 export function requestHandlers(
   solver: Solver,
   scheduler: Scheduler,
   post: (message: FromWorker, transfer?: Transferable[]) => void,
-  died: (thrown: unknown) => void,
 ): RequestHandlers {
   /** @param action performed after the run has ended */
   const paused = <T>(action: () => T) => {
@@ -73,11 +69,7 @@ export function requestHandlers(
     redo: () => paused(() => scheduler.betweenRuns(() => solver.redo() ?? null)),
     step: () => paused(() => scheduler.step()),
     halfStep: () => paused(() => scheduler.halfStep()),
-    faceValues({ measure, original, variant }) {
-      if (variant !== undefined) return solver.variantValues(variant, measure);
-      return original ? solver.originalValues(measure) : solver.faceValues(measure);
-    },
-    cornerValues: ({ measure }) => solver.cornerValues(measure),
+    originalValues: ({ measure }) => solver.originalValues(measure),
     originalPositions: () => solver.originalPositions(),
     angles: () => solver.angles(),
     members: ({ constraint }) => solver.members(constraint),
@@ -110,9 +102,6 @@ export function requestHandlers(
     table: ({ table }) => solver.table(table),
     trace: () => solver.trace(),
     exampleFile: ({ name }) => exampleFile(name),
-    comparison,
-    runExperiment: (message) => runExperiment(message, solver, post, died),
-    experimentCsv,
     meshOperations: () => solver.meshOperations(),
     remeshing: ({ asked }) => solver.remeshing(asked),
     refinements: ({ scheme, keep }) => solver.refinements(scheme, keep),

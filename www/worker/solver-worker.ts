@@ -41,7 +41,7 @@ function listen(solver: Solver) {
   };
   const scheduler = new Scheduler(solver, post, died);
   const commands = commandHandlers(scheduler);
-  const requests = requestHandlers(solver, scheduler, post, died);
+  const requests = requestHandlers(solver, scheduler, post);
 
   const command = <C extends Command>(message: C) => {
     const handler = commands[message.type] as (message: C) => void;

@@ -124,6 +124,7 @@ pub(super) struct Experiment {
     pub(super) iterations: Option<u32>,
     pub(super) seconds: Option<f64>,
     pub(super) csv: Option<PathBuf>,
+    pub(super) svg: Option<PathBuf>,
 }
 
 /// Parses the arguments after the name of the program.
@@ -205,6 +206,7 @@ fn experiment(mut words: Words) -> Result<Command, String> {
             "--iterations" => experiment.iterations = Some(words.iterations(&name)?),
             "--seconds" => experiment.seconds = Some(words.not_negative(&name)?),
             "--csv" => experiment.csv = Some(words.file(&name)?),
+            "--svg" => experiment.svg = Some(words.file(&name)?),
             _ => return Err(unknown(&Word::Option(name), "experiment")),
         }
     }

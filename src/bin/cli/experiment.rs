@@ -28,9 +28,9 @@ pub(super) fn run(asked: &Asked) -> Result<(), Failure> {
     let name = asked.on.display();
     let mut run = Run::new(experiment, scene, mesh, limits);
     while run.step().map_err(|error| Failure::Input(format!("{name}: {error}")))? {}
-    if let Some(file) = &asked.csv {
-        output::write(&[(file, run.csv())])?;
-    }
+    let csv = asked.csv.as_ref().map(|file| (file, run.csv()));
+    let svg = asked.svg.as_ref().map(|file| (file, run.svg(&name.to_string())));
+    output::write(&csv.into_iter().chain(svg).collect::<Vec<_>>())?;
     output::print(&table(&run))
 }
 

@@ -34,7 +34,8 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
        shape-up parametrize MESH [--weights {}] [--norm {}]
                 [--out UV.obj] [--report FILE.json]
        shape-up examples [--out DIR]
-       shape-up experiment [EXAMPLE|SCENE] [--iterations N] [--seconds T] [--csv FILE.csv]
+       shape-up experiment [EXAMPLE|SCENE] [--iterations N] [--seconds T]
+                [--csv FILE.csv] [--svg FILE.svg]
        shape-up operators
        shape-up --help | --version
 
@@ -80,8 +81,9 @@ new loft makes a surface between two curves of a file, new fill one inside a clo
 polylines of the file, then the boundaries of its faces, counted from 0 (default 0,1 or 0). By default a
 panel has a twentieth of the length of the first curve, and the unit is that of the file.
 parametrize makes a flat map that preserves angles; --out writes the mesh with the map as its vt lines.
-experiment solves a scene by several methods, and prints how far each came; --csv writes all iterations.
-Without a scene it lists the examples that have a comparison of the paper. Limits are per method.
+experiment solves a scene by several methods, and prints how far each came; --csv writes all iterations,
+--svg plots them. Without a scene it lists the examples that have a comparison of the paper. Limits are
+per method.
 Exit code: 0 done, 1 error in the input, 2 usage error, 3 internal error.",
         Accelerator::list("|"),
         Product::ALL.map(Product::id).join("|"),

@@ -30,5 +30,6 @@ pub(super) use number::places;
 pub use pdf::pdf;
 pub(super) use pdf_objects::{POINTS, assembled, stream};
 pub use picture::{PictureLayer, SheetPicture, picture};
+pub(crate) use svg::escaped;
+pub(super) use svg::path;
 pub use svg::svg;
-pub(super) use svg::{escaped, path};

@@ -56,6 +56,6 @@ pub(in crate::fabricate) fn path(points: &[Point2], height: f64) -> String {
 }
 
 /// Escapes text for XML.
-pub(in crate::fabricate) fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -88,11 +88,6 @@ impl Appearance {
         self.update_bands();
     }
 
-    /// Returns whether values should be shown in bands.
-    pub fn is_in_bands(&self) -> bool {
-        self.in_bands
-    }
-
     /// Sets the values of the vertices (#V) of which each face has the largest. Bands then run
     /// through the faces.
     ///

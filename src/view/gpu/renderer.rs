@@ -10,7 +10,7 @@ use crate::view::gpu::primitive::{
 };
 use crate::view::model::RenderMesh;
 use crate::view::overlay::GroundShadow;
-use crate::view::side_by_side::{Region, Split};
+use crate::view::side_by_side::Region;
 use crate::view::state::ViewState;
 use glam::Vec2;
 
@@ -23,8 +23,6 @@ pub struct Renderer {
     whole: Viewport,
     /// The tables of the flat map.
     map_store: GpuTables,
-    /// The two sides of a split picture.
-    sides: Option<[Viewport; 2]>,
     backdrop: Backdrop,
     occlusion: Occlusion,
     /// Camera, depths and size for which the occlusion was last computed.
@@ -63,7 +61,6 @@ impl Renderer {
             gizmo: GizmoMarks::new(gpu, &tables, format),
             whole: Viewport::new(gpu, &device.queue, &tables),
             map_store: tables.beside(gpu, &device.queue),
-            sides: None,
             device,
         }
     }
@@ -75,9 +72,9 @@ impl Renderer {
         !is_moved && self.occlusion_of == Some((state.camera(), state.depth_range(), size))
     }
 
-    /// Draws the model, with its flat map beside it if there is one, or else the two sides of a
-    /// split picture, if anything has changed; returns whether it did. `ratio` is pixels per CSS
-    /// pixel; `tile` is the position of the canvas in a larger picture, if there is one.
+    /// Draws the model, with its flat map beside it if there is one, if anything has changed;
+    /// returns whether it did. `ratio` is pixels per CSS pixel; `tile` is the position of the canvas
+    /// in a larger picture, if there is one.
     ///
     /// # Errors
     /// The device is lost; a new view on a new canvas is needed.
@@ -85,14 +82,10 @@ impl Renderer {
         &mut self,
         state: &mut ViewState,
         mut map: Option<&mut ViewState>,
-        split: Option<&mut Split>,
         ratio: f32,
         tile: Option<Placement>,
     ) -> Result<bool, DeviceError> {
-        let split = split.filter(|_| map.is_none());
-        let is_new = state.changes().any()
-            || map.as_ref().is_some_and(|map| map.changes().any())
-            || split.as_ref().is_some_and(|split| split.has_changes());
+        let is_new = state.changes().any() || map.as_ref().is_some_and(|map| map.changes().any());
         if !is_new {
             return Ok(false);
         }
@@ -113,10 +106,9 @@ impl Renderer {
             }
             map.take_changes();
         }
-        let sides = split.map(|split| self.update_sides(split, picture, ratio));
         let label = wgpu::CommandEncoderDescriptor { label: Some("picture") };
         let mut encoder = self.device.device.create_command_encoder(&label);
-        if sides.is_none() && state.occlusion() > 0.0 && !fits {
+        if state.occlusion() > 0.0 && !fits {
             let size = parts.map_or(picture.size, |[part, _]| part.size);
             let (device, tables) = (&self.device.device, &self.whole.tables);
             self.occlusion.find(device, &mut encoder, tables, &self.faces, size);
@@ -126,19 +118,8 @@ impl Renderer {
         }
         let mut pass = self.device.pass(&mut encoder, &frame, state.background());
         pass.set_bind_group(1, self.occlusion.group(), &[]);
-        match (sides, &self.sides) {
-            (Some(sides), Some(panes)) => {
-                for ((part, is_original), viewport) in sides.into_iter().zip(panes) {
-                    if confine(&mut pass, part) {
-                        self.draw_model(&mut pass, viewport, state, Some(is_original));
-                    }
-                }
-            }
-            _ => {
-                if confine(&mut pass, parts.map_or(picture, |[part, _]| part)) {
-                    self.draw_model(&mut pass, &self.whole, state, None);
-                }
-            }
+        if confine(&mut pass, parts.map_or(picture, |[part, _]| part)) {
+            self.draw_model(&mut pass, state);
         }
         if let Some([_, part]) = parts
             && confine(&mut pass, part)
@@ -156,58 +137,23 @@ impl Renderer {
         Ok(true)
     }
 
-    /// Draws the model with the tables of `viewport`. `side` is given for a side of a split
-    /// picture, which has no shadow; it is true for the original, of which only mesh and
-    /// surroundings are drawn: handles, projections and fitted shapes belong to the current shape.
-    fn draw_model(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        viewport: &Viewport,
-        state: &ViewState,
-        side: Option<bool>,
-    ) {
+    fn draw_model(&self, pass: &mut wgpu::RenderPass<'_>, state: &ViewState) {
         let display = state.display();
-        let is_original = side == Some(true);
-        pass.set_bind_group(0, viewport.tables.group(), &[]);
-        self.backdrop.draw(pass, side.is_none());
-        viewport.draw(pass, &self.faces, &self.lines, display.edges);
-        if display.shapes && !is_original {
+        pass.set_bind_group(0, self.whole.tables.group(), &[]);
+        self.backdrop.draw(pass);
+        self.whole.draw(pass, &self.faces, &self.lines, display.edges);
+        if display.shapes {
             self.spheres.draw(pass);
             self.circles.draw(pass, state.circle_pieces());
         }
-        if !is_original {
-            self.projections.draw(pass, display);
-        }
+        self.projections.draw(pass, display);
         if display.vertices || state.mesh().is_only_points() {
             self.points.draw_vertices(pass);
         }
         self.lines.draw_marks(pass);
-        if !is_original {
-            self.lines.draw_pulls(pass);
-            self.points.draw_marks(pass);
-            self.gizmo.draw(pass);
-        }
-    }
-
-    /// Updates the tables of both sides; returns their parts of the picture, and which is original.
-    fn update_sides(
-        &mut self,
-        split: &mut Split,
-        picture: Placement,
-        ratio: f32,
-    ) -> [(Placement, bool); 2] {
-        let (device, queue) = (&self.device.device, &self.device.queue);
-        let like = &self.map_store;
-        let panes =
-            self.sides.get_or_insert_with(|| [(); 2].map(|()| Viewport::new(device, queue, like)));
-        for (side, viewport) in split.sides.iter_mut().zip(panes) {
-            viewport.update((device, queue), &mut side.state, &self.lines, picture);
-            side.state.take_changes();
-        }
-        let css = Vec2::new(picture.size.0 as f32, picture.size.1 as f32) / ratio;
-        let parts = split.parts(css);
-        let [left, right] = parts.map(|part| picture.part(pixels(part, ratio, picture.size)));
-        [(left, split.sides[0].is_original), (right, split.sides[1].is_original)]
+        self.lines.draw_pulls(pass);
+        self.points.draw_marks(pass);
+        self.gizmo.draw(pass);
     }
 
     fn update(&mut self, state: &mut ViewState, placement: Placement) {

@@ -1,6 +1,5 @@
-//! The GPU resources of one picture: its tables, ghost, ground, layer and surface lines, and the
-//! lines between its bands of values. The whole canvas is one picture; a split canvas has two,
-//! which share the faces and edges of the mesh.
+//! The GPU resources of the picture of the model: its tables, ghost, ground, layer and surface lines,
+//! and the lines between its bands of values.
 
 use super::gpu_tables::GpuTables;
 use super::pipeline::VertexBuffer;
@@ -8,7 +7,7 @@ use super::placement::Placement;
 use crate::view::gpu::primitive::{Faces, Lines, SurroundingLines};
 use crate::view::state::ViewState;
 
-/// One picture of a mesh.
+/// The picture of the model.
 #[derive(Debug)]
 pub struct Viewport {
     /// The tables of the view state.

@@ -1,19 +1,17 @@
-//! The contents of one canvas: the model, its flat map beside it, or two pictures of it.
+//! The contents of one canvas: the model, and its flat map beside it.
 
 use super::flat_map::{Region, flat_map, follow, show_flipped};
-use super::split::{Colours, Split};
-use crate::view::appearance::{Appearance, ColourScale};
+use crate::view::appearance::ColourScale;
 use crate::view::camera::{Camera, Flight};
 use crate::view::model::ViewError;
 use crate::view::state::ViewState;
 use glam::Vec2;
 
-/// The view of the model, and the views beside it.
+/// The view of the model, and that of its flat map.
 #[derive(Debug)]
 pub struct Pictures {
     model: ViewState,
     map: Option<ViewState>,
-    split: Option<Split>,
     flight: Option<Flight>,
     /// The start of the next flight.
     take_off_from: Option<Camera>,
@@ -28,7 +26,6 @@ impl Default for Pictures {
             canvas: model.camera().canvas,
             model,
             map: None,
-            split: None,
             flight: None,
             take_off_from: None,
         }
@@ -53,20 +50,15 @@ impl Pictures {
 
     /// Returns whether anything has changed since the last picture.
     pub fn has_changes(&self) -> bool {
-        self.model.changes().any()
-            || self.map.as_ref().is_some_and(|map| map.changes().any())
-            || self.split.as_ref().is_some_and(Split::has_changes)
+        self.model.changes().any() || self.map.as_ref().is_some_and(|map| map.changes().any())
     }
 
-    /// Returns model, map and split for the renderer, after updating map and split from the model.
-    pub fn to_draw(&mut self) -> (&mut ViewState, Option<&mut ViewState>, Option<&mut Split>) {
+    /// Returns model and map for the renderer, after updating the map from the model.
+    pub fn to_draw(&mut self) -> (&mut ViewState, Option<&mut ViewState>) {
         if let Some(map) = &mut self.map {
             follow(map, &self.model);
         }
-        if let Some(split) = &mut self.split {
-            split.follow(&self.model);
-        }
-        (&mut self.model, self.map.as_mut(), self.split.as_mut())
+        (&mut self.model, self.map.as_mut())
     }
 
     /// Sets the size of the canvas in CSS pixels, and divides it between the model and its map.
@@ -75,7 +67,7 @@ impl Pictures {
         self.arrange();
     }
 
-    /// Shows a mesh: see [`ViewState::set_mesh`]. If its topology is new, removes map and split.
+    /// Shows a mesh: see [`ViewState::set_mesh`]. If its topology is new, removes the map.
     ///
     /// # Errors
     /// Arrays that do not fit together; the old mesh stays.
@@ -89,8 +81,6 @@ impl Pictures {
         if self.model.checks().uv.is_empty() {
             self.clear_map();
         }
-        // Its sides show the previous mesh.
-        self.split = None;
         Ok(())
     }
 
@@ -154,61 +144,6 @@ impl Pictures {
         }
     }
 
-    /// Shows two pictures, with the divider at a fraction of the canvas width, from 0 to 1.
-    pub fn set_split(&mut self, at: f32) {
-        match &mut self.split {
-            Some(split) => split.move_to(at),
-            None => {
-                self.split = Some(Split::new(&self.model, at));
-                // Both sides show the marks of the model.
-                self.model.redraw();
-            }
-        }
-    }
-
-    /// Sets what the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or
-    /// the current shape, in these colours.
-    ///
-    /// # Errors
-    /// Arrays that do not fit the mesh.
-    pub fn set_split_side(
-        &mut self,
-        side: usize,
-        original: Option<&[f64]>,
-        colours: Colours,
-    ) -> Result<(), ViewError> {
-        let sides = self.split.as_mut().map(|split| &mut split.sides[..]).unwrap_or_default();
-        let Some(side) = sides.get_mut(side) else { return Ok(()) };
-        side.show(original, &self.model)?;
-        side.colour(colours)
-    }
-
-    /// Returns to a single picture.
-    pub fn clear_split(&mut self) {
-        if self.split.take().is_some() {
-            self.model.view_changed();
-        }
-    }
-
-    /// Returns whether two pictures of the model are shown.
-    pub fn is_split(&self) -> bool {
-        self.split.is_some() && self.map.is_none()
-    }
-
-    /// Shows values of faces in bands, or continuously.
-    pub fn set_in_bands(&mut self, in_bands: bool) {
-        self.model.set_in_bands(in_bands);
-        if let Some(split) = &mut self.split {
-            split.set_in_bands(in_bands);
-        }
-    }
-
-    /// Returns the values and marks of the model, or of the left (0) or right (1) of two pictures.
-    pub fn appearance(&self, side: Option<usize>) -> &Appearance {
-        let split = side.and_then(|side| self.split.as_ref()?.sides.get(side));
-        split.map_or(&self.model, |side| &side.state).appearance()
-    }
-
     /// Selects parallel or perspective projection.
     pub fn set_parallel(&mut self, parallel: bool) {
         self.arrive();
@@ -264,10 +199,6 @@ mod tests {
     const QUAD: [f64; 12] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.25];
     const UV: [f64; 8] = [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0];
 
-    fn plain() -> Colours {
-        Colours { values: None, corners: None, scale: ColourScale::linear(0.0, 1.0) }
-    }
-
     /// A quad on a wide canvas.
     fn quad() -> Pictures {
         let mut pictures = Pictures::default();
@@ -278,10 +209,9 @@ mod tests {
     }
 
     fn drawn(pictures: &mut Pictures) {
-        let (model, map, split) = pictures.to_draw();
+        let (model, map) = pictures.to_draw();
         model.take_changes();
         map.map(ViewState::take_changes);
-        split.map(|split| split.sides.each_mut().map(|side| side.state.take_changes()));
     }
 
     #[test]
@@ -302,15 +232,12 @@ mod tests {
         drawn(&mut pictures);
         assert!(!pictures.has_changes());
         type Change = fn(&mut Pictures);
-        let changes: [Change; 12] = [
+        let changes: [Change; 9] = [
             |p| p.set_map(&UV, &[0]).unwrap(),
             |p| p.set_map_looks(8.0, [true, true], None, ColourScale::linear(1.0, 2.0)).unwrap(),
             |p| p.show_flipped(),
             |p| p.clear_map(),
-            |p| p.set_split(0.5),
-            |p| p.set_split_side(0, Some(&QUAD), plain()).unwrap(),
-            |p| p.clear_split(),
-            |p| p.set_in_bands(true),
+            |p| p.model_mut().set_in_bands(true),
             |p| p.model_mut().set_dark(true),
             |p| p.model_mut().select(vec![1], vec![0]).unwrap(),
             |p| p.model_mut().set_tint(vec![], vec![0], [1.0, 0.0, 0.0]).unwrap(),
@@ -324,7 +251,6 @@ mod tests {
         }
         pictures.model_mut().set_dark(true);
         pictures.clear_map();
-        pictures.clear_split();
         assert!(!pictures.has_changes(), "all of it was so before");
     }
 

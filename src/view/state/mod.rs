@@ -2,10 +2,9 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `view_state` | the state of a view, and its setters |
+//! | `view_state` | the state of a view, of a model or of a flat map, and its setters |
 //! | `content`, `viewpoint` | its contents and look, and its camera |
 //! | `set_look` | setters of values, marks, theme and switches |
-//! | `beside` | secondary views: split pictures, flat maps |
 //! | `parts` | handles, switches, and flags of changes since the last picture |
 //! | `navigate` | the camera under the pointer, and framing |
 //! | `pick` | elements under the cursor |
@@ -16,7 +15,6 @@
 //! | `saved_camera` | the camera as numbers, for saving |
 //! | `tape` | the measuring tape |
 
-mod beside;
 mod content;
 pub mod gizmo_drag;
 mod layer;

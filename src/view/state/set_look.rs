@@ -152,4 +152,13 @@ impl ViewState {
         (self.changes.appearance, self.changes.marks) = (true, true);
         Ok(())
     }
+
+    /// Copies marks and tint of `model`, if they have changed.
+    pub fn follow_marks(&mut self, model: &ViewState) {
+        if model.changes.appearance {
+            self.look.appearance.mark_as(&model.look.appearance);
+            self.look.tint = model.look.tint;
+            self.changes.appearance = true;
+        }
+    }
 }

@@ -42,6 +42,15 @@ impl Default for ViewState {
 }
 
 impl ViewState {
+    /// Creates the view of a flat map from above: its mesh in the plane, its checkerboard, and the
+    /// sides of the faces that it flips (`#sides by 2`).
+    pub fn of_flat_map(mesh: RenderMesh, checks: Checks, flipped: Vec<[u32; 2]>) -> ViewState {
+        let mut map = ViewState::default();
+        (map.content.mesh, map.content.checks, map.content.flipped) = (mesh, checks, flipped);
+        map.viewpoint.camera.look_from("top").expect("top is a side to look from");
+        map
+    }
+
     /// Shows a mesh. One of another topology, or in another place, starts without marks, handles and
     /// shapes, in the three-quarter view; if faces and curves are the same, and the place is about
     /// the same, only the positions change.

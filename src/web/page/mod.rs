@@ -4,14 +4,13 @@
 //! |---|---|
 //! | `view` | the canvas and what is shown on it |
 //! | `camera`, `picking`, `gizmo` | the camera, elements under the cursor, dragging |
-//! | `map`, `split`, `seeing` | the flat map beside the model, two pictures, display options |
+//! | `map`, `seeing` | the flat map beside the model, display options |
 
 mod camera;
 mod gizmo;
 mod map;
 mod picking;
 mod seeing;
-mod split;
 mod view;
 
 pub use view::View;

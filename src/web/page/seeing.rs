@@ -155,7 +155,7 @@ impl View {
     /// Shows values of faces in bands, or continuously.
     #[wasm_bindgen(js_name = setBands)]
     pub fn set_bands(&mut self, in_bands: bool) {
-        self.pictures.set_in_bands(in_bands);
+        self.model().set_in_bands(in_bands);
     }
 
     /// Sets the values of the vertices, #V, of which each face has the largest as its value; null
@@ -169,28 +169,28 @@ impl View {
     }
 
     /// Returns the spacing of the band limits, in the unit of the values or of their log10;
-    /// undefined without bands. `side` (also below): the left (0) or right (1) of two pictures.
+    /// undefined without bands.
     #[wasm_bindgen(js_name = bandStep)]
-    pub fn band_step(&self, side: Option<usize>) -> Option<f64> {
-        self.bands(side).map(|bands| bands.step)
+    pub fn band_step(&self) -> Option<f64> {
+        self.bands().map(|bands| bands.step)
     }
 
     /// Returns the limits of the bands, as fractions of the range; empty without bands.
     #[wasm_bindgen(js_name = bandLimits)]
-    pub fn band_limits(&self, side: Option<usize>) -> Vec<f64> {
-        self.bands(side).map_or_else(Vec::new, |bands| bands.limits.clone())
+    pub fn band_limits(&self) -> Vec<f64> {
+        self.bands().map_or_else(Vec::new, |bands| bands.limits.clone())
     }
 
     /// Returns the CSS colours of the range: one per band, or evenly spaced samples of the map.
     #[wasm_bindgen(js_name = rampColours)]
-    pub fn ramp_colours(&self, side: Option<usize>) -> Vec<String> {
-        let appearance = self.pictures.appearance(side);
+    pub fn ramp_colours(&self) -> Vec<String> {
+        let appearance = self.pictures.model().appearance();
         let map = appearance.map();
         appearance.bands().map_or_else(|| map.stops(STOPS), |bands| bands.colours(map))
     }
 
-    fn bands(&self, side: Option<usize>) -> Option<&Bands> {
-        self.pictures.appearance(side).bands()
+    fn bands(&self) -> Option<&Bands> {
+        self.pictures.model().appearance().bands()
     }
 
     /// Spans the measuring tape between two vertices. One vertex marks its start; none removes it.

@@ -19,7 +19,7 @@ use wgpu::SurfaceTarget;
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct View {
-    /// Model, flat map and split pictures, without a GPU.
+    /// Model and flat map, without a GPU.
     pub(super) pictures: Pictures,
     pixel_ratio: f32,
     /// The position of the canvas in a larger picture, if the canvas is one tile of it.
@@ -332,8 +332,8 @@ impl View {
     /// # Errors
     /// The device is lost; the page then creates a new view on a new canvas.
     pub fn draw(&mut self) -> Result<bool, JsValue> {
-        let (model, map, split) = self.pictures.to_draw();
-        let drawn = self.renderer.draw(model, map, split, self.pixel_ratio, self.tile);
+        let (model, map) = self.pictures.to_draw();
+        let drawn = self.renderer.draw(model, map, self.pixel_ratio, self.tile);
         let drawn = drawn.map_err(thrown)?;
         self.frames += u32::from(drawn);
         Ok(drawn)
@@ -343,8 +343,7 @@ impl View {
     #[wasm_bindgen(js_name = occlusionFits)]
     pub fn occlusion_fits(&self) -> bool {
         let size = self.tile.map_or(self.renderer.device.size(), |tile| tile.size);
-        // Two pictures side by side have no occlusion.
-        self.pictures.is_split() || self.renderer.occlusion_fits(self.pictures.model(), size)
+        self.renderer.occlusion_fits(self.pictures.model(), size)
     }
 
     /// Returns the number of pictures drawn so far.

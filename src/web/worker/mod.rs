@@ -8,13 +8,12 @@
 //! | `report` | reports on the session |
 //! | `selecting`, `lists` | selections and settings, lists of elements |
 //! | `saved` | undo history and unfinished work as bytes, for a restart; a student's results |
-//! | `parametrize`, `experiment` | the flat map, the paper's comparisons |
+//! | `parametrize` | the flat map |
 //! | `trials` | edits that may help if constraints are not met, the cost of exactness, variations |
 //! | `measure` | timings for benchmarks |
 
 mod drag;
 mod edit;
-pub mod experiment;
 mod lists;
 mod measure;
 mod original;

@@ -164,22 +164,11 @@ impl Solver {
     #[wasm_bindgen(js_name = variantPositions)]
     pub fn variant_positions(&self, index: usize) -> Result<Float64Array, JsValue> {
         let kept = &self.open()?.document().variants.kept;
-        let variant = kept.get(index).ok_or_else(no_variant)?;
+        let variant = kept.get(index).ok_or_else(|| thrown("there is no such variant"))?;
         Ok(Float64Array::from(variant.positions.as_flattened()))
-    }
-
-    /// Returns the values of a measure on the faces of a variant, `#F`.
-    #[wasm_bindgen(js_name = variantValues)]
-    pub fn variant_values(&mut self, index: usize, measure: &str) -> Result<Float32Array, JsValue> {
-        let values = self.open_mut()?.variant_values(index, measure).map_err(thrown)?;
-        values.map(|values| narrow(&values)).ok_or_else(no_variant)
     }
 }
 
 fn no_variation() -> JsValue {
     thrown("there is no such variation")
-}
-
-fn no_variant() -> JsValue {
-    thrown("there is no such variant")
 }

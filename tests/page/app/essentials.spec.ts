@@ -20,7 +20,7 @@ test('a first visit shows the essential controls only', async ({ page }) => {
   await expect(page.getByRole('button', { name: 'Build', exact: true })).toBeVisible();
   await expect(page.getByLabel('Open file')).toBeAttached();
   await expect(inspector(page)).toBeHidden();
-  for (const name of ['Refine', 'Edit mesh', 'Write a lesson', 'Compare methods', 'Edges'])
+  for (const name of ['Refine', 'Edit mesh', 'Write a lesson', 'Edges'])
     await expect(page.getByRole('button', { name })).toBeHidden();
 });
 

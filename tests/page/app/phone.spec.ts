@@ -158,22 +158,9 @@ test.describe('behind tabs', () => {
     await expect(line).toBeHidden();
   });
 
-  test('two pictures are side by side, and a flat map lies below the model', async ({ page }) => {
-    await page.goto('./#example=fig-04-squares');
-    await waitForState(page, (now) => now.faces === 384 && now.renderer.startsWith('web'));
-    await tool(page, 'Step');
-    await waitForState(page, (now) => now.iteration === 1);
-    await page.getByRole('application', { name: '3D view' }).focus();
-    await page.keyboard.press('c');
-    const divider = page.getByRole('slider', { name: 'Divider' });
-    await expect(divider).toHaveAttribute('aria-valuenow', '50');
-    await divider.focus();
-    await page.keyboard.press('PageUp');
-    await expect(divider).toHaveAttribute('aria-valuenow', '60');
-    await page.getByRole('application', { name: '3D view' }).focus();
-    await page.keyboard.press('Escape');
-    await expect(divider).toBeHidden();
-
+  test('a flat map lies below the model', async ({ page }) => {
+    await openPage(page);
+    await waitForState(page, (now) => now.renderer.startsWith('web'));
     await openExample(page, 'Hypar');
     await showPanel(page, SHEET);
     await page.getByRole('button', { name: 'Flatten' }).click();

@@ -9,7 +9,7 @@ import { axisOf } from '../../../www/ui/plot/value-axis.ts';
 import type { Viewport } from '../../../www/viewport/viewport.ts';
 
 /** Saves a picture of the state; returns its words, and its colours by their position. */
-async function legendOf(state: object) {
+async function legendOf(state: object, limits: number[] = []) {
   const words: string[] = [];
   const colours: [number, string][] = [];
   const context = {
@@ -28,7 +28,7 @@ async function legendOf(state: object) {
   globalThis.getComputedStyle = (() => ({
     fontFamily: 'sans-serif',
   })) as unknown as typeof getComputedStyle;
-  const view = { rampColours: () => ['blue', 'white', 'red'], bandLimits: () => [] };
+  const view = { rampColours: () => ['blue', 'white', 'red'], bandLimits: () => limits };
   const viewport = {
     element: { getBoundingClientRect: () => ({ width: 800, height: 600 }) },
     still(_: object, grey: number | undefined, take: (...tile: unknown[]) => void) {
@@ -46,14 +46,14 @@ async function legendOf(state: object) {
   return { words, colours };
 }
 
-test('the legend of a measure of both signs begins below zero, in one picture and in two', async () => {
+test('the legend of a measure of both signs begins below zero, and has the steps of its bands', async () => {
   const measure = 'gauss-curvature';
   const about = { id: measure, label: 'Gauss curvature', unit: 'per-area', signed: true };
   const values = Float32Array.of(-0.02, -0.01, 0, 0.01, 0.02);
   const range = [-0.02, 0.02] as const;
   const state = {
     ...{ measures: [about], measure, document: { units: 'm' }, model: { faces: 5 }, dark: false },
-    ...{ display: { full: false, log: false }, tolerance: 0.01, tolerances: {}, split: null },
+    ...{ display: { full: false, log: false }, tolerance: 0.01, tolerances: {} },
     ...{ range, spread: spreadOf(measure, values, axisOf(...range, false), null) },
   };
   const words = ['Gauss curvature', '−0.0200 1/m²', '0.0200 1/m²'];
@@ -63,20 +63,20 @@ test('the legend of a measure of both signs begins below zero, in one picture an
     [1, 'red'],
   ];
   assert.deepEqual(await legendOf(state), { words, colours });
-  const side = { measure, values, low: -0.02, top: 0.02, tolerance: null };
-  const both = await legendOf({ ...state, spread: null, split: { sides: [side, side] } });
-  assert.deepEqual(both, { words: [...words, ...words], colours: [...colours, ...colours] });
+  const banded = await legendOf(state, [0.25, 0.75]);
+  const steps = [0, 0.25, 0.25, 0.75, 0.75, 1].map((at, i) => [at, colours[Math.floor(i / 2)][1]]);
+  assert.deepEqual(banded, { words, colours: steps });
 });
 
 test('the legend of an error begins at zero, and its colours at the tolerance', async () => {
   const measure = 'planarity';
   const about = { id: measure, label: 'Planarity', unit: 'length', toleranced: true };
   const values = Float32Array.of(0.005, 0.01, 0.04);
-  const side = { measure, values, low: 0.01, top: 0.04, tolerance: 0.01 };
+  const spread = spreadOf(measure, values, axisOf(0, 0.04, false), 0.01);
   const { words, colours } = await legendOf({
     ...{ measures: [about], measure, document: { units: 'm' }, model: { faces: 3 }, dark: false },
     ...{ display: { full: false, log: false }, tolerance: 0.01, tolerances: {} },
-    split: { sides: [side, side] },
+    ...{ range: [0.01, 0.04], spread },
   });
   assert.equal(words[1], '0');
   assert.equal(colours[0][0], 0.25);

@@ -5,8 +5,7 @@ import { rampStops } from '../../viewport/ramp.ts';
 import { colourOf } from '../../ui/dom.ts';
 import { groupDigits } from '../../ui/format.ts';
 import { declared, toleranceOf, valueInWords } from '../../store/colours/measures.ts';
-import { spreadOf } from '../../ui/plot/histogram.ts';
-import { axisOf, positionOf } from '../../ui/plot/value-axis.ts';
+import { positionOf } from '../../ui/plot/value-axis.ts';
 import type { Label, Viewport } from '../../viewport/viewport.ts';
 import type { State } from '../../store/state.ts';
 
@@ -50,10 +49,8 @@ export async function pictureOf(
   const { canvas } = context;
   const onLight = ground !== 'view';
   if (legend && state.model?.faces) {
-    legendsOf(state).forEach(([from, shown], i) => {
-      context.setTransform(size.scale, 0, 0, size.scale, from * size.width, 0);
-      drawLegend(context, shown, rampStops(viewport, state.split ? i : undefined), size, onLight);
-    });
+    context.setTransform(size.scale, 0, 0, size.scale, 0, 0);
+    drawLegend(context, state, rampStops(viewport), size, onLight);
   }
   drawLabels(context, viewport.labels(), size.scale, state.dark && !onLight);
   const blob = await new Promise<Blob | null>((done) => canvas.toBlob(done, 'image/png'));
@@ -83,20 +80,6 @@ function drawLabels(
     context.fillRect(x - bar, y - 1.5, bar, 1.5);
     for (const end of [x - bar, x - 1.5]) context.fillRect(end, y - 5, 1.5, 5);
   }
-}
-
-/**
- * The left edge of each legend as a fraction of the width, and the state that it shows. In the
- * split view each picture has its own legend.
- */
-function legendsOf(state: State): [number, State][] {
-  if (!state.split) return [[0, state]];
-  return state.split.sides.map(({ measure, values, low, top, tolerance }, i) => {
-    const axis = axisOf(declared(state, measure)?.signed ? -top : 0, top, false);
-    const spread = values ? spreadOf(measure, values, axis, tolerance) : null;
-    const display = { ...state.display, log: false };
-    return [i / 2, { ...state, measure, spread, display, range: [low, top] }];
-  });
 }
 
 /** Draws the legend at the lower left, in the page's sizes: the histogram above the colour ramp. */

@@ -9,7 +9,7 @@ import { duration } from '../../ui/format.ts';
 import { once } from '../../ui/once.ts';
 import { FlatMapRegion } from './flat-map-region.ts';
 import { flatMapPanel } from './flat-map-panel.ts';
-import type { FlatMap } from '../../store/view-modes.ts';
+import type { FlatMap } from '../../store/state.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** Other settings are tried without asking if a map takes less than this, in seconds. */

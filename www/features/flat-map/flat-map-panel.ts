@@ -2,8 +2,7 @@
 
 import { element, setText } from '../../ui/dom.ts';
 import { duration, groupDigits, ratio } from '../../ui/format.ts';
-import type { FlatMap } from '../../store/view-modes.ts';
-import type { Store } from '../../store/state.ts';
+import type { FlatMap, Store } from '../../store/state.ts';
 import type { FlatMapController } from './flat-map-controller.ts';
 import type { Parametrization } from '../../solver/messages.ts';
 

@@ -62,8 +62,7 @@ export class MakePanels {
     this.#app = app;
     addButtons(app);
     const { store, solver } = app;
-    store.subscribe(['model', 'kinds', 'document', 'example'], () => this.#show());
-    store.subscribe(['split', 'flatMap'], () => this.#show());
+    store.subscribe(['model', 'kinds', 'document', 'example', 'flatMap'], () => this.#show());
     // The next mesh starts without fitted shapes.
     store.subscribe(['model'], ({ model }) => {
       if (!this.#shown || this.#shown === model) return;
@@ -146,12 +145,11 @@ export class MakePanels {
 
   #show() {
     const state = this.#app.store.get();
-    const { model, document, example, split, flatMap } = state;
-    // The split view and the flat map have legends in the card's position.
-    const hasRoom = !split && !flatMap;
+    const { model, document, example, flatMap } = state;
     const rows = document?.constraints.length ?? 0;
     const offers = Boolean(model?.faces && model.panels.length > 0);
-    if (!offers || !document || !hasRoom || this.#closed === model) this.#turnTo('nothing');
+    // The legend of a flat map is in the card's position.
+    if (!offers || !document || flatMap || this.#closed === model) this.#turnTo('nothing');
     else if (this.#pressed === model && rows > 0) this.#turnTo('verdict');
     else this.#turnTo(rows === 0 && !example ? 'offer' : 'nothing');
 

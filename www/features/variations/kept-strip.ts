@@ -3,16 +3,12 @@
 import { closeButton } from '../../ui/controls/fields.ts';
 import { element } from '../../ui/dom.ts';
 import { groupDigits, length, number } from '../../ui/format.ts';
-import { measureOfScene } from '../../store/colours/measures.ts';
-import { isDrawn } from '../../store/state.ts';
 import { variationActions } from '../../store/actions/variation-actions.ts';
 import { drawShape } from '../../ui/plot/thumbnail.ts';
 import type { SceneDocument, VariantRow } from '../../solver/messages.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { KeptShape } from '../../store/view-modes.ts';
 
-export function keptStrip(app: AppContext) {
-  const { store, solver, actions } = app;
+export function keptStrip({ store, solver, actions }: AppContext) {
   const variations = variationActions(solver, actions);
   const strip = element('div.kept-strip', { role: 'group', 'aria-label': 'Kept' });
   const body = element('tbody');
@@ -86,27 +82,8 @@ export function keptStrip(app: AppContext) {
       element('span', name),
     );
     if (isCurrent) go.setAttribute('aria-current', 'true');
-    const beside = element(
-      'button.small',
-      {
-        'aria-label': `Show ${name} beside the open shape`,
-        title: `${name} beside the open shape`,
-        onclick: () => compare({ index, name, positions }),
-        hidden: isCurrent || !isDrawn(store.get()),
-      },
-      'Beside',
-    );
     const cross = closeButton(`Remove ${name}`, () => remove(index, scene), { hidden: isDesign });
-    return { canvas, place: element('div.kept-card', go, element('div', beside, cross)) };
-  }
-
-  function compare(variant: KeptShape) {
-    const state = store.get();
-    const measure = state.measure ?? measureOfScene(state) ?? state.measures[0].id;
-    void app.showSides([
-      { measure, original: false, variant },
-      { measure, original: false },
-    ]);
+    return { canvas, place: element('div.kept-card', go, element('div', cross)) };
   }
 
   return { place, update: () => actions.reportErrors(update()) };

@@ -44,13 +44,10 @@ export class ViewTools {
     viewport.element.after(this.#scale);
     viewport.on('ready', () => this.#handOver());
     viewport.on('drawn', () => this.#show());
-    store.subscribe(
-      ['model', 'display', 'tape', 'parallel', 'flatMap', 'split', 'document'],
-      () => {
-        void this.#takeRest();
-        this.#show();
-      },
-    );
+    store.subscribe(['model', 'display', 'tape', 'parallel', 'flatMap', 'document'], () => {
+      void this.#takeRest();
+      this.#show();
+    });
     viewport.labels = () => [...this.#scaleLabels(), ...this.#tape.labels()];
   }
 

@@ -44,6 +44,5 @@ export function displayPanel(place: HTMLElement, { store, actions }: AppContext)
   store.subscribe(['flatMap'], ({ flatMap }) => (colourRow.hidden = flatMap !== null));
   // Only a surface can be flattened.
   const parametrize = byId('parametrize');
-  const split = byId('split-button');
-  store.subscribe(['model'], ({ model }) => (parametrize.hidden = split.hidden = !model?.faces));
+  store.subscribe(['model'], ({ model }) => (parametrize.hidden = !model?.faces));
 }

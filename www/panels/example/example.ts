@@ -3,14 +3,14 @@
 import { element } from '../../ui/dom.ts';
 import { linkTo } from '../../documents/example-links.ts';
 import { withSymbols } from '../../ui/symbols.ts';
-import type { Example, Suggestion } from '../../solver/examples.ts';
+import type { Example } from '../../solver/examples.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** @param place a section, hidden while no example is open */
 export function exampleNote(
   place: HTMLElement,
   { files, actions }: AppContext,
-  show: (shows: Suggestion['shows']) => void,
+  show: (plot: string) => void,
 ) {
   const link = (text: string, to: Example | undefined) => {
     if (!to) return [];
@@ -35,8 +35,8 @@ export function exampleNote(
       element('h2', { id: 'heading-example' }, title),
       element('p', summary),
       element('p.quiet', 'Once solved: ', ...withSymbols(statement)),
-      ...suggestions.map(({ label, shows }) =>
-        element('button.bordered.small', { onclick: () => show(shows) }, ...withSymbols(label)),
+      ...suggestions.map(({ label, plot }) =>
+        element('button.bordered.small', { onclick: () => show(plot) }, label),
       ),
       element(
         'nav.beside',

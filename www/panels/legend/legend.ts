@@ -119,10 +119,10 @@ export function legend(
 
   function show() {
     const state = store.get();
-    const { measure, range, spread, document, model, flatMap, split, display } = state;
+    const { measure, range, spread, document, model, flatMap, display } = state;
     const about = declared(state, measure);
-    // A flat map has its own colours and legend, and so has the split view.
-    const isShown = about && !flatMap && !split && model?.faces;
+    // A flat map has its own colours and legend.
+    const isShown = about && !flatMap && model?.faces;
     place.hidden = !isShown || !isDrawn(state);
     if (!about || place.hidden) return;
     setText(title, about.label);
@@ -162,7 +162,7 @@ export function legend(
     const { axis } = spread;
     const [from, to] = range.map((value) => 100 * positionOf(axis, value));
     const neutral = allowed === null || display.full ? 0 : 100 * positionOf(axis, allowed);
-    ramp.style.background = rampOf(viewport, [from, to], { neutral });
+    ramp.style.background = rampOf(viewport, [from, to], neutral);
     const rounding = roundingOf(about, state.size);
     const words = (value: number) =>
       valueInWords(about, Math.abs(value) < rounding ? 0 : value, units, allowed);
@@ -202,7 +202,6 @@ export function legend(
       'model',
       'dark',
       'flatMap',
-      'split',
       'display',
     ],
     show,

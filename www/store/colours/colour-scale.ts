@@ -78,7 +78,7 @@ export function colourFaces(store: Store, solver: SolverClient): { fit: () => vo
     if (isAsked || !measure) return;
     isAsked = true;
     try {
-      const values = await solver.request({ type: 'faceValues', measure, original: true });
+      const values = await solver.request({ type: 'originalValues', measure });
       if (store.get().measure !== measure) return;
       original = values;
     } catch (error) {

@@ -10,9 +10,9 @@ const LEAST_GAP = 14;
 const MOST_TICKS = 6;
 
 /** Colours for print, for successive lines. */
-export const PRINTED = ['#1f5fc4', '#b8560b', '#1d7a4f', '#8a3fa6', '#1d2123', '#a81f50'];
+export const PRINTED = ['#1f5fc4', '#b8560b', '#1d7a4f', '#8a3fa6', '#1d2123'];
 
-export interface Line {
+interface Line {
   label: string;
   colour: string;
   x: number[];

@@ -3,7 +3,6 @@
 import uPlot from 'uplot';
 import { colourOf, element, setText } from '../dom.ts';
 import { groupDigits, number } from '../format.ts';
-import { axesOf } from './axes.ts';
 import { tickExponents } from './value-axis.ts';
 
 /** In the order of the columns. */
@@ -16,11 +15,7 @@ const SERIES = [
 ];
 const HEIGHT = 180;
 /** Tick increments for counts. */
-export const COUNTS = [1, 10, 100, 1000, 1e4, 1e5].flatMap((power) => [
-  power,
-  2 * power,
-  5 * power,
-]);
+const COUNTS = [1, 10, 100, 1000, 1e4, 1e5].flatMap((power) => [power, 2 * power, 5 * power]);
 /** Decades below the greatest energy; smaller energies are drawn at the lower end. */
 const DECADES = 12;
 
@@ -104,12 +99,7 @@ export class EnergyPlot {
         legend: { show: false },
         cursor: { y: false, points: { size: 5 }, drag: { x: false, y: false } },
         scales: { x: { time: false }, y: { distr: 3 } },
-        axes: axesOf(
-          this.#place,
-          { space: 48, incrs: COUNTS, values: (_, ticks) => ticks.map(groupDigits) },
-          decades,
-          powerOfTen,
-        ),
+        axes: axesOf(this.#place),
         series: [
           {},
           ...SERIES.map(({ id, label, width }) => ({
@@ -159,13 +149,43 @@ export class EnergyPlot {
   }
 }
 
+/**
+ * Returns the axes: iterations, and energies on a logarithmic scale.
+ * @param place of the plot
+ */
+function axesOf(place: HTMLElement): uPlot.Axis[] {
+  const common = {
+    stroke: colourOf(place, '--quiet'),
+    font: `11px ${getComputedStyle(place).fontFamily}`,
+    grid: { stroke: colourOf(place, '--line'), width: 1 },
+    ticks: { show: false },
+    gap: 4,
+  };
+  return [
+    {
+      ...common,
+      size: 22,
+      space: 48,
+      incrs: COUNTS,
+      values: (_, ticks) => ticks.map(groupDigits),
+    },
+    {
+      ...common,
+      size: 46,
+      filter: (_, ticks) => ticks,
+      splits: (_, _axis, least, most) => decades(least, most),
+      values: (_, ticks) => ticks.map(powerOfTen),
+    },
+  ];
+}
+
 /** Returns at most about six powers of ten. */
-export function decades(least: number, most: number) {
+function decades(least: number, most: number) {
   const first = Math.ceil(Math.log10(least) - 1e-9);
   const last = Math.floor(Math.log10(most) + 1e-9);
   return tickExponents(first, last).map((exponent) => 10 ** exponent);
 }
 
-export function powerOfTen(value: number) {
+function powerOfTen(value: number) {
   return value.toExponential(0).replace('-', '−').replace('e+', 'e');
 }

@@ -71,11 +71,9 @@ impl Backdrop {
         self.cells.write(device, queue, &cells);
     }
 
-    /// Draws the gradient and, if requested, the shadow.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, has_shadow: bool) {
+    /// Draws the gradient and the shadow.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.picture.draw(pass, &self.gradient);
-        if has_shadow {
-            self.cells.draw_each(pass, &self.shadow, 6);
-        }
+        self.cells.draw_each(pass, &self.shadow, 6);
     }
 }
