@@ -423,7 +423,7 @@ export const walks: Record<string, State[]> = {
     {
       name: 'a truncated link',
       reach: async (page) => {
-        await page.goto('./#scene=bVLLbt');
+        await page.goto('./#link=CAAqrVip');
         await expect(page.getByRole('alert')).toContainText('probably truncated');
       },
     },

@@ -4,13 +4,13 @@
  * | fragment | content |
  * |---|---|
  * | `#example=ID`, `#example=ID&run` | an unchanged example; `&run` iterates after opening |
- * | `#link=CODE` | a scene with its mesh, or with an example's; see `short-link/packed-scene.ts` |
- * | `#scene=CODE`, `#example=ID&edits=CODE` | the same in earlier versions, see `short-link/deflated.ts` |
+ * | `#link=CODE` | a scene with its mesh, or with an example's; see `link-code.ts` |
  *
  * No link contains the current positions: the receiver solves again, so that the errors shown are
  * not those of rounded positions. A kept design is part of the scene, as its start positions.
  */
 
+import { outdated, packScene, unpackScene } from './link-code.ts';
 import type { Example, Files } from './files.ts';
 import type { AppContext } from '../app/context.ts';
 
@@ -26,20 +26,17 @@ interface Linked {
 
 /**
  * @param hash fragment of an address, with its #
- * @returns null if it is no link of this page; rejects if it was altered
+ * @returns null if it is no link of this page; rejects if it was altered,
+ *   or made by another version
  */
 export async function readLink(hash: string): Promise<Linked | null> {
   const parts = new URLSearchParams(hash.slice(1));
   const code = parts.get('link');
-  if (code !== null) return (await packing()).unpackScene(code);
+  if (code !== null) return unpackScene(code);
+  // The scene, or the edits of an example, in the first links.
+  if (parts.has('scene') || parts.has('edits')) throw outdated();
   const example = parts.get('example');
-  const earlier = parts.get('scene') ?? parts.get('edits');
-  if (!example && !earlier) return null;
-  return {
-    example,
-    text: earlier && (await (await packing()).inflated(earlier)),
-    run: parts.has('run'),
-  };
+  return example ? { example, text: null, run: parts.has('run') } : null;
 }
 
 /** Returns the address that opens the current scene, and the rounding step of its positions. */
@@ -97,7 +94,6 @@ export async function writeLink(
   }: { example?: Example; original: string | null; run: boolean; tolerance: number },
 ): Promise<{ fragment: string; rounded: number | null }> {
   const scene = withoutPositions(text);
-  const { packScene } = await packing();
   if (!example) {
     const { code, rounded } = await packScene({ scene, run, tolerance });
     return { fragment: `#link=${code}`, rounded };
@@ -111,9 +107,6 @@ export async function writeLink(
   const { code } = await packScene({ scene: edits, example: example.id, run, tolerance });
   return { fragment: `#link=${code}`, rounded: null };
 }
-
-/** Loaded on demand: most links name only an example. */
-const packing = () => import('./short-link/packed-scene.ts');
 
 /** @param text of a scene */
 function withoutPositions(text: string) {

@@ -4,8 +4,9 @@ import type { Locator } from '@playwright/test';
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
+import { crc32 } from '../../../www/documents/crc32.ts';
+import { MOST_BYTES } from '../../../www/documents/deflate.ts';
 import { linkTo, readLink, writeLink } from '../../../www/documents/share-link.ts';
-import { MOST_BYTES, inflate } from '../../../www/documents/short-link/deflated.ts';
 import { wavyGrid } from '../meshes.ts';
 
 const TOLERANCE = 0.001;
@@ -52,7 +53,7 @@ test('a small scene is restored exactly from its link', async () => {
   assert.equal((await readLink(fragment)).run, true);
 });
 
-test('a link of 900 panels has at most 6,000 characters, rounded to 1 % of the tolerance', async () => {
+test('a link of 900 panels has at most 3,000 characters, rounded to 1 % of the tolerance', async () => {
   const mesh = meshOf(wavyGrid(30));
   const scene = sceneWith(
     { ...mesh, groups: { east: { faces: '0-99' } } },
@@ -60,7 +61,7 @@ test('a link of 900 panels has at most 6,000 characters, rounded to 1 % of the t
   );
   const { fragment, rounded } = await linkOf(scene);
   assert.equal(mesh.faces.length, 900);
-  assert.ok(fragment.length <= 6000, `${fragment.length} characters`);
+  assert.ok(fragment.length <= 3000, `${fragment.length} characters`);
   assert.ok(rounded > 0 && rounded <= TOLERANCE / 100);
   const back = await opened(fragment);
   const { mesh: found, handles } = back;
@@ -73,37 +74,46 @@ test('a link of 900 panels has at most 6,000 characters, rounded to 1 % of the t
   assert.deepEqual({ ...back, mesh: null, handles: null }, { ...scene, mesh: null, handles: null });
 });
 
-/** 900 uneven quads, each flat up to a distance of at most `off`. */
-function unevenQuads(off) {
-  const n = 30;
+/** The same grid with vertices moved at random by up to a fifth of an edge. */
+function unevenGrid(n) {
   const random = numbers(3);
-  const about = (size) => (2 * random() - 1) * size;
-  const positions = [];
-  const at = (x: number, y: number) => positions[y * (n + 1) + x];
-  for (let y = 0; y <= n; y++)
-    for (let x = 0; x <= n; x++) {
-      if (x === 0 || y === 0) {
-        positions.push([x + about(0.2), y + about(0.2), Math.sin(0.2 * (x + y)) + about(0.2)]);
-        continue;
-      }
-      const [a, b, c] = [at(x - 1, y), at(x, y - 1), at(x - 1, y - 1)];
-      const [p, q] = [1 + about(0.02), 1 + about(0.02)];
-      positions.push(c.map((value, k: number) => value + p * (a[k] - value) + q * (b[k] - value)));
-      positions.at(-1)[2] += about(off);
-    }
-  const faces = Array.from({ length: n * n }, (_, i) => {
-    const corner = Math.floor(i / n) * (n + 1) + (i % n);
-    return [corner, corner + 1, corner + n + 2, corner + n + 1];
-  });
-  return { positions, faces };
+  const { positions, faces } = meshOf(wavyGrid(n));
+  return { positions: positions.map((at) => at.map((x) => x + 0.4 * random() - 0.2)), faces };
 }
 
-test('flat panels make a link a fifth shorter and at most 6,000 characters, even if uneven', async () => {
-  const [flat, bent] = await Promise.all(
-    [0, 0.02].map(async (off) => (await linkOf(sceneWith(unevenQuads(off)))).fragment.length),
-  );
-  assert.ok(flat <= 6000, `${flat} characters`);
-  assert.ok(flat <= 0.8 * bent, `${flat} of ${bent} characters`);
+test('a link of 900 uneven panels has at most 10,000 characters', async () => {
+  const { fragment } = await linkOf(sceneWith(unevenGrid(30)));
+  assert.ok(fragment.length <= 10_000, `${fragment.length} characters`);
+});
+
+test('curves and tetrahedra are restored with the faces', async () => {
+  const mesh = {
+    ...meshOf(wavyGrid(20)),
+    curves: [
+      [0, 1, 2, 0],
+      [5, 3],
+      [7, 8, 9],
+    ],
+  };
+  for (const scene of [
+    sceneWith(mesh),
+    sceneWith({
+      ...mesh,
+      tets: [
+        [0, 1, 2, 30],
+        [4, 3, 2, 1],
+      ],
+    }),
+    sceneWith({ ...mesh, faces: [], curves: undefined, tets: [[9, 1, 2, 30]] }),
+  ]) {
+    const { fragment, rounded } = await linkOf(scene);
+    assert.ok(rounded > 0);
+    const back = await opened(fragment);
+    assert.deepEqual(
+      { ...back, mesh: { ...back.mesh, positions: null } },
+      JSON.parse(JSON.stringify({ ...scene, mesh: { ...scene.mesh, positions: null } })),
+    );
+  }
 });
 
 test('any mesh is restored with its vertices and faces in their order', async () => {
@@ -168,22 +178,34 @@ test('every shortened link, and every link with a changed character, is refused'
   }
 });
 
-test('links of earlier versions open', async () => {
-  const text = JSON.stringify(sceneWith(meshOf(wavyGrid(3))));
-  const code = deflateRawSync(Buffer.from(text)).toString('base64url');
-  assert.deepEqual(await readLink(`#scene=${code}&run`), { example: null, text, run: true });
-  // Positions predicted without the planes of the faces.
+/** Returns the fragment of a link with this version and deflated content. */
+function linkWith(version, content) {
+  const bytes = Buffer.concat([Buffer.from([version]), content, Buffer.alloc(4)]);
+  bytes.writeUInt32BE(crc32(bytes.subarray(0, -4)), bytes.length - 4);
+  return `#link=${bytes.toString('base64url')}`;
+}
+
+test('links of other versions are refused, and the message says what to do', async () => {
+  const scene = JSON.stringify(sceneWith(meshOf(wavyGrid(3))));
+  const content = deflateRawSync(Buffer.from(JSON.stringify({ scene })));
+  const code = content.toString('base64url');
+  // Written by earlier versions, with and without a mesh.
   const early =
     'AwAAAFMATa8c_9hkmh8L0MQnaj7ssgH7ZDgHOAcLeKHT10ibXPN1UCUE7nhJ5W0JLKcNrm6-3j4Pz-R6DjJ0CsZKkhU7GIZkihhEeY_nxFtGYDrXSpLnbyXLMQ6AIAxG4bv8Mw6uvYpxaLBEohRC0YVwd6PO73sd5kUF1BFyTdxAsJ2LTFeZ_uRwS7WYFTQ7JLEd1IeDz2qtctRmoKXjiLqBUE7-ptcjsBfDWMd4APS-Bxg';
-  const { mesh } = await opened(`#link=${early}`);
-  assert.deepEqual(mesh.faces, meshOf(wavyGrid(3)).faces);
-  mesh.positions.flat().forEach((value, i: number) => {
-    assert.ok(Math.abs(value - meshOf(wavyGrid(3)).positions.flat()[i]) <= 0.5001e-5);
-  });
-  const edits = await readLink(`#example=hypar&edits=${code}`);
-  assert.deepEqual(edits, { example: 'hypar', text, run: false });
-  await assert.rejects(readLink(`#scene=${code.slice(0, -9)}`), /incomplete or damaged/);
-  await assert.rejects(readLink('#scene=!'), /incomplete or damaged/);
+  for (const earlier of [
+    `#link=${early}`,
+    linkWith(1, content),
+    linkWith(7, content),
+    `#scene=${code}&run`,
+    `#example=hypar&edits=${code}`,
+    '#scene=!',
+  ])
+    await assert.rejects(readLink(earlier), {
+      message:
+        'This link was made by an earlier version of this page and can no longer be opened. Ask the sender for a new link, or for the scene file.',
+    });
+  await assert.rejects(readLink(linkWith(9, content)), /a newer version of this page. Reload/);
+  await assert.rejects(readLink(`#link=${early.slice(0, -9)}`), /incomplete or damaged/);
 });
 
 test('an example is stored by its name, and edits in the code', async () => {
@@ -229,7 +251,7 @@ test('data that unpacks to more than the limit is refused without blocking the p
   const bomb = deflateRawSync(Buffer.alloc(MOST_BYTES * 2));
   let turns = 0;
   const timer = setInterval(() => (turns += 1), 1);
-  await assert.rejects(inflate(bomb), /more than 32 MB/);
+  await assert.rejects(readLink(linkWith(8, bomb)), /more than 32 MB. Ask .* for the scene file/);
   clearInterval(timer);
   assert.ok(turns >= 10, `${turns} turns while it was unpacked`);
 });

@@ -115,7 +115,8 @@ test('automatic copying fails silently, and the button reports that copying was 
 
 test('a long link comes with warnings and an offer to save the scene instead', async ({ page }) => {
   await openPage(page);
-  const away = (at: number) => ((at * 7919) % 997) / 2000;
+  // Without a period, which would be compressed.
+  const away = (at: number) => (1 + Math.sin(at * at)) / 4;
   const rough = wavyGrid(40).replace(
     /^v (\S+) (\S+) .*$/gm,
     (_, x, y, at) => `v ${Number(x) + away(at)} ${Number(y) + away(3 * at)} ${away(5 * at)}`,
@@ -130,11 +131,20 @@ test('a long link comes with warnings and an offer to save the scene instead', a
   expect((await download).suggestedFilename()).toBe('large.shapeup.json');
 });
 
-test('a link that was cut is refused with a message, and the page works', async ({ page }) => {
-  for (const hash of ['#link=AaqrVip', '#scene=bVLLbt', '#example=no-such-example']) {
+test('a link that was cut, or is too old, is refused with a message, and the page works', async ({
+  page,
+}) => {
+  for (const [hash, words] of [
+    ['#link=AaqrVip', 'The link is incomplete or damaged'],
+    [
+      '#scene=bVLLbt',
+      'an earlier version of this page and can no longer be opened. Ask the sender',
+    ],
+    ['#example=no-such-example', 'The link is outdated or mistyped'],
+  ]) {
     await page.goto(`./${hash}`);
     await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
-    await expect(page.getByRole('alert')).toContainText('link');
+    await expect(page.getByRole('alert')).toContainText(words);
     await page.goto('about:blank');
   }
 });

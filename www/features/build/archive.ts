@@ -1,7 +1,7 @@
 /** Packs files into a ZIP archive, deflated by the browser. */
 
 import { crc32 } from '../../documents/crc32.ts';
-import { deflate } from '../../documents/short-link/deflated.ts';
+import { deflate } from '../../documents/deflate.ts';
 
 /** A number and its size in bytes. */
 type Field = [size: 2 | 4, value: number];
