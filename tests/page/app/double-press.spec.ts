@@ -15,7 +15,7 @@ const DIALOGS = [
   ['button', 'Refine', 'Refine'],
   ['button', 'Edit mesh', 'Edit mesh'],
   ['menuitem', 'New mesh', 'New mesh'],
-];
+] as const;
 
 test('two quick presses open one dialog, and a press after it opens it again', async ({ page }) => {
   await openPage(page);
@@ -26,7 +26,7 @@ test('two quick presses open one dialog, and a press after it opens it again', a
     const exact = role === 'button';
     const control = page.getByRole(role, { name, exact, includeHidden: true }).first();
     for (const presses of [2, 1]) {
-      await control.evaluate((element, times) => {
+      await control.evaluate((element: HTMLElement, times) => {
         for (let time = 0; time < times; time++) element.click();
       }, presses);
       await expect(page.getByRole('dialog', { name: title, exact: true })).toBeVisible();
