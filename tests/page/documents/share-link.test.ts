@@ -1,29 +1,56 @@
 // What a link contains and unpacks to; a link that was cut or changed is refused.
 
-import type { Locator } from '@playwright/test';
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { crc32 } from '../../../www/documents/crc32.ts';
 import { MOST_BYTES } from '../../../www/documents/deflate.ts';
 import { linkTo, readLink, writeLink } from '../../../www/documents/share-link.ts';
+import type { AppContext } from '../../../www/app/context.ts';
+import type { Example } from '../../../www/documents/files.ts';
 import { wavyGrid } from '../meshes.ts';
 
 const TOLERANCE = 0.001;
 const LETTERS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.~!';
 
+interface Mesh {
+  positions: number[][];
+  faces: number[][];
+  curves?: number[][];
+  tets?: number[][];
+  groups?: Record<string, { faces: string }>;
+}
+
+/** The parts of a scene file that some tests add. */
+interface More {
+  title?: string;
+  handles?: { vertices: number[]; targets: number[][] }[];
+  lesson?: { text: string; goals: object[] };
+  weights?: { close: number };
+}
+
+/** A scene file; its mesh is in it, or in a file of an example. */
+interface Scene<Meshes = Mesh | { file: string }> extends More {
+  format: 'shape-up-scene';
+  version: number;
+  mesh: Meshes;
+  constraints: { kind: string; on: string }[];
+}
+
+type How = Parameters<typeof writeLink>[1];
+
 /** The mesh of an OBJ file of vertices and faces. */
-function meshOf(obj: string) {
-  const words = obj.split('\n').map((line: string) => line.split(' '));
-  const rows = (name: string, from) => words.filter(([word]) => word === name).map(from);
-  const numbers = ([, ...values]) => values.map(Number);
+function meshOf(obj: string): Mesh {
+  const words = obj.split('\n').map((line) => line.split(' '));
+  const rows = (name: string) =>
+    words.filter(([word]) => word === name).map(([, ...values]) => values.map(Number));
   return {
-    positions: rows('v', numbers),
-    faces: rows('f', (row: Locator) => numbers(row).map((index) => index - 1)),
+    positions: rows('v'),
+    faces: rows('f').map((row) => row.map((index) => index - 1)),
   };
 }
 
-const sceneWith = (mesh, more = {}) => ({
+const sceneWith = <Given extends Scene['mesh']>(mesh: Given, more: More = {}): Scene<Given> => ({
   format: 'shape-up-scene',
   version: 1,
   mesh,
@@ -31,13 +58,22 @@ const sceneWith = (mesh, more = {}) => ({
   ...more,
 });
 
-const linkOf = (scene, how = {}) =>
+const linkOf = (scene: Scene, how: Partial<How> = {}) =>
   writeLink(JSON.stringify(scene), {
     ...{ example: undefined, original: null, run: true, tolerance: TOLERANCE },
     ...how,
   });
 
-const opened = async (fragment: string) => JSON.parse((await readLink(fragment)).text);
+/** Reads a link of this page. */
+async function read(fragment: string) {
+  const linked = await readLink(fragment);
+  assert.ok(linked, `not a link: ${fragment}`);
+  return linked;
+}
+
+/** The scene in a link that has its mesh. */
+const opened = async (fragment: string) =>
+  JSON.parse((await read(fragment)).text ?? '') as Scene<Mesh>;
 
 /** Returns a generator of the same numbers in every run. */
 function numbers(seed: number) {
@@ -50,7 +86,7 @@ test('a small scene is restored exactly from its link', async () => {
   const { fragment, rounded } = await linkOf(scene);
   assert.equal(rounded, null);
   assert.deepEqual(await opened(fragment), scene);
-  assert.equal((await readLink(fragment)).run, true);
+  assert.equal((await read(fragment)).run, true);
 });
 
 test('a link of 900 panels has at most 3,000 characters, rounded to 1 % of the tolerance', async () => {
@@ -62,12 +98,12 @@ test('a link of 900 panels has at most 3,000 characters, rounded to 1 % of the t
   const { fragment, rounded } = await linkOf(scene);
   assert.equal(mesh.faces.length, 900);
   assert.ok(fragment.length <= 3000, `${fragment.length} characters`);
-  assert.ok(rounded > 0 && rounded <= TOLERANCE / 100);
+  assert.ok(rounded !== null && rounded > 0 && rounded <= TOLERANCE / 100);
   const back = await opened(fragment);
   const { mesh: found, handles } = back;
   assert.deepEqual(found.faces, mesh.faces);
   assert.deepEqual(found.groups, scene.mesh.groups);
-  found.positions.flat().forEach((value, i: number) => {
+  found.positions.flat().forEach((value, i) => {
     assert.ok(Math.abs(value - mesh.positions.flat()[i]) <= rounded / 2 + 1e-12);
   });
   assert.deepEqual(handles, [{ vertices: [7], targets: [[0.12346, 2, 3]] }]);
@@ -75,7 +111,7 @@ test('a link of 900 panels has at most 3,000 characters, rounded to 1 % of the t
 });
 
 /** The same grid with vertices moved at random by up to a fifth of an edge. */
-function unevenGrid(n) {
+function unevenGrid(n: number): Mesh {
   const random = numbers(3);
   const { positions, faces } = meshOf(wavyGrid(n));
   return { positions: positions.map((at) => at.map((x) => x + 0.4 * random() - 0.2)), faces };
@@ -107,7 +143,7 @@ test('curves and tetrahedra are restored with the faces', async () => {
     sceneWith({ ...mesh, faces: [], curves: undefined, tets: [[9, 1, 2, 30]] }),
   ]) {
     const { fragment, rounded } = await linkOf(scene);
-    assert.ok(rounded > 0);
+    assert.ok(rounded !== null && rounded > 0);
     const back = await opened(fragment);
     assert.deepEqual(
       { ...back, mesh: { ...back.mesh, positions: null } },
@@ -127,7 +163,7 @@ test('any mesh is restored with its vertices and faces in their order', async ()
       [random(), random(), flat ? 0 : random()].map((value) => far + value * scale),
     );
     const faces = Array.from({ length: Math.floor(random() * 300) + 1 }, () => {
-      const face = new Set();
+      const face = new Set<number>();
       const corners = 3 + Math.floor(random() * 5);
       while (face.size < corners) face.add(Math.floor(random() * vertices));
       return [...face];
@@ -139,7 +175,7 @@ test('any mesh is restored with its vertices and faces in their order', async ()
     assert.ok(rounded !== null, `turn ${turn} is not rounded`);
     const { mesh } = await opened(fragment);
     assert.deepEqual(mesh.faces, faces);
-    mesh.positions.flat().forEach((value, i: number) => {
+    mesh.positions.flat().forEach((value, i) => {
       const error = Math.abs(value - positions.flat()[i]);
       assert.ok(error <= 0.5001 * rounded + 1e-15 * far, `turn ${turn}: ${error} of ${rounded}`);
     });
@@ -154,7 +190,7 @@ test('vertices that rounding would merge, lessons, and meshes without a toleranc
     [sceneWith(close), {}],
     [sceneWith(mesh, { lesson: { text: 'Flat!', goals: [] } }), {}],
     [sceneWith(mesh), { tolerance: 0 }],
-  ]) {
+  ] satisfies [Scene, Partial<How>][]) {
     const { fragment, rounded } = await linkOf(scene, how);
     assert.equal(rounded, null);
     assert.deepEqual(await opened(fragment), scene);
@@ -179,7 +215,7 @@ test('every shortened link, and every link with a changed character, is refused'
 });
 
 /** Returns the fragment of a link with this version and deflated content. */
-function linkWith(version, content) {
+function linkWith(version: number, content: Uint8Array) {
   const bytes = Buffer.concat([Buffer.from([version]), content, Buffer.alloc(4)]);
   bytes.writeUInt32BE(crc32(bytes.subarray(0, -4)), bytes.length - 4);
   return `#link=${bytes.toString('base64url')}`;
@@ -209,7 +245,7 @@ test('links of other versions are refused, and the message says what to do', asy
 });
 
 test('an example is stored by its name, and edits in the code', async () => {
-  const example = { id: 'hypar', mesh: 'hypar.obj' };
+  const example = { id: 'hypar', mesh: 'hypar.obj' } as Example;
   const original = JSON.stringify(sceneWith({ file: 'hypar.obj' }));
   const how = { example, original, run: false };
   const plain = await linkOf(JSON.parse(original), how);
@@ -223,27 +259,28 @@ test('an example is stored by its name, and edits in the code', async () => {
 
 test('an example whose mesh was refined is stored with that mesh, also when it was resumed', async (context) => {
   // The link used to name the example's mesh: constraints and handles lay on vertices it lacks.
-  context.after(() => delete globalThis.location);
-  globalThis.location = { href: 'https://shape-up.test/#example=roof' } as any;
+  context.after(() => Reflect.deleteProperty(globalThis, 'location'));
+  globalThis.location = { href: 'https://shape-up.test/#example=roof' } as Location;
   const obj = `# roof\n${wavyGrid(2)}`;
-  const linkOf = (mesh, original) =>
-    linkTo({
-      store: { get: () => ({ tolerance: TOLERANCE }) } as any,
-      actions: { sceneText: async () => JSON.stringify(sceneWith(mesh)) } as any,
+  const appWith = (mesh: Mesh, original: Mesh | null) =>
+    ({
+      store: { get: () => ({ tolerance: TOLERANCE }) },
+      actions: { sceneText: async () => JSON.stringify(sceneWith(mesh)) },
       files: {
         origin: { example: { id: 'roof', mesh: 'roof.obj' } },
         original: original && JSON.stringify(sceneWith(original)),
         exampleFile: async () => new TextEncoder().encode(obj),
-      } as any,
-    });
-  const hashOf = async (...given) => new URL((await linkOf(...given)).address).hash;
+      },
+    }) as unknown as AppContext;
+  const hashOf = async (mesh: Mesh, original: Mesh | null) =>
+    new URL((await linkTo(appWith(mesh, original))).address).hash;
   const [mesh, refined] = [meshOf(obj), meshOf(wavyGrid(4))];
   assert.equal(await hashOf(mesh, mesh), '#example=roof');
-  assert.equal((await readLink(await hashOf(mesh, null))).example, 'roof');
+  assert.equal((await read(await hashOf(mesh, null))).example, 'roof');
   for (const original of [mesh, null]) {
-    const back = await readLink(await hashOf(refined, original));
-    assert.equal(back.example, null);
-    assert.deepEqual(JSON.parse(back.text).mesh, refined);
+    const hash = await hashOf(refined, original);
+    assert.equal((await read(hash)).example, null);
+    assert.deepEqual((await opened(hash)).mesh, refined);
   }
 });
 
