@@ -62,23 +62,26 @@ test('another shape is sent to the worker, even one with equal sums of its coord
   const sent: number[] = [];
   const value = { points: new Float64Array(0), offsets: Uint32Array.of(0), count: 0 };
   globalThis.Worker = class {
-    postMessage({ shape }) {
+    onmessage: (event: { data: Posted }) => void = () => {};
+    postMessage({ shape }: Question) {
       if (shape) sent.push(shape.positions[0]);
       queueMicrotask(() => this.onmessage({ data: { value } }));
     }
-  } as any;
+  } as unknown as typeof Worker;
   const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
-  const shape = (generation, ...positions) => ({
+  const shape = (generation: number, ...positions: number[]) => ({
     ...{ generation, connectivity, positions: Float64Array.from(positions) },
   });
   const solver = { geometry: shape(1, 1, 0, 0, 0, 1, 0, 0, 5, 0) };
   const model = { vertices: 3 };
+  const app = {
+    ...{ store: { get: () => ({ model, running: false }) }, solver },
+    viewport: { unmeasured() {}, on() {} },
+  } as unknown as AppContext;
+  const none = new Uint32Array(0);
   const lines = surfaceLines(
-    {
-      ...{ store: { get: () => ({ model, running: false }) }, solver },
-      viewport: { unmeasured() {}, on() {} },
-    } as any,
-    () => ({ draw: 'strokes', distance: null, vertices: [], faces: [] }) as any,
+    app,
+    () => ({ draw: 'strokes', distance: null, vertices: none, faces: none }),
     () => {},
   );
   await lines.update();

@@ -5,7 +5,6 @@ import type { Page } from '@playwright/test';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import jsqr from 'jsqr';
-import type { Answer } from '../../../www/features/embed/protocol.ts';
 import { tool } from '../actions.ts';
 import { decodePng } from '../picture.ts';
 import { expect, openPage, test as base } from '../support.ts';

@@ -98,14 +98,15 @@ test('another shape is built, even one with equal sums of its coordinates', asyn
   /** The first coordinate of each shape that was built. */
   const built: number[] = [];
   globalThis.Worker = class {
-    postMessage({ id, request }) {
+    onmessage: (event: { data: object }) => void = () => {};
+    postMessage({ id, request }: Sent) {
       if (request.type === 'build') built.push(request.positions[0]);
       const value = request.type === 'offers' ? { presets: [], defaults: {} } : {};
       setTimeout(() => this.onmessage({ data: { id, value } }));
     }
-  } as any;
+  } as unknown as typeof Worker;
   const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
-  const shape = (generation, ...positions) => ({
+  const shape = (generation: number, ...positions: number[]) => ({
     ...{ generation, connectivity, positions: Float64Array.from(positions) },
   });
   const state = {
@@ -113,7 +114,7 @@ test('another shape is built, even one with equal sums of its coordinates', asyn
     document: { units: 'm', build: {} },
   };
   const solver = { geometry: shape(1, 1, 0, 0, 0, 1, 0, 0, 5, 0) };
-  const app = { store: { get: () => state }, solver } as any;
+  const app = { store: { get: () => state }, solver } as unknown as AppContext;
   const refuse = (why: string) => assert.fail(why);
   const live = new LiveBuild(app, { show() {}, showOffset() {}, refuse });
   await live.offers();
