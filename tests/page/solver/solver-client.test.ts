@@ -116,16 +116,17 @@ test('work cancelled while the scene is being restored restores it without a not
 
 test('every other mesh and every other shape is another generation, other frames are not', async () => {
   const client = await clientWithRoof();
-  const generations = [];
-  const say = (type, ...positions) => {
+  const generation = () => client.geometry?.generation ?? 0;
+  const generations: number[] = [];
+  const say = (type: 'frame' | 'model', ...positions: number[]) => {
     const loaded = { name: 'roof.obj' };
     FakeWorker.latest.say({
       ...{ type, loaded, connectivity: {}, positions: Float64Array.from(positions) },
       numbers: { stepMs: 1 },
     });
-    generations.push(client.geometry?.generation);
+    generations.push(generation());
   };
-  const first = client.geometry?.generation ?? 0;
+  const first = generation();
   // The same sums of coordinates, another measure of the same shape, another mesh of it.
   say('frame', 0, 1, 2);
   say('frame', 2, 1, 0);
@@ -133,7 +134,7 @@ test('every other mesh and every other shape is another generation, other frames
   say('model', 2, 1, 0);
   say('frame', 2, 1, 0);
   assert.deepEqual(
-    generations.map((generation) => generation - first),
+    generations.map((each) => each - first),
     [1, 2, 2, 3, 3],
   );
 });

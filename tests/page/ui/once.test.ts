@@ -6,10 +6,10 @@ import { oneAtATime } from '../../../www/ui/once.ts';
 
 test('a second press has no effect while the first one loads, and has one after it, also after a failure', async () => {
   const loaded: ((opened: string) => void)[] = [];
-  const fail = [];
+  const fail: ((why: Error) => void)[] = [];
   const open = oneAtATime(
     () =>
-      new Promise((done, refuse) => {
+      new Promise<string>((done, refuse) => {
         loaded.push(done);
         fail.push(refuse);
       }),
@@ -21,8 +21,8 @@ test('a second press has no effect while the first one loads, and has one after 
 
   const second = open();
   fail[1](new Error('not there'));
-  await assert.rejects(second as Promise<unknown>, /not there/);
-  open();
+  await assert.rejects(second as Promise<string>, /not there/);
+  void open();
   assert.equal(loaded.length, 3);
 });
 

@@ -5,25 +5,28 @@ import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import { createStore } from '../../../www/store/state.ts';
 import { PointerInput } from '../../../www/viewport/input/pointer.ts';
+import type { Drag, WorkerEvents } from '../../../www/solver/messages.ts';
 
 const VERTEX = 5;
 const ALT = { altKey: true, button: 0, buttons: 1, pointerId: 1, pointerType: 'mouse' };
 
-globalThis.window = { addEventListener() {} } as any;
-globalThis.PointerEvent = class {} as any;
+globalThis.window = { addEventListener() {} } as unknown as typeof window;
+globalThis.PointerEvent = class {} as unknown as typeof PointerEvent;
 
 /** Pointer input on a view in which the pointer is always at the vertex. */
 function inputAtVertex() {
   const store = createStore();
   /** Drags that were sent: phase and vertices. */
-  const sent: any[] = [];
-  const send = ({ phase, vertices }) => sent.push([phase, ...vertices]);
-  const solver = Object.assign(new Emitter(), { send });
+  const sent: (string | number)[][] = [];
+  const send = ({ phase, vertices }: Drag) => sent.push([phase, ...vertices]);
+  const solver = Object.assign(new Emitter<Pick<WorkerEvents, 'document'>>(), { send });
   solver.on('document', ({ document }) => store.set({ document }));
-  const listeners = {};
+  const listeners: Record<string, (event: object) => void> = {};
+  const dataset: DOMStringMap = {};
   const element = {
-    ...{ dataset: {}, focus() {}, setPointerCapture() {}, toggleAttribute() {} },
-    addEventListener: (type, listener) => (listeners[type] = listener),
+    ...{ dataset, focus() {}, setPointerCapture() {}, toggleAttribute() {} },
+    addEventListener: (type: string, listener: (event: object) => void) =>
+      (listeners[type] = listener),
     getBoundingClientRect: () => ({ left: 0, top: 0 }),
   };
   const view = {
@@ -32,16 +35,18 @@ function inputAtVertex() {
     pickVertex: () => VERTEX,
     holdVertex() {},
   };
-  const constrainMove = (_, dx, dy) => Float64Array.of(dx, dy, 0);
-  const viewport = { element, view, with: (action) => action(view), constrainMove };
+  const constrainMove = (_: string, dx: number, dy: number) => Float64Array.of(dx, dy, 0);
+  const within = (action: (shown: typeof view) => unknown) => action(view);
+  const viewport = { element, view, with: within, constrainMove };
   const region = { paints: false, hide() {} };
-  new PointerInput(...([store, solver, viewport, region, {}, {}] as any));
-  const event = (type, clientX, more = {}) =>
+  const given = [store, solver, viewport, region, {}, {}] as unknown;
+  new PointerInput(...(given as ConstructorParameters<typeof PointerInput>));
+  const event = (type: string, clientX: number, more: object = {}) =>
     listeners[type]({ ...ALT, ...{ type, clientX, clientY: 0, timeStamp: 0 }, ...more });
   /** The solver says that these vertices are handles. */
-  const say = (...vertices) => {
+  const say = (...vertices: number[]) => {
     const handles = vertices.map((vertex) => ({ vertex, target: [0, 0, 0], fixed: false }));
-    solver.emit('document', { document: { handles } });
+    solver.emit('document', { document: { handles } } as WorkerEvents['document']);
   };
   return { element, event, say, sent };
 }
