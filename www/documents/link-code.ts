@@ -21,14 +21,34 @@ const [FARTHEST_ORIGIN, FARTHEST] = [2 ** 45, 2 ** 31 - 1];
 /** Largest exact power of ten. */
 const EXPONENTS = 22;
 /** Lists of vertices in a mesh. */
-const LISTS = ['faces', 'curves', 'tets'];
+const LISTS = ['faces', 'curves', 'tets'] as const;
 
-type SceneFile = Record<string, any>;
+/** Vertices of faces, curves and tetrahedra, or their number. */
+type Lists<Kind> = { [list in (typeof LISTS)[number]]?: Kind };
+interface MeshFile extends Lists<number[][]> {
+  positions: number[][];
+}
+/** A mesh with counts in place of positions and lists. */
+interface CountedMesh extends Lists<number> {
+  positions: number;
+}
+interface HandleFile {
+  /** a list, or a text of ranges */
+  vertices: number[] | string;
+  targets?: number[][];
+}
+/** What rounding reads of a scene; its other parts stay as they are. */
+interface SceneFile {
+  /** an example's is named only */
+  mesh?: MeshFile | { file: string; faces?: undefined };
+  handles?: HandleFile[];
+  lesson?: unknown;
+}
 /** Rounding step: 1, 2 or 5 times a power of ten, so that rounded numbers are short. */
 type Step = { factor: number; exponent: number };
-/** A rounded mesh: its numbers, and the rest of it with counts in place of positions and lists. */
+/** A rounded mesh: its numbers, and the rest of it. */
 interface Rounded {
-  mesh: SceneFile;
+  mesh: CountedMesh;
   /** the first vertex, in steps */
   origin: number[];
   numbers: Uint8Array<ArrayBuffer>;
@@ -67,12 +87,14 @@ export async function packScene({
   const about = { example, run: run || undefined };
   const exact = await packed({ ...about, scene });
   const step = tolerance > 0 ? stepBelow(PART * tolerance) : null;
+  const { mesh: unrounded, lesson } = scene;
   // A lesson's submission is compared with its mesh bit by bit.
-  const isExact = exact.length <= SHORT || !scene.mesh?.faces || scene.lesson || !step;
-  const rounded = isExact ? null : roundedMesh(scene.mesh, step);
-  if (!step || !rounded) return { code: exact, rounded: null };
+  if (exact.length <= SHORT || !unrounded?.faces || lesson || !step)
+    return { code: exact, rounded: null };
+  const rounded = roundedMesh(unrounded, step);
+  if (!rounded) return { code: exact, rounded: null };
   const { mesh, origin, numbers } = rounded;
-  const handles = scene.handles?.map(roundedHandle(scene.mesh.positions, step));
+  const handles = scene.handles?.map(roundedHandle(unrounded.positions, step));
   const rest = { ...about, step, origin, scene: { ...scene, mesh, handles } };
   const code = await packed(rest, numbers);
   if (code.length >= exact.length) return { code: exact, rounded: null };
@@ -156,8 +178,8 @@ function scaled(count: number, { factor, exponent }: Step) {
  * axis after another, then the lengths of all lists, and their vertices.
  * @returns null if rounding would merge distinct vertices or exceed the range
  */
-function roundedMesh(mesh: SceneFile, step: Step): Rounded | null {
-  const positions: number[][] = mesh.positions;
+function roundedMesh(mesh: MeshFile, step: Step): Rounded | null {
+  const { positions } = mesh;
   const length = scaled(1, step);
   const places = positions.map((at) => at.map((value) => Math.round(value / length)));
   const origin = [...places[0]];
@@ -167,11 +189,12 @@ function roundedMesh(mesh: SceneFile, step: Step): Rounded | null {
   const apart = (points: number[][]) => new Set(points.map(String)).size;
   if (apart(places) < apart(positions)) return null;
   const along = origin.map((from, axis) => places.map((at) => at[axis] - from));
-  const lists: number[][] = LISTS.flatMap((key) => mesh[key] ?? []);
+  const lists = LISTS.flatMap((key) => mesh[key] ?? []);
   const numbers = [...along, lists.map((list) => list.length), ...lists].flat();
-  const counts = ['positions', ...LISTS].map((key) => [key, mesh[key]?.length]);
+  const { faces, curves, tets } = mesh;
+  const counts = { faces: faces?.length, curves: curves?.length, tets: tets?.length };
   return {
-    ...{ mesh: { ...mesh, ...Object.fromEntries(counts) }, origin },
+    ...{ mesh: { ...mesh, positions: positions.length, ...counts }, origin },
     numbers: writeNumbers(Int32Array.from(numbers)),
   };
 }
@@ -185,7 +208,7 @@ function restoredMesh({ mesh, origin, numbers }: Rounded, step: Step) {
     Array.from(next(mesh.positions), (value) => scaled(from + value, step)),
   );
   const keys = LISTS.filter((key) => key in mesh);
-  const lengths = keys.map((key) => next(mesh[key]));
+  const lengths = keys.map((key) => next(mesh[key] ?? 0));
   const lists = keys.map((key, i) => [key, Array.from(lengths[i], (length) => [...next(length)])]);
   const positions = x.map((_, vertex) => [x[vertex], y[vertex], z[vertex]]);
   return { ...mesh, positions, ...Object.fromEntries(lists) };
@@ -223,14 +246,14 @@ function readNumbers(bytes: Uint8Array) {
  */
 function roundedHandle(positions: number[][], step: Step) {
   const length = scaled(1, step);
-  return (handle: SceneFile) => {
+  return (handle: HandleFile): HandleFile => {
     const { targets, vertices } = handle;
     if (!targets) return handle;
-    const isAtRest = (target: number[], i: number) =>
-      String(positions[vertices[i]]) === String(target);
-    if (Array.isArray(vertices) && targets.every(isAtRest))
-      return { ...handle, targets: undefined };
-    const rounded = targets.map((target: number[]) =>
+    const isAtRest =
+      Array.isArray(vertices) &&
+      targets.every((target, i) => String(positions[vertices[i]]) === String(target));
+    if (isAtRest) return { ...handle, targets: undefined };
+    const rounded = targets.map((target) =>
       target.map((value) => scaled(Math.round(value / length), step)),
     );
     return { ...handle, targets: rounded };
