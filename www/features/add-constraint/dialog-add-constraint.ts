@@ -119,7 +119,7 @@ class AddConstraintDialog {
     this.#allow(false);
     this.#dialog.show();
     // Meanwhile a press closes it.
-    this.#actions.reportErrors(this.#ask().then(() => this.#kinds.focus(this.#kindId)));
+    void this.#actions.reportErrors(this.#ask().then(() => this.#kinds.focus(this.#kindId)));
   }
 
   /** All selectors, whether a kind fits them or not. */

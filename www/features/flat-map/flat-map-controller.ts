@@ -42,7 +42,7 @@ export class FlatMapController {
 
   toggle() {
     if (this.#store.get().flatMap) this.close();
-    else this.flatten();
+    else void this.flatten();
   }
 
   /** Closes the flat map. */

@@ -54,7 +54,7 @@ export async function share(app: AppContext) {
   // The beginning identifies the link.
   if (field) field.scrollTop = 0;
   // Some browsers allow copying only on a user action; the button still works there.
-  if (found) actions.reportErrors(copy(link, dialog, ''));
+  if (found) void actions.reportErrors(copy(link, dialog, ''));
 }
 
 /**

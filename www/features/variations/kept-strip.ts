@@ -47,7 +47,7 @@ export function keptStrip({ store, solver, actions }: AppContext) {
     for (const index of rows.keys()) shapes.push(await variations.positions(index));
     // A newer update has started.
     if (mine !== asked) return;
-    const cards = rows.map((row, index) => card(scene, row, index, shapes[index]));
+    const cards = rows.map((row, index) => card(scene, row, index));
     strip.replaceChildren(...cards.map(({ place }) => place));
     cards.forEach(({ canvas }, index) => drawShape(canvas, connectivity, shapes[index], { up }));
     strip.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
@@ -65,12 +65,7 @@ export function keptStrip({ store, solver, actions }: AppContext) {
     isRemoving = false;
   }
 
-  function card(
-    scene: SceneDocument,
-    { name, isCurrent, isDesign }: VariantRow,
-    index: number,
-    positions: Float64Array,
-  ) {
+  function card(scene: SceneDocument, { name, isCurrent, isDesign }: VariantRow, index: number) {
     const canvas = element('canvas', { 'aria-hidden': 'true' });
     const go = element(
       'button.kept-picture',
