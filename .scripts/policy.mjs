@@ -1,10 +1,12 @@
 // The content security policy of the built pages, which enforces what they promise: nothing is
 // loaded from or sent to other hosts, and no text becomes a script. A static host sends no headers,
-// so each page contains its policy; inline scripts and styles are allowed by their hashes.
+// so each page contains its policy; inline scripts and styles are allowed by their hashes, also the
+// style of the report of a build, whose document is shown in a frame that has the page's policy.
 
 import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { at } from './project.mjs';
 
 const INLINE = {
   script: /<script(?![^>]*\ssrc=)[^>]*>([\s\S]*?)<\/script>/g,
@@ -12,18 +14,21 @@ const INLINE = {
 };
 const HEAD = /<meta charset="utf-8" ?\/?>/;
 
-/** Returns the hashes of a page's inline elements, as sources of a policy. */
-function hashes(html, element) {
-  const texts = [...html.matchAll(INLINE[element])].map(([, text]) => text);
-  return texts.map((text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`);
-}
+const REPORT_STYLE = at('src', 'fabricate', 'report_page', 'page.css');
+
+/** Returns the hash of an inline element's text, as a source of a policy. */
+const hashOf = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
+
+/** Returns the hashes of a page's inline elements. */
+const hashes = (html, element) =>
+  [...html.matchAll(INLINE[element])].map(([, text]) => hashOf(text));
 
 /** Returns the policy of a page. Workers have policies of their own, which no page can set. */
 export function policyOf(html) {
   const directives = {
     'default-src': ["'none'"],
     'script-src': ["'self'", "'wasm-unsafe-eval'", ...hashes(html, 'script')],
-    'style-src': ["'self'", ...hashes(html, 'style')],
+    'style-src': ["'self'", hashOf(readFileSync(REPORT_STYLE)), ...hashes(html, 'style')],
     'img-src': ["'self'"],
     'connect-src': ["'self'"],
     'worker-src': ["'self'"],

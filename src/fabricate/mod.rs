@@ -31,7 +31,7 @@
 //! | `numbers` | the numbers that a lesson can limit |
 //! | `tighten` | remedies that the solver offers |
 //! | `report` | the report with all numbers |
-//! | `report_page` | the report on one page, as PDF and SVG |
+//! | `report_page` | the report as an HTML document of one page |
 //! | `tables` | lists of panels, beams, pieces, edges, nodes and types |
 //! | `space` | the shape with its offset and beams in space |
 //! | `output` | all files of a build |
@@ -70,7 +70,7 @@ pub use offset::{Choice, OffsetKind};
 pub use output::BuildFile;
 pub use paper::Pieces;
 pub use report::{BuildReport, FrameReport, PaperReport};
-pub use report_page::{ReportPage, ReportView};
+pub use report_page::ReportView;
 pub use settings::{BuildPreset, BuildSettings, CheckLimits, Dxf, PRESETS, Page, Product};
 pub use space::{PRESENTATION, SpatialPart};
 pub use surface::{Edge, PanelSurface};

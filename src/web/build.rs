@@ -22,15 +22,6 @@ struct File {
     text: String,
 }
 
-/// The one-page report.
-#[derive(Serialize, tsify::Tsify)]
-struct ReportPage {
-    /// The file to save.
-    pdf: String,
-    /// The picture to show and print.
-    svg: String,
-}
-
 /// Returns the presets and the defaults.
 #[wasm_bindgen(js_name = buildOffers)]
 pub fn build_offers() -> Result<JsValue, JsValue> {
@@ -143,8 +134,8 @@ impl Builder {
         plain(&self.build.spatial_parts(z_up))
     }
 
-    /// Returns the report on one A4 page, as `pdf` and `svg`. `camera` has its turn about the up
-    /// axis (z or y) and its downward tilt, in radians. An empty `link` is left out.
+    /// Returns the report as an HTML document. `camera` has its turn about the up axis (z or y) and
+    /// its downward tilt, in radians. An empty `link` is left out.
     #[wasm_bindgen(js_name = reportPage)]
     pub fn report_page(
         &self,
@@ -152,10 +143,9 @@ impl Builder {
         z_up: bool,
         camera: Option<Vec<f64>>,
         link: String,
-    ) -> Result<JsValue, JsValue> {
+    ) -> String {
         let camera = camera.and_then(|camera| <[f64; 2]>::try_from(camera).ok());
-        let page = self.build.report_page(&ReportView { title, z_up, camera, link });
-        plain(&ReportPage { pdf: page.pdf, svg: page.svg })
+        self.build.report_page(&ReportView { title, z_up, camera, link })
     }
 
     /// Returns all files: `name` and `text`; `z_up` if the up axis is z, else y.

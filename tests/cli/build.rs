@@ -65,6 +65,25 @@ fn fins_and_paper_models_are_made_on_demand() {
 }
 
 #[test]
+fn a_report_page_has_the_title_of_the_scene_or_file_and_the_link() {
+    let folder = Folder::new("build-page");
+    let scene =
+        r#"{"format":"shape-up-scene","version":1,"title":"A <b>","mesh":{"file":"roof.obj"}}"#;
+    folder.write("roof.obj", ROOF).write("s.shapeup.json", scene);
+    let page = |file: &str, rest: &[&str]| {
+        let words =
+            folder.run(&[&["build", file, "--report-page", "r.html"], rest].concat()).done();
+        assert!(words.ends_with("r.html\n"), "{words}");
+        folder.read("r.html")
+    };
+    let of_scene = page("s.shapeup.json", &["--link", "https://example.org/?a&b"]);
+    assert!(of_scene.contains("<h1>A &lt;b&gt;</h1>"), "{of_scene}");
+    assert!(of_scene.contains("href=\"https://example.org/?a&amp;b\""), "{of_scene}");
+    let of_file = page("roof.obj", &[]);
+    assert!(of_file.contains("<h1>roof</h1>") && !of_file.contains("<a "), "{of_file}");
+}
+
+#[test]
 fn files_of_an_earlier_build_in_the_same_folder_are_named() {
     let folder = Folder::new("build-again");
     folder.write("roof.obj", ROOF);

@@ -263,7 +263,15 @@ fn an_output_replaces_the_file_of_its_name_but_never_the_input() {
         (vec!["solve", "s.shapeup.json", "--report", "s.shapeup.json"], "--report would replace"),
         (vec!["check", "roof.obj", "--report", "roof.obj"], "--report would replace"),
         (vec!["edit", "roof.obj", "triangles", "--out", "roof.obj"], "--out would replace"),
-        (vec!["build", "roof.obj", "--report", "x", "--report-page", "./x"], "the same file"),
+        (
+            vec!["build", "roof.obj", "--report", "x.html", "--report-page", "./x.html"],
+            "the same file",
+        ),
+        (
+            vec!["build", "roof.obj", "--report-page", "r.pdf"],
+            "--report-page writes .html, found `r.pdf`",
+        ),
+        (vec!["build", "roof.obj", "--report-page", "r"], "--report-page writes .html, found `r`"),
     ] {
         folder.run(&arguments).misused(word);
     }

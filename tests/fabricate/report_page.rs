@@ -1,56 +1,82 @@
-//! The report page: the numbers of the card on one page of A4, with the link.
+//! The report as a document: the numbers of the card, pictures, and the link.
 
 use super::build;
 use super::identities::revolution;
 use crate::support::grid::grid;
-use shape_up::fabricate::{BuildSettings, Product, ReportPage, ReportView};
+use roxmltree::{Document, Node, ParsingOptions};
+use shape_up::fabricate::{BuildSettings, Product, ReportView};
 use shape_up::mesh::Mesh;
 
 const LINK: &str = "https://example.org/#scene=(a)&b=1";
 
 fn view() -> ReportView {
-    let (title, link) = ("Roof (\u{e4}) <1>".to_owned(), LINK.to_owned());
+    let (title, link) = ("Roof (\u{e4}) <1> & \"2\"".to_owned(), LINK.to_owned());
     ReportView { title, z_up: true, camera: Some([0.5, 0.6]), link }
 }
 
-fn page(mesh: &Mesh, settings: &BuildSettings) -> (ReportPage, Vec<String>) {
-    let page = build(mesh, settings).report_page(&view());
-    let document = roxmltree::Document::parse(&page.svg).expect("it is XML");
-    let words = document.descendants().filter(|node| node.has_tag_name("text"));
-    let words = words.map(|node| node.text().unwrap_or_default().to_owned()).collect();
-    (page, words)
+fn page(mesh: &Mesh, settings: &BuildSettings) -> String {
+    build(mesh, settings).report_page(&view())
+}
+
+fn parsed(page: &str) -> Document<'_> {
+    let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+    Document::parse_with_options(page, options).expect("it is XML")
+}
+
+fn all<'a>(document: &'a Document<'a>, tag: &'a str) -> impl Iterator<Item = Node<'a, 'a>> {
+    document.descendants().filter(move |node| node.has_tag_name(tag))
+}
+
+/// What is read on the page, one piece of text each.
+fn words(document: &Document<'_>) -> Vec<String> {
+    let body = all(document, "body").next().unwrap();
+    let texts = body.descendants().filter(Node::is_text);
+    let texts = texts.map(|node| node.text().unwrap().to_owned());
+    texts.filter(|text| !text.trim().is_empty()).collect()
 }
 
 #[test]
-fn it_is_one_page_of_a4_whose_words_are_those_on_the_screen_and_whose_link_opens_the_model() {
-    let (page, words) = page(&revolution(9, 7), &BuildSettings::default());
-    assert!(page.pdf.is_ascii());
-    let document = lopdf::Document::load_mem(page.pdf.as_bytes()).expect("it is PDF");
-    let pages = document.get_pages();
-    assert_eq!(pages.len(), 1);
-    let own = document.get_dictionary(pages[&1]).unwrap();
-    let media = own.get(b"MediaBox").and_then(lopdf::Object::as_array).unwrap();
-    let [width, height] = [2, 3].map(|k| media[k].as_float().unwrap() * 25.4 / 72.0);
-    assert!((width - 210.0).abs() < 1e-3 && (height - 297.0).abs() < 1e-3);
-    let annotations = document.get_page_annotations(pages[&1]).unwrap();
-    let [link] = &annotations[..] else { panic!("there is one") };
-    let action = link.get(b"A").and_then(lopdf::Object::as_dict).unwrap();
-    assert_eq!(action.get(b"URI").and_then(lopdf::Object::as_str).unwrap(), LINK.as_bytes());
-    let content = document.get_and_decode_page_content(pages[&1]).unwrap();
-    let shown = content.operations.iter().filter(|operation| operation.operator == "Tj");
-    let shown: Vec<String> = shown
-        .map(|operation| operation.operands[0].as_str().unwrap())
-        .map(|bytes| bytes.iter().map(|&byte| char::from(byte)).collect())
-        .collect();
-    assert_eq!(shown, words);
-    assert!(words.iter().any(|line| line == "Roof (\u{e4}) <1>"));
-    assert!(words.iter().any(|line| line == LINK));
+fn it_is_a_page_of_a4_that_needs_no_other_file_and_whose_link_opens_the_model() {
+    let page = page(&revolution(9, 7), &BuildSettings::default());
+    assert!(page.starts_with("<!DOCTYPE html>\n<html lang=\"en\">"));
+    let document = parsed(&page);
+    let texts = |tag| all(&document, tag).map(|node| node.text().unwrap()).collect::<Vec<_>>();
+    assert_eq!(texts("h1"), ["Roof (\u{e4}) <1> & \"2\""]);
+    assert_eq!(texts("title"), ["Report on Roof (\u{e4}) <1> & \"2\""]);
+    let [style] = texts("style")[..] else { panic!("there is one") };
+    assert!(style.contains("@page {\n  size: A4;") && style.contains("@media print"));
+    assert!(!style.contains("url(") && !style.contains("@import"));
+    let addresses = document.descendants().flat_map(|node| node.attributes());
+    let addresses = addresses.filter(|it| ["href", "src", "style"].contains(&it.name()));
+    assert_eq!(addresses.map(|it| it.value()).collect::<Vec<_>>(), [LINK]);
+    assert!(all(&document, "script").next().is_none());
+    let words = words(&document);
+    for shown in [LINK, "Open this model:", "Build check", "Bill of materials"] {
+        assert!(words.iter().any(|line| line == shown), "{shown}");
+    }
+    assert!(words.iter().any(|line| line.starts_with("Shape-Up ")));
+}
+
+#[test]
+fn a_link_that_is_too_long_to_type_is_not_printed() {
+    let made = build(&revolution(9, 7), &BuildSettings::default());
+    let link = |link: String| {
+        let page = made.report_page(&ReportView { link, ..view() });
+        let document = parsed(&page);
+        let found = all(&document, "a").next();
+        found.map(|node| [node.attribute("href"), node.text()].map(|it| it.unwrap().to_owned()))
+    };
+    let long = format!("{LINK}{}", "x".repeat(1000));
+    let words = format!("Click here: its {} characters are too many to type.", long.len());
+    assert_eq!(link(long.clone()), Some([long, words]));
+    assert_eq!(link(String::new()), None);
 }
 
 #[test]
 fn its_numbers_are_those_of_the_card() {
     let made = build(&revolution(9, 7), &BuildSettings::default());
-    let (_, words) = page(&revolution(9, 7), &BuildSettings::default());
+    let page = page(&revolution(9, 7), &BuildSettings::default());
+    let words = words(&parsed(&page));
     let report = made.report();
     for row in &report.check {
         let at = words.iter().position(|line| line == row.label).expect("every row is there");
@@ -73,22 +99,42 @@ fn its_numbers_are_those_of_the_card() {
 }
 
 #[test]
-fn nothing_leaves_the_page_whatever_is_made_of_whatever_mesh() {
+fn nothing_leaves_its_picture_whatever_is_made_of_whatever_mesh() {
     let level = |i: u32, j: u32| [f64::from(i), f64::from(j), 0.0];
     let mut folded = grid(6, 5, level);
     folded.positions[9] = [5.0, 4.5, 3.0];
     let flat = grid(3, 3, level);
+    let numbers = |text: &str| -> Vec<f64> {
+        let parts =
+            text.split(|letter: char| letter.is_ascii_alphabetic() || " ,".contains(letter));
+        parts.filter(|part| !part.is_empty()).map(|part| part.parse().unwrap()).collect()
+    };
     for mesh in [&folded, &flat, &revolution(9, 7)] {
         for product in Product::ALL {
             let settings = BuildSettings { product, scale: 2.0, ..BuildSettings::default() };
-            let (page, words) = page(mesh, &settings);
-            assert!(!page.svg.contains("NaN") && !page.svg.contains("inf"), "{product:?}");
-            assert!(words.len() > 30);
-            let document = roxmltree::Document::parse(&page.svg).unwrap();
-            for node in document.descendants().filter(|node| node.has_tag_name("text")) {
-                let at = |key: &str| node.attribute(key).unwrap_or("0").parse::<f64>().unwrap();
-                assert!(at("x") >= 0.0 && at("x") + at("textLength") <= 200.0);
-                assert!(at("y") > 5.0 && at("y") < 292.0);
+            let page = page(mesh, &settings);
+            assert!(!page.contains("NaN") && !page.contains("inf"), "{product:?}");
+            let document = parsed(&page);
+            assert!(words(&document).len() > 30);
+            for svg in all(&document, "svg") {
+                let [_, _, width, height] = numbers(svg.attribute("viewBox").unwrap())[..] else {
+                    panic!("a view box has four numbers")
+                };
+                let inside = |[x, y]: [f64; 2]| {
+                    let is_inside = (0.0..=width).contains(&x) && (0.0..=height).contains(&y);
+                    assert!(is_inside, "{product:?}: {x} {y} is not in {width} {height}");
+                };
+                let shapes = svg.descendants().filter(|node| node.has_tag_name("path"));
+                for path in shapes.filter(|path| path.attribute("class") != Some("axis")) {
+                    let d = path.attribute("d").unwrap().replace('V', " 0 ");
+                    numbers(&d).as_chunks().0.iter().copied().for_each(inside);
+                }
+                for text in svg.descendants().filter(|node| node.has_tag_name("text")) {
+                    inside(
+                        ["x", "y"]
+                            .map(|key| text.attribute(key).unwrap_or("0").parse::<f64>().unwrap()),
+                    );
+                }
             }
         }
     }

@@ -39,7 +39,6 @@ import type {
   Refinement,
   Remeshing,
   RemeshingPreview,
-  ReportPage,
   SelectRequest,
   Selector,
   Sent,
@@ -534,7 +533,8 @@ export type OffsetLayer = {
  * Messages of the fabrication worker. `build` makes the parts of a shape (positions `#V by 3`) in a
  * unit of `metres` metres, and draws at most `sheets` sheets; the others refer to the last build.
  * `moveLayer` changes the distance of its offset, and `reshape` its positions, during a drag.
- * `reportPage` has a picture from `camera`, two angles in radians, or from the default view.
+ * `reportPage` is an HTML document, with a picture from `camera`, two angles in radians, or from the
+ * default view.
  */
 export type BuildRequest =
   | { type: 'offers' }
@@ -564,7 +564,7 @@ export interface BuildReplies {
   choices: BuildChoice[];
   /** that a lesson may bound, by id */
   numbers: [string, number][];
-  reportPage: ReportPage | null;
+  reportPage: string | null;
   spatialParts: SpatialPart[];
   zip: Uint8Array<ArrayBuffer>;
 }

@@ -273,7 +273,7 @@ fn build(mut words: Words) -> Result<Command, String> {
             "--sheet" => build.sheet = Some(words.sheet(&name)?),
             "--out" => build.out = Some(words.file(&name)?),
             "--report" => build.report = Some(words.file(&name)?),
-            "--report-page" => build.report_page = Some(words.file(&name)?),
+            "--report-page" => build.report_page = Some(words.page(&name)?),
             "--link" => build.link = Some(words.text(&name)?),
             _ => return Err(unknown(&Word::Option(name), "build")),
         }

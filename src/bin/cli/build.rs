@@ -46,7 +46,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
             camera: None,
             link: asked.link.clone().unwrap_or_default(),
         };
-        files.push((path.clone(), build.report_page(&view).pdf.into_bytes()));
+        files.push((path.clone(), build.report_page(&view).into_bytes()));
     }
     output::write(&files)?;
     remarks.extend(asked.out.as_deref().and_then(|folder| left_over(folder, &files)));

@@ -19,7 +19,7 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
                 [--distance D] [--joint J] [--scale S] [--material NAME]
                 [--thickness T] [--sheet WxH] [--hole D] [--pieces {}]
                 [--page {}] [--units {}] [--out DIR] [--report FILE.json]
-                [--report-page FILE.pdf [--link URL]]
+                [--report-page FILE.html [--link URL]]
        shape-up refine SCENE|MESH [--scheme {}] [--levels N]
                 [--keep DEGREES] [--panels KIND] [--adopt]
                 [--out FILE.obj|FILE.mesh|FILE.json] [--report FILE.json]
@@ -57,8 +57,8 @@ tables (CSV) and, with fins, the beams as solids (OBJ). The distance D, negative
 between panels are lengths in the unit of the mesh (--units; else that of the file, or guessed from its
 size); the model is 1:S; the material is T mm thick, a sheet W by H mm; holes of --hole mm for dowels or
 ties are drilled along edges and at the ends of fins; the PDF is tiled to a --page. Options not given are
-taken from `build` of the scene. --report-page writes a report on one page of A4 (PDF): picture, plan,
-build check, bill of materials, and the --link.
+taken from `build` of the scene. --report-page writes a report as a web page that prints on A4: picture,
+plan, build check, bill of materials, and the --link.
 refine divides each face into several, N times; the boundary is refined as a curve of its own, and
 creases and corners that turn by more than DEGREES (75) stay sharp. With --panels it solves before the
 first level and after each; with --adopt the shape of each level is the original of the next, which stays

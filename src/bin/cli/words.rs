@@ -85,6 +85,15 @@ impl Words {
         Ok(path)
     }
 
+    /// Returns the value of an option that takes the name of an HTML file to write.
+    pub(super) fn page(&mut self, name: &str) -> Result<PathBuf, String> {
+        let path = self.file(name)?;
+        match path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html")) {
+            true => Ok(path),
+            false => Err(format!("{name} writes .html, found `{}`", path.display())),
+        }
+    }
+
     /// Returns the value of an option that takes a whole number.
     pub(super) fn iterations(&mut self, name: &str) -> Result<u32, String> {
         let value = self.text(name)?;

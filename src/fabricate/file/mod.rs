@@ -7,7 +7,6 @@
 //! | `picture` | a sheet as the page shows it: one path per layer |
 //! | `dxf` | DXF: R2000, or R12 for old machines |
 //! | `pdf` | PDF 1:1, a page per sheet or tiled, with layers and a ruler |
-//! | `pdf_objects` | the objects of a PDF file |
 //! | `csv` | tables of panels, edges, nodes, types, and a summary |
 //! | `glb` | binary glTF: the parts in space |
 //! | `number` | numbers as text |
@@ -18,7 +17,6 @@ mod dxf;
 mod glb;
 mod number;
 mod pdf;
-mod pdf_objects;
 mod picture;
 mod svg;
 
@@ -28,8 +26,6 @@ pub use dxf::dxf;
 pub use glb::{GlbPart, glb};
 pub(super) use number::places;
 pub use pdf::pdf;
-pub(super) use pdf_objects::{POINTS, assembled, stream};
 pub use picture::{PictureLayer, SheetPicture, picture};
 pub(crate) use svg::escaped;
-pub(super) use svg::path;
 pub use svg::svg;

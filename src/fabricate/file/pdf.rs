@@ -3,10 +3,11 @@
 
 use super::drawing::{Drawing, DrawnLine};
 use super::number::places;
-use super::pdf_objects::{POINTS, assembled, stream};
 use crate::fabricate::sheet::{FREE, OVERLAP, Role, Tile, strokes, text_width, tiles};
 use crate::math::plane::Point2;
 
+/// PDF points per mm.
+const POINTS: f64 = 72.0 / 25.4;
 /// Height of text beside the ruler, in mm.
 const TEXT_HEIGHT: f64 = 2.0;
 
@@ -146,4 +147,27 @@ fn ruler([width, height]: [f64; 2]) -> Vec<Vec<Point2>> {
         lines.extend(strokes(&words, TEXT_HEIGHT, [from + 0.5 * long, height - 1.8], [1.0, 0.0]));
     }
     lines
+}
+
+/// Makes a stream object, such as the content of a page.
+fn stream(text: &str) -> String {
+    format!("<< /Length {} >>\nstream\n{text}\nendstream", text.len())
+}
+
+/// The file, with the cross-reference table of the objects, which are numbered from one; the first
+/// is the catalogue.
+fn assembled(objects: &[String]) -> String {
+    let mut file = "%PDF-1.5\n".to_owned();
+    let mut starts = Vec::new();
+    for (object, number) in objects.iter().zip(1..) {
+        starts.push(file.len());
+        file += &format!("{number} 0 obj\n{object}\nendobj\n");
+    }
+    let table = file.len();
+    let count = objects.len() + 1;
+    file += &format!("xref\n0 {count}\n0000000000 65535 f \n");
+    for start in starts {
+        file += &format!("{start:010} 00000 n \n");
+    }
+    file + &format!("trailer\n<< /Size {count} /Root 1 0 R >>\nstartxref\n{table}\n%%EOF\n")
 }

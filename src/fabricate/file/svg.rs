@@ -46,7 +46,7 @@ pub fn svg(drawing: &Drawing) -> String {
 
 /// The points of a line as part of a path on a sheet of this height, with y downwards. A single
 /// point becomes a line of zero length.
-pub(in crate::fabricate) fn path(points: &[Point2], height: f64) -> String {
+fn path(points: &[Point2], height: f64) -> String {
     let end = if points.len() == 1 { "h0" } else { "" };
     let points = points.iter().enumerate().map(|(k, &[x, y])| {
         let letter = if k == 0 { 'M' } else { 'L' };

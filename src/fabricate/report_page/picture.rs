@@ -1,10 +1,9 @@
-//! The shape as lines and areas, by the painter's algorithm: panels from the farthest to the
-//! nearest.
+//! The shape as SVG, by the painter's algorithm: panels from the farthest to the nearest. Lengths
+//! are in mm when printed.
 
-use super::helvetica::width;
-use super::mark::{BLACK, Colour, GREY, Mark, RED, Shape, text};
 use crate::fabricate::build::Build;
 use crate::fabricate::check_card::Failed;
+use crate::fabricate::file::{escaped, places};
 use crate::fabricate::panel::roomiest_point;
 use crate::math::plane::Point2;
 use crate::math::{self, Vec3, argsort, key_of_number, marked};
@@ -15,8 +14,13 @@ const MOST: f64 = 0.7;
 /// The direction of view as unit vectors: right, up, and away from the viewer.
 pub(super) type Sight = [Vec3<f64>; 3];
 
+/// Least height of a picture.
+const LEAST: f64 = 4.0;
 /// Smallest and largest font size of panel names on a plan.
 const NAMES: [f64; 2] = [1.1, 2.4];
+/// Width of a letter or digit of a name and height of a capital, in font sizes, in any sans-serif
+/// font.
+const LETTER: [f64; 2] = [0.6, 0.72];
 
 /// The axes of a mesh that point east, north and up, if z is up, or else y.
 fn compass(z_up: bool) -> Sight {
@@ -79,76 +83,94 @@ impl Picture<'_> {
         if scale.is_finite() { scale } else { 1.0 }
     }
 
-    /// The vertices, centred in a box.
-    fn placed(&self, corner: Point2, room: [f64; 2], scale: f64) -> Vec<Point2> {
+    /// A box of this width that is as high as the shape, and the vertices in it, with y downwards
+    /// and centred.
+    fn placed(&self, width: f64, scale: f64) -> ([f64; 2], Vec<Point2>) {
+        let [wide, high] = self.size.map(|size| scale * size);
+        let room = [width, high.max(LEAST)];
         let put = |point: &Point2| {
-            [0, 1].map(|k| {
-                let free = room[k] - scale * self.size[k];
-                corner[k] + 0.5 * free + scale * (point[k] - self.low[k])
-            })
+            let [right, up] = [0, 1].map(|k| scale * (point[k] - self.low[k]));
+            [0.5 * (room[0] - wide) + right, 0.5 * (room[1] + high) - up]
         };
-        self.points.iter().map(put).collect()
+        (room, self.points.iter().map(put).collect())
     }
 
-    /// Shaded panels, with failing elements in red.
-    pub(super) fn shaded(&self, corner: Point2, room: [f64; 2], failed: &Failed) -> Vec<Mark> {
+    /// Shaded panels that fill a box in one direction, with failing elements in red.
+    pub(super) fn shaded(&self, room: [f64; 2], failed: &Failed) -> String {
         let scale = self.scale_in(room);
-        let points = self.placed(corner, room, scale);
+        let (room, points) = self.placed(room[0], scale);
         let [right, up, away] = self.sight;
         let light = right * -0.37 + up * 0.56 - away * 0.74;
         let fails = marked(self.build.surface.faces.len(), &failed.panels);
-        let of_panel = |f: u32| {
+        let fill = |f: u32| {
             let share = 0.62 + 0.38 * self.build.surface.normal(f).dot(light).abs().min(1.0);
-            let base: Colour = if fails[f as usize] { [240, 120, 120] } else { [224, 230, 243] };
-            base.map(|part| (f64::from(part) * share + 0.5) as u8)
+            let base = if fails[f as usize] { [240, 120, 120] } else { [224, 230, 243] };
+            let [r, g, b] = base.map(|part| (f64::from(part) * share + 0.5) as u8);
+            format!(" fill=\"#{r:02x}{g:02x}{b:02x}\"")
         };
         let pen = (0.03 * scale * self.build.surface.mean_edge()).clamp(0.03, 0.15);
-        let mut marks = self.panels(&points, pen, of_panel);
-        let edges = failed
-            .edges
-            .iter()
-            .map(|&e| self.build.surface.edges[e as usize].ends.map(|v| points[v as usize]).into());
-        let paths: Vec<Vec<Point2>> = edges.collect();
-        if !paths.is_empty() {
-            marks.push(Mark::Shape(Shape { paths, fill: None, pen: Some((3.0 * pen, RED)) }));
-        }
-        marks
+        let panels = self.order.iter().map(|&f| self.panel(f, &points, &fill(f)));
+        let panels: String = panels.collect();
+        let edges = failed.edges.iter().map(|&e| {
+            let ends = self.build.surface.edges[e as usize].ends.map(|v| points[v as usize]);
+            path(ends.into_iter())
+        });
+        let edges = match edges.collect::<String>() {
+            none if none.is_empty() => none,
+            d => format!(
+                "<path class=\"failed\" stroke-width=\"{}\" d=\"{d}\"/>\n",
+                places(3.0 * pen, 3)
+            ),
+        };
+        svg(room, "The shape in the current view", pen, &(panels + &edges))
     }
 
     /// Panels as outlines, with names if there is room, at a scale in mm per unit of the mesh.
-    pub(super) fn plan(&self, corner: Point2, room: [f64; 2], scale: f64) -> Vec<Mark> {
-        let points = self.placed(corner, room, scale);
+    pub(super) fn plan(&self, width: f64, scale: f64) -> String {
+        let (room, points) = self.placed(width, scale);
         let pen = (0.02 * scale * self.build.surface.mean_edge()).clamp(0.03, 0.12);
-        let panels = self.panels(&points, pen, |_| [255; 3]);
-        let names: Vec<Option<Mark>> = self.order.iter().map(|&f| self.name(f, &points)).collect();
+        let names: Vec<Option<String>> =
+            self.order.iter().map(|&f| self.name(f, &points)).collect();
         // With only some of the names, panels would seem to be missing.
         let enough = names.iter().flatten().count() as f64 >= MOST * names.len() as f64;
-        let shown = |(panel, name)| [Some(panel), name].into_iter().flatten();
-        match enough {
-            true => panels.into_iter().zip(names).flat_map(shown).collect(),
-            false => panels,
-        }
+        // A name comes right after its panel, so that panels above hide it.
+        let drawn = self.order.iter().zip(names).map(|(&f, name)| {
+            let name = name.filter(|_| enough).unwrap_or_default();
+            self.panel(f, &points, "") + &name
+        });
+        svg(room, "The plan", pen, &drawn.collect::<String>())
     }
 
     /// The name of a panel at its roomiest point, if it fits.
-    fn name(&self, f: u32, points: &[Point2]) -> Option<Mark> {
+    fn name(&self, f: u32, points: &[Point2]) -> Option<String> {
         let name = &self.build.names[f as usize];
-        // Capital letters are 0.72 of the font size high.
-        let [half, tall] = [0.5 * width(name, 1.0), 0.36];
+        let [half, tall] = [0.5 * LETTER[0] * name.chars().count() as f64, 0.5 * LETTER[1]];
         let corners: Vec<Point2> =
             self.build.surface.faces.row(f as usize).iter().map(|&v| points[v as usize]).collect();
         let (middle, radius) = roomiest_point(&corners);
         let size = (0.95 * radius / (half * half + tall * tall).sqrt()).min(NAMES[1]);
-        let at = [middle[0] - half * size, middle[1] - tall * size];
-        (size >= NAMES[0]).then(|| text(at, size, GREY, name))
+        let [x, y, font] = [middle[0], middle[1] + tall * size, size].map(|at| places(at, 2));
+        (size >= NAMES[0]).then(|| {
+            format!("<text x=\"{x}\" y=\"{y}\" font-size=\"{font}\">{}</text>\n", escaped(name))
+        })
     }
 
-    fn panels(&self, points: &[Point2], pen: f64, fill: impl Fn(u32) -> Colour) -> Vec<Mark> {
-        let panel = |&f: &u32| {
-            let corners = self.build.surface.faces.row(f as usize).iter();
-            let paths = vec![corners.map(|&v| points[v as usize]).collect()];
-            Mark::Shape(Shape { paths, fill: Some(fill(f)), pen: Some((pen, BLACK)) })
-        };
-        self.order.iter().map(panel).collect()
+    fn panel(&self, f: u32, points: &[Point2], fill: &str) -> String {
+        let corners = self.build.surface.faces.row(f as usize).iter();
+        let d = path(corners.map(|&v| points[v as usize]));
+        format!("<path{fill} d=\"{d}Z\"/>\n")
     }
+}
+
+/// A picture that fills a box, with lines of the width `pen`.
+fn svg(room: [f64; 2], label: &str, pen: f64, content: &str) -> String {
+    let [width, height, pen] = [room[0], room[1], pen].map(|length| places(length, 3));
+    format!(
+        "<svg class=\"shape\" viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{label}\" stroke-width=\"{pen}\">\n{content}</svg>"
+    )
+}
+
+fn path(points: impl Iterator<Item = Point2>) -> String {
+    let points = points.zip(std::iter::once('M').chain(std::iter::repeat('L')));
+    points.map(|([x, y], letter)| format!("{letter}{},{}", places(x, 2), places(y, 2))).collect()
 }

@@ -322,28 +322,61 @@ test.describe('with a printer', () => {
     await openPage(page);
     await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
     const { check } = await openBuild(page);
+    const scene = await saved(page, 'Save scene');
     await panel(page).getByRole('button', { name: 'Report' }).click();
     const dialog = page.getByRole('dialog', { name: 'Report' });
-    const paper = dialog.getByRole('img', { name: 'Report on roof' });
-    await expect(paper).toContainText('16 panels on 1 sheet');
-    const states = await paper.locator('text', { hasText: /^(met|not met)/ }).allTextContents();
+    const frame = dialog.getByTitle('Report on roof');
+    const paper = frame.contentFrame();
+    await expect(paper.getByRole('heading', { level: 1 })).toHaveText('roof');
+    await expect(paper.locator('body')).toContainText('16 panels on 1 sheet');
+    // The page's policy lets the style in.
+    await expect(paper.locator('body')).toHaveCSS('display', 'flex');
+    const states = await paper.locator('tr td:nth-child(4)').allTextContents();
     expect(states.map((words) => words === 'met')).toEqual(check.map(({ met }) => met));
     // The link opens this model.
     await expect(paper.getByRole('link')).toHaveAttribute('href', /#link=/);
 
-    const { name, bytes } = await downloaded(page, () =>
-      dialog.getByRole('button', { name: 'Save as PDF' }).click(),
+    const { name, text } = await downloaded(page, () =>
+      dialog.getByRole('button', { name: 'Save as HTML' }).click(),
     );
-    expect(name).toBe('roof-report.pdf');
-    expect(Buffer.from(bytes).toString('latin1')).toMatch(/^%PDF-1\.5[^]*\/URI \(http[^]*%%EOF\n$/);
+    expect(name).toBe('roof-report.html');
+    await expect(frame).toHaveAttribute('srcdoc', text);
+    // The command line writes the same file.
+    const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
+    try {
+      const [input, output] = ['roof.json', 'report.html'].map((file) => join(folder, file));
+      writeFileSync(input, scene.text);
+      const link = (await paper.getByRole('link').getAttribute('href')) ?? '';
+      execFileSync(program, ['build', input, '--report-page', output, '--link', link]);
+      expect(readFileSync(output, 'utf8')).toBe(text);
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
 
-    await page.evaluate(() => (window.print = () => (window.isPrinted = true)));
+    await frame.evaluate((shown: HTMLIFrameElement) => {
+      const { contentWindow } = shown as { contentWindow: Window };
+      contentWindow.print = () => (window.isPrinted = true);
+    });
     await dialog.getByRole('button', { name: 'Print' }).click();
     expect(await page.evaluate(() => window.isPrinted)).toBe(true);
+    // Where the whole page is printed instead, only the report is on paper.
     await page.emulateMedia({ media: 'print' });
-    await expect(paper).toBeVisible();
+    await expect(frame).toBeVisible();
     await expect(dialog.getByRole('button')).toHaveCount(0);
     await expect(panel(page)).toBeHidden();
+    await page.emulateMedia({ media: null });
+    // Escape closes the dialog from inside of the report too.
+    await paper.getByRole('link').press('Escape');
+    await expect(dialog).toBeHidden();
+
+    const own = await page.context().newPage();
+    await own.setContent(text);
+    const pdf = (await own.pdf({ preferCSSPageSize: true })).toString('latin1');
+    await own.close();
+    const pages = [...pdf.matchAll(/\/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]/g)];
+    expect(
+      pages.map(([, ...size]) => size.map((points) => Math.round((Number(points) / 72) * 25.4))),
+    ).toEqual([[210, 297]]);
   });
 });
 

@@ -1,4 +1,4 @@
-/** The dialog of the one-page report, to save as PDF or print. */
+/** The dialog of the report: the document that the command line writes too, to print or save. */
 
 import './dialog-report.css';
 import { linkTo } from '../../../documents/share-link.ts';
@@ -8,6 +8,9 @@ import { element } from '../../../ui/dom.ts';
 import type { AppContext } from '../../../app/context.ts';
 import type { LiveBuild } from '../live-build.ts';
 
+/** Scripts stay off; `allow-same-origin` and `allow-modals` let this page print the document. */
+const SANDBOX = 'allow-same-origin allow-modals allow-popups allow-popups-to-escape-sandbox';
+
 export async function showReport(app: AppContext, live: LiveBuild) {
   const { store, files } = app;
   const { document: scene, camera } = store.get();
@@ -15,25 +18,22 @@ export async function showReport(app: AppContext, live: LiveBuild) {
   // Turn and tilt.
   const angles = camera ? Float64Array.from(camera.slice(4, 6)) : null;
   const { address } = await linkTo(app);
-  const page = await live.reportPage({ title, camera: angles, link: address });
-  if (!page) return;
-  const picture = new DOMParser().parseFromString(page.svg, 'image/svg+xml').documentElement;
-  picture.setAttribute('role', 'img');
-  picture.setAttribute('aria-label', `Report on ${title}`);
-  const save = button('Save as PDF', () => files.save('-report.pdf', page.pdf, 'application/pdf'), {
+  const text = await live.reportPage({ title, camera: angles, link: address });
+  if (text === null) return;
+  const page = element('iframe', { title: `Report on ${title}`, sandbox: SANDBOX, srcdoc: text });
+  const print = button('Print or save as PDF', () => page.contentWindow?.print(), {
     class: 'primary',
   });
-  openDialog(
+  const save = button('Save as HTML', () => files.save('-report.html', text, 'text/html'));
+  const dialog = openDialog(
     { id: 'parts-report', title: 'Report' },
-    element(
-      'div.report-body',
-      element('div.report-paper', { tabindex: '0', role: 'group', 'aria-label': 'Page' }, picture),
-      element(
-        'div.dialog-buttons',
-        save,
-        button('Print', () => print()),
-      ),
-    ),
+    element('div.report-body', page, element('div.dialog-buttons', print, save)),
   );
-  save.focus();
+  // Keys pressed in the frame do not reach the dialog.
+  page.addEventListener('load', () =>
+    page.contentDocument?.addEventListener('keydown', ({ key }) => {
+      if (key === 'Escape') dialog.close();
+    }),
+  );
+  print.focus();
 }
