@@ -19,13 +19,13 @@
 //! | room | contents | knows of |
 //! |---|---|---|
 //! | [`math`] | vectors in SIMD lanes and of the plane, eigenvectors, closest rotations, fitted circles and spheres | nothing |
-//! | `json` | JSON to serde types, with the paths of errors, and back to text | nothing |
+//! | `json` | what `serde_json` lacks: errors with paths in our words, repeated keys, lists of indices | nothing |
 //! | [`mesh`] | polygon mesh, reading and writing of files, topology, Laplacian, closest point, error measures | math |
 //! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, json, mesh |
 //! | [`sparse`] | `L D L^T` on the types of sprs: ordering, symbolic analysis, two numeric factors, triangular sweeps | math |
 //! | [`solve`] | energies, assembly, the two-step iteration, accelerators, conformal maps | math, mesh, constraint, sparse |
-//! | [`fabricate`] | parts to cut: panels on sheets, offsets, the build check, files for machines | math, mesh, sparse |
-//! | [`scene`] | the scene file: serde types, validation, and the optimisation problem that it defines | math, json, mesh, constraint, sparse, solve, fabricate |
+//! | [`scene`] | the scene file: serde types, validation, and the optimisation problem that it defines | math, json, mesh, constraint, sparse, solve |
+//! | [`fabricate`] | parts to cut: panels on sheets, offsets, the build check, files for machines | math, mesh, sparse, scene |
 //! | [`error`] | the error type of hosts | mesh, scene, solve |
 //! | [`example`] | the example scenes, and the generators of their meshes | math, mesh, constraint, scene |
 //! | [`begin`] | new meshes: by kind and sizes, from a plan, or between curves | math, json, mesh, sparse, example |

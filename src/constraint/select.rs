@@ -9,14 +9,14 @@ use std::fmt;
 pub type Sets = BTreeMap<String, Set>;
 
 /// A named set of vertices and faces.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Set {
     /// Indices of vertices.
-    #[serde(deserialize_with = "indices::deserialize")]
+    #[serde(with = "indices", skip_serializing_if = "Vec::is_empty")]
     pub vertices: Vec<u32>,
     /// Indices of faces.
-    #[serde(deserialize_with = "indices::deserialize")]
+    #[serde(with = "indices", skip_serializing_if = "Vec::is_empty")]
     pub faces: Vec<u32>,
 }
 

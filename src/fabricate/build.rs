@@ -4,14 +4,14 @@ use super::alike::Types;
 use super::beam::Frame;
 use super::fault::Fault;
 use super::file::{Drawing, places};
-use super::offset::{Axes, Choice, OffsetCheck, OffsetKind, axes_of, check};
+use super::offset::{Axes, Choice, OffsetCheck, axes_of, check};
 use super::panel::{FlatPanel, lay_flat, panel_names, panel_types};
 use super::paper::PaperModel;
-use super::settings::BuildSettings;
 use super::sheet::{CutPart, Layout};
 use super::surface::PanelSurface;
 use crate::math::plane::Point2;
 use crate::mesh::Mesh;
+use crate::scene::{BuildSettings, OffsetKind};
 
 /// The unit of the mesh.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,10 +2,11 @@
 
 use super::build::Build;
 use super::check_card::CheckRow;
-use super::offset::{Closing, OffsetKind, can_be_exact, closing};
+use super::offset::{Closing, can_be_exact, closing};
 use super::panel::FlatPanel;
 use super::tighten::Tighten;
 use crate::mesh::counted;
+use crate::scene::OffsetKind;
 use serde::Serialize;
 
 /// Numbers of the offset.
@@ -153,8 +154,9 @@ impl Build {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fabricate::{BuildSettings, LengthInMetres};
+    use crate::fabricate::LengthInMetres;
     use crate::mesh::Mesh;
+    use crate::scene::BuildSettings;
 
     fn one_panel() -> Build {
         let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];

@@ -6,11 +6,11 @@ use super::build::{Build, CutPanel, NotCut, beam_name, node_name};
 use super::fault::Fault;
 use super::panel::{inset, is_simple, smallest_box};
 use super::paper::{MissingNames, PaperModel, PaperSize, drawn, write_names};
-use super::settings::{BuildSettings, Product};
 use super::sheet::{
     CutPart, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
 };
 use crate::math::plane::{Point2, rotated};
+use crate::scene::{BuildSettings, Product};
 
 /// The name of what lies beyond each side of a part.
 type Beside = Vec<Option<String>>;

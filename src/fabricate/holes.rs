@@ -3,9 +3,9 @@
 
 use super::build::Build;
 use super::panel::{direction_of, distance_to_outline};
-use super::settings::Product;
 use super::sheet::{CutPart, Hole};
 use crate::math::plane::{Point2, is_inside};
+use crate::scene::Product;
 
 /// Distance of the centre of a hole from its edge, in diameters.
 const FROM_EDGE: f64 = 1.5;

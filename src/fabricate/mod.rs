@@ -12,7 +12,6 @@
 //!
 //! | file or folder | holds |
 //! |---|---|
-//! | `settings` | settings of a build: scale, sheet, joint, distance; presets |
 //! | `fault` | reasons why something cannot be built |
 //! | `surface` | the panels as an oriented surface, edges with the panels on both sides |
 //! | `alike` | sorting of items into types |
@@ -53,7 +52,6 @@ pub mod panel;
 pub mod paper;
 mod report;
 mod report_page;
-mod settings;
 pub mod sheet;
 mod space;
 mod surface;
@@ -66,12 +64,10 @@ pub use card::{BuildCard, OffsetReport};
 pub use check_card::{CheckRow, Failed, Worst};
 pub use fault::Fault;
 pub use numbers::{BUILD_NUMBERS, BuildNumber, NumberUnit};
-pub use offset::{Choice, OffsetKind};
+pub use offset::Choice;
 pub use output::BuildFile;
-pub use paper::Pieces;
 pub use report::{BuildReport, FrameReport, PaperReport};
 pub use report_page::ReportView;
-pub use settings::{BuildPreset, BuildSettings, CheckLimits, Dxf, PRESETS, Page, Product};
 pub use space::{PRESENTATION, SpatialPart};
 pub use surface::{Edge, PanelSurface};
 pub use tighten::{PanelRemedy, Tighten};

@@ -5,14 +5,14 @@ use super::beam::{edge_types, node_types};
 use super::build::Build;
 use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
-use super::offset::{Choice, OffsetCheck, OffsetKind};
+use super::offset::{Choice, OffsetCheck};
 use super::panel::{panel_types, perimeter};
 use super::paper::{FLAT, Joint, JointKind, PaperModel};
-use super::settings::Product;
 use super::sheet::{CutPart, NamePlace};
 use super::surface::distinct;
 use super::tighten::Tighten;
 use crate::math::plane::area;
+use crate::scene::{OffsetKind, Product};
 use serde::Serialize;
 
 /// The beams and the nodes between them.

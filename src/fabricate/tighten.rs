@@ -2,7 +2,7 @@
 
 use super::build::Build;
 use super::check_card::CheckRow;
-use super::offset::OffsetKind;
+use crate::scene::OffsetKind;
 use serde::Serialize;
 
 /// Tolerance of panels relative to the limits of beams and offsets, which depend on them.

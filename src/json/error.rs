@@ -1,7 +1,8 @@
 //! An error in a JSON document, with its JSON path.
 
-use super::tree::Tree;
-use serde::de::{self, Unexpected};
+use serde_json::Value;
+use serde_json::error::Category;
+use serde_path_to_error::{Path, Segment};
 use std::fmt;
 
 /// An error in a JSON document.
@@ -18,9 +19,22 @@ impl JsonError {
         JsonError { path: path.into(), message: message.into() }
     }
 
+    /// An error of the form "found ..., expected ...".
+    pub(crate) fn found(value: &Value, expected: &str) -> JsonError {
+        JsonError::new("", format!("found {}, expected {expected}", describe(value)))
+    }
+
+    pub(crate) fn unknown_key(key: &str, known: &[&str]) -> JsonError {
+        JsonError::new("", format!("unknown key `{key}`, known here: {}", known.join(", ")))
+    }
+
+    pub(crate) fn missing_key(key: &str) -> JsonError {
+        JsonError::new("", format!("`{key}` is missing"))
+    }
+
     /// Returns this error with `step` prepended to its path.
-    pub(crate) fn below(mut self, mut step: String) -> JsonError {
-        if !(self.path.is_empty() || self.path.starts_with('[')) {
+    fn below(mut self, mut step: String) -> JsonError {
+        if !(step.is_empty() || self.path.is_empty() || self.path.starts_with('[')) {
             step.push('.');
         }
         self.path.insert_str(0, &step);
@@ -37,22 +51,53 @@ impl JsonError {
         self.below(format!("[{index}]"))
     }
 
-    pub(super) fn found(found: &str, expected: &str) -> JsonError {
-        JsonError::new("", format!("found {found}, expected {}", plain(expected)))
+    /// Translates an error of serde at `path` of a document.
+    pub(super) fn of(path: &Path, error: &serde_json::Error) -> JsonError {
+        let mut steps: Vec<&Segment> = path.iter().collect();
+        let own = match error.classify() {
+            Category::Data => of_data(&message(error)),
+            _ => return JsonError::of_syntax(error),
+        };
+        // The place of an unknown key is the object that has it.
+        let is_last =
+            |key: &&str| matches!(steps.last(), Some(Segment::Map { key: last }) if last == key);
+        if own.unknown().filter(is_last).is_some() {
+            steps.pop();
+        }
+        let mut place = String::new();
+        for step in steps {
+            match step {
+                Segment::Seq { index } => place.push_str(&format!("[{index}]")),
+                Segment::Map { key } => push_key(&mut place, key),
+                // The name of an enum's variant is no key of ours.
+                Segment::Enum { .. } | Segment::Unknown => {}
+            }
+        }
+        own.below(place)
     }
 
-    pub(crate) fn unknown_key(key: &str, known: &[&str]) -> JsonError {
-        JsonError::new("", format!("unknown key `{key}`, known here: {}", known.join(", ")))
+    pub(super) fn of_syntax(error: &serde_json::Error) -> JsonError {
+        let (line, column, fault) = (error.line(), error.column(), message(error));
+        let fault = match &*fault {
+            "expected value" | "expected ident" => "expected a value".to_owned(),
+            _ => fault.replacen("EOF while parsing ", "the text ends within ", 1),
+        };
+        JsonError::new("", format!("line {line}, column {column}: not JSON: {fault}"))
+    }
+
+    fn unknown(&self) -> Option<&str> {
+        let rest = self.message.strip_prefix("unknown key `")?;
+        rest.rsplit_once("`, known here: ").map(|(key, _)| key)
     }
 
     /// Returns the key that the object lacks, if that is the error.
-    pub(crate) fn missing_key(&self) -> Option<&str> {
+    pub(crate) fn missing(&self) -> Option<&str> {
         self.message.strip_prefix('`')?.strip_suffix("` is missing")
     }
 }
 
-/// Delimits the path in the text of an error. Serde converts the errors of `try_from` to text; the
-/// marks let [`de::Error::custom`] recover the path. No path contains this character.
+/// Delimits the path in the text of an error. Serde turns errors to text; the marks let
+/// [`of_data`] recover the path. No path contains this character.
 const MARK: char = '\u{1}';
 
 impl fmt::Display for JsonError {
@@ -61,65 +106,82 @@ impl fmt::Display for JsonError {
     }
 }
 
-impl std::error::Error for JsonError {}
+/// Returns the message of an error without its position.
+fn message(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    let position = format!(" at line {} column {}", error.line(), error.column());
+    text.strip_suffix(&position).unwrap_or(&text).to_owned()
+}
 
-impl de::Error for JsonError {
-    fn custom<T: fmt::Display>(message: T) -> JsonError {
-        let text = message.to_string();
-        match text.strip_prefix(MARK).and_then(|text| text.split_once(MARK)) {
-            Some((path, message)) => JsonError::new(path, message),
-            None => JsonError::new("", text),
-        }
+/// Translates the message of a value that does not fit.
+fn of_data(text: &str) -> JsonError {
+    if let Some((path, message)) = text.strip_prefix(MARK).and_then(|rest| rest.split_once(MARK)) {
+        return JsonError::new(path, message);
     }
+    let after = |words: &str| text.strip_prefix(words);
+    let message = if let Some(rest) = after("invalid type: ").or(after("invalid value: ")) {
+        let (found, expected) = rest.rsplit_once(", expected ").unwrap_or((rest, "another value"));
+        format!("found {}, expected {}", plain_found(found), plain(expected))
+    } else if let Some(rest) = after("invalid length ") {
+        format!("found an array of {rest}")
+    } else if let Some(rest) = after("unknown field `") {
+        let (key, known) = rest.rsplit_once("`, expected ").unwrap_or((rest, ""));
+        // Every second piece between backquotes is the name of a key.
+        let known: Vec<&str> = known.split('`').skip(1).step_by(2).collect();
+        return JsonError::unknown_key(key, &known);
+    } else if let Some(rest) = after("missing field `") {
+        return JsonError::missing_key(rest.trim_end_matches('`'));
+    } else if let Some(rest) = after("duplicate field `") {
+        twice(rest.trim_end_matches('`'))
+    } else {
+        text.to_owned()
+    };
+    JsonError::new("", message)
+}
 
-    fn invalid_type(unexpected: Unexpected<'_>, expected: &dyn de::Expected) -> JsonError {
-        let unexpected = match unexpected {
-            Unexpected::Bool(value) => value.to_string(),
-            Unexpected::Unsigned(value) => value.to_string(),
-            Unexpected::Signed(value) => value.to_string(),
-            Unexpected::Float(value) => value.to_string(),
-            Unexpected::Str(value) => Tree::Text(value.to_owned()).describe(),
-            Unexpected::Seq => "an array".to_owned(),
-            Unexpected::Map => "an object".to_owned(),
-            _ => "null".to_owned(),
-        };
-        JsonError::found(&unexpected, &expected.to_string())
-    }
+pub(super) fn twice(key: &str) -> String {
+    format!("the key `{key}` occurs twice")
+}
 
-    fn invalid_value(unexpected: Unexpected<'_>, expected: &dyn de::Expected) -> JsonError {
-        JsonError::invalid_type(unexpected, expected)
-    }
-
-    fn invalid_length(length: usize, expected: &dyn de::Expected) -> JsonError {
-        let expected = expected.to_string();
-        JsonError::new("", format!("found an array of {length}, expected {}", plain(&expected)))
-    }
-
-    fn unknown_field(key: &str, known: &'static [&'static str]) -> JsonError {
-        JsonError::unknown_key(key, known)
-    }
-
-    fn missing_field(key: &'static str) -> JsonError {
-        JsonError::new("", format!("`{key}` is missing"))
+/// Describes a value as serde names it.
+fn plain_found(found: &str) -> String {
+    match found {
+        "sequence" => "an array".to_owned(),
+        "map" => "an object".to_owned(),
+        _ => match found.strip_prefix("string ") {
+            Some(text) => shortened(text),
+            None => found.split('`').nth(1).unwrap_or(found).to_owned(),
+        },
     }
 }
 
-/// An error of the form "found ..., expected ...".
-pub(crate) fn found(value: impl Into<Tree>, expected: &str) -> JsonError {
-    JsonError::found(&value.into().describe(), expected)
+fn describe(value: &Value) -> String {
+    match value {
+        Value::String(text) => shortened(&format!("{text:?}")),
+        Value::Array(items) => format!("an array of {}", items.len()),
+        Value::Object(_) => "an object".to_owned(),
+        plain => plain.to_string(),
+    }
 }
 
-/// Replaces the serde messages that name Rust types by plain words.
+/// Shortens a text in quotes.
+fn shortened(quoted: &str) -> String {
+    match quoted.char_indices().nth(41) {
+        Some((end, _)) if end + 1 < quoted.len() => format!("{}\"...", &quoted[..end]),
+        _ => quoted.to_owned(),
+    }
+}
+
+/// Replaces the words of serde that name Rust types by plain ones.
 fn plain(expected: &str) -> &str {
     match expected {
         "f64" => "a number",
         "u32" | "usize" => "a whole number, 0 or more",
         "a boolean" => "true or false",
         "a sequence" => "an array",
-        "an array of length 3" => "a point [x, y, z]",
         "a map" => "an object",
+        "string or map" => "a word",
         _ if expected.starts_with("struct ") => "an object",
-        _ if expected.starts_with("enum ") => "a word",
         _ => expected,
     }
 }

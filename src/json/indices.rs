@@ -2,6 +2,7 @@
 //! writing keep the order of the list. For serde's `with` attribute.
 
 use serde::de::{self, Deserialize, Deserializer, SeqAccess, Unexpected, Visitor};
+use serde::ser::{Serialize, Serializer};
 use std::cell::Cell;
 use std::fmt;
 
@@ -19,16 +20,27 @@ pub(crate) fn begin() {
     LEFT.set(MOST_INDICES);
 }
 
-/// A list of indices that serde deserializes from either form.
-pub(crate) struct Indices(pub(crate) Vec<u32>);
+/// A list of indices in either form.
+pub(crate) struct Indices<T = Vec<u32>>(pub(crate) T);
 
 pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<u32>, D::Error> {
-    Indices::deserialize(from).map(|list| list.0)
+    from.deserialize_any(ListVisitor)
+}
+
+/// Reads a list that may be absent.
+pub(crate) fn some<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<u32>>, D::Error> {
+    deserialize(from).map(Some)
 }
 
 impl<'de> Deserialize<'de> for Indices {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Indices, D::Error> {
-        from.deserialize_any(ListVisitor).map(Indices)
+        deserialize(from).map(Indices)
+    }
+}
+
+impl Serialize for Indices<&[u32]> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        serialize(self.0, to)
     }
 }
 
@@ -108,8 +120,18 @@ fn index(text: &str) -> Option<u32> {
     if digits { text.parse().ok() } else { None }
 }
 
-/// Writes the list as JSON: an array, or the string of ranges if that is shorter.
-pub(crate) fn write(indices: &[u32]) -> String {
+/// Writes an array, or the string of ranges if that is shorter.
+pub(crate) fn serialize<S: Serializer>(indices: &[u32], to: S) -> Result<S::Ok, S::Error> {
+    let digits = |index: &u32| index.checked_ilog10().unwrap_or(0) as usize + 1;
+    let array = indices.iter().map(|index| digits(index) + ", ".len()).sum::<usize>();
+    let ranges = ranges(indices);
+    match indices.len() > 2 && ranges.len() + "\"\"".len() < array {
+        true => to.serialize_str(&ranges),
+        false => to.collect_seq(indices),
+    }
+}
+
+fn ranges(indices: &[u32]) -> String {
     let mut ranges = String::new();
     let mut rest = indices;
     while let Some(&first) = rest.first() {
@@ -127,9 +149,7 @@ pub(crate) fn write(indices: &[u32]) -> String {
         }
         rest = &rest[run..];
     }
-    let array: Vec<_> = indices.iter().map(u32::to_string).collect();
-    let (ranges, array) = (format!("\"{ranges}\""), format!("[{}]", array.join(", ")));
-    if indices.len() > 2 && ranges.len() < array.len() { ranges } else { array }
+    ranges
 }
 
 #[cfg(test)]
@@ -157,8 +177,13 @@ mod tests {
 
     #[test]
     fn the_shorter_form_is_written_and_reads_back() {
+        let write = |list: &[u32]| {
+            let mut text = Vec::new();
+            serialize(list, &mut serde_json::Serializer::new(&mut text)).unwrap();
+            String::from_utf8(text).unwrap()
+        };
         assert_eq!(write(&[]), "[]");
-        assert_eq!(write(&[4, 5]), "[4, 5]");
+        assert_eq!(write(&[4, 5]), "[4,5]");
         assert_eq!(write(&[0, 1, 2, 3, 9]), "\"0-3,9\"");
         assert_eq!(write(&[9, 3, 4, 4]), "\"9,3-4,4\"");
         assert_eq!(read("9,3-4,4").unwrap(), [9, 3, 4, 4]);

@@ -1,23 +1,42 @@
-//! JSON: text to a tree, a tree to typed values, and a tree to text.
+//! JSON by `serde_json`, with errors in our words: path, value found, value expected.
 //!
-//! Scene files, edits and the parameters of kinds are serde types. One deserializer reads all of
-//! them, so that each type is compiled once; it tracks the JSON path itself.
+//! Types derive serde's traits; what the derived code does not refuse by itself is in `shape`.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `tree` | the tree |
-//! | `parse` | text to a tree |
-//! | `read` | a tree to serde types |
-//! | `error` | an error with its JSON path |
+//! | `error` | an error with its JSON path, from the errors of serde |
+//! | `shape` | repeated keys, only an object, only a word, a word or an object, points |
 //! | `indices` | lists of indices: arrays, or strings of ranges |
 
 mod error;
 pub(crate) mod indices;
-mod parse;
-mod read;
-mod tree;
+mod shape;
 
-pub(crate) use error::{JsonError, found, push_key};
-pub(crate) use parse::parse;
-pub(crate) use read::{present, read, read_tree};
-pub(crate) use tree::Tree;
+pub(crate) use error::{JsonError, push_key};
+pub(crate) use shape::{
+    Apart, Either, Entries, Object, Words, fixed, object, object_or_none, objects, points, present,
+    word, word_or, word_or_null,
+};
+
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+
+/// Reads a document, with or without a leading byte order mark.
+///
+/// # Errors
+/// Text that is not JSON, with line and column, or a value that does not fit, with its path.
+pub(crate) fn from_text<T: DeserializeOwned>(text: &str) -> Result<T, JsonError> {
+    indices::begin();
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut reader = serde_json::Deserializer::from_str(text);
+    let value = serde_path_to_error::deserialize(&mut reader)
+        .map_err(|error| JsonError::of(error.path(), error.inner()))?;
+    reader.end().map_err(|error| JsonError::of_syntax(&error))?;
+    Ok(value)
+}
+
+/// Reads a value that has been parsed; the path of an error is relative to it.
+pub(crate) fn from_value<T: DeserializeOwned>(value: Value) -> Result<T, JsonError> {
+    serde_path_to_error::deserialize(value)
+        .map_err(|error| JsonError::of(error.path(), error.inner()))
+}

@@ -5,7 +5,7 @@ use super::SceneError;
 use crate::constraint::{Selector, Sets, resolve};
 use crate::mesh::{Mesh, Topology};
 use crate::solve::{BoundaryCloseness, ClosenessTo};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
 /// Closeness of vertices: target points and factors.
@@ -41,7 +41,7 @@ impl Target {
 }
 
 /// Closeness factor of a selection of vertices.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ClosenessWeight {
     /// Selector; all selected vertices get the factor.

@@ -1,71 +1,92 @@
 //! Data types of the scene.
 
 use super::SceneError;
+use super::build::BuildSettings;
 use super::closeness::Closeness;
 use super::lesson::Lesson;
-use super::presentation::Slide;
+use super::presentation::{Slide, Variants};
 use crate::constraint::{Kind, Selector, Sets};
-use crate::fabricate::BuildSettings;
-use crate::json::{indices, present};
+use crate::json::{Entries, Object, indices, object, object_or_none, objects, points, present};
 use crate::mesh::{Mesh, Point, Read, counted};
 use crate::solve::{Hold, Require, Smoothness, SolverSettings, Weights};
-use serde::{Deserialize, Deserializer};
+use serde::ser::{Error, Serializer};
+use serde::{Deserialize, Deserializer, Serialize};
 use std::rc::Rc;
 
 /// A scene file, checked for form. Its indices and names are checked against the mesh when a
 /// session opens it.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
     /// Name of the model.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "String::is_empty")]
     pub title: String,
     /// Unit of length, such as `"m"`; empty if unknown.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "String::is_empty")]
     pub units: String,
     /// The axis that points up.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub up: Up,
     /// The rest shape.
     pub mesh: MeshSource,
     /// Another pose, which gives the rest shapes of constraints; the mesh itself if absent.
-    #[serde(default, deserialize_with = "present")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub pose: Option<Pose>,
     /// Start positions, `#V by 3`; if absent, the design of `variants`, else the rest positions.
-    #[serde(default, deserialize_with = "present")]
+    #[serde(default, deserialize_with = "points", skip_serializing_if = "Option::is_none")]
     pub current: Option<Vec<Point>>,
     /// Named sets.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "sets", skip_serializing_if = "Sets::is_empty")]
     pub sets: Sets,
-    /// Constraints, each a kind on a selector.
+    /// Constraints, each a kind on a selector. Written even if empty: they are the main content.
     #[serde(default)]
     pub constraints: Vec<ConstraintSpec>,
     /// Handles.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub handles: Vec<HandleSpec>,
     /// The weights of Eq. 13.
-    #[serde(default)]
+    #[serde(
+        default,
+        deserialize_with = "object",
+        skip_serializing_if = "is_default",
+        serialize_with = "changed"
+    )]
     pub weights: Weights,
     /// The closeness energy, Eq. 11.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub closeness: Closeness,
     /// The smoothness energy, Eq. 12.
-    #[serde(default)]
+    #[serde(
+        default,
+        deserialize_with = "object",
+        skip_serializing_if = "is_default",
+        serialize_with = "changed"
+    )]
     pub smoothness: Smoothness,
     /// Solver settings.
-    #[serde(default)]
+    #[serde(
+        default,
+        deserialize_with = "object",
+        skip_serializing_if = "is_default",
+        serialize_with = "changed"
+    )]
     pub solver: SolverSettings,
     /// Lesson, if the scene is an exercise.
-    #[serde(default, deserialize_with = "present")]
+    #[serde(default, deserialize_with = "object_or_none", skip_serializing_if = "Option::is_none")]
     pub lesson: Option<Lesson>,
     /// Settings for building the shape.
-    #[serde(default, deserialize_with = "present")]
+    #[serde(
+        default,
+        deserialize_with = "object_or_none",
+        skip_serializing_if = "Option::is_none",
+        serialize_with = "changed_build"
+    )]
     pub build: Option<Box<BuildSettings>>,
     /// Shapes that the user kept.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "object", skip_serializing_if = "Variants::is_empty")]
     pub variants: Variants,
     /// Steps of the presentation, [`Slide::MOST`] at most.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "objects", skip_serializing_if = "Vec::is_empty")]
     pub steps: Vec<Slide>,
 }
 
@@ -94,38 +115,6 @@ impl Scene {
     }
 }
 
-/// Shapes that the user kept, to compare them and to return to them.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Variants {
-    /// The shapes, oldest first, [`Variants::MOST`] at most.
-    pub kept: Vec<Variant>,
-    /// Index of the shape that closeness and smoothness refer to; `None` for the rest shape.
-    #[serde(default, deserialize_with = "present")]
-    pub design: Option<usize>,
-}
-
-/// A shape that the user kept.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Variant {
-    /// Name.
-    pub name: String,
-    /// Positions, `#V by 3`.
-    #[serde(deserialize_with = "shared")]
-    pub positions: Rc<[Point]>,
-}
-
-impl Variants {
-    /// Maximum number of kept shapes.
-    pub const MOST: usize = 12;
-
-    /// Returns the positions of the design, `#V by 3`; `None` if it is the rest shape.
-    pub fn design_positions(&self) -> Option<&[Point]> {
-        self.design.and_then(|index| self.kept.get(index)).map(|variant| &*variant.positions)
-    }
-}
-
 impl Scene {
     /// Returns the positions that the scene starts at, `#V by 3`: the current ones, otherwise those
     /// of the design, which may be the rest shape `mesh`.
@@ -135,8 +124,31 @@ impl Scene {
     }
 }
 
-fn shared<'de, D: Deserializer<'de>>(from: D) -> Result<Rc<[Point]>, D::Error> {
-    Vec::deserialize(from).map(Rc::from)
+fn sets<'de, D: Deserializer<'de>>(from: D) -> Result<Sets, D::Error> {
+    let Entries(sets) = Entries::deserialize(from)?;
+    Ok(sets.into_iter().map(|(name, Object(set))| (name, set)).collect())
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
+/// Writes the entries that are not at their defaults.
+fn changed<T: Serialize + Default, S: Serializer>(value: &T, to: S) -> Result<S::Ok, S::Error> {
+    let values = |value: &T| serde_json::to_value(value).map_err(S::Error::custom);
+    let (own, defaults) = (values(value)?, values(&T::default())?);
+    let own = own.as_object().into_iter().flatten();
+    to.collect_map(own.filter(|(key, value)| defaults.get(key) != Some(value)))
+}
+
+fn changed_build<S: Serializer>(
+    build: &Option<Box<BuildSettings>>,
+    to: S,
+) -> Result<S::Ok, S::Error> {
+    match build {
+        Some(build) => changed(&**build, to),
+        None => to.serialize_none(),
+    }
 }
 
 /// The axis that points up.
@@ -232,13 +244,13 @@ pub struct ConstraintSpec {
 }
 
 /// Faces with a larger tolerance than the others of a constraint, since they would fold otherwise.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct EasedFaces {
     /// The tolerance, above zero, in the unit of the mesh.
     pub within: f64,
     /// Indices of faces.
-    #[serde(deserialize_with = "indices::deserialize")]
+    #[serde(with = "indices")]
     pub faces: Vec<u32>,
 }
 

@@ -27,11 +27,9 @@ impl std::error::Error for SceneError {}
 
 impl From<JsonError> for SceneError {
     fn from(error: JsonError) -> SceneError {
-        let missing = error.missing_key().and_then(expected_of);
+        let missing = error.missing().and_then(expected_of);
         let JsonError { path, mut message } = error;
-        if error_of_word(&path, &message) {
-            message = "found an object, expected a word".to_owned();
-        } else if let Some(expected) = missing {
+        if let Some(expected) = missing {
             message = format!("{message}, expected {expected}");
         } else if let Some(found) = message.strip_suffix("a number")
             && let Some(expected) = path.rsplit('.').next().and_then(expected_of)
@@ -40,11 +38,6 @@ impl From<JsonError> for SceneError {
         }
         SceneError { path, message }
     }
-}
-
-/// Whether an object was found in place of a word: only edits as a whole are objects with a `type`.
-fn error_of_word(path: &str, message: &str) -> bool {
-    !path.is_empty() && message == "`type` is missing"
 }
 
 /// Describes the expected value of a key that is required or is a number in a range.

@@ -2,10 +2,11 @@
 //!
 //! | file or folder | holds |
 //! |---|---|
+//! | `build` | the settings of what is built from the shape |
 //! | `document` | data types: mesh, constraints, handles, settings |
 //! | `closeness` | target and factors of the closeness energy |
 //! | `lesson` | lessons: a task and goals |
-//! | `presentation` | the steps of a presentation |
+//! | `presentation` | kept shapes, and the steps of a presentation |
 //! | `results` | the results that a student hands in |
 //! | `error` | errors with their JSON path |
 //! | `json` | reading and writing the scene file, version 1 |
@@ -14,18 +15,17 @@
 //! | `units` | the units of length |
 //! | `frame` | unit and up axis of a mesh file, stated or guessed |
 //! | `up_guess` | guess of the axis that points up |
-//! | `opened` | the settings of a mesh file that the user opens |
 //! | `panels` | one shape for all panels, and a forecast of how far the mesh will move |
-//! | `presets` | presets of weights, closeness and smoothness |
+//! | `presets` | presets of weights, closeness and smoothness, also of a mesh file that the user opens |
 //! | `problem` | the problem passed to the solver |
 
+mod build;
 mod closeness;
 mod document;
 mod error;
 mod frame;
 mod json;
 mod lesson;
-mod opened;
 mod panels;
 mod presentation;
 mod presets;
@@ -41,20 +41,25 @@ pub use crate::solve::{
     SmoothnessOf, SolverSettings, Weighting, Weights,
 };
 pub use crate::sparse::Factorization;
+pub(crate) use build::page_counts;
+pub use build::{
+    BUILD_PRESETS, BuildPreset, BuildSettings, CheckLimits, Dxf, Names, OffsetKind, Order, Page,
+    Pieces, Product,
+};
 pub use closeness::{Closeness, ClosenessWeight, Target};
 pub use document::{
-    ConstraintSpec, EasedFaces, HANDLE_WEIGHT, HandleSpec, MeshSource, Pose, Scene, Up, Variant,
-    Variants,
+    ConstraintSpec, EasedFaces, HANDLE_WEIGHT, HandleSpec, MeshSource, Pose, Scene, Up,
 };
 pub use error::SceneError;
 pub use frame::UnitsAndUp;
+pub(crate) use json::kind_of;
 pub use json::{FORMAT, VERSION};
 pub use lesson::{Goal, GoalOf, Lesson, Lock};
 pub(crate) use panels::all_faces;
 pub use panels::{
     Forecast, ForecastOfKind, HowFar, MeshRemedy, PanelOffer, panel_offers, panel_remedy,
 };
-pub use presentation::Slide;
+pub use presentation::{Slide, Variant, Variants};
 pub use presets::{PRESETS, Preset, PresetOffer};
 pub use results::{GoalResult, Results};
 pub use units::{LengthUnit, UNITS};

@@ -1,15 +1,15 @@
 //! The results of a lesson that a student hands in.
 
 use super::document::{ConstraintSpec, HandleSpec, MeshSource, Scene};
-use super::lesson::Goal;
-use crate::json::present;
+use super::lesson::{Goal, GoalFile};
+use crate::json::{Entries, JsonError, object_or_none, objects, points, present};
 use crate::mesh::{Mesh, Point};
 use crate::solve::Weights;
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 
 /// The results of a student: the shape, and the values of the goals.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Results {
     /// Name, as typed by the student.
@@ -25,6 +25,7 @@ pub struct Results {
     /// Whether all goals were met.
     pub passed: bool,
     /// The value of each goal.
+    #[serde(deserialize_with = "objects")]
     pub goals: Vec<GoalResult>,
     /// The constraints at the end.
     pub constraints: Vec<ConstraintSpec>,
@@ -34,23 +35,29 @@ pub struct Results {
     #[serde(default)]
     pub steps: Vec<String>,
     /// The weights of the energies at the end; `None` in older files.
-    #[serde(default, deserialize_with = "present")]
+    #[serde(default, deserialize_with = "object_or_none", skip_serializing_if = "Option::is_none")]
     pub weights: Option<Weights>,
     /// The declared settings at the end, by id.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "unrepeated")]
     pub settings: Map<String, Value>,
     /// Largest displacement of a vertex, in the unit of the mesh.
-    #[serde(default, deserialize_with = "present")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub moved: Option<f64>,
     /// Largest distance of a vertex to the shape of a constraint, in the same unit.
-    #[serde(default, deserialize_with = "present")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub distance: Option<f64>,
     /// The shape, `#V by 3`.
+    #[serde(deserialize_with = "points")]
     pub positions: Vec<Point>,
 }
 
+fn unrepeated<'de, D: Deserializer<'de>>(from: D) -> Result<Map<String, Value>, D::Error> {
+    Entries::deserialize(from).map(|Entries(values)| values.into_iter().collect())
+}
+
 /// A goal and its value.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "ResultFile", into = "ResultFile")]
 pub struct GoalResult {
     /// The goal.
     pub goal: Goal,
@@ -58,6 +65,41 @@ pub struct GoalResult {
     pub value: Option<f64>,
     /// Whether the goal is met.
     pub met: bool,
+}
+
+/// The form in files.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ResultFile {
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    measure: Option<String>,
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    beyond: Option<f64>,
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    constraint: Option<String>,
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    build: Option<String>,
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    at_most: Option<f64>,
+    value: Option<f64>,
+    met: bool,
+}
+
+impl TryFrom<ResultFile> for GoalResult {
+    type Error = JsonError;
+
+    fn try_from(file: ResultFile) -> Result<GoalResult, JsonError> {
+        let ResultFile { measure, beyond, constraint, build, at_most, value, met } = file;
+        let goal = GoalFile { measure, beyond, constraint, build, at_most }.try_into()?;
+        Ok(GoalResult { goal, value, met })
+    }
+}
+
+impl From<GoalResult> for ResultFile {
+    fn from(GoalResult { goal, value, met }: GoalResult) -> ResultFile {
+        let GoalFile { measure, beyond, constraint, build, at_most } = goal.into();
+        ResultFile { measure, beyond, constraint, build, at_most, value, met }
+    }
 }
 
 impl Scene {

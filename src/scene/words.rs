@@ -4,12 +4,10 @@
 use super::{
     Accelerator, BoundaryRequire, ClosenessTo, Factorization, Lock, SmoothnessOf, Up, Weighting,
 };
-use crate::json::found;
+use crate::json::Words;
 use crate::mesh::{GroupKeyword, Scheme};
 use crate::solve::{ConformalNorm, ConformalWeights};
-use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use serde_json::Value;
 
 /// An enumeration whose values each have a word.
 pub trait NamedEnum: Copy + PartialEq + 'static {
@@ -33,23 +31,11 @@ pub trait NamedEnum: Copy + PartialEq + 'static {
     }
 }
 
-pub(super) fn read_word<'de, T: Copy, D: Deserializer<'de>>(
-    from: D,
-    choices: &[(&str, T)],
-) -> Result<T, D::Error> {
-    let value = Value::deserialize(from)?;
-    let choice = choices.iter().find(|(word, _)| value == *word);
-    choice.map(|&(_, choice)| choice).ok_or_else(|| {
-        let words: Vec<_> = choices.iter().map(|(word, _)| format!("{word:?}")).collect();
-        D::Error::custom(found(&value, &words.join(" or ")))
-    })
-}
-
 macro_rules! by_word {
     ($($Choice:ty),*) => {$(
         impl<'de> Deserialize<'de> for $Choice {
             fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-                read_word(from, Self::WORDS)
+                from.deserialize_str(Words(Self::WORDS))
             }
         }
 

@@ -9,13 +9,14 @@ use crate::scene::{
     ClosenessTo, ConstraintSpec, GoalOf, GoalResult, Lock, MeshSource, Results, Scene, SceneError,
     UNITS,
 };
+use serde_json::Value;
 
 impl Session {
     /// Returns the results that `student` hands in at `time`; none without a lesson.
     pub fn results(&mut self, student: &str, time: &str) -> Option<Results> {
         self.document().lesson.as_ref()?;
         let goals = self.goals();
-        let settings = settings_of(self.document());
+        let settings = settings_of(self.document()).into_iter();
         let Scene { title, constraints, handles, weights, .. } = self.scene();
         Some(Results {
             student: student.to_owned(),
@@ -29,11 +30,19 @@ impl Session {
             handles,
             steps: self.history.steps()[0].iter().map(|(name, _)| name.clone()).collect(),
             weights: Some(weights),
-            settings,
+            settings: settings.map(|(id, value)| (id, as_written(value))).collect(),
             moved: Some(self.moved().max),
             distance: Some(self.worst_distance()),
             positions: self.positions(),
         })
+    }
+}
+
+/// Returns the value as a file has it: whole numbers are written without a decimal point.
+fn as_written(value: Value) -> Value {
+    match value.as_f64().filter(|number| number.fract() == 0.0) {
+        Some(number) if number.abs() < 1e15 => (number as i64).into(),
+        _ => value,
     }
 }
 
@@ -158,6 +167,6 @@ fn differences(results: &Results, given: &Scene) -> Vec<(Lock, String)> {
 }
 
 /// Compares numbers by value: a whole number may be written with or without a decimal point.
-fn same_value(a: &serde_json::Value, b: &serde_json::Value) -> bool {
+fn same_value(a: &Value, b: &Value) -> bool {
     a == b || a.as_f64().is_some_and(|a| b.as_f64() == Some(a))
 }

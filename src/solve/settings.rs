@@ -135,9 +135,15 @@ pub struct BoundaryCloseness {
     /// 180.
     pub corners: f64,
     /// Whether vertices stay on the curve or close to it.
+    #[serde(skip_serializing_if = "BoundaryRequire::is_soft")]
     pub require: BoundaryRequire,
     /// With a soft requirement, a factor of `k_v` for boundary vertices, not negative.
+    #[serde(skip_serializing_if = "is_one")]
     pub weight: f64,
+}
+
+fn is_one(weight: &f64) -> bool {
+    *weight == 1.0
 }
 
 impl Default for BoundaryCloseness {
@@ -155,4 +161,10 @@ pub enum BoundaryRequire {
     /// They glide on their curve only; corners are fixed. A soft handle pulls a vertex along its
     /// curve, and has no effect on a corner. A fixed handle puts its vertex at the target.
     Exact,
+}
+
+impl BoundaryRequire {
+    fn is_soft(&self) -> bool {
+        *self == BoundaryRequire::Soft
+    }
 }

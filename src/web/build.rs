@@ -2,9 +2,8 @@
 
 use super::{log_panics, mesh_of, plain_object as plain, thrown};
 use crate::fabricate::file::picture;
-use crate::fabricate::{
-    BUILD_NUMBERS, Build, BuildPreset, BuildSettings, LengthInMetres, PRESETS, ReportView,
-};
+use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres, ReportView};
+use crate::scene::{BUILD_PRESETS, BuildPreset, BuildSettings};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -26,7 +25,7 @@ struct File {
 #[wasm_bindgen(js_name = buildOffers)]
 pub fn build_offers() -> Result<JsValue, JsValue> {
     log_panics();
-    plain(&Offers { presets: &PRESETS, defaults: BuildSettings::default() })
+    plain(&Offers { presets: &BUILD_PRESETS, defaults: BuildSettings::default() })
 }
 
 /// The parts of a shape.

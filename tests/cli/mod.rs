@@ -45,8 +45,11 @@ fn no_iteration_gives_back_the_same_positions() {
     }
 }
 
+/// The keys in alphabetical order.
 fn keys(value: &Value) -> Vec<&str> {
-    value.as_object().unwrap().keys().map(String::as_str).collect()
+    let mut keys: Vec<_> = value.as_object().unwrap().keys().map(String::as_str).collect();
+    keys.sort_unstable();
+    keys
 }
 
 #[test]

@@ -4,10 +4,11 @@ use super::identities::revolution;
 use super::{build, metres};
 use crate::support::grid::grid;
 use crate::support::shared;
+use shape_up::fabricate::Build;
 use shape_up::fabricate::panel::is_simple;
-use shape_up::fabricate::{Build, BuildSettings, OffsetKind, Product};
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Ragged};
+use shape_up::scene::{BuildSettings, OffsetKind, Product};
 
 fn faces(faces: &[&[u32]], positions: &[[f64; 3]]) -> Mesh {
     let mut mesh = Mesh { positions: positions.to_vec(), ..Mesh::default() };

@@ -5,12 +5,11 @@ use super::{build, dxf};
 use crate::support::grid::grid;
 use shape_up::fabricate::beam::{cut_back, node_types};
 use shape_up::fabricate::sheet::{Inscription, label};
-use shape_up::fabricate::{
-    BUILD_NUMBERS, Build, BuildFile, BuildSettings, LengthInMetres, OffsetKind, Product,
-};
+use shape_up::fabricate::{BUILD_NUMBERS, Build, BuildFile, LengthInMetres};
 use shape_up::math::Vec3;
 use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
+use shape_up::scene::{BuildSettings, OffsetKind, Product};
 use shape_up::scene::{UnitsAndUp, Up};
 
 fn settings() -> BuildSettings {

@@ -4,9 +4,10 @@ use super::beams::cube;
 use super::build;
 use super::identities::revolution;
 use crate::support::grid::grid;
-use shape_up::fabricate::{BuildSettings, CheckLimits, CheckRow, OffsetKind, Worst};
+use shape_up::fabricate::{CheckRow, Worst};
 use shape_up::math::Vec3;
 use shape_up::mesh::Mesh;
+use shape_up::scene::{BuildSettings, CheckLimits, OffsetKind};
 
 /// Quads that are neither flat nor circular.
 fn wavy() -> Mesh {

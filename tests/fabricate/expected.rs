@@ -2,13 +2,14 @@
 
 use crate::support::shared;
 use serde_json::Value;
+use shape_up::fabricate::PanelSurface;
 use shape_up::fabricate::beam::{end_cuts, nodes};
 use shape_up::fabricate::offset::{OffsetCheck, check, closing, exact, fit};
 use shape_up::fabricate::panel::{inset, lay_flat, panel_types};
-use shape_up::fabricate::{OffsetKind, PanelSurface};
 use shape_up::math::Vec3;
 use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
+use shape_up::scene::OffsetKind;
 
 const CASES: [&str; 4] = ["circular", "conical", "dodecahedron", "halftunnel"];
 

@@ -4,10 +4,11 @@ use super::identities::revolution;
 use super::{build, dxf, metres};
 use crate::support::grid::grid;
 use shape_up::fabricate::file::{self, svg};
-use shape_up::fabricate::sheet::{Inscription, Order, Place, label};
-use shape_up::fabricate::{Build, BuildFile, BuildSettings, Dxf, Pieces, Product};
+use shape_up::fabricate::sheet::{Inscription, Place, label};
+use shape_up::fabricate::{Build, BuildFile};
 use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
+use shape_up::scene::{BuildSettings, Dxf, Order, Pieces, Product};
 
 /// A vault in metres; at 1:10 it needs several sheets.
 fn vault() -> Mesh {

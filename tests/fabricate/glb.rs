@@ -3,10 +3,10 @@
 use super::build;
 use super::identities::revolution;
 use serde_json::Value;
-use shape_up::fabricate::BuildSettings;
 use shape_up::fabricate::file::{GlbPart, glb};
 use shape_up::math::Vec3;
 use shape_up::math::plane::area;
+use shape_up::scene::BuildSettings;
 
 /// The JSON and the binary chunk of a file.
 fn read(bytes: &[u8]) -> (Value, Vec<u8>) {

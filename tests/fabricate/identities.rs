@@ -3,12 +3,13 @@
 use super::build;
 use crate::support::grid::grid;
 use crate::support::shared;
+use shape_up::fabricate::PanelSurface;
 use shape_up::fabricate::offset::{check, closing, exact, fit};
 use shape_up::fabricate::panel::lay_flat;
-use shape_up::fabricate::{BuildSettings, OffsetKind, PanelSurface};
 use shape_up::math::plane::area;
 use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::{Mesh, Ragged};
+use shape_up::scene::{BuildSettings, OffsetKind};
 
 /// Quads of a surface of revolution about z: each is an isosceles trapezium, whose corners are on a
 /// circle, and the four around a vertex are tangent to a cone.

@@ -16,8 +16,9 @@ mod report_page;
 mod sheets;
 mod space;
 
-use shape_up::fabricate::{Build, BuildSettings, LengthInMetres};
+use shape_up::fabricate::{Build, LengthInMetres};
 use shape_up::mesh::Mesh;
+use shape_up::scene::BuildSettings;
 
 /// The unit of a mesh in metres.
 pub(crate) fn metres() -> LengthInMetres {

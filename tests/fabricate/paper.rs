@@ -5,9 +5,10 @@ use super::identities::revolution;
 use crate::support::grid::grid;
 use crate::support::shared;
 use shape_up::fabricate::paper::{JointKind, PaperModel};
-use shape_up::fabricate::{Build, BuildFile, BuildSettings, Page, Pieces, Product};
+use shape_up::fabricate::{Build, BuildFile};
 use shape_up::math::plane::{Point2, area};
 use shape_up::mesh::Mesh;
+use shape_up::scene::{BuildSettings, Page, Pieces, Product};
 
 pub(super) fn settings(pieces: Pieces) -> BuildSettings {
     BuildSettings { product: Product::Paper, pieces, scale: 20.0, ..BuildSettings::default() }

@@ -7,8 +7,8 @@ use super::paper::{cases, model, scale, settings};
 use crate::support::grid::grid;
 use shape_up::fabricate::paper::write_names;
 use shape_up::fabricate::sheet::Place;
-use shape_up::fabricate::{BuildSettings, Pieces};
 use shape_up::math::plane::Point2;
+use shape_up::scene::{BuildSettings, Pieces};
 
 fn contains(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
     let crosses = |&k: &usize| {

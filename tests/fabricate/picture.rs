@@ -2,9 +2,9 @@
 
 use super::build;
 use super::identities::revolution;
-use shape_up::fabricate::BuildSettings;
 use shape_up::fabricate::file::{picture, svg};
 use shape_up::fabricate::sheet::Role;
+use shape_up::scene::BuildSettings;
 
 /// Half of the resolution of a picture, in mm.
 const ROUNDING: f64 = 0.005 + 1e-9;

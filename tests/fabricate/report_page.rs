@@ -4,8 +4,9 @@ use super::build;
 use super::identities::revolution;
 use crate::support::grid::grid;
 use roxmltree::{Document, Node, ParsingOptions};
-use shape_up::fabricate::{BuildSettings, Product, ReportView};
+use shape_up::fabricate::ReportView;
 use shape_up::mesh::Mesh;
+use shape_up::scene::{BuildSettings, Product};
 
 const LINK: &str = "https://example.org/#scene=(a)&b=1";
 

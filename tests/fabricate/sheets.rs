@@ -3,10 +3,8 @@
 use super::build;
 use super::files::settings;
 use crate::support::grid::grid;
-use shape_up::fabricate::BuildSettings;
-use shape_up::fabricate::panel::Names;
-use shape_up::fabricate::sheet::Order;
 use shape_up::mesh::{Mesh, Ragged};
+use shape_up::scene::{BuildSettings, Names, Order};
 
 #[test]
 fn a_part_that_fits_only_along_another_side_than_that_of_its_smallest_box_is_laid() {

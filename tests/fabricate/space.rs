@@ -3,9 +3,10 @@
 use super::build;
 use super::glb::TWO_NOTCHES;
 use super::identities::revolution;
-use shape_up::fabricate::{Build, BuildSettings, Product, SpatialPart};
+use shape_up::fabricate::{Build, SpatialPart};
 use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
+use shape_up::scene::{BuildSettings, Product};
 
 fn made() -> Build {
     let own = BuildSettings { product: Product::Fins, thickness: 3.0, ..BuildSettings::default() };

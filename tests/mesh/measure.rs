@@ -183,7 +183,9 @@ fn a_mesh_without_faces_has_no_error() {
 fn the_words_of_the_report_are_the_names_of_the_fields() {
     let measured = Measures::default();
     let keys = |value: serde_json::Value| -> Vec<String> {
-        value.as_object().expect("an object").keys().cloned().collect()
+        let mut keys: Vec<_> = value.as_object().expect("an object").keys().cloned().collect();
+        keys.sort_unstable();
+        keys
     };
     let planarity = serde_json::to_value(measured.planarity).expect("plain numbers");
     let circularity = serde_json::to_value(measured.circularity).expect("plain numbers");

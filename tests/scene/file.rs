@@ -183,9 +183,9 @@ fn an_inline_mesh_that_is_none_is_refused_with_its_path() {
 #[test]
 fn the_limits_of_a_scale_are_written_where_there_are_any() {
     for (scale, written) in [
-        (r#", "scale": [0.5, 2]"#, Some(r#""scale": [0.5,2.0]"#)),
-        (r#", "scale": [null, 1]"#, Some(r#""scale": [null,1.0]"#)),
-        (r#", "scale": [0, null]"#, Some(r#""scale": [0.0,null]"#)),
+        (r#", "scale": [0.5, 2]"#, Some(r#""scale": [0.5, 2]"#)),
+        (r#", "scale": [null, 1]"#, Some(r#""scale": [null, 1]"#)),
+        (r#", "scale": [0, null]"#, Some(r#""scale": [0, null]"#)),
         (r#", "scale": [null, null]"#, None),
         ("", None),
     ] {

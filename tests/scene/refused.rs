@@ -14,6 +14,7 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "titel": "x""#, "", &["`titel`", "title", "constraints"]),
     (r#", "title": 3"#, "title", &["found 3", "a string"]),
     (r#", "up": "x""#, "up", &["found \"x\"", "\"z\" or \"y\""]),
+    (r#", "up": "0123456789012345678901234567890123456789x""#, "up", &["found \"0123456789012345678901234567890123456789\"..., expected \"z\""]),
     (r#", "current": [[0, 1]]"#, "current[0]", &["an array of 2", "[x, y, z]"]),
     (r#", "sets": { "a": { "vertex": [0] } }"#, "sets.a", &["`vertex`", "vertices, faces"]),
     (r#", "sets": { "two words": { "vertices": [0.5] } }"#, "sets[\"two words\"].vertices[0]", &["found 0.5", "index"]),
@@ -114,6 +115,19 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "solver": { "tolerance": -1e-9 }"#, "solver.tolerance", &["-0.000000001", "from 0"]),
     (r#", "solver": { "factorization": "dense" }"#, "solver.factorization", &["\"dense\"", "\"supernodal\" or \"sprs-ldl\""]),
     (r#", "solver": { "accelerator": "newton" }"#, "solver.accelerator", &["\"newton\"", "\"anderson\""]),
+    (r#", "solver": { "iterations": 4294967296 }"#, "solver.iterations", &["found 4294967296", "whole"]),
+    // An object is not an array of its values, and an array of numbers is neither shorter nor longer.
+    (r#", "weights": [5, 10, 2]"#, "weights", &["found an array", "an object"]),
+    (r#", "handles": [[[0]]]"#, "handles[0]", &["found an array", "an object"]),
+    (r#", "sets": { "a": [[0]] }"#, "sets.a", &["found an array", "an object"]),
+    (r#", "steps": [["a"]]"#, "steps[0]", &["found an array", "an object"]),
+    (r#", "build": { "limits": [1, 2, 3, 4] }"#, "build.limits", &["found an array", "an object"]),
+    (r#", "build": { "sheet": [600, 400, 3] }"#, "build.sheet", &["an array of 3", "2 numbers"]),
+    (r#", "build": { "kind": { "corner": null } }"#, "build.kind", &["found an object", "a word"]),
+    (r#", "build": { "page": [] }"#, "build.page", &["found an array", "a word"]),
+    (r#", "build": { "kind": 5 }"#, "build.kind", &["found 5", "a word"]),
+    (r#", "current": [[0, 1, 2, 3]]"#, "current[0]", &["an array of 4", "[x, y, z]"]),
+    (r#", "steps": [{ "title": "a", "camera": [1, 2] }]"#, "steps[0].camera", &["an array of 2", "7 numbers"]),
     (r#", "solver": { "threads": 4 }"#, "solver", &["`threads`", "iterations"]),
 ];
 
@@ -153,14 +167,76 @@ fn another_format_or_version_is_refused_before_its_keys_are_looked_at() {
 fn what_is_not_json_is_refused_with_line_and_column() {
     let error = refused("{\n  \"format\": shape,\n}");
     assert!(error.message.contains("line 2, column 13"), "{error}");
+    for (text, words) in [
+        ("{\n \"a\": tru }", "line 2, column 10: not JSON: expected a value"),
+        ("{ \"a\": 1,\n}", "line 2, column 1: not JSON: trailing comma"),
+        ("{ \"a\": [1", "not JSON: the text ends within a list"),
+        ("{ \"a\": \"x", "not JSON: the text ends within a string"),
+        ("{ \"a\": \"\\x\" }", "not JSON: invalid escape"),
+        ("{ \"a\": 01 }", "not JSON: invalid number"),
+        ("{ a: 1 }", "line 1, column 3: not JSON: key must be a string"),
+        ("{} {}", "line 1, column 4: not JSON: trailing characters"),
+    ] {
+        let error = refused(text);
+        assert!(error.path.is_empty() && error.message.contains(words), "{text}: {error}");
+    }
     assert!(refused("").message.contains("empty"));
     assert!(refused(" \n").message.contains("empty"));
     let error = refused(&file_with(r#", "title": "a", "title": "b""#));
     assert!(error.message.contains("`title` occurs twice"), "{error}");
     let error = refused(&file_with(r#", "weights": { "shape": 1e999 }"#));
     assert!(error.message.contains("line 1") && error.message.contains("number"), "{error}");
-    let deep = "[".repeat(5000);
-    assert!(refused(&deep).message.contains("recursion"));
+}
+
+#[test]
+fn a_deep_document_is_refused_and_takes_no_more_stack_than_another() {
+    let deep = "[".repeat(100_000);
+    assert!(refused(&deep).message.contains("expected a scene"));
+    assert!(refused(&file_with(&format!(r#", "title": {deep}"#))).message.contains("line 1"));
+    let closed = format!("{deep}{}", "]".repeat(100_000));
+    let error = refused(&file_with(&format!(r#", "title": {closed}"#)));
+    assert!(error.path == "title" && error.message.contains("a string"), "{error}");
+    // Only parameters of constraints are read before it is known what they should be.
+    let entry =
+        format!(r#", "constraints": [{{ "kind": "plane", "on": "faces", "normal": {closed} }}]"#);
+    assert!(refused(&file_with(&entry)).message.contains("recursion"));
+}
+
+#[test]
+fn a_repeated_key_is_refused_with_its_place() {
+    for (rest, path, key) in [
+        (r#", "title": "a", "title": "b""#, "", "title"),
+        (r#", "weights": { "shape": 1, "shape": 1 }"#, "weights", "shape"),
+        (r#", "sets": { "a": { "faces": [0] }, "a": { "faces": [1] } }"#, "sets", "a"),
+        (
+            r#", "constraints": [{ "kind": "plane", "on": "faces", "kind": "line" }]"#,
+            "constraints[0]",
+            "kind",
+        ),
+        (
+            r#", "constraints": [{ "kind": "plane", "on": "faces", "normal": [0, 0, 1], "normal": [0, 0, 1] }]"#,
+            "constraints[0]",
+            "normal",
+        ),
+        (
+            r#", "constraints": [{ "kind": "plane", "on": { "set": "a", "set": "a" } }]"#,
+            "constraints[0].on",
+            "set",
+        ),
+    ] {
+        let error = refused(&file_with(rest));
+        assert_eq!(
+            (&*error.path, &*error.message),
+            (path, &*format!("the key `{key}` occurs twice"))
+        );
+    }
+    let groups =
+        r#", "faces": [[0,1,2]], "groups": { "a": { "faces": [0] }, "a": { "faces": [] } }"#;
+    let error = refused(&inline(groups));
+    assert_eq!((&*error.path, &*error.message), ("mesh.groups", "the key `a` occurs twice"));
+    let error =
+        refused(r#"{ "format": "shape-up-scene", "format": "shape-up-scene", "version": 1 }"#);
+    assert_eq!((&*error.path, &*error.message), ("", "the key `format` occurs twice"));
 }
 
 #[test]

@@ -3,7 +3,6 @@
 use crate::scene::asked::constraint;
 use proptest::prelude::*;
 use shape_up::constraint::{Element, KINDS, Selector, Set};
-use shape_up::fabricate::{BuildSettings, CheckLimits, Dxf, OffsetKind};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight,
@@ -11,6 +10,7 @@ use shape_up::scene::{
     MeshSource, NamedEnum, Pose, Require, Scene, Slide, Smoothness, SmoothnessOf, SolverSettings,
     Up, Variant, Variants, Weighting, Weights,
 };
+use shape_up::scene::{BuildSettings, CheckLimits, Dxf, OffsetKind};
 
 fn require() -> impl Strategy<Value = Require> {
     prop_oneof![Just(Require::Soft), Just(Require::Exact), (1e-9..1e9f64).prop_map(Require::Within)]

@@ -82,7 +82,7 @@ fn every_edit_is_read_with_its_fields() {
         (
             json!({ "type": "setBuild", "build": { "scale": 20 } }),
             Edit::SetBuild {
-                build: Box::new(shape_up::fabricate::BuildSettings {
+                build: Box::new(shape_up::scene::BuildSettings {
                     scale: 20.0,
                     ..Default::default()
                 }),

@@ -136,7 +136,11 @@ fn what_is_wrong_in_a_lesson_is_named_by_its_place() {
     };
     for (lesson, place, what) in [
         (r#"3"#, "lesson: ", "expected an object"),
-        (r#"{ "goals": [] }"#, "lesson: ", "`text` is missing"),
+        (
+            r#"{ "goals": [{ "measure": "planarity", "at_most": 1 }] }"#,
+            "lesson: ",
+            "`text` is missing",
+        ),
         (r#"{ "text": "" }"#, "lesson: ", "`goals` is missing"),
         (r#"{ "text": "", "goals": [] }"#, "lesson.goals: ", "at least one goal"),
         (r#"{ "text": "", "goals": [{}] }"#, "lesson.goals[0]: ", "has no quantity"),
@@ -165,7 +169,7 @@ fn what_is_wrong_in_a_lesson_is_named_by_its_place() {
             "lesson.goals[0].constraint: ",
             "on the constraint \"Panel\", expected one of \"Panels\", \"Plane\"",
         ),
-        (r#"{ "text": "", "goals": [], "locks": [] }"#, "lesson: ", "unknown key `locks`"),
+        (r#"{ "text": "", "locks": [], "goals": [] }"#, "lesson: ", "unknown key `locks`"),
     ] {
         let message = in_scene(rows, lesson, bumpy(5));
         assert!(message.starts_with(place) && message.contains(what), "{message}");

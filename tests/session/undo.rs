@@ -5,8 +5,8 @@ use crate::support::grid::grid;
 use proptest::prelude::*;
 use serde_json::{Map, json};
 use shape_up::constraint::Form;
-use shape_up::fabricate::BuildSettings;
 use shape_up::mesh::{KEPT_TURN, Mesh, Scheme};
+use shape_up::scene::BuildSettings;
 use shape_up::scene::{Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
 use shape_up::session::{Edit, SETTINGS, Session};
 

@@ -1,6 +1,7 @@
 //! The description of a plan, and its errors.
 
 use crate::begin::face_count::TooManyFaces;
+use crate::json::{fixed, objects, word};
 use serde::Deserialize;
 use std::fmt;
 
@@ -13,11 +14,13 @@ const MOST_POINTS: usize = 500;
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 pub struct Plan {
     /// The points of the outline, in either direction.
+    #[serde(deserialize_with = "objects")]
     pub outline: Vec<PlanPoint>,
     /// The points of each hole.
     #[serde(default)]
     pub holes: Vec<Vec<PlanPoint>>,
     /// How it is divided into panels.
+    #[serde(deserialize_with = "word")]
     pub layout: PlanLayout,
     /// The target length of a panel's side.
     pub size: f64,
@@ -27,7 +30,7 @@ pub struct Plan {
     /// The height of the highest vertex.
     pub height: f64,
     /// The part of the surface that stays on the ground.
-    #[serde(rename = "stands")]
+    #[serde(rename = "stands", deserialize_with = "word")]
     pub support: Support,
 }
 
@@ -37,6 +40,7 @@ pub struct Plan {
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 pub struct PlanPoint {
     /// Its coordinates.
+    #[serde(deserialize_with = "fixed")]
     pub at: [f64; 2],
     /// Curvature as an arc: its rise over half its chord, from -1 to 1 (half circles), positive
     /// outwards.
@@ -171,9 +175,7 @@ impl Plan {
     /// If the text is not JSON, or an entry is not valid in a plan.
     #[cfg(feature = "cli")]
     pub fn from_json(text: &str) -> Result<Plan, PlanError> {
-        use crate::json::{JsonError, parse, read_tree};
-        let at = |error: JsonError| PlanError::Entry { path: error.path, message: error.message };
-        read_tree(&parse(text).map_err(at)?).map_err(at)
+        crate::json::from_text(text).map_err(|error| entry(error.path, error.message))
     }
 }
 

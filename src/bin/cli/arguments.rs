@@ -3,9 +3,9 @@
 use super::meshes::edit::{self, Remesh};
 use super::meshes::new_mesh::{self, New};
 use super::words::{Word, Words};
-use shape_up::fabricate::{OffsetKind, Page, Pieces, Product};
 use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
 use shape_up::scene::{Accelerator, BoundaryCloseness, UNITS};
+use shape_up::scene::{OffsetKind, Page, Pieces, Product};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};

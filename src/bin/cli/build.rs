@@ -3,10 +3,11 @@
 use super::folder::MadeFolders;
 use super::{Failure, arguments, input, output};
 use shape_up::fabricate::{
-    Build, BuildFile, BuildReport, BuildSettings, CheckRow, FrameReport, LengthInMetres,
-    PRESENTATION, PaperReport, Product, ReportView,
+    Build, BuildFile, BuildReport, CheckRow, FrameReport, LengthInMetres, PRESENTATION,
+    PaperReport, ReportView,
 };
 use shape_up::mesh::Mesh;
+use shape_up::scene::{BuildSettings, Product};
 use shape_up::scene::{Scene, UNITS, Up};
 use std::path::{Path, PathBuf};
 

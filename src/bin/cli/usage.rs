@@ -2,9 +2,9 @@
 
 use shape_up::begin::NEW_KINDS;
 use shape_up::constraint::KINDS;
-use shape_up::fabricate::{OffsetKind, Page, Pieces, Product};
 use shape_up::mesh::{MESH_OPERATIONS, Scheme, Size};
 use shape_up::scene::{Accelerator, NamedEnum, UNITS};
+use shape_up::scene::{OffsetKind, Page, Pieces, Product};
 use shape_up::solve::{ConformalNorm, ConformalWeights};
 
 /// Returns the usage text.

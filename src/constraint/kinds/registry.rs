@@ -35,7 +35,7 @@ macro_rules! kinds {
             /// If the id is unknown, or a parameter is unknown, of the wrong type or out of range.
             pub fn new(id: &str, params: serde_json::Value) -> Result<Kind, KindError> {
                 $(if id == $module::$Kind::INFO.id {
-                    let kind = Kind::$Kind(crate::json::read(&params)?);
+                    let kind = Kind::$Kind(crate::json::from_value(params)?);
                     parameter::check_ranges($module::$Kind::INFO.params, &kind.params())?;
                     return Ok(kind);
                 })*

@@ -7,8 +7,8 @@
 
 use super::drawing::{Drawing, DrawnLine};
 use super::number::six;
-use crate::fabricate::settings::Dxf;
 use crate::fabricate::sheet::Role;
+use crate::scene::Dxf;
 
 /// Writes a sheet. With `layers` each role has its own layer; else all is on layer 0.
 pub fn dxf(drawing: &Drawing, version: Dxf, layers: bool) -> String {

@@ -26,11 +26,11 @@
 
 use super::check::{most_lean, within};
 use super::exact::{can_be_exact, exact_pass};
-use super::kind::OffsetKind;
 use super::newton::{InitialAxes, StopWhen, descend};
 use super::system::System;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
+use crate::scene::OffsetKind;
 
 /// Largest additional lean of the exact axes over the largest lean of the fit, in degrees.
 const MOST_LEAN: f64 = 30.0;

@@ -1,11 +1,11 @@
 //! Checks whether an offset can be built: how far beams and panels are from flat, distances from
 //! the requested one, axes from the normals, and at which distance an edge flips.
 
-use super::kind::OffsetKind;
 use super::system::across_edge;
 use crate::fabricate::panel::plane_distance;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
+use crate::scene::OffsetKind;
 
 /// The numbers of one beam.
 #[derive(Clone, Copy, Debug, Default)]

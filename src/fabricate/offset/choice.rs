@@ -2,7 +2,7 @@
 
 use super::axes::Axes;
 use super::check::OffsetCheck;
-use super::kind::OffsetKind;
+use crate::scene::OffsetKind;
 use serde::Serialize;
 
 /// The errors that one kind of offset would have, to choose between kinds.

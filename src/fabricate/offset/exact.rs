@@ -1,10 +1,10 @@
 //! The exact pass: the limit `mu -> 0` without a choice of `mu`, and whether it is worthwhile.
 
-use super::kind::OffsetKind;
 use super::newton::{InitialAxes, StopWhen, add_faces, descend, energy};
 use super::system::{System, identity_and_outer};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::{Vec3, symmetric_eigen};
+use crate::scene::OffsetKind;
 
 /// The weight of a proximal step.
 const PROXIMAL: f64 = 1e-6;

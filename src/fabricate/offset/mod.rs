@@ -8,7 +8,6 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `kind` | the elements that keep their distance: corners, panels or beams |
 //! | `system` | the sparse system of 3 by 3 blocks of one step |
 //! | `axes` | node axes: the exact ones, else the least-squares fit |
 //! | `newton` | the least-squares fit |
@@ -22,7 +21,6 @@ mod check;
 mod choice;
 mod closing;
 mod exact;
-mod kind;
 mod newton;
 mod system;
 
@@ -32,5 +30,4 @@ pub use check::{BeamCheck, NodeCheck, OffsetCheck, check};
 pub use choice::Choice;
 pub use closing::{Closing, closing};
 pub(super) use exact::can_be_exact;
-pub use kind::OffsetKind;
 pub(super) use system::across_edge;

@@ -1,9 +1,9 @@
 //! Newton's method for the least-squares axes.
 
-use super::kind::OffsetKind;
 use super::system::{System, across_edge, identity_and_outer, outer};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::Vec3;
+use crate::scene::OffsetKind;
 
 /// Largest number of steps; corners take about 5, edges 10, several times as many without second
 /// derivatives.

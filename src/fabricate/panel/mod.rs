@@ -21,7 +21,7 @@ mod triangles;
 pub use alike::panel_types;
 pub use flat::{FlatPanel, lay_flat};
 pub use inset::inset;
-pub use name::{Names, panel_names};
+pub use name::panel_names;
 pub(super) use plane::plane_distance;
 pub(super) use polygon::smallest_box_within;
 pub(super) use polygon::{direction_of, distance_to_outline, sides};

@@ -5,19 +5,7 @@
 
 use crate::fabricate::surface::PanelSurface;
 use crate::math::{argsort, key_of_pair};
-use serde::{Deserialize, Serialize};
-
-/// How panels are named.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub enum Names {
-    /// By the index of the face.
-    #[default]
-    Index,
-    /// By row and column if the mesh is one grid of quads; else by the index.
-    Rows,
-}
+use crate::scene::Names;
 
 /// The names of all panels.
 pub fn panel_names(surface: &PanelSurface, names: Names) -> Vec<String> {

@@ -31,5 +31,4 @@ pub use facet::{Facet, Joint};
 pub use model::{JointKind, PaperModel, PaperSize};
 pub use motion::Motion;
 pub use net::{OutlineSide, PaperNet};
-pub use strip::Pieces;
 pub use tab::Tab;

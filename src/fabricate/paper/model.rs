@@ -2,12 +2,13 @@
 
 use super::facet::{Facet, facets};
 use super::net::PaperNet;
-use super::strip::{Foldable, Pieces, foldable};
+use super::strip::{Foldable, foldable};
 use super::tab::{Tab, tab};
 use crate::fabricate::panel::FlatPanel;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::plane::Point2;
 use crate::math::sort_by_number;
+use crate::scene::Pieces;
 use std::collections::BTreeMap;
 
 /// Sizes in mm.

@@ -3,35 +3,7 @@
 use super::facet::Joint;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::{key_of_number, sort_by_number};
-use serde::{Deserialize, Serialize};
-
-/// The kind of pieces of a paper model.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub enum Pieces {
-    /// Nets: the flattest edges are folded first.
-    #[default]
-    Nets,
-    /// Strips of quads, in the direction through the first side of the first face.
-    Strips,
-    /// Strips of quads, in the other direction.
-    Across,
-}
-
-impl Pieces {
-    /// All kinds.
-    pub const ALL: [Pieces; 3] = [Pieces::Nets, Pieces::Strips, Pieces::Across];
-
-    /// Its identifier in files and on the command line.
-    pub fn id(self) -> &'static str {
-        match self {
-            Pieces::Nets => "nets",
-            Pieces::Strips => "strips",
-            Pieces::Across => "across",
-        }
-    }
-}
+use crate::scene::Pieces;
 
 /// The joints that may be folded.
 pub(super) struct Foldable {

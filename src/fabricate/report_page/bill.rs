@@ -3,8 +3,8 @@
 use super::words::{area, count, length, short};
 use crate::fabricate::build::Build;
 use crate::fabricate::report::BuildReport;
-use crate::fabricate::settings::Product;
 use crate::math::plane::Point2;
+use crate::scene::Product;
 
 /// A line of the bill: item and quantity.
 pub(super) type Line = (&'static str, String);

@@ -7,8 +7,8 @@ use super::words::{count, length, sentence, short, with_unit};
 use crate::fabricate::build::Build;
 use crate::fabricate::check_card::CheckRow;
 use crate::fabricate::file::escaped;
-use crate::fabricate::offset::OffsetKind;
 use crate::fabricate::report::BuildReport;
+use crate::scene::OffsetKind;
 
 /// The look. The policy of the page that shows the document allows exactly this text.
 const STYLE: &str = include_str!("page.css");

@@ -1,10 +1,11 @@
 //! Layout of parts on sheets: the smallest of several arrangements in rows.
 
 use super::part::CutPart;
-use super::place::{Order, Place, SheetSize};
+use super::place::{Place, SheetSize};
 use super::shelf::{Resting, Shelves, resting};
 use crate::math::plane::rotated;
 use crate::math::{key_of_number, sort_by_number};
+use crate::scene::Order;
 
 /// A sheet with parts.
 #[derive(Clone, Debug, Default)]

@@ -29,6 +29,6 @@ pub use label::{Inscription, Labels, label};
 pub use layout::{Layout, Sheet, lay_out};
 pub use lettering::{strokes, text_width};
 pub use part::{CutPart, Hole, NamePlace, Role};
-pub use place::{Order, Place, SheetSize};
-pub(super) use tiles::{FREE, OVERLAP, Tile, page_count, tiles};
+pub use place::{Place, SheetSize};
+pub(super) use tiles::{FREE, OVERLAP, Tile, tiles};
 pub use waste::Waste;

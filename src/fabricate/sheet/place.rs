@@ -1,19 +1,6 @@
 //! Position of a part on its sheet, and order of parts.
 
 use crate::math::plane::{Point2, rotated};
-use serde::{Deserialize, Serialize};
-
-/// The order in which parts are laid out.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub enum Order {
-    /// Highest first: needs fewest sheets.
-    #[default]
-    Size,
-    /// By name: neighbours stay together.
-    Names,
-}
 
 /// A sheet of material, in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,9 +3,10 @@
 
 use super::clearance::min_shift;
 use super::part::CutPart;
-use super::place::{Order, Place};
+use super::place::Place;
 use crate::fabricate::panel::{hull, sides, smallest_box_within};
 use crate::math::plane::{Point2, area, bounds, rotated};
+use crate::scene::Order;
 
 /// Step of the heights of shelves, in mm.
 const STEP: f64 = 0.01;

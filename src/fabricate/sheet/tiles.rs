@@ -1,9 +1,11 @@
 //! Sheets larger than a page of paper, tiled: pages overlap by 10 mm and have a frame to cut along.
 
+use crate::scene::{Page, page_counts};
+
 /// The unprintable margin of a page, in mm.
-pub(in crate::fabricate) const FREE: f64 = 5.0;
+pub(in crate::fabricate) const FREE: f64 = Page::FREE;
 /// Overlap of neighbouring pages, in mm.
-pub(in crate::fabricate) const OVERLAP: f64 = 10.0;
+pub(in crate::fabricate) const OVERLAP: f64 = Page::OVERLAP;
 
 /// A page with a part of a sheet.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,23 +16,6 @@ pub(in crate::fabricate) struct Tile {
     pub(in crate::fabricate) origin: [f64; 2],
     /// Its column and row, and how many there are; none if the page shows the whole sheet.
     pub(in crate::fabricate) place: Option<[[u32; 2]; 2]>,
-}
-
-/// The number of pages of a sheet along its width and its height.
-fn counts(sheet: [f64; 2], page: [f64; 2]) -> [u32; 2] {
-    [0, 1].map(|k| {
-        let used = page[k] - 2.0 * FREE;
-        let more = (sheet[k] - used) / (used - OVERLAP);
-        if more > 0.0 { (more.ceil() as u32).saturating_add(1) } else { 1 }
-    })
-}
-
-/// The least number of pages that [`tiles`] can have.
-pub(in crate::fabricate) fn page_count(sheet: [f64; 2], page: Option<[f64; 2]>) -> u64 {
-    let Some([short, long]) = page else { return 1 };
-    let both = [[short, long], [long, short]];
-    let counts: [u64; 2] = both.map(|page| counts(sheet, page).map(u64::from).iter().product());
-    counts[0].min(counts[1])
 }
 
 /// The pages of a sheet, portrait or landscape, whichever needs fewer; column by column from the
@@ -44,9 +29,9 @@ pub(in crate::fabricate) fn tiles(sheet: [f64; 2], page: Option<[f64; 2]>) -> Ve
     if let Some(page) = both.into_iter().find(holds) {
         return whole(page);
     }
-    let pages = |page: [f64; 2]| counts(sheet, page).map(u64::from).iter().product::<u64>();
+    let pages = |page: [f64; 2]| page_counts(sheet, page).map(u64::from).iter().product::<u64>();
     let page = if pages(both[0]) <= pages(both[1]) { both[0] } else { both[1] };
-    let counts = counts(sheet, page);
+    let counts = page_counts(sheet, page);
     let mut all = Vec::new();
     for column in 0..counts[0] {
         for row in 0..counts[1] {

@@ -15,7 +15,7 @@ mod shape;
 
 use super::build::Build;
 use super::file::{Cell, Table};
-use super::settings::Product;
+use crate::scene::Product;
 
 /// The names of the files of all tables of all products.
 pub(super) const NAMES: [&str; 11] = [

@@ -1,111 +1,103 @@
 //! "closeness": the target of the closeness energy. Another surface is written like the mesh of the
 //! scene.
 
-use super::text::{field, number, object, text};
-use super::{mesh as inline_mesh, selector};
-use crate::json::{found, present, read};
+use super::mesh;
+use crate::json::{Either, object, object_or_none, objects, word_or};
 use crate::scene::{
-    BoundaryCloseness, BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight, MeshSource,
-    NamedEnum, Target,
+    BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, MeshSource, NamedEnum, Target,
 };
-use serde::de::{Deserialize, Deserializer, Error};
-use serde_json::Value;
+use serde::de::{Deserialize, Deserializer, Error, Unexpected};
+use serde::ser::{Serialize, Serializer};
 use std::rc::Rc;
 
-#[derive(serde::Deserialize)]
+#[derive(serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ClosenessFile {
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "To::is_default")]
     to: To,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "objects", skip_serializing_if = "Vec::is_empty")]
     weights: Vec<ClosenessWeight>,
-    #[serde(default, deserialize_with = "present")]
+    #[serde(default, deserialize_with = "object_or_none", skip_serializing_if = "Option::is_none")]
     boundary: Option<BoundaryCloseness>,
-}
-
-#[derive(Default)]
-struct To(ClosenessTo, Option<Target>);
-
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct TargetFile {
-    #[serde(deserialize_with = "mesh_or_path")]
-    mesh: MeshSource,
-}
-
-/// Reads a mesh as in "mesh" of the scene, or only the path of its file.
-fn mesh_or_path<'de, D: Deserializer<'de>>(from: D) -> Result<MeshSource, D::Error> {
-    match Value::deserialize(from)? {
-        Value::String(path) => Ok(MeshSource::File(path)),
-        mesh @ Value::Object(_) => read(&mesh).map_err(D::Error::custom),
-        other => Err(D::Error::custom(found(&other, "the path of a mesh file, or a mesh"))),
-    }
 }
 
 impl<'de> Deserialize<'de> for Closeness {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Closeness, D::Error> {
-        let ClosenessFile { to: To(to, target), weights, boundary } =
-            ClosenessFile::deserialize(from)?;
+        let ClosenessFile { to, weights, boundary } = object(from)?;
+        let (to, target) = match to {
+            To::Word(to) => (to, None),
+            To::Surface(target) => (ClosenessTo::Target, Some(target)),
+        };
         Ok(Closeness { to, target, weights, boundary })
     }
 }
 
-impl<'de> Deserialize<'de> for To {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<To, D::Error> {
-        match Value::deserialize(from)? {
-            Value::Object(entries) => read(&Value::Object(entries)).map(|TargetFile { mesh }| {
-                let target = match mesh {
-                    MeshSource::File(path) => Target::File(path),
-                    MeshSource::Inline(mesh) => Target::Mesh(Rc::from(mesh)),
-                };
-                To(ClosenessTo::Target, Some(target))
-            }),
-            other => {
-                let word = other.as_str().and_then(ClosenessTo::of_word);
-                let word = word.filter(|word| *word != ClosenessTo::Target);
-                let expected = "\"surface\" or \"rest\" or \"none\" or { \"mesh\": ... }";
-                word.map(|to| To(to, None)).ok_or_else(|| found(&other, expected))
-            }
-        }
-        .map_err(D::Error::custom)
+impl Serialize for Closeness {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let Closeness { to: word, target, weights, boundary } = self.clone();
+        let own = match (word, target) {
+            (ClosenessTo::Target, Some(target)) => To::Surface(target),
+            (word, _) => To::Word(word),
+        };
+        ClosenessFile { to: own, weights, boundary }.serialize(to)
     }
 }
 
-pub(super) fn write(closeness: &Closeness) -> Vec<String> {
-    let mut fields = Vec::new();
-    match &closeness.target {
-        Some(target) if closeness.to == ClosenessTo::Target => {
-            let mesh = match target {
-                Target::File(path) => object(vec![field("file", text(path))]),
-                Target::Mesh(mesh) => inline_mesh::write(mesh, "    "),
-            };
-            fields.push(field("to", object(vec![field("mesh", mesh)])));
-        }
-        _ if closeness.to != ClosenessTo::default() => {
-            fields.push(field("to", text(closeness.to.word())));
-        }
-        _ => {}
+/// A word, or another surface, which is written like the mesh of the scene.
+enum To {
+    Word(ClosenessTo),
+    Surface(Target),
+}
+
+impl Default for To {
+    fn default() -> To {
+        To::Word(ClosenessTo::default())
     }
-    if !closeness.weights.is_empty() {
-        let entry = |entry: &ClosenessWeight| {
-            object(vec![
-                field("on", selector::write(&entry.on)),
-                field("weight", number(entry.weight)),
-            ])
-        };
-        let entries: Vec<_> = closeness.weights.iter().map(entry).collect();
-        fields.push(field("weights", format!("[{}]", entries.join(", "))));
+}
+
+impl To {
+    fn is_default(&self) -> bool {
+        matches!(self, To::Word(to) if *to == ClosenessTo::default())
     }
-    if let Some(boundary) = closeness.boundary {
-        // Written even at the default, since it defines the corners.
-        let mut entries = vec![field("corners", number(boundary.corners))];
-        if boundary.require != BoundaryRequire::default() {
-            entries.push(field("require", text(boundary.require.word())));
+}
+
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TargetFile {
+    #[serde(deserialize_with = "mesh::mesh_or_path")]
+    mesh: MeshSource,
+}
+
+impl<'de> Deserialize<'de> for To {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<To, D::Error> {
+        const FORMS: &str = "\"surface\" or \"rest\" or \"none\" or { \"mesh\": ... }";
+        match word_or(from, FORMS)? {
+            Either::Object(TargetFile { mesh }) => Ok(To::Surface(match mesh {
+                MeshSource::File(path) => Target::File(path),
+                MeshSource::Inline(mesh) => Target::Mesh(Rc::from(mesh)),
+            })),
+            Either::Word(word) => ClosenessTo::of_word(&word)
+                .filter(|to| *to != ClosenessTo::Target)
+                .map(To::Word)
+                .ok_or_else(|| D::Error::invalid_value(Unexpected::Str(&word), &FORMS)),
         }
-        if boundary.weight != 1.0 {
-            entries.push(field("weight", number(boundary.weight)));
-        }
-        fields.push(field("boundary", object(entries)));
     }
-    fields
+}
+
+impl Serialize for To {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match self {
+            To::Word(word) => word.serialize(to),
+            To::Surface(target) => to.collect_map([("mesh", target)]),
+        }
+    }
+}
+
+impl Serialize for Target {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Target::File(path) => to.collect_map([("file", path)]),
+            Target::Mesh(own) => mesh::write(own, to),
+        }
+    }
 }

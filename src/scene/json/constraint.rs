@@ -1,14 +1,17 @@
-//! One entry of the list of constraints: kind, selector, weight, and parameters of the kind.
+//! The entries of the lists of constraints and of handles.
 
-use super::file::from_json;
-use super::selector;
-use super::text::{field, number, object, text};
 use crate::constraint::{KINDS, Kind, KindError, Selector};
-use crate::json::{JsonError, found, indices, read};
-use crate::scene::{ConstraintSpec, EasedFaces, SceneError};
+use crate::json::{
+    Apart, Either, JsonError, from_text, indices, object, object_or_none, points, present, word_or,
+};
+use crate::mesh::Point;
+use crate::scene::{ConstraintSpec, EasedFaces, HANDLE_WEIGHT, HandleSpec, Hold, SceneError};
 use crate::solve::Require;
-use serde::de::{Deserialize, Deserializer, Error};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, Unexpected, Visitor};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Map, Value};
+use std::fmt;
 
 impl ConstraintSpec {
     /// Reads one entry of a scene's list of constraints.
@@ -16,17 +19,7 @@ impl ConstraintSpec {
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
     pub fn from_json(json: &str) -> Result<ConstraintSpec, SceneError> {
-        from_json(json)
-    }
-}
-
-impl<'de> Deserialize<'de> for ConstraintSpec {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<ConstraintSpec, D::Error> {
-        match Value::deserialize(from)? {
-            Value::Object(entries) => spec_of(entries),
-            other => Err(found(&other, "a constraint: an object with \"kind\" and \"on\"")),
-        }
-        .map_err(D::Error::custom)
+        Ok(from_text(json)?)
     }
 }
 
@@ -45,6 +38,7 @@ struct Common {
     name: String,
     #[serde(default)]
     require: Require,
+    #[serde(default, deserialize_with = "object_or_none")]
     eased: Option<EasedFaces>,
 }
 
@@ -56,23 +50,42 @@ fn yes() -> bool {
     true
 }
 
-fn spec_of(entries: Map<String, Value>) -> Result<ConstraintSpec, JsonError> {
-    let (mut common, mut params) = (Map::new(), Map::new());
-    for (key, value) in entries {
-        let part = if KEYS.contains(&&*key) { &mut common } else { &mut params };
-        part.insert(key, value);
+impl<'de> Deserialize<'de> for ConstraintSpec {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<ConstraintSpec, D::Error> {
+        from.deserialize_map(SpecVisitor)
     }
-    let Common { kind: id, on, weight, enabled, name, require, eased } =
-        read(&Value::Object(common))?;
+}
+
+struct SpecVisitor;
+
+impl<'de> Visitor<'de> for SpecVisitor {
+    type Value = ConstraintSpec;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a constraint: an object with \"kind\" and \"on\"")
+    }
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<ConstraintSpec, A::Error> {
+        let mut params = Map::new();
+        let is_apart = |key: &str| !KEYS.contains(&key);
+        let common = MapAccessDeserializer::new(Apart { map, is_apart, apart: &mut params });
+        let Common { kind: id, on, weight, enabled, name, require, eased } =
+            Common::deserialize(common)?;
+        let kind = kind_of(&id, params).map_err(A::Error::custom)?;
+        Ok(ConstraintSpec { kind, on, weight, enabled, name, require, eased })
+    }
+}
+
+/// Returns the kind named `id` with these parameters; paths of errors are within the entry.
+pub(crate) fn kind_of(id: &str, params: Map<String, Value>) -> Result<Kind, JsonError> {
     let given: Vec<_> = params.keys().cloned().collect();
-    let kind = Kind::new(&id, Value::Object(params)).map_err(|error| match error {
+    Kind::new(id, Value::Object(params)).map_err(|error| match error {
         KindError::Unknown => {
             let ids: Vec<_> = KINDS.iter().map(|info| info.id).collect();
             let message = format!("unknown kind {id:?}, expected one of {}", ids.join(", "));
             JsonError::new("kind", message)
         }
         KindError::Params { path, message } => {
-            let known = parameter_keys(&id);
+            let known = parameter_keys(id);
             match given.iter().find(|key| !known.contains(key)) {
                 Some(key) => {
                     let own = known.iter().map(|key| &**key);
@@ -81,29 +94,7 @@ fn spec_of(entries: Map<String, Value>) -> Result<ConstraintSpec, JsonError> {
                 None => JsonError { path, message },
             }
         }
-    })?;
-    Ok(ConstraintSpec { kind, on, weight, enabled, name, require, eased })
-}
-
-/// The `require` of a constraint with a tolerance.
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Within {
-    within: f64,
-}
-
-impl<'de> Deserialize<'de> for Require {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Require, D::Error> {
-        match Value::deserialize(from)? {
-            Value::String(word) if word == "soft" => Ok(Require::Soft),
-            Value::String(word) if word == "exact" => Ok(Require::Exact),
-            Value::Object(entries) => {
-                read(&Value::Object(entries)).map(|Within { within }| Require::Within(within))
-            }
-            other => Err(found(&other, "\"soft\", \"exact\" or { \"within\": LENGTH }")),
-        }
-        .map_err(D::Error::custom)
-    }
+    })
 }
 
 fn parameter_keys(id: &str) -> Vec<String> {
@@ -119,43 +110,124 @@ fn parameter_keys(id: &str) -> Vec<String> {
 
 /// Returns the default parameters of a kind; empty if some have no default.
 fn default_params(id: &str) -> Map<String, Value> {
-    match Kind::new(id, serde_json::json!({})).map(|kind| kind.params()) {
+    match Kind::new(id, Value::Object(Map::new())).map(|kind| kind.params()) {
         Ok(Value::Object(params)) => params,
         _ => Map::new(),
     }
 }
 
-/// Returns the constraint as one line of the list.
-pub(super) fn write(spec: &ConstraintSpec) -> String {
-    let id = spec.kind.info().id;
-    let mut fields = vec![field("kind", text(id)), field("on", selector::write(&spec.on))];
-    if spec.weight != 1.0 {
-        fields.push(field("weight", number(spec.weight)));
+impl Serialize for ConstraintSpec {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let id = self.kind.info().id;
+        let mut map = to.serialize_map(None)?;
+        map.serialize_entry("kind", id)?;
+        map.serialize_entry("on", &self.on)?;
+        if self.weight != 1.0 {
+            map.serialize_entry("weight", &self.weight)?;
+        }
+        if !self.enabled {
+            map.serialize_entry("enabled", &false)?;
+        }
+        if !self.name.is_empty() {
+            map.serialize_entry("name", &self.name)?;
+        }
+        if self.require != Require::Soft {
+            map.serialize_entry("require", &self.require)?;
+        }
+        if let Some(eased) = &self.eased {
+            map.serialize_entry("eased", eased)?;
+        }
+        let defaults = default_params(id);
+        let params = self.kind.params();
+        let params = params.as_object().into_iter().flatten();
+        for (key, value) in params.filter(|(key, value)| defaults.get(*key) != Some(value)) {
+            map.serialize_entry(key, value)?;
+        }
+        map.end()
     }
-    if !spec.enabled {
-        fields.push(field("enabled", "false".to_owned()));
-    }
-    if !spec.name.is_empty() {
-        fields.push(field("name", text(&spec.name)));
-    }
-    match spec.require {
-        Require::Soft => {}
-        Require::Exact => fields.push(field("require", text("exact"))),
-        Require::Within(length) => {
-            fields.push(field("require", object(vec![field("within", number(length))])));
+}
+
+/// The `require` of a constraint with a tolerance.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Within {
+    within: f64,
+}
+
+impl<'de> Deserialize<'de> for Require {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Require, D::Error> {
+        const FORMS: &str = "\"soft\", \"exact\" or { \"within\": LENGTH }";
+        match word_or(from, FORMS)? {
+            Either::Object(Within { within }) => Ok(Require::Within(within)),
+            Either::Word(word) => match &*word {
+                "soft" => Ok(Require::Soft),
+                "exact" => Ok(Require::Exact),
+                _ => Err(D::Error::invalid_value(Unexpected::Str(&word), &FORMS)),
+            },
         }
     }
-    if let Some(EasedFaces { within, faces }) = &spec.eased {
-        let eased = vec![field("within", number(*within)), field("faces", indices::write(faces))];
-        fields.push(field("eased", object(eased)));
-    }
-    let defaults = default_params(id);
-    if let Value::Object(params) = spec.kind.params() {
-        for (key, value) in params {
-            if defaults.get(&key) != Some(&value) {
-                fields.push(field(&key, value.to_string()));
-            }
+}
+
+impl Serialize for Require {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Require::Soft => to.serialize_str("soft"),
+            Require::Exact => to.serialize_str("exact"),
+            Require::Within(length) => to.collect_map([("within", length)]),
         }
     }
-    object(fields)
+}
+
+#[derive(serde::Deserialize, serde::Serialize)]
+#[serde(deny_unknown_fields)]
+struct HandleFile {
+    #[serde(with = "indices")]
+    vertices: Vec<u32>,
+    #[serde(default, deserialize_with = "points", skip_serializing_if = "Option::is_none")]
+    targets: Option<Vec<Point>>,
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    weight: Option<f64>,
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    fixed: bool,
+}
+
+impl<'de> Deserialize<'de> for HandleSpec {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<HandleSpec, D::Error> {
+        handle_of(object(from)?).map_err(D::Error::custom)
+    }
+}
+
+fn handle_of(file: HandleFile) -> Result<HandleSpec, JsonError> {
+    let HandleFile { vertices, targets, weight, fixed } = file;
+    let error = |path, message: &str| Err(JsonError::new(path, message));
+    if vertices.is_empty() {
+        return error("vertices", "the list is empty, expected at least one vertex");
+    }
+    if let Some(targets) = &targets
+        && targets.len() != vertices.len()
+    {
+        let (found, expected) = (targets.len(), vertices.len());
+        let message =
+            format!("found {found} targets, expected one for each of the {expected} vertices");
+        return error("targets", &message);
+    }
+    let hold = match weight {
+        Some(_) if fixed => {
+            return error("weight", "a fixed handle is met exactly and takes no weight");
+        }
+        _ if fixed => Hold::Fixed,
+        weight => Hold::Soft { weight: weight.unwrap_or(HANDLE_WEIGHT) },
+    };
+    Ok(HandleSpec { vertices, targets, hold })
+}
+
+impl Serialize for HandleSpec {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let weight = match self.hold {
+            Hold::Soft { weight } if weight != HANDLE_WEIGHT => Some(weight),
+            Hold::Soft { .. } | Hold::Fixed => None,
+        };
+        let (vertices, targets) = (self.vertices.clone(), self.targets.clone());
+        HandleFile { vertices, targets, weight, fixed: self.hold == Hold::Fixed }.serialize(to)
+    }
 }

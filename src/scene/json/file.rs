@@ -1,9 +1,16 @@
-//! Files: checks of format and version before their content is read.
+//! Files: checks of format and version before their content is read, and writing.
 
+use super::layout::laid_out;
 use crate::constraint::Set;
-use crate::json::{JsonError, Tree, found, indices, parse, read_tree};
-use crate::scene::{Results, Scene, SceneError};
-use serde::de::DeserializeOwned;
+use crate::json::{Apart, JsonError, from_text, object, present};
+use crate::mesh::Mesh;
+use crate::scene::{MeshSource, Results, Scene, SceneError};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{DeserializeOwned, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+use serde_json::{Map, Value};
+use std::fmt;
+use std::marker::PhantomData;
 
 /// The value of `format` in scene files.
 pub const FORMAT: &str = "shape-up-scene";
@@ -11,7 +18,7 @@ pub const FORMAT: &str = "shape-up-scene";
 pub const VERSION: u32 = 1;
 
 /// The value of `format` in files of results.
-pub(super) const RESULTS: &str = "shape-up-results";
+const RESULTS: &str = "shape-up-results";
 
 impl Scene {
     /// Reads a scene file.
@@ -20,7 +27,7 @@ impl Scene {
     /// If the text is not JSON (with line and column), or not a scene of version 1 (with the JSON
     /// path, the value found and the value expected).
     pub fn from_json(text: &str) -> Result<Scene, SceneError> {
-        let scene: Scene = read_file(text, "a scene: an object", FORMAT)?;
+        let scene: Scene = read_file(text, "a scene", FORMAT)?;
         let is_empty = |set: &Set| set.vertices.is_empty() && set.faces.is_empty();
         if let Some((name, _)) = scene.sets.iter().find(|(_, set)| is_empty(set)) {
             let error = JsonError::new("", "the set is empty, expected \"vertices\" or \"faces\"");
@@ -28,6 +35,17 @@ impl Scene {
         }
         scene.check_numbers()?;
         Ok(scene)
+    }
+
+    /// Returns the scene as the text of a file; `mesh` is written inline if [`Scene::mesh`] is
+    /// inline. Default values are left out. The same scene always gives the same text, and numbers
+    /// read back to the same bits.
+    pub fn to_json(&self, mesh: &Mesh) -> String {
+        let mesh = match &self.mesh {
+            MeshSource::File(path) => MeshSource::File(path.clone()),
+            MeshSource::Inline(_) => MeshSource::Inline(Box::new(mesh.clone())),
+        };
+        write_file(FORMAT, &Scene { mesh, ..self.clone() })
     }
 }
 
@@ -37,49 +55,105 @@ impl Results {
     /// # Errors
     /// As [`Scene::from_json`].
     pub fn from_json(text: &str) -> Result<Results, SceneError> {
-        Ok(read_file(text, "results: an object", RESULTS)?)
+        Ok(read_file(text, "results", RESULTS)?)
+    }
+
+    /// Writes the file that [`Results::from_json`] reads.
+    pub fn to_json(&self) -> String {
+        write_file(RESULTS, self)
     }
 }
 
-/// Reads a value on its own, such as one constraint.
-pub(super) fn from_json<T: DeserializeOwned>(text: &str) -> Result<T, SceneError> {
-    indices::begin();
-    Ok(read_tree(&parse(text)?)?)
+#[derive(Serialize)]
+struct Written<'a, T> {
+    format: &'static str,
+    version: u32,
+    #[serde(flatten)]
+    content: &'a T,
 }
 
-/// Reads a file of this `format`; `what` describes it in errors. A later version is refused before
-/// its keys are read, since some may be unknown.
+fn write_file<T: Serialize>(format: &'static str, content: &T) -> String {
+    laid_out(&Written { format, version: VERSION, content })
+}
+
+/// Reads a file of this `format`; `what` describes it in errors.
 fn read_file<T: DeserializeOwned>(text: &str, what: &str, format: &str) -> Result<T, JsonError> {
     if text.trim().is_empty() {
-        return Err(JsonError::new("", "the file is empty, expected a scene"));
+        return Err(JsonError::new("", format!("the file is empty, expected {what}")));
     }
-    let mut document = parse(text)?;
-    if !matches!(document, Tree::Object(_)) {
-        return Err(found(document, what));
-    }
-    let mut take = |key: &str, expected: &str| {
+    check_header(text, what, format)?;
+    from_text(text).map(|Content(content)| content)
+}
+
+/// The keys that [`check_header`] reads.
+const HEADER: [&str; 2] = ["format", "version"];
+
+#[derive(Deserialize)]
+struct Header {
+    #[serde(default, deserialize_with = "present")]
+    format: Option<Value>,
+    #[serde(default, deserialize_with = "present")]
+    version: Option<Value>,
+}
+
+/// Checks format and version wherever they are in the file: the keys of a later version may be
+/// unknown.
+fn check_header(text: &str, what: &str, format: &str) -> Result<(), JsonError> {
+    #[derive(Deserialize)]
+    struct File(#[serde(deserialize_with = "object")] Header);
+
+    let File(header) =
+        from_text(text).map_err(|error| match error.message.strip_suffix("an object") {
+            Some(found) if error.path.is_empty() => {
+                JsonError::new("", format!("{found}{what}: an object"))
+            }
+            _ => error,
+        })?;
+    let given = |value: Option<Value>, key: &str, expected: &str| {
         let missing = || JsonError::new("", format!("`{key}` is missing, expected {expected}"));
-        document.remove(key).ok_or_else(missing)
+        value.ok_or_else(missing)
     };
     let expected = format!("\"{format}\"");
-    let own = take("format", &format!("\"format\": {expected}"))?;
-    if own != Tree::Text(format.to_owned()) {
-        return Err(found(own, &expected).below_key("format"));
+    let own = given(header.format, "format", &format!("\"format\": {expected}"))?;
+    if own != format {
+        return Err(JsonError::found(&own, &expected).below_key("format"));
     }
-    let own = take("version", &VERSION.to_string())?;
-    if own != Tree::Number(VERSION.into()) {
-        let later = if let Tree::Number(own) = &own { own.as_u64() } else { None };
-        let error = match later.filter(|&later| later > VERSION.into()) {
-            Some(later) => JsonError::new(
-                "",
-                format!(
-                    "this is version {later} of {format}, this program reads version {VERSION}: open it with a newer version of Shape-Up"
-                ),
+    let own = given(header.version, "version", &VERSION.to_string())?;
+    if own == VERSION {
+        return Ok(());
+    }
+    let error = match own.as_u64().filter(|&later| later > VERSION.into()) {
+        Some(later) => JsonError::new(
+            "",
+            format!(
+                "this is version {later} of {format}, this program reads version {VERSION}: open it with a newer version of Shape-Up"
             ),
-            None => found(own, &VERSION.to_string()),
-        };
-        return Err(error.below_key("version"));
+        ),
+        None => JsonError::found(&own, &VERSION.to_string()),
+    };
+    Err(error.below_key("version"))
+}
+
+/// What a file holds beside its header.
+struct Content<T>(T);
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Content<T> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Content<T>, D::Error> {
+        from.deserialize_map(ContentVisitor(PhantomData))
     }
-    indices::begin();
-    read_tree(&document)
+}
+
+struct ContentVisitor<T>(PhantomData<T>);
+
+impl<'de, T: Deserialize<'de>> Visitor<'de> for ContentVisitor<T> {
+    type Value = Content<T>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object")
+    }
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Content<T>, A::Error> {
+        let apart = &mut Map::new();
+        let rest = Apart { map, is_apart: |key: &str| HEADER.contains(&key), apart };
+        T::deserialize(MapAccessDeserializer::new(rest)).map(Content)
+    }
 }

@@ -5,12 +5,13 @@
 //! name but different statements form an array. This way the groups of an OBJ file survive saving
 //! and loading a scene.
 
-use super::text::{field, object, point, rows, text};
-use crate::json::{JsonError, indices, present, read};
+use crate::json::indices::{self, Indices};
+use crate::json::{Either, Entries, JsonError, object, points, present, word_or};
 use crate::mesh::{Group, GroupKeyword, Mesh, Point, Ragged};
-use crate::scene::{MeshSource, NamedEnum, Pose};
-use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
-use serde_json::Value;
+use crate::scene::{MeshSource, Pose};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -19,16 +20,16 @@ use std::fmt;
 struct MeshFile {
     #[serde(default, deserialize_with = "present")]
     file: Option<String>,
-    #[serde(default, deserialize_with = "present")]
+    #[serde(default, deserialize_with = "points")]
     positions: Option<Vec<Point>>,
     #[serde(default, deserialize_with = "present")]
-    faces: Option<Vec<indices::Indices>>,
+    faces: Option<Vec<Indices>>,
     #[serde(default, deserialize_with = "present")]
-    curves: Option<Vec<indices::Indices>>,
+    curves: Option<Vec<Indices>>,
     #[serde(default, deserialize_with = "present")]
-    tets: Option<Vec<indices::Indices>>,
-    #[serde(default, deserialize_with = "groups")]
-    groups: Vec<(String, Value)>,
+    tets: Option<Vec<Indices>>,
+    #[serde(default)]
+    groups: Entries<SameName>,
 }
 
 #[derive(serde::Deserialize)]
@@ -42,29 +43,49 @@ struct GroupFile {
     keyword: Option<GroupKeyword>,
 }
 
-fn groups<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<(String, Value)>, D::Error> {
-    struct InOrder;
+/// The groups of one name.
+enum SameName {
+    One(GroupFile),
+    Several(Vec<GroupFile>),
+}
 
-    impl<'de> Visitor<'de> for InOrder {
-        type Value = Vec<(String, Value)>;
-
-        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            f.write_str("an object of named groups")
-        }
-        fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
-            let mut entries = Vec::new();
-            while let Some(entry) = map.next_entry()? {
-                entries.push(entry);
-            }
-            Ok(entries)
-        }
+impl<'de> Deserialize<'de> for SameName {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<SameName, D::Error> {
+        from.deserialize_any(GroupsVisitor)
     }
-    from.deserialize_map(InOrder)
+}
+
+struct GroupsVisitor;
+
+impl<'de> Visitor<'de> for GroupsVisitor {
+    type Value = SameName;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object, or an array of objects")
+    }
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<SameName, A::Error> {
+        GroupFile::deserialize(MapAccessDeserializer::new(map)).map(SameName::One)
+    }
+    fn visit_seq<A: SeqAccess<'de>>(self, mut array: A) -> Result<SameName, A::Error> {
+        let mut groups = Vec::new();
+        while let Some(group) = array.next_element()? {
+            groups.push(group);
+        }
+        Ok(SameName::Several(groups))
+    }
 }
 
 impl<'de> Deserialize<'de> for MeshSource {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<MeshSource, D::Error> {
-        source_of(MeshFile::deserialize(from)?).map_err(D::Error::custom)
+        source_of(object(from)?).map_err(D::Error::custom)
+    }
+}
+
+/// Reads a mesh as in "mesh" of the scene, or only the path of its file.
+pub(super) fn mesh_or_path<'de, D: Deserializer<'de>>(from: D) -> Result<MeshSource, D::Error> {
+    match word_or(from, "the path of a mesh file, or a mesh")? {
+        Either::Word(path) => Ok(MeshSource::File(path)),
+        Either::Object(mesh) => Ok(mesh),
     }
 }
 
@@ -79,7 +100,7 @@ impl<'de> Deserialize<'de> for Pose {
 }
 
 fn source_of(file: MeshFile) -> Result<MeshSource, JsonError> {
-    let MeshFile { file, positions, faces, curves, tets, groups } = file;
+    let MeshFile { file, positions, faces, curves, tets, groups: Entries(groups) } = file;
     if let Some(path) = file {
         let others = [
             ("positions", positions.is_some()),
@@ -97,7 +118,7 @@ fn source_of(file: MeshFile) -> Result<MeshSource, JsonError> {
         }
         return Ok(MeshSource::File(path));
     }
-    let positions = positions.ok_or_else(|| JsonError::missing_field("positions"))?;
+    let positions = positions.ok_or_else(|| JsonError::missing_key("positions"))?;
     let count = positions.len();
     if count == 0 {
         let message = "the mesh is empty, expected at least one vertex";
@@ -115,17 +136,19 @@ fn source_of(file: MeshFile) -> Result<MeshSource, JsonError> {
             JsonError::new(format!("tets[{i}]"), message + " of a tetrahedron")
         })?);
     }
-    for (name, value) in groups {
+    for (name, same) in groups {
         let at = |error: JsonError| error.below_key(&name).below_key("groups");
-        if let Value::Array(several) = &value {
-            for (k, value) in several.iter().enumerate() {
-                let group = group_of(&name, value, &mesh);
-                let group = group.map_err(|error| at(error.below_index(k)))?;
+        match same {
+            SameName::One(group) => {
+                let group = group_of(&name, group, &mesh).map_err(at)?;
                 mesh.groups.push(group);
             }
-        } else {
-            let group = group_of(&name, &value, &mesh).map_err(at)?;
-            mesh.groups.push(group);
+            SameName::Several(groups) => {
+                for (k, group) in groups.into_iter().enumerate() {
+                    let group = group_of(&name, group, &mesh);
+                    mesh.groups.push(group.map_err(|error| at(error.below_index(k)))?);
+                }
+            }
         }
     }
     Ok(MeshSource::Inline(Box::new(mesh)))
@@ -136,12 +159,12 @@ fn source_of(file: MeshFile) -> Result<MeshSource, JsonError> {
 /// face or tetrahedron may have one twice.
 fn ragged(
     key: &str,
-    lists: Option<Vec<indices::Indices>>,
+    lists: Option<Vec<Indices>>,
     least: usize,
     count: usize,
 ) -> Result<Ragged, JsonError> {
     let mut rows = Ragged::new();
-    for (i, indices::Indices(mut row)) in lists.unwrap_or_default().into_iter().enumerate() {
+    for (i, Indices(mut row)) in lists.unwrap_or_default().into_iter().enumerate() {
         let error = |message| Err(JsonError::new(format!("{key}[{i}]"), message));
         if row.len() < least {
             return error(format!("found {} vertices, expected at least {least}", row.len()));
@@ -176,8 +199,8 @@ fn ragged(
     Ok(rows)
 }
 
-fn group_of(name: &str, value: &Value, mesh: &Mesh) -> Result<Group, JsonError> {
-    let GroupFile { mut faces, mut curves, keyword } = read(value)?;
+fn group_of(name: &str, file: GroupFile, mesh: &Mesh) -> Result<Group, JsonError> {
+    let GroupFile { mut faces, mut curves, keyword } = file;
     for (key, what, list, count) in [
         ("faces", "face", &mut faces, mesh.faces.len()),
         ("curves", "curve", &mut curves, mesh.curves.len()),
@@ -193,58 +216,87 @@ fn group_of(name: &str, value: &Value, mesh: &Mesh) -> Result<Group, JsonError> 
     Ok(Group { name: name.to_owned(), keyword, faces, curves })
 }
 
-/// Returns the mesh as a JSON object with lines indented by `indent`.
-pub(super) fn write(mesh: &Mesh, indent: &str) -> String {
-    let row = |row: &[u32]| {
-        let items: Vec<_> = row.iter().map(u32::to_string).collect();
-        format!("[{}]", items.join(", "))
-    };
-    let mut fields = vec![("positions", rows(mesh.positions.iter().map(point), indent))];
-    if !mesh.faces.is_empty() {
-        fields.push(("faces", rows(mesh.faces.iter().map(row), indent)));
+impl Serialize for MeshSource {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match self {
+            MeshSource::File(path) => to.collect_map([("file", path)]),
+            MeshSource::Inline(mesh) => write(mesh, to),
+        }
     }
-    if !mesh.curves.is_empty() {
-        fields.push(("curves", rows(mesh.curves.iter().map(row), indent)));
+}
+
+impl Serialize for Pose {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Pose::File(path) => to.collect_map([("file", path)]),
+            Pose::Positions(positions) => to.collect_map([("positions", positions)]),
+        }
+    }
+}
+
+/// Writes an inline mesh.
+pub(super) fn write<S: Serializer>(mesh: &Mesh, to: S) -> Result<S::Ok, S::Error> {
+    let mut map = to.serialize_map(None)?;
+    map.serialize_entry("positions", &mesh.positions)?;
+    for (key, rows) in [("faces", &mesh.faces), ("curves", &mesh.curves)] {
+        if !rows.is_empty() {
+            map.serialize_entry(key, &Rows(rows))?;
+        }
     }
     if !mesh.tets.is_empty() {
-        fields.push(("tets", rows(mesh.tets.iter().map(|tet| row(tet)), indent)));
+        map.serialize_entry("tets", &mesh.tets)?;
     }
     if !mesh.groups.is_empty() {
-        fields.push(("groups", write_groups(&mesh.groups, indent)));
+        map.serialize_entry("groups", &Groups(&mesh.groups))?;
     }
-    let fields: Vec<_> =
-        fields.iter().map(|(key, value)| format!("{indent}  \"{key}\": {value}")).collect();
-    format!("{{\n{}\n{indent}}}", fields.join(",\n"))
+    map.end()
 }
 
-fn write_groups(groups: &[Group], indent: &str) -> String {
-    let mut places = BTreeMap::new();
-    let mut named: Vec<(&str, Vec<String>)> = Vec::new();
-    for group in groups {
-        let place = *places.entry(&*group.name).or_insert(named.len());
-        if place == named.len() {
-            named.push((&group.name, Vec::new()));
+struct Rows<'a>(&'a Ragged);
+
+impl Serialize for Rows<'_> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_seq(self.0.iter())
+    }
+}
+
+struct Groups<'a>(&'a [Group]);
+
+impl Serialize for Groups<'_> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let mut places = BTreeMap::new();
+        let mut named: Vec<(&str, Vec<WrittenGroup<'_>>)> = Vec::new();
+        for group in self.0 {
+            let place = *places.entry(&*group.name).or_insert(named.len());
+            if place == named.len() {
+                named.push((&group.name, Vec::new()));
+            }
+            named[place].1.push(WrittenGroup(group));
         }
-        named[place].1.push(write_group(group));
+        let mut map = to.serialize_map(None)?;
+        for (name, same) in named {
+            match &same[..] {
+                [one] => map.serialize_entry(name, one)?,
+                several => map.serialize_entry(name, several)?,
+            }
+        }
+        map.end()
     }
-    let line = |(name, same): &(&str, Vec<String>)| {
-        let value = match same.as_slice() {
-            [one] => one.clone(),
-            several => format!("[{}]", several.join(", ")),
-        };
-        format!("{indent}    {}: {value}", text(name))
-    };
-    let lines: Vec<String> = named.iter().map(line).collect();
-    format!("{{\n{}\n{indent}  }}", lines.join(",\n"))
 }
 
-fn write_group(group: &Group) -> String {
-    let mut fields = vec![field("faces", indices::write(&group.faces))];
-    if !group.curves.is_empty() {
-        fields.push(field("curves", indices::write(&group.curves)));
+struct WrittenGroup<'a>(&'a Group);
+
+impl Serialize for WrittenGroup<'_> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let Group { faces, curves, keyword, .. } = self.0;
+        let mut map = to.serialize_map(None)?;
+        map.serialize_entry("faces", &Indices(&faces[..]))?;
+        if !curves.is_empty() {
+            map.serialize_entry("curves", &Indices(&curves[..]))?;
+        }
+        if *keyword != GroupKeyword::Group {
+            map.serialize_entry("keyword", keyword)?;
+        }
+        map.end()
     }
-    if group.keyword != GroupKeyword::Group {
-        fields.push(field("keyword", text(group.keyword.word())));
-    }
-    object(fields)
 }

@@ -20,7 +20,7 @@
 //! | "smoothness" | `"of"`: `"surface"` or `"displacement"`; `"weighting"`: `"auto"`, `"uniform"`, `"cotangent"` (triangles) or `"polygon"` (any faces) |
 //! | "solver" | `iterations`, `tolerance`, `accelerator` (`"quasi-newton"`, `"anderson"`, `"none"`), `window`, `mean_centring`, `monotone`, `factorization` (`"auto"`, `"supernodal"`, `"sprs-ldl"`), `shortest_edge` (0 to 1, or null) |
 //! | "lesson" | a task, goals, and the parts of the scene that are locked |
-//! | "build" | settings of the parts to build: `kind`, `distance`, `follow`, `joint`, `scale`, `sheet`, ... ([`crate::fabricate::BuildSettings`]) |
+//! | "build" | settings of the parts to build: `kind`, `distance`, `follow`, `joint`, `scale`, `sheet`, ... ([`crate::scene::BuildSettings`]) |
 //! | "steps" | a presentation; each step has `title`, `text`, `notes` for the presenter, and what it shows: `camera`, `parallel`, `measure`, `original` (the rest shape) or `variant`, `weights`, `run` ([`crate::scene::Slide`]) |
 //! | "variants" | shapes that the user kept: `kept`, at most 12 of `{ "name", "positions" }`, and `design`, the index of the one that closeness and smoothness refer to instead of the rest shape |
 //!
@@ -42,23 +42,19 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `file` | checks of format and version |
+//! | `file` | checks of format and version, and writing |
+//! | `layout` | the layout of what is written |
 //! | `mesh` | an inline mesh |
-//! | `constraint`, `selector` | one entry of the list of constraints; the forms of `on` |
 //! | `closeness` | the target of the closeness energy |
-//! | `handle` | one entry of the list of handles |
-//! | `lesson` | the lesson of a scene, and the results that students hand in |
-//! | `write` | writing the scene |
-//! | `text` | formatting JSON |
+//! | `constraint` | an entry of the lists of constraints and handles |
+//! | `selector` | the forms of `on` |
 
 mod closeness;
 mod constraint;
 mod file;
-mod handle;
-mod lesson;
+mod layout;
 mod mesh;
 mod selector;
-mod text;
-mod write;
 
+pub(crate) use constraint::kind_of;
 pub use file::{FORMAT, VERSION};

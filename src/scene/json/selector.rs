@@ -1,14 +1,12 @@
 //! The forms of `on`, the selector of the vertices of a constraint.
 
-use super::file::from_json;
-use super::text::{field, object, text};
 use crate::constraint::{Element, Selector};
-use crate::json::{JsonError, found, indices, present, read};
+use crate::json::indices::{self, Indices};
+use crate::json::{Either, JsonError, Words, from_text, present, word_or};
 use crate::scene::SceneError;
 use crate::scene::error::forms_of_selectors;
-use crate::scene::words::read_word;
-use serde::de::{Deserialize, Deserializer, Error};
-use serde_json::Value;
+use serde::de::{Deserialize, Deserializer, Error, Unexpected};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// Returns the default, and least, radius of an element.
 fn default_radius(element: Element) -> u32 {
@@ -21,92 +19,117 @@ impl Selector {
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
     pub fn from_json(json: &str) -> Result<Selector, SceneError> {
-        from_json(json)
+        Ok(from_text(json)?)
     }
 }
 
+/// The keys of all forms; `In` is what may stand for the name of a set.
 #[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct OfSet {
-    set: String,
-}
-
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct OfVertices {
-    #[serde(deserialize_with = "indices::deserialize")]
-    vertices: Vec<u32>,
-}
-
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct OfEach {
-    each: Element,
+#[serde(deny_unknown_fields, bound = "In: Deserialize<'de>")]
+struct SelectorFile<In> {
     #[serde(default, deserialize_with = "present")]
-    r#in: Option<String>,
+    set: Option<String>,
+    #[serde(default, deserialize_with = "indices::some")]
+    vertices: Option<Vec<u32>>,
+    #[serde(default, deserialize_with = "present")]
+    each: Option<Element>,
+    #[serde(default, deserialize_with = "present")]
+    r#in: Option<In>,
     #[serde(default, deserialize_with = "present")]
     radius: Option<u32>,
 }
 
 impl<'de> Deserialize<'de> for Element {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Element, D::Error> {
-        read_word(from, &Element::ALL.map(|element| (element.id(), element)))
+        from.deserialize_str(Words(&Element::ALL.map(|element| (element.id(), element))))
     }
 }
 
 impl<'de> Deserialize<'de> for Selector {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Selector, D::Error> {
-        selector_of(&Value::deserialize(from)?).map_err(D::Error::custom)
+        Selector::read(from, |name: String| name)
     }
 }
 
-fn selector_of(value: &Value) -> Result<Selector, JsonError> {
-    if value.get("set").is_some() {
-        return read(value).map(|OfSet { set }| Selector::Set(set));
+impl Selector {
+    /// Reads a selector in which `In` stands for the name of a set.
+    pub(crate) fn read<'de, D: Deserializer<'de>, In: Deserialize<'de>>(
+        from: D,
+        name: impl FnOnce(In) -> String,
+    ) -> Result<Selector, D::Error> {
+        let forms = forms_of_selectors();
+        match word_or(from, &forms)? {
+            Either::Object(file) => selector_of(file, name).map_err(D::Error::custom),
+            Either::Word(word) => {
+                let is_all = |element: &Element| element.word_for_all() == Some(&*word);
+                let element = Element::ALL.into_iter().find(is_all).ok_or_else(|| {
+                    D::Error::invalid_value(Unexpected::Str(&word), &forms.as_str())
+                })?;
+                Ok(Selector::Each { element, within: None, radius: default_radius(element) })
+            }
+        }
     }
-    if value.get("vertices").is_some() {
-        let OfVertices { vertices } = read(value)?;
+}
+
+fn selector_of<In>(
+    file: SelectorFile<In>,
+    name: impl FnOnce(In) -> String,
+) -> Result<Selector, JsonError> {
+    let SelectorFile { set, vertices, each, r#in: within, radius } = file;
+    let given = [
+        ("set", set.is_some()),
+        ("vertices", vertices.is_some()),
+        ("each", each.is_some()),
+        ("in", within.is_some()),
+        ("radius", radius.is_some()),
+    ];
+    let alone = |own: &str| match given.into_iter().find(|(key, given)| *given && *key != own) {
+        Some((key, _)) => Err(JsonError::unknown_key(key, &[own])),
+        None => Ok(()),
+    };
+    if let Some(name) = set {
+        return alone("set").map(|()| Selector::Set(name));
+    }
+    if let Some(vertices) = vertices {
+        alone("vertices")?;
         if vertices.is_empty() {
             let message = "the list is empty, expected at least one vertex";
             return Err(JsonError::new("vertices", message));
         }
         return Ok(Selector::Vertices(vertices));
     }
-    let (element, within, radius) = if value.is_object() {
-        let OfEach { each, r#in: within, radius } = read(value)?;
-        (each, within, radius)
-    } else {
-        let element =
-            Element::ALL.into_iter().find(|e| e.word_for_all().is_some_and(|w| value == w));
-        (element.ok_or_else(|| found(value, &forms_of_selectors()))?, None, None)
-    };
+    let element = each.ok_or_else(|| JsonError::missing_key("each"))?;
     let least = default_radius(element);
     let radius = radius.unwrap_or(least);
     if radius < least {
         let message = format!("found {radius}, expected a whole number from {least}");
         return Err(JsonError::new("radius", message));
     }
-    Ok(Selector::Each { element, within, radius })
+    Ok(Selector::Each { element, within: within.map(name), radius })
 }
 
-/// Returns the shortest form that reads back to the selector.
-pub(super) fn write(selector: &Selector) -> String {
-    match selector {
-        Selector::Set(name) => object(vec![field("set", text(name))]),
-        Selector::Vertices(vertices) => object(vec![field("vertices", indices::write(vertices))]),
-        Selector::Each { element, within, radius } => {
-            let plain = within.is_none() && *radius == default_radius(*element);
-            if let Some(word) = element.word_for_all().filter(|_| plain) {
-                return text(word);
+/// Writes the shortest form that reads back to the selector.
+impl Serialize for Selector {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Selector::Set(name) => to.collect_map([("set", name)]),
+            Selector::Vertices(vertices) => to.collect_map([("vertices", Indices(&**vertices))]),
+            Selector::Each { element, within, radius } => {
+                let is_default = *radius == default_radius(*element);
+                let plain = within.is_none() && is_default;
+                if let Some(word) = element.word_for_all().filter(|_| plain) {
+                    return to.serialize_str(word);
+                }
+                let mut map = to.serialize_map(None)?;
+                map.serialize_entry("each", element.id())?;
+                if let Some(name) = within {
+                    map.serialize_entry("in", name)?;
+                }
+                if !is_default {
+                    map.serialize_entry("radius", radius)?;
+                }
+                map.end()
             }
-            let mut fields = vec![field("each", text(element.id()))];
-            if let Some(name) = within {
-                fields.push(field("in", text(name)));
-            }
-            if *radius != default_radius(*element) {
-                fields.push(field("radius", radius.to_string()));
-            }
-            object(fields)
         }
     }
 }

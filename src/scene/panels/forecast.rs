@@ -1,7 +1,6 @@
 //! Forecast, before solving, of how far a mesh will move for panels of one shape, and why.
 
-use super::remedy::MeshRemedy;
-use super::request::panel_offers;
+use super::request::{MeshRemedy, panel_offers};
 use crate::constraint::{KINDS, Kind};
 use crate::mesh::{
     Curvature, CurvatureLines, MESH_OPERATIONS, Mesh, Ragged, Task, Topology, face_curvatures,

@@ -1,7 +1,7 @@
 //! The shapes offered for all panels of a mesh, and the request for one of them.
 
 use crate::constraint::{Centring, Element, Info, KINDS, Kind, KindError, Selector};
-use crate::mesh::Mesh;
+use crate::mesh::{MESH_OPERATIONS, Mesh};
 use crate::scene::{ConstraintSpec, Scene, SceneError};
 use crate::solve::Require;
 use serde::Serialize;
@@ -127,4 +127,36 @@ pub(crate) fn all_faces() -> Selector {
 
 fn known() -> String {
     KINDS.iter().map(|info| info.id).collect::<Vec<_>>().join(", ")
+}
+
+/// A change of the mesh for panels of one shape.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct MeshRemedy {
+    /// Why it helps.
+    pub words: String,
+    /// The id of one of the [`MESH_OPERATIONS`].
+    pub operation: &'static str,
+    /// Its label.
+    pub label: &'static str,
+}
+
+impl MeshRemedy {
+    /// Creates a remedy from the id of an operation; none if there is no such operation.
+    pub(super) fn new(operation: &str, words: String) -> Option<MeshRemedy> {
+        let operation = MESH_OPERATIONS.iter().find(|one| one.id == operation)?;
+        Some(MeshRemedy { words, operation: operation.id, label: operation.label })
+    }
+}
+
+/// Returns the change of the mesh after which the offered kinds apply, if there is one: none applies
+/// to triangles, which can be joined to quads.
+pub fn panel_remedy(mesh: &Mesh) -> Option<MeshRemedy> {
+    let can_join = mesh.faces.len() > 1 && mesh.tets.is_empty() && is_of_triangles(mesh);
+    let adjectives: Vec<&str> = KINDS.iter().filter_map(|info| info.panels).collect();
+    let words = format!(
+        "All panels are triangles, which are always {}. Pairs of them can be joined to quads.",
+        adjectives.join(" and ")
+    );
+    can_join.then(|| MeshRemedy::new("quads", words)).flatten()
 }

@@ -3,12 +3,16 @@
 use super::constraint_target::ConstraintTarget;
 use super::edit_list::{Edit, NewConstraint};
 use super::remeshing::Remeshing;
-use crate::constraint::Set;
-use crate::json::{JsonError, Tree, indices, parse, read, read_tree};
-use crate::scene::{Scene, SceneError};
+use crate::constraint::{Selector, Set};
+use crate::json::{Either, Entries, JsonError, from_text, from_value, word_or};
+use crate::scene::{ConstraintSpec, Scene, SceneError, kind_of};
 use crate::session::selection::SelectRequest;
+use crate::solve::Require;
 use serde::de::{Deserialize, Deserializer, Error};
 use serde_json::{Map, Value};
+
+/// The key of an edit that names it.
+const TYPE: &str = "type";
 
 impl Edit {
     /// Reads an edit of `document`: an object with its `type`, which is the name of the variant in
@@ -19,30 +23,31 @@ impl Edit {
     /// # Errors
     /// As [`Scene::from_json`].
     pub fn from_json(text: &str, document: &Scene) -> Result<Edit, SceneError> {
-        let mut edit = tree(text)?;
-        let named = |edit: &Tree| match edit.get("type") {
-            Some(Tree::Text(name)) => name.clone(),
-            _ => String::new(),
+        let Entries(entries) = from_text(text)?;
+        let mut fields: Map<String, Value> = entries.into_iter().collect();
+        let name = match fields.shift_remove(TYPE) {
+            Some(Value::String(name)) => name,
+            Some(other) => return Err(JsonError::found(&other, "a string").below_key(TYPE).into()),
+            None => return Err(JsonError::missing_key(TYPE).into()),
         };
-        if let ("setWeights", Tree::Object(entries)) = (&*named(&edit), &mut edit) {
-            let own = serde_json::to_value(document.weights).expect("they are numbers");
-            let missing = own.as_object().into_iter().flatten();
-            entries.retain(|(_, weight)| *weight != Tree::Null);
-            for (key, weight) in missing {
-                if !entries.iter().any(|(given, _)| given == key) {
-                    entries.push((key.clone(), weight.into()));
-                }
+        if name == "setWeights" {
+            fields.retain(|_, weight| !weight.is_null());
+            let own = document.weights;
+            for (key, own) in [("shape", own.shape), ("close", own.close), ("smooth", own.smooth)] {
+                fields.entry(key).or_insert(own.into());
             }
         }
-        let read = read_tree(&edit).map_err(|error| match &*error.path {
-            "type" => JsonError::new("type", format!("unknown edit `{}`", named(&edit))),
+        let edit = Value::Object(Map::from_iter([(name.clone(), Value::Object(fields))]));
+        Ok(from_value(edit).map_err(|error| {
+            if error.path.is_empty() && error.message.starts_with("unknown variant") {
+                return JsonError::new(TYPE, format!("unknown edit `{name}`"));
+            }
             // Error paths within a lesson are relative to the lesson.
-            path => match path.strip_prefix("lesson") {
+            match error.path.strip_prefix("lesson") {
                 Some(path) => JsonError::new(path.trim_start_matches('.'), error.message),
                 None => error,
-            },
-        });
-        Ok(read?)
+            }
+        })?)
     }
 }
 
@@ -52,7 +57,7 @@ impl Remeshing {
     /// # Errors
     /// As [`Scene::from_json`].
     pub fn from_json(text: &str) -> Result<Remeshing, SceneError> {
-        Ok(read_tree(&tree(text)?)?)
+        Ok(from_text(text)?)
     }
 }
 
@@ -62,7 +67,7 @@ impl SelectRequest {
     /// # Errors
     /// As [`Scene::from_json`].
     pub fn from_json(text: &str) -> Result<SelectRequest, SceneError> {
-        Ok(read_tree(&tree(text)?)?)
+        Ok(from_text(text)?)
     }
 }
 
@@ -73,32 +78,32 @@ impl ConstraintTarget {
     /// # Errors
     /// As [`Scene::from_json`], with the path within the target.
     pub fn all_from_json(text: &str) -> Result<Vec<ConstraintTarget>, SceneError> {
-        let places: Vec<Value> = read_tree(&tree(text)?)?;
-        places.iter().map(|place| Ok(read(place)?)).collect()
+        let targets: Vec<Value> = from_text(text)?;
+        targets.into_iter().map(|target| Ok(from_value(target)?)).collect()
     }
 }
 
-fn tree(text: &str) -> Result<Tree, JsonError> {
-    indices::begin();
-    parse(text)
+/// The name of a set, or a set without a name.
+struct Within(Either<Set>);
+
+impl<'de> Deserialize<'de> for Within {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Within, D::Error> {
+        word_or(from, "the name of a set, or a set").map(Within)
+    }
 }
 
 impl<'de> Deserialize<'de> for ConstraintTarget {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<ConstraintTarget, D::Error> {
-        let (on, set) = with_set_named(Value::deserialize(from)?).map_err(D::Error::custom)?;
-        let on = read(&on).map_err(D::Error::custom)?;
+        let mut set = None;
+        let on = Selector::read(from, |Within(within)| match within {
+            Either::Word(name) => name,
+            Either::Object(unnamed) => {
+                set = Some(unnamed);
+                ConstraintTarget::UNNAMED.to_owned()
+            }
+        })?;
         Ok(ConstraintTarget { on, set })
     }
-}
-
-/// Replaces a set without a name in a selector by [`ConstraintTarget::UNNAMED`], and returns both.
-fn with_set_named(mut on: Value) -> Result<(Value, Option<Set>), JsonError> {
-    let mut unnamed = None;
-    if let Some(within) = on.get_mut("in").filter(|within| within.is_object()) {
-        unnamed = Some(read(within)?);
-        *within = ConstraintTarget::UNNAMED.into();
-    }
-    Ok((on, unnamed))
 }
 
 /// A row to be added, in JSON.
@@ -107,23 +112,20 @@ fn with_set_named(mut on: Value) -> Result<(Value, Option<Set>), JsonError> {
 struct ConstraintEntry {
     kind: String,
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Selector"))]
-    on: Value,
+    on: ConstraintTarget,
     weight: f64,
     #[serde(default)]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
     params: Map<String, Value>,
 }
 
-/// Reads the row as an entry of a scene file.
 impl<'de> Deserialize<'de> for NewConstraint {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<NewConstraint, D::Error> {
-        let ConstraintEntry { kind, on, weight, params: mut entry } =
+        let ConstraintEntry { kind: id, on: ConstraintTarget { on, set }, weight, params } =
             ConstraintEntry::deserialize(from)?;
-        let (on, set) = with_set_named(on).map_err(D::Error::custom)?;
-        entry.insert("kind".to_owned(), kind.into());
-        entry.insert("on".to_owned(), on);
-        entry.insert("weight".to_owned(), weight.into());
-        let spec = read(&Value::Object(entry)).map_err(D::Error::custom)?;
+        let kind = kind_of(&id, params).map_err(D::Error::custom)?;
+        let (name, require, eased) = (String::new(), Require::Soft, None);
+        let spec = ConstraintSpec { kind, on, weight, enabled: true, name, require, eased };
         Ok(NewConstraint { spec, set })
     }
 }

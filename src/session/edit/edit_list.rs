@@ -2,11 +2,13 @@
 
 use super::remeshing::Remeshing;
 use crate::constraint::Set;
-use crate::fabricate::BuildSettings;
 use crate::json::indices::{self, Indices};
+use crate::json::{object, objects};
 use crate::mesh::{KEPT_TURN, Point, Scheme};
+use crate::scene::BuildSettings;
 use crate::scene::{ConstraintSpec, Lesson, NamedEnum, Slide, Up, Weights};
 use crate::solve::Require;
+use serde::de::IgnoredAny;
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
 use std::rc::Rc;
@@ -100,6 +102,7 @@ pub enum Edit {
     },
     /// Goes back to where iterating began, if the shape has collapsed since, and holds all vertices
     /// closer to their rest positions.
+    #[serde(deserialize_with = "nothing")]
     HoldCloser,
     /// Keeps vertices close to the surface of a mesh file instead of the original.
     FitTo {
@@ -116,6 +119,7 @@ pub enum Edit {
         text: String,
     },
     /// Uses the mesh itself as the rest shape again.
+    #[serde(deserialize_with = "nothing")]
     LeavePose,
     /// Makes handles soft, with a weight.
     WeighHandles {
@@ -146,7 +150,7 @@ pub enum Edit {
     /// Makes the scene an exercise, or ends that.
     SetLesson {
         /// The exercise, or none.
-        #[cfg_attr(target_arch = "wasm32", tsify(type = "LessonFile | null"))]
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "Lesson | null"))]
         lesson: Option<Lesson>,
         /// Goes to the rest shape and removes the variants, so that students get no solution.
         #[serde(default)]
@@ -156,11 +160,13 @@ pub enum Edit {
     /// Sets how parts are built from the shape.
     SetBuild {
         /// All settings; omitted ones get their defaults.
+        #[serde(deserialize_with = "object")]
         build: Box<BuildSettings>,
     },
     /// Replaces the steps of the presentation.
     SetSteps {
         /// All steps; empty for no presentation.
+        #[serde(deserialize_with = "objects")]
         steps: Vec<Slide>,
     },
     /// Goes to the shape and the weights of step `index` of the presentation.
@@ -218,7 +224,13 @@ pub enum Edit {
     /// Changes the mesh by one of the [`crate::mesh::MESH_OPERATIONS`]. The scene is carried over.
     Remesh(Remeshing),
     /// Goes back to the rest shape; constraints, handles and weights stay.
+    #[serde(deserialize_with = "nothing")]
     Reset,
+}
+
+/// Reads the object of an edit that has no fields.
+fn nothing<'de, D: Deserializer<'de>>(from: D) -> Result<(), D::Error> {
+    IgnoredAny::deserialize(from).map(|_| ())
 }
 
 fn kept_turn() -> f64 {

@@ -1,6 +1,6 @@
 //! Selections, and requests for them.
 
-use crate::json::indices;
+use crate::json::{indices, word};
 use crate::scene::{NamedEnum, SceneError};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -46,6 +46,7 @@ pub struct SelectRequest {
     /// The id of an [`Operation`](super::Operation).
     pub operation: String,
     /// The kind of element; the result is of this kind unless the operation gives another.
+    #[serde(deserialize_with = "word")]
     pub mode: Mode,
     /// The current selection.
     #[serde(default)]

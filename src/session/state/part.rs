@@ -2,10 +2,9 @@
 //! inverse: an edit and its undo move one part, and copy nothing else of the scene.
 
 use crate::constraint::{Kind, Selector, Set};
-use crate::fabricate;
 use crate::scene::{
-    BoundaryCloseness, ClosenessTo, ClosenessWeight, ConstraintSpec, EasedFaces, Goal, Lesson,
-    Pose, Scene, Slide, Smoothness, SolverSettings, Target, Up, Variants, Weights,
+    BoundaryCloseness, BuildSettings, ClosenessTo, ClosenessWeight, ConstraintSpec, EasedFaces,
+    Goal, Lesson, Pose, Scene, Slide, Smoothness, SolverSettings, Target, Up, Variants, Weights,
 };
 use crate::solve::Require;
 use std::mem::{size_of_val, swap};
@@ -16,7 +15,7 @@ pub(crate) enum Part {
     Units(String),
     Up(Up),
     Lesson(Option<Lesson>),
-    Build(Option<Box<fabricate::BuildSettings>>),
+    Build(Option<Box<BuildSettings>>),
     Variants(Variants),
     Steps(Vec<Slide>),
     Settings(Settings),
@@ -235,9 +234,7 @@ impl Part {
             Part::Up(_) | Part::Settings(_) => 0,
             Part::RowValues(_, values) => bytes_of_eased(values.eased.as_ref()),
             Part::Lesson(lesson) => lesson.as_ref().map_or(0, bytes_of_lesson),
-            Part::Build(build) => {
-                build.as_ref().map_or(0, |_| size_of::<fabricate::BuildSettings>())
-            }
+            Part::Build(build) => build.as_ref().map_or(0, |_| size_of::<BuildSettings>()),
             // Consecutive lists share their shapes.
             Part::Variants(variants) => size_of_val(&*variants.kept),
             Part::Steps(steps) => steps.iter().map(bytes_of_step).sum(),

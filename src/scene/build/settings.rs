@@ -1,9 +1,7 @@
 //! The settings of a build: scale, sheet, joint, distance; and their presets.
 
-use super::offset::OffsetKind;
-use super::panel::Names;
-use super::paper::Pieces;
-use super::sheet::{Order, page_count};
+use super::choice::{Dxf, Names, OffsetKind, Order, Page, Pieces, Product};
+use crate::json::{fixed, object, word, word_or_null};
 use serde::{Deserialize, Serialize};
 
 /// The settings of a build: the key `build` of a scene. Lengths of the building are in the unit of
@@ -13,9 +11,11 @@ use serde::{Deserialize, Serialize};
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct BuildSettings {
     /// The product.
+    #[serde(deserialize_with = "word")]
     pub product: Product,
     /// The elements that keep their distance in the offset; null chooses the kind with the smallest
     /// errors.
+    #[serde(deserialize_with = "word_or_null")]
     pub kind: Option<OffsetKind>,
     /// Distance of the offset and depth of beams, positive outwards; null for a fifth of the mean
     /// edge.
@@ -31,6 +31,7 @@ pub struct BuildSettings {
     /// Thickness of the material.
     pub thickness: f64,
     /// Width and height of a sheet.
+    #[serde(deserialize_with = "fixed")]
     pub sheet: [f64; 2],
     /// The margin at the edges of a sheet.
     pub margin: f64,
@@ -41,8 +42,10 @@ pub struct BuildSettings {
     /// Diameter of holes along the edges between panels, and at the ends of fins; 0 for none.
     pub hole: f64,
     /// The order in which parts are laid out.
+    #[serde(deserialize_with = "word")]
     pub order: Order,
     /// How panels are named.
+    #[serde(deserialize_with = "word")]
     pub names: Names,
     /// Tolerance of panel types: difference of distances between corners, in mm of the building.
     pub alike: f64,
@@ -55,94 +58,21 @@ pub struct BuildSettings {
     /// Tolerance of node types: difference of angles, in degrees.
     pub alike_deg: f64,
     /// The kind of pieces of a paper model.
+    #[serde(deserialize_with = "word")]
     pub pieces: Pieces,
     /// Height of tabs on paper; 0 for none.
     pub tab: f64,
     /// Whether paper is printed on the side that will be inside: mirrored, with readable names.
     pub print_inside: bool,
     /// Page size of the PDF: larger sheets are tiled.
+    #[serde(deserialize_with = "word")]
     pub page: Page,
     /// The version of DXF.
+    #[serde(deserialize_with = "word")]
     pub dxf: Dxf,
     /// Limits of the build check.
+    #[serde(deserialize_with = "object")]
     pub limits: CheckLimits,
-}
-
-/// A product.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub enum Product {
-    /// Single panels.
-    #[default]
-    Panels,
-    /// Beams along the edges, as flat fins, with the nodes between them.
-    Fins,
-    /// Strips and nets of paper, folded and glued.
-    Paper,
-}
-
-impl Product {
-    /// All products.
-    pub const ALL: [Product; 3] = [Product::Panels, Product::Fins, Product::Paper];
-
-    /// Its identifier in files and on the command line.
-    pub fn id(self) -> &'static str {
-        match self {
-            Product::Panels => "panels",
-            Product::Fins => "fins",
-            Product::Paper => "paper",
-        }
-    }
-}
-
-/// A version of DXF.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub enum Dxf {
-    /// AC1015: closed lightweight polylines, units in the header.
-    #[default]
-    R2000,
-    /// AC1009, for old machines.
-    R12,
-}
-
-/// The pages of a PDF.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub enum Page {
-    /// The size of the sheets.
-    #[default]
-    Sheet,
-    /// 210 x 297 mm.
-    A4,
-    /// 297 x 420 mm.
-    A3,
-}
-
-impl Page {
-    /// All page sizes.
-    pub const ALL: [Page; 3] = [Page::Sheet, Page::A4, Page::A3];
-
-    /// Its identifier in files and on the command line.
-    pub fn id(self) -> &'static str {
-        match self {
-            Page::Sheet => "sheet",
-            Page::A4 => "a4",
-            Page::A3 => "a3",
-        }
-    }
-
-    /// Its shorter and its longer side in mm; none for the size of the sheet.
-    pub fn size(self) -> Option<[f64; 2]> {
-        match self {
-            Page::Sheet => None,
-            Page::A4 => Some([210.0, 297.0]),
-            Page::A3 => Some([297.0, 420.0]),
-        }
-    }
 }
 
 /// Limits of the build check. Lengths are in mm of the building.
@@ -169,7 +99,7 @@ impl Default for CheckLimits {
 impl Default for BuildSettings {
     /// Card models at 1:50 on A3.
     fn default() -> BuildSettings {
-        let BuildPreset { material, thickness, scale, sheet, .. } = PRESETS[0];
+        let BuildPreset { material, thickness, scale, sheet, .. } = BUILD_PRESETS[0];
         BuildSettings {
             product: Product::Panels,
             kind: None,
@@ -218,7 +148,7 @@ pub struct BuildPreset {
 }
 
 /// Common scales, sheets and materials.
-pub const PRESETS: [BuildPreset; 5] = [
+pub const BUILD_PRESETS: [BuildPreset; 5] = [
     BuildPreset {
         label: "Card model 1:50, A3",
         material: "card",
@@ -322,7 +252,7 @@ impl BuildSettings {
             );
             return Err(("margin", message));
         }
-        let pages = page_count(self.sheet, self.page.size());
+        let pages = self.page.count(self.sheet);
         if pages > MOST_PAGES {
             let [width, height] = self.sheet;
             let message = format!(

@@ -1,0 +1,13 @@
+//! What is to be built from the shape: the key `build` of a scene. The room `fabricate` builds it.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `settings` | scale, sheet, joint, distance; their checks and presets |
+//! | `choice` | the choices among them, such as products and kinds of offsets |
+
+mod choice;
+mod settings;
+
+pub(crate) use choice::page_counts;
+pub use choice::{Dxf, Names, OffsetKind, Order, Page, Pieces, Product};
+pub use settings::{BUILD_PRESETS, BuildPreset, BuildSettings, CheckLimits};
