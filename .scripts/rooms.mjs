@@ -23,7 +23,7 @@ export const APART = ['features', 'panels'];
 export const MOST_FILES = 14;
 
 /** Rooms whose types a room may name beyond what it may import. */
-export const TYPES = { ui: ['solver'] };
+export const TYPES = { ui: ['solver'], solver: ['worker'] };
 
 /** This file has only types, which the highest room provides: any room may name them. */
 export const CONTEXT = 'app/context.ts';
@@ -56,13 +56,13 @@ const STYLES = ['name', 'property.name'].map((name) => ({
 /** Rooms that change the state or call the solver through actions only. */
 export const BY_ACTIONS = ['viewport', 'documents', 'panels', 'features'];
 
-/** Calls that write the state or reach the solver. */
+/** What writes the state or changes what the solver has. */
 const ACTS = [
   ['store', 'set'],
-  ['solver', 'request|send'],
+  ['solver', 'change|tell'],
 ].flatMap(([what, methods]) =>
   ['name', 'property.name'].map((name) => ({
-    selector: `CallExpression[callee.object.${name}=${what}][callee.property.name=/^(${methods})$/]`,
+    selector: `MemberExpression[object.${name}=${what}][property.name=/^(${methods})$/]`,
     message: `Only actions do this: see www/store/actions.ts.`,
   })),
 );

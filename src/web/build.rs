@@ -8,24 +8,26 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 /// The choices and presets of the settings form.
-#[derive(Serialize)]
-struct Offers {
+#[derive(Serialize, tsify::Tsify)]
+struct BuildOffers {
     presets: &'static [BuildPreset],
+    /// All of them.
+    #[tsify(type = "Required<BuildSettings>")]
     defaults: BuildSettings,
 }
 
 /// A file to be saved by the page.
-#[derive(Serialize)]
-struct File {
+#[derive(Serialize, tsify::Tsify)]
+struct BuildFile {
     name: String,
     text: String,
 }
 
 /// Returns the presets and the defaults.
-#[wasm_bindgen(js_name = buildOffers)]
+#[wasm_bindgen(js_name = buildOffers, unchecked_return_type = "BuildOffers")]
 pub fn build_offers() -> Result<JsValue, JsValue> {
     log_panics();
-    plain(&Offers { presets: &BUILD_PRESETS, defaults: BuildSettings::default() })
+    plain(&BuildOffers { presets: &BUILD_PRESETS, defaults: BuildSettings::default() })
 }
 
 /// The parts of a shape.
@@ -58,16 +60,19 @@ impl Builder {
     }
 
     /// Returns all numbers, as in the report of the command line.
+    #[wasm_bindgen(unchecked_return_type = "BuildReport")]
     pub fn report(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.report())
     }
 
     /// Returns the numbers of the card, which is updated while the shape moves.
+    #[wasm_bindgen(unchecked_return_type = "BuildCard")]
     pub fn card(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.card())
     }
 
     /// Returns at most `count` sheets as pictures, starting with sheet `first`.
+    #[wasm_bindgen(unchecked_return_type = "SheetPicture[]")]
     pub fn sheets(&self, first: usize, count: usize) -> Result<JsValue, JsValue> {
         let drawings = self.build.drawings();
         let failed = self.build.failed_sides(&self.build.failed());
@@ -77,6 +82,7 @@ impl Builder {
 
     /// Returns the numbers that a lesson may bound, as pairs of id and value, lengths in the unit
     /// of the mesh. Numbers that do not apply are left out.
+    #[wasm_bindgen(unchecked_return_type = "[string, number][]")]
     pub fn numbers(&self) -> Result<JsValue, JsValue> {
         let known = BUILD_NUMBERS.iter().zip(self.build.numbers());
         plain(&known.filter_map(|(number, value)| Some((number.id, value?))).collect::<Vec<_>>())
@@ -118,6 +124,7 @@ impl Builder {
     }
 
     /// Returns the errors of each kind of offset.
+    #[wasm_bindgen(unchecked_return_type = "Choice[]")]
     pub fn choices(&self) -> Result<JsValue, JsValue> {
         plain(&self.build.choices())
     }
@@ -128,7 +135,7 @@ impl Builder {
     }
 
     /// Returns the build as objects on layers, for CAD programs; the up axis is z or y.
-    #[wasm_bindgen(js_name = spatialParts)]
+    #[wasm_bindgen(js_name = spatialParts, unchecked_return_type = "SpatialPart[]")]
     pub fn spatial_parts(&self, z_up: bool) -> Result<JsValue, JsValue> {
         plain(&self.build.spatial_parts(z_up))
     }
@@ -148,8 +155,9 @@ impl Builder {
     }
 
     /// Returns all files: `name` and `text`; `z_up` if the up axis is z, else y.
+    #[wasm_bindgen(unchecked_return_type = "BuildFile[]")]
     pub fn files(&self, z_up: bool) -> Result<JsValue, JsValue> {
         let files = self.build.files(z_up).into_iter();
-        plain(&files.map(|file| File { name: file.name, text: file.text }).collect::<Vec<_>>())
+        plain(&files.map(|file| BuildFile { name: file.name, text: file.text }).collect::<Vec<_>>())
     }
 }

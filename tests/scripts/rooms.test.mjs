@@ -111,8 +111,8 @@ test('the linter refuses code that breaks the rules of the rooms', async () => {
     ['panels/model/model.ts', "import '../../store/state.ts'; import './model.ts';", []],
     ['app/main.ts', "import('../features/hints.ts');", []],
     ['panels/model/model.ts', 'export const f = (store: any) => store.set({});', later],
-    ['panels/model/model.ts', 'export const f = (it) => it.solver.send({});', later],
-    ['store/actions.ts', 'export const f = (solver) => solver.request({});', []],
+    ['panels/model/model.ts', 'export const f = (it) => it.solver.tell.pause();', later],
+    ['store/actions.ts', 'export const f = (solver) => solver.change.undo();', []],
   ])
     assert.deepEqual(await rulesBroken(file, code), broken, `${file}: ${code}`);
 });

@@ -5,7 +5,7 @@
 
 import { itemByKey } from '../ui/controls/arrow-keys.ts';
 import { byId, element } from '../ui/dom.ts';
-import { messageOf } from '../solver/messages.ts';
+import { messageOf } from '../solver/errors.ts';
 import type { AppContext } from './context.ts';
 
 interface Tab {

@@ -16,7 +16,7 @@ import { ended } from '../ui/format.ts';
 import { loadFeatures, loadWhenNeeded } from './features.ts';
 import { firstHints } from '../features/hints.ts';
 import { arrangeForWidth } from './arrangement/layout.ts';
-import { messageOf } from '../solver/messages.ts';
+import { messageOf } from '../solver/errors.ts';
 import { constraintsPanel } from '../panels/constraints/constraints.ts';
 import { energiesPanel } from '../panels/energies/energies.ts';
 import { Startup } from './startup.ts';

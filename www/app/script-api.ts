@@ -7,7 +7,7 @@ import { handlesNow, type Store } from '../store/state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Viewport } from '../viewport/viewport.ts';
 import type { Files } from '../documents/files.ts';
-import type { Loaded } from '../solver/messages.ts';
+import type { Loaded } from '../solver/types.ts';
 
 export type ScriptApi = ReturnType<typeof scriptApi>;
 
@@ -77,14 +77,14 @@ export function scriptApi(store: Store, solver: SolverClient, viewport: Viewport
 
     /** Resolves when the solver has processed all messages sent so far. */
     async settled() {
-      await solver.request({ type: 'scene' });
+      await solver.ask.scene();
     },
 
     /** Resolves when the picture shows the result of all requests made so far. */
     async drawn() {
       // A frame may have been waiting for the previous picture.
       for (let turn = 0; turn < 2; turn++) {
-        await solver.request({ type: 'scene' });
+        await solver.ask.scene();
         await new Promise(requestAnimationFrame);
       }
       viewport.refine();
@@ -96,7 +96,7 @@ export function scriptApi(store: Store, solver: SolverClient, viewport: Viewport
       return solver.sceneText === null ? null : JSON.parse(solver.sceneText);
     },
 
-    /** A copy of the declarations of the kinds of constraint: see `KindInfo` in `messages.ts`. */
+    /** A copy of the declarations of the kinds of constraint: see `KindInfo` in `solver/types.ts`. */
     kinds() {
       return structuredClone(store.get().kinds);
     },

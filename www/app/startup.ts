@@ -3,7 +3,7 @@
  * starts autosave. All other code is loaded when it is needed.
  */
 
-import { messageOf } from '../solver/messages.ts';
+import { messageOf } from '../solver/errors.ts';
 import { saveFile } from '../ui/save-file.ts';
 import { isEmbedded } from '../ui/embedded.ts';
 import { getItem } from '../ui/safe-storage.ts';
@@ -181,7 +181,7 @@ export class Startup {
     const { example, text, run } = link;
     if (example) await this.#openExample(example, text);
     else if (text) await this.#files.open([sceneFile('shared', text)]);
-    if (run) this.#solver.send({ type: 'run' });
+    if (run) this.#solver.tell.run();
     return true;
   }
 

@@ -21,7 +21,7 @@ import {
 } from './recent-documents.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Files } from './files.ts';
-import type { Saved } from '../solver/messages.ts';
+import type { Saved } from '../solver/types.ts';
 
 /** Key in session storage: the id of this tab's work. */
 const OWN_KEY = 'shape-up.work';

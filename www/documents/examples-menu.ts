@@ -1,6 +1,6 @@
 /** Menu of the examples, with their pictures. Loaded after the page itself. */
 
-import { messageOf } from '../solver/messages.ts';
+import { messageOf } from '../solver/errors.ts';
 import { element } from '../ui/dom.ts';
 import type { AppContext } from '../app/context.ts';
 

@@ -4,7 +4,8 @@ import { count, ended, groupDigits, length } from '../ui/format.ts';
 import { listOfExamples, type Example } from '../solver/examples.ts';
 import { removeFirstPicture } from '../viewport/first-picture.ts';
 import { Emitter } from '../solver/emitter.ts';
-import { messageOf, type NamedBytes, type Saved, type Loaded } from '../solver/messages.ts';
+import { messageOf } from '../solver/errors.ts';
+import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
 import { isReadable, mainOf } from '../solver/opened-files.ts';
 import { oneAtATime } from '../ui/once.ts';
 import { saveFile } from '../ui/save-file.ts';
@@ -144,7 +145,7 @@ export class Files extends Emitter<{ opened: void }> {
 
   /** Returns a mesh or a scene of the examples. */
   exampleFile(name: string) {
-    return this.#actions.exampleFile(name);
+    return this.#actions.ask.exampleFile(name);
   }
 
   /** Reopens the model that was open before a new mesh. */
@@ -174,7 +175,7 @@ export class Files extends Emitter<{ opened: void }> {
   /** Exports the current shape with the file's original vertices, before welding. */
   async exportUnwelded() {
     if (!(await this.mayExport())) return;
-    this.save('.obj', await this.#actions.obj({ unwelded: true }), 'model/obj');
+    this.save('.obj', await this.#actions.ask.objUnwelded(), 'model/obj');
   }
 
   /** Asks for confirmation if a run has collapsed the mesh; true if the export may go on. */
@@ -188,7 +189,9 @@ export class Files extends Emitter<{ opened: void }> {
     try {
       if (!(await this.mayExport())) return;
       const uv = this.#store.get().flatMap?.found.uv;
-      this.save('.obj', await this.#actions.obj({ uv }), 'model/obj');
+      const { ask } = this.#actions;
+      const text = await (uv ? ask.objWithUv(uv) : ask.obj());
+      this.save('.obj', text, 'model/obj');
     } catch (error) {
       this.#alerts.error(messageOf(error));
     }
@@ -196,7 +199,7 @@ export class Files extends Emitter<{ opened: void }> {
 
   async saveScene() {
     // Without a worker, save the text received last.
-    const text = await this.#actions.sceneText().catch(() => this.#solver.sceneText);
+    const text = await this.#actions.ask.scene().catch(() => this.#solver.sceneText);
     if (text === null) this.#alerts.error('There is no scene to save.');
     else this.save('.shapeup.json', text, 'application/json');
   }

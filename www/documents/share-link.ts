@@ -45,7 +45,7 @@ export async function linkTo({
   actions,
   files,
 }: Pick<AppContext, 'store' | 'actions' | 'files'>) {
-  const text = await actions.sceneText();
+  const text = await actions.ask.scene();
   const { numbers, tolerance, model } = store.get();
   const { mesh, variants, current } = JSON.parse(text);
   const example = (await isUnchanged(mesh, files)) ? files.origin.example : undefined;

@@ -8,7 +8,7 @@ import { getItem, setItem } from '../ui/safe-storage.ts';
 import { UNITS } from '../ui/units.ts';
 import type { Store } from '../store/state.ts';
 import type { Actions } from '../store/actions.ts';
-import type { Loaded } from '../solver/messages.ts';
+import type { Loaded } from '../solver/types.ts';
 
 type Frame = { units: string; up: 'y' | 'z' };
 

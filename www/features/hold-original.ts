@@ -3,7 +3,7 @@
  * document does not change, and a run continues in the background.
  */
 
-import { messageOf } from '../solver/messages.ts';
+import { messageOf } from '../solver/errors.ts';
 import type { Store } from '../store/state.ts';
 import type { Actions } from '../store/actions.ts';
 
@@ -34,7 +34,7 @@ export class HoldOriginal {
     try {
       const [positions, values] = await Promise.all([
         this.#actions.originalPositions(),
-        measure ? this.#actions.originalValues(measure) : null,
+        measure ? this.#actions.ask.originalValues(measure) : null,
       ]);
       if (!this.#isHeld || this.#store.get().model !== model) return;
       this.#actions.look({ heldOriginal: { positions, values }, status: STATUS });

@@ -1,6 +1,6 @@
 /** List of the examples. */
 
-import type { LessonWords } from './messages.ts';
+import type { LessonWords } from './types.ts';
 
 /** An entry of `examples/index.json`, as the command line writes it. */
 export interface Example {

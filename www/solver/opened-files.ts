@@ -1,6 +1,6 @@
 /** Files opened together: the main one, those that it names, and those that are ignored. */
 
-import type { NamedBytes } from './messages.ts';
+import type { NamedBytes } from './types.ts';
 
 type Named = { name: string };
 

@@ -6,19 +6,11 @@
  */
 
 import { Emitter } from './emitter.ts';
-import {
-  messageOf,
-  type FromWorker,
-  type Replies,
-  type Command,
-  type Connectivity,
-  type Measure,
-  type Projections,
-  type WorkerEvents,
-  type Saved,
-  type ToWorker,
-  type Request,
-} from './messages.ts';
+import { messageOf } from './errors.ts';
+import type { FromWorker, WorkerEvents } from './events.ts';
+import { calling, Waiting, type Call, type Remote, type Told } from './remote.ts';
+import type { Connectivity, Measure, Projections, Saved } from './types.ts';
+import type { Changes, Commands, Questions } from '../worker/interface.ts';
 
 /** The current mesh. */
 export interface Geometry {
@@ -93,18 +85,24 @@ export class SolverClient extends Emitter<SolverEvents> {
   /** Number of checks since its last message. */
   #missed = 0;
   #stepMs = 0;
-  #held: [ToWorker, Transferable[]][] = [];
-  #waiting: Map<
-    number,
-    { type: string; resolve: (value: unknown) => void; reject: (error: Error) => void }
-  > = new Map();
-  #nextId = 1;
+  #held: [Call, Transferable[]][] = [];
+  #waiting = new Waiting();
   /** Generation of the latest geometry. */
   #generation = 0;
   /** A buffer that the view may still be reading. */
   #previous: Float64Array | null = null;
   /** The last `show`, sent again to a new worker. */
-  #show: Command | null = null;
+  #show: Call | null = null;
+
+  /** Questions and changes: their promises settle after all events that they cause. */
+  readonly ask: Remote<Questions> = calling((name, given) => this.#request(name, given));
+  readonly change: Remote<Changes> = calling((name, given) => this.#request(name, given));
+  /** Commands, which have no answer. */
+  readonly tell: Told<Commands> = calling((name, given) => {
+    const command = { name, given };
+    if (name === 'show') this.#show = command;
+    this.#post(command);
+  });
 
   constructor() {
     super();
@@ -117,33 +115,12 @@ export class SolverClient extends Emitter<SolverEvents> {
     return this.#isSameModel;
   }
 
-  /** Sends a request; the promise settles after all events that the request causes. */
-  request<Type extends keyof Replies>(
-    request: Extract<Request, { type: Type }>,
-  ): Promise<Replies[Type]> {
-    const id = this.#nextId++;
-    return new Promise((resolve, reject) => {
-      this.#waiting.set(id, {
-        type: request.type,
-        resolve: resolve as (value: unknown) => void,
-        reject,
-      });
-      this.#post({ ...request, id });
-    });
-  }
-
-  /** Sends a command, which has no answer. */
-  send(command: Command, transfer: Transferable[] = []) {
-    if (command.type === 'show') this.#show = command;
-    this.#post(command, transfer);
-  }
-
   /** Returns the previous buffer once the latest positions have been transferred to the view. */
   recycle() {
     if (!this.#previous) return;
     const positions = this.#previous;
     this.#previous = null;
-    this.send({ type: 'recycle', positions }, [positions.buffer]);
+    this.#post({ name: 'recycle', given: [positions] }, [positions.buffer]);
   }
 
   /** Whether there is no worker, for good. */
@@ -184,7 +161,7 @@ export class SolverClient extends Emitter<SolverEvents> {
       this.#missed += 1;
       const most = Math.max(MOST_MISSED, (STEPS_MISSED * this.#stepMs) / CHECK_EVERY_MS);
       if (this.#missed > most) void this.#died('it did not answer');
-      else this.#post({ type: 'ping' });
+      else this.#post({ name: 'ping', given: [] });
     }, CHECK_EVERY_MS);
   }
 
@@ -197,14 +174,18 @@ export class SolverClient extends Emitter<SolverEvents> {
     this.emit('busy', { busy });
   }
 
-  #post(message: ToWorker, transfer: Transferable[] = []) {
+  #request(name: string, given: unknown[]) {
+    return this.#waiting.call(name, given, (call) => this.#post(call));
+  }
+
+  #post(call: Call, transfer: Transferable[] = []) {
     if (!this.#worker) {
-      if ('id' in message)
-        this.#answer(message.id, null, new Error('the solver has stopped: reload the page'));
+      if (call.id !== undefined)
+        this.#answer(call.id, null, new Error('the solver has stopped: reload the page'));
     } else if (this.#ready) {
-      this.#worker.postMessage(message, transfer);
+      this.#worker.postMessage(call, transfer);
     } else {
-      this.#held.push([message, transfer]);
+      this.#held.push([call, transfer]);
     }
   }
 
@@ -277,11 +258,7 @@ export class SolverClient extends Emitter<SolverEvents> {
   }
 
   #answer(id: number, value: unknown, error: Error | null) {
-    const waiting = this.#waiting.get(id);
-    this.#waiting.delete(id);
-    if (waiting?.type === 'open') this.#replaced = null;
-    if (error) waiting?.reject(error);
-    else waiting?.resolve(value);
+    if (this.#waiting.settle(id, value, error) === 'open') this.#replaced = null;
   }
 
   /** @param wanted at the user's request: show no message */
@@ -298,8 +275,8 @@ export class SolverClient extends Emitter<SolverEvents> {
     this.#missed = 0;
     this.#setBusy(0);
     this.#held = [];
-    for (const id of [...this.#waiting.keys()])
-      this.#answer(id, null, new Error(`the solver stopped (${reason})`));
+    this.#replaced = null;
+    this.#waiting.fail(new Error(`the solver stopped (${reason})`));
     this.emit('activity', { type: 'activity', running: false, converged: false });
 
     if (atStart && !lastScene && !wanted) {
@@ -313,7 +290,7 @@ export class SolverClient extends Emitter<SolverEvents> {
       );
     }
     this.#start();
-    if (this.#show) this.send(this.#show);
+    if (this.#show) this.#post(this.#show);
     const notice = (text: string) => wanted || this.#notice(text);
     if (!lastScene) return void notice(`The solver stopped (${reason}) and was restarted.`);
     this.#restoring = true;
@@ -322,7 +299,7 @@ export class SolverClient extends Emitter<SolverEvents> {
     try {
       const bytes = new TextEncoder().encode(lastScene);
       const files = [{ name: 'restored.shapeup.json', bytes }];
-      const { undoLost } = await this.request({ type: 'open', files, saved });
+      const { undoLost } = await this.change.open({ files, saved });
       const back = `your model is back as it was at iteration ${this.saved.iteration}`;
       const but = undoLost ? `, but its undo history is lost: ${undoLost}.` : '.';
       notice(`The solver stopped (${reason}) and was restarted; ${back}${but}`);

@@ -4,14 +4,8 @@
  */
 
 import { count, ended } from '../ui/format.ts';
-import {
-  messageOf,
-  type Edit,
-  type PanelStart,
-  type Request,
-  type Handle,
-} from '../solver/messages.ts';
-import { createQueries } from './queries.ts';
+import { messageOf } from '../solver/errors.ts';
+import type { Edit, PanelStart, Handle } from '../solver/types.ts';
 import { verticesOf } from './selection.ts';
 import { isHard, type Store } from './state.ts';
 import { createViewActions } from './view-actions.ts';
@@ -37,7 +31,7 @@ export function createActions(store: Store, solver: SolverClient, alerts: Alerts
     change: Edit,
     showError: (error: unknown) => boolean = () => false,
   ): Promise<null | undefined> {
-    return attempt({ type: 'edit', edit: change }, showError);
+    return attempt(solver.change.edit(change), showError);
   }
 
   /**
@@ -52,16 +46,16 @@ export function createActions(store: Store, solver: SolverClient, alerts: Alerts
   ): Promise<null | undefined> {
     const { tolerance: own, model } = store.get();
     const tolerance = within ?? own ?? model?.tolerance ?? 0;
-    return attempt({ type: 'makePanels', kind, tolerance, from });
+    return attempt(solver.change.makePanels(kind, tolerance, from));
   }
 
   /** @returns undefined if refused */
   async function attempt(
-    request: Request & { type: 'edit' | 'makePanels' },
+    change: Promise<null>,
     showError: (error: unknown) => boolean = () => false,
   ): Promise<null | undefined> {
     try {
-      return await solver.request(request);
+      return await change;
     } catch (error) {
       if (!showError(error)) alerts.error(messageOf(error));
       return undefined;
@@ -73,6 +67,10 @@ export function createActions(store: Store, solver: SolverClient, alerts: Alerts
     const { geometry } = solver;
     return geometry ? verticesOf(store.get().selection, geometry.connectivity) : [];
   }
+
+  /** Positions of the original. */
+  let original: Promise<Float64Array> | null = null;
+  solver.on('model', () => (original = null));
 
   const connectivity = () => solver.geometry?.connectivity;
 
@@ -100,7 +98,31 @@ export function createActions(store: Store, solver: SolverClient, alerts: Alerts
 
   return {
     ...view,
-    ...createQueries(solver, reportErrors),
+    /** Questions to the solver, which change nothing. */
+    ask: solver.ask,
+
+    /** Returns the positions at opening, `#V by 3`; asked for once. */
+    originalPositions: () =>
+      (original ??= solver.ask.originalPositions().catch((error) => {
+        original = null;
+        throw error;
+      })),
+
+    /** Other shapes that are equally exact, shown and kept. */
+    variations: {
+      find: solver.change.findVariations,
+      show: solver.change.showVariation,
+      project: solver.change.projectVariation,
+      keep: () => reportErrors(solver.change.keepVariation()),
+      leave: () => reportErrors(solver.change.leaveVariation()),
+    },
+
+    /** Passes numbers of the build, by id, to the session; goals of a lesson may bound them. */
+    setBuildNumbers: (numbers: [string, number][]) =>
+      solver.change.setBuildNumbers(
+        numbers.map(([id]) => id),
+        Float64Array.from(numbers, ([, value]) => value),
+      ),
     edit,
     makePanels,
     reportErrors,
@@ -111,17 +133,16 @@ export function createActions(store: Store, solver: SolverClient, alerts: Alerts
     removeHandles,
 
     /** Opens files; rejects with the error. */
-    open: (given: Omit<Extract<Request, { type: 'open' }>, 'type'>) =>
-      solver.request({ type: 'open', ...given }),
+    open: solver.change.open,
 
     runOrPause() {
       const { running, refining } = store.get();
       store.set({ refining: false });
-      solver.send({ type: running || refining ? 'pause' : 'run' });
+      solver.tell[running || refining ? 'pause' : 'run']();
     },
 
     async step() {
-      const converged = await reportErrors(solver.request({ type: 'step' }));
+      const converged = await reportErrors(solver.change.step());
       if (converged === undefined) return;
       const { document, numbers } = store.get();
       const done = converged ? ended(true, numbers?.iteration ?? 0) : 'One iteration';
@@ -132,7 +153,7 @@ export function createActions(store: Store, solver: SolverClient, alerts: Alerts
     /** Performs the local step, or the global step after it. */
     async halfStep() {
       const words = reportErrors(import('./half-step/half-step-words.ts'));
-      const done = await reportErrors(solver.request({ type: 'halfStep' }));
+      const done = await reportErrors(solver.change.halfStep());
       const loaded = await words;
       if (done && loaded) setStatus(loaded.halfStepWords(done));
     },
@@ -142,12 +163,12 @@ export function createActions(store: Store, solver: SolverClient, alerts: Alerts
     },
 
     async undo() {
-      const what = await reportErrors(solver.request({ type: 'undo' }));
+      const what = await reportErrors(solver.change.undo());
       if (what) setStatus(`Undid: ${what}`);
     },
 
     async redo() {
-      const what = await reportErrors(solver.request({ type: 'redo' }));
+      const what = await reportErrors(solver.change.redo());
       if (what) setStatus(`Redid: ${what}`);
     },
 
@@ -161,13 +182,13 @@ export function createActions(store: Store, solver: SolverClient, alerts: Alerts
     },
 
     /** @param ignoreCollapse continue although the mesh has collapsed */
-    run: (ignoreCollapse?: boolean) => solver.send({ type: 'run', ignoreCollapse }),
+    run: (ignoreCollapse?: boolean) => solver.tell.run(ignoreCollapse),
 
     /** Sends the new targets of handles. */
     moveHandles(handles: Pick<Handle, 'vertex' | 'target'>[], phase: 'start' | 'move' | 'end') {
       const vertices = Uint32Array.from(handles, ({ vertex }) => vertex);
       const targets = Float64Array.from(handles.flatMap(({ target }) => target));
-      solver.send({ type: 'drag', vertices, targets, phase });
+      solver.tell.drag({ vertices, targets, phase });
     },
   };
 }

@@ -119,7 +119,7 @@ export class HandleDrag {
   #send(phase: 'start' | 'move' | 'end' | 'cancel', time?: number) {
     const vertices = this.#vertices.slice();
     const targets = this.#targets.slice();
-    this.#solver.send({ type: 'drag', vertices, targets, phase, time });
+    this.#solver.tell.drag({ vertices, targets, phase, time });
   }
 }
 
@@ -137,5 +137,5 @@ export function leaveHandle(store: Store, solver: SolverClient, phase: 'end' | '
 
 function sendOfNew(solver: SolverClient, vertices: number[], phase: 'make' | 'end' | 'cancel') {
   const targets = new Float64Array(0);
-  solver.send({ type: 'drag', vertices: Uint32Array.from(vertices), targets, phase });
+  solver.tell.drag({ vertices: Uint32Array.from(vertices), targets, phase });
 }

@@ -4,7 +4,7 @@
  */
 
 import { combineOf, describe, select, sizeOfSelection, type Combine } from './selection.ts';
-import type { Operation, ParamValue } from '../solver/messages.ts';
+import type { Operation, ParamValue } from '../solver/types.ts';
 import type { Mode, Store } from './state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Actions } from './actions.ts';
@@ -50,9 +50,11 @@ export class Selecting {
   ): Promise<boolean> {
     const { mode, selection, model } = this.#store.get();
     const lists = Object.entries(from ?? selection).map(([name, items]) => [name, [...items]]);
-    const found = await this.#solver.request({
-      type: 'select',
-      request: { operation: operation.id, mode, from: Object.fromEntries(lists), params },
+    const found = await this.#solver.ask.select({
+      operation: operation.id,
+      mode,
+      from: Object.fromEntries(lists),
+      params,
     });
     // Another model was opened meanwhile.
     if (this.#store.get().model !== model) return false;

@@ -2,7 +2,7 @@
 
 import { count } from '../ui/format.ts';
 import type { Mode, Selection } from './state.ts';
-import type { Connectivity } from '../solver/messages.ts';
+import type { Connectivity } from '../solver/types.ts';
 
 export type Combine = 'replace' | 'add' | 'remove';
 

@@ -21,7 +21,7 @@ import type {
   RowColours,
   SceneDocument,
   SettingInfo,
-} from '../solver/messages.ts';
+} from '../solver/types.ts';
 import type { Example } from '../solver/examples.ts';
 import type { Spread } from '../ui/plot/histogram.ts';
 

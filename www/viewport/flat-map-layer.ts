@@ -2,7 +2,7 @@
 
 import type { View } from '../pkg/view-webgl2/shape_up.js';
 import type { FlatMap } from '../store/state.ts';
-import type { Parametrization } from '../solver/messages.ts';
+import type { Parametrization } from '../solver/types.ts';
 
 /** Map of each view. */
 const shown: WeakMap<View, Parametrization> = new WeakMap();

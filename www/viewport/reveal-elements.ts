@@ -2,7 +2,7 @@
 
 import { cornersOf, verticesOf } from '../store/selection.ts';
 import type { AppContext } from '../app/context.ts';
-import type { Connectivity } from '../solver/messages.ts';
+import type { Connectivity } from '../solver/types.ts';
 
 type Elements = {
   vertices: ArrayLike<number>;

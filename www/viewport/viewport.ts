@@ -9,7 +9,7 @@ import { isFirstPictureShown, removeFirstPicture } from './first-picture.ts';
 import { Refinement } from './refinement.ts';
 import { ShapeTransition } from './shape-transition.ts';
 import { Emitter } from '../solver/emitter.ts';
-import { messageOf } from '../solver/messages.ts';
+import { messageOf } from '../solver/errors.ts';
 import { LAYERS, showDisplay, showValues } from './layers.ts';
 import type { View } from '../pkg/view-webgl2/shape_up.js';
 import type { State, Store } from '../store/state.ts';

@@ -1,6 +1,6 @@
 /** Fetches the solver's module, and reports progress if that takes long. */
 
-import type { FromWorker } from '../solver/messages.ts';
+import type { FromWorker } from '../solver/events.ts';
 
 /** Delay of the first progress report and interval of the next ones, in milliseconds. */
 const LATE_MS = 500;

@@ -3,15 +3,22 @@
  * data. Without a free buffer no frame is sent.
  */
 
-import type { Command, FromWorker, Projections } from '../solver/messages.ts';
+import type { FromWorker } from '../solver/events.ts';
+import type { Measure, Projections } from '../solver/types.ts';
 import type { Solver } from '../pkg/engine/shape_up.js';
 
-type Show = Extract<Command, { type: 'show' }>;
+/** What is sent with each frame besides positions. */
+export interface Shown {
+  measure: Measure | null;
+  shapes: boolean;
+  projections: boolean;
+  corners: boolean;
+}
 
 export class Frames {
   /** Whether the state has changed since the last frame. */
   due = false;
-  shown: Omit<Show, 'type'> = { measure: null, shapes: false, projections: false, corners: false };
+  shown: Shown = { measure: null, shapes: false, projections: false, corners: false };
 
   #solver;
   #post;

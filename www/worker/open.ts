@@ -1,23 +1,28 @@
 /** Opens the files of a model in the worker. */
 
-import {
-  messageOf,
-  type Request,
-  type Loaded,
-  type Saved,
-  type NamedBytes,
-} from '../solver/messages.ts';
+import { messageOf } from '../solver/errors.ts';
 import { filesNamed, mainOf } from '../solver/opened-files.ts';
 import { isTrap } from './wasm-errors.ts';
 import type { Solver } from '../pkg/engine/shape_up.js';
+import type { Loaded, NamedBytes, Saved } from '../solver/types.ts';
 import type { Scheduler } from './scheduler.ts';
 
-type Open = Extract<Request, { type: 'open' }>;
+export interface Opening {
+  files: NamedBytes[];
+  /** data saved with a scene */
+  saved?: Saved;
+  /** unit and axis of a mesh file that has none: `# units: m`, `# up: y` */
+  frame?: string;
+  /** runs before anything is shown, only for models known to converge quickly */
+  solved?: boolean;
+  /** false keeps the separate vertices of faces in a mesh file */
+  weld?: boolean;
+}
 
 export function open(
   solver: Solver,
   scheduler: Scheduler,
-  { files, saved, frame = '', solved, weld }: Open,
+  { files, saved, frame = '', solved, weld }: Opening,
 ): Loaded {
   const main = mainOf(files);
   const named = filesNamed(files, (scene) => solver.sceneFiles(scene));

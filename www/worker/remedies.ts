@@ -5,7 +5,8 @@
 
 import { RemedyTrials, type Solver } from '../pkg/engine/shape_up.js';
 import { runInSlices } from './trials.ts';
-import type { FromWorker, Remedy } from '../solver/messages.ts';
+import type { FromWorker } from '../solver/events.ts';
+import type { Remedy } from '../solver/types.ts';
 
 /** Time limit of the trials, in milliseconds. */
 const MOST_MS = 4000;

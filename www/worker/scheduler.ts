@@ -3,18 +3,15 @@
  * is dragged, and which updates are due for the page.
  */
 
-import {
-  SLICE_MS,
-  messageOf,
-  type FromWorker,
-  type Drag,
-  type Loaded,
-  type Half,
-} from '../solver/messages.ts';
+import { messageOf } from '../solver/errors.ts';
+import type { FromWorker } from '../solver/events.ts';
+import type { Drag, Loaded, Half } from '../solver/types.ts';
 import { Frames } from './frames.ts';
 import { isTrap } from './wasm-errors.ts';
 import type { Solver } from '../pkg/engine/shape_up.js';
 
+/** Duration of a slice of iterations between messages, in milliseconds. */
+export const SLICE_MS = 8;
 /** Largest share of the time for frames while iterating, unless a drag waits for its answer. */
 const FRAME_SHARE = 0.25;
 /**

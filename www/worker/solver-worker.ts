@@ -1,24 +1,19 @@
-/** The worker: owns the Solver and handles the messages of `messages.ts`. The page decides. */
+/** The worker: owns the Solver and answers the calls of the page. The page decides. */
 
 import init, { Solver } from '../pkg/engine/shape_up.js';
-import { messageOf, type ToWorker, type Request, type FromWorker } from '../solver/messages.ts';
+import { messageOf } from '../solver/errors.ts';
 import { fetchModule } from './fetch-wasm.ts';
-import { commandHandlers, requestHandlers } from './handlers.ts';
+import { changesOf, commandsOf, questionsOf } from './interface.ts';
 import { Scheduler } from './scheduler.ts';
-import { stopTrials } from './trials.ts';
 import { resetIdle } from './warm-up.ts';
 import { isTrap } from './wasm-errors.ts';
+import type { FromWorker } from '../solver/events.ts';
+import type { Call } from '../solver/remote.ts';
 
-type Command = Exclude<import('../solver/messages.ts').Command, { type: 'ping' }>;
+type Method = (...given: unknown[]) => unknown;
 
-/** Messages that make pending trials useless. */
-const CHANGES: Set<ToWorker['type']> = new Set([
-  ...(['run', 'drag', 'open', 'edit', 'editAndRun', 'makePanels'] as ToWorker['type'][]),
-  ...(['undo', 'redo', 'step', 'halfStep'] as ToWorker['type'][]),
-]);
-
-/** Messages received before the solver was ready. */
-const early: ToWorker[] = [];
+/** Calls received before the solver was ready. */
+const early: Call[] = [];
 onmessage = (event) => early.push(event.data);
 
 try {
@@ -40,16 +35,14 @@ function listen(solver: Solver) {
     post({ type: 'died', message: messageOf(thrown) });
   };
   const scheduler = new Scheduler(solver, post, died);
-  const commands = commandHandlers(scheduler);
-  const requests = requestHandlers(solver, scheduler, post);
+  const commands = commandsOf(scheduler) as Record<string, Method>;
+  const own = { ...changesOf(solver, scheduler), ...questionsOf(solver, scheduler, post) };
+  const answers = own as Record<string, Method>;
+  const methods = solver as unknown as Record<string, Method>;
+  const called = ({ name, given }: Call) =>
+    name in answers ? answers[name](...given) : methods[name](...given);
 
-  const command = <C extends Command>(message: C) => {
-    const handler = commands[message.type] as (message: C) => void;
-    scheduler.guard(() => handler(message));
-  };
-
-  function request<R extends Request>(message: R & { id: number }) {
-    const { id } = message;
+  function answer(call: Call, id: number) {
     post({ type: 'working' });
     const refuse = (thrown: unknown) => {
       if (isTrap(thrown)) died(thrown);
@@ -57,25 +50,23 @@ function listen(solver: Solver) {
       post({ type: 'refused', id, message: messageOf(thrown), path });
     };
     try {
-      const handler = requests[message.type] as (message: R) => unknown;
-      const value = handler(message);
+      const value = called(call);
       if (!(value instanceof Promise)) return post({ type: 'reply', id, value });
       value.then((value) => post({ type: 'reply', id, value }), refuse);
-      // The request continues in slices.
+      // The answer is found in slices.
       post({ type: 'pong' });
     } catch (thrown) {
       refuse(thrown);
     }
   }
 
-  function receive(message: ToWorker) {
+  function receive(call: Call) {
     if (isDead) return;
     // Answered between slices, to show that the worker is alive.
-    if (message.type === 'ping') return post({ type: 'pong' });
+    if (call.name === 'ping') return post({ type: 'pong' });
     resetIdle();
-    if (CHANGES.has(message.type)) stopTrials();
-    if ('id' in message) request(message);
-    else command(message);
+    if (call.id === undefined) scheduler.guard(() => commands[call.name](...call.given));
+    else answer(call, call.id);
   }
 
   post({

@@ -1,6 +1,6 @@
 /** Trials alongside the solver, one at a time, until another one begins or the shape changes. */
 
-import type { FromWorker } from '../solver/messages.ts';
+import type { FromWorker } from '../solver/events.ts';
 
 /** Duration of a slice between other messages, in milliseconds. */
 const SLICE_MS = 12;

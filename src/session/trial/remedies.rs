@@ -27,7 +27,7 @@ pub struct Remedy {
     /// The label of the edit.
     pub label: String,
     /// The edit in JSON, for [`Edit::from_json`].
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "any"))]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Sent<Edit>"))]
     pub edit: Value,
     /// The worst distance of a vertex to its projection after the trial, in the unit of the mesh.
     pub worst: f64,

@@ -17,6 +17,8 @@ export type PanelStart = "now" | "original" | "smoother";
 export type Require = "soft" | "exact" | { within: number };
 export type Within = string | { faces: number[] } | { vertices: number[] };
 export type Selector = { each: string; in?: Within } | { vertices: number[] };
+/** Elements of the mesh, ascending; edges as in `edges()`. */
+export interface Elements { vertices: Uint32Array; edges: Uint32Array; faces: Uint32Array }
 "#;
 
 #[wasm_bindgen]

@@ -36,6 +36,7 @@ impl Solver {
     }
 
     /// Returns the vertices, edges and faces with a flaw, as a selection.
+    #[wasm_bindgen(unchecked_return_type = "Elements")]
     pub fn flawed(&self, name: &str) -> Result<JsValue, JsValue> {
         let session = self.open()?;
         let found = session.elements_with_problem(name);

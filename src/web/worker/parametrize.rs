@@ -13,23 +13,62 @@ use wasm_bindgen::prelude::*;
 const LEAST_RANGE: [f64; 2] = [1.0, 1.01];
 const BARS: usize = 24;
 
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** Weights of polygons, and what the norm of a map is over: the words of the command line. */
+export type MapWeights = "inverse-area" | "one" | "lscm";
+export type MapNorm = "boundary" | "vertices";
+/**
+ * A conformal flat map (Eq. 14). The quasi-conformal error of a triangle is the ratio of its larger
+ * to its smaller stretch: 1 if angles are preserved.
+ */
+export interface Parametrization {
+    /** `#V by 2`, in the unit of the mesh. */
+    uv: Float64Array;
+    /** `#F`: the largest error of a face's triangles; NaN without area. */
+    faceErrors: Float32Array;
+    /** Faces by error, in bins of equal width from 1 to `high`; the last one includes all above. */
+    histogram: Uint32Array;
+    /** The 99th percentile of the errors. */
+    high: number;
+    /** The mean error, weighted by area. */
+    mean: number;
+    max: number;
+    /** The number of flipped triangles, and the faces that have them. */
+    flipped: number;
+    flippedFaces: Uint32Array;
+    /** The number of connected components, and of those without a boundary, which have no map without folds. */
+    parts: number;
+    closedParts: number;
+    /** The number of faces that are not on the map: without area, or with the vertices of another face. */
+    leftOut: number;
+    eigenvalue: number;
+    seconds: number;
+    secondsOf: Record<"assemble" | "order" | "factor" | "iterate", number>;
+}
+/** Settings whose flat map has fewer flipped triangles, with their number and the mean error. */
+export interface FewerFlips {
+    weights: MapWeights;
+    norm: MapNorm;
+    flipped: number;
+    mean: number;
+}
+"#;
+
 #[wasm_bindgen]
 impl Solver {
-    /// Computes the flat map of the current shape. Returns
-    ///
-    /// - `uv`, `#V by 2`, units of the mesh,
-    /// - `faceErrors`, `#F`: the largest quasi-conformal error of the triangles of each face, NaN
-    ///   for a face without area; `mean` (weighted by area) and `max` of the error; its `histogram`
-    ///   over the faces, from 1 to `high`,
-    /// - the number of `flipped` triangles, and `flippedFaces`, the faces that contain them,
-    /// - the numbers of `parts`, `closedParts`, and `leftOut` faces (without area, or duplicates),
-    /// - `eigenvalue`, `seconds`, and their parts in `secondsOf`.
+    /// Computes the flat map of the current shape.
     ///
     /// `weights` and `norm` are the words of the command line.
     ///
     /// # Errors
     /// A mesh without faces, a surface without area, or an unknown word.
-    pub fn parametrize(&self, weights: &str, norm: &str) -> Result<JsValue, JsValue> {
+    #[wasm_bindgen(unchecked_return_type = "Parametrization")]
+    pub fn parametrize(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "MapWeights")] weights: &str,
+        #[wasm_bindgen(unchecked_param_type = "MapNorm")] norm: &str,
+    ) -> Result<JsValue, JsValue> {
         let weights: ConformalWeights = of_word("weights", weights)?;
         let norm: ConformalNorm = of_word("norm", norm)?;
         let session = self.open()?;
@@ -62,12 +101,12 @@ impl Solver {
     }
 
     /// Returns the weights and norm whose flat map of the current shape flips the fewest triangles,
-    /// among those that flip fewer than `flipped`: `weights`, `norm`, `flipped` and `mean`, as in
-    /// [`Solver::parametrize`]. Null if no choice flips fewer. It computes the maps of all choices.
+    /// among those that flip fewer than `flipped`; null if no choice flips fewer. It computes the maps
+    /// of all choices.
     ///
     /// # Errors
     /// No model is open.
-    #[wasm_bindgen(js_name = fewerFlips)]
+    #[wasm_bindgen(js_name = fewerFlips, unchecked_return_type = "FewerFlips | null")]
     pub fn fewer_flips(&self, flipped: usize) -> Result<JsValue, JsValue> {
         match self.open()?.fewer_flips(flipped) {
             None => Ok(JsValue::NULL),

@@ -27,7 +27,7 @@ impl Solver {
     }
 
     /// Returns the numbers of the build that a lesson may bound.
-    #[wasm_bindgen(js_name = buildNumbers)]
+    #[wasm_bindgen(js_name = buildNumbers, unchecked_return_type = "BuildNumber[]")]
     pub fn build_numbers(&self) -> Result<JsValue, JsValue> {
         plain_object(&BUILD_NUMBERS)
     }

@@ -25,7 +25,8 @@ impl Solver {
         Ok(Uint32Array::from(self.open()?.topology().edges().as_flattened()))
     }
 
-    /// Returns the selection after an operation: `vertices`, `edges` and `faces`, ascending.
+    /// Returns the selection after an operation.
+    #[wasm_bindgen(unchecked_return_type = "Elements")]
     pub fn select(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "SelectRequest")] request: JsValue,

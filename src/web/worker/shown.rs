@@ -9,6 +9,34 @@ use crate::web::thrown;
 use js_sys::{Float32Array, Float64Array, Uint8Array};
 use wasm_bindgen::prelude::*;
 
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** The projected points of all enabled constraints. */
+export interface Projections {
+    /** `#points`: the vertex of each point. */
+    vertices: Uint32Array;
+    /** `#points by 3`: from the vertex to the point, in the unit of the mesh. */
+    displacements: Float32Array;
+    /** `#points`: an index in `palette` plus one. */
+    colours: Uint8Array;
+    /** Pairs of points. */
+    outlines: Uint32Array;
+    /** Three components from 0 to 1 per colour. */
+    palette: Float32Array;
+}
+/** The faces and vertices on which a row of constraints acts. */
+export interface Members { faces: Uint32Array; vertices: Uint32Array }
+/** The colour of the row of constraints that acts on each face and each vertex. */
+export interface RowColours {
+    /** `#F`: 0 for none, else an index in `palette` plus one. */
+    faces: Uint8Array;
+    /** `#V`: the same for constraints that cover no whole face. */
+    vertices: Uint8Array;
+    /** Three components from 0 to 1 per colour. */
+    palette: Float32Array;
+}
+"#;
+
 #[wasm_bindgen]
 impl Solver {
     /// Returns the values of a measure of faces, `#F`, in its unit.
@@ -25,10 +53,8 @@ impl Solver {
         Ok(Float64Array::from(&shapes.iter().flat_map(Fitted::numbers).collect::<Vec<f64>>()[..]))
     }
 
-    /// Returns the projections of the constraints at the current positions: the vertex of each
-    /// projected point (`vertices`), its displacement from there (`displacements`, `#points by 3`,
-    /// units of the mesh), and the index of its colour in `palette` plus one (`colours`);
-    /// `outlines` are pairs of points.
+    /// Returns the projections of the constraints at the current positions.
+    #[wasm_bindgen(unchecked_return_type = "Projections")]
     pub fn projections(&mut self) -> Result<JsValue, JsValue> {
         let session = self.open_mut()?;
         let row_palette = session.row_palette();
@@ -45,15 +71,14 @@ impl Solver {
     }
 
     /// Returns the faces and vertices on which row `constraint` acts.
+    #[wasm_bindgen(unchecked_return_type = "Members")]
     pub fn members(&self, constraint: usize) -> Result<JsValue, JsValue> {
         let [faces, vertices] = self.open()?.members(constraint);
         object([("faces", indices(&faces)), ("vertices", indices(&vertices))])
     }
 
-    /// Returns the colour of the row of constraints that acts on each face and each vertex: `faces`
-    /// (`#F`) and `vertices` (`#V`) are 0 without a row, else an index into `palette` plus one. The
-    /// palette has three numbers from 0 to 1 per colour.
-    #[wasm_bindgen(js_name = rowColours)]
+    /// Returns the colour of the row of constraints that acts on each face and each vertex.
+    #[wasm_bindgen(js_name = rowColours, unchecked_return_type = "RowColours")]
     pub fn row_colours(&self) -> Result<JsValue, JsValue> {
         let session = self.open()?;
         let acting = session.acting_rows();

@@ -63,6 +63,7 @@ impl Solver {
     }
 
     /// Returns the cost of exactness; null without a trial of the current shape and problem.
+    #[wasm_bindgen(unchecked_return_type = "ExactOffer | null")]
     pub fn offer(&mut self) -> Result<JsValue, JsValue> {
         let both = self.trial.as_mut().zip(self.session.as_ref());
         plain(&both.and_then(|(trial, session)| trial.offer(session)))

@@ -8,7 +8,7 @@ import { contentsOf } from '../../../www/documents/recent-documents.ts';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import { createStore } from '../../../www/store/state.ts';
 import type { Files } from '../../../www/documents/files.ts';
-import type { Loaded } from '../../../www/solver/messages.ts';
+import type { Loaded } from '../../../www/solver/types.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 import type { ViewContext } from '../../../www/viewport/saved-view.ts';
 

@@ -265,7 +265,7 @@ test('an example whose mesh was refined is stored with that mesh, also when it w
   const appWith = (mesh: Mesh, original: Mesh | null) =>
     ({
       store: { get: () => ({ tolerance: TOLERANCE }) },
-      actions: { sceneText: async () => JSON.stringify(sceneWith(mesh)) },
+      actions: { ask: { scene: async () => JSON.stringify(sceneWith(mesh)) } },
       files: {
         origin: { example: { id: 'roof', mesh: 'roof.obj' } },
         original: original && JSON.stringify(sceneWith(original)),

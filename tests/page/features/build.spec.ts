@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import DxfParser, { type IDxf, type IEntity, type ILwpolylineEntity } from 'dxf-parser';
 import { unzipSync } from 'fflate';
 import { program } from '../../../.scripts/project.mjs';
-import type { BuildReport } from '../../../www/solver/messages.ts';
+import type { BuildReport } from '../../../www/solver/types.ts';
 import { downloaded, openText, saved, showPanel } from '../actions.ts';
 import { quadScene, wavyGrid } from '../meshes.ts';
 import { outlinesOf, overPart } from '../sheets.ts';

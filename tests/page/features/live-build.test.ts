@@ -4,13 +4,11 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { AppContext } from '../../../www/app/context.ts';
 import { LiveBuild } from '../../../www/features/build/live-build.ts';
-import type { BuildRequest } from '../../../www/solver/messages.ts';
+import type { Shape } from '../../../www/features/build/build-worker.ts';
+import type { Call } from '../../../www/solver/remote.ts';
 
-/** What the page sends to the worker that makes parts. */
-interface Sent {
-  id: number;
-  request: BuildRequest;
-}
+/** The shape of a call to build; undefined for other calls. */
+const shapeOf = ({ name, given }: Call) => (name === 'build' ? (given[0] as Shape) : undefined);
 
 test('faces that change during a build are built, although no vertex has moved', async () => {
   /** Corners of the meshes that were built. */
@@ -19,10 +17,12 @@ test('faces that change during a build are built, although no vertex has moved',
   let begun = () => {};
   globalThis.Worker = class {
     onmessage: (event: { data: object }) => void = () => {};
-    postMessage({ id, request }: Sent) {
-      if (request.type === 'build') built.push(request.indices.length);
+    postMessage(call: Call) {
+      const shape = shapeOf(call);
+      if (shape) built.push(shape.indices.length);
       begun();
-      const value = request.type === 'offers' ? { presets: [], defaults: {} } : {};
+      const value = call.name === 'offers' ? { presets: [], defaults: {} } : {};
+      const { id } = call;
       setTimeout(() => this.onmessage({ data: { id, value } }));
     }
   } as unknown as typeof Worker;
@@ -63,9 +63,10 @@ test('what is saved while a large shape moves is built of its current positions'
   const asked: (string | number)[] = [];
   globalThis.Worker = class {
     onmessage: (event: { data: object }) => void = () => {};
-    postMessage({ id, request }: Sent) {
-      asked.push(request.type === 'build' ? request.positions[0] : request.type);
-      const value = request.type === 'offers' ? { presets: [], defaults: {} } : {};
+    postMessage(call: Call) {
+      asked.push(shapeOf(call)?.positions[0] ?? call.name);
+      const value = call.name === 'offers' ? { presets: [], defaults: {} } : {};
+      const { id } = call;
       setTimeout(() => this.onmessage({ data: { id, value } }));
     }
   } as unknown as typeof Worker;
@@ -99,9 +100,11 @@ test('another shape is built, even one with equal sums of its coordinates', asyn
   const built: number[] = [];
   globalThis.Worker = class {
     onmessage: (event: { data: object }) => void = () => {};
-    postMessage({ id, request }: Sent) {
-      if (request.type === 'build') built.push(request.positions[0]);
-      const value = request.type === 'offers' ? { presets: [], defaults: {} } : {};
+    postMessage(call: Call) {
+      const shape = shapeOf(call);
+      if (shape) built.push(shape.positions[0]);
+      const value = call.name === 'offers' ? { presets: [], defaults: {} } : {};
+      const { id } = call;
       setTimeout(() => this.onmessage({ data: { id, value } }));
     }
   } as unknown as typeof Worker;

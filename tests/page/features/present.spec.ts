@@ -1,7 +1,7 @@
 // Presentations: steps are made from views, saved in the scene, and shown in order.
 
 import type { Page } from '@playwright/test';
-import type { Slide } from '../../../www/solver/messages.ts';
+import type { Slide } from '../../../www/solver/types.ts';
 import { openText, tool } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.ts';

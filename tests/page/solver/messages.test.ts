@@ -3,9 +3,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.ts';
-import { messageOf } from '../../../www/solver/messages.ts';
+import { messageOf } from '../../../www/solver/errors.ts';
 import { filesNamed, mainOf, worthReading } from '../../../www/solver/opened-files.ts';
-import type { NamedBytes } from '../../../www/solver/messages.ts';
+import type { NamedBytes } from '../../../www/solver/types.ts';
 
 test('listeners are called in order, a one-time listener only once, and one that throws does not affect the others', () => {
   const reported: string[] = [];

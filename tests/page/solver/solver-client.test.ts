@@ -3,21 +3,22 @@
 import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
 import { SolverClient } from '../../../www/solver/solver-client.ts';
-import type { ToWorker } from '../../../www/solver/messages.ts';
+import type { Call } from '../../../www/solver/remote.ts';
+import type { Opening } from '../../../www/worker/open.ts';
 
 const tick = () => new Promise((done) => setTimeout(done));
 
 /** A worker that says what the test tells it to say. */
 class FakeWorker {
   declare static latest: FakeWorker;
-  posted: ToWorker[] = [];
+  posted: Call[] = [];
   /** Set by the client. */
   declare onmessage: (event: { data: object }) => void;
 
   constructor() {
     FakeWorker.latest = this;
   }
-  postMessage(message: ToWorker) {
+  postMessage(message: Call) {
     this.posted.push(message);
   }
   terminate() {}
@@ -39,12 +40,12 @@ class FakeWorker {
     this.say({ type: 'reply', id, value: { undoLost: '' } });
   }
   get reopened() {
-    const { files } = this.#opening;
+    const [{ files }] = this.#opening.given as [Opening];
     return new TextDecoder().decode(files[0].bytes);
   }
   /** The request to open a file. */
   get #opening() {
-    const request = this.posted.find((message) => message.type === 'open');
+    const request = this.posted.find((message) => message.name === 'open');
     assert.ok(request);
     return request;
   }
@@ -54,7 +55,7 @@ class FakeWorker {
 async function clientWithRoof() {
   const client = new SolverClient();
   const worker = FakeWorker.latest;
-  const opened = client.request({ type: 'open', files: [] });
+  const opened = client.change.open({ files: [] });
   worker.say({ type: 'ready' });
   worker.model('roof.obj');
   worker.scene('the roof', 7);
@@ -72,7 +73,7 @@ test('a file whose opening is cancelled before its answer does not replace the s
   const client = await clientWithRoof();
   const names: string[] = [];
   client.on('model', ({ loaded }) => names.push(loaded.name));
-  const refused = assert.rejects(client.request({ type: 'open', files: [] }));
+  const refused = assert.rejects(client.change.open({ files: [] }));
   FakeWorker.latest.model('large.obj');
   FakeWorker.latest.scene('the large mesh', 0);
   client.abandon();

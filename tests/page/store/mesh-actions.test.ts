@@ -30,16 +30,19 @@ class RunningSolver extends Emitter<{ activity: Activity }> {
     this.emit('activity', { running, converged });
   }
 
-  /** `run` is ignored during a run. */
-  send({ type }: { type: string }) {
-    if (type === 'run' && !this.store.get().running) this.#turn(true, false);
-  }
+  readonly tell = {
+    /** Ignored during a run. */
+    run: () => {
+      if (!this.store.get().running) this.#turn(true, false);
+    },
+  };
 
-  async request({ type }: { type: string }) {
-    assert.equal(type, 'editAndRun');
-    this.refinements += 1;
-    this.#turn(true, false);
-  }
+  readonly change = {
+    editAndRun: async () => {
+      this.refinements += 1;
+      this.#turn(true, false);
+    },
+  };
 
   async endRun(converged: boolean) {
     this.#turn(false, converged);
@@ -50,7 +53,7 @@ class RunningSolver extends Emitter<{ activity: Activity }> {
 function refineDuringRun() {
   const store = createStore();
   const solver = new RunningSolver(store);
-  const actions = { setStatus() {}, verdict: async () => null };
+  const actions = { setStatus() {}, ask: { verdict: async () => null } };
   const given = [store, solver as unknown as SolverClient, actions as unknown as Actions] as const;
   const how = { scheme: 'catmull-clark' as const, levels: 1, keep: 75 };
   return { store, solver, ended: meshActions(...given).refine(how, true) };
@@ -73,7 +76,7 @@ test('Pause before the first level ends Refine and solve', async () => {
     await solver.endRun(converged);
     await ended;
     // A later run used to refine.
-    solver.send({ type: 'run' });
+    solver.tell.run();
     await solver.endRun(true);
     assert.equal(solver.refinements, 0);
   }

@@ -5,7 +5,8 @@ import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import { createStore } from '../../../www/store/state.ts';
 import { PointerInput } from '../../../www/viewport/input/pointer.ts';
-import type { Drag, WorkerEvents } from '../../../www/solver/messages.ts';
+import type { WorkerEvents } from '../../../www/solver/events.ts';
+import type { Drag } from '../../../www/solver/types.ts';
 
 const VERTEX = 5;
 const ALT = { altKey: true, button: 0, buttons: 1, pointerId: 1, pointerType: 'mouse' };
@@ -18,8 +19,10 @@ function inputAtVertex() {
   const store = createStore();
   /** Drags that were sent: phase and vertices. */
   const sent: (string | number)[][] = [];
-  const send = ({ phase, vertices }: Drag) => sent.push([phase, ...vertices]);
-  const solver = Object.assign(new Emitter<Pick<WorkerEvents, 'document'>>(), { send });
+  const drag = ({ phase, vertices }: Drag) => sent.push([phase, ...vertices]);
+  const solver = Object.assign(new Emitter<Pick<WorkerEvents, 'document'>>(), {
+    tell: { drag },
+  });
   solver.on('document', ({ document }) => store.set({ document }));
   const listeners: Record<string, (event: object) => void> = {};
   const dataset: DOMStringMap = {};

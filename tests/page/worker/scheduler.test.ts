@@ -4,8 +4,8 @@
 import assert from 'node:assert/strict';
 import { test, type TestContext } from 'node:test';
 import type { Solver } from '../../../www/pkg/engine/shape_up.js';
-import { SLICE_MS, type FromWorker } from '../../../www/solver/messages.ts';
-import { Scheduler } from '../../../www/worker/scheduler.ts';
+import type { FromWorker } from '../../../www/solver/events.ts';
+import { Scheduler, SLICE_MS } from '../../../www/worker/scheduler.ts';
 import { runInSlices } from '../../../www/worker/trials.ts';
 
 /** A clock that advances only when the test does work. */

@@ -1,6 +1,6 @@
 /** Shows uncaught errors, and offers to copy a report. */
 
-import { messageOf } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
 import type { Alerts } from '../../ui/controls/alerts.ts';
 import type { Store } from '../../store/state.ts';
 

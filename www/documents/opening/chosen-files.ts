@@ -1,6 +1,7 @@
 /** Opens a model from a file input or a drop, and lists the files left out. Loaded on demand. */
 
-import { messageOf, type NamedBytes, type Loaded } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
+import type { NamedBytes, Loaded } from '../../solver/types.ts';
 import { isReadable, worthReading } from '../../solver/opened-files.ts';
 import { namedBytes } from './named-bytes.ts';
 import type { AppContext } from '../../app/context.ts';

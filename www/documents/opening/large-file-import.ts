@@ -7,7 +7,8 @@ import '../../ui/styles/waiting.css';
 import { button } from '../../ui/controls/fields.ts';
 import { byId, element, removeKeepingFocus, setText } from '../../ui/dom.ts';
 import { groupDigits } from '../../ui/format.ts';
-import { messageOf, type NamedBytes, type Loaded } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
+import type { NamedBytes, Loaded } from '../../solver/types.ts';
 import type { Actions } from '../../store/actions.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
 import type { Alerts } from '../../ui/controls/alerts.ts';
@@ -41,7 +42,7 @@ export async function openLarge(
   const card = new Card(names);
   const count = new FaceCount();
   // The solver measures the limit, unless known already, while the file is read.
-  const limit = actions.mostFaces();
+  const limit = actions.ask.mostFaces();
   limit.catch(() => {});
   actions.setStatus(`Reading ${names} …`);
   try {

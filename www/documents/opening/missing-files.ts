@@ -2,7 +2,7 @@
 
 import { element } from '../../ui/dom.ts';
 import { namedBytes } from './named-bytes.ts';
-import type { NamedBytes } from '../../solver/messages.ts';
+import type { NamedBytes } from '../../solver/types.ts';
 import type { Actions } from '../../store/actions.ts';
 import type { Files, Origin } from '../files.ts';
 import type { Offer } from '../../ui/controls/alerts.ts';
@@ -16,7 +16,7 @@ export async function offersToChoose(
   files: Files,
   origin: Origin,
 ): Promise<Offer[]> {
-  const missing = await actions.missingFiles(given).catch(() => []);
+  const missing = await actions.ask.missingFiles(given).catch(() => []);
   if (missing.length === 0) return [];
   const action = async () => {
     const chosen = await choose(missing.length > 1);

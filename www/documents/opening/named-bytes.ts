@@ -1,6 +1,6 @@
 /** Reading of a chosen file. */
 
-import type { NamedBytes } from '../../solver/messages.ts';
+import type { NamedBytes } from '../../solver/types.ts';
 
 /** @param name in place of its own */
 export async function namedBytes(file: File, name: string = file.name): Promise<NamedBytes> {

@@ -1,6 +1,6 @@
 /** Page side of the Rhino worker: one worker per file, terminated after the answer. */
 
-import type { RhinoReplies, RhinoRequest } from '../../solver/messages.ts';
+import type { RhinoReplies, RhinoRequest } from './rhino-worker.ts';
 
 /** @returns rejects with the error in the file, or when cancelled */
 export async function askRhino<Type extends keyof RhinoReplies>(

@@ -5,7 +5,7 @@
  */
 
 import { NAMES, ROLE, rhino } from './rhino.ts';
-import type { NamedBytes } from '../../solver/messages.ts';
+import type { NamedBytes } from '../../solver/types.ts';
 
 type Point = [number, number, number];
 type Face = { layer: string; corners: Point[] };

@@ -2,7 +2,7 @@
 
 import { NAMES, rhino } from './rhino.ts';
 import { addLayer, addMesh, addPolyline, attributesOf } from './rhino-objects.ts';
-import type { SpatialPart } from '../../solver/messages.ts';
+import type { SpatialPart } from '../../solver/types.ts';
 
 /** @param symbol unit of their coordinates */
 export async function rhinoParts(

@@ -4,10 +4,28 @@
  * that crashes it stops nothing else.
  */
 
-import { messageOf, type RhinoRequest, type RhinoAnswer } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
 import { meshFromRhino } from './rhino-in.ts';
 import { rhinoFile } from './rhino-out.ts';
 import { rhinoParts } from './rhino-parts.ts';
+import type { NamedBytes, SpatialPart } from '../../solver/types.ts';
+
+/**
+ * Messages of the Rhino worker, which handles one request: read a file as the mesh in it, write a
+ * scene with the table of its face errors, or write the parts to be built.
+ */
+export type RhinoRequest =
+  | { type: 'read'; file: NamedBytes }
+  | { type: 'write'; scene: string; errors: string }
+  | { type: 'writeParts'; parts: SpatialPart[]; symbol: string };
+
+export type RhinoReplies = {
+  read: NamedBytes;
+  write: Uint8Array<ArrayBuffer>;
+  writeParts: Uint8Array<ArrayBuffer>;
+};
+
+type RhinoAnswer = { value: RhinoReplies[keyof RhinoReplies] } | { refused: string };
 
 onmessage = async ({ data }) => {
   const answer: RhinoAnswer = await answerTo(data).catch((error) => ({

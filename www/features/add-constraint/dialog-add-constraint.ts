@@ -11,7 +11,7 @@ import { byId, element, setText } from '../../ui/dom.ts';
 import { count, groupDigits } from '../../ui/format.ts';
 import { KindChoices } from '../../ui/kinds/kind-choices.ts';
 import { Parameters } from '../../ui/kinds/parameters.ts';
-import type { ElementInfo, KindInfo, Preview, Selector } from '../../solver/messages.ts';
+import type { ElementInfo, KindInfo, Preview, Selector } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /**
@@ -154,7 +154,9 @@ class AddConstraintDialog {
   async #ask() {
     const question = ++this.#question;
     const places = this.#allPlaces();
-    const previews = await this.#actions.previews(places.map(({ on }) => on));
+    const previews = await this.#actions.reportErrors(
+      this.#actions.ask.previews(places.map(({ on }) => on)),
+    );
     if (question !== this.#question || !previews) return;
     this.#offers = new Map();
     this.#store.get().kinds.forEach((kind, k) => {

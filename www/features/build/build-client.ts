@@ -1,42 +1,22 @@
 /** The page's side of the worker that makes parts. */
 
-import type { BuildReplies, BuildRequest } from '../../solver/messages.ts';
+import { calling, Waiting, type Remote } from '../../solver/remote.ts';
+import type { BuildMethods } from './build-worker.ts';
 
-type Waiting = { resolve: (value: unknown) => void; reject: (error: Error) => void };
-
-export class BuildClient {
-  #worker;
-  #waiting: Map<number, Waiting> = new Map();
-  #next = 0;
-
-  constructor() {
-    this.#worker = new Worker(new URL('./build-worker.ts', import.meta.url), {
-      type: 'module',
-      name: 'build',
-    });
-    this.#worker.onmessage = ({ data }) => {
-      const waiting = this.#waiting.get(data.id);
-      this.#waiting.delete(data.id);
-      if ('refused' in data) waiting?.reject(new Error(data.refused));
-      else waiting?.resolve(data.value);
-    };
-    this.#worker.onerror = (event) => {
-      event.preventDefault();
-      const error = new Error(
-        'The sheet module could not be loaded. Check the network connection.',
-      );
-      for (const { reject } of this.#waiting.values()) reject(error);
-      this.#waiting.clear();
-    };
-  }
-
-  ask<Type extends keyof BuildReplies>(
-    request: Extract<BuildRequest, { type: Type }>,
-  ): Promise<BuildReplies[Type]> {
-    const id = this.#next++;
-    return new Promise((resolve, reject) => {
-      this.#waiting.set(id, { resolve: resolve as Waiting['resolve'], reject });
-      this.#worker.postMessage({ id, request });
-    });
-  }
+/** Starts the worker, and returns its methods. */
+export function startBuilder(): Remote<BuildMethods> {
+  const worker = new Worker(new URL('./build-worker.ts', import.meta.url), {
+    type: 'module',
+    name: 'build',
+  });
+  const waiting = new Waiting();
+  worker.onmessage = ({ data }) => {
+    const error = 'refused' in data ? new Error(data.refused) : null;
+    waiting.settle(data.id, data.value, error);
+  };
+  worker.onerror = (event) => {
+    event.preventDefault();
+    waiting.fail(new Error('The sheet module could not be loaded. Check the network connection.'));
+  };
+  return calling((name, given) => waiting.call(name, given, (call) => worker.postMessage(call)));
 }

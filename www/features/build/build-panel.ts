@@ -17,7 +17,8 @@ import { panelUnderPointer } from './sheets/panel-under-pointer.ts';
 import { sheetPictures } from './sheets/sheet-pictures.ts';
 import { thicknessForm } from './thickness.ts';
 import { typesCurve } from './types-curve.ts';
-import type { BuildReplies, BuildReport, BuildSettings, CheckRow } from '../../solver/messages.ts';
+import type { BuildReport, BuildSettings, CheckRow } from '../../solver/types.ts';
+import type { Built, Reshaped } from './build-worker.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** Colour of the panels of the part pointed at on a sheet. */
@@ -93,7 +94,7 @@ async function buildPanel(app: AppContext) {
   );
 
   /** Shows what depends on the offset and follows a drag. */
-  function showOffset(built: BuildReplies['reshape']) {
+  function showOffset(built: Reshaped) {
     if (panel.hidden || !built) return;
     const { metres } = live.unit();
     check.update(built.report, store.get(), metres);
@@ -101,7 +102,7 @@ async function buildPanel(app: AppContext) {
     layer.show(built.layer);
   }
 
-  function show({ report: found, sheets, layer }: BuildReplies['build']) {
+  function show({ report: found, sheets, layer }: Built) {
     if (panel.hidden) return;
     actions.look({ build: found });
     check.card.hidden = false;

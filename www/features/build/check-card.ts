@@ -3,7 +3,7 @@
 import { button } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { count, groupDigits } from '../../ui/format.ts';
-import type { BuildCard, BuildReport, CheckRow } from '../../solver/messages.ts';
+import type { BuildCard, BuildReport, CheckRow } from '../../solver/types.ts';
 import type { State } from '../../store/state.ts';
 
 type Remedy = BuildReport['tighten']['remedies'][number];

@@ -1,14 +1,13 @@
 /** Keeps the parts up to date with the shape: one request at a time, for the newest state. */
 
-import { messageOf, type BuildReplies, type BuildSettings } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
+import type { BuildSettings } from '../../solver/types.ts';
 import { latestOnly } from '../../store/latest-only.ts';
 import { MOST_LIVE_VERTICES } from '../../store/live-shape.ts';
 import { UNITS } from '../../ui/units.ts';
-import { BuildClient } from './build-client.ts';
+import { startBuilder } from './build-client.ts';
+import type { Built, Reshaped } from './build-worker.ts';
 import type { AppContext } from '../../app/context.ts';
-
-type Built = BuildReplies['build'];
-type Reshaped = BuildReplies['reshape'];
 
 /** Longest build, in ms, for which the sheets follow a moving shape; the offset always follows. */
 const LIVE_MS = 100;
@@ -17,7 +16,7 @@ export const MOST_SHEETS = 24;
 
 export class LiveBuild {
   #app;
-  #client = new BuildClient();
+  #builder = startBuilder();
   #builds = latestOnly(() => this.#once());
   /** Generation and settings of the last build. */
   #key = '';
@@ -53,7 +52,7 @@ export class LiveBuild {
 
   /** Returns the presets and the defaults. */
   async offers() {
-    const offers = await this.#client.ask({ type: 'offers' });
+    const offers = await this.#builder.offers();
     this.#defaults = offers.defaults;
     return offers;
   }
@@ -108,14 +107,13 @@ export class LiveBuild {
       if (isMoving && isSlow && !isOther && !isSaved) {
         // The last build no longer belongs to this shape.
         this.#key = '';
-        return this.#showOffset(await this.#client.ask({ type: 'reshape', positions }));
+        return this.#showOffset(await this.#builder.reshape(positions));
       }
       [this.#key, this.#mesh, this.#agreed] = [key, mesh, agreed];
       const { faceOffsets: offsets, faceIndices: indices } = mesh;
-      const shape = { positions, offsets, indices, symbol, metres };
-      const request = { type: 'build' as const, ...shape, settings };
+      const shape = { positions, offsets, indices, settings, symbol, metres };
       const begun = performance.now();
-      const built = await this.#client.ask({ ...request, sheets: MOST_SHEETS });
+      const built = await this.#builder.build(shape, MOST_SHEETS);
       this.#milliseconds = performance.now() - begun;
       this.#show(built);
     } catch (error) {
@@ -129,35 +127,43 @@ export class LiveBuild {
    * @param distance in the unit of the mesh
    */
   moveLayer(distance: number) {
-    return this.#client.ask({ type: 'moveLayer', distance });
+    return this.#builder.moveLayer(distance);
   }
 
   /** The error of each kind of offset. */
   choices() {
-    return this.#client.ask({ type: 'choices' });
+    return this.#builder.choices();
   }
 
   /** All files as a ZIP archive. */
   async zip() {
     await this.#once(true);
-    return this.#client.ask({ type: 'zip', zUp: this.#isZUp() });
+    return this.#builder.zip(this.#isZUp());
   }
 
   /** The numbers that a lesson may bound. */
   numbers() {
-    return this.#client.ask({ type: 'numbers' });
+    return this.#builder.numbers();
   }
 
   /** The parts in space and the sheets, for CAD programs. */
   async spatialParts() {
     await this.#once(true);
-    return this.#client.ask({ type: 'spatialParts', zUp: this.#isZUp() });
+    return this.#builder.spatialParts(this.#isZUp());
   }
 
   /** The report. */
-  async reportPage(view: { title: string; camera: Float64Array | null; link: string }) {
+  async reportPage({
+    title,
+    camera,
+    link,
+  }: {
+    title: string;
+    camera: Float64Array | null;
+    link: string;
+  }) {
     await this.#once(true);
-    return this.#client.ask({ type: 'reportPage', zUp: this.#isZUp(), ...view });
+    return this.#builder.reportPage(title, this.#isZUp(), camera, link);
   }
 
   #isZUp() {

@@ -1,6 +1,6 @@
 /** The offset in the view, with failed beams and posts, and failed panels of the model, in red. */
 
-import type { OffsetLayer } from '../../solver/messages.ts';
+import type { OffsetLayer } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { State, Tint } from '../../store/state.ts';
 

@@ -2,7 +2,7 @@
 
 import { amountField, checkbox, choice } from '../../ui/controls/fields.ts';
 import { element } from '../../ui/dom.ts';
-import type { BuildPreset, BuildSettings } from '../../solver/messages.ts';
+import type { BuildPreset, BuildSettings } from '../../solver/types.ts';
 
 /** The settings of a preset. */
 const valuesOf = ({ material, thickness, scale, sheet }: BuildPreset): Partial<BuildSettings> => ({

@@ -5,7 +5,7 @@
 
 import { element, setText } from '../../ui/dom.ts';
 import { millimetres } from './check-card.ts';
-import type { BuildCard, BuildChoice, BuildSettings } from '../../solver/messages.ts';
+import type { BuildCard, BuildChoice, BuildSettings } from '../../solver/types.ts';
 
 const KINDS: { kind: BuildChoice['kind']; label: string; title: string }[] = [
   {

@@ -4,7 +4,7 @@ import { choice, setOptions } from '../../ui/controls/fields.ts';
 import { element, setAttribute, setText } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
 import { millimetres } from './check-card.ts';
-import type { BuildReport, BuildSettings } from '../../solver/messages.ts';
+import type { BuildReport, BuildSettings } from '../../solver/types.ts';
 
 /** Elements that are sorted into types, with the number of types at each tolerance. */
 type Counted = {

@@ -118,7 +118,7 @@ function curvatureCard(app: AppContext) {
     told = model;
     distance.value = '';
     sentence.hidden = true;
-    const forecast = await actions.forecast().catch(() => null);
+    const forecast = await actions.ask.forecast().catch(() => null);
     if (store.get().model !== model) return;
     setText(sentence, forecast?.words ?? '');
     sentence.hidden = !forecast;

@@ -4,7 +4,7 @@
  */
 
 import init, { SurfaceCurvature } from '../../pkg/engine/shape_up.js';
-import { messageOf } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
 
 /** A question: the shape if it has changed, and the lines to draw on it. */
 export interface Question {

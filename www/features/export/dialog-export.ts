@@ -3,7 +3,7 @@
 import { openDialog } from '../../ui/controls/dialog.ts';
 import { checkbox } from '../../ui/controls/fields.ts';
 import { element, setText, type Child } from '../../ui/dom.ts';
-import { messageOf } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
 import { pictureOf, pictureSize, type Ground } from './picture.ts';
 import { convergenceSvg } from './plot-svg.ts';
 import { canRecord, turntableVideo } from './turntable-video.ts';
@@ -56,7 +56,7 @@ export function showExport(app: AppContext) {
   }
 
   const saveTable = async (name: 'errors' | 'convergence' | 'angles') =>
-    files.save(`-${name}.csv`, await actions.table(name), 'text/csv');
+    files.save(`-${name}.csv`, await actions.ask.table(name), 'text/csv');
 
   const canDraw = isDrawn(store.get());
   const curvesOnly = (model?.faces ?? 0) === 0;
@@ -134,7 +134,7 @@ export function showExport(app: AppContext) {
         ),
         format('SVG', 'The plot of the convergence, on white', async () => {
           const title = `${model?.title || files.name}: convergence`;
-          const svg = convergenceSvg(await actions.table('convergence'), title, squared);
+          const svg = convergenceSvg(await actions.ask.table('convergence'), title, squared);
           files.save('-convergence.svg', svg, 'image/svg+xml');
         }),
       ),
@@ -148,8 +148,8 @@ export function showExport(app: AppContext) {
 async function saveForRhino({ actions, files }: AppContext) {
   if (!(await files.mayExport())) return;
   const { askRhino } = await import('../../documents/rhino/rhino-client.ts');
-  const scene = await actions.sceneText();
-  const errors = await actions.table('errors');
+  const scene = await actions.ask.scene();
+  const errors = await actions.ask.table('errors');
   files.save('.3dm', await askRhino({ type: 'write', scene, errors }), 'model/vnd.3dm');
 }
 

@@ -76,7 +76,7 @@ export class FlatMapController {
       if (now?.found === found) this.#actions.look({ flatMap: { ...now, fewerFlips } });
     };
     show('searching');
-    const search = this.#actions.fewerFlips(found.flipped).catch((error) => {
+    const search = this.#actions.ask.fewerFlips(found.flipped).catch((error) => {
       show(null);
       throw error;
     });
@@ -89,7 +89,7 @@ export class FlatMapController {
     const { weights, norm } = this.#choices;
     this.#actions.setStatus('Flattening …');
     try {
-      const found = await this.#actions.parametrize(weights, norm);
+      const found = await this.#actions.ask.parametrize(weights, norm);
       const { model: now, numbers } = this.#store.get();
       const isNewest = weights === this.#choices.weights && norm === this.#choices.norm;
       if (now !== model || !isNewest) return;

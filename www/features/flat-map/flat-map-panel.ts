@@ -4,7 +4,7 @@ import { element, setText } from '../../ui/dom.ts';
 import { duration, groupDigits, ratio } from '../../ui/format.ts';
 import type { FlatMap, Store } from '../../store/state.ts';
 import type { FlatMapController } from './flat-map-controller.ts';
-import type { Parametrization } from '../../solver/messages.ts';
+import type { Parametrization } from '../../solver/types.ts';
 
 /** Label and tooltip of each polygon weight. */
 const WEIGHTS = {

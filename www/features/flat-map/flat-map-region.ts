@@ -9,7 +9,7 @@ import { bindMoveKeys } from '../../viewport/input/view-keys.ts';
 import { pair, wheelFactor } from '../../viewport/input/zooming.ts';
 import type { Store } from '../../store/state.ts';
 import type { Viewport } from '../../viewport/viewport.ts';
-import type { Parametrization } from '../../solver/messages.ts';
+import type { Parametrization } from '../../solver/types.ts';
 
 /** Pan of an arrow key in CSS pixels. */
 const KEY_STEP = 32;

@@ -6,7 +6,7 @@ import { button, checkbox, choice, closeButton } from '../../ui/controls/fields.
 import { element, setText } from '../../ui/dom.ts';
 import { declared, measureOfScene, toleranceOf, unitOf } from '../../store/colours/measures.ts';
 import { length, lengthUnit } from '../../ui/format.ts';
-import { messageOf } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
 import { LOCKS } from './locks.ts';
 import type { AppContext } from '../../app/context.ts';
 
@@ -20,7 +20,7 @@ export async function write(app: AppContext) {
   if (!scene) return;
   // Goals are written in the unit of the tolerance.
   const { tolerance } = state;
-  const numbers = state.model?.faces ? await actions.buildNumbers() : [];
+  const numbers = state.model?.faces ? await actions.ask.buildNumbers() : [];
   const { unit, factor } = lengthUnit(tolerance ?? 0, scene.units);
   const lengths = { unit: unit || 'unit of the mesh', factor };
   // Signed measures are not errors.

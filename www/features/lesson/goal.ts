@@ -2,7 +2,7 @@
 
 import { roundingOf, valueInWords } from '../../store/colours/measures.ts';
 import { count } from '../../ui/format.ts';
-import type { FaceMeasure, LessonWords } from '../../solver/messages.ts';
+import type { FaceMeasure, LessonWords } from '../../solver/types.ts';
 
 type Goal = LessonWords['goals'][number];
 

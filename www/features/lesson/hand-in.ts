@@ -35,7 +35,7 @@ export function handIn({ store, files, actions }: AppContext) {
   async function save() {
     const student = name.value.trim();
     const time = new Date().toISOString();
-    const text = await actions.reportErrors(actions.results(student, time));
+    const text = await actions.reportErrors(actions.ask.results(student, time));
     if (text) files.save('.results.json', text, 'application/json');
   }
 }

@@ -1,7 +1,7 @@
 /** Disables what a lesson locks, and shows the reason. The session also refuses such edits. */
 
 import { byId, element } from '../../ui/dom.ts';
-import type { LessonWords } from '../../solver/messages.ts';
+import type { LessonWords } from '../../solver/types.ts';
 
 type Lock = LessonWords['lock'][number];
 

@@ -6,7 +6,7 @@
 import { button } from '../../ui/controls/fields.ts';
 import { element } from '../../ui/dom.ts';
 import { sketch } from '../../ui/kinds/sketch.ts';
-import type { KindInfo } from '../../solver/messages.ts';
+import type { KindInfo } from '../../solver/types.ts';
 import type { State } from '../../store/state.ts';
 
 /** Whether a lesson locks the mesh. */

@@ -12,7 +12,7 @@ import { isMeshLocked, panelButtons } from './buttons.ts';
 import { openEdit } from './open-edit.ts';
 import { addButtons } from './refine-buttons.ts';
 import { progressWords, verdictWords } from './verdict.ts';
-import type { KindInfo, PanelStart, Verdict } from '../../solver/messages.ts';
+import type { KindInfo, PanelStart, Verdict } from '../../solver/types.ts';
 import type { MeshRemedy } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
 
@@ -180,7 +180,7 @@ export class MakePanels {
     this.#forecastOf = model;
     this.#remedy = null;
     this.#forecast.hidden = this.#remedyButton.hidden = true;
-    const forecast = await actions.forecast().catch(() => null);
+    const forecast = await actions.ask.forecast().catch(() => null);
     if (store.get().model !== model) return;
     setText(this.#forecast, forecast?.words ?? '');
     this.#forecast.hidden = !forecast;
@@ -242,7 +242,7 @@ export class MakePanels {
     const { model, document } = store.get();
     const tolerance = store.get().tolerance ?? model?.tolerance ?? 0;
     this.#isBusy = true;
-    const verdict = await actions.verdict(tolerance).catch(() => null);
+    const verdict = await actions.ask.verdict(tolerance).catch(() => null);
     this.#isBusy = false;
     const { running, numbers } = store.get();
     if (!verdict || store.get().model !== model || this.#shows !== 'verdict') return;
@@ -268,7 +268,7 @@ export class MakePanels {
   /** Selects the folded faces and brings them into view. */
   async #showFolded() {
     const { actions } = this.#app;
-    const found = await actions.reportErrors(actions.flawed('folded-faces'));
+    const found = await actions.reportErrors(actions.ask.flawed('folded-faces'));
     if (found) showElements(this.#app, found);
   }
 

@@ -2,7 +2,8 @@
 
 import './refine.css';
 import { openDialog } from '../../ui/controls/dialog.ts';
-import { messageOf, type Replies } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
+import type { Refinement } from '../../pkg/engine/shape_up.js';
 import { button, choice, setOptions } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { count, length } from '../../ui/format.ts';
@@ -64,13 +65,13 @@ export function openRefine({ store, solver, actions, alerts }: AppContext) {
   }
 
   /** Resulting mesh by level. */
-  let made: Replies['refinements'] = [];
+  let made: Refinement[] = [];
 
   /** Requests the result of each number of levels. */
   async function ask() {
     const { scheme, keep } = how();
     try {
-      made = await refining.refinements(scheme, keep);
+      made = await actions.ask.refinements(scheme, keep);
       setOptions(levels, made.map(words));
       say();
     } catch (error) {

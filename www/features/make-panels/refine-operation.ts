@@ -1,7 +1,7 @@
 /** The Edit mesh dialog: the operations that the solver declares, their sizes, and a preview. */
 
 import './refine.css';
-import { messageOf } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
 import { meshActions } from '../../store/actions/mesh-actions.ts';
 import { openDialog } from '../../ui/controls/dialog.ts';
 import { button, choice } from '../../ui/controls/fields.ts';
@@ -17,7 +17,7 @@ let last = '';
 /** @param suggested the operation to begin with */
 export async function openEdit({ store, solver, actions, alerts }: AppContext, suggested?: string) {
   const mesh = meshActions(store, solver, actions);
-  const operations = await mesh.operations();
+  const operations = await actions.ask.meshOperations();
   const { selection, document: scene } = store.get();
   const picked = { vertices: actions.selectedVertices(), faces: [...selection.faces] };
   /** Number of the latest preview request. */
@@ -63,7 +63,7 @@ export async function openEdit({ store, solver, actions, alerts }: AppContext, s
       return setText(said, `${label}: ${wrong.validationMessage}`);
     }
     try {
-      const made = await mesh.remeshing(how());
+      const made = await actions.ask.remeshing(how());
       if (question !== asked) return;
       setText(said, sentence(made));
       lost.replaceChildren(...made.lost.map((words) => element('li', words)));
@@ -105,7 +105,7 @@ export async function openEdit({ store, solver, actions, alerts }: AppContext, s
   /** The first operation that applies here. */
   async function firstThatFits() {
     for (const { id, defaults } of operations) {
-      const made = mesh.remeshing({ ...picked, operation: id, sizes: defaults });
+      const made = actions.ask.remeshing({ ...picked, operation: id, sizes: defaults });
       if (await made.catch(() => null)) return id;
     }
     return operations[0].id;

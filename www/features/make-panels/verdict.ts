@@ -1,7 +1,7 @@
 /** The verdict on making all panels one shape, in words. */
 
 import { count, groupDigits, length } from '../../ui/format.ts';
-import type { Verdict } from '../../solver/messages.ts';
+import type { Verdict } from '../../solver/types.ts';
 
 /**
  * A length to two digits, the precision that matters for building.

@@ -9,7 +9,7 @@ import { button, choice } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
 import init, { newKinds, newMesh as meshOf, newPlan } from '../../pkg/engine/shape_up.js';
-import { messageOf } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
 import { UNITS } from '../../ui/units.ts';
 import { planForm } from './plan-form.ts';
 import { spanForm } from './span-form.ts';
@@ -64,7 +64,7 @@ export async function newMesh({ store, solver, files, actions, alerts }: AppCont
     const { document: scene, fileName } = store.get();
     if (!scene) return null;
     const { saved, sceneText } = solver;
-    const bytes = new TextEncoder().encode(sceneText ?? (await actions.sceneText()));
+    const bytes = new TextEncoder().encode(sceneText ?? (await actions.ask.scene()));
     const { original } = files;
     const origin = { ...files.origin, first: false, saved, original };
     return {
@@ -166,7 +166,7 @@ export async function newMesh({ store, solver, files, actions, alerts }: AppCont
   /** Fixes vertices; Undo still reopens the previous document. */
   async function hold(vertices: number[]) {
     await actions.addHandles(vertices, true);
-    const bytes = new TextEncoder().encode(await actions.sceneText());
+    const bytes = new TextEncoder().encode(await actions.ask.scene());
     const origin = { work, title: chosen().label, before };
     await files.open([{ name: `${files.name}.shapeup.json`, bytes }], origin);
   }

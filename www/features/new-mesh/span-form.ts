@@ -5,7 +5,7 @@ import { sizeField } from '../../ui/controls/size-field.ts';
 import { element } from '../../ui/dom.ts';
 import { length, number } from '../../ui/format.ts';
 import { NewSpans } from '../../pkg/engine/shape_up.js';
-import type { Connectivity } from '../../solver/messages.ts';
+import type { Connectivity } from '../../solver/types.ts';
 
 /** Initial panel size, as a fraction of the longest curve. */
 const PANEL = 0.05;

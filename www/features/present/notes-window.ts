@@ -1,7 +1,7 @@
 /** The presenter's window: the notes of the current step and the title of the next one. */
 
 import { element, setText } from '../../ui/dom.ts';
-import type { Slide } from '../../solver/messages.ts';
+import type { Slide } from '../../solver/types.ts';
 
 /**
  * Opens the window beside the page. Keys pressed in it are passed to `press`.

@@ -1,7 +1,7 @@
 /** Thumbnails of the steps: the shape of each step, from its camera. */
 
 import { drawShape } from '../../ui/plot/thumbnail.ts';
-import type { Slide } from '../../solver/messages.ts';
+import type { Slide } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** Indices of turn and tilt in the array of a camera. */

@@ -8,7 +8,7 @@ import { count } from '../../ui/format.ts';
 import { presentActions } from '../../store/actions/present-actions.ts';
 import { present } from './stage.ts';
 import { stepPictures } from './step-pictures.ts';
-import type { Slide } from '../../solver/messages.ts';
+import type { Slide } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 export function openSteps(app: AppContext) {

@@ -3,13 +3,11 @@
 import { closeButton } from '../../ui/controls/fields.ts';
 import { element } from '../../ui/dom.ts';
 import { groupDigits, length, number } from '../../ui/format.ts';
-import { variationActions } from '../../store/actions/variation-actions.ts';
 import { drawShape } from '../../ui/plot/thumbnail.ts';
-import type { SceneDocument, VariantRow } from '../../solver/messages.ts';
+import type { SceneDocument, VariantRow } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 export function keptStrip({ store, solver, actions }: AppContext) {
-  const variations = variationActions(solver, actions);
   const strip = element('div.kept-strip', { role: 'group', 'aria-label': 'Kept' });
   const body = element('tbody');
   const table = element(
@@ -42,9 +40,9 @@ export function keptStrip({ store, solver, actions }: AppContext) {
     strip.hidden = table.hidden = variants.length === 0;
     if (variants.length === 0) return strip.replaceChildren();
     const allowed = tolerance ?? model.tolerance;
-    const rows = await variations.table(allowed);
+    const rows = await actions.ask.variantTable(allowed);
     const shapes: Float64Array[] = [];
-    for (const index of rows.keys()) shapes.push(await variations.positions(index));
+    for (const index of rows.keys()) shapes.push(await actions.ask.variantPositions(index));
     // A newer update has started.
     if (mine !== asked) return;
     const cards = rows.map((row, index) => card(scene, row, index));

@@ -2,7 +2,7 @@
 
 import { element, setText } from '../../ui/dom.ts';
 import { drawShape } from '../../ui/plot/thumbnail.ts';
-import type { Connectivity } from '../../solver/messages.ts';
+import type { Connectivity } from '../../solver/types.ts';
 
 /** Slider position shown in the thumbnail, as a fraction of half the slider's length. */
 const PICTURED = 0.6;

@@ -6,7 +6,6 @@ import { button, closeButton } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { once } from '../../ui/once.ts';
 import { latestOnly } from '../../store/latest-only.ts';
-import { variationActions } from '../../store/actions/variation-actions.ts';
 import { keptStrip } from './kept-strip.ts';
 import { variationCard } from './variation-card.ts';
 import type { AppContext } from '../../app/context.ts';
@@ -20,7 +19,7 @@ export const toggleVariations = (app: AppContext) => thePanel(app).toggle();
 
 function variationsPanel(app: AppContext) {
   const { store, solver, actions } = app;
-  const variations = variationActions(solver, actions);
+  const { ask, variations } = actions;
   let cards: ReturnType<typeof variationCard>[] = [];
   /** Number of the current search; a new number ends it. */
   let search = 0;
@@ -64,12 +63,12 @@ function variationsPanel(app: AppContext) {
       if (mine === search) setText(words, NONE);
       return;
     }
-    let progress = await variations.advance();
-    while (mine === search && progress.found === null) progress = await variations.advance();
+    let progress = await ask.advanceVariations();
+    while (mine === search && progress.found === null) progress = await ask.advanceVariations();
     if (mine !== search) return;
     const shape = solver.geometry?.positions.slice() ?? new Float64Array(0);
     for (let index = 0; index < (progress.found ?? 0); index++) {
-      const displacement = await variations.displacement(index);
+      const displacement = await ask.variation(index);
       if (mine !== search) return;
       const card = variationCard(index, progress.slide, change, release);
       cards.push(card);
@@ -83,7 +82,7 @@ function variationsPanel(app: AppContext) {
       // Slider moves take priority.
       while (updates.isBusy() && mine === search)
         await new Promise((resolve) => setTimeout(resolve, 50));
-      if (mine === search) progress = await variations.advance();
+      if (mine === search) progress = await ask.advanceVariations();
     }
   }
 

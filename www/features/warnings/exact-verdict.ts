@@ -10,7 +10,7 @@ import { exactActions } from '../../store/actions/exact-actions.ts';
 import { isHard } from '../../store/state.ts';
 import { showElements } from '../../viewport/reveal-elements.ts';
 import type { AppContext as App } from '../../app/context.ts';
-import type { ConstraintRow, ExactOffer, ExactReport } from '../../solver/messages.ts';
+import type { ConstraintRow, ExactOffer, ExactReport } from '../../solver/types.ts';
 
 /** Minimum relative decrease of the energy for an improvement to be worth an undo step. */
 const LEAST_GAIN = 1e-4;

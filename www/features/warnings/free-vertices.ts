@@ -39,7 +39,7 @@ export function watchFreeVertices({ store, actions }: AppContext) {
       from: {},
       params: {},
     };
-    const found = await actions.reportErrors(actions.find(request));
+    const found = await actions.reportErrors(actions.ask.select(request));
     if (!found || store.get().model !== model || reported !== free) return;
     tint = { vertices: found.vertices, faces: new Uint32Array(0), colour: COLOUR };
     actions.tint(tint);

@@ -7,7 +7,7 @@ import { closeButton } from '../../ui/controls/fields.ts';
 import { element } from '../../ui/dom.ts';
 import { groupDigits } from '../../ui/format.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { ConstraintRow } from '../../solver/messages.ts';
+import type { ConstraintRow } from '../../solver/types.ts';
 
 export function watchUnpaired({ store }: AppContext) {
   const place = element('div', { 'aria-live': 'polite' });

@@ -12,7 +12,7 @@ import { movedInWords } from '../../store/colours/measures.ts';
 import { isHard } from '../../store/state.ts';
 import { showElements } from '../../viewport/reveal-elements.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { ConstraintRow, Edit } from '../../solver/messages.ts';
+import type { ConstraintRow, Edit } from '../../solver/types.ts';
 
 const ZERO_SIZE = 'zero-size-faces';
 /** Maximum number of remedies offered. */
@@ -37,7 +37,7 @@ export function watchConditions(app: AppContext) {
 
   async function lookForFlatFaces() {
     if (!store.get().model?.faces) return;
-    const found = await actions.flawed(ZERO_SIZE).catch(() => null);
+    const found = await actions.ask.flawed(ZERO_SIZE).catch(() => null);
     const before = flat;
     flat = found?.faces.length ?? 0;
     if (!found || flat === 0 || flat === before) return;
@@ -79,7 +79,7 @@ export function watchConditions(app: AppContext) {
       return;
     }
     const row = scene.constraints[errors.indexOf(greatest)];
-    const [worst] = await actions.worst({ measure: null, row: row.index }, 1).catch(() => []);
+    const [worst] = await actions.ask.worstConstraints(row.index, 1).catch(() => []);
     if (!worst || store.get().document !== scene || store.get().running) return;
     const far = length(worst.value, scene.units, allowed);
     const what = `Worst: ${row.label} on ${worst.element}, ${far}; the tolerance is ${most}.`;
@@ -90,7 +90,7 @@ export function watchConditions(app: AppContext) {
     );
     const waiting = element('p.quiet', 'Looking for changes that help …');
     group.append(waiting);
-    const remedies = await actions.remedies().catch(() => []);
+    const remedies = await actions.ask.remedies().catch(() => []);
     const helping = remedies
       .slice(0, MOST_REMEDIES)
       .map(({ label, edit, worst }) =>

@@ -2,7 +2,7 @@
 
 import { readLink } from '../../documents/share-link.ts';
 import { listOfExamples } from '../../solver/examples.ts';
-import { messageOf } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
 import { byId, setText } from '../../ui/dom.ts';
 import { PRESSED } from '../../ui/embedded.ts';
 

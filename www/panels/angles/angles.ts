@@ -26,7 +26,8 @@ export function anglesPanel(panel: HTMLElement, { store, solver, files, actions 
     'original',
     element('span.most.figure'),
   );
-  const saveCsv = async () => files.save('-angles.csv', await actions.table('angles'), 'text/csv');
+  const saveCsv = async () =>
+    files.save('-angles.csv', await actions.ask.table('angles'), 'text/csv');
   const save = button('Save angles as CSV', () => actions.reportErrors(saveCsv()), {
     class: 'bordered small',
   });
@@ -52,7 +53,7 @@ export function anglesPanel(panel: HTMLElement, { store, solver, files, actions 
     plot.hidden = !model?.faces;
     nothing.hidden = !plot.hidden;
     if (panel.offsetParent === null || plot.hidden) return;
-    const found = await actions.angles();
+    const found = await actions.reportErrors(actions.ask.angles());
     if (found && store.get().model === model) draw(found);
   });
 

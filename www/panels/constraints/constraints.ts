@@ -9,7 +9,7 @@ import { groupDigits, length, limit, part } from '../../ui/format.ts';
 import { movedInWords } from '../../store/colours/measures.ts';
 import { valueInWords } from '../../ui/kinds/parameter-forms.ts';
 import { energyOrZero, lengthOrZero } from '../../ui/rounding.ts';
-import type { ConstraintRow, ParamInfo } from '../../solver/messages.ts';
+import type { ConstraintRow, ParamInfo } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 const NONE = new Uint32Array(0);
@@ -35,7 +35,7 @@ export function constraintsPanel(place: HTMLElement, { store, actions, solver }:
 
   /** Tints the members of a constraint. */
   async function tint(row: ConstraintRow) {
-    const members = await actions.members(row);
+    const members = await actions.reportErrors(actions.ask.members(row.index));
     const hovered = place.querySelector('.constraint:is(:hover, :focus-within)');
     if (members && hovered?.getAttribute('data-index') === String(row.index)) {
       // Dots on the corners of tinted faces would be redundant.
@@ -45,7 +45,7 @@ export function constraintsPanel(place: HTMLElement, { store, actions, solver }:
   }
 
   async function selectMembers(row: ConstraintRow) {
-    const members = await actions.members(row);
+    const members = await actions.reportErrors(actions.ask.members(row.index));
     if (members) actions.select(members);
   }
 

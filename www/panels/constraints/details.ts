@@ -6,7 +6,7 @@ import { Parameters } from '../../ui/kinds/parameters.ts';
 import { sketch } from '../../ui/kinds/sketch.ts';
 import { exactActions } from '../../store/actions/exact-actions.ts';
 import { easedOf, requirementOf } from './requirement.ts';
-import type { ConstraintRow } from '../../solver/messages.ts';
+import type { ConstraintRow } from '../../solver/types.ts';
 import type { Store } from '../../store/state.ts';
 import type { Actions } from '../../store/actions.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';

@@ -3,7 +3,7 @@
 import { amountField, choice } from '../../ui/controls/fields.ts';
 import { element } from '../../ui/dom.ts';
 import { count, length as lengthText, lengthUnit } from '../../ui/format.ts';
-import type { ConstraintRow, Require } from '../../solver/messages.ts';
+import type { ConstraintRow, Require } from '../../solver/types.ts';
 import type { Store } from '../../store/state.ts';
 
 const OPTIONS = [

@@ -4,10 +4,13 @@
  */
 
 import { element, throttled } from '../../ui/dom.ts';
-import { TRACE_WIDTH, messageOf } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
 import { energyOrZero } from '../../ui/rounding.ts';
 import type { EnergyPlot } from '../../ui/plot/plot.ts';
 import type { AppContext } from '../../app/context.ts';
+
+/** Numbers per iteration in a trace. */
+const TRACE_WIDTH = 6;
 
 /**
  * The least interval between redraws: a plot of thousands of iterations takes some milliseconds.
@@ -48,7 +51,7 @@ export class Convergence {
   async #drawNow() {
     if (!this.#inSight || !this.#store.get().model) return;
     // A stopped solver reports its own error.
-    const trace = await this.#actions.trace().catch(() => null);
+    const trace = await this.#actions.ask.trace().catch(() => null);
     if (!trace) return;
     if (trace.length < 2 * TRACE_WIDTH) return this.#showNone();
     const loading = (this.#plot ??= this.#load());

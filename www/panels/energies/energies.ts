@@ -5,7 +5,7 @@ import { RENEW_MS, element, setText, throttled } from '../../ui/dom.ts';
 import { number } from '../../ui/format.ts';
 import { energyOrZero } from '../../ui/rounding.ts';
 import { weightPresets } from './weight-presets.ts';
-import type { Energy, SceneDocument } from '../../solver/messages.ts';
+import type { Energy, SceneDocument } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { Store } from '../../store/state.ts';
 import type { Actions } from '../../store/actions.ts';

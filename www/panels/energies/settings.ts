@@ -8,7 +8,7 @@ import { Parameters } from '../../ui/kinds/parameters.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
 import type { Store } from '../../store/state.ts';
 import type { Actions } from '../../store/actions.ts';
-import type { ParamValue, SettingInfo } from '../../solver/messages.ts';
+import type { ParamValue, SettingInfo } from '../../solver/types.ts';
 
 /** Fitting to another surface. */
 const FIT = {

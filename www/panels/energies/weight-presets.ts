@@ -5,7 +5,7 @@
 
 import { button, choice, setOptions } from '../../ui/controls/fields.ts';
 import { element, removeKeepingFocus } from '../../ui/dom.ts';
-import type { Preset, SceneDocument } from '../../solver/messages.ts';
+import type { Preset, SceneDocument } from '../../solver/types.ts';
 import type { Actions } from '../../store/actions.ts';
 
 const CUSTOM = 'custom';

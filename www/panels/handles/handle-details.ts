@@ -5,7 +5,8 @@
 import './handle-details.css';
 import { RENEW_MS, element, setText, throttled } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
-import { messageOf, type Handle } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
+import type { Handle } from '../../solver/types.ts';
 import { coordinate, decimalsFor, readLength } from '../../ui/number-entry.ts';
 import { handlesNow, type Store } from '../../store/state.ts';
 import type { Actions } from '../../store/actions.ts';

@@ -6,7 +6,7 @@ import { element, setText } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
 import { showElements } from '../../viewport/reveal-elements.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { Loaded } from '../../solver/messages.ts';
+import type { Loaded } from '../../solver/types.ts';
 
 const FORMATS = { z: 'z-up', y: 'y-up' };
 const NAMES = { error: 'Error', notice: 'Notice', status: '' };
@@ -27,7 +27,7 @@ export function logOf(panel: HTMLElement, app: AppContext) {
 
   /** Selects the elements affected by a problem. */
   async function select(flaw: string) {
-    const found = await actions.reportErrors(actions.flawed(flaw));
+    const found = await actions.reportErrors(actions.ask.flawed(flaw));
     if (!found) return;
     const some = found.vertices.length + found.edges.length + found.faces.length;
     if (some > 0) showElements(app, found);

@@ -5,7 +5,7 @@ import { element } from '../../ui/dom.ts';
 import { count, groupDigits } from '../../ui/format.ts';
 import { frameFields } from '../../documents/units-prompt.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { Loaded } from '../../solver/messages.ts';
+import type { Loaded } from '../../solver/types.ts';
 
 /** @param showLog opens the log, with the details of each problem */
 export function modelPanel(

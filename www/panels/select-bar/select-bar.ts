@@ -7,7 +7,7 @@ import './select-bar.css';
 import { closeButton } from '../../ui/controls/fields.ts';
 import { element, icon, setText } from '../../ui/dom.ts';
 import { placeMenu } from '../../ui/controls/menu.ts';
-import { messageOf } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
 import { describe, sizeOfSelection } from '../../store/selection.ts';
 import type { State } from '../../store/state.ts';
 import type { AppContext } from '../../app/context.ts';

@@ -9,7 +9,7 @@ import { count } from '../../ui/format.ts';
 import { keyName } from '../../ui/keys.ts';
 import { Parameters } from '../../ui/kinds/parameters.ts';
 import { combineOf, sizeOfSelection, verticesOf, type Combine } from '../../store/selection.ts';
-import type { Operation } from '../../solver/messages.ts';
+import type { Operation } from '../../solver/types.ts';
 import type { Store } from '../../store/state.ts';
 import type { Actions } from '../../store/actions.ts';
 import type { Selecting } from '../../store/mesh-queries.ts';

@@ -18,7 +18,7 @@ import {
 } from '../../store/colours/measures.ts';
 import { lengthOrZero } from '../../ui/rounding.ts';
 import { showElements } from '../../viewport/reveal-elements.ts';
-import type { FaceMeasure, WorstElement } from '../../solver/messages.ts';
+import type { FaceMeasure, WorstElement } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 const ROWS = 20;
@@ -93,9 +93,11 @@ export function worstElements(panel: HTMLElement, app: AppContext) {
     const about =
       by.value === COLOURS ? declared(state, state.measure ?? measureOfScene(state)) : undefined;
     const turn = ++asked;
-    const row = by.value === '' ? null : Number(by.value);
-    const request = about ? { measure: about.id, row: null } : { measure: null, row };
-    const found = by.value === '' ? [] : await actions.reportErrors(actions.worst(request, ROWS));
+    const { ask } = actions;
+    const worst = about
+      ? ask.worstFaces(about.id, ROWS)
+      : ask.worstConstraints(Number(by.value), ROWS);
+    const found = by.value === '' ? [] : await actions.reportErrors(worst);
     // Ignore the answer if a later query was sent.
     if (found && turn === asked) fill(found, about);
   });

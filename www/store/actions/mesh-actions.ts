@@ -2,7 +2,7 @@
 
 import { count, length } from '../../ui/format.ts';
 import type { Remeshing } from '../../pkg/engine/shape_up.js';
-import type { Edit } from '../../solver/messages.ts';
+import type { Edit } from '../../solver/types.ts';
 import type { Store } from '../state.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
 import type { Actions } from '../actions.ts';
@@ -30,7 +30,7 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
   async function verdict() {
     const { tolerance, model, document } = store.get();
     const within = tolerance ?? model?.tolerance ?? 0;
-    const found = await actions.verdict(within);
+    const found = await actions.ask.verdict(within);
     if (!found) return '';
     const [worst, limit] = [found.worst, found.tolerance].map((far) =>
       length(far, document?.units ?? ''),
@@ -39,29 +39,19 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
   }
 
   return {
-    /** Returns the available operations, with sizes that fit the mesh. */
-    operations: () => solver.request({ type: 'meshOperations' }),
-
-    /** Previews the result of an operation. */
-    remeshing: (asked: Remeshing) => solver.request({ type: 'remeshing', asked }),
-
     /**
      * Performs an operation.
      * @returns what was lost
      */
     async remesh(asked: Remeshing, label: string): Promise<string[]> {
       const { faces: before = 0 } = store.get().model ?? {};
-      await solver.request({ type: 'edit', edit: { type: 'remesh', ...asked } });
+      await solver.change.edit({ type: 'remesh', ...asked });
       const { model } = store.get();
       actions.setStatus(
         `${label}: ${count(before, 'face')} became ${count(model?.faces ?? 0, 'face')}`,
       );
       return model?.notes ?? [];
     },
-
-    /** Previews the result of refining once, twice and so on. */
-    refinements: (scheme: Refinement['scheme'], keep: number) =>
-      solver.request({ type: 'refinements', scheme, keep }),
 
     /**
      * Refines; or alternately solves and refines once, until all levels are done or the user stops.
@@ -75,17 +65,17 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
         return `Refined to ${count(model?.faces ?? 0, 'face')}`;
       };
       if (!solves) {
-        await solver.request({ type: 'edit', edit: { type: 'refine', ...how } });
+        await solver.change.edit({ type: 'refine', ...how });
         actions.setStatus(refined());
         return lost;
       }
       const once: Edit = { type: 'refine', ...how, levels: 1 };
       store.set({ refining: true });
       try {
-        let goesOn = store.get().converged || (await untilEnd(() => solver.send({ type: 'run' })));
+        let goesOn = store.get().converged || (await untilEnd(() => solver.tell.run()));
         goesOn &&= store.get().refining;
         for (let level = 1; level <= how.levels && goesOn; level++) {
-          const ended = await untilEnd(() => solver.request({ type: 'editAndRun', edit: once }));
+          const ended = await untilEnd(() => solver.change.editAndRun(once));
           const words = `${refined()}${await verdict()}`;
           // The user may also have paused between two levels, when nothing runs.
           goesOn = ended && (level === how.levels || store.get().refining);

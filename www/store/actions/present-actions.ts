@@ -1,6 +1,6 @@
 /** Actions on the steps of a presentation. Loaded on first use. */
 
-import type { Slide } from '../../solver/messages.ts';
+import type { Slide } from '../../solver/types.ts';
 import type { Store } from '../state.ts';
 import type { Actions } from '../actions.ts';
 

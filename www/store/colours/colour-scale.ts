@@ -9,7 +9,7 @@
  */
 
 import { RENEW_MS, throttled } from '../../ui/dom.ts';
-import { messageOf } from '../../solver/messages.ts';
+import { messageOf } from '../../solver/errors.ts';
 import { declared, measureOfScene, roundingOf, toleranceOf } from './measures.ts';
 import { greatestOf, spreadOf } from '../../ui/plot/histogram.ts';
 import { axisOf, roundUp } from '../../ui/plot/value-axis.ts';
@@ -55,7 +55,7 @@ export function colourFaces(store: Store, solver: SolverClient): { fit: () => vo
     const measure = declared(state, state.measure)?.id ?? null;
     const projections = display.outlines || display.arrows || halfway;
     const { shapes, bands } = display;
-    solver.send({ type: 'show', measure, shapes, projections, corners: bands });
+    solver.tell.show({ measure, shapes, projections, corners: bands });
   });
   store.subscribe(['measure'], () => store.set(NONE));
   store.subscribe(['tolerance', 'tolerances', 'ownRange', 'display'], update);
@@ -78,7 +78,7 @@ export function colourFaces(store: Store, solver: SolverClient): { fit: () => vo
     if (isAsked || !measure) return;
     isAsked = true;
     try {
-      const values = await solver.request({ type: 'originalValues', measure });
+      const values = await solver.ask.originalValues(measure);
       if (store.get().measure !== measure) return;
       original = values;
     } catch (error) {

@@ -27,9 +27,7 @@ export function colourRows(store: Store, solver: SolverClient, actions: Actions)
     newest += 1;
     const mine = newest;
     const needed = rows.some(({ enabled }) => enabled);
-    const rowColours = needed
-      ? await actions.reportErrors(solver.request({ type: 'rowColours' }))
-      : null;
+    const rowColours = needed ? await actions.reportErrors(solver.ask.rowColours()) : null;
     if (mine === newest) store.set({ rowColours: rowColours ?? null });
   });
 }

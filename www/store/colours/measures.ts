@@ -2,7 +2,7 @@
 
 import { METRES, length, lengthUnit, number } from '../../ui/format.ts';
 import { ROUNDING } from '../../ui/rounding.ts';
-import type { FaceMeasure, Measure } from '../../solver/messages.ts';
+import type { FaceMeasure, Measure } from '../../solver/types.ts';
 
 type State = Readonly<import('../state.ts').State>;
 

@@ -1,7 +1,7 @@
 /** Status texts of the two halves of an iteration (Fig. 4 of the paper). Loaded on first use. */
 
 import { groupDigits } from '../../ui/format.ts';
-import type { Half } from '../../solver/messages.ts';
+import type { Half } from '../../solver/types.ts';
 
 /** Describes a half step and the next. */
 export function halfStepWords(done: Half) {

@@ -2,7 +2,7 @@
 
 import { element } from '../dom.ts';
 import { sketch } from './sketch.ts';
-import type { KindInfo } from '../../solver/messages.ts';
+import type { KindInfo } from '../../solver/types.ts';
 
 export class KindChoices {
   element = element('div.kinds');

@@ -1,7 +1,7 @@
 /** The forms of parameter values: keys, labels, conversion between forms, and values in words. */
 
 import { number } from '../format.ts';
-import type { Form, ParamInfo, ParamValue } from '../../solver/messages.ts';
+import type { Form, ParamInfo, ParamValue } from '../../solver/types.ts';
 
 /** The part of the model that the controls use. */
 export interface Model {

@@ -12,7 +12,7 @@ import {
   unitOf,
   type Model,
 } from './parameter-forms.ts';
-import type { ParamInfo, ParamValue } from '../../solver/messages.ts';
+import type { ParamInfo, ParamValue } from '../../solver/types.ts';
 
 /** Used if no model is open. */
 const NO_MODEL: Model = { units: '', meanEdge: 0, up: 'z' };

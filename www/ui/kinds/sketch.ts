@@ -1,7 +1,7 @@
 /** The small drawing of a kind: the sample points, faint, and their projection. */
 
 import { svgElement } from '../svg.ts';
-import type { Sketch } from '../../solver/messages.ts';
+import type { Sketch } from '../../solver/types.ts';
 
 /** Room around the unit square for dots and strokes. */
 const MARGIN = 0.08;

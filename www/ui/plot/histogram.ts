@@ -1,7 +1,7 @@
 /** Distribution of the values of the faces, for the legend. */
 
 import { positionOf, type Axis } from './value-axis.ts';
-import type { Measure } from '../../solver/messages.ts';
+import type { Measure } from '../../solver/types.ts';
 
 /** The number of bars of the histogram. */
 export const BINS = 36;

@@ -1,7 +1,7 @@
 /** Thumbnails of shapes: faces from far to near, shaded, and coloured by displacement. */
 
 import { colourOf } from '../dom.ts';
-import type { Connectivity } from '../../solver/messages.ts';
+import type { Connectivity } from '../../solver/types.ts';
 
 /** Canvas pixels per CSS pixel. */
 const DENSITY = 2;

@@ -5,7 +5,7 @@
 
 import { element, setAttribute, setText } from '../../../ui/dom.ts';
 import { svgElement } from '../../../ui/svg.ts';
-import type { SheetPicture } from '../../../solver/messages.ts';
+import type { SheetPicture } from '../../../solver/types.ts';
 
 /** `failed`: has a panel beyond its limit; `chosen`: selected; `pointed`: under the pointer. */
 type Mark = 'failed' | 'chosen' | 'pointed';

@@ -2,7 +2,7 @@
 
 import { element, setText } from '../../../ui/dom.ts';
 import { SheetFigure } from './sheet-figure.ts';
-import type { SheetPicture } from '../../../solver/messages.ts';
+import type { SheetPicture } from '../../../solver/types.ts';
 
 const HINT = 'Point at a part, or at a panel of the model';
 /** Maximum number of parts listed by name. */

@@ -2,7 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createQueries } from '../../../www/store/queries.ts';
+import { createActions } from '../../../www/store/actions.ts';
+import { createStore } from '../../../www/store/state.ts';
+import type { Alerts } from '../../../www/ui/controls/alerts.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 
 test('the original is asked for once for every model', async () => {
@@ -10,9 +12,10 @@ test('the original is asked for once for every model', async () => {
   let asked = 0;
   const solver = {
     on: (event: string, hear: () => void) => (heard[event] = hear),
-    request: async () => ++asked,
+    ask: { originalPositions: async () => ++asked },
+    ...{ change: {}, tell: {} },
   } as unknown as SolverClient;
-  const { originalPositions } = createQueries(solver, (promise) => promise);
+  const { originalPositions } = createActions(createStore(), solver, {} as Alerts);
   assert.equal(await originalPositions(), 1);
   assert.equal(await originalPositions(), 1);
   heard.model();

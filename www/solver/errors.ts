@@ -1,0 +1,27 @@
+/** Errors as one line for people. */
+
+/**
+ * How the messages of failed `import()`, `fetch` and streamed WebAssembly begin in Chromium, Firefox
+ * and Safari. All are type errors.
+ */
+const NOT_FETCHED =
+  /^(Failed to fetch( dynamically imported module: | \(|$)|error loading dynamically imported module\b|Importing a module script failed|NetworkError when attempting to fetch|Load failed( \(|$)|WebAssembly compilation aborted: Network error)/;
+/** The same of the generated code that loads style sheets and modules of WebAssembly. */
+const NOT_LOADED = /^(Unable to preload CSS for \S+$|failed to fetch Wasm: \d+ )/;
+
+/**
+ * Whether a part of the page could not be fetched. Other errors may have the same words in them, as
+ * in the name of a file.
+ */
+const isNotFetched = (thrown: unknown, message: string) =>
+  (thrown instanceof TypeError && NOT_FETCHED.test(message)) ||
+  (thrown instanceof Error && NOT_LOADED.test(message));
+
+/** Returns a one-line message for any thrown value. */
+export function messageOf(thrown: unknown): string {
+  const hasMessage = thrown && typeof thrown === 'object' && 'message' in thrown;
+  const message = String(hasMessage ? thrown.message : thrown);
+  return isNotFetched(thrown, message)
+    ? 'A part of the page could not be fetched. Check the network.'
+    : message;
+}

@@ -1,0 +1,90 @@
+/**
+ * Messages between the page and the solver's worker, which exchange nothing else.
+ *
+ * Page to worker: a {@link Call} of a method of `worker/interface.ts`. With an `id` it is answered by
+ * exactly one `reply` or `refused` with the same `id`. Worker to page: those answers, and the events
+ * of {@link FromWorker}. Events caused by a call are sent before its answer, so that the page is up
+ * to date when its promise settles.
+ *
+ * The worker first sends `ready`, once; the page queues its messages until then.
+ *
+ * Positions travel in two buffers of `#V by 3` numbers, which are transferred, never copied: the
+ * worker writes one and sends it in a `frame`; the page returns the previous one with `recycle`
+ * after drawing. Without a free buffer no frame is sent, so that there is at most one frame per
+ * picture, and the solver never waits.
+ *
+ * Lengths are in the unit of the mesh, energies in its square, times in ms; indices count from 0.
+ */
+
+import type {
+  Connectivity,
+  ElementInfo,
+  FaceMeasure,
+  KindInfo,
+  Loaded,
+  Measure,
+  Numbers,
+  Operation,
+  Projections,
+  SceneDocument,
+  SettingInfo,
+} from './types.ts';
+
+/**
+ * - `ready`: the solver accepts messages. Sent first, once.
+ * - `loading`: before that, the progress of fetching its module, if it takes long.
+ * - `model`: another mesh is open; without a name and files, the current mesh was refined or
+ *   refining was undone. `positions` is one of the two buffers.
+ * - `document`: after every edit and every load.
+ * - `scene`: the scene file's text with its undo history, whenever it changed and the solver is
+ *   idle: for autosave, and to restore a worker that died. `progress`: at intervals, the progress
+ *   of a run or a drag since then.
+ * - `frame`: a state of the iteration. `values` are those of `measure`, `#F`; `corners`, for
+ *   measures of vertices, those of the vertices, `#V`, whose maximum a face has; `shapes` the
+ *   fitted shapes, eight numbers each; `projections` the projected points of the constraints;
+ *   `answers` the time of the latest drag move that it shows, and the milliseconds since it came.
+ * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
+ *   frame that belongs to it.
+ * - `collapsed`: the run has ended with a collapsed shape (`collapse` tells how), not converged.
+ * - `trouble`: an iteration failed; the last good state stays.
+ * - `died`: the state is unusable, the worker must be replaced.
+ * - `working`: work begins that may take long, with no message until then. `pong`: sign of life.
+ * - `refused`: `path` is the position of the error in the scene, such as `constraints[0].length`;
+ *   empty if it is not about a scene.
+ */
+export type FromWorker =
+  | {
+      type: 'ready';
+      kinds: KindInfo[];
+      elements: ElementInfo[];
+      measures: FaceMeasure[];
+      operations: Operation[];
+      settings: SettingInfo[];
+    }
+  | { type: 'loading'; bytes: number; all: number }
+  | { type: 'model'; loaded: Loaded; connectivity: Connectivity; positions: Float64Array }
+  | { type: 'document'; document: SceneDocument }
+  | { type: 'scene'; text: string; history: Uint8Array; iteration: number }
+  | { type: 'progress'; bytes: Uint8Array; iteration: number }
+  | {
+      type: 'frame';
+      numbers: Numbers;
+      positions: Float64Array;
+      measure: Measure | null;
+      values: Float32Array | null;
+      corners: Float32Array | null;
+      shapes: Float64Array | null;
+      projections: Projections | null;
+      answers: [number, number] | null;
+    }
+  | { type: 'activity'; running: boolean; converged: boolean }
+  | { type: 'collapsed'; collapse: string }
+  | { type: 'trouble'; message: string }
+  | { type: 'died'; message: string }
+  | { type: 'working' }
+  | { type: 'pong' }
+  | { type: 'reply'; id: number; value: unknown }
+  | { type: 'refused'; id: number; message: string; path: string };
+
+/** The messages of the worker by their type. */
+export type WorkerEvents = { [T in FromWorker['type']]: Extract<FromWorker, { type: T }> };

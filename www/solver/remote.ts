@@ -1,0 +1,79 @@
+/**
+ * Calls of the methods of an object in a worker, by name. A wrong name, argument or use of an answer
+ * is an error of the compiler, since the types are those of the methods themselves.
+ */
+
+type Method = (...given: never[]) => unknown;
+type Methods<Host> = {
+  [
+    Name in keyof Host as Name extends string ? (Host[Name] extends Method ? Name : never) : never
+  ]: Host[Name];
+};
+
+/** The methods of an object in a worker, which answer with promises. */
+export type Remote<Host> = {
+  [Name in keyof Methods<Host>]: Host[Name] extends (...given: infer Given) => infer Value
+    ? (...given: Given) => Promise<Awaited<Value>>
+    : never;
+};
+
+/** The methods of an object in a worker, without answers. */
+export type Told<Host> = {
+  [Name in keyof Methods<Host>]: Host[Name] extends (...given: infer Given) => unknown
+    ? (...given: Given) => void
+    : never;
+};
+
+/** A call, as it is sent; one without `id` gets no answer. */
+export interface Call {
+  id?: number;
+  name: string;
+  given: unknown[];
+}
+
+/** Returns an object whose methods are passed on to `call`. */
+export function calling<Far extends object>(
+  call: (name: string, given: unknown[]) => unknown,
+): Far {
+  return new Proxy({} as Far, {
+    get:
+      (_, name) =>
+      (...given: unknown[]) =>
+        call(String(name), given),
+  });
+}
+
+/** Calls that wait for their answers. */
+export class Waiting {
+  #calls: Map<
+    number,
+    { name: string; resolve: (value: unknown) => void; reject: (error: Error) => void }
+  > = new Map();
+  #nextId = 1;
+
+  /** Sends a call, numbered, by `send`. */
+  call(name: string, given: unknown[], send: (call: Call) => void): Promise<unknown> {
+    const id = this.#nextId++;
+    return new Promise((resolve, reject) => {
+      this.#calls.set(id, { name, resolve, reject });
+      send({ id, name, given });
+    });
+  }
+
+  /**
+   * Settles a call: with its value, or with an error.
+   * @returns the name of what was called
+   */
+  settle(id: number, value: unknown, error: Error | null): string | undefined {
+    const waiting = this.#calls.get(id);
+    this.#calls.delete(id);
+    if (error) waiting?.reject(error);
+    else waiting?.resolve(value);
+    return waiting?.name;
+  }
+
+  /** Settles all calls with an error. */
+  fail(error: Error) {
+    for (const id of [...this.#calls.keys()]) this.settle(id, null, error);
+  }
+}

@@ -1,0 +1,117 @@
+/** Types of what crosses between the page and the engine: those of Rust under the page's names, and more. */
+
+import type { Sent } from '../pkg/engine/shape_up.js';
+
+// Declared by Rust: a changed field becomes a type error here.
+export type {
+  BuildCard,
+  BuildNumber,
+  BuildPreset,
+  BuildReport,
+  CheckRow,
+  Choice as BuildChoice,
+  ConstraintRow,
+  Document as SceneDocument,
+  Elements,
+  ElementWords as ElementInfo,
+  Energy,
+  ExactOffer,
+  ExactReport,
+  FaceMeasure,
+  FewerFlips,
+  Form,
+  Frame as Numbers,
+  HalfStep as Half,
+  HandleRow as Handle,
+  KindWords as KindInfo,
+  LessonWords,
+  MapNorm,
+  MapWeights,
+  Members,
+  Operation,
+  PanelStart,
+  Param as ParamInfo,
+  Parametrization,
+  ParamValue,
+  PresetOffer as Preset,
+  Preview,
+  Projections,
+  Remedy,
+  Require,
+  RowColours,
+  Selector,
+  SelectRequest,
+  Setting as SettingInfo,
+  SheetPicture,
+  Sketch,
+  Slide,
+  SpatialPart,
+  VariantRow,
+  Verdict,
+  WorstElement,
+} from '../pkg/engine/shape_up.js';
+
+/**
+ * An opened model: `files` are those it was opened from; `undoLost` is the reason why its saved
+ * undo history is lost, or empty.
+ */
+export type Loaded = import('../pkg/engine/shape_up.js').Loaded & {
+  files: string[];
+  undoLost: string;
+};
+
+/** The id of a {@link FaceMeasure}. */
+export type Measure = string;
+
+/** An edit of the document, which is one step of undo. */
+export type Edit = Sent<import('../pkg/engine/shape_up.js').Edit>;
+
+/** The connectivity of the mesh, sent once. */
+export interface Connectivity {
+  /** `#F + 1` */
+  faceOffsets: Uint32Array;
+  faceIndices: Uint32Array;
+  /** `#curves + 1` */
+  curveOffsets: Uint32Array;
+  curveIndices: Uint32Array;
+  /** `#E by 2` */
+  edges: Uint32Array;
+}
+
+export type NamedBytes = { name: string; bytes: Uint8Array };
+
+/** Data saved with a scene to resume it; the byte arrays are read by the solver only. */
+export interface Saved {
+  /** of the scene */
+  iteration: number;
+  /** its undo and redo steps */
+  history: Uint8Array | null;
+  /** of a run or a drag that started from the scene */
+  progress: Uint8Array | null;
+}
+
+/**
+ * Targets (`#vertices by 3`) of dragged handles. The first phase is `start`, or `make`, which makes
+ * the vertices handles first. Of several `move`s only the last one counts; `time` is that of its
+ * event. During a drag the solver iterates even when paused.
+ */
+export type Drag = {
+  vertices: Uint32Array;
+  targets: Float64Array;
+  time?: number;
+  phase: 'make' | 'start' | 'move' | 'end' | 'cancel';
+};
+
+/** All build settings; a scene contains only those that differ from the default. */
+export type BuildSettings = Required<import('../pkg/engine/shape_up.js').BuildSettings>;
+
+/**
+ * The offset as the view shows it: points `#V by 3`, edges (two vertices each), and the vertices
+ * and panels that exceed a limit.
+ */
+export type OffsetLayer = {
+  points: Float64Array;
+  edges: Uint32Array;
+  vertices: Uint32Array;
+  panels: Uint32Array;
+};
