@@ -39,6 +39,13 @@ impl Session {
         Ok(true)
     }
 
+    /// A number that every edit, undo and redo raises that changes the problem, the handles or the
+    /// positions. Others leave a converged shape converged: the lesson, the build, a presentation,
+    /// units, names.
+    pub fn generation(&self) -> u32 {
+        self.scene.generation()
+    }
+
     /// Undoes the last step, and returns its name; none if there is no step.
     ///
     /// # Errors
@@ -272,7 +279,8 @@ impl Session {
         check_presentation(&document, rest.mesh())?;
         let rows = resolve_rows(&document, rest.mesh(), rest.topology())?;
         let SceneChange { handles, positions, .. } = &change.scene;
-        let scene = SolvedScene::new(document, &rest, rows, handles.to_vec(), positions)?;
+        let scene = SolvedScene::new(document, &rest, rows, handles.to_vec(), positions)?
+            .follows(&self.scene);
         change.scene = self.scene.snapshot();
         let before = (
             std::mem::replace(&mut self.rest, rest),

@@ -2,7 +2,9 @@
 
 use crate::support::grid::grid;
 use serde_json::json;
-use shape_up::scene::{Accelerator, ClosenessTo, Hold, MeshSource, Scene, Weights};
+use shape_up::scene::{
+    Accelerator, BuildSettings, ClosenessTo, Hold, MeshSource, Scene, Slide, Weights,
+};
 use shape_up::session::{Edit, Session};
 
 /// A bumpy grid of five by five quads with planes on all faces and closeness to the rest shape.
@@ -27,6 +29,39 @@ fn run(session: &mut Session) {
 fn distance(session: &Session, vertex: usize) -> f64 {
     let (now, rest) = (session.positions()[vertex], session.mesh().positions[vertex]);
     (0..3).map(|axis| (now[axis] - rest[axis]).powi(2)).sum::<f64>().sqrt()
+}
+
+#[test]
+fn only_what_changes_the_problem_or_the_shape_is_another_generation() {
+    let mut session = session();
+    let mut goes_on = |edit: Edit| {
+        let before = session.generation();
+        session.edit(edit).expect("it is valid");
+        let after = session.generation();
+        session.undo().expect("it can be undone");
+        assert_eq!(session.generation() != after, after != before, "undo is like the edit");
+        session.redo().expect("it can be done again");
+        after != before
+    };
+    let faces = Some(vec![1, 2]);
+    let build = BuildSettings { scale: 20.0, ..BuildSettings::default() };
+    for edit in [
+        Edit::RenameConstraint { index: 0, name: "Roof".to_owned() },
+        Edit::SetBuild { build },
+        Edit::SetSteps { steps: vec![Slide { title: "Now".to_owned(), ..Slide::default() }] },
+        Edit::NameSet { name: "two".to_owned(), vertices: None, faces },
+        Edit::SetUnits { units: "m".to_owned() },
+    ] {
+        assert!(!goes_on(edit.clone()), "{edit:?}");
+    }
+    let weights = Weights { shape: 7.0, close: 1.0, smooth: 0.0 };
+    for edit in [
+        Edit::SetWeights(weights),
+        Edit::AddHandles { vertices: vec![3], fixed: false },
+        Edit::RemoveConstraint { index: 0 },
+    ] {
+        assert!(goes_on(edit.clone()), "{edit:?}");
+    }
 }
 
 #[test]

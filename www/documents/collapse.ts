@@ -8,11 +8,14 @@ import { button } from '../ui/controls/fields.ts';
 import { element } from '../ui/dom.ts';
 import type { AppContext } from '../app/context.ts';
 
-/** @param collapse description, as the end of a sentence */
-export function reportCollapse({ alerts, actions }: AppContext, collapse: string) {
+/**
+ * Reports it until another edit or run.
+ * @param collapse description, as the end of a sentence
+ */
+export function reportCollapse({ store, alerts, actions }: AppContext, collapse: string) {
   const text = `Stopped: ${collapse}.`;
   actions.setStatus(text);
-  alerts.notice(
+  const withdraw = alerts.notice(
     text,
     { label: 'Undo', action: () => actions.undo() },
     {
@@ -24,6 +27,16 @@ export function reportCollapse({ alerts, actions }: AppContext, collapse: string
     },
     { label: 'Continue anyway', action: () => actions.run(true) },
   );
+  // What it says and offers is about this shape.
+  const { document } = store.get();
+  let { running } = store.get();
+  const end = store.subscribe(['document', 'running'], (state) => {
+    const begins = state.running && !running;
+    ({ running } = state);
+    if (!begins && state.document === document) return;
+    withdraw();
+    end();
+  });
 }
 
 /**

@@ -178,8 +178,11 @@ export interface Store {
   /** keys on which commands may depend */
   steady: (keyof State)[];
   set: (patch: Partial<State>) => void;
-  /** calls the listener now, and after every task in which one of the keys changed */
-  subscribe: (keys: (keyof State)[], listener: (state: Readonly<State>) => void) => void;
+  /**
+   * calls the listener now, and after every task in which one of the keys changed, until the
+   * returned function is called
+   */
+  subscribe: (keys: (keyof State)[], listener: (state: Readonly<State>) => void) => () => void;
 }
 
 const INITIAL: State = {
@@ -276,7 +279,7 @@ export function handlesNow({ document, dragged, moved }: Readonly<State>): Handl
 
 export function createStore(): Store {
   let state = INITIAL;
-  const subscriptions: { keys: (keyof State)[]; listener: (state: Readonly<State>) => void }[] = [];
+  let subscriptions: { keys: (keyof State)[]; listener: (state: Readonly<State>) => void }[] = [];
   let changed: Set<keyof State> = new Set();
 
   function notify() {
@@ -309,8 +312,12 @@ export function createStore(): Store {
       keys.forEach((key) => changed.add(key));
     },
     subscribe(keys, listener) {
-      subscriptions.push({ keys, listener });
+      const own = { keys, listener };
+      subscriptions.push(own);
       notifyListener(listener);
+      return () => {
+        subscriptions = subscriptions.filter((one) => one !== own);
+      };
     },
   };
 }

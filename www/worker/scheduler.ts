@@ -148,13 +148,15 @@ export class Scheduler {
    */
   betweenRuns<T>(edit: () => T, settles: boolean = false): T {
     if (this.#isRunning) this.#solver.endRun();
+    const before = this.#solver.generation();
     let result;
     try {
       result = edit();
     } finally {
       if (this.#isRunning) this.#solver.beginRun();
     }
-    this.#isSettled = settles && result === true;
+    // What leaves problem and shape as they were leaves a converged shape converged.
+    if (this.#solver.generation() !== before) this.#isSettled = settles && result === true;
     this.#activityDue = true;
     this.changed();
     this.#sliceIsNew = true;

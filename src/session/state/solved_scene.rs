@@ -23,6 +23,8 @@ pub(crate) struct SolvedScene {
     /// Handles and positions of the solver, cached until they change.
     positions: OnceCell<Rc<[Point]>>,
     handles: OnceCell<Rc<[Handle]>>,
+    /// Raised by every exchange that changes the problem, the handles or the positions.
+    generation: u32,
 }
 
 impl SolvedScene {
@@ -39,7 +41,18 @@ impl SolvedScene {
     ) -> Result<SolvedScene, Error> {
         let solver = set_up(&document, rest, &rows, SetupCache::default(), handles, start)?;
         let (positions, handles) = (OnceCell::new(), OnceCell::new());
-        Ok(SolvedScene { document, rows, solver, positions, handles })
+        Ok(SolvedScene { document, rows, solver, positions, handles, generation: 0 })
+    }
+
+    /// A number that every exchange of the problem, the handles or the positions raises.
+    pub(crate) fn generation(&self) -> u32 {
+        self.generation
+    }
+
+    /// Goes on with the generations of the scene that this one replaces.
+    pub(crate) fn follows(mut self, replaced: &SolvedScene) -> SolvedScene {
+        self.generation = replaced.generation + 1;
+        self
     }
 
     pub(crate) fn document(&self) -> &Scene {
@@ -241,15 +254,18 @@ impl SolvedScene {
                     && self.document.closeness.weights.is_empty()
                     && handles.is_none()
                     && positions.is_none();
-                if !unused {
-                    let handles = handles.unwrap_or_else(|| self.solver.handles().to_vec());
-                    let positions = positions.unwrap_or_else(|| self.positions());
-                    let cache = self.solver.setup_cache();
-                    self.solver = set_up(&self.document, rest, &rows, cache, handles, positions)?;
+                if unused {
+                    self.rows = rows;
+                    return Ok(());
                 }
+                let handles = handles.unwrap_or_else(|| self.solver.handles().to_vec());
+                let positions = positions.unwrap_or_else(|| self.positions());
+                let cache = self.solver.setup_cache();
+                self.solver = set_up(&self.document, rest, &rows, cache, handles, positions)?;
                 self.rows = rows;
             }
         }
+        self.generation += 1;
         Ok(())
     }
 }

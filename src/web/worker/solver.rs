@@ -121,6 +121,11 @@ impl Solver {
         Ok(self.open()?.is_meeting())
     }
 
+    /// See [`crate::session::Session::generation`].
+    pub fn generation(&self) -> Result<u32, JsValue> {
+        Ok(self.open()?.generation())
+    }
+
     /// Returns the number of the current iteration.
     pub fn iteration(&self) -> Result<u32, JsValue> {
         Ok(self.open()?.iteration())

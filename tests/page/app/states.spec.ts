@@ -160,7 +160,7 @@ const interactiveUpTo = (page: Page, most: number) =>
   page.addInitScript((value) => {
     const { postMessage } = Worker.prototype;
     Worker.prototype.postMessage = function (message, ...rest) {
-      if (message.type !== 'mostFaces') return Reflect.apply(postMessage, this, [message, ...rest]);
+      if (message.name !== 'mostFaces') return Reflect.apply(postMessage, this, [message, ...rest]);
       const data = { type: 'reply', id: message.id, value };
       this.dispatchEvent(new MessageEvent('message', { data }));
     };
@@ -205,7 +205,7 @@ test('opening a file can be cancelled while the solver builds the model', async 
     const { postMessage } = Worker.prototype;
     // The solver never answers for this file.
     Worker.prototype.postMessage = function (message, ...rest) {
-      const isIt = message.type === 'open' && message.files[0].name === 'wide.obj';
+      const isIt = message.name === 'open' && message.given[0].files[0].name === 'wide.obj';
       if (!isIt) Reflect.apply(postMessage, this, [message, ...rest]);
     };
   });

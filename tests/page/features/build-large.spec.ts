@@ -117,13 +117,11 @@ test('the offset of 2500 panels follows the slider and a drag, and the sheets co
         });
       }
       override postMessage(
-        message: { id: number; request?: { type: string } },
+        message: { id?: number; name: string },
         ...rest: [(Transferable[] | StructuredSerializeOptions)?]
       ) {
-        if (message.request) {
-          const { type } = message.request;
-          this.#begun.set(message.id, { type, begun: performance.now() });
-        }
+        const { id, name: type } = message;
+        if (id !== undefined) this.#begun.set(id, { type, begun: performance.now() });
         super.postMessage(message, ...(rest as [StructuredSerializeOptions?]));
       }
     };

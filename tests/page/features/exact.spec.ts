@@ -35,7 +35,15 @@ test('panels within a tolerance are made exact at a stated cost, and a drag keep
     page,
     (now) => now.exact?.met && now.exact.max_distance < 1e-8 && now.converged,
   );
-  expect(await page.evaluate(() => document.body.dataset.next)).toBe('build');
+  const next = () => page.evaluate(() => document.body.dataset.next);
+  expect(await next()).toBe('build');
+  // An edit that changes no shape does not ask for another run.
+  await page.getByRole('button', { name: 'Present', exact: true }).click();
+  await page.getByRole('button', { name: 'Add this view' }).click();
+  await expect(page.getByLabel('Text of step 1')).toBeVisible();
+  await page.keyboard.press('Escape');
+  await waitForState(page, (now) => now.converged && now.exact?.met);
+  expect(await next()).toBe('build');
   const before = await exact(page);
   expect(before?.tolerance).toBeLessThan(1e-8);
 

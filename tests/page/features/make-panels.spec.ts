@@ -47,7 +47,19 @@ test('one press makes an opened mesh circular, and a verdict shows how far it mo
   expect(flat.constraints).toEqual({ plane: N * N });
   expect(flat.planarity?.max_distance).toBeLessThan(0.01);
 
-  await expect(offer(page).getByText(VERDICT('flat'))).toBeVisible();
+  // Colours, legend and numbers are those of what was asked for last.
+  await showPanel(page, 'Energies and display');
+  await expect(page.getByRole('combobox', { name: 'Colour by' })).toHaveValue('planarity');
+  await showPanel(page, 'Model');
+
+  // The verdict in the status line is that on the card.
+  const said = async () => (await status.textContent()) ?? '';
+  const before = await said();
+  await expect(offer(page)).toContainText(before);
+  await page.getByLabel('Tolerance').fill('0.00001');
+  await page.getByLabel('Tolerance').press('Enter');
+  await expect.poll(said).not.toBe(before);
+  await expect(offer(page)).toContainText(await said());
   await offer(page).getByRole('button', { name: 'Close', exact: true }).click();
   await expect(offer(page)).toBeHidden();
 });
@@ -245,6 +257,12 @@ test('a run that collapses the mesh is stopped, and can be undone, held closer o
   await run();
   await alert.getByRole('button', { name: 'Continue anyway' }).click();
   await waitForState(page, (now) => !now.running && now.iteration > 0);
+  await expect(alert).toBeEmpty();
+
+  // What was said and offered about a shape is withdrawn once it is another one.
+  await tool(page, 'Reset');
+  await run();
+  await tool(page, 'Undo');
   await expect(alert).toBeEmpty();
 });
 

@@ -121,7 +121,7 @@ test('undo takes back a number for good, even while the mesh still follows it', 
   await page.addInitScript(() => {
     const postMessage = Worker.prototype.postMessage as (...message: unknown[]) => void;
     Worker.prototype.postMessage = function (...message) {
-      if (message[0].phase !== 'end') return postMessage.apply(this, message);
+      if (message[0].given?.[0]?.phase !== 'end') return postMessage.apply(this, message);
       window.end = () => postMessage.apply(this, message);
     };
   });

@@ -216,7 +216,7 @@ test('the dialog requests all previews in one message, for any number of kinds a
     Object.assign(window, { asked });
     const post = Worker.prototype.postMessage as (...message: unknown[]) => void;
     Worker.prototype.postMessage = function (message, ...rest) {
-      asked.push(message.type);
+      asked.push(message.name);
       return post.call(this, message, ...rest);
     };
   });
@@ -225,7 +225,7 @@ test('the dialog requests all previews in one message, for any number of kinds a
   await dialog.getByRole('radio', { name: 'Circle', exact: true }).check();
   const asked = await page.evaluate(() => {
     const { asked } = window as unknown as Listening;
-    return asked.filter((type) => type === 'previews');
+    return asked.filter((name) => name === 'previews');
   });
   expect(asked).toHaveLength(1);
 });

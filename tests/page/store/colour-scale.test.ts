@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import { colourFaces } from '../../../www/store/colours/colour-scale.ts';
 import { createStore } from '../../../www/store/state.ts';
-import type { FaceMeasure, Measure } from '../../../www/solver/types.ts';
+import type { FaceMeasure, Measure, SceneDocument } from '../../../www/solver/types.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 
 const aTask = () => new Promise((done) => setTimeout(done));
@@ -24,4 +24,22 @@ test('a measure that does not exist, as in a mistyped address, colours nothing: 
   store.set({ measure: 'flatness' });
   await aTask();
   assert.deepEqual(asked, [null, null, 'planarity', null]);
+});
+
+test('the colours follow what the scene asks for, until the user chooses a measure', async () => {
+  const store = createStore();
+  const solver = Object.assign(new Emitter(), { tell: { show() {} }, geometry: null });
+  colourFaces(store, solver as unknown as SolverClient);
+  const open = async (...measures: Measure[]) => {
+    const constraints = measures.map((measure) => ({ enabled: true, measure }));
+    store.set({ document: { constraints } as unknown as SceneDocument });
+    await aTask();
+    return store.get().measure;
+  };
+  assert.equal(await open(), null);
+  assert.equal(await open('planarity'), 'planarity');
+  // It used to stay on the first measure.
+  assert.equal(await open('circularity'), 'circularity');
+  store.set({ measure: 'moved', measureChosen: true });
+  assert.equal(await open('planarity'), 'moved');
 });

@@ -58,6 +58,9 @@ export class MakePanels {
   /** Whether a verdict is being requested. */
   #isBusy = false;
 
+  /** The verdict that was put into the status line last. */
+  #said = '';
+
   constructor(app: AppContext) {
     this.#app = app;
     addButtons(app);
@@ -251,7 +254,11 @@ export class MakePanels {
     setText(this.#text, text);
     this.#kind = verdict.kind;
     this.#showChanges(words === verdictWords ? verdict : null);
-    if (atEnd && !running && !numbers?.collapse) actions.setStatus(text);
+    // A verdict in the status line is renewed with that on the card.
+    const isSaid = this.#said !== '' && store.get().status === this.#said;
+    if (running || numbers?.collapse || !(atEnd || isSaid)) return;
+    this.#said = text;
+    actions.setStatus(text);
   }
 
   /** Offers ways to a better shape, if the final `verdict` asks for it. */

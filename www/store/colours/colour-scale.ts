@@ -10,6 +10,7 @@
 
 import { RENEW_MS, throttled } from '../../ui/dom.ts';
 import { messageOf } from '../../solver/errors.ts';
+import type { Measure } from '../../solver/types.ts';
 import { declared, measureOfScene, roundingOf, toleranceOf } from './measures.ts';
 import { greatestOf, spreadOf } from '../../ui/plot/histogram.ts';
 import { axisOf, roundUp } from '../../ui/plot/value-axis.ts';
@@ -35,15 +36,14 @@ const NONE: Pick<State, 'spread' | 'range' | 'ownRange'> = {
 
 /** @returns sets the end of the range to the worst face of the current shape */
 export function colourFaces(store: Store, solver: SolverClient): { fit: () => void } {
-  /** Number of constraint rows; undefined before a document. */
-  let rows: number | undefined;
+  /** The measure that the document suggests; undefined before a document. */
+  let suggested: Measure | null | undefined;
 
   store.subscribe(['document'], (state) => {
-    const before = rows;
-    rows = state.document?.constraints.length;
-    const opened = before === undefined && rows !== undefined;
-    const firstRow = before === 0 && rows;
-    if ((opened || firstRow) && !state.measureChosen) store.set({ measure: measureOfScene(state) });
+    const before = suggested;
+    suggested = state.document ? measureOfScene(state) : undefined;
+    if (suggested !== undefined && suggested !== before && !state.measureChosen)
+      store.set({ measure: suggested });
   });
   solver.on('model', () => store.set(NONE));
   const updateSoon = throttled(RENEW_MS, update);

@@ -33,9 +33,10 @@ export class Alerts {
   /**
    * Reports an event that the user did not request.
    * @param offers what can be done about it
+   * @returns withdraws the message, if it is still shown
    */
-  notice(message: string, ...offers: Offer[]) {
-    this.#show(message, 'notice', offers);
+  notice(message: string, ...offers: Offer[]): () => void {
+    return this.#show(message, 'notice', offers);
   }
 
   /** Reports a fatal problem. Errors that it causes do not replace it. */
@@ -69,7 +70,7 @@ export class Alerts {
   /** Shows a message in place of the previous one, whose action has been retried since. */
   #show(message: string, kind: 'error' | 'notice', offers: Offer[] = []) {
     this.note(message, kind);
-    if (this.#isFatal) return;
+    if (this.#isFatal) return () => {};
     const close = closeButton('Dismiss', () => this.#clear());
     const text = element('p', message);
     const buttons = offers.map(({ label, action }) => {
@@ -79,8 +80,10 @@ export class Alerts {
       };
       return button(label, onclick, { class: 'small bordered' });
     });
-    this.#place.replaceChildren(
-      element('div', { class: `message ${kind}` }, text, ...buttons, close),
-    );
+    const shown = element('div', { class: `message ${kind}` }, text, ...buttons, close);
+    this.#place.replaceChildren(shown);
+    return () => {
+      if (shown.isConnected) this.clear();
+    };
   }
 }
