@@ -35,7 +35,7 @@ impl Session {
     }
 
     /// Number of meshes derived one after another from the opened one; 0 for the opened mesh.
-    pub fn generation(&self) -> u32 {
+    pub fn mesh_generation(&self) -> u32 {
         self.rest.generation()
     }
 

@@ -43,13 +43,13 @@ fn only_what_changes_the_problem_or_the_shape_is_another_generation() {
         session.redo().expect("it can be done again");
         after != before
     };
-    let faces = Some(vec![1, 2]);
+    let faces = vec![1, 2];
     let build = BuildSettings { scale: 20.0, ..BuildSettings::default() };
     for edit in [
         Edit::RenameConstraint { index: 0, name: "Roof".to_owned() },
-        Edit::SetBuild { build },
+        Edit::SetBuild { build: Box::new(build) },
         Edit::SetSteps { steps: vec![Slide { title: "Now".to_owned(), ..Slide::default() }] },
-        Edit::NameSet { name: "two".to_owned(), vertices: None, faces },
+        Edit::NameSet { name: "two".to_owned(), vertices: Vec::new(), faces },
         Edit::SetUnits { units: "m".to_owned() },
     ] {
         assert!(!goes_on(edit.clone()), "{edit:?}");

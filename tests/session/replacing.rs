@@ -90,13 +90,13 @@ fn a_scene_that_is_refused_leaves_a_refined_mesh_one_that_was_derived() {
         .edit(Edit::AddHandles { vertices: vec![0], fixed: true })
         .and_then(|_| session.edit(corner))
         .expect("the edits are valid");
-    let (generation, lost) = (session.generation(), session.lost().to_vec());
+    let (generation, lost) = (session.mesh_generation(), session.lost().to_vec());
     assert_eq!((generation, lost.len()), (1, 1));
     let mut open = Some(session);
     Session::replace(&mut open, scene(SINGULAR), bumpy()).err().expect("the scene is refused");
     let mut session = open.expect("the one before is open");
-    assert_eq!((session.generation(), session.lost()), (generation, &*lost));
+    assert_eq!((session.mesh_generation(), session.lost()), (generation, &*lost));
     // The page asks for the mesh again because its generation is another one.
     session.undo().expect("it was solvable");
-    assert_eq!(session.generation(), 0);
+    assert_eq!(session.mesh_generation(), 0);
 }

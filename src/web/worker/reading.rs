@@ -64,7 +64,7 @@ impl Solver {
     #[wasm_bindgen(unchecked_return_type = "Loaded | undefined")]
     pub fn remeshed(&mut self) -> Result<JsValue, JsValue> {
         let session = self.open()?;
-        let generation = session.generation();
+        let generation = session.mesh_generation();
         if generation == self.generation {
             return Ok(JsValue::UNDEFINED);
         }

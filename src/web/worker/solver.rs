@@ -175,7 +175,7 @@ impl Solver {
     #[wasm_bindgen(js_name = objUnwelded)]
     pub fn obj_unwelded(&self) -> Result<String, JsValue> {
         let session = self.open()?;
-        let weld = self.weld.as_ref().filter(|_| session.generation() == 0);
+        let weld = self.weld.as_ref().filter(|_| session.mesh_generation() == 0);
         Ok(weld.map_or_else(|| session.obj(), |weld| session.obj_unwelded(weld)))
     }
 

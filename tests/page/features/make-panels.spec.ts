@@ -262,7 +262,7 @@ test('a run that collapses the mesh is stopped, and can be undone, held closer o
   // What was said and offered about a shape is withdrawn once it is another one.
   await tool(page, 'Reset');
   await run();
-  await tool(page, 'Undo');
+  await tool(page, 'Reset');
   await expect(alert).toBeEmpty();
 });
 
