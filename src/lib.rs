@@ -26,10 +26,8 @@
 //! | [`solve`] | energies, assembly, the two-step iteration, accelerators, conformal maps | math, mesh, constraint, sparse |
 //! | [`scene`] | the scene file: serde types, validation, and the optimisation problem that it defines | math, json, mesh, constraint, sparse, solve |
 //! | [`fabricate`] | parts to cut: panels on sheets, offsets, the build check, files for machines | math, mesh, sparse, scene |
-//! | [`error`] | the error type of hosts | mesh, scene, solve |
-//! | [`example`] | the example scenes, and the generators of their meshes | math, mesh, constraint, scene |
-//! | [`begin`] | new meshes: by kind and sizes, from a plan, or between curves | math, json, mesh, sparse, example |
 //! | [`session`] | the interface of all hosts: load, edit, drag, step, undo, report | all above |
+//! | [`generate`] | new meshes: by kind and sizes, from a plan, or between curves; the example scenes and their meshes | math, json, mesh, constraint, sparse, scene, session |
 //! | [`experiment`] | the paper's comparisons with other methods (Fig. 10, 11), run live | all above |
 //! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |
 //! | `web` | wasm-bindgen interfaces: one for the workers (engine), one for the page (view) | all above |
@@ -38,7 +36,7 @@
 //!
 //! Beside the pipeline, [`experiment`] contains the methods that the paper compares with: gradient
 //! descent, quasi-Newton without a metric, and a penalty method with Gauss-Newton. It drives
-//! sessions as a host does, and nothing else depends on it.
+//! sessions as a host does; only the command line runs it.
 //!
 //! # One drag
 //!
@@ -114,30 +112,26 @@
 //! solver uses only `+ - * / sqrt` and, for angles, `libm`, so that native and wasm builds give the
 //! same bits.
 
-#[cfg(any(feature = "cli", feature = "engine"))]
-pub mod begin;
-#[cfg(any(feature = "cli", feature = "engine"))]
+#[cfg(feature = "engine")]
 pub mod constraint;
-#[cfg(any(feature = "cli", feature = "engine"))]
-pub mod error;
-#[cfg(any(feature = "cli", feature = "engine"))]
-pub mod example;
-#[cfg(any(feature = "cli", feature = "engine"))]
+#[cfg(feature = "cli")]
 pub mod experiment;
-#[cfg(any(feature = "cli", feature = "engine"))]
+#[cfg(feature = "engine")]
 pub mod fabricate;
-#[cfg(any(feature = "cli", feature = "engine"))]
+#[cfg(feature = "engine")]
+pub mod generate;
+#[cfg(feature = "engine")]
 mod json;
 pub mod math;
-#[cfg(any(feature = "cli", feature = "engine"))]
+#[cfg(feature = "engine")]
 pub mod mesh;
-#[cfg(any(feature = "cli", feature = "engine"))]
+#[cfg(feature = "engine")]
 pub mod scene;
-#[cfg(any(feature = "cli", feature = "engine"))]
+#[cfg(feature = "engine")]
 pub mod session;
-#[cfg(any(feature = "cli", feature = "engine"))]
+#[cfg(feature = "engine")]
 pub mod solve;
-#[cfg(any(feature = "cli", feature = "engine"))]
+#[cfg(feature = "engine")]
 pub mod sparse;
 #[cfg(feature = "view")]
 pub mod view;

@@ -1,6 +1,6 @@
 //! The table of the paper's capabilities refers to existing files, tests and examples.
 
-use shape_up::example::EXAMPLES;
+use shape_up::generate::example::EXAMPLES;
 use std::fs::read_to_string;
 use std::path::Path;
 

@@ -2,10 +2,10 @@
 //! figures.
 
 use crate::support::random::Random;
-use shape_up::example::EXAMPLES;
 use shape_up::experiment::{
     AngleSums, COMPARISON, EXPERIMENTS, EndedBy, Experiment, Limits, Run, Series,
 };
+use shape_up::generate::example::EXAMPLES;
 use shape_up::math::Vec3;
 use shape_up::mesh::Point;
 use shape_up::scene::{ClosenessTo, Hold, Weights};

@@ -3,8 +3,9 @@
 //! - A room uses only the rooms that the table in `src/lib.rs` allows.
 //! - Dependencies between the files and folders of a folder have no cycles. An item that a `mod.rs`
 //!   re-exports counts as used at its definition.
-//! - A folder contains about a dozen files.
-//! - The table at the head of a `mod.rs` lists all files and folders beside it.
+//! - A folder contains few enough files to be read as a list.
+//! - The table at the head of a `mod.rs` lists all files and folders beside it. A folder without
+//!   folders needs no table.
 //! - No two public types have the same name.
 //! - The paths, functions and modules that the head of `src/lib.rs` names exist.
 
@@ -13,9 +14,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Limit of files per folder; a longer list would not be read.
-const MOST_FILES: usize = 15;
+const MOST_FILES: usize = 25;
 
-/// Folders with more files.
+/// Folders that may have more files.
 const LARGE_FOLDERS: &[(&str, &str)] =
     &[("constraint/kinds", "the operators, one file each: their list is the table of contents")];
 
@@ -98,7 +99,7 @@ fn what_is_in_a_folder_knows_of_each_other_in_one_direction() {
 }
 
 #[test]
-fn a_folder_holds_about_a_dozen_files() {
+fn a_folder_holds_no_more_files_than_are_read() {
     let sources = Sources::read();
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
     for text in sources.modules.values() {
@@ -108,22 +109,28 @@ fn a_folder_holds_about_a_dozen_files() {
     for (folder, count) in counts {
         let is_known = LARGE_FOLDERS.iter().any(|(known, _)| *known == folder);
         assert!(
-            (count > MOST_FILES) == is_known,
-            "src/{folder} has {count} files, expected {} than {MOST_FILES}",
-            if is_known { "as listed more" } else { "no more" }
+            count <= MOST_FILES || is_known,
+            "src/{folder} has {count} files, expected no more than {MOST_FILES}"
         );
     }
 }
 
 #[test]
 fn a_table_of_files_has_every_file_and_no_other() {
-    for (module, text) in &Sources::read().modules {
+    let modules = Sources::read().modules;
+    for (module, text) in &modules {
         let rows = text.head.lines().filter_map(|line| line.strip_prefix("//! | `"));
         let listed: BTreeSet<String> = rows
             .flat_map(|row| row.split(" | ").next().unwrap_or_default().split(", "))
             .map(|name| name.trim_matches('`').to_owned())
             .collect();
-        let is_exempt = WITHOUT_TABLE.contains(&module.join("/").as_str());
+        let is_folder = |name: &String| {
+            let child: Vec<String> = module.iter().chain([name]).cloned().collect();
+            modules[&child].file.ends_with("mod.rs")
+        };
+        let is_leaf = !text.children.iter().any(is_folder);
+        let needs_none = is_leaf && listed.is_empty();
+        let is_exempt = needs_none || WITHOUT_TABLE.contains(&module.join("/").as_str());
         if text.file.ends_with("mod.rs") && !is_exempt {
             let there: BTreeSet<String> = text.children.iter().cloned().collect();
             assert_eq!(listed, there, "the table of src/{} and the files", text.file);

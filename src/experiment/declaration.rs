@@ -1,8 +1,8 @@
 //! The declarations of an experiment and its methods.
 
-use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
+use crate::session::Error;
 
 /// A comparison of methods on the same problem.
 #[derive(Clone, Copy, Debug)]

@@ -4,9 +4,9 @@
 use super::curvature::{Curvature, add_scaled, dot};
 use super::declaration::{Method, Step};
 use super::line_search::{Along, wolfe_step};
-use crate::error::Error;
 use crate::mesh::{Mesh, Point};
 use crate::scene::Scene;
+use crate::session::Error;
 use crate::session::Session;
 use crate::solve::Solver;
 

@@ -15,11 +15,9 @@
 //! | `circularity`, `gauss_newton` | the penalty method: angle sums, and Gauss-Newton on them |
 //! | `continuation` | the weight of the circles for a given circularity error |
 //! | `figure` | the plots of a run as SVG |
-//! | `catalogue` | the files of the examples |
 //!
 //! Experiments and their methods are declared in lists, and hosts show whatever is in them.
 
-mod catalogue;
 mod circularity;
 mod comparison;
 mod continuation;
@@ -34,7 +32,6 @@ mod penalty;
 mod run;
 mod two_step;
 
-pub use catalogue::{example_file, example_files};
 pub use circularity::AngleSums;
 pub use comparison::COMPARISON;
 pub use declaration::{Experiment, Limits, MethodInfo, Over, Plot, Quantity, Unit};

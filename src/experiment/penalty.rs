@@ -10,9 +10,9 @@ use super::declaration::{
     Experiment, Limits, Method, MethodInfo, Over, Plot, Quantity, Step, Unit,
 };
 use super::gauss_newton::GaussNewton;
-use crate::error::Error;
 use crate::mesh::{BoundingSphere, Laplacian, Measures, Mesh, Point, Ragged, Topology};
 use crate::scene::{ClosenessTo, Hold, Scene, SceneError, SmoothnessOf, Weights};
+use crate::session::Error;
 use crate::session::{Edit, Session};
 
 /// Mean circularity error `e_c` for the comparison, at a bounding sphere of diameter 1.

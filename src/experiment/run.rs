@@ -2,9 +2,9 @@
 //! the progress and stop at any time.
 
 use super::declaration::{Experiment, Limits, Method, Step};
-use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
+use crate::session::Error;
 use crate::solve::clock;
 
 /// The measurements of one method.

@@ -1,9 +1,9 @@
 //! The project's own solver as a method: the two-step iteration, plain or accelerated.
 
 use super::declaration::{Method, Step};
-use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::{Accelerator, Scene};
+use crate::session::Error;
 use crate::session::Session;
 
 /// The two-step iteration, until the total energy is a given fraction of its initial value.

@@ -4,9 +4,9 @@ use super::Session;
 use super::edit::{Edit, PanelStart, check_lock};
 use super::run::Unfolding;
 use super::undo::{Change, Transaction, check_targets};
-use crate::error::Error;
 use crate::mesh::Point;
 use crate::scene::{Lock, NamedEnum, SceneError};
+use crate::session::Error;
 
 /// The phases of a drag.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -9,12 +9,12 @@ use super::report::{MeasureCache, check_lesson, check_presentation};
 use super::run::Start;
 use super::state::{RestMesh, SceneChange, SolvedScene, resolve_rows};
 use super::undo::{Change, SavedState, read_history, read_state, write_history, write_state};
-use crate::error::Error;
 use crate::mesh::{
     Edited, Mesh, MeshOperation, OperationError, Point, Scheme, SubdivideError, SubdividedCounts,
     Subdivision, Task, counted,
 };
 use crate::scene::{Scene, SceneError};
+use crate::session::Error;
 use std::rc::Rc;
 
 /// Maximum number of refinements offered; beyond the first, none with more faces than this.

@@ -2,13 +2,13 @@
 
 use super::Session;
 use super::edit::{is_of_solver, settings_of};
-use crate::error::Error;
 use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres};
 use crate::mesh::{Mesh, Point};
 use crate::scene::{
     ClosenessTo, ConstraintSpec, GoalOf, GoalResult, Lock, MeshSource, Results, Scene, SceneError,
     UNITS,
 };
+use crate::session::Error;
 use serde_json::Value;
 
 impl Session {

@@ -5,9 +5,9 @@ use super::Session;
 use super::requirements::Required;
 use super::run::{Attempt, ExactReport, Meeting, MeetingEnd, Met, Step};
 use super::state::Part;
-use crate::error::Error;
 use crate::mesh::Point;
 use crate::scene::ConstraintSpec;
+use crate::session::Error;
 use crate::solve::{Exact, SolveError};
 
 impl Session {

@@ -2,7 +2,7 @@
 
 use super::Session;
 use super::run::{HalfStep, Step, fitted};
-use crate::error::Error;
+use crate::session::Error;
 
 impl Session {
     /// Runs one iteration. In a run, hard constraints are met after the rest has converged.

@@ -7,9 +7,9 @@ use super::report::{MeasureCache, check_lesson, check_presentation};
 use super::run::{CollapseGuard, Progress, Unfolding};
 use super::state::{ResolvedRow, RestMesh, SolvedScene, flat, resolve_rows};
 use super::undo::{History, Transaction};
-use crate::error::Error;
 use crate::mesh::{Mesh, Point};
 use crate::scene::Scene;
+use crate::session::Error;
 use crate::solve::Handle;
 
 impl Session {

@@ -25,12 +25,14 @@
 //! | `edit` | the edits and their effects, settings, previews |
 //! | `selection` | selecting by properties of the mesh |
 //! | `report` | measures, reports, worst elements |
+//! | `error` | the error type of hosts |
 //! | `export` | the current state as OBJ and as a scene |
 
 mod composition;
 mod dragging;
 mod edit;
 mod editing;
+mod error;
 mod export;
 mod handed_in;
 mod hard_constraints;
@@ -56,6 +58,7 @@ pub use edit::{
     ConstraintTarget, Edit, NewConstraint, OfferedOperation, PanelStart, Preview, Refinement,
     Remeshing, RemeshingPreview, SETTINGS, Setting, settings_of,
 };
+pub use error::Error;
 pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
 pub use report::{

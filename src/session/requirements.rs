@@ -4,10 +4,10 @@
 use super::Session;
 use super::report::ConstraintCoverage;
 use super::state::RestMesh;
-use crate::error::Error;
 use crate::math::marked;
 use crate::mesh::{Point, Ragged};
 use crate::scene::{ConstraintSpec, EasedFaces};
+use crate::session::Error;
 use crate::solve::{
     Constraints, Exact, Handle, Problem, Require, Requirements, SetupCache, exact_tolerance,
     farthest,

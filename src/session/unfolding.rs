@@ -4,9 +4,9 @@ use super::Session;
 use super::requirements::Required;
 use super::run::{Attempt, Attempts, Eased, Outcome, Tolerances, Unfolding};
 use super::state::{Part, RowValues, Settings};
-use crate::error::Error;
 use crate::mesh::Point;
 use crate::scene::{ConstraintSpec, EasedFaces, SmoothnessOf, all_faces};
+use crate::session::Error;
 use crate::solve::{Exact, ExactAnswer, Require, Requirements};
 
 impl Session {

@@ -1,10 +1,10 @@
 //! Comparison of the kept variants in numbers.
 
 use super::Session;
-use crate::error::Error;
 use crate::math::twice_vector_area;
 use crate::mesh::Point;
 use crate::scene::{Variant, Variants};
+use crate::session::Error;
 use crate::solve::Moved;
 use serde::Serialize;
 use std::rc::Rc;

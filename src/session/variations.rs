@@ -6,8 +6,8 @@ use super::edit::Edit;
 use super::requirements::Required;
 use super::run::{ExactReport, Met};
 use super::undo::{Change, Transaction};
-use crate::error::Error;
 use crate::mesh::Point;
+use crate::session::Error;
 use crate::solve::{ExactAnswer, Handle, Problem, Requirements, ShapeSpace, Variation};
 use std::rc::Rc;
 

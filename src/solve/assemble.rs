@@ -140,6 +140,7 @@ impl Assembler {
     }
 
     /// Replaces `a` of every term of an energy, one entry for each entry of its nodes.
+    #[cfg(feature = "cli")]
     pub(super) fn set_coefficients(&mut self, energy: usize, a: &[f64]) {
         self.energies[energy].a.copy_from_slice(a);
     }

@@ -179,6 +179,7 @@ impl System {
 
     /// Replaces `a` of every term of an energy, one entry for each entry of its nodes as they were
     /// pushed, for terms that are linearised. Takes effect with the next factor.
+    #[cfg(feature = "cli")]
     pub(crate) fn set_coefficients(&mut self, energy: usize, a: &[f64]) {
         self.assembler.set_coefficients(energy, a);
         (self.below, self.state) = (None, State::Unknown);

@@ -4,22 +4,19 @@
 //! | file or folder | holds |
 //! |---|---|
 //! | `worker` | the interface of the solver |
-//! | `examples` | the files of the examples |
 //! | `page` | the interface of the view |
 //! | `build` | the interface of sheets and the build check |
-//! | `begin` | the interface of new meshes |
+//! | `generate` | the interface of new meshes, and the files of the examples |
 //! | `curvature` | the interface of lines of curvature |
 //! | `plain` | conversions between Rust and JavaScript |
 //! | `warm_up` | iterations that make V8 optimise the solver |
 
 #[cfg(feature = "engine")]
-pub mod begin;
-#[cfg(feature = "engine")]
 pub mod build;
 #[cfg(feature = "engine")]
 pub mod curvature;
 #[cfg(feature = "engine")]
-pub mod examples;
+pub mod generate;
 #[cfg(feature = "view")]
 pub mod page;
 #[cfg(feature = "engine")]

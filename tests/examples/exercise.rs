@@ -1,6 +1,6 @@
 //! Examples that are lessons: their goals are missed at first, and can be met and handed in.
 
-use shape_up::example::{EXAMPLES, Example};
+use shape_up::generate::example::{EXAMPLES, Example};
 use shape_up::scene::{Results, Weights};
 use shape_up::session::{Edit, Session, check_results};
 use shape_up::solve::Require;

@@ -3,7 +3,7 @@
 
 use crate::examples::statements::Run;
 use serde::{Deserialize, Serialize};
-use shape_up::example::Example;
+use shape_up::generate::example::Example;
 use shape_up::mesh::angle_histogram;
 
 const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/pictures/results.json");

@@ -4,9 +4,9 @@ mod exercise;
 mod gallery;
 mod statements;
 
-use shape_up::example::EXAMPLES;
-use shape_up::example::model::{Canopy, Creature, Dome, Hall, Lantern, Mounds};
-use shape_up::experiment::{example_file, example_files};
+use shape_up::generate::example::EXAMPLES;
+use shape_up::generate::example::{example_file, example_files};
+use shape_up::generate::model::{Canopy, Creature, Dome, Hall, Lantern, Mounds};
 use shape_up::mesh::{Mesh, Point, Topology, components, diagnose, read, write_medit, write_obj};
 use shape_up::scene::Scene;
 

@@ -2,9 +2,9 @@
 
 use crate::examples::gallery::{Results, compare_with_gallery};
 use shape_up::constraint::Selector;
-use shape_up::example::model::Court;
-use shape_up::example::{EXAMPLES, Example};
 use shape_up::fabricate::panel::smallest_box;
+use shape_up::generate::example::{EXAMPLES, Example};
+use shape_up::generate::model::Court;
 use shape_up::math::Vec3;
 use shape_up::mesh::{
     MapErrors, Mesh, Point, QuasiConformal, Ragged, Surface, Topology, UnrolledStrip,

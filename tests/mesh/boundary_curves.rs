@@ -3,7 +3,7 @@
 use crate::support::meshes::grid;
 use crate::support::random::Random;
 use proptest::prelude::*;
-use shape_up::example::model::Dome;
+use shape_up::generate::model::Dome;
 use shape_up::math::{Vec3, cosine};
 use shape_up::mesh::{BoundaryCurves, Mesh, Point, Ragged, Surface, Topology};
 use shape_up::scene::Scene;

@@ -1,7 +1,7 @@
 //! Unrolling: strips of planar quads, and surfaces without Gauss curvature.
 
 use crate::support::grid::grid;
-use shape_up::example::model::{Court, Strip};
+use shape_up::generate::model::{Court, Strip};
 use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::{Mesh, Point, Topology, UnrolledStrip, gauss_curvature, strips};
 use std::f64::consts::TAU;

@@ -1,6 +1,5 @@
 //! Meshes: reading and writing files, topology, measures, closest points, Laplacians.
 
-mod begin;
 mod boundary_curves;
 mod closest;
 mod curvature;
@@ -11,6 +10,7 @@ mod files;
 mod folds;
 mod fuzzed;
 mod measure;
+mod new_kinds;
 mod operation_cost;
 mod operations;
 mod plan;

@@ -2,7 +2,7 @@
 //! plans.
 
 use proptest::prelude::*;
-use shape_up::begin::{Plan, PlanError, PlanLayout, PlanPoint, PlanSurface, Support};
+use shape_up::generate::{Plan, PlanError, PlanLayout, PlanPoint, PlanSurface, Support};
 use shape_up::math::{Vec3, cosine, sine, twice_vector_area};
 use shape_up::mesh::{Mesh, Topology, diagnose};
 use std::collections::BTreeSet;

@@ -1,7 +1,7 @@
 //! Meshes between curves of a file: on the curves, sound, independent of the direction of the
 //! curves, and refused if they are impossible.
 
-use shape_up::begin::{SpanCurve, SpanError, fill, loft};
+use shape_up::generate::{SpanCurve, SpanError, fill, loft};
 use shape_up::math::{Vec3, cosine, sine, twice_vector_area};
 use shape_up::mesh::{Mesh, Point, Topology, diagnose};
 

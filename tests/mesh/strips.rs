@@ -2,7 +2,7 @@
 
 use crate::support::meshes::{mixed, wavy};
 use proptest::prelude::*;
-use shape_up::example::model::Dome;
+use shape_up::generate::model::Dome;
 use shape_up::mesh::{Mesh, Ragged, Topology, strips};
 use std::collections::BTreeMap;
 

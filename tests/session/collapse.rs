@@ -1,6 +1,6 @@
 //! The guard against shapes that collapse during a run without a drag.
 
-use shape_up::example::EXAMPLES;
+use shape_up::generate::example::EXAMPLES;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Closeness, Scene, Smoothness, Weights};
 use shape_up::session::{CollapseReason, Edit, PanelStart, Session};

@@ -1,7 +1,7 @@
 //! The two halves of an iteration, and the measures of the shape that it started from.
 
 use crate::support::grid::bumpy;
-use shape_up::example::EXAMPLES;
+use shape_up::generate::example::EXAMPLES;
 use shape_up::mesh::Point;
 use shape_up::scene::Scene;
 use shape_up::session::{Edit, FACE_MEASURES, FittedCount, HalfStep, Session, Shape};

@@ -130,7 +130,7 @@ fn what_is_wrong_in_a_lesson_is_named_by_its_place() {
                 "constraints": {rows}, "lesson": {lesson} }}"#
         );
         let opened = Scene::from_json(&text)
-            .map_err(shape_up::error::Error::from)
+            .map_err(shape_up::session::Error::from)
             .and_then(|scene| Session::open(scene, mesh).map(|_| ()));
         opened.expect_err(lesson).to_string()
     };

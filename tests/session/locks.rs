@@ -1,8 +1,8 @@
 //! Locks of a lesson refuse every edit of the locked part, and alterations in a file are detected.
 
 use crate::support::grid::bumpy;
-use shape_up::error::Error;
 use shape_up::scene::{Lock, NamedEnum, Results, Scene};
+use shape_up::session::Error;
 use shape_up::session::{DragPhase, Edit, PanelStart, Session, check_results};
 
 const VARIANT: &str = r#"{ "type": "goToVariant", "index": 0 }"#;

@@ -3,7 +3,7 @@
 
 use crate::support::grid::grid;
 use serde_json::{Value, json};
-use shape_up::begin::{Plan, PlanLayout, PlanPoint, Support};
+use shape_up::generate::{Plan, PlanLayout, PlanPoint, Support};
 use shape_up::mesh::{BoundingSphere, Mesh, folded_faces};
 use shape_up::scene::Scene;
 use shape_up::session::{Edit, PanelStart, Session, Verdict};

@@ -3,9 +3,9 @@
 use crate::support::grid::bumpy;
 use serde_json::{Value, json};
 use shape_up::constraint::{Arity, Centring, Element, KINDS, Selector, Set};
-use shape_up::error::Error;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{ConstraintSpec, MeshSource, Scene};
+use shape_up::session::Error;
 use shape_up::session::{ConstraintTarget, Edit, NewConstraint, Preview, Session};
 
 fn session(mesh: Mesh) -> Session {

@@ -2,8 +2,8 @@
 
 use super::folder::MadeFolders;
 use super::{Failure, output};
-use shape_up::example::{EXAMPLES, Example};
-use shape_up::experiment::example_files;
+use shape_up::generate::example::example_files;
+use shape_up::generate::example::{EXAMPLES, Example};
 use std::path::{Path, PathBuf};
 
 /// Prints one line per example.

@@ -3,8 +3,8 @@
 use super::arguments::Experiment as Asked;
 use super::input::{self, Input};
 use super::{Failure, output};
-use shape_up::example::EXAMPLES;
 use shape_up::experiment::{COMPARISON, EXPERIMENTS, Experiment, Limits, Run};
+use shape_up::generate::example::EXAMPLES;
 use shape_up::mesh::Mesh;
 use shape_up::scene::Scene;
 use std::path::Path;

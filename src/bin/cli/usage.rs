@@ -1,7 +1,7 @@
 //! The usage text.
 
-use shape_up::begin::NEW_KINDS;
 use shape_up::constraint::KINDS;
+use shape_up::generate::NEW_KINDS;
 use shape_up::mesh::{MESH_OPERATIONS, Scheme, Size};
 use shape_up::scene::{Accelerator, NamedEnum, UNITS};
 use shape_up::scene::{OffsetKind, Page, Pieces, Product};

@@ -83,7 +83,7 @@ impl Creases<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::example::model::Blocks;
+    use crate::generate::model::Blocks;
 
     #[test]
     fn a_box_has_twelve_creases_between_eight_corners() {

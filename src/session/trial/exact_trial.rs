@@ -1,8 +1,8 @@
 //! The cost of exactness, or the gain of an improvement, computed from the current shape without
 //! changing it.
 
-use crate::error::Error;
 use crate::scene::ConstraintSpec;
+use crate::session::Error;
 use crate::session::Session;
 use crate::session::requirements::Required;
 use crate::session::run::SolvedFor;

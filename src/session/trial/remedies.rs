@@ -1,9 +1,9 @@
 //! Edits to offer if a run has ended with unmet constraints. Each is tried on a copy of the
 //! session, so that only edits that reduce the worst distance are offered.
 
-use crate::error::Error;
 use crate::mesh::BoundingSphere;
 use crate::scene::ClosenessTo;
+use crate::session::Error;
 use crate::session::Session;
 use crate::session::edit::Edit;
 use serde::Serialize;

@@ -7,9 +7,9 @@
 
 use super::change::Change;
 use super::history::{History, NamedStep};
-use crate::error::Error;
 use crate::mesh::{Mesh, Point, first_out_of_range};
 use crate::scene::{MeshSource, Scene, SceneError, Variants};
+use crate::session::Error;
 use crate::session::state::{Part, SceneChange, SolvedScene, flat, grouped, same_positions};
 use crate::solve::Handle;
 use std::rc::Rc;

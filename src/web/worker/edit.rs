@@ -2,7 +2,7 @@
 
 use super::parametrize::of_word;
 use super::solver::Solver;
-use crate::error::Error;
+use crate::session::Error;
 use crate::session::{ConstraintTarget, Edit, Remeshing};
 use crate::web::plain::{plain, text, thrown_at};
 use crate::web::thrown;

@@ -5,8 +5,8 @@ use crate::cli::arguments::apart;
 use crate::cli::words::{Word, Words};
 use crate::cli::{Failure, input, output};
 use serde_json::{Map, Value, json};
-use shape_up::error::Error;
 use shape_up::mesh::{MESH_OPERATIONS, MeshOperation, counted};
+use shape_up::session::Error;
 use shape_up::session::{Edit, Session};
 use std::path::PathBuf;
 

@@ -2,7 +2,7 @@
 
 use crate::cli::words::{Word, Words};
 use crate::cli::{Failure, input, output};
-use shape_up::begin::{NEW_KINDS, NewKind, Plan, SpanCurve, fill, loft};
+use shape_up::generate::{NEW_KINDS, NewKind, Plan, SpanCurve, fill, loft};
 use shape_up::mesh::{Mesh, counted, write_obj};
 use shape_up::scene::UnitsAndUp;
 use std::path::PathBuf;

@@ -2,9 +2,9 @@
 
 use super::super::{Failure, input, output};
 use super::read;
-use shape_up::error::Error;
 use shape_up::mesh::counted;
 use shape_up::scene::{NamedEnum, Results, SceneError};
+use shape_up::session::Error;
 use shape_up::session::{Checked, check_results};
 use std::path::{Path, PathBuf};
 

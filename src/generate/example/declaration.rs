@@ -1,0 +1,75 @@
+//! An example: its texts, the function that makes its scene and its mesh, and the plots suggested for
+//! it: hosts show a button for each, and need not know the examples.
+
+use crate::mesh::Mesh;
+use crate::scene::{MeshSource, Scene};
+use serde::Serialize;
+
+/// A scene to start from.
+#[derive(Clone, Copy, Debug)]
+pub struct Example {
+    /// The name of its files without their extensions; begins with the number of the figure, if
+    /// any.
+    pub id: &'static str,
+    /// The name of the model, as shown.
+    pub title: &'static str,
+    /// A hint of what to look for, in one sentence.
+    pub summary: &'static str,
+    /// The result of solving it with its own settings, in one sentence; tests check it.
+    pub statement: &'static str,
+    /// Extension of its mesh file: `obj`, or `mesh` (Medit) for tetrahedra.
+    pub(super) ending: &'static str,
+    pub(super) make: fn(&mut Scene) -> Mesh,
+}
+
+impl Example {
+    /// The name of its scene file.
+    pub fn file(&self) -> String {
+        format!("{}.shapeup.json", self.id)
+    }
+
+    /// The name of its mesh file, in the same folder.
+    pub fn mesh_file(&self) -> String {
+        format!("{}.{}", self.id, self.ending)
+    }
+
+    /// The scene, which refers to its mesh file by name, and the mesh.
+    pub fn build(&self) -> (Scene, Mesh) {
+        let mut scene = Scene::new(MeshSource::File(self.mesh_file()));
+        scene.title = self.title.to_owned();
+        scene.units = "m".to_owned();
+        let mesh = (self.make)(&mut scene);
+        (scene, mesh)
+    }
+}
+
+/// A suggested plot of an example.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Suggestion {
+    /// The label of the button.
+    pub label: &'static str,
+    /// The id of the plot that the button opens.
+    pub plot: &'static str,
+}
+
+const ANGLES: Suggestion = Suggestion { label: "Angles before and after", plot: "angles" };
+
+/// The suggestions for the example `id`.
+pub fn suggestions(id: &str) -> &'static [Suggestion] {
+    match id {
+        "fig-07-quality" => &[ANGLES],
+        _ => &[],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generate::example::EXAMPLES;
+
+    #[test]
+    fn every_suggestion_is_of_an_example() {
+        let offered = EXAMPLES.iter().map(|example| suggestions(example.id).len()).sum::<usize>();
+        assert_eq!(offered, 1);
+    }
+}

@@ -1,0 +1,16 @@
+//! The example scenes: first three models to play with, then the figures of the paper, whose
+//! numbers begin their ids, and lessons.
+//!
+//! | file or folder | holds |
+//! |---|---|
+//! | `declaration` | the texts of an example, how it is built, and the plots suggested for it |
+//! | `scene` | the list of examples, and the scene of each |
+//! | `files` | the files of the examples |
+
+mod declaration;
+mod files;
+mod scene;
+
+pub use declaration::{Example, Suggestion, suggestions};
+pub use files::{example_file, example_files};
+pub use scene::EXAMPLES;

@@ -1,0 +1,170 @@
+//! Lessons: exercises with goals that students achieve and hand in.
+
+use super::parts::{constraint, each, fixed};
+use crate::constraint::Element;
+use crate::generate::example::Example;
+use crate::generate::model::{Canopy, honeycomb};
+use crate::generate::quads::grid;
+use crate::math::{cosine, sine};
+use crate::mesh::Mesh;
+use crate::scene::{
+    ClosenessTo, Goal, GoalOf, Lesson, Lock, Scene, Smoothness, SmoothnessOf, Weighting, Weights,
+};
+
+pub(super) const GLASS_ROOF: Example = Example {
+    id: "lesson-glass-roof",
+    title: "Lesson: a glass roof of flat panes",
+    summary: "An exercise to hand in: make every pane flat to a millimetre, and keep the roof where the architect drew it. Run alone is not enough; the right weights are.",
+    statement: "The worst pane, 9 mm from flat, comes within 3 mm, and the roof moves by up to 6 cm: both goals are missed, but some weights meet both.",
+    ending: "obj",
+    make: glass_roof,
+};
+
+const TEXT: &str = "Each pane of this roof will be one flat sheet of glass.
+Make every pane flat to a millimetre, and keep the roof within 5 cm of where it was drawn.
+Press Run and see which goals are missed. Then change the weights of the energies until both are met, and hand in your results.";
+
+/// A roof on four fixed feet, with two conflicting goals.
+fn glass_roof(scene: &mut Scene) -> Mesh {
+    let roof = Canopy {
+        panels: [20, 14],
+        span: [20.0, 14.0],
+        rise: 2.4,
+        crown: 1.8,
+        waist: 0.03,
+        wave: 0.22,
+    };
+    let [nx, ny] = roof.panels.map(|n| n as u32);
+    let last_row = ny * (nx + 1);
+    scene.constraints = vec![constraint("plane", each(Element::Face), 1.0)];
+    scene.handles = vec![fixed(vec![0, nx, last_row, last_row + nx])];
+    scene.weights = Weights { shape: 1000.0, close: 10.0, smooth: 0.5 };
+    scene.smoothness = Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
+    scene.solver.iterations = 2000;
+    scene.lesson = Some(Lesson {
+        text: TEXT.to_owned(),
+        goals: vec![worst("planarity", 0.001), worst("surface", 0.05)],
+        lock: Vec::new(),
+    });
+    roof.mesh()
+}
+
+pub(super) const OFFSETS: Example = Example {
+    id: "lesson-circles-and-offsets",
+    title: "Lesson: circles and offsets, why circular",
+    summary: "An exercise to hand in: put the corners of every panel of a roof exactly on a circle, because only then do its nodes have axes.",
+    statement: "The corners of a panel, up to 155 mm from a circle, come within 1 mm, and one goal is missed: close is not exact.",
+    ending: "obj",
+    make: offsets,
+};
+
+const OFFSETS_TEXT: &str = "A roof has thickness: a second layer runs at a constant distance from the first, with parallel edges. If the corners of every panel lie on a circle, there is a second layer whose nodes are all equally far from those below. Each beam is then a flat strip, and beams meet in the axis of their node, without twist.
+
+1. Press Run. The corners come close to circles, but the first goal is missed: close leaves every node a little twisted.
+2. Under Constraints open Circle, and set Required to Exact. The corners move onto their circles at once.
+3. Look at Moved. Circular panels move the roof most where edges are far from the lines of curvature.";
+
+fn offsets(scene: &mut Scene) -> Mesh {
+    let roof = Canopy {
+        panels: [20, 14],
+        span: [18.0, 13.0],
+        rise: 2.6,
+        crown: 1.6,
+        waist: 0.03,
+        wave: 0.1,
+    };
+    scene.constraints = vec![constraint("circle", each(Element::Face), 1.0)];
+    near_where_it_was(scene);
+    let exact = Goal { of: GoalOf::Constraint("Circle".to_owned()), at_most: 0.0 };
+    scene.lesson = Some(Lesson {
+        text: OFFSETS_TEXT.to_owned(),
+        goals: vec![exact, worst("displacement", 0.6)],
+        lock: vec![Lock::Weights, Lock::Handles, Lock::Mesh],
+    });
+    roof.mesh()
+}
+
+pub(super) const CURVATURE: Example = Example {
+    id: "lesson-curvature-and-panels",
+    title: "Lesson: curvature and panels",
+    summary: "An exercise to hand in: two vaults of the same shape, with edges along the lines of curvature on the left and across them on the right. Both get flat panels, but only one has to move.",
+    statement: "The left vault is flat from the start and stays; the panels of the right one, up to 7.6 mm from flat, come within 2 mm, and one goal is missed.",
+    ending: "obj",
+    make: curvature,
+};
+
+const CURVATURE_TEXT: &str = "Two vaults of the same shape. On the left the edges follow the directions in which the vault bends most and least; on the right they cross them.
+
+1. Under Display colour by Off the lines of curvature. Which vault follows them?
+2. Colour by Planarity. On the left all panels are flat, though no constraint has acted yet.
+3. Under Constraints open Plane, and set Required to Within. All panels come within 1 mm of flat.
+4. Colour by Moved. The left vault has not moved; the right one had to, for its panels to become flat. Exact moves it further: try it, and see which goal is missed.";
+
+fn curvature(scene: &mut Scene) -> Mesh {
+    scene.constraints = vec![constraint("plane", each(Element::Face), 1.0)];
+    near_where_it_was(scene);
+    let flat = GoalOf::Beyond { measure: "planarity".to_owned(), tolerance: 0.001 };
+    scene.lesson = Some(Lesson {
+        text: CURVATURE_TEXT.to_owned(),
+        goals: vec![Goal { of: flat, at_most: 0.0 }, worst("displacement", 0.96)],
+        lock: vec![Lock::Weights, Lock::Handles, Lock::Mesh],
+    });
+    // The edges of one vault are along its lines of curvature, those of the other across them.
+    let mut both = vault(0.0, -6.5);
+    let other = vault(1.0 / 12.0, 6.5);
+    let first = both.positions.len() as u32;
+    both.positions.extend(other.positions);
+    for face in other.faces.iter() {
+        both.faces.push(&face.iter().map(|v| v + first).collect::<Vec<_>>());
+    }
+    both
+}
+
+/// A vault over a square of 10 m, moved along x, whose edges deviate by `turn`, in turns, from its
+/// lines of curvature.
+fn vault(turn: f64, along: f64) -> Mesh {
+    let [c, s] = [cosine(turn), sine(turn)];
+    grid([12, 12], |x, y| {
+        let [u, v] = [c * x - s * y, s * x + c * y];
+        [5.0 * x + along, 5.0 * y, 2.4 - 1.5 * u * u - 0.25 * v * v]
+    })
+}
+
+pub(super) const HEXAGONS: Example = Example {
+    id: "lesson-stiffness-of-hexagons",
+    title: "Lesson: the stiffness of hexagons",
+    summary: "An exercise to hand in: a shell of hexagonal plates. Its frame alone would fold; its plates make it stiff, once every one is exactly flat.",
+    statement: "The plates, up to 7.7 mm from flat, come within 1 mm, and one goal is missed: close is not exact.",
+    ending: "obj",
+    make: hexagons,
+};
+
+const HEXAGONS_TEXT: &str = "Three bars meet in each node of this shell. As a frame with hinges it folds: n nodes can move in 3 n ways, and there are only 1.5 n bars. If the hexagons are plates, it stands, because three planes have one point in common. That is why shells of bars are made of triangles, and shells of plates of hexagons. But a plate has to be flat.
+
+1. Under Display colour by Planarity, and press Run. The plates become nearly flat, but the first goal is missed.
+2. Under Constraints open Plane, and set Required to Exact. The plates become flat at once.
+3. Look at the shapes: where the shell bends more in one direction, flat hexagons become narrow in the other.";
+
+fn hexagons(scene: &mut Scene) -> Mesh {
+    scene.constraints = vec![constraint("plane", each(Element::Face), 1.0)];
+    near_where_it_was(scene);
+    let exact = Goal { of: GoalOf::Constraint("Plane".to_owned()), at_most: 0.0 };
+    scene.lesson = Some(Lesson {
+        text: HEXAGONS_TEXT.to_owned(),
+        goals: vec![exact, worst("displacement", 0.25)],
+        lock: vec![Lock::Weights, Lock::Handles, Lock::Mesh],
+    });
+    honeycomb(12, |_| 10, |u, v| [7.0 * u, 6.0 * v, 4.0 - 2.4 * u * u - 1.2 * v * v])
+}
+
+/// Keeps vertices near their original positions, at weights small beside the constraints.
+fn near_where_it_was(scene: &mut Scene) {
+    scene.weights = Weights { shape: 10_000.0, close: 1.0, smooth: 1.0 };
+    scene.closeness.to = ClosenessTo::Rest;
+    scene.smoothness = Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
+}
+
+/// A goal for the worst face in a measure, given by its id.
+fn worst(measure: &str, at_most: f64) -> Goal {
+    Goal { of: GoalOf::Measure(measure.to_owned()), at_most }
+}

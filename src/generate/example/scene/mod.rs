@@ -1,0 +1,54 @@
+//! The example scenes.
+
+mod beyond;
+mod curves;
+mod elements;
+mod exercise;
+mod first;
+mod flat_maps;
+mod overview;
+mod panels;
+mod parts;
+
+use super::declaration::Example;
+
+/// All examples; the page opens the first.
+pub const EXAMPLES: &[Example] = &[
+    first::CANOPY,
+    first::DOME,
+    first::HYPAR,
+    overview::OVERVIEW,
+    overview::TRIANGLES,
+    overview::TETRAHEDRA,
+    panels::SQUARES,
+    panels::PLANAR,
+    panels::CIRCULAR,
+    panels::MIXED,
+    curves::LANTERN,
+    curves::WEB,
+    panels::ARCHWAY,
+    elements::PROTRUSIONS,
+    elements::RINGS[0],
+    elements::RINGS[1],
+    elements::RINGS[2],
+    elements::BLOCKS,
+    elements::BAR_POLYGONS,
+    elements::BAR_RINGS,
+    elements::BAR_TETS,
+    flat_maps::MASK,
+    flat_maps::POLYGONS,
+    elements::COLLAPSE,
+    elements::RANDOM,
+    panels::STRIP,
+    curves::SLABS,
+    curves::POINTS,
+    exercise::GLASS_ROOF,
+    exercise::OFFSETS,
+    exercise::CURVATURE,
+    exercise::HEXAGONS,
+    beyond::CHOICE,
+    beyond::FIT,
+    beyond::TRANSFER,
+    beyond::SPLINE,
+    beyond::STRIPS,
+];

@@ -1,0 +1,120 @@
+//! What generators do with a mesh in the end: even it out, open it, and round its coordinates; and
+//! random numbers, the same on every machine.
+
+use crate::math::Vec3;
+use crate::mesh::{Mesh, Point, Ragged, Topology};
+
+/// Smooths a surface: in each step every vertex moves halfway to the mean of its neighbours.
+pub fn soften(mesh: &mut Mesh, steps: usize) {
+    let topology = Topology::new(mesh);
+    for _ in 0..steps {
+        mesh.positions = halfway(mesh, &topology).into_iter().map(Into::into).collect();
+    }
+}
+
+/// Evens out the triangles of the surface where `field` is zero: in each step every vertex moves
+/// along the surface, halfway to the centre of the triangles around it, and is then projected back.
+/// `spacing` is the step of the finite differences for the gradient.
+pub(super) fn slide(mesh: &mut Mesh, field: impl Fn(Point) -> f64, spacing: f64, steps: usize) {
+    for _ in 0..steps {
+        let towards = centres(mesh);
+        for (p, to) in mesh.positions.iter_mut().zip(towards) {
+            let from = Vec3::from(*p);
+            let normal = gradient(&field, *p, spacing);
+            let length = normal.length_squared();
+            let step = to - from;
+            let along = step - normal * (step.dot(normal) / length);
+            let moved = from + along;
+            *p = (moved - normal * (field(moved.into()) / length)).into();
+        }
+    }
+}
+
+fn halfway(mesh: &Mesh, topology: &Topology) -> Vec<Vec3<f64>> {
+    let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
+    let rows = (0..).zip(topology.neighbours().iter());
+    rows.map(|(v, neighbours)| {
+        let sum = neighbours.iter().fold(Vec3::zero(), |sum, &n| sum + at(n));
+        (at(v) + sum * (1.0 / neighbours.len() as f64)) * 0.5
+    })
+    .collect()
+}
+
+/// For each vertex the midpoint between it and the area-weighted centre of the triangles around it.
+fn centres(mesh: &Mesh) -> Vec<Vec3<f64>> {
+    let mut sums = vec![(Vec3::zero(), 0.0); mesh.positions.len()];
+    for face in mesh.faces.iter() {
+        let [a, b, c] = [0, 1, 2].map(|k| Vec3::from(mesh.positions[face[k] as usize]));
+        let area = (b - a).cross(c - a).length();
+        for &v in face {
+            sums[v as usize].0 += (a + b + c) * (area / 3.0);
+            sums[v as usize].1 += area;
+        }
+    }
+    let pairs = mesh.positions.iter().zip(sums);
+    pairs.map(|(&p, (sum, area))| (Vec3::from(p) + sum * (1.0 / area)) * 0.5).collect()
+}
+
+/// Gradient by central differences.
+fn gradient(field: impl Fn(Point) -> f64, p: Point, step: f64) -> Vec3<f64> {
+    let along = |axis: usize| {
+        let (mut low, mut high) = (p, p);
+        low[axis] -= 0.5 * step;
+        high[axis] += 0.5 * step;
+        (field(high) - field(low)) / step
+    };
+    Vec3::new(along(0), along(1), along(2))
+}
+
+/// The mesh without the faces for whose centroid `is_open` is true, and without the vertices then
+/// unused; the rest keeps its order.
+pub fn opened(mesh: &Mesh, is_open: impl Fn(Point) -> bool) -> Mesh {
+    let middle = |face: &[u32]| {
+        let sum = face.iter().fold([0.0; 3], |sum, &v| {
+            let p = mesh.positions[v as usize];
+            [sum[0] + p[0], sum[1] + p[1], sum[2] + p[2]]
+        });
+        sum.map(|x| x / face.len() as f64)
+    };
+    let kept: Vec<&[u32]> = mesh.faces.iter().filter(|face| !is_open(middle(face))).collect();
+    let mut number = vec![None; mesh.positions.len()];
+    kept.iter().copied().flatten().for_each(|&v| number[v as usize] = Some(0));
+    let mut positions = Vec::new();
+    for (number, &position) in number.iter_mut().zip(&mesh.positions) {
+        if let Some(number) = number {
+            *number = positions.len() as u32;
+            positions.push(position);
+        }
+    }
+    let mut faces = Ragged::new();
+    for face in kept {
+        let corners = face.iter().map(|&v| number[v as usize].expect("its corners are kept"));
+        faces.push(&corners.collect::<Vec<u32>>());
+    }
+    Mesh { positions, faces, ..Mesh::default() }
+}
+
+/// Rounds coordinates to tenths of a millimetre, so that the file is short.
+pub(super) fn rounded(mut mesh: Mesh) -> Mesh {
+    for x in mesh.positions.as_flattened_mut() {
+        *x = (*x * 1e4).round() / 1e4;
+    }
+    mesh
+}
+
+/// Pseudo-random numbers from -1 to 1: the upper half of a linear congruential generator with
+/// Knuth's MMIX multiplier.
+pub(crate) struct Noise {
+    /// State, initially the seed.
+    pub(crate) state: u64,
+}
+
+impl Noise {
+    /// The next number.
+    pub(crate) fn next(&mut self) -> f64 {
+        const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
+        const INCREMENT: u64 = 1_442_695_040_888_963_407;
+        self.state = self.state.wrapping_mul(MULTIPLIER).wrapping_add(INCREMENT);
+        (self.state >> 32) as f64 / f64::from(u32::MAX) * 2.0 - 1.0
+    }
+}

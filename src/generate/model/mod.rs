@@ -1,0 +1,25 @@
+//! Computed meshes of the examples. Lengths are in metres.
+
+mod archway;
+mod blocks;
+mod creature;
+mod finish;
+mod halls;
+mod lattice;
+mod mask;
+mod pavilion;
+mod roofs;
+mod sheets;
+mod towers;
+
+pub use archway::Archway;
+pub use blocks::Blocks;
+pub use creature::Creature;
+pub(super) use finish::Noise;
+pub use finish::{opened, soften};
+pub use halls::{Hall, Mounds, honeycomb};
+pub use mask::Mask;
+pub use pavilion::Pavilion;
+pub use roofs::{Canopy, Court, Dome};
+pub use sheets::{Hypar, Net, Patch, Strip};
+pub use towers::{Lantern, Tower, Vase};

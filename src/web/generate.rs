@@ -1,0 +1,140 @@
+//! New meshes for the page, and the files of the examples: the page makes them when they are opened,
+//! so that a visit neither fetches nor keeps them, and its build writes them all.
+
+use super::{log_panics, mesh_of, plain_object as plain, rows_of, thrown};
+use crate::generate::{
+    NEW_KINDS, NewKind, Plan, PlanError, SpanCurve, SpanError, example, fill, loft,
+};
+use crate::mesh::{Mesh, write_obj};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+/// The surface over a drawn plan.
+#[derive(Serialize, tsify::Tsify)]
+struct NewPlan {
+    /// The text of an OBJ file.
+    text: String,
+    /// The vertices that the surface stands on, if those are only its corners; else empty.
+    supports: Vec<u32>,
+}
+
+/// Returns the kinds of new meshes.
+#[wasm_bindgen(js_name = newKinds, unchecked_return_type = "NewKind[]")]
+pub fn new_kinds() -> Result<JsValue, JsValue> {
+    log_panics();
+    plain(&NEW_KINDS)
+}
+
+/// Returns a mesh of a kind as OBJ text; `sizes` are in the order in which the kind declares them.
+///
+/// # Errors
+/// An unknown kind, or a size out of its range.
+#[wasm_bindgen(js_name = newMesh)]
+pub fn new_mesh(kind: &str, sizes: &[f64], units: &str) -> Result<String, JsValue> {
+    let kind = NewKind::of(kind).ok_or_else(|| thrown(format!("unknown kind {kind:?}")))?;
+    Ok(obj(&kind.mesh(sizes).map_err(thrown)?, units, "z"))
+}
+
+/// Returns the surface over a drawn plan.
+///
+/// # Errors
+/// The fault of the plan, in one sentence. If two sides cross, the error has `sides`: for each, its
+/// loop and the point where it begins; the outline is loop 0.
+#[wasm_bindgen(js_name = newPlan, unchecked_return_type = "NewPlan")]
+pub fn new_plan(
+    #[wasm_bindgen(unchecked_param_type = "Plan")] plan: JsValue,
+    units: &str,
+) -> Result<JsValue, JsValue> {
+    let plan: Plan = serde_wasm_bindgen::from_value(plan).map_err(thrown)?;
+    let surface = plan.surface().map_err(|why| refused(&why))?;
+    plain(&NewPlan { text: obj(&surface.mesh, units, "z"), supports: surface.feet })
+}
+
+fn refused(why: &PlanError) -> JsValue {
+    let error = thrown(why);
+    if let PlanError::Crossing(sides) = why {
+        let numbers = sides.map(|side| [side.hole.map_or(0, |hole| hole + 1), side.point]);
+        let numbers: js_sys::Array =
+            numbers.as_flattened().iter().map(|&number| JsValue::from(number as u32)).collect();
+        // Setting a property of a new object cannot fail.
+        let _ = js_sys::Reflect::set(&error, &"sides".into(), &numbers);
+    }
+    error
+}
+
+/// The curves of a mesh, to be spanned by surfaces.
+#[wasm_bindgen]
+pub struct NewSpans {
+    curves: Vec<SpanCurve>,
+    units: String,
+    up: String,
+}
+
+#[wasm_bindgen]
+impl NewSpans {
+    /// Reads the curves of a mesh of `positions`, `#V by 3`, with faces and polylines as offsets
+    /// and indices; `up` is its up axis, z or y.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        positions: &[f64],
+        face_offsets: &[u32],
+        face_indices: &[u32],
+        curve_offsets: &[u32],
+        curve_indices: &[u32],
+        units: String,
+        up: String,
+    ) -> NewSpans {
+        let mut mesh = mesh_of(positions, face_offsets, face_indices);
+        mesh.curves = rows_of(curve_offsets, curve_indices);
+        NewSpans { curves: SpanCurve::all(&mesh), units, up }
+    }
+
+    /// Returns the polylines of the mesh, then the boundaries of its faces.
+    #[wasm_bindgen(unchecked_return_type = "CurveLabel[]")]
+    pub fn curves(&self) -> Result<JsValue, JsValue> {
+        plain(&SpanCurve::labels(&self.curves))
+    }
+
+    /// Returns the surface between two curves, or inside the first if there is no second, with
+    /// panels of the given size, as the text of an OBJ file.
+    ///
+    /// # Errors
+    /// Why there is no such surface, in one sentence.
+    pub fn mesh(&self, first: usize, second: Option<usize>, size: f64) -> Result<String, JsValue> {
+        let mesh = self.surface(first, second, size).map_err(thrown)?;
+        Ok(obj(&mesh, &self.units, &self.up))
+    }
+
+    fn surface(&self, first: usize, second: Option<usize>, size: f64) -> Result<Mesh, SpanError> {
+        let up = if self.up == "y" { [0.0, 1.0, 0.0] } else { [0.0, 0.0, 1.0] };
+        let first = SpanCurve::of(&self.curves, first)?;
+        match second {
+            Some(second) => loft(first, SpanCurve::of(&self.curves, second)?, size, up),
+            None => fill(first, size, up),
+        }
+    }
+}
+
+fn obj(mesh: &Mesh, units: &str, up: &str) -> String {
+    let units = if units.is_empty() { String::new() } else { format!("# units: {units}\n") };
+    format!("{units}# up: {up}\n{}", write_obj(mesh, &mesh.positions))
+}
+
+/// Returns the bytes of an example's scene or mesh by the name of the file.
+///
+/// # Errors
+/// If no example has a file of that name.
+#[wasm_bindgen(js_name = exampleFile)]
+pub fn example_file(name: &str) -> Result<Vec<u8>, JsValue> {
+    let text = example::example_file(name);
+    Ok(text.ok_or_else(|| thrown(format!("there is no example file {name:?}")))?.into_bytes())
+}
+
+/// Returns the names and texts of the files of all examples.
+///
+/// # Errors
+/// None: the texts are plain strings.
+#[wasm_bindgen(js_name = exampleFiles, unchecked_return_type = "[string, string][]")]
+pub fn example_files() -> Result<JsValue, JsValue> {
+    serde_wasm_bindgen::to_value(&example::example_files()).map_err(thrown)
+}
