@@ -103,7 +103,10 @@ const compiled = [
   {
     // With all features, so that links between all rooms resolve.
     title: 'documentation',
-    run: ['cargo', ['doc', '--lib', '--no-deps', ...moduleArguments([...modules, 'cli'].join(','))]],
+    run: [
+      'cargo',
+      ['doc', '--lib', '--no-deps', ...moduleArguments([...modules, 'cli'].join(','))],
+    ],
     env: { RUSTDOCFLAGS: '-D warnings' },
   },
 ];

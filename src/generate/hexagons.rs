@@ -6,8 +6,8 @@ use crate::mesh::{Mesh, Point, Ragged};
 use std::ops::Range;
 
 /// The dual of rows of triangles over the square from -1 to 1 in `u` and `v`, mapped by `point`.
-/// There are `rows + 1` rows of triangle corners along `u`; an even
-/// row has `across(u)` of them, an odd row one more, shifted by half their distance.
+/// There are `rows + 1` rows of triangle corners along `u`; an even row has `across(u)` of them, an
+/// odd row one more, shifted by half their distance.
 pub(super) fn hexagons(
     rows: usize,
     across: impl Fn(f64) -> usize,

@@ -1,5 +1,5 @@
-//! An example: its texts, the function that makes its scene and its mesh, and the plots suggested for
-//! it: hosts show a button for each, and need not know the examples.
+//! An example: its texts, the function that makes its scene and its mesh, and the plots suggested
+//! for it: hosts show a button for each, and need not know the examples.
 
 use crate::mesh::Mesh;
 use crate::scene::{MeshSource, Scene};

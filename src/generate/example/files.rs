@@ -1,6 +1,6 @@
-//! The files of the examples, which the command line and the build of the page write, and the engine
-//! of the page makes again: their scenes and meshes, and the list from which the page builds its menu
-//! and the gallery its cards.
+//! The files of the examples, which the command line and the build of the page write, and the
+//! engine of the page makes again: their scenes and meshes, and the list from which the page builds
+//! its menu and the gallery its cards.
 
 use super::declaration::{Example, Suggestion, suggestions};
 use super::scene::EXAMPLES;

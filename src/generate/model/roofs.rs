@@ -1,4 +1,4 @@
-//! Roofs over a plan: a canopy on four feet, a dome with an oval hole, a roof around a court.
+//! Roofs over a plan: a dome with an oval hole, a canopy on four feet, a roof around a court.
 
 use super::finish::rounded;
 use crate::generate::quads::{Rings, grid};

@@ -1,5 +1,5 @@
-//! Sheets of quads over a square: skew panels, a hyperbolic paraboloid, a strip between two rails, and
-//! a piece of a torus.
+//! Sheets of quads over a square: a hyperbolic paraboloid, skew panels, a strip between two rails,
+//! and a piece of a torus.
 
 use super::finish::{Noise, rounded};
 use crate::generate::quads::grid;

@@ -1,4 +1,4 @@
-//! Surfaces around the z axis, open at the bottom and the top: a tower, a lantern, a vase.
+//! Surfaces around the z axis, open at the bottom and the top: a vase, a tower, a lantern.
 
 use super::finish::rounded;
 use crate::generate::quads::Rings;

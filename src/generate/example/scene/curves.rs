@@ -1,5 +1,5 @@
-//! Circles, lines and planes through curves and points: Fig. 6, shapes of circular meshes and of webs
-//! of circles under handles; curves on a mesh (section 4.1); points without faces.
+//! Circles, lines and planes through curves and points: Fig. 6, shapes of circular meshes and of
+//! webs of circles under handles; curves on a mesh (section 4.1); points without faces.
 
 use super::parts::{constraint, each, fixed, moved};
 use crate::constraint::{Element, Selector, Set};

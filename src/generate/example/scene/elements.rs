@@ -1,5 +1,5 @@
-//! Fig. 8 and 10: rigid and similar elements of different sizes, under handles, and from a collapsed or
-//! scattered start.
+//! Fig. 8 and 10: rigid and similar elements of different sizes, under handles, and from a
+//! collapsed or scattered start.
 
 use super::parts::{constraint, each, fixed, moved};
 use crate::constraint::{Element, Selector};
