@@ -73,15 +73,11 @@ const [, ...views] = modules;
 /** Those of the last view first. Beside a compiler, drawing in software takes five times as long. */
 const viewTests = views.toReversed().map(browserTests);
 
-/** Formats and lints of what is not Rust: seconds each. */
+/** Formats of what is not Rust, and tests that need nothing compiled: seconds each. */
 const texts = [
   {
     title: 'format of the page',
     run: [tool('prettier'), ['--check', '**/*.{ts,tsx,mjs,css,html}']],
-  },
-  {
-    title: 'lints of the page',
-    run: [tool('eslint'), ['--config', '.scripts/eslint.config.mjs', '--max-warnings', '0', '.']],
   },
   {
     title: 'tests of the scripts, and of the page without a browser',
@@ -92,7 +88,11 @@ const texts = [
 
 const compiled = [
   {
-    // After the modules, whose declarations it reads.
+    // With types: after the modules, whose declarations it reads, as the next step does.
+    title: 'lints of the page',
+    run: [tool('eslint'), ['--config', '.scripts/eslint.config.mjs', '--max-warnings', '0', '.']],
+  },
+  {
     title: 'types of the page',
     run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],
   },
