@@ -71,8 +71,8 @@
 //!
 //! # From a shape to parts
 //!
-//! [`fabricate`] takes a mesh and settings (the key `build` of a scene), independent of solvers.
-//! The command line calls it with the shape of a scene; the page in a worker of its own
+//! [`fabricate`] takes a mesh and settings (the key `build` of a scene), and needs no
+//! solver. The command line calls it with the shape of a scene; the page in a worker of its own
 //! (`www/features/build`), so that iterations do not wait for it. Both write the same bytes.
 //!
 //! # Two numeric factors

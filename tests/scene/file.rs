@@ -346,6 +346,35 @@ fn a_group_for_each_panel_takes_hardly_longer_to_write_than_the_panels() {
 }
 
 #[test]
+fn names_of_sets_and_groups_may_be_keys_of_the_format() {
+    let keys = [
+        ["sets", "constraints", "handles", "goals", "kept", "steps", "groups", "mesh"],
+        ["positions", "current", "faces", "curves", "tets", "vertices", "on", "\"faces\""],
+    ];
+    for name in keys.as_flattened() {
+        for faces in [&[][..], &[1], &[0, 1]] {
+            let mut mesh = two_squares();
+            mesh.curves.push(&[0, 1, 2]);
+            let group = |keyword| Group {
+                name: (*name).into(),
+                keyword,
+                faces: faces.to_vec(),
+                curves: vec![0],
+            };
+            mesh.groups = vec![group(GroupKeyword::Object)];
+            for statements in 1..=2 {
+                let mut scene = Scene::new(MeshSource::Inline(Box::new(mesh.clone())));
+                let set = Set { vertices: vec![0], faces: faces.to_vec() };
+                scene.sets.insert((*name).to_owned(), set);
+                let text = scene.to_json(&mesh);
+                assert_eq!(Scene::from_json(&text).unwrap(), scene, "{statements}: {text}");
+                mesh.groups.push(group(GroupKeyword::Group));
+            }
+        }
+    }
+}
+
+#[test]
 fn an_inline_mesh_is_written_with_its_groups() {
     let mut mesh = two_squares();
     mesh.curves.push(&[0, 1, 2]);

@@ -110,17 +110,27 @@ export async function unpackScene(
   if (bytes[0] < VERSION) throw outdated();
   if (bytes[0] > VERSION)
     throw new Error('The link was made by a newer version of this page. Reload the page.');
-  const content = await inflate(bytes.subarray(1));
+  const content = await inflate(bytes.subarray(1)).catch(() => {
+    throw damaged();
+  });
   if (!content) {
     const most = MOST_BYTES >> 20;
     throw new Error(`The link unpacks to more than ${most} MB. Ask the sender for the scene file.`);
   }
   const end = content.indexOf(10);
-  const about = JSON.parse(new TextDecoder().decode(content.subarray(0, end)));
-  const { scene, example = null, run = false, step, origin } = about;
+  const { scene, example = null, run = false, step, origin } = read(content.subarray(0, end));
   const numbers = content.subarray(end + 1);
   if (step) scene.mesh = restoredMesh({ mesh: scene.mesh, origin, numbers }, step);
   return { text: JSON.stringify(scene), example, run };
+}
+
+/** The JSON of a link. */
+function read(bytes: Uint8Array) {
+  try {
+    return JSON.parse(new TextDecoder().decode(bytes));
+  } catch {
+    throw damaged();
+  }
 }
 
 /** @param numbers of the mesh, if rounded */

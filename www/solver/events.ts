@@ -1,7 +1,8 @@
 /**
  * Messages between the page and the solver's worker, which exchange nothing else.
  *
- * Page to worker: a {@link Call} of a method of `worker/interface.ts`. With an `id` it is answered by
+ * Page to worker: a `Call` (`remote.ts`) of a method of `worker/interface.ts`, or `ping`, which is
+ * answered by `pong` between slices. With an `id` a call is answered by
  * exactly one `reply` or `refused` with the same `id`. Worker to page: those answers, and the events
  * of {@link FromWorker}. Events caused by a call are sent before its answer, so that the page is up
  * to date when its promise settles.

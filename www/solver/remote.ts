@@ -36,10 +36,11 @@ export function calling<Far extends object>(
   call: (name: string, given: unknown[]) => unknown,
 ): Far {
   return new Proxy({} as Far, {
-    get:
-      (_, name) =>
-      (...given: unknown[]) =>
-        call(String(name), given),
+    // It is no promise: `then` is no method of the far object.
+    get: (_, name) =>
+      typeof name === 'string' && name !== 'then'
+        ? (...given: unknown[]) => call(name, given)
+        : undefined,
   });
 }
 
@@ -55,8 +56,14 @@ export class Waiting {
   call(name: string, given: unknown[], send: (call: Call) => void): Promise<unknown> {
     const id = this.#nextId++;
     return new Promise((resolve, reject) => {
+      // It may be answered at once.
       this.#calls.set(id, { name, resolve, reject });
-      send({ id, name, given });
+      try {
+        send({ id, name, given });
+      } catch (error) {
+        this.#calls.delete(id);
+        throw error;
+      }
     });
   }
 

@@ -98,7 +98,7 @@ export function createActions(store: Store, solver: SolverClient, alerts: Alerts
 
   return {
     ...view,
-    /** Questions to the solver, which change nothing. */
+    /** Questions to the solver, which leave document and shape as they are. */
     ask: solver.ask,
 
     /** Returns the positions at opening, `#V by 3`; asked for once. */

@@ -131,7 +131,10 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
   };
 }
 
-/** Questions in which the worker has a part; the solver answers all others under its own names. */
+/**
+ * Questions in which the worker has a part; the solver answers all others under its own names. They
+ * leave document and shape as they are; some end a run, or the trial before.
+ */
 export const questionsOf = (
   solver: Solver,
   scheduler: Scheduler,
@@ -204,5 +207,5 @@ type Inner =
   | 'tryImprovement'
   | 'writePositions';
 
-/** Questions, which change nothing. */
+/** All questions. */
 export type Questions = Own & Omit<Solver, keyof Own | keyof Changes | keyof Commands | Inner>;

@@ -34,7 +34,7 @@ export class Scheduler {
   #isDragging = false;
   /** While iterating, no frame is sent before this time. */
   #nextFrame = 0;
-  /** Whether the iteration has converged; a moved handle or an edit resets it. */
+  /** Whether the iteration has converged; a moved handle, or an edit of problem or shape, resets it. */
   #isSettled = false;
   /** The latest move of a drag that is not applied yet. */
   #move: Drag | null = null;

@@ -1,6 +1,7 @@
 //! On curve (an application of paper section 4.2, where vertices slide along feature curves): the
 //! closest point of a fixed polyline, or of a spline through its vertices.
 
+use crate::json::word;
 use crate::constraint::kinds::shared::separate_lanes;
 use crate::constraint::{Arity, Centring, Element, Form, Info, Param, Projection};
 use crate::math::{Cubic, Lane, Vec3, cosine, largest_coordinate};
@@ -27,8 +28,10 @@ pub struct OnCurve {
     /// The least turning angle of a corner, in degrees.
     corners: f64,
     /// Whether the last vertex is followed by the first.
+    #[serde(deserialize_with = "word")]
     closed: Closed,
     /// The curve between rest positions.
+    #[serde(deserialize_with = "word")]
     between: Between,
 }
 

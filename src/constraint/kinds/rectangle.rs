@@ -11,6 +11,7 @@
 //! plane have the same directions and offsets, so the two fits differ only in the plane, which for
 //! the closest rectangle is that of the half-diagonals.
 
+use crate::json::word;
 use crate::constraint::{Arity, Form, Info, Param, Projection};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3, in_range};
 use serde::{Deserialize, Serialize};
@@ -30,6 +31,7 @@ use serde::{Deserialize, Serialize};
 #[serde(default, deny_unknown_fields)]
 pub struct Rectangle {
     /// Which rectangle.
+    #[serde(deserialize_with = "word")]
     fit: Fit,
 }
 

@@ -2,7 +2,7 @@
 
 use crate::constraint::{KINDS, Kind, KindError, Selector};
 use crate::json::{
-    Apart, Either, JsonError, from_text, indices, object, object_or_none, points, present, word_or,
+    Apart, Either, JsonError, Object, from_text, indices, object, points, present, word_or,
 };
 use crate::mesh::Point;
 use crate::scene::{ConstraintSpec, EasedFaces, HANDLE_WEIGHT, HandleSpec, Hold, SceneError};
@@ -38,8 +38,7 @@ struct Common {
     name: String,
     #[serde(default)]
     require: Require,
-    #[serde(default, deserialize_with = "object_or_none")]
-    eased: Option<EasedFaces>,
+    eased: Option<Object<EasedFaces>>,
 }
 
 fn one() -> f64 {
@@ -71,6 +70,7 @@ impl<'de> Visitor<'de> for SpecVisitor {
         let Common { kind: id, on, weight, enabled, name, require, eased } =
             Common::deserialize(common)?;
         let kind = kind_of(&id, params).map_err(A::Error::custom)?;
+        let eased = eased.map(|Object(eased)| eased);
         Ok(ConstraintSpec { kind, on, weight, enabled, name, require, eased })
     }
 }

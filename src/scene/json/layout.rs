@@ -9,6 +9,8 @@ use std::io;
 
 /// The keys whose entries or items are on lines of their own.
 const LINES: [&str; 7] = ["sets", "constraints", "handles", "goals", "kept", "steps", "groups"];
+/// The keys of which the value has names of users for keys: none of these means anything here.
+const NAMES: [&str; 2] = ["sets", "groups"];
 /// The keys with rows of numbers, and those that are such lists only in a mesh.
 const ROWS: [&str; 2] = ["positions", "current"];
 const ROWS_OF_MESH: [&str; 3] = ["faces", "curves", "tets"];
@@ -24,7 +26,8 @@ pub(super) fn laid_out(file: &impl Serialize) -> String {
     let text = String::from_utf8(text).expect("JSON is text");
     let mut layout =
         Layout { rest: &text, out: String::with_capacity(text.len() + text.len() / 4) };
-    layout.entries(0, true);
+    layout.entries(0, true, false);
+    assert!(layout.rest.is_empty(), "all of the document is laid out");
     layout.out.push('\n');
     layout.out
 }
@@ -51,9 +54,12 @@ impl<'a> Layout<'a> {
         match self.rest.as_bytes().first() {
             Some(b'{') => {
                 let is_mesh = key == "mesh" && self.rest.starts_with("{\"positions\"");
-                self.entries(indent, on_lines || is_mesh);
+                self.entries(indent, on_lines || is_mesh, NAMES.contains(&key));
             }
-            Some(b'[') if ROWS.contains(&key) || (in_lines && ROWS_OF_MESH.contains(&key)) => {
+            Some(b'[')
+                if self.rest.starts_with("[[")
+                    && (ROWS.contains(&key) || (in_lines && ROWS_OF_MESH.contains(&key))) =>
+            {
                 self.rows(indent);
             }
             Some(b'[') => self.items(indent, on_lines),
@@ -64,13 +70,15 @@ impl<'a> Layout<'a> {
         }
     }
 
-    fn entries(&mut self, indent: usize, on_lines: bool) {
+    /// Lays out an object; with `named`, its keys are names of users.
+    fn entries(&mut self, indent: usize, on_lines: bool, named: bool) {
         self.list('}', indent, on_lines, |layout, inner| {
             let key = layout.word();
             layout.out.push_str(key);
             layout.take(1);
             layout.out.push_str(": ");
-            layout.value(key.trim_matches('"'), inner, on_lines);
+            let meaning = if named { "" } else { key.trim_matches('"') };
+            layout.value(meaning, inner, on_lines && !named);
         });
     }
 

@@ -55,7 +55,7 @@ impl Solver {
         self.step_ms = 0.0;
         self.trial = None;
         self.weld = weld;
-        self.generation = 0;
+        self.mesh_generation = 0;
         loaded
     }
 
@@ -65,7 +65,7 @@ impl Solver {
     pub fn remeshed(&mut self) -> Result<JsValue, JsValue> {
         let session = self.open()?;
         let generation = session.mesh_generation();
-        if generation == self.generation {
+        if generation == self.mesh_generation {
             return Ok(JsValue::UNDEFINED);
         }
         let diagnostics = Read {
@@ -75,7 +75,7 @@ impl Solver {
         };
         let weld = self.weld.as_ref().filter(|_| generation == 0);
         let loaded = plain(&Loaded::new("", session, &diagnostics, Guessed::default(), weld));
-        self.generation = generation;
+        self.mesh_generation = generation;
         loaded
     }
 

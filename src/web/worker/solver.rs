@@ -18,7 +18,7 @@ pub struct Solver {
     /// How the vertices of the open mesh were welded, if they were.
     pub(super) weld: Option<Weld>,
     /// The generation of the mesh that was last reported to the page.
-    pub(super) generation: u32,
+    pub(super) mesh_generation: u32,
     pub(super) step_ms: f64,
     /// The trial of exactness in progress.
     pub(super) trial: Option<ExactTrial>,

@@ -1,6 +1,6 @@
 /**
- * Lesson goals on the parts. The session lacks the large module that makes parts, so their numbers
- * are measured here while the shape is at rest; the session discards them when it moves.
+ * Lesson goals on the parts. Their numbers are measured in the worker that makes parts, so
+ * that iterations do not wait, while the shape is at rest; the session discards them when it moves.
  */
 
 import { LiveBuild } from './live-build.ts';

@@ -7,7 +7,7 @@ import type { FaceMeasure, LessonWords } from '../../solver/types.ts';
 type Goal = LessonWords['goals'][number];
 
 /** Returns the measure of a goal. */
-export function measureOf({ measure, label, words, unit }: Goal): FaceMeasure {
+function measureOf({ measure, label, words, unit }: Goal): FaceMeasure {
   const about = { id: measure ?? '', label, words, unit, met: '' };
   return { ...about, toleranced: unit === 'length', curvature: false, signed: false };
 }

@@ -8,7 +8,7 @@ export type Place = [number, number];
 const SHARP = (20 * Math.PI) / 180;
 
 /** Whether the points run clockwise. Two points, joined by arcs only, never count as clockwise. */
-export function isClockwise(places: Place[]) {
+function isClockwise(places: Place[]) {
   const twice = ([x, y]: Place, k: number) => {
     const [nextX, nextY] = places[(k + 1) % places.length];
     return x * nextY - nextX * y;

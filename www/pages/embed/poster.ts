@@ -9,6 +9,7 @@ import { PRESSED } from '../../ui/embedded.ts';
 const { hash, search } = location;
 byId<HTMLAnchorElement>('home').href = `./${hash}`;
 byId('start').addEventListener('click', start);
+if (new URLSearchParams(search).has('autoplay')) start();
 
 readLink(hash).then(
   (link) =>

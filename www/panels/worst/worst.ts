@@ -93,11 +93,12 @@ export function worstElements(panel: HTMLElement, app: AppContext) {
     const about =
       by.value === COLOURS ? declared(state, state.measure ?? measureOfScene(state)) : undefined;
     const turn = ++asked;
+    if (by.value === '') return fill([], about);
     const { ask } = actions;
     const worst = about
       ? ask.worstFaces(about.id, ROWS)
       : ask.worstConstraints(Number(by.value), ROWS);
-    const found = by.value === '' ? [] : await actions.reportErrors(worst);
+    const found = await actions.reportErrors(worst);
     // Ignore the answer if a later query was sent.
     if (found && turn === asked) fill(found, about);
   });
