@@ -1,9 +1,9 @@
 //! On curve (an application of paper section 4.2, where vertices slide along feature curves): the
 //! closest point of a fixed polyline, or of a spline through its vertices.
 
-use crate::json::word;
 use crate::constraint::kinds::shared::separate_lanes;
 use crate::constraint::{Arity, Centring, Element, Form, Info, Param, Projection};
+use crate::json::word;
 use crate::math::{Cubic, Lane, Vec3, cosine, largest_coordinate};
 use serde::{Deserialize, Serialize};
 

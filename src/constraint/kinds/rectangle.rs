@@ -11,8 +11,8 @@
 //! plane have the same directions and offsets, so the two fits differ only in the plane, which for
 //! the closest rectangle is that of the half-diagonals.
 
-use crate::json::word;
 use crate::constraint::{Arity, Form, Info, Param, Projection};
+use crate::json::word;
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3, in_range};
 use serde::{Deserialize, Serialize};
 
