@@ -27,10 +27,7 @@ export async function inflate(bytes: Uint8Array): Promise<Uint8Array<ArrayBuffer
     if (done) return new Uint8Array(await new Blob(parts).arrayBuffer());
     size += value.length;
     // The stream unpacks no more than is read, so that stopping here bounds the memory.
-    if (size > MOST_BYTES) {
-      await reader.cancel();
-      return null;
-    }
+    if (size > MOST_BYTES) return null;
     parts.push(value);
     if (size < turn) continue;
     turn = size + TURN;
