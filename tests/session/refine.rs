@@ -118,10 +118,10 @@ fn refining_is_one_step_of_undo_with_the_run_that_follows() {
     assert_eq!(session.undo_and_redo(), [Some("Refine to 64 faces"), None]);
     session.undo().expect("it was solvable");
     assert_eq!(everything(&session), before);
-    assert_eq!(session.generation(), 0);
+    assert_eq!(session.mesh_generation(), 0);
     session.redo().expect("it was solvable");
     assert_eq!(everything(&session), after);
-    assert_eq!(session.generation(), 1);
+    assert_eq!(session.mesh_generation(), 1);
 }
 
 #[test]

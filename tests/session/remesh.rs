@@ -96,7 +96,7 @@ fn sets_go_to_what_was_made_of_them_alone() {
     for _ in 0..2 {
         session.undo().expect("it was solvable");
     }
-    assert_eq!(session.generation(), 0);
+    assert_eq!(session.mesh_generation(), 0);
 }
 
 #[test]
