@@ -126,7 +126,7 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
      * Makes the projected shape the design, as one step of undo.
      * @returns whether there was anything to keep
      */
-    keepVariation: () => scheduler.betweenRuns(() => solver.keepVariation()),
+    keepVariation: () => scheduler.betweenRuns(() => solver.keepVariation(), false),
     leaveVariation: () => shows(() => solver.leaveVariation()),
   };
 }

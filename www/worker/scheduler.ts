@@ -144,9 +144,10 @@ export class Scheduler {
 
   /**
    * Performs an edit as a separate step of undo from the run's, and updates the page.
-   * @param settles whether no run could improve the shape of an edit that returns true
+   * @param settles given for an edit of the shape itself: whether no run could improve the shape of
+   *   one that returns true
    */
-  betweenRuns<T>(edit: () => T, settles: boolean = false): T {
+  betweenRuns<T>(edit: () => T, settles?: boolean): T {
     if (this.#isRunning) this.#solver.endRun();
     const before = this.#solver.generation();
     let result;
@@ -156,7 +157,8 @@ export class Scheduler {
       if (this.#isRunning) this.#solver.beginRun();
     }
     // What leaves problem and shape as they were leaves a converged shape converged.
-    if (this.#solver.generation() !== before) this.#isSettled = settles && result === true;
+    if (settles !== undefined || this.#solver.generation() !== before)
+      this.#isSettled = settles === true && result === true;
     this.#activityDue = true;
     this.changed();
     this.#sliceIsNew = true;
