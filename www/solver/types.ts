@@ -17,6 +17,7 @@ export type {
   Energy,
   ExactOffer,
   ExactReport,
+  ExactShape,
   FaceMeasure,
   FewerFlips,
   Form,
@@ -77,6 +78,9 @@ export interface Connectivity {
   /** `#E by 2` */
   edges: Uint32Array;
 }
+
+/** The text of the scene with its mesh, which has this generation in the solver. */
+export type Snapshot = { text: string; generation: number };
 
 export type NamedBytes = { name: string; bytes: Uint8Array };
 

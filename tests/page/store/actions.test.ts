@@ -5,6 +5,7 @@ import { test } from 'node:test';
 import { createActions } from '../../../www/store/actions.ts';
 import { createStore } from '../../../www/store/state.ts';
 import type { Alerts } from '../../../www/ui/controls/alerts.ts';
+import type { JobsClient } from '../../../www/solver/jobs-client.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 
 test('the original is asked for once for every model', async () => {
@@ -15,7 +16,12 @@ test('the original is asked for once for every model', async () => {
     ask: { originalPositions: async () => ++asked },
     ...{ change: {}, tell: {} },
   } as unknown as SolverClient;
-  const { originalPositions } = createActions(createStore(), solver, {} as Alerts);
+  const { originalPositions } = createActions(
+    createStore(),
+    solver,
+    {} as JobsClient,
+    {} as Alerts,
+  );
   assert.equal(await originalPositions(), 1);
   assert.equal(await originalPositions(), 1);
   heard.model();

@@ -21,6 +21,7 @@ export class FlatMapController {
   #store;
   #viewport;
   #actions;
+  #jobs;
   #choices: Choices = {
     weights: 'inverse-area',
     norm: 'boundary',
@@ -32,10 +33,11 @@ export class FlatMapController {
   /** The only instance of the page. */
   static of = once((app: AppContext) => new FlatMapController(app));
 
-  constructor({ store, viewport, actions }: AppContext) {
+  constructor({ store, viewport, actions, jobs }: AppContext) {
     this.#store = store;
     this.#viewport = viewport;
     this.#actions = actions;
+    this.#jobs = jobs;
     flatMapPanel(byId('flat-map-section'), store, this);
     new FlatMapRegion(byId('flat-map'), store, viewport);
   }
@@ -76,11 +78,16 @@ export class FlatMapController {
       if (now?.found === found) this.#actions.look({ flatMap: { ...now, fewerFlips } });
     };
     show('searching');
-    const search = this.#actions.ask.fewerFlips(found.flipped).catch((error) => {
-      show(null);
-      throw error;
-    });
-    await this.#actions.reportErrors(search.then((better) => show(better ?? 'none')));
+    const search = async () => {
+      try {
+        const model = await this.#actions.rest();
+        show((model && (await this.#jobs.ask.fewerFlips(model, found.flipped))) ?? 'none');
+      } catch (error) {
+        show(null);
+        throw error;
+      }
+    };
+    await this.#actions.reportErrors(search());
   }
 
   /** Computes the map of the current shape. */
@@ -89,7 +96,9 @@ export class FlatMapController {
     const { weights, norm } = this.#choices;
     this.#actions.setStatus('Flattening …');
     try {
-      const found = await this.#actions.ask.parametrize(weights, norm);
+      const shape = await this.#actions.rest();
+      if (!shape) return;
+      const found = await this.#jobs.ask.parametrize(shape, weights, norm);
       const { model: now, numbers } = this.#store.get();
       const isNewest = weights === this.#choices.weights && norm === this.#choices.norm;
       if (now !== model || !isNewest) return;

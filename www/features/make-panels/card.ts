@@ -183,7 +183,7 @@ export class MakePanels {
     this.#forecastOf = model;
     this.#remedy = null;
     this.#forecast.hidden = this.#remedyButton.hidden = true;
-    const forecast = await actions.ask.forecast().catch(() => null);
+    const forecast = await actions.trials.forecast().catch(() => null);
     if (store.get().model !== model) return;
     setText(this.#forecast, forecast?.words ?? '');
     this.#forecast.hidden = !forecast;
