@@ -5,6 +5,7 @@
 
 import './flat-map.css';
 import { byId } from '../../ui/dom.ts';
+import { newestOnly } from '../../store/newest-only.ts';
 import { duration } from '../../ui/format.ts';
 import { once } from '../../ui/once.ts';
 import { FlatMapRegion } from './flat-map-region.ts';
@@ -28,6 +29,8 @@ export class FlatMapController {
     onMap: 'errors',
     squares: 32,
   };
+
+  #newest = newestOnly(() => this.#store.get().model);
 
   /** The only instance of the page. */
   static of = once((app: AppContext) => new FlatMapController(app));
@@ -85,14 +88,12 @@ export class FlatMapController {
 
   /** Computes the map of the current shape. */
   async flatten() {
-    const { model } = this.#store.get();
     const { weights, norm } = this.#choices;
     this.#actions.setStatus('Flattening …');
     try {
-      const found = await this.#actions.ask.parametrize(weights, norm);
-      const { model: now, numbers } = this.#store.get();
-      const isNewest = weights === this.#choices.weights && norm === this.#choices.norm;
-      if (now !== model || !isNewest) return;
+      const found = await this.#newest(this.#actions.ask.parametrize(weights, norm));
+      if (!found) return;
+      const { numbers } = this.#store.get();
       const iteration = numbers?.iteration ?? 0;
       this.#actions.look({
         flatMap: { found, iteration, fewerFlips: null, ...this.#choices },
