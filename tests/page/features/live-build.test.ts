@@ -7,6 +7,9 @@ import { LiveBuild } from '../../../www/features/build/live-build.ts';
 import type { Shape } from '../../../www/features/build/build-worker.ts';
 import type { Call } from '../../../www/solver/remote.ts';
 
+/** Nothing is under way. */
+const actions = { settled: async () => {} };
+
 /** The shape of a call to build; undefined for other calls. */
 const shapeOf = ({ name, given }: Call) => (name === 'build' ? (given[0] as Shape) : undefined);
 
@@ -39,7 +42,7 @@ test('faces that change during a build are built, although no vertex has moved',
     document: { units: 'm', build: {} },
   };
   const solver = { geometry: mesh(1, [0, 3, 6], [0, 1, 2, 0, 2, 3]) };
-  const app = { store: { get: () => state }, solver } as unknown as AppContext;
+  const app = { store: { get: () => state }, solver, actions } as unknown as AppContext;
   const live = new LiveBuild(app, {
     show() {},
     showOffset() {},
@@ -77,7 +80,9 @@ test('what is saved while a large shape moves is built of its current positions'
     document: { units: 'm', build: {} },
   };
   const geometry = { generation: 1, positions, connectivity };
-  const app = { store: { get: () => state }, solver: { geometry } } as unknown as AppContext;
+  const app = {
+    ...{ store: { get: () => state }, solver: { geometry }, actions },
+  } as unknown as AppContext;
   const refuse = (why: string) => assert.fail(why);
   const live = new LiveBuild(app, { show() {}, showOffset() {}, refuse });
   await live.offers();
@@ -117,7 +122,7 @@ test('another shape is built, even one with equal sums of its coordinates', asyn
     document: { units: 'm', build: {} },
   };
   const solver = { geometry: shape(1, 1, 0, 0, 0, 1, 0, 0, 5, 0) };
-  const app = { store: { get: () => state }, solver } as unknown as AppContext;
+  const app = { store: { get: () => state }, solver, actions } as unknown as AppContext;
   const refuse = (why: string) => assert.fail(why);
   const live = new LiveBuild(app, { show() {}, showOffset() {}, refuse });
   await live.offers();
@@ -127,4 +132,38 @@ test('another shape is built, even one with equal sums of its coordinates', asyn
   await live.update();
   await live.update();
   assert.deepEqual(built, [1, 5]);
+});
+
+test('what is saved is built with the settings that were set just before', async () => {
+  /** The scale of each build, and the other calls. */
+  const asked: (number | string)[] = [];
+  globalThis.Worker = class {
+    onmessage: (event: { data: object }) => void = () => {};
+    postMessage(call: Call) {
+      asked.push(shapeOf(call)?.settings.scale ?? call.name);
+      const value = call.name === 'offers' ? { presets: [], defaults: {} } : {};
+      const { id } = call;
+      setTimeout(() => this.onmessage({ data: { id, value } }));
+    }
+  } as unknown as typeof Worker;
+  const state = {
+    ...{ model: { faces: 1, vertices: 3 }, dragged: [], running: false },
+    document: { units: 'm', build: { scale: 10 } },
+  };
+  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
+  const geometry = { generation: 1, positions: new Float64Array(9), connectivity };
+  // The solver answers an edit later.
+  const settled = async () => {
+    await new Promise((done) => setTimeout(done, 5));
+    state.document = { units: 'm', build: { scale: 20 } };
+  };
+  const app = {
+    ...{ store: { get: () => state }, solver: { geometry }, actions: { settled } },
+  } as unknown as AppContext;
+  const refuse = (why: string) => assert.fail(why);
+  const live = new LiveBuild(app, { show() {}, showOffset() {}, refuse });
+  await live.offers();
+  await live.update();
+  await live.zip();
+  assert.deepEqual(asked, ['offers', 10, 20, 'zip']);
 });

@@ -135,9 +135,15 @@ export class LiveBuild {
     return this.#builder.choices();
   }
 
+  /** Builds what the user sees and has begun to change, to save it. */
+  async #whole() {
+    await this.#app.actions.settled();
+    await this.#once(true);
+  }
+
   /** All files as a ZIP archive. */
   async zip() {
-    await this.#once(true);
+    await this.#whole();
     return this.#builder.zip(this.#isZUp());
   }
 
@@ -148,7 +154,7 @@ export class LiveBuild {
 
   /** The parts in space and the sheets, for CAD programs. */
   async spatialParts() {
-    await this.#once(true);
+    await this.#whole();
     return this.#builder.spatialParts(this.#isZUp());
   }
 
@@ -162,7 +168,7 @@ export class LiveBuild {
     camera: Float64Array | null;
     link: string;
   }) {
-    await this.#once(true);
+    await this.#whole();
     return this.#builder.reportPage(title, this.#isZUp(), camera, link);
   }
 
