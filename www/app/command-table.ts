@@ -16,7 +16,8 @@ export function commandTable(
 ): Command[] {
   const { store, viewport, files, actions, alerts } = app;
 
-  function fitSelection() {
+  async function fitSelection() {
+    await actions.settled();
     const vertices = actions.selectedVertices();
     fly(viewport, (view) =>
       vertices.length > 0 ? view.fitVertices(Uint32Array.from(vertices)) : view.fit(),
@@ -104,7 +105,7 @@ export function commandTable(
       group: 'Edit',
       label: 'Turn the selected vertices into handles',
       keys: ['H'],
-      action: () => actions.addHandles(actions.selectedVertices(), false),
+      action: () => actions.holdSelected(false),
       needsModel: true,
     },
     {
@@ -112,7 +113,7 @@ export function commandTable(
       group: 'Edit',
       label: 'Remove the selected handles',
       keys: ['Shift+H', 'Delete'],
-      action: () => actions.removeHandles(actions.selectedVertices()),
+      action: () => actions.releaseSelected(),
       needsModel: true,
     },
     {

@@ -2,6 +2,7 @@
 
 import { isEnabled, press } from '../store/press.ts';
 import { setText } from '../ui/dom.ts';
+import { commitTyping } from '../ui/controls/commit-typing.ts';
 import { chordOf, digitOf, isTyping, keyName } from '../ui/keys.ts';
 import { isSwitchedOff } from '../ui/single-keys.ts';
 import type { Command } from './context.ts';
@@ -45,6 +46,7 @@ export function bindKeys(commands: Command[], store: Store) {
     // The browser's own shortcut (open, save, print) never applies, even if the command is
     // disabled.
     if (chord !== 'Escape') event.preventDefault();
+    if (chord.startsWith('Ctrl+')) commitTyping();
     press(command, store);
   });
 }

@@ -3,7 +3,7 @@
  * named here.
  */
 
-import { oneAtATime } from '../ui/once.ts';
+import { inTurn, oneAtATime } from '../ui/once.ts';
 import type { AppContext, Feature, Part } from './context.ts';
 
 const FEATURES: Record<string, Feature> = import.meta.glob(
@@ -15,14 +15,14 @@ const FEATURES: Record<string, Feature> = import.meta.glob(
 );
 
 /**
- * The commands of the features. Errors of their actions are reported; a second press while one loads
- * and opens something has no effect.
+ * The commands of the features. Errors of their actions are reported. A second press while one loads
+ * something has no effect, or closes it again if the command is a toggle.
  */
 export const featureCommands = (app: AppContext) =>
   Object.values(FEATURES)
     .flatMap(({ commands }) => commands?.(app) ?? [])
     .map((one) => {
-      const begin = oneAtATime(one.action);
+      const begin = one.pressed ? inTurn(one.action) : oneAtATime(one.action);
       return { ...one, action: () => app.actions.reportErrors(begin()) };
     });
 

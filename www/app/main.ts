@@ -115,10 +115,11 @@ fileInput.addEventListener('change', async () => {
   const chosen = [...(fileInput.files ?? [])];
   // Allows the same file to be opened again after it changed on disk.
   fileInput.value = '';
-  const opened = import('../documents/opening/chosen-files.ts').then((it) =>
-    it.openChosen(app, chosen),
-  );
-  await actions.reportErrors(app.files.trackOpening(opened));
+  const opened = files.openings.begin(async (opening) => {
+    const { openChosen } = await import('../documents/opening/chosen-files.ts');
+    await openChosen(app, opening, chosen);
+  });
+  await actions.reportErrors(opened);
 });
 acceptDrops(byId('drop-overlay'), app);
 

@@ -3,7 +3,8 @@
  * report of the command line.
  */
 
-import { handlesNow, type Store } from '../store/state.ts';
+import { handlesNow } from '../store/handles.ts';
+import type { Store } from '../store/state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Viewport } from '../viewport/viewport.ts';
 import type { Files } from '../documents/files.ts';
@@ -184,9 +185,9 @@ export function scriptApi(store: Store, solver: SolverClient, viewport: Viewport
      * Opens a mesh or a scene as the file input would.
      * @param textOrScene the text of a file, or a scene as an object
      * @param name file name, whose extension gives the format
-     * @returns rejects if the file is refused
+     * @returns null if a later opening has taken its place; rejects if the file is refused
      */
-    open(textOrScene: string | object, name?: string): Promise<Loaded> {
+    open(textOrScene: string | object, name?: string): Promise<Loaded | null> {
       const isText = typeof textOrScene === 'string';
       const text = isText ? textOrScene : JSON.stringify(textOrScene);
       const isScene = !isText || /^\s*\{/.test(text);

@@ -8,8 +8,10 @@ import { saveFile } from '../ui/save-file.ts';
 import { isEmbedded } from '../ui/embedded.ts';
 import { getItem } from '../ui/safe-storage.ts';
 import type { Files } from '../documents/files.ts';
+import type { Opening } from '../documents/opening/openings.ts';
 import type { Autosave, Taken } from '../documents/autosave.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
+import type { Loaded } from '../solver/types.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
 import type { ViewContext } from '../viewport/saved-view.ts';
 import type { Work } from '../documents/recent-documents.ts';
@@ -30,14 +32,19 @@ export class Startup {
     this.#alerts = alerts;
   }
 
-  /** Opens the first document. */
+  /** Opens the first document, unless the user opens another one meanwhile. */
   async begin() {
+    const { openings } = this.#files;
     window.addEventListener('hashchange', () =>
-      this.#viewContext.actions.reportErrors(this.#openLink()),
+      this.#viewContext.actions.reportErrors(openings.begin((own) => this.#openLink(own))),
     );
+    await openings.begin((own) => this.#begin(own));
+  }
+
+  async #begin(opening: Opening) {
     let lost: unknown = null;
     try {
-      if (await this.#restored()) return;
+      if (await this.#restored(opening)) return;
     } catch (error) {
       // Continue, so that the page does not stay without a model.
       lost = error;
@@ -46,37 +53,44 @@ export class Startup {
     // soon.
     this.#startAutosave();
     let problem = '';
-    const linked = await this.#openLink().catch((error) => {
+    const linked = await this.#openLink(opening).catch((error) => {
       problem = messageOf(error);
       return false;
     });
-    if (!linked) await this.#openFirst();
-    if (problem) this.#alerts.error(problem);
+    if (!linked) await this.#openFirst(opening);
+    if (problem && (await opening.isWanted())) this.#alerts.error(problem);
     if (lost) this.#reportUnreadable(lost);
   }
 
   /** Opens the first example, or explains how to continue without it. */
-  async #openFirst() {
+  async #openFirst(opening: Opening) {
     try {
-      await this.startFresh();
+      await this.#startFresh(opening);
     } catch (error) {
+      if (!(await opening.isWanted())) return;
       this.#alerts.error(messageOf(error));
       if (this.#solver.isAbsent) return;
       const { showNothingOpen } = await import('../documents/nothing-open.ts');
       showNothingOpen(this.#files, async () => {
-        await this.#viewContext.actions.reportErrors(this.startFresh());
+        await this.#viewContext.actions.reportErrors(this.#startFresh());
       });
     }
   }
 
-  /** Opens the model that first-time visitors get. */
-  async startFresh() {
+  /**
+   * Opens the model that first-time visitors get.
+   * @param within the opening that it is part of, if it is not one of its own
+   */
+  async #startFresh(within?: Opening): Promise<void> {
+    const { openings } = this.#files;
+    if (!within) return void (await openings.begin((own) => this.#startFresh(own)));
     const [example] = await this.#files.examples();
-    await this.#files.openExample(example, true);
+    await this.#files.openExample(example, { first: true, opening: within });
   }
 
   /** Saves all unsaved changes. */
   async saveNow() {
+    await this.#viewContext.actions.settled();
     await (await this.#autosave)?.save();
   }
 
@@ -89,13 +103,19 @@ export class Startup {
 
   /** Opens a work chosen by the user, or reports why it cannot be opened. */
   async openWork(work: Work) {
+    await this.#files.openings.begin((own) => this.#openChosen(work, own));
+  }
+
+  async #openChosen(work: Work, opening: Opening) {
     const { title } = work;
     try {
       await this.saveNow();
       const { take } = await import('../documents/autosave.ts');
       const taken = await take(work);
       if (!taken) throw new Error(`${title} is open in another tab of this browser.`);
-      const { undoLost } = await this.#openWork(taken);
+      const loaded = await this.#openWork(taken, opening);
+      if (!loaded) return;
+      const { undoLost } = loaded;
       this.#store.set({ status: `Opened ${title}` });
       if (undoLost) this.#alerts.notice(`The undo history of ${title} is lost: ${undoLost}.`);
     } catch (error) {
@@ -129,9 +149,9 @@ export class Startup {
 
   /**
    * Restores the last work of this tab, if any.
-   * @returns whether it did
+   * @returns whether there is one
    */
-  async #restored(): Promise<boolean> {
+  async #restored(opening: Opening): Promise<boolean> {
     if (!hasStoredWork()) return false;
     const { lastWork } = await import('../documents/autosave.ts');
     const last = await lastWork();
@@ -139,31 +159,40 @@ export class Startup {
     // Autosave must be running before the user can edit the work and close the page.
     this.#startAutosave();
     await this.#autosave;
-    const { undoLost } = await this.#openWork(last);
+    const loaded = await this.#openWork(last, opening);
+    if (!loaded) return true;
+    const { undoLost } = loaded;
     const fresh = () => {
       if (location.hash) history.replaceState(null, '', location.pathname + location.search);
-      void this.#viewContext.actions.reportErrors(this.startFresh());
+      void this.#viewContext.actions.reportErrors(this.#startFresh());
     };
-    const but = undoLost && `, but its undo history is lost: ${undoLost}`;
-    this.#alerts.notice(`${last.work.title} is back as you left it${but}.`, {
+    const words = undoLost
+      ? `is back, but its undo history is lost: ${undoLost}`
+      : 'is back as you left it';
+    this.#alerts.notice(`${last.work.title} ${words}.`, {
       label: 'Start fresh',
       action: fresh,
     });
     return true;
   }
 
-  async #openWork({ work, text, saved }: Taken) {
+  /** @returns null if a later opening has taken its place */
+  async #openWork({ work, text, saved }: Taken, opening: Opening) {
     const bytes = new TextEncoder().encode(text);
     const examples = work.example ? await this.#files.examples() : [];
     const example = examples.find(({ id }) => id === work.example);
     const { id, title } = work;
     const origin = { example, work: id, title, saved, text };
     const files = [{ name: `${work.name}.shapeup.json`, bytes }];
-    const loaded = await this.#files.open(files, origin).catch(async (error) => {
-      const { Unreadable, releaseWork } = await import('../documents/autosave.ts');
-      await releaseWork(work);
+    const { Unreadable, markUnreadable, release } = await import('../documents/autosave.ts');
+    const loaded = await this.#files.open(files, origin, { opening }).catch(async (error) => {
+      await markUnreadable(work);
       throw new Unreadable(work, text, messageOf(error));
     });
+    if (!loaded) {
+      release(work);
+      return null;
+    }
     const { restoreView } = await import('../viewport/saved-view.ts');
     restoreView(work.view, this.#viewContext);
     return loaded;
@@ -173,29 +202,32 @@ export class Startup {
    * Opens the document of the link, if any.
    * @returns whether there is one
    */
-  async #openLink(): Promise<boolean> {
+  async #openLink(opening: Opening): Promise<boolean> {
     if (location.hash.length < 2) return false;
     const { readLink } = await import('../documents/share-link.ts');
     const link = await readLink(location.hash);
     if (!link) return false;
     const { example, text, run } = link;
-    if (example) await this.#openExample(example, text);
-    else if (text) await this.#files.open([sceneFile('shared', text)]);
-    if (run) this.#solver.tell.run();
+    let loaded: Loaded | null = null;
+    if (example) loaded = await this.#openExample(example, text, opening);
+    else if (text) loaded = await this.#files.open([sceneFile('shared', text)], {}, { opening });
+    if (loaded && run) this.#solver.tell.run();
     return true;
   }
 
   /** @param edits text of a scene that replaces the scene of the example */
-  async #openExample(id: string, edits: string | null) {
+  async #openExample(id: string, edits: string | null, opening: Opening) {
     const examples = await this.#files.examples();
     const example = examples.find((one) => one.id === id);
     if (!example)
       throw new Error(`There is no example called ${id}. The link is outdated or mistyped.`);
-    if (!edits) return this.#files.openExample(example);
+    if (!edits) return this.#files.openExample(example, { opening });
     const mesh = { name: example.mesh, bytes: await this.#files.exampleFile(example.mesh) };
-    await this.#files.open([sceneFile(example.id, edits), mesh], { example });
+    const files = [sceneFile(example.id, edits), mesh];
+    const loaded = await this.#files.open(files, { example }, { opening });
     // The edits are stored in the link only, not in a file.
-    this.#files.original = null;
+    if (loaded) this.#files.original = null;
+    return loaded;
   }
 }
 

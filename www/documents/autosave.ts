@@ -255,7 +255,7 @@ export async function take(work: Work, how?: LockOptions): Promise<Taken | null>
   if (!(await claim(work.id, how))) return null;
   const { text, history, progress } = await contentsOf(work.id);
   if (typeof text !== 'string') {
-    await releaseWork(work);
+    await markUnreadable(work);
     throw new Unreadable(work, text, 'its saved copy is damaged');
   }
   const bytes = (value: unknown) => (value instanceof Uint8Array ? value : null);
@@ -264,11 +264,16 @@ export async function take(work: Work, how?: LockOptions): Promise<Taken | null>
   return { work, text, saved };
 }
 
+/** Lets other tabs have a work that was taken, but is not opened. */
+export function release({ id }: Work) {
+  claims.get(id)?.();
+}
+
 /**
  * Releases a work that could not be opened and marks it, so that it is not resumed automatically.
  */
-export async function releaseWork(work: Work) {
-  claims.get(work.id)?.();
+export async function markUnreadable(work: Work) {
+  release(work);
   await keep({ ...work, unreadable: true }, {}).catch(() => {});
 }
 

@@ -9,6 +9,7 @@ import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
 import { isReadable, mainOf } from '../solver/opened-files.ts';
 import { oneAtATime } from '../ui/once.ts';
 import { saveFile } from '../ui/save-file.ts';
+import { Openings, type Opening } from './opening/openings.ts';
 import { rememberedFrame } from './units-prompt.ts';
 import type { Store } from '../store/state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
@@ -46,8 +47,8 @@ export class Files extends Emitter<{ opened: void }> {
   origin: Origin = {};
   /** Text of its scene when opened; null for resumed work. */
   original: string | null = null;
-  /** Settles when the file chosen last is opened or refused; null when nothing is being opened. */
-  coming: Promise<unknown> | null = null;
+  /** All openings of models: commands given meanwhile apply to the model that is coming. */
+  readonly openings = new Openings();
   #examples: Promise<Example[]> | null = null;
   #store;
   #solver;
@@ -66,15 +67,6 @@ export class Files extends Emitter<{ opened: void }> {
     this.#actions = actions;
   }
 
-  /** Registers a pending opening: commands given meanwhile apply to the model being opened. */
-  trackOpening<T>(opening: Promise<T>): Promise<T> {
-    const coming = opening.finally(() => {
-      if (this.coming === coming) this.coming = null;
-    });
-    this.coming = coming;
-    return coming;
-  }
-
   get name() {
     return this.#name;
   }
@@ -82,9 +74,24 @@ export class Files extends Emitter<{ opened: void }> {
   /**
    * Opens a mesh, or a scene together with the mesh file that it names. If a file is refused, the
    * current model stays and an alert gives the reason.
-   * @returns rejects with the error of the alert
+   * @param how.opening that it is part of, if it is not one of its own
+   * @returns null if a later opening has taken its place; rejects with the error of the alert
    */
-  async open(given: NamedBytes[], origin: Origin = {}, cancelled?: AbortSignal): Promise<Loaded> {
+  open(
+    given: NamedBytes[],
+    origin: Origin = {},
+    { opening, cancelled }: { opening?: Opening; cancelled?: AbortSignal } = {},
+  ): Promise<Loaded | null> {
+    if (opening) return this.#open(given, origin, opening, cancelled);
+    return this.openings.begin((own) => this.#open(given, origin, own, cancelled));
+  }
+
+  async #open(
+    given: NamedBytes[],
+    origin: Origin,
+    opening: Opening,
+    cancelled?: AbortSignal,
+  ): Promise<Loaded | null> {
     try {
       const files = await Promise.all(given.map((file) => asMesh(file, cancelled)));
       const unreadable = files.find((file) => !isReadable(file));
@@ -93,6 +100,10 @@ export class Files extends Emitter<{ opened: void }> {
           `${unreadable.name}: this kind of file cannot be read. Open .obj, .off, .mesh or .3dm for a mesh, .json for a scene.`,
         );
       }
+      if (!(await opening.isWanted())) return null;
+      cancelled?.throwIfAborted();
+      // The first view shows the fitted shapes.
+      if (origin.first) this.#actions.display({ shapes: true });
       // Keep the status of a button press that waits for the first model.
       const { document, status } = this.#store.get();
       if (document || !status)
@@ -101,6 +112,7 @@ export class Files extends Emitter<{ opened: void }> {
       const { saved, first: solved, unwelded } = origin;
       const frame = rememberedFrame(main.name);
       const loaded = await this.#actions.open({ files, saved, frame, solved, weld: !unwelded });
+      opening.opened();
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
       this.#given = files;
       this.origin = origin;
@@ -118,6 +130,7 @@ export class Files extends Emitter<{ opened: void }> {
       this.emit('opened', undefined);
       return loaded;
     } catch (error) {
+      if (!(await opening.isWanted())) return null;
       this.#actions.setStatus('');
       // Without the offers the error is still shown.
       const offers = await import('./opening/missing-files.ts').then(
@@ -129,18 +142,28 @@ export class Files extends Emitter<{ opened: void }> {
     }
   }
 
-  /** @param first the example is the page's first model, already solved */
-  async openExample(example: Example, first: boolean = false) {
+  /**
+   * Opens an example.
+   * @param how.first it is the page's first model, already solved
+   * @param how.opening that it is part of, if it is not one of its own
+   * @returns null if a later opening has taken its place
+   */
+  async openExample(
+    example: Example,
+    { first = false, opening }: { first?: boolean; opening?: Opening } = {},
+  ): Promise<Loaded | null> {
+    if (!opening)
+      return this.openings.begin((own) => this.openExample(example, { first, opening: own }));
     const names = [example.scene, example.mesh];
     const files = await Promise.all(
       names.map(async (name) => ({ name, bytes: await this.exampleFile(name) })),
     );
-    // The first view shows the fitted shapes.
-    if (first) this.#actions.display({ shapes: true });
-    await this.open(files, { first, example });
+    const loaded = await this.open(files, { first, example }, { opening });
+    if (!loaded) return null;
     const { numbers } = this.#store.get();
     const status = first && numbers && ended(true, numbers.iteration);
     this.#actions.setStatus(status || `Opened the example ${example.title}`);
+    return loaded;
   }
 
   /** Returns a mesh or a scene of the examples. */
@@ -152,8 +175,8 @@ export class Files extends Emitter<{ opened: void }> {
   async goBack() {
     const { before } = this.origin;
     if (!before) return;
-    await this.open(before.given, before.origin).catch(() => {});
-    this.#actions.setStatus('Undid: New mesh');
+    const loaded = await this.open(before.given, before.origin).catch(() => null);
+    if (loaded) this.#actions.setStatus('Undid: New mesh');
   }
 
   examples(): Promise<Example[]> {
@@ -174,6 +197,7 @@ export class Files extends Emitter<{ opened: void }> {
 
   /** Exports the current shape with the file's original vertices, before welding. */
   async exportUnwelded() {
+    await this.#actions.settled();
     if (!(await this.mayExport())) return;
     this.save('.obj', await this.#actions.ask.objUnwelded(), 'model/obj');
   }
@@ -187,6 +211,7 @@ export class Files extends Emitter<{ opened: void }> {
   /** Exports the current shape as OBJ, with the displayed flat map. */
   async exportMesh() {
     try {
+      await this.#actions.settled();
       if (!(await this.mayExport())) return;
       const uv = this.#store.get().flatMap?.found.uv;
       const { ask } = this.#actions;
@@ -198,6 +223,7 @@ export class Files extends Emitter<{ opened: void }> {
   }
 
   async saveScene() {
+    await this.#actions.settled();
     // Without a worker, save the text received last.
     const text = await this.#actions.ask.scene().catch(() => this.#solver.sceneText);
     if (text === null) this.#alerts.error('There is no scene to save.');

@@ -4,6 +4,7 @@
  */
 
 import { messageOf } from '../solver/errors.ts';
+import { newestOnly } from '../store/newest-only.ts';
 import type { Store } from '../store/state.ts';
 import type { Actions } from '../store/actions.ts';
 
@@ -15,6 +16,7 @@ export class HoldOriginal {
   #store;
   #actions;
   #isHeld = false;
+  #newest = newestOnly(() => this.#store.get().model);
   /** The status text before. */
   #status = '';
 
@@ -29,14 +31,17 @@ export class HoldOriginal {
   async begin() {
     if (this.#isHeld) return;
     this.#isHeld = true;
-    const { model, measure, status } = this.#store.get();
+    const { measure, status } = this.#store.get();
     this.#status = status;
     try {
-      const [positions, values] = await Promise.all([
-        this.#actions.originalPositions(),
-        measure ? this.#actions.ask.originalValues(measure) : null,
-      ]);
-      if (!this.#isHeld || this.#store.get().model !== model) return;
+      const original = await this.#newest(
+        Promise.all([
+          this.#actions.originalPositions(),
+          measure ? this.#actions.ask.originalValues(measure) : null,
+        ]),
+      );
+      if (!original || !this.#isHeld) return;
+      const [positions, values] = original;
       this.#actions.look({ heldOriginal: { positions, values }, status: STATUS });
     } catch (error) {
       this.#actions.setStatus(messageOf(error));

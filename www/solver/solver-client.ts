@@ -92,6 +92,8 @@ export class SolverClient extends Emitter<SolverEvents> {
   #stepMs = 0;
   #held: [Call, Transferable[]][] = [];
   #waiting = new Waiting();
+  /** What was begun and is not done yet: see `begin`. */
+  #begun: Set<Promise<unknown>> = new Set();
   /** Generation of the latest geometry. */
   #generation = 0;
   /** A buffer that the view may still be reading. */
@@ -101,7 +103,9 @@ export class SolverClient extends Emitter<SolverEvents> {
 
   /** Questions and changes: their promises settle after all events that they cause. */
   readonly ask: Remote<Questions> = calling((name, given) => this.#request(name, given));
-  readonly change: Remote<Changes> = calling((name, given) => this.#request(name, given));
+  readonly change: Remote<Changes> = calling((name, given) =>
+    this.begin(this.#request(name, given)),
+  );
   /** Commands, which have no answer. */
   readonly tell: Told<Commands> = calling((name, given) => {
     const command = { name, given };
@@ -118,6 +122,22 @@ export class SolverClient extends Emitter<SolverEvents> {
   /** Whether the current model is being opened again, in a new worker or with another mesh. */
   get restoring() {
     return this.#isSameModel;
+  }
+
+  /**
+   * Registers something begun by the user that later presses build on: every change is, and so is a
+   * selection that the solver finds.
+   */
+  begin<T>(begun: Promise<T>): Promise<T> {
+    const end = () => this.#begun.delete(begun);
+    this.#begun.add(begun);
+    begun.then(end, end);
+    return begun;
+  }
+
+  /** Resolves when the page shows all that was begun before, whether done or refused. */
+  async settled() {
+    await Promise.allSettled(this.#begun);
   }
 
   /** Returns the previous buffer once the latest positions have been transferred to the view. */

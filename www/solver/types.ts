@@ -52,6 +52,10 @@ export type {
   WorstElement,
 } from '../pkg/engine/shape_up.js';
 
+export type { Asker, Built, Reshaped } from '../worker/jobs/build.ts';
+export type { Lines, Question as LinesQuestion } from '../worker/jobs/curvature.ts';
+export type { ExactFound } from '../worker/jobs/model-copy.ts';
+
 /**
  * An opened model: `files` are those it was opened from; `undoLost` is the reason why its saved
  * undo history is lost, or empty.

@@ -95,6 +95,18 @@ export function createActions(
     setStatus(`${count(vertices.length, 'handle')} ${fixed ? 'fixed' : 'added'}`);
   }
 
+  /** Makes the selected vertices handles. */
+  async function holdSelected(fixed: boolean) {
+    await solver.settled();
+    await addHandles(selectedVertices(), fixed);
+  }
+
+  /** Removes the selected handles. */
+  async function releaseSelected() {
+    await solver.settled();
+    await removeHandles(selectedVertices());
+  }
+
   async function removeHandles(vertices: number[]) {
     const handles = new Set(store.get().document?.handles.map((handle) => handle.vertex));
     const held = vertices.filter((vertex) => handles.has(vertex));
@@ -143,7 +155,14 @@ export function createActions(
     selectedVertices,
     selectedHandles,
     addHandles,
-    removeHandles,
+    holdSelected,
+    releaseSelected,
+
+    /**
+     * Resolves when the page shows the changes and selections begun before: what saves, builds or
+     * acts on the selection waits for them.
+     */
+    settled: () => solver.settled(),
 
     /** Opens files; rejects with the error. */
     open: solver.change.open,

@@ -3,7 +3,8 @@
  * selected together move alike. The view computes the displacement from the pointer.
  */
 
-import { handlesNow, type Store } from './state.ts';
+import { handlesNow } from './handles.ts';
+import type { Store } from './state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 
 const AXES = ['x', 'y', 'z'];
@@ -33,6 +34,8 @@ export class HandleDrag {
   #plane = 'screen';
   /** The axis to which a key restricts the handle: 0, 1, 2 or none. */
   #axis: number | null = null;
+  #isOver = false;
+  #end;
 
   /**
    * @param vertex the handle under the pointer, or one of those at the gizmo
@@ -62,6 +65,8 @@ export class HandleDrag {
     this.#targets = this.#from;
     // A message about a finished run is outdated.
     store.set({ dragged: [...this.#vertices], gizmoPart: part, status: '' });
+    // Refused, or an iteration of it failed: nothing may look moved.
+    this.#end = solver.on('trouble', () => this.cancel());
     if (!begun) this.#send('start');
   }
 
@@ -71,6 +76,7 @@ export class HandleDrag {
    * @param time of the event, on the clock of `performance.now()`
    */
   move(dx: number, dy: number, time: number = performance.now()) {
+    if (this.#isOver) return;
     this.#by = [dx, dy];
     const direction = this.#axis !== null ? AXES[this.#axis] : (this.#part ?? this.#plane);
     const moved = this.#constrain(direction, dx, dy);
@@ -97,6 +103,7 @@ export class HandleDrag {
   }
 
   end() {
+    if (this.#isOver) return;
     this.#send('end');
     const { document } = this.#store.get();
     // Valid until the solver sends the new document.
@@ -107,12 +114,15 @@ export class HandleDrag {
 
   /** Cancels the drag and restores the targets. */
   cancel() {
+    if (this.#isOver) return;
     this.#targets = this.#from;
     this.#send('cancel');
     this.#leave();
   }
 
   #leave() {
+    this.#isOver = true;
+    this.#end();
     this.#store.set({ dragged: [], moved: null, gizmoPart: undefined });
   }
 

@@ -10,6 +10,16 @@ import type { SolverClient } from '../solver/solver-client.ts';
 import type { Actions } from './actions.ts';
 import type { Command } from '../app/context.ts';
 
+/**
+ * Parameters of an operation, how its result is combined with the selection, and where it starts from
+ * in place of the selection.
+ */
+interface How {
+  params?: Record<string, ParamValue>;
+  combine?: Combine;
+  from?: Partial<Record<Mode, Iterable<number>>>;
+}
+
 const MODES: Mode[] = ['vertices', 'edges', 'faces'];
 
 export class Selecting {
@@ -33,21 +43,18 @@ export class Selecting {
   /**
    * Selects with an operation. One that starts from the selection replaces it; the others may also
    * add to it or remove from it.
-   * @param options.from in place of the selection
    * @returns rejects with an error in the parameters
    */
-  async apply(
+  apply(operation: Operation, how: How = {}): Promise<boolean> {
+    return this.#solver.begin(this.#apply(operation, how));
+  }
+
+  async #apply(
     operation: Operation,
-    {
-      params = {},
-      combine = 'replace',
-      from,
-    }: {
-      params?: Record<string, ParamValue>;
-      combine?: Combine;
-      from?: Partial<Record<Mode, Iterable<number>>>;
-    } = {},
+    { params = {}, combine = 'replace', from }: How,
   ): Promise<boolean> {
+    // The selection before may not be there yet.
+    await this.#solver.settled();
     const { mode, selection, model } = this.#store.get();
     const lists = Object.entries(from ?? selection).map(([name, items]) => [name, [...items]]);
     const found = await this.#solver.ask.select({
@@ -56,15 +63,17 @@ export class Selecting {
       from: Object.fromEntries(lists),
       params,
     });
-    // Another model was opened meanwhile.
-    if (this.#store.get().model !== model) return false;
+    const state = this.#store.get();
+    // What the user has selected meanwhile stays.
+    const isReplaced = combine === 'replace' && state.selection !== selection;
+    if (state.model !== model || isReplaced) return false;
     const gives = MODES.find((one) => found[one].length > 0);
     if (!gives) {
       this.#actions.setStatus(`${operation.label}: nothing found`);
       return false;
     }
-    const now = this.#store.get().selection;
-    this.#store.set({ mode: gives, selection: select(now, gives, found[gives], combine) });
+    const next = select(state.selection, gives, found[gives], combine);
+    this.#store.set({ mode: gives, selection: next });
     return true;
   }
 

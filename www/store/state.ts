@@ -9,7 +9,6 @@ import type {
   ElementInfo,
   FaceMeasure,
   FewerFlips,
-  Handle,
   KindInfo,
   Loaded,
   MapNorm,
@@ -263,19 +262,6 @@ export const isDrawn = ({ renderer }: Pick<State, 'renderer'>) =>
 
 /** Whether a constraint must be met, exactly or within a distance. */
 export const isHard = ({ enabled, require }: ConstraintRow) => enabled && require !== 'soft';
-
-/** Returns the handles, with the current targets of dragged ones. */
-export function handlesNow({ document, dragged, moved }: Readonly<State>): Handle[] {
-  const handles = document?.handles ?? [];
-  if (!moved) return handles;
-  const offsets = new Map(dragged.map((vertex, i) => [vertex, 3 * i]));
-  return handles.map((handle) => {
-    const at = offsets.get(handle.vertex);
-    if (at === undefined) return handle;
-    const [x, y, z] = moved.targets.subarray(at, at + 3);
-    return { ...handle, target: [x, y, z] };
-  });
-}
 
 export function createStore(): Store {
   let state = INITIAL;

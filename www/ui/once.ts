@@ -9,6 +9,24 @@ export function once<Arguments extends unknown[], Made>(
 }
 
 /**
+ * Returns the action so that each call begins after the one before has ended: a second press on what
+ * opens and closes something closes it, although its code was still being loaded.
+ */
+export function inTurn(action: () => unknown): () => unknown {
+  let last: Promise<unknown> | null = null;
+  return () => {
+    const made = last ? last.then(action, action) : action();
+    if (!(made instanceof Promise)) return made;
+    const own = (last = made);
+    const end = () => {
+      if (last === own) last = null;
+    };
+    made.then(end, end);
+    return made;
+  };
+}
+
+/**
  * Returns the action without effect while its last promise is pending: what loads a dialog and opens
  * it would open a second one at a second press.
  */

@@ -1,6 +1,7 @@
 /** Functions that transfer parts of the state to the view: colours, handles, selection etc. */
 
-import { handlesNow, type State } from '../store/state.ts';
+import { areHandlesLocked, handlesNow } from '../store/handles.ts';
+import type { State } from '../store/state.ts';
 import { declared, toleranceOf } from '../store/colours/measures.ts';
 import { modelErrors, showFlatMap } from './flat-map-layer.ts';
 import type { View } from '../pkg/view-webgl2/shape_up.js';
@@ -22,7 +23,7 @@ export const LAYERS: [
 ][] = [
   [['dark'], (view, state) => view.setTheme(state.dark)],
   [['document'], (view, { document }) => document && view.setUp(document.up)],
-  [['display', 'halfway', 'heldOriginal'], showDisplay],
+  [['display', 'halfway', 'heldOriginal', 'document'], showDisplay],
   [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
   [
     ['section', 'model'],
@@ -60,7 +61,7 @@ export function showValues(view: View, state: State, geometry: Geometry | null) 
   view.setFaceValues(values ?? undefined, ...state.range, tolerance ?? undefined, isLog);
 }
 
-export function showDisplay(view: View, { display, halfway, heldOriginal }: State) {
+export function showDisplay(view: View, { display, halfway, heldOriginal, document }: State) {
   const { edges, vertices } = display;
   // All three show the current shape, not the original. Outlines also show during a half step, when
   // the projections are computed but not yet applied.
@@ -70,7 +71,7 @@ export function showDisplay(view: View, { display, halfway, heldOriginal }: Stat
   view.setDisplay(edges, vertices, shapes, outlines, arrows);
   view.setSurroundings(display.ghost, display.ground);
   view.setBands(display.bands);
-  view.setGizmo(display.gizmo, FINGERS.matches);
+  view.setGizmo(display.gizmo && !areHandlesLocked(document), FINGERS.matches);
 }
 
 /** Transfers the handles. States: 0 soft, 1 fixed, 2 under the pointer or dragged. */

@@ -182,14 +182,16 @@ export class Scheduler {
     if (phase === 'start' || phase === 'make') {
       const isNew = phase === 'make';
       if (isNew) this.#post({ type: 'working' });
-      if (this.#isRunning) this.#solver.endRun();
-      this.#solver.drag(vertices, targets, phase);
+      if (!this.#beginDrag(message)) return;
       this.#isDragging = true;
       this.#activityDue = true;
       // Not the scene: the saved one stays that before the drag until the drag ends.
       if (isNew) this.#sendDocument();
     } else if (!this.#isDragging) {
-      return;
+      // Refused, or ended by an error: what the page shows of it ends with the document as it is.
+      if (phase === 'move') return;
+      this.#solver.drag(vertices, targets, 'cancel');
+      return this.changed();
     } else if (phase === 'move') {
       this.#move = message;
       if (time !== undefined) this.#answering = { time, came: performance.now() };
@@ -207,6 +209,19 @@ export class Scheduler {
     this.#isSettled = false;
     if (phase !== 'move') this.#sliceIsNew = true;
     this.#queueSlice();
+  }
+
+  /** Returns whether a drag may begin. A refused one is reported, and leaves a run as it was. */
+  #beginDrag({ vertices, targets, phase }: Drag) {
+    try {
+      this.#solver.drag(vertices, targets, phase);
+      return true;
+    } catch (thrown) {
+      if (isTrap(thrown)) throw thrown;
+      if (this.#isRunning && !this.#solver.isRunning()) this.#solver.beginRun();
+      this.#post({ type: 'trouble', message: messageOf(thrown) });
+      return false;
+    }
   }
 
   /** Sends mesh, scene, document and frame after an edit, a load, or the end of a run or a drag. */

@@ -212,7 +212,7 @@ test('the export is identical to that of the command line for the same scene', a
 test('scripts can open scenes and meshes, and get the reason for a refusal', async ({ page }) => {
   await openPage(page);
   const loaded = await page.evaluate((text) => window.shapeUp.open(text, 'a.obj'), wavyGrid(2));
-  expect(loaded.vertices).toBe(9);
+  expect(loaded?.vertices).toBe(9);
   expect((await state(page)).vertices).toBe(9);
   const refused = await page.evaluate(() =>
     window.shapeUp.open({ format: 'shape-up-scene', version: 99 }).then(

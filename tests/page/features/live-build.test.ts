@@ -15,6 +15,8 @@ const jobsThat = (hear: (name: string, shape: Shape | undefined) => void) => ({
     return new Promise((resolve) => setTimeout(resolve, 0, value));
   }),
 });
+/** Nothing is under way. */
+const actions = { settled: async () => {} };
 
 test('faces that change during a build are built, although no vertex has moved', async () => {
   /** Corners of the meshes that were built. */
@@ -38,7 +40,7 @@ test('faces that change during a build are built, although no vertex has moved',
     document: { units: 'm', build: {} },
   };
   const solver = { geometry: mesh(1, [0, 3, 6], [0, 1, 2, 0, 2, 3]) };
-  const app = { store: { get: () => state }, solver, jobs } as unknown as AppContext;
+  const app = { store: { get: () => state }, solver, actions, jobs } as unknown as AppContext;
   const live = new LiveBuild(app, 'panel', {
     show() {},
     showOffset() {},
@@ -68,7 +70,9 @@ test('what is saved while a large shape moves is built of its current positions'
     document: { units: 'm', build: {} },
   };
   const geometry = { generation: 1, positions, connectivity };
-  const app = { store: { get: () => state }, solver: { geometry }, jobs } as unknown as AppContext;
+  const app = {
+    ...{ store: { get: () => state }, solver: { geometry }, actions, jobs },
+  } as unknown as AppContext;
   const refuse = (why: string) => assert.fail(why);
   const live = new LiveBuild(app, 'panel', { show() {}, showOffset() {}, refuse });
   await live.offers();
@@ -101,7 +105,7 @@ test('another shape is built, even one with equal sums of its coordinates', asyn
     document: { units: 'm', build: {} },
   };
   const solver = { geometry: shape(1, 1, 0, 0, 0, 1, 0, 0, 5, 0) };
-  const app = { store: { get: () => state }, solver, jobs } as unknown as AppContext;
+  const app = { store: { get: () => state }, solver, actions, jobs } as unknown as AppContext;
   const refuse = (why: string) => assert.fail(why);
   const live = new LiveBuild(app, 'panel', { show() {}, showOffset() {}, refuse });
   await live.offers();
@@ -111,4 +115,30 @@ test('another shape is built, even one with equal sums of its coordinates', asyn
   await live.update();
   await live.update();
   assert.deepEqual(built, [1, 5]);
+});
+
+test('what is saved is built with the settings that were set just before', async () => {
+  /** The scale of each build, and the other calls. */
+  const asked: (number | string)[] = [];
+  const jobs = jobsThat((name, shape) => asked.push(shape?.settings.scale ?? name));
+  const state = {
+    ...{ model: { faces: 1, vertices: 3 }, dragged: [], running: false },
+    document: { units: 'm', build: { scale: 10 } },
+  };
+  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
+  const geometry = { generation: 1, positions: new Float64Array(9), connectivity };
+  // The solver answers an edit later.
+  const settled = async () => {
+    await new Promise((done) => setTimeout(done, 5));
+    state.document = { units: 'm', build: { scale: 20 } };
+  };
+  const app = {
+    ...{ store: { get: () => state }, solver: { geometry }, actions: { settled }, jobs },
+  } as unknown as AppContext;
+  const refuse = (why: string) => assert.fail(why);
+  const live = new LiveBuild(app, 'panel', { show() {}, showOffset() {}, refuse });
+  await live.offers();
+  await live.update();
+  await live.zip();
+  assert.deepEqual(asked, ['buildOffers', 10, 20, 'zipParts']);
 });

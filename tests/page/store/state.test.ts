@@ -2,7 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createStore, handlesNow, type State } from '../../../www/store/state.ts';
+import { handlesNow } from '../../../www/store/handles.ts';
+import { createStore, type State } from '../../../www/store/state.ts';
 
 const reported: string[] = [];
 globalThis.reportError = (error) => reported.push(error.message);

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { oneAtATime } from '../../../www/ui/once.ts';
+import { inTurn, oneAtATime } from '../../../www/ui/once.ts';
 
 test('a second press has no effect while the first one loads, and has one after it, also after a failure', async () => {
   const loaded: ((opened: string) => void)[] = [];
@@ -31,4 +31,22 @@ test('an action without a promise takes every press', () => {
   const larger = oneAtATime((factor: number) => (radius *= factor));
   larger(2);
   assert.equal(larger(3), 6);
+});
+
+test('a second press on a toggle that is still loading closes what the first one opens', async () => {
+  let isOpen = false;
+  let load = () => {};
+  const loaded = new Promise<void>((done) => (load = done));
+  const toggle = inTurn(async () => {
+    await loaded;
+    isOpen = !isOpen;
+  });
+  const presses = [toggle(), toggle()];
+  load();
+  await presses[0];
+  assert.equal(isOpen, true);
+  await presses[1];
+  assert.equal(isOpen, false);
+  await toggle();
+  assert.equal(isOpen, true);
 });

@@ -153,3 +153,33 @@ test('steps that may take seconds are announced as work, so that the worker is n
   // The first step may have to factor the system.
   assert.deepEqual(before, ['working', 'pong', 'working', 'working', 'working']);
 });
+
+test('a refused drag leaves the run and the document as they were', (context) => {
+  // It used to end the run, and its end was not answered, so that the page kept the dragged target.
+  closeChannel(context);
+  const sent: { type: string; running?: boolean }[] = [];
+  const phases: string[] = [];
+  const drag = (_vertices: Uint32Array, _targets: Float64Array, phase: string) => {
+    phases.push(phase);
+    if (phase === 'start') throw new Error('locked by the lesson');
+  };
+  const solver = solverWith({ drag, isRunning: () => true });
+  const scheduler = new Scheduler(solver, (message) => sent.push(message), died);
+  scheduler.begin(false);
+  scheduler.frames.renew(3);
+  scheduler.run();
+  sent.length = 0;
+  const drags = (phase: 'start' | 'move' | 'end') =>
+    scheduler.guard(() =>
+      scheduler.drag({ vertices: new Uint32Array(1), targets: new Float64Array(3), phase }),
+    );
+  drags('start');
+  const refused = { type: 'trouble', message: 'locked by the lesson' };
+  assert.deepEqual(sent.splice(0), [refused]);
+  drags('move');
+  drags('end');
+  assert.ok(sent.some(({ type }) => type === 'document'));
+  assert.ok(!sent.some(({ running }) => running === false));
+  assert.deepEqual(phases, ['start', 'cancel']);
+  assert.equal(scheduler.isIterating, true);
+});

@@ -4,6 +4,7 @@ import { messageOf } from '../../solver/errors.ts';
 import type { NamedBytes, Loaded } from '../../solver/types.ts';
 import { isReadable, worthReading } from '../../solver/opened-files.ts';
 import { namedBytes } from './named-bytes.ts';
+import type { Opening } from './openings.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** Size in bytes from which a progress display is shown. */
@@ -13,7 +14,12 @@ const LARGE = 2_000_000;
  * Opens the readable files, or reports the error.
  * @param folders names of the folders dropped with them
  */
-export async function openChosen(app: AppContext, chosen: File[], folders: string[] = []) {
+export async function openChosen(
+  app: AppContext,
+  opening: Opening,
+  chosen: File[],
+  folders: string[] = [],
+) {
   const { alerts } = app;
   const wanted = worthReading(chosen);
   if (wanted.length === 0) {
@@ -21,7 +27,7 @@ export async function openChosen(app: AppContext, chosen: File[], folders: strin
     if (name) alerts.error(`${name} is a folder. Open the files in it instead.`);
     return;
   }
-  const loaded = await read(app, wanted);
+  const loaded = await read(app, opening, wanted);
   if (!loaded) return;
   const isTaken = (file: File) =>
     wanted.includes(file) && loaded.files.includes(meshName(file.name));
@@ -32,11 +38,15 @@ export async function openChosen(app: AppContext, chosen: File[], folders: strin
 }
 
 /** Reads the files and opens them together. */
-async function read({ actions, solver, files, alerts }: AppContext, chosen: File[]) {
-  const open: (given: NamedBytes[], cancelled?: AbortSignal) => Promise<Loaded | undefined> = (
+async function read(
+  { actions, solver, files, alerts }: AppContext,
+  opening: Opening,
+  chosen: File[],
+) {
+  const open: (given: NamedBytes[], cancelled?: AbortSignal) => Promise<Loaded | null> = (
     given,
     cancelled,
-  ) => files.open(given, {}, cancelled).catch(() => undefined);
+  ) => files.open(given, {}, { opening, cancelled }).catch(() => null);
   if (chosen.some(({ size }) => size > LARGE)) {
     const { openLarge } = await import('./large-file-import.ts');
     return openLarge(chosen, { actions, solver, alerts, open });

@@ -33,7 +33,10 @@ export function acceptDrops(overlay: HTMLElement, app: AppContext) {
       .map((item) => item.webkitGetAsEntry())
       .flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));
     const chosen = [...files].filter(({ name }) => !folders.includes(name));
-    const opened = import('./chosen-files.ts').then((it) => it.openChosen(app, chosen, folders));
-    void actions.reportErrors(app.files.trackOpening(opened));
+    const opened = app.files.openings.begin(async (opening) => {
+      const { openChosen } = await import('./chosen-files.ts');
+      await openChosen(app, opening, chosen, folders);
+    });
+    void actions.reportErrors(opened);
   });
 }

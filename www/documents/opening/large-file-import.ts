@@ -34,7 +34,7 @@ export async function openLarge(
     actions: Actions;
     solver: SolverClient;
     alerts: Alerts;
-    open: (files: NamedBytes[], cancelled: AbortSignal) => Promise<Loaded | undefined>;
+    open: (files: NamedBytes[], cancelled: AbortSignal) => Promise<Loaded | null>;
   },
 ) {
   const names = chosen.map(({ name }) => name).join(' and ');

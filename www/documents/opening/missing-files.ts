@@ -22,10 +22,14 @@ export async function offersToChoose(
     const chosen = await choose(missing.length > 1);
     // A single chosen file is taken for the missing one, whatever its name.
     const name = missing.length === 1 ? missing[0].split('/').pop() : undefined;
-    const found = await actions.reportErrors(
-      Promise.all(chosen.map((file) => namedBytes(file, name))),
-    );
-    if (found?.length) files.open([...given, ...found], origin).catch(() => {});
+    if (chosen.length === 0) return;
+    const opened = files.openings.begin(async (opening) => {
+      const read = Promise.all(chosen.map((file) => namedBytes(file, name)));
+      const found = await actions.reportErrors(read);
+      if (found) await files.open([...given, ...found], origin, { opening });
+    });
+    // The alert gives the reason of a refusal.
+    opened.catch(() => {});
   };
   return [{ label: `Choose ${missing.join(' and ')} …`, action }];
 }

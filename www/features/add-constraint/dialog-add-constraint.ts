@@ -8,6 +8,7 @@
 import './add-constraint.css';
 import { dialogHead } from '../../ui/controls/dialog.ts';
 import { byId, element, setText } from '../../ui/dom.ts';
+import { newestOnly } from '../../store/newest-only.ts';
 import { count, groupDigits } from '../../ui/format.ts';
 import { KindChoices } from '../../ui/kinds/kind-choices.ts';
 import { Parameters } from '../../ui/kinds/parameters.ts';
@@ -72,8 +73,10 @@ class AddConstraintDialog {
   #offers: Map<string, Offer[]> = new Map();
   /** Whether the solver has yet to answer the last submission. */
   #isAdding = false;
-  /** Number of the latest request. */
-  #question = 0;
+  /** Previews for the latest selection. */
+  #newest = newestOnly();
+  /** Resolves when the offers for the latest selection are shown. */
+  #asking: Promise<void> = Promise.resolve();
 
   constructor(dialog: HTMLDialogElement, { store, actions }: AppContext) {
     this.#dialog = dialog;
@@ -107,7 +110,7 @@ class AddConstraintDialog {
       dialog.close();
     });
     store.subscribe(['selection', 'model'], () => {
-      if (dialog.open) void this.#ask();
+      if (dialog.open) void this.#renew();
     });
   }
 
@@ -119,7 +122,7 @@ class AddConstraintDialog {
     this.#allow(false);
     this.#dialog.show();
     // Meanwhile a press closes it.
-    void this.#actions.reportErrors(this.#ask().then(() => this.#kinds.focus(this.#kindId)));
+    void this.#actions.reportErrors(this.#renew().then(() => this.#kinds.focus(this.#kindId)));
   }
 
   /** All selectors, whether a kind fits them or not. */
@@ -150,14 +153,26 @@ class AddConstraintDialog {
     return places;
   }
 
+  #renew() {
+    return (this.#asking = this.#ask());
+  }
+
+  /** Resolves when what is offered fits the selections begun before. */
+  async #upToDate() {
+    await this.#actions.settled();
+    let asking;
+    while (asking !== this.#asking) {
+      asking = this.#asking;
+      await asking;
+    }
+  }
+
   /** Requests previews from the solver and offers what fits. */
   async #ask() {
-    const question = ++this.#question;
     const places = this.#allPlaces();
-    const previews = await this.#actions.reportErrors(
-      this.#actions.ask.previews(places.map(({ on }) => on)),
-    );
-    if (question !== this.#question || !previews) return;
+    const { ask, reportErrors } = this.#actions;
+    const previews = await this.#newest(reportErrors(ask.previews(places.map(({ on }) => on))));
+    if (!previews) return;
     this.#offers = new Map();
     this.#store.get().kinds.forEach((kind, k) => {
       const offers = places.flatMap((place, p) => {
@@ -283,20 +298,31 @@ class AddConstraintDialog {
 
   async #submit(event: SubmitEvent) {
     event.preventDefault();
+    if (this.#isAdding) return;
+    this.#isAdding = true;
+    await this.#addChosen(event.submitter === this.#addAndRun);
+    this.#isAdding = false;
+  }
+
+  /** Adds what is chosen, to the selection as it is at the press. */
+  async #addChosen(runs: boolean) {
+    const chosen = [this.#kindId, this.#placeId];
+    await this.#upToDate();
+    const kind = this.#kindId;
+    // What the user chose may not fit the new selection: the other offer is shown first.
+    const isOther = this.#isChosen && (kind !== chosen[0] || this.#placeId !== chosen[1]);
     const offer = this.#chosen();
     const params = this.#parameters.values();
-    if (this.#isAdding || !offer || !params || !this.#weight.reportValidity()) return;
-    const kind = this.#kindId;
+    if (isOther || !offer || !params || !this.#dialog.open || !this.#weight.reportValidity())
+      return;
     const weight = this.#weight.value === '' ? 1 : this.#weight.valueAsNumber;
-    this.#isAdding = true;
     const added = await this.#actions.edit(
       { type: 'addConstraint', kind, params, on: offer.place.on, weight },
       (error) => this.#parameters.refuse(error),
     );
-    this.#isAdding = false;
     if (added === undefined) return;
     this.#dialog.close();
-    if (event.submitter === this.#addAndRun) this.#actions.run();
+    if (runs) this.#actions.run();
     const { label } = this.#store.get().kinds.find(({ id }) => id === kind) ?? {};
     this.#actions.setStatus(`Added ${count(offer.preview.constraints, 'constraint')}: ${label}`);
   }

@@ -17,8 +17,7 @@ import { panelUnderPointer } from './sheets/panel-under-pointer.ts';
 import { sheetPictures } from './sheets/sheet-pictures.ts';
 import { thicknessForm } from './thickness.ts';
 import { typesCurve } from './types-curve.ts';
-import type { BuildReport, BuildSettings, CheckRow } from '../../solver/types.ts';
-import type { Built, Reshaped } from '../../worker/jobs/build.ts';
+import type { BuildReport, BuildSettings, Built, CheckRow, Reshaped } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** Colour of the panels of the part pointed at on a sheet. */

@@ -1,11 +1,10 @@
 /** Keeps the parts up to date with the shape: one request at a time, for the newest state. */
 
 import { messageOf } from '../../solver/errors.ts';
-import type { BuildSettings } from '../../solver/types.ts';
+import type { Asker, BuildSettings, Built, Reshaped } from '../../solver/types.ts';
 import { latestOnly } from '../../store/latest-only.ts';
 import { MOST_LIVE_VERTICES } from '../../store/live-shape.ts';
 import { UNITS } from '../../ui/units.ts';
-import type { Asker, Built, Reshaped } from '../../worker/jobs/build.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** Longest build, in ms, for which the sheets follow a moving shape; the offset always follows. */
@@ -136,9 +135,15 @@ export class LiveBuild {
     return this.#app.jobs.ask.offsetChoices(this.#asker);
   }
 
+  /** Builds what the user sees and has begun to change, to save it. */
+  async #whole() {
+    await this.#app.actions.settled();
+    await this.#once(true);
+  }
+
   /** All files as a ZIP archive. */
   async zip() {
-    await this.#once(true);
+    await this.#whole();
     return this.#app.jobs.ask.zipParts(this.#asker, this.#isZUp());
   }
 
@@ -149,7 +154,7 @@ export class LiveBuild {
 
   /** The parts in space and the sheets, for CAD programs. */
   async spatialParts() {
-    await this.#once(true);
+    await this.#whole();
     return this.#app.jobs.ask.spatialParts(this.#asker, this.#isZUp());
   }
 
@@ -163,7 +168,7 @@ export class LiveBuild {
     camera: Float64Array | null;
     link: string;
   }) {
-    await this.#once(true);
+    await this.#whole();
     return this.#app.jobs.ask.reportPage(this.#asker, title, this.#isZUp(), camera, link);
   }
 

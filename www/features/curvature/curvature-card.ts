@@ -11,7 +11,7 @@ import { number } from '../../ui/format.ts';
 import { once } from '../../ui/once.ts';
 import { surfaceLines } from './surface-lines.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { Lines } from '../../worker/jobs/curvature.ts';
+import type { Lines } from '../../solver/types.ts';
 
 const theCard = once(curvatureCard);
 

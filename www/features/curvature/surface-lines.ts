@@ -3,13 +3,13 @@
 import { latestOnly } from '../../store/latest-only.ts';
 import { MOST_LIVE_VERTICES } from '../../store/live-shape.ts';
 import { messageOf } from '../../solver/errors.ts';
-import type { Lines, Question } from '../../worker/jobs/curvature.ts';
+import type { Lines, LinesQuestion } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** @param wanted the lines to draw; null for none */
 export function surfaceLines(
   { store, solver, jobs, viewport }: AppContext,
-  wanted: () => Omit<Question, 'shape'> | null,
+  wanted: () => Omit<LinesQuestion, 'shape'> | null,
   show: (answer: Lines | null, refused: string) => void,
 ) {
   /** Generation of the shape that the worker has; 0 if none. */
@@ -46,7 +46,7 @@ export function surfaceLines(
     if (question === asked) return;
     asked = question;
     const shape = { positions: positions.slice(), offsets, indices };
-    const ask = (how: Question) => jobs.ask.surfaceLines(how);
+    const ask = (how: LinesQuestion) => jobs.ask.surfaceLines(how);
     let found: Lines | null = null;
     let refused = '';
     try {

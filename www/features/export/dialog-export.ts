@@ -48,6 +48,7 @@ export function showExport(app: AppContext) {
   async function run(make: () => Promise<void>) {
     setText(working, 'Working …');
     try {
+      await actions.settled();
       await make();
       dialog.close();
     } catch (error) {

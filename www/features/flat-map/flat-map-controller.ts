@@ -5,10 +5,12 @@
 
 import './flat-map.css';
 import { byId } from '../../ui/dom.ts';
+import { newestOnly } from '../../store/newest-only.ts';
 import { duration } from '../../ui/format.ts';
 import { once } from '../../ui/once.ts';
 import { FlatMapRegion } from './flat-map-region.ts';
 import { flatMapPanel } from './flat-map-panel.ts';
+import type { MapNorm, MapWeights } from '../../solver/types.ts';
 import type { FlatMap } from '../../store/state.ts';
 import type { AppContext } from '../../app/context.ts';
 
@@ -29,6 +31,8 @@ export class FlatMapController {
     onMap: 'errors',
     squares: 32,
   };
+
+  #newest = newestOnly(() => this.#store.get().model);
 
   /** The only instance of the page. */
   static of = once((app: AppContext) => new FlatMapController(app));
@@ -90,18 +94,19 @@ export class FlatMapController {
     await this.#actions.reportErrors(search());
   }
 
-  /** Computes the map of the current shape. */
+  async #map(weights: MapWeights, norm: MapNorm) {
+    const model = await this.#actions.rest();
+    return model && this.#jobs.ask.parametrize(model, weights, norm);
+  }
+
+  /** Shows the map of the current shape. */
   async flatten() {
-    const { model } = this.#store.get();
     const { weights, norm } = this.#choices;
     this.#actions.setStatus('Flattening …');
     try {
-      const shape = await this.#actions.rest();
-      if (!shape) return;
-      const found = await this.#jobs.ask.parametrize(shape, weights, norm);
-      const { model: now, numbers } = this.#store.get();
-      const isNewest = weights === this.#choices.weights && norm === this.#choices.norm;
-      if (now !== model || !isNewest) return;
+      const found = await this.#newest(this.#map(weights, norm));
+      if (!found) return;
+      const { numbers } = this.#store.get();
       const iteration = numbers?.iteration ?? 0;
       this.#actions.look({
         flatMap: { found, iteration, fewerFlips: null, ...this.#choices },

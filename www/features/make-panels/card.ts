@@ -5,6 +5,8 @@
 
 import './make-panels.css';
 import { button, closeButton } from '../../ui/controls/fields.ts';
+import { latestOnly } from '../../store/latest-only.ts';
+import { newestOnly } from '../../store/newest-only.ts';
 import { RENEW_MS, byId, element, removeKeepingFocus, setText, throttled } from '../../ui/dom.ts';
 import { cover } from '../../viewport/covered.ts';
 import { showElements } from '../../viewport/reveal-elements.ts';
@@ -55,9 +57,10 @@ export class MakePanels {
   #changes = element('div.changes', this.#showFolds, this.#avoidFolds, this.#smoother);
   /** The id of the kind of the verdict. */
   #kind = '';
-  /** Whether a verdict is being requested. */
-  #isBusy = false;
-
+  #verdicts = latestOnly(() => this.#renewVerdict());
+  /** Whether the next verdict is that on an ended run. */
+  #isAtEnd = false;
+  #newestForecast = newestOnly(() => this.#app.store.get().model);
   /** The verdict that was put into the status line last. */
   #said = '';
 
@@ -97,7 +100,7 @@ export class MakePanels {
    */
   async #make(kind: KindInfo, from: PanelStart = 'now') {
     const { store, viewport, actions, files } = this.#app;
-    if (files.coming && !(await this.#nextTakes(kind.id))) return;
+    if (files.openings.coming && !(await this.#nextTakes(kind.id))) return;
     const { model, display } = store.get();
     this.#pressed = this.#underWay = model;
     this.#closed = null;
@@ -126,7 +129,7 @@ export class MakePanels {
     const { store, actions, files } = this.#app;
     const { model: before } = store.get();
     actions.setStatus('Starts when the model is loaded');
-    await files.coming?.catch(() => {});
+    await files.openings.coming;
     const { model } = store.get();
     const offered = model?.panels.find(({ kind }) => kind === id);
     return model !== before && offered !== undefined && !offered.reason;
@@ -183,8 +186,8 @@ export class MakePanels {
     this.#forecastOf = model;
     this.#remedy = null;
     this.#forecast.hidden = this.#remedyButton.hidden = true;
-    const forecast = await actions.trials.forecast().catch(() => null);
-    if (store.get().model !== model) return;
+    const forecast = await this.#newestForecast(actions.trials.forecast().catch(() => null));
+    if (forecast === undefined) return;
     setText(this.#forecast, forecast?.words ?? '');
     this.#forecast.hidden = !forecast;
     this.#remedy = forecast?.remedy ?? null;
@@ -240,13 +243,18 @@ export class MakePanels {
 
   /** Shows the verdict, and announces it at the end of a run. */
   async #showVerdict(atEnd: boolean) {
-    if (this.#shows !== 'verdict' || (this.#isBusy && !atEnd)) return;
+    if (this.#shows !== 'verdict') return;
+    this.#isAtEnd ||= atEnd;
+    await this.#verdicts.ask();
+  }
+
+  async #renewVerdict() {
     const { store, actions } = this.#app;
     const { model, document } = store.get();
     const tolerance = store.get().tolerance ?? model?.tolerance ?? 0;
-    this.#isBusy = true;
+    const atEnd = this.#isAtEnd;
+    this.#isAtEnd = false;
     const verdict = await actions.ask.verdict(tolerance).catch(() => null);
-    this.#isBusy = false;
     const { running, numbers } = store.get();
     if (!verdict || store.get().model !== model || this.#shows !== 'verdict') return;
     const words = running || this.#isUnderWay() ? progressWords : verdictWords;

@@ -3,6 +3,7 @@
 import './refine.css';
 import { messageOf } from '../../solver/errors.ts';
 import { meshActions } from '../../store/actions/mesh-actions.ts';
+import { newestOnly } from '../../store/newest-only.ts';
 import { openDialog } from '../../ui/controls/dialog.ts';
 import { button, choice } from '../../ui/controls/fields.ts';
 import { sizeField } from '../../ui/controls/size-field.ts';
@@ -20,8 +21,7 @@ export async function openEdit({ store, solver, actions, alerts }: AppContext, s
   const operations = await actions.ask.meshOperations();
   const { selection, document: scene } = store.get();
   const picked = { vertices: actions.selectedVertices(), faces: [...selection.faces] };
-  /** Number of the latest preview request. */
-  let asked = 0;
+  const newest = newestOnly();
 
   const operation = choice(
     {},
@@ -54,22 +54,23 @@ export async function openEdit({ store, solver, actions, alerts }: AppContext, s
 
   /** Shows what the operation would produce. */
   async function show() {
-    const question = ++asked;
     apply.disabled = true;
     lost.replaceChildren();
     const wrong = fields().find((field) => !field.validity.valid);
     if (wrong) {
+      // The answer for the sizes before is out of date.
+      void newest(null);
       const label = wrong.closest('label')?.firstChild?.textContent;
       return setText(said, `${label}: ${wrong.validationMessage}`);
     }
     try {
-      const made = await actions.ask.remeshing(how());
-      if (question !== asked) return;
+      const made = await newest(actions.ask.remeshing(how()));
+      if (!made) return;
       setText(said, sentence(made));
       lost.replaceChildren(...made.lost.map((words) => element('li', words)));
       apply.disabled = false;
     } catch (error) {
-      if (question === asked) setText(said, `Not possible yet: ${messageOf(error)}.`);
+      setText(said, `Not possible yet: ${messageOf(error)}.`);
     }
   }
 

@@ -138,6 +138,7 @@ export async function newMesh({ store, solver, files, actions, alerts }: AppCont
       const bytes = new TextEncoder().encode(text);
       const origin = { work, title: label, before };
       const loaded = await files.open([{ name: `${label}.obj`, bytes }], origin);
+      if (!loaded) return;
       const vertices = count(loaded.vertices, 'vertex', 'vertices');
       setText(said, `${count(loaded.faces, 'face')}, ${vertices}.`);
       held = supports;

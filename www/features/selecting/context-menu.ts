@@ -95,9 +95,9 @@ function sectionsOf({
     [
       'Handles',
       [
-        [some(undefined), 'Make handle', () => actions.addHandles(vertices, false)],
-        [some(undefined) || some(false), 'Fix here', () => actions.addHandles(vertices, true)],
-        [some(true), 'Make movable', () => actions.addHandles(vertices, false)],
+        [some(undefined), 'Make handle', () => actions.holdSelected(false)],
+        [some(undefined) || some(false), 'Fix here', () => actions.holdSelected(true)],
+        [some(true), 'Make movable', () => actions.holdSelected(false)],
         offer(some(true) || some(false), 'Release handle', 'remove-handles'),
       ],
     ],

@@ -10,6 +10,7 @@ import { once } from '../../ui/once.ts';
 import { fly } from '../../viewport/flight.ts';
 import { SectionCard } from './section-card.ts';
 import { Tape } from './tape.ts';
+import { newestOnly } from '../../store/newest-only.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { Label } from '../../viewport/viewport.ts';
 
@@ -31,6 +32,8 @@ export class ViewTools {
   #model: unknown = null;
   /** Rest positions of that model, #V by 3. */
   #rest: Float64Array | null = null;
+
+  #newest = newestOnly(() => this.#store.get().model);
 
   /** The only instance of the page. */
   static of = once((app: AppContext) => new ViewTools(app));
@@ -65,8 +68,8 @@ export class ViewTools {
     if (!display.ghost && !display.ground && !tape) return;
     this.#model = model;
     this.#rest = null;
-    const rest = await this.#actions.originalPositions();
-    if (this.#store.get().model !== model) return;
+    const rest = await this.#newest(this.#actions.originalPositions());
+    if (!rest) return;
     this.#rest = rest;
     this.#handOver();
   }

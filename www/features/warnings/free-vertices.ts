@@ -3,6 +3,7 @@
  * The message offers to let them follow or to fix them.
  */
 
+import { newestOnly } from '../../store/newest-only.ts';
 import { button, closeButton } from '../../ui/controls/fields.ts';
 import { element } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
@@ -20,6 +21,7 @@ export function watchFreeVertices({ store, actions }: AppContext) {
   let tint: Tint | null = null;
   /** Number of free vertices in the last message, also if it was closed. */
   let reported = 0;
+  const newest = newestOnly(() => store.get().model);
 
   function clear() {
     place.replaceChildren();
@@ -27,20 +29,20 @@ export function watchFreeVertices({ store, actions }: AppContext) {
     tint = null;
   }
 
-  store.subscribe(['document'], async ({ document, model }) => {
+  store.subscribe(['document'], async ({ document }) => {
     const free = document?.constraints.some(({ enabled }) => enabled) ? document.free : 0;
     if (free === reported) return;
     reported = free;
     clear();
-    if (free === 0) return;
     const request = {
       operation: 'free',
       mode: 'vertices' as const,
       from: {},
       params: {},
     };
-    const found = await actions.reportErrors(actions.ask.select(request));
-    if (!found || store.get().model !== model || reported !== free) return;
+    const asked = free > 0 ? actions.reportErrors(actions.ask.select(request)) : null;
+    const found = await newest(asked);
+    if (!found) return;
     tint = { vertices: found.vertices, faces: new Uint32Array(0), colour: COLOUR };
     actions.tint(tint);
     place.replaceChildren(message(free, [...found.vertices]));

@@ -5,6 +5,7 @@
 
 import { button } from '../../ui/controls/fields.ts';
 import { element, setText, throttled } from '../../ui/dom.ts';
+import { newestOnly } from '../../store/newest-only.ts';
 import { groupDigits } from '../../ui/format.ts';
 import { drawOutline, outline } from '../../ui/plot/histogram-svg.ts';
 import './angles.css';
@@ -48,13 +49,14 @@ export function anglesPanel(panel: HTMLElement, { store, solver, files, actions 
 
   let shown: { original: number[]; now: number[] } | null = null;
 
+  const newest = newestOnly(() => store.get().model);
   const update = throttled(EVERY_MS, async () => {
     const { model } = store.get();
     plot.hidden = !model?.faces;
     nothing.hidden = !plot.hidden;
     if (panel.offsetParent === null || plot.hidden) return;
-    const found = await actions.reportErrors(actions.ask.angles());
-    if (found && store.get().model === model) draw(found);
+    const found = await newest(actions.reportErrors(actions.ask.angles()));
+    if (found) draw(found);
   });
 
   function draw(found: { original: number[]; now: number[] }) {

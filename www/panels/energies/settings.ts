@@ -123,6 +123,7 @@ function poseRow(store: Store, actions: Actions) {
 function holdRow(store: Store, actions: Actions) {
   const note = element('p.quiet');
   const hold = async ({ label, weight }: (typeof HOLDS)[number]) => {
+    await actions.settled();
     const vertices = actions.selectedVertices();
     if ((await actions.edit({ type: 'holdClose', vertices, weight })) === undefined) return;
     const whose = count(vertices.length, 'vertex', 'vertices');

@@ -8,7 +8,8 @@ import { count } from '../../ui/format.ts';
 import { messageOf } from '../../solver/errors.ts';
 import type { Handle } from '../../solver/types.ts';
 import { coordinate, decimalsFor, readLength } from '../../ui/number-entry.ts';
-import { handlesNow, type Store } from '../../store/state.ts';
+import { handlesNow } from '../../store/handles.ts';
+import type { Store } from '../../store/state.ts';
 import type { Actions } from '../../store/actions.ts';
 
 /** The length of the simulated drag by which the mesh follows a typed target, in milliseconds. */

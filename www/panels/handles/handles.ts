@@ -1,21 +1,25 @@
 /** The handles: their number, and buttons for the selected ones. */
 
+import { areHandlesLocked, draggableInWords } from '../../store/handles.ts';
 import { element } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
+import type { SceneDocument } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 export function handlesPanel(place: HTMLElement, { store, actions }: AppContext) {
   const summary = element('p.quiet');
-  const button = (label: string, title: string, act: (vertices: number[]) => void) =>
-    element('button', { title, onclick: () => act(actions.selectedVertices()) }, label);
-  const add = button('Make handle', 'Turn the selected vertices into handles (H)', (vertices) =>
-    actions.addHandles(vertices, false),
+  const button = (label: string, title: string, onclick: () => unknown) =>
+    element('button', { title, onclick }, label);
+  const add = button('Make handle', 'Turn the selected vertices into handles (H)', () =>
+    actions.holdSelected(false),
   );
-  const fix = button('Fix', 'Fix the selected vertices where they are', (vertices) =>
-    actions.addHandles(vertices, true),
+  const fix = button('Fix', 'Fix the selected vertices where they are', () =>
+    actions.holdSelected(true),
   );
-  const remove = button('Remove', 'Remove the selected handles (Shift+H)', actions.removeHandles);
+  const remove = button('Remove', 'Remove the selected handles (Shift+H)', () =>
+    actions.releaseSelected(),
+  );
   const row = element('div.handles-row', add, fix, remove);
   place.replaceChildren(summary, row);
   /** The fields for the selected handles, once loaded. */
@@ -29,9 +33,8 @@ export function handlesPanel(place: HTMLElement, { store, actions }: AppContext)
 
   store.subscribe(['document', 'selection'], ({ document, selection }) => {
     const handles = document?.handles ?? [];
-    const fixed = handles.filter((handle) => handle.fixed).length;
     const chosen = sizeOfSelection(selection) > 0;
-    summary.textContent = wordsFor(handles.length, fixed);
+    summary.textContent = document ? wordsFor(document) : '';
     const pinned = document?.pinned.length ?? 0;
     // Without constraints nothing moves, so pinned vertices do not matter.
     if (pinned > 0 && document?.constraints.length) {
@@ -49,12 +52,16 @@ export function handlesPanel(place: HTMLElement, { store, actions }: AppContext)
   });
 }
 
-/**
- * @param all number of handles
- * @param fixed number of fixed handles
- */
-function wordsFor(all: number, fixed: number) {
-  if (all === 0) return 'No handles yet. Double-click a vertex to make one, then drag it.';
+/** Says how many handles there are, and what to do with them. */
+function wordsFor(scene: SceneDocument) {
+  const all = scene.handles.length;
+  const isLocked = areHandlesLocked(scene);
+  if (all === 0)
+    return isLocked
+      ? 'No handles.'
+      : 'No handles yet. Double-click a vertex to make one, then drag it.';
+  const fixed = scene.handles.filter((handle) => handle.fixed).length;
   const share = fixed === all ? ', fixed' : fixed > 0 ? `, ${fixed} of them fixed` : '';
-  return `${count(all, 'handle')}${share}. Drag the blue handles in the view.`;
+  const one = draggableInWords(scene);
+  return `${count(all, 'handle')}${share}.${one && ` Drag ${one} in the view.`}`;
 }

@@ -133,6 +133,7 @@ export function fillSelectMenu(
       const words = name.value.trim();
       if (!words) return name.focus();
       close();
+      await actions.settled();
       const { vertices, faces, edges } = store.get().selection;
       // Sets have only vertices and faces, so edges are stored by their ends.
       const ends = edgeEnds(edges);

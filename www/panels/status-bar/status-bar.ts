@@ -11,6 +11,7 @@ import {
   valueInWords,
   worstOf,
 } from '../../store/colours/measures.ts';
+import { areHandlesLocked, draggableInWords } from '../../store/handles.ts';
 import { energyOrZero } from '../../ui/rounding.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
 import type { State, Store } from '../../store/state.ts';
@@ -121,16 +122,22 @@ function hintOf(state: State) {
     return model.panels.some(({ reason }) => !reason)
       ? 'Next: make its panels circular or flat, or add another constraint'
       : 'Next: add a constraint to say what shape its parts should have';
-  if (document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
+  const isLocked = areHandlesLocked(document);
+  if (!isLocked && document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
     return 'Drag the handle, an arrow or a square · Enter, then arrow keys, moves it';
   if (sizeOfSelection(selection) > 0) {
-    return 'H turns the selection into handles · Add constraint can use it · Esc clears the selection';
+    const makes = isLocked ? '' : 'H turns the selection into handles · ';
+    return `${makes}Add constraint can use it · Esc clears the selection`;
   }
   if (renderer === 'none') return 'Run, Export and the panels work without the 3D view';
   if (tool === 'select')
     return `${SHAPES[shape]} over ${mode} · Shift adds, Ctrl removes · V goes back to Drag`;
-  if (!running && !converged) return 'Next: Run, or drag a blue handle · drag elsewhere to orbit';
-  if (document.handles.length === 0)
-    return 'Next: Build · or double-click a vertex and drag it · drag elsewhere to orbit';
-  return 'Drag a blue handle · drag elsewhere to orbit, wheel to zoom';
+  const one = draggableInWords(document);
+  if (!running && !converged)
+    return one
+      ? `Next: Run, or drag ${one} · drag elsewhere to orbit`
+      : 'Next: Run · drag to orbit';
+  if (isLocked) return 'Next: Build · drag to orbit, wheel to zoom';
+  if (!one) return 'Next: Build · or double-click a vertex and drag it · drag elsewhere to orbit';
+  return `Drag ${one} · drag elsewhere to orbit, wheel to zoom`;
 }

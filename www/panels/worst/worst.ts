@@ -16,6 +16,7 @@ import {
   toleranceOf,
   valueInWords,
 } from '../../store/colours/measures.ts';
+import { newestOnly } from '../../store/newest-only.ts';
 import { lengthOrZero } from '../../ui/rounding.ts';
 import { showElements } from '../../viewport/reveal-elements.ts';
 import type { FaceMeasure, WorstElement } from '../../solver/types.ts';
@@ -31,7 +32,7 @@ export function worstElements(panel: HTMLElement, app: AppContext) {
   /** The elements in the rows of the table. */
   let shown: WorstElement[] = [];
   let inSight = false;
-  let asked = 0;
+  const newest = newestOnly();
 
   const by = choice({ 'aria-label': 'Worst by' }, () => ask());
   const words = element('p.quiet');
@@ -92,15 +93,13 @@ export function worstElements(panel: HTMLElement, app: AppContext) {
     if (!inSight || !state.model) return;
     const about =
       by.value === COLOURS ? declared(state, state.measure ?? measureOfScene(state)) : undefined;
-    const turn = ++asked;
-    if (by.value === '') return fill([], about);
-    const { ask } = actions;
-    const worst = about
-      ? ask.worstFaces(about.id, ROWS)
-      : ask.worstConstraints(Number(by.value), ROWS);
-    const found = await actions.reportErrors(worst);
-    // Ignore the answer if a later query was sent.
-    if (found && turn === asked) fill(found, about);
+    const worst = () => {
+      if (by.value === '') return [];
+      if (about) return actions.ask.worstFaces(about.id, ROWS);
+      return actions.ask.worstConstraints(Number(by.value), ROWS);
+    };
+    const found = await newest(actions.reportErrors(worst()));
+    if (found) fill(found, about);
   });
 
   /** @param about not for constraints */

@@ -1,8 +1,7 @@
 /** Actions on the hardness of constraints. Loaded on first use. */
 
-import type { Require } from '../../solver/types.ts';
+import type { ExactFound, Require } from '../../solver/types.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
-import type { ExactFound } from '../../worker/jobs/model-copy.ts';
 import type { Actions } from '../actions.ts';
 
 export const exactActions = (solver: SolverClient, { reportErrors }: Actions) => ({

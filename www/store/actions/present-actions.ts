@@ -1,12 +1,12 @@
 /** Actions on the steps of a presentation. Loaded on first use. */
 
 import type { Slide } from '../../solver/types.ts';
+import { newestOnly } from '../newest-only.ts';
 import type { Store } from '../state.ts';
 import type { Actions } from '../actions.ts';
 
 export function presentActions(store: Store, actions: Actions) {
-  /** Number of the latest step shown. */
-  let latest = 0;
+  const newest = newestOnly();
 
   return {
     /** Returns a step that shows the current view. */
@@ -28,13 +28,12 @@ export function presentActions(store: Store, actions: Actions) {
       const { document: scene, running } = store.get();
       const step = scene?.steps[index];
       if (!step) return;
-      const mine = ++latest;
       const { camera, measure, parallel = false, original, variant, weights, run } = step;
       if (running && !run) actions.runOrPause();
-      if (original || weights || variant !== undefined)
-        await actions.edit({ type: 'showStep', index });
-      if (mine !== latest) return;
-      // The remaining parts apply even if the shape could not be set.
+      const isSet = original || weights || variant !== undefined;
+      const set = isSet ? actions.edit({ type: 'showStep', index }) : null;
+      // Null also if it is refused: the remaining parts apply even then.
+      if ((await newest(Promise.resolve(set).then(() => null))) === undefined) return;
       actions.look({ parallel, measure: measure ?? null, measureChosen: true });
       if (camera) actions.look({ camera: [...camera] });
       if (run) actions.run();

@@ -6,8 +6,7 @@
 
 import type { JobsClient } from '../../solver/jobs-client.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
-import type { Snapshot, Remedy } from '../../solver/types.ts';
-import type { ExactFound } from '../../worker/jobs/model-copy.ts';
+import type { ExactFound, Remedy, Snapshot } from '../../solver/types.ts';
 
 /** Time limit of the search for remedies, in milliseconds. */
 const MOST_REMEDIES_MS = 4000;

@@ -11,6 +11,7 @@
 import { RENEW_MS, throttled } from '../../ui/dom.ts';
 import { messageOf } from '../../solver/errors.ts';
 import type { Measure } from '../../solver/types.ts';
+import { newestOnly } from '../newest-only.ts';
 import { declared, measureOfScene, roundingOf, toleranceOf } from './measures.ts';
 import { greatestOf, spreadOf } from '../../ui/plot/histogram.ts';
 import { axisOf, roundUp } from '../../ui/plot/value-axis.ts';
@@ -62,6 +63,10 @@ export function colourFaces(store: Store, solver: SolverClient): { fit: () => vo
 
   /** Values of the original; null if unknown. */
   let original: Float32Array | null = null;
+  const newest = newestOnly(
+    () => store.get().measure,
+    () => store.get().document,
+  );
   let isAsked = false;
   /** Whether the request failed: the range depends on the current values only. */
   let hasFailed = false;
@@ -78,8 +83,8 @@ export function colourFaces(store: Store, solver: SolverClient): { fit: () => vo
     if (isAsked || !measure) return;
     isAsked = true;
     try {
-      const values = await solver.ask.originalValues(measure);
-      if (store.get().measure !== measure) return;
+      const values = await newest(solver.ask.originalValues(measure));
+      if (!values) return;
       original = values;
     } catch (error) {
       // Not worth an alert: the bars show the current values, the outline is only a comparison.

@@ -3,18 +3,17 @@
  * solver supplies the colours; they are valid until the next edit.
  */
 
+import { newestOnly } from '../newest-only.ts';
 import type { Store } from '../state.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
 import type { Actions } from '../actions.ts';
 
 export function colourRows(store: Store, solver: SolverClient, actions: Actions) {
-  /** Number of the latest request; older answers are discarded. */
-  let newest = 0;
+  const newest = newestOnly(() => store.get().model);
   /** Key of the rows whose colours are shown. */
   let shown = '';
 
   solver.on('model', () => {
-    newest += 1;
     shown = '';
     store.set({ rowColours: null });
   });
@@ -24,10 +23,10 @@ export function colourRows(store: Store, solver: SolverClient, actions: Actions)
     const key = JSON.stringify(rows);
     if (key === shown) return;
     shown = key;
-    newest += 1;
-    const mine = newest;
     const needed = rows.some(({ enabled }) => enabled);
-    const rowColours = needed ? await actions.reportErrors(solver.ask.rowColours()) : null;
-    if (mine === newest) store.set({ rowColours: rowColours ?? null });
+    const asked = needed ? solver.ask.rowColours() : null;
+    // Null if refused, with an alert.
+    const rowColours = await newest(actions.reportErrors(asked).then((found) => found ?? null));
+    if (rowColours !== undefined) store.set({ rowColours });
   });
 }

@@ -5,6 +5,7 @@
  */
 
 import { HandleDrag } from '../../store/handle-drag.ts';
+import { HANDLES_LOCKED, areHandlesLocked } from '../../store/handles.ts';
 import { ARROWS } from '../../ui/keys.ts';
 import type { Viewport } from '../viewport.ts';
 import type { Store } from '../../store/state.ts';
@@ -29,6 +30,10 @@ export function bindHandleKeys(
   function grab() {
     const [vertex] = actions.selectedHandles();
     if (vertex === undefined || !viewport.view || store.get().dragged.length > 0) return false;
+    if (areHandlesLocked(store.get().document)) {
+      actions.setStatus(HANDLES_LOCKED);
+      return false;
+    }
     viewport.view.holdVertex(vertex);
     drag = new HandleDrag(store, solver, viewport.constrainMove, vertex);
     at = [0, 0];

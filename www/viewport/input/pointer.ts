@@ -16,6 +16,7 @@
  */
 
 import { HandleDrag, leaveHandle, makeHandle } from '../../store/handle-drag.ts';
+import { HANDLES_LOCKED, areHandlesLocked } from '../../store/handles.ts';
 import { near, clickTolerance } from './hit-tolerance.ts';
 import { combineOf, select } from '../../store/selection.ts';
 import { pair, wheelFactor } from './zooming.ts';
@@ -184,7 +185,8 @@ export class PointerInput {
 
   /** Makes the vertex under the pointer a handle and drags it, as one step of undo. */
   #makeHandle(event: PointerEvent, at: [number, number]) {
-    const vertex = this.#vertexAt(event, at);
+    const found = this.#vertexAt(event, at);
+    const vertex = this.#isLocked(found) ? undefined : found;
     const making: Gesture = { kind: vertex === undefined ? 'press' : 'making' };
     this.#become(making);
     if (vertex === undefined) return;
@@ -258,7 +260,8 @@ export class PointerInput {
    */
   #begin(begun: boolean = false) {
     const { constrainMove, view } = this.#viewport;
-    const [handle, part] = [this.#handle, this.#gizmoPart];
+    const handle = this.#isLocked(this.#handle) ? undefined : this.#handle;
+    const part = this.#gizmoPart;
     if (handle !== undefined && view) {
       if (part) view.holdGizmo(...this.#start);
       else view.holdVertex(handle, ...this.#start);
@@ -269,6 +272,13 @@ export class PointerInput {
       this.#become({ kind: 'region' });
       this.#region.begin(this.#start, 'replace');
     }
+  }
+
+  /** Whether there is a handle that a lesson locks; says so. */
+  #isLocked(handle: number | undefined) {
+    const isLocked = handle !== undefined && areHandlesLocked(this.#store.get().document);
+    if (isLocked) this.#actions.setStatus(HANDLES_LOCKED);
+    return isLocked;
   }
 
   /** Starts turning the camera about the point that was pressed. */
@@ -365,7 +375,8 @@ export class PointerInput {
   #hover(event: PointerEvent, at: [number, number]) {
     if (event.pointerType === 'touch') return;
     this.#aim(event, at);
-    this.#element.dataset.over = this.#handle === undefined ? '' : 'handle';
+    const isMovable = this.#handle !== undefined && !areHandlesLocked(this.#store.get().document);
+    this.#element.dataset.over = isMovable ? 'handle' : '';
     const pointedAt = this.#gizmoPart ? undefined : this.#handle;
     this.#actions.pointAt({ gizmoPart: this.#gizmoPart, pointedAt });
     this.#region.hover(at);

@@ -12,7 +12,8 @@ import type { LiveBuild } from '../live-build.ts';
 const SANDBOX = 'allow-same-origin allow-modals allow-popups allow-popups-to-escape-sandbox';
 
 export async function showReport(app: AppContext, live: LiveBuild) {
-  const { store, files } = app;
+  const { store, files, actions } = app;
+  await actions.settled();
   const { document: scene, camera } = store.get();
   const title = scene?.title || files.name;
   // Turn and tilt.

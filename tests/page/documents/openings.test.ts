@@ -1,0 +1,59 @@
+// Which of several openings wins, whatever order their files arrive in.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Openings, type Opening } from '../../../www/documents/opening/openings.ts';
+
+/** Openings whose files arrive when the test says so. */
+function slowly() {
+  const openings = new Openings();
+  /** What was opened, in order. */
+  const opened: string[] = [];
+  const begin = (name: string) => {
+    let arrive = () => {};
+    let fail: (error: Error) => void = () => {};
+    const file = new Promise<void>((done, refuse) => ([arrive, fail] = [done, refuse]));
+    const done = openings.begin(async (opening: Opening) => {
+      await file;
+      if (!(await opening.isWanted())) return null;
+      opened.push(name);
+      opening.opened();
+      return name;
+    });
+    return { arrive, fail, done };
+  };
+  return { openings, opened, begin };
+}
+
+test('a later opening wins although the file of an earlier one arrives after it', async () => {
+  const { openings, opened, begin } = slowly();
+  const [example, own] = [begin('example'), begin('own')];
+  assert.ok(openings.coming);
+  own.arrive();
+  assert.equal(await own.done, 'own');
+  example.arrive();
+  assert.equal(await example.done, null);
+  assert.deepEqual(opened, ['own']);
+  assert.equal(openings.coming, null);
+});
+
+test('an earlier opening waits for a later one, and opens if that is refused', async () => {
+  const { opened, begin } = slowly();
+  const [example, own] = [begin('example'), begin('own')];
+  example.arrive();
+  await new Promise((done) => setTimeout(done));
+  assert.deepEqual(opened, []);
+  own.fail(new Error('it is no mesh'));
+  await assert.rejects(own.done, /it is no mesh/);
+  assert.equal(await example.done, 'example');
+  assert.deepEqual(opened, ['example']);
+});
+
+test('the failure of an earlier opening is dropped once a later one has opened its model', async () => {
+  const { opened, begin } = slowly();
+  const [example, own] = [begin('example'), begin('own')];
+  example.fail(new Error('no network'));
+  own.arrive();
+  assert.equal(await example.done, null);
+  assert.deepEqual(opened, ['own']);
+});

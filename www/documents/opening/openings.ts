@@ -1,0 +1,59 @@
+/**
+ * The order in which openings were begun. Reading a file and fetching an example take time, so that
+ * a later opening may be ready first: the latest one wins, unless it is refused.
+ */
+
+/** An opening under way. Whatever opens a model has one, from the press that begins it. */
+export interface Opening {
+  /**
+   * Waits until all later openings have ended.
+   * @returns false if one of them has opened its model, so that this one must open nothing
+   */
+  isWanted: () => Promise<boolean>;
+  /** Notes that its model is open. */
+  opened: () => void;
+}
+
+export class Openings {
+  /** Number of openings begun. */
+  #begun = 0;
+  /** Number of the latest one whose model was opened. */
+  #opened = 0;
+  /** When those end that have not opened their models yet, by number. */
+  #ends: Map<number, Promise<unknown>> = new Map();
+
+  /**
+   * Begins an opening.
+   * @param open uses the opening given to it for all that it opens
+   * @returns what `open` returns; null if it fails, but a later opening has opened its model
+   */
+  begin<T>(open: (opening: Opening) => Promise<T>): Promise<T | null> {
+    const number = ++this.#begun;
+    const opening = {
+      isWanted: () => this.#isWanted(number),
+      opened: () => {
+        this.#opened = Math.max(this.#opened, number);
+        this.#ends.delete(number);
+      },
+    };
+    const done = open(opening).catch(async (error) => {
+      if (await opening.isWanted()) throw error;
+      return null;
+    });
+    const end = () => this.#ends.delete(number);
+    this.#ends.set(number, done.then(end, end));
+    return done;
+  }
+
+  /** Resolves when all openings have ended that have not opened their models yet; null if none. */
+  get coming(): Promise<unknown> | null {
+    return this.#ends.size > 0 ? Promise.all(this.#ends.values()) : null;
+  }
+
+  async #isWanted(number: number) {
+    const later = () => [...this.#ends].filter(([other]) => other > number);
+    for (let ends = later(); ends.length > 0; ends = later())
+      await Promise.all(ends.map(([, end]) => end));
+    return this.#opened <= number;
+  }
+}
