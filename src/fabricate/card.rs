@@ -5,8 +5,8 @@ use super::check_card::CheckRow;
 use super::offset::{Closing, can_be_exact, closing};
 use super::panel::FlatPanel;
 use super::tighten::Tighten;
-use crate::mesh::counted;
 use crate::scene::OffsetKind;
+use crate::words;
 use serde::Serialize;
 
 /// Numbers of the offset.
@@ -111,7 +111,7 @@ impl Build {
         match kind {
             OffsetKind::Corner if closing.odd_panels > 0 => format!(
                 "the axes do not close around {}, with an odd number of edges",
-                counted(closing.odd_panels, "panel", "panels")
+                words::count(closing.odd_panels, "panel", "panels")
             ),
             OffsetKind::Corner if closing.panel_deg > CLOSED => format!(
                 "around panel {} an axis is turned by {:.2} degrees: its corners are not on a circle",

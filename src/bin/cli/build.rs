@@ -9,6 +9,7 @@ use shape_up::fabricate::{
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BuildSettings, Product};
 use shape_up::scene::{Scene, UNITS, Up};
+use shape_up::words;
 use std::path::{Path, PathBuf};
 
 pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
@@ -116,7 +117,7 @@ fn words(report: &BuildReport, remarks: &[String]) -> String {
         lines.push(format!(
             "offset of {}s, {how}, {} mm",
             offset.kind.id(),
-            output::short(offset.distance_mm)
+            words::number(offset.distance_mm)
         ));
         lines.extend((!offset.exact).then(|| format!("not exact: {}", offset.why_not)));
     }
@@ -153,8 +154,8 @@ fn frame_line(frame: &FrameReport) -> String {
         frame.nodes,
         frame.node_types,
         frame.alike_deg,
-        output::short(frame.cut_back_mm),
-        output::short(frame.node_step_mm)
+        words::number(frame.cut_back_mm),
+        words::number(frame.node_step_mm)
     )
 }
 
@@ -175,7 +176,7 @@ fn paper_line(paper: &PaperReport) -> String {
 }
 
 fn check_line(row: &CheckRow) -> String {
-    let number = |value: Option<f64>| value.map_or("-".to_owned(), output::short);
+    let number = |value: Option<f64>| value.map_or("-".to_owned(), words::number);
     let met = match row.met {
         Some(true) => "met",
         Some(false) => "NOT MET",

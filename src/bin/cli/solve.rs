@@ -4,10 +4,10 @@ use super::arguments::Solve;
 use super::meshes::mesh_file;
 use super::{Failure, input, output};
 use shape_up::constraint::describe;
-use shape_up::mesh::counted;
 use shape_up::session::Error;
 use shape_up::session::{ExactReport, Report, Session, Unpaired};
 use shape_up::solve::{Improved, Require};
+use shape_up::words;
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
@@ -46,7 +46,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         session.arm_guard();
     }
     if let Some(nearest) = session.nearest_to_exact().map_err(at_input)? {
-        let nearest = output::short(nearest);
+        let nearest = words::number(nearest);
         eprintln!(
             "note: the mesh, or one constraint, is too large to be exact: met up to about {nearest}; use --within LENGTH"
         );
@@ -124,8 +124,8 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
     line(format_args!(
         "{}: {}, {}, constraints: {}",
         input.display(),
-        counted(report.vertices, "vertex", "vertices"),
-        counted(report.faces, "face", "faces"),
+        words::count(report.vertices, "vertex", "vertices"),
+        words::count(report.faces, "face", "faces"),
         if kinds.is_empty() { "none".to_owned() } else { kinds.join(", ") }
     ));
     for remark in remarks {
@@ -156,15 +156,15 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
     ] {
         line(format_args!(
             "energy {name:<8} {} -> {}",
-            output::short(before),
-            output::short(after)
+            words::number(before),
+            words::number(after)
         ));
     }
     line(format_args!(
         "iterations {}, stopped by {}, {} s",
         report.iterations,
         report.stopped_by,
-        output::short(report.seconds.iterate)
+        words::number(report.seconds.iterate)
     ));
     line(format_args!("{}", output::planarity(&report.planarity, units)));
     line(format_args!("{}", output::circularity(&report.circularity, units)));
@@ -176,9 +176,9 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
         if let Some(Improved { before, after, steps }) = exact.improved {
             line(format_args!(
                 "improved by {}: energy without hard constraints {} -> {}",
-                counted(steps as usize, "step", "steps"),
-                output::short(before),
-                output::short(after)
+                words::count(steps as usize, "step", "steps"),
+                words::number(before),
+                words::number(after)
             ));
         }
     }
@@ -198,16 +198,16 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
 
 /// Formats how well hard constraints are met.
 fn exact_line(exact: &ExactReport, units: &str) -> String {
-    let length = |length: f64| output::length(length, units);
+    let length = |length: f64| words::length(length, units);
     let met = if exact.met {
         "met".to_owned()
     } else {
-        let misses = counted(exact.misses, "constraint", "constraints");
+        let misses = words::count(exact.misses, "constraint", "constraints");
         let why = if exact.contradiction { ", which contradict each other" } else { "" };
         let mut why = why.to_owned();
         if let Some(ratio) = exact.shortest_edge.filter(|_| exact.on_guard > 0) {
-            let edges = counted(exact.on_guard, "edge is", "edges are");
-            let ratio = output::short(ratio);
+            let edges = words::count(exact.on_guard, "edge is", "edges are");
+            let ratio = words::number(ratio);
             why += &format!("; {edges} as short as allowed, down to {ratio} of the length at rest");
         }
         format!("not met by {misses}{why}")
@@ -217,6 +217,6 @@ fn exact_line(exact: &ExactReport, units: &str) -> String {
         length(exact.max_distance),
         length(exact.tolerance),
         length(exact.moved.max),
-        output::short(exact.seconds)
+        words::number(exact.seconds)
     )
 }

@@ -4,10 +4,10 @@ use super::mesh_file;
 use crate::cli::arguments::Refine;
 use crate::cli::{Failure, input, output};
 use serde::Serialize;
-use shape_up::mesh::counted;
 use shape_up::session::Error;
 use shape_up::session::{Edit, Report, Session, Verdict};
 use shape_up::solve::Require;
+use shape_up::words;
 use std::path::Path;
 use std::time::Instant;
 
@@ -67,8 +67,8 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     let mut text = format!(
         "{}: {}, {}\n",
         command.input.display(),
-        counted(report.vertices, "vertex", "vertices"),
-        counted(report.faces, "face", "faces")
+        words::count(report.vertices, "vertex", "vertices"),
+        words::count(report.faces, "face", "faces")
     );
     remarks.extend(lost.iter().cloned());
     let mut files: Vec<(&Path, String)> = Vec::new();
@@ -97,8 +97,8 @@ fn level_of(session: &mut Session, start: Instant) -> Level {
 }
 
 fn line(level: &Level, units: &str) -> String {
-    let length = |length: f64| output::length(length, units);
-    let faces = counted(level.faces, "face", "faces");
+    let length = |length: f64| words::length(length, units);
+    let faces = words::count(level.faces, "face", "faces");
     let panels = level.verdict.as_ref().map_or_else(String::new, |verdict| {
         format!(
             ", {} of {} panels {}, the worst {} off, moved {} at most",
@@ -109,6 +109,6 @@ fn line(level: &Level, units: &str) -> String {
             length(verdict.moved.max)
         )
     });
-    let (total, seconds) = (output::short(level.total), output::short(level.seconds));
+    let (total, seconds) = (words::number(level.total), words::number(level.seconds));
     format!("{faces}{panels}, energy {total}, {seconds} s\n")
 }
