@@ -15,8 +15,8 @@ export type {
   Elements,
   ElementWords as ElementInfo,
   Energy,
-  ExactOffer,
   ExactReport,
+  ExactWords,
   FaceMeasure,
   FewerFlips,
   Form,
@@ -30,6 +30,7 @@ export type {
   Members,
   Operation,
   PanelStart,
+  PanelVerdict,
   Param as ParamInfo,
   Parametrization,
   ParamValue,
@@ -46,8 +47,8 @@ export type {
   Sketch,
   Slide,
   SpatialPart,
+  TrialWords,
   VariantRow,
-  Verdict,
   WorstElement,
 } from '../pkg/engine/shape_up.js';
 

@@ -95,11 +95,6 @@ export function count(value: number, noun: string, plural: string = `${noun}s`):
   return `${groupDigits(value)} ${value === 1 ? noun : plural}`;
 }
 
-/** Describes how a run ended. */
-export function ended(converged: boolean, iterations: number) {
-  return `${converged ? 'Converged' : 'Paused'} after ${count(iterations, 'iteration')}`;
-}
-
 /** Formats a whole number with thin spaces between thousands, from five digits on. */
 export function groupDigits(value: number): string {
   const digits = String(value);
