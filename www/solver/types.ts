@@ -5,11 +5,13 @@ import type { Sent } from '../pkg/engine/shape_up.js';
 // Declared by Rust: a changed field becomes a type error here.
 export type {
   BuildCard,
+  BuildWords,
+  CardWords,
   BuildNumber,
   BuildPreset,
   BuildReport,
   CheckRow,
-  Choice as BuildChoice,
+  CheckWords,
   ConstraintRow,
   Document as SceneDocument,
   Elements,
@@ -49,6 +51,7 @@ export type {
   SpatialPart,
   TrialWords,
   VariantRow,
+  WordedChoice as BuildChoice,
   WorstElement,
 } from '../pkg/engine/shape_up.js';
 

@@ -59,13 +59,13 @@ const methods = {
   /** Makes the parts of a shape, and draws at most `sheets` sheets. */
   build(shape: Shape, sheets: number) {
     const builder = build(shape);
-    return { report: builder.report(), sheets: builder.sheets(0, sheets), layer: layerOf(builder) };
+    return { ...builder.report(), sheets: builder.sheets(0, sheets), layer: layerOf(builder) };
   },
   /** Changes the distance of its offset. */
   moveLayer(distance: number) {
     if (!builder) return null;
     builder.moveLayer(distance);
-    return { report: builder.card(), layer: layerOf(builder) };
+    return { ...builder.card(), layer: layerOf(builder) };
   },
   /** Changes the positions of its offset, during a drag. */
   reshape(positions: Float64Array) {
@@ -73,7 +73,7 @@ const methods = {
     builder.reshape(positions);
     shape = { ...shape, positions };
     isReshaped = true;
-    return { report: builder.card(), layer: layerOf(builder) };
+    return { ...builder.card(), layer: layerOf(builder) };
   },
   /** The numbers that a lesson may bound, by id. */
   numbers: () => whole()?.numbers() ?? [],
