@@ -34,7 +34,7 @@ pub struct CheckWords {
 pub struct CardWords {
     /// The numbers of the check, in their order.
     pub check: Vec<CheckWords>,
-    /// What keeps which distance, and why not exactly; empty if there is no offset.
+    /// What keeps the distance, and why not exactly; empty if there is no offset.
     pub offset: String,
     /// The distance of the offset; empty if there is none.
     pub distance: String,
@@ -110,7 +110,9 @@ impl CardWords {
         CardWords {
             check: check.iter().map(CheckRow::words).collect(),
             offset: offset.map(OffsetReport::words).unwrap_or_default(),
-            distance: offset.map(OffsetReport::distance).unwrap_or_default(),
+            distance: offset
+                .map(|offset| words::millimetres(offset.distance_mm))
+                .unwrap_or_default(),
             safe: offset.map(OffsetReport::safe).unwrap_or_default(),
             remedies: remedies.iter().map(remedy).collect(),
         }
@@ -118,7 +120,7 @@ impl CardWords {
 }
 
 impl OffsetReport {
-    /// Says what keeps which distance, and why not exactly.
+    /// Says what keeps the distance, and why not exactly.
     pub fn words(&self) -> String {
         let kept = match self.kind {
             OffsetKind::Corner => "Corners keep",
@@ -127,11 +129,7 @@ impl OffsetReport {
         };
         let how = if self.exact { "exactly" } else { "as nearly as possible" };
         let why = if self.exact { String::new() } else { format!("; {}", self.why_not) };
-        format!("{kept} a distance of {} {how}{why}.", self.distance())
-    }
-
-    fn distance(&self) -> String {
-        words::millimetres_limit(self.distance_mm)
+        format!("{kept} their distance {how}{why}.")
     }
 
     fn safe(&self) -> String {

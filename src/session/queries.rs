@@ -123,6 +123,11 @@ impl Session {
         RunVerdict::of(&mut self.measuring(), tolerance)
     }
 
+    /// Says for each constraint on pairs of vertices, some of which have no partner, how many have one.
+    pub fn unpaired_words(&self) -> Vec<String> {
+        report::Unpaired::words(&self.scene)
+    }
+
     /// Returns in words how well the hard constraints are met; none if they have not been met for
     /// the current shape, see [`Session::exact`].
     pub fn exact_words(&self) -> Option<ExactWords> {

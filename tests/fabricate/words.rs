@@ -97,12 +97,12 @@ fn an_offset_is_said_to_be_exact_or_why_it_is_not() {
     };
     let exact = build(&revolution(9, 7), &own);
     let words = exact.card_words(&exact.card());
-    assert_eq!(words.offset, "Corners keep a distance of 200 mm exactly.");
+    assert_eq!(words.offset, "Corners keep their distance exactly.");
     assert_eq!(words.distance, "200 mm");
     assert!(words.safe.starts_with("Safe ") && words.safe.contains(" inwards, "), "{words:?}");
     let fitted = build(&wavy(), &own);
     let words = fitted.card_words(&fitted.card());
-    let start = "Corners keep a distance of 200 mm as nearly as possible; ";
+    let start = "Corners keep their distance as nearly as possible; ";
     assert!(words.offset.starts_with(start) && words.offset.ends_with('.'), "{words:?}");
     let errors: Vec<String> = fitted.choices().iter().map(|choice| choice.words()).collect();
     assert!(errors.iter().all(|words| words == "exact" || words.starts_with("± ")), "{errors:?}");

@@ -5,7 +5,7 @@ use super::meshes::mesh_file;
 use super::{Failure, input, output};
 use shape_up::constraint::describe;
 use shape_up::session::Error;
-use shape_up::session::{EndWords, ExactReport, Report, Session, Unpaired};
+use shape_up::session::{EndWords, ExactReport, Report, Session};
 use shape_up::solve::{Improved, Require};
 use shape_up::words;
 use std::fmt::Write;
@@ -66,7 +66,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
             .push("nothing is required: there are no constraints; --panels adds some".to_owned());
     }
     remarks.extend(misfits(&session));
-    remarks.extend(report.unpaired.iter().map(|row| unpaired(*row, &session)));
+    remarks.extend(session.unpaired_words());
     remarks.extend(session.collapse().map(|collapse| {
         format!("stopped: {collapse}. A larger weight of closeness keeps the mesh closer to its original shape")
     }));
@@ -96,22 +96,6 @@ fn misfits(session: &Session) -> impl Iterator<Item = String> {
             info.arity_in_words()
         )
     })
-}
-
-/// Describes a row of constraints that pairs vertices, some of which have no partner.
-fn unpaired(row: Unpaired, session: &Session) -> String {
-    let spec = &session.document().constraints[row.constraint];
-    let (of, on) = (row.paired.of, describe(&spec.on));
-    let free = if row.paired.vertices == 0 {
-        "it does nothing; see its parameters"
-    } else {
-        "the others are free"
-    };
-    format!(
-        "{} on {on}: {} of {of} vertices have an image at rest, {free}",
-        spec.kind.info().id,
-        row.paired.vertices
-    )
 }
 
 /// Returns the verdict in the words of the page: on the panels, on hard constraints, or on all

@@ -36,7 +36,7 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
         Product::Panels => {
             let [outside, inside] = report.least_joint_mm.map(|mm| millimetres(mm.unwrap_or(0.0)));
             lines.extend([
-                ("Joint on the sheet", millimetres_limit(report.joint_mm)),
+                ("Joint on the sheet", millimetres(report.joint_mm)),
                 ("Least joint for that thickness", format!("{outside} outside, {inside} inside")),
             ]);
         }

@@ -143,7 +143,7 @@ fn foot(link: &str) -> String {
         0 => String::new(),
         length => {
             let words = match length > MOST_LINK {
-                true => format!("Click here: its {length} characters are too many to type."),
+                true => "Click to open it; the link is too long to print.".to_owned(),
                 false => escaped(link),
             };
             format!("<a href=\"{}\" target=\"_blank\">{words}</a>\n", escaped(link))

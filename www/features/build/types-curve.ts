@@ -79,7 +79,7 @@ export function typesCurve(change: (change: Partial<BuildSettings>) => void) {
       const all = countedIn(report);
       setOptions(
         what,
-        all.map(({ noun, unit }) => [noun, `${noun} alike within, ${unit}`]),
+        all.map(({ noun, unit }) => [noun, `${noun}, tolerance in ${unit}`]),
       );
       draw = () => {
         const first = frame ? 'nodes' : 'panels';

@@ -101,8 +101,9 @@ async function showCost(app: App, output: Output, words: ExactWords) {
   }
   const take = async () => {
     if (!(await exact.accept(false))) return;
+    const { document: taken } = store.get();
     const exactly = await actions.ask.exactWords().catch(() => null);
-    if (exactly) showMet(app, output, exactly);
+    if (exactly && store.get().document === taken) showMet(app, output, exactly);
   };
   say(cost.words.offered, offer('Make exact', take, 'Uses the shape in the right column')).append(
     table(cost.words, 'Exact'),

@@ -71,10 +71,11 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
         goesOn &&= store.get().refining;
         for (let level = 1; level <= how.levels && goesOn; level++) {
           const ended = await untilEnd(() => solver.change.editAndRun(once));
-          const words = `${refined()}${await verdict()}`;
+          const words = refined();
+          const told = await verdict();
           // The user may also have paused between two levels, when nothing runs.
           goesOn = ended && (level === how.levels || store.get().refining);
-          actions.setStatus(goesOn ? words : `${words} Stopped.`);
+          actions.setStatus(`${words}${goesOn ? '' : '; stopped'}${told}`);
         }
       } finally {
         store.set({ refining: false });
