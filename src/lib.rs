@@ -19,13 +19,14 @@
 //! | room | contents | knows of |
 //! |---|---|---|
 //! | [`math`] | vectors in SIMD lanes and of the plane, eigenvectors, closest rotations, fitted circles and spheres | nothing |
+//! | [`words`] | words for readers: numbers, lengths with units, counts, lists | nothing |
 //! | `json` | what `serde_json` lacks: errors with paths in our words, repeated keys, lists of indices | nothing |
-//! | [`mesh`] | polygon mesh, reading and writing of files, topology, Laplacian, closest point, error measures | math |
+//! | [`mesh`] | polygon mesh, reading and writing of files, topology, Laplacian, closest point, error measures | math, words |
 //! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, json, mesh |
 //! | [`sparse`] | `L D L^T` on the types of sprs: ordering, symbolic analysis, two numeric factors, triangular sweeps | math |
 //! | [`solve`] | energies, assembly, the two-step iteration, accelerators, conformal maps | math, mesh, constraint, sparse |
-//! | [`scene`] | the scene file: serde types, validation, and the optimisation problem that it defines | math, json, mesh, constraint, sparse, solve |
-//! | [`fabricate`] | parts to cut: panels on sheets, offsets, the build check, files for machines | math, mesh, sparse, scene |
+//! | [`scene`] | the scene file: serde types, validation, and the optimisation problem that it defines | math, words, json, mesh, constraint, sparse, solve |
+//! | [`fabricate`] | parts to cut: panels on sheets, offsets, the build check, files for machines | math, words, mesh, sparse, scene |
 //! | [`session`] | the interface of all hosts: load, edit, drag, step, undo, report | all above |
 //! | [`generate`] | new meshes: by kind and sizes, from a plan, or between curves; the example scenes and their meshes | math, json, mesh, constraint, sparse, scene, session |
 //! | [`experiment`] | the paper's comparisons with other methods (Fig. 10, 11), run live | all above |
@@ -137,6 +138,8 @@ pub mod sparse;
 pub mod view;
 #[cfg(all(target_arch = "wasm32", any(feature = "engine", feature = "view")))]
 pub mod web;
+#[cfg(feature = "engine")]
+pub mod words;
 
 #[cfg(doc)]
 #[doc = include_str!("capabilities.md")]

@@ -21,3 +21,4 @@ mod solve;
 mod undo_cost;
 #[cfg(feature = "view")]
 mod view;
+mod words;

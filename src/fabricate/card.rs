@@ -5,8 +5,8 @@ use super::check_card::CheckRow;
 use super::offset::{Closing, can_be_exact, closing};
 use super::panel::FlatPanel;
 use super::tighten::Tighten;
-use crate::mesh::counted;
 use crate::scene::OffsetKind;
+use crate::words;
 use serde::Serialize;
 
 /// Numbers of the offset.
@@ -111,11 +111,12 @@ impl Build {
         match kind {
             OffsetKind::Corner if closing.odd_panels > 0 => format!(
                 "the axes do not close around {}, with an odd number of edges",
-                counted(closing.odd_panels, "panel", "panels")
+                words::count(closing.odd_panels, "panel", "panels")
             ),
             OffsetKind::Corner if closing.panel_deg > CLOSED => format!(
-                "around panel {} an axis is turned by {:.2} degrees: its corners are not on a circle",
-                self.names[closing.panel as usize], closing.panel_deg
+                "around panel {} an axis is turned by {}: its corners are not on a circle",
+                self.names[closing.panel as usize],
+                words::degrees(closing.panel_deg)
             ),
             OffsetKind::Corner => {
                 let turns = closing.rims_deg.iter().flatten();
@@ -125,7 +126,8 @@ impl Build {
                         .to_owned()
                 } else if worst > CLOSED {
                     format!(
-                        "around a rim an axis is turned by {worst:.2} degrees, so the axes do not close"
+                        "around a rim an axis is turned by {}, so the axes do not close",
+                        words::degrees(worst)
                     )
                 } else if closing.eigenvalues[0] > ZERO {
                     "the axes do not close around the handles of the surface".to_owned()
@@ -174,9 +176,9 @@ mod tests {
             build.why_not(OffsetKind::Corner, &closing)
         };
         let odd = why([None, Some(0.0)]);
-        assert!(odd.contains("odd number of edges") && !odd.contains("degrees"), "{odd}");
+        assert!(odd.contains("odd number of edges") && !odd.contains('°'), "{odd}");
         let turned = why([Some(0.0), Some(1.5)]);
-        assert!(turned.contains("turned by 1.50 degrees"), "{turned}");
+        assert!(turned.contains("turned by 1.50°"), "{turned}");
     }
 
     #[test]

@@ -25,6 +25,7 @@
 //! | `cutting` | cuts, lays out and names the parts |
 //! | `holes` | holes along edges and at the ends of fins |
 //! | `check_card` | the build check: five numbers with limits, and the elements that exceed them |
+//! | `build_words` | the report in words |
 //! | `card` | the part of the report that is updated while the user moves the shape |
 //! | `layer` | the offset of a moving shape as points, failing sides of parts, for the view |
 //! | `numbers` | the numbers that a lesson can limit |
@@ -38,6 +39,7 @@
 mod alike;
 pub mod beam;
 mod build;
+mod build_words;
 mod card;
 mod check_card;
 mod cutting;
@@ -60,6 +62,7 @@ mod tighten;
 
 pub use alike::Types;
 pub use build::{Build, CutPanel, LengthInMetres, NotCut};
+pub use build_words::{BuildWords, CardWords, CheckWords};
 pub use card::{BuildCard, OffsetReport};
 pub use check_card::{CheckRow, Failed, Worst};
 pub use fault::Fault;

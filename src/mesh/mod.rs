@@ -51,7 +51,7 @@ pub use measure::{
     quasi_conformal,
 };
 pub use polygon_mesh::{Group, GroupKeyword, Mesh, Point};
-pub use problem::{ElementKind, MeshProblem, ProblemKind, counted};
+pub use problem::{ElementKind, MeshProblem, ProblemKind};
 pub use ragged::Ragged;
 pub use topology::{
     Repeated, Topology, components, corners, edge_lines, feature_curves, hinges, repeated, stars,

@@ -1,5 +1,6 @@
 //! Problems of a mesh or its file that do not stop reading, with counts and first lines by kind.
 
+use crate::words;
 use std::fmt;
 
 /// Kinds of elements of a mesh file.
@@ -114,7 +115,7 @@ pub struct MeshProblem {
 impl fmt::Display for MeshProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (one, many, defect) = self.kind.description();
-        f.write_str(&counted(self.count, one, many))?;
+        f.write_str(&words::count(self.count, one, many))?;
         if !defect.is_empty() {
             write!(f, " {defect}")?;
         }
@@ -124,11 +125,6 @@ impl fmt::Display for MeshProblem {
         }
         Ok(())
     }
-}
-
-/// Formats a count with its noun: `1 face`, `2 faces`.
-pub fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
 }
 
 /// Count and first line of each kind of problem found so far, sorted by kind.

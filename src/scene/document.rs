@@ -7,8 +7,9 @@ use super::lesson::Lesson;
 use super::presentation::{Slide, Variants};
 use crate::constraint::{Kind, Selector, Sets};
 use crate::json::{Entries, Object, indices, object, object_or_none, objects, points, present};
-use crate::mesh::{Mesh, Point, Read, counted};
+use crate::mesh::{Mesh, Point, Read};
 use crate::solve::{Hold, Require, Smoothness, SolverSettings, Weights};
+use crate::words;
 use serde::ser::{Error, Serializer};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::rc::Rc;
@@ -203,8 +204,10 @@ impl Pose {
             return Ok(Pose::Positions(positions.into()));
         }
         let counts = |vertices: usize, faces: usize| {
-            let [vertices, faces] =
-                [counted(vertices, "vertex", "vertices"), counted(faces, "face", "faces")];
+            let [vertices, faces] = [
+                words::count(vertices, "vertex", "vertices"),
+                words::count(faces, "face", "faces"),
+            ];
             format!("{vertices} and {faces}")
         };
         let message = format!(

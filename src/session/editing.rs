@@ -11,10 +11,11 @@ use super::state::{RestMesh, SceneChange, SolvedScene, resolve_rows};
 use super::undo::{Change, SavedState, read_history, read_state, write_history, write_state};
 use crate::mesh::{
     Edited, Mesh, MeshOperation, OperationError, Point, Scheme, SubdivideError, SubdividedCounts,
-    Subdivision, Task, counted,
+    Subdivision, Task,
 };
 use crate::scene::{Scene, SceneError};
 use crate::session::Error;
+use crate::words;
 use std::rc::Rc;
 
 /// Maximum number of refinements offered; beyond the first, none with more faces than this.
@@ -171,7 +172,7 @@ impl Session {
         let shape = if adopts { self.scene.positions() } else { self.rest.positions() };
         let mesh = Mesh { positions: shape.to_vec(), ..self.mesh().clone() };
         let refined = how.apply(&mesh, self.topology()).map_err(cannot_be_refined)?;
-        let name = format!("Refine to {}", counted(refined.mesh.faces.len(), "face", "faces"));
+        let name = format!("Refine to {}", words::count(refined.mesh.faces.len(), "face", "faces"));
         let (rest, carried) = self.carried_to(&refined, shape, shape);
         Ok((name, self.go_to_mesh(rest, carried)?))
     }

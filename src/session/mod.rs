@@ -62,9 +62,10 @@ pub use error::Error;
 pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
 pub use report::{
-    Bend, BendChange, ConstraintMap, EasedPanels, EnergyReport, FACE_MEASURES, FOLDED_FACES,
-    FaceMeasure, GoalWords, MeasureUnit, Projections, Report, RowPalette, Seconds, Shape, Unpaired,
-    Verdict, WorstElement, ZERO_SIZE_FACES, flaw_of, goals_in_words,
+    Bend, BendChange, ConstraintMap, EasedPanels, EndWords, EnergyReport, ExactWords,
+    FACE_MEASURES, FOLDED_FACES, FaceMeasure, GoalWords, MeasureUnit, Projections, Report,
+    RowPalette, RunVerdict, Seconds, Shape, TrialWords, Unpaired, Verdict, VerdictWords,
+    WeakerRequirement, WorstElement, ZERO_SIZE_FACES, flaw_of, goals_in_words,
 };
 pub use run::{
     Collapse, CollapseReason, Eased, ExactReport, FittedCount, HalfStep, Step, TraceEntry,

@@ -3,7 +3,8 @@
 use super::Session;
 use super::edit::{ConstraintTarget, Preview, previews};
 use super::report::{
-    self, ConstraintMap, Measuring, Projections, Report, RowPalette, Shape, Verdict, WorstElement,
+    self, ConstraintMap, ExactWords, Measuring, Projections, Report, RowPalette, RunVerdict, Shape,
+    Verdict, VerdictWords, WorstElement,
 };
 use super::selection::{SelectRequest, Selection, select};
 use crate::mesh::{ElementsWithProblem, Measures, Mesh};
@@ -109,6 +110,28 @@ impl Session {
     /// with distances up to `tolerance`. None if no row constrains panels.
     pub fn verdict(&mut self, tolerance: f64) -> Option<Verdict> {
         Verdict::of(&mut self.measuring(), tolerance)
+    }
+
+    /// Returns a verdict on this shape in words.
+    pub fn verdict_words(&self, verdict: &Verdict) -> VerdictWords {
+        verdict.words(&self.document().units, self.rest.diameter())
+    }
+
+    /// Returns in words whether the constraints are met, with distances up to `tolerance`. None if
+    /// no constraint has a weight.
+    pub fn run_verdict(&mut self, tolerance: f64) -> Option<RunVerdict> {
+        RunVerdict::of(&mut self.measuring(), tolerance)
+    }
+
+    /// Says for each constraint on pairs of vertices, some of which have no partner, how many have one.
+    pub fn unpaired_words(&self) -> Vec<String> {
+        report::Unpaired::words(&self.scene)
+    }
+
+    /// Returns in words how well the hard constraints are met; none if they have not been met for
+    /// the current shape, see [`Session::exact`].
+    pub fn exact_words(&self) -> Option<ExactWords> {
+        self.exact().map(|report| ExactWords::of(&self.scene, &self.rest, &report))
     }
 
     /// Returns how far the mesh as opened would move for panels of one shape. None if no such shape

@@ -10,10 +10,7 @@ fn rows_of_quads_are_told_with_their_size_laid_flat() {
         "v 0 0 0\nv 3 0 0\nv 3 1 0\nv 0 1 0\nv 3 0 2\nv 3 1 2\nf 1 2 3 4\nf 2 5 6 3\n",
     );
     let text = folder.run(&["check", "sheet.obj", "--report", "report.json"]).done();
-    assert!(
-        text.contains("1 of 2 quads: laid flat 1.000 to 1.000 wide, up to 5.000 long"),
-        "{text}"
-    );
+    assert!(text.contains("1 of 2 quads: laid flat 1.00 to 1.00 wide, up to 5.00 long"), "{text}");
     let report = folder.json("report.json");
     let strips = report["strips"].as_array().unwrap();
     assert_eq!(strips.len(), 3, "one along the bend, two across");

@@ -14,6 +14,9 @@ fn exact_panels_are_still_exact_when_their_file_is_read_again() {
     let asked = ["solve", "roof.obj", "--panels", "circle", "--exact", "--out", "out.obj"];
     let words = folder.run(&[&asked[..], &["--report", "r.json"]].concat()).done();
     assert!(words.contains("hard constraints met: "), "{words}");
+    // The verdict of the page.
+    assert!(words.contains("\nAll 4 panels are circular within 1 mm. Worst "), "{words}");
+    assert!(words.contains("\nExact: worst "), "{words}");
     let exact = &folder.json("r.json")["exact"];
     assert_eq!((&exact["met"], &exact["unmet"]), (&true.into(), &Value::Array(vec![])));
     assert!(number(&exact["max_distance"]) <= number(&exact["tolerance"]), "{exact}");
@@ -119,6 +122,8 @@ fn a_scene_says_what_is_to_be_met_and_is_told_what_cannot_be() {
     folder.write("two.shapeup.json", rows);
     let words = folder.run(&["solve", "two.shapeup.json", "--report", "r.json"]).done();
     assert!(words.contains("hard constraints not met by 2 constraints"), "{words}");
+    // The verdict of the page.
+    assert!(words.contains("\n2 of 6 cannot be met together: "), "{words}");
     assert_eq!(folder.json("r.json")["exact"]["unmet"], serde_json::json!([1, 2]));
 }
 

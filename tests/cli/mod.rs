@@ -112,7 +112,7 @@ fn the_report_has_the_fields_that_are_agreed_on() {
     let total = |energy: &Value| energy["total"].as_f64().unwrap();
     assert!(total(&report["energy"]["final"]) < 1e-3 * total(&report["energy"]["initial"]));
 
-    for words in ["energy total", "stopped by", "planarity   worst", " m, mean", "fixed at"] {
+    for words in ["energy total", "stopped by", "planarity   worst", " mm, mean", "fixed at"] {
         assert!(out.contains(words), "expected `{words}` in {out}");
     }
     assert_eq!(out.lines().filter(|line| line.starts_with("iteration ")).count(), trace.len());

@@ -15,6 +15,7 @@ mod picture;
 mod report_page;
 mod sheets;
 mod space;
+mod words;
 
 use shape_up::fabricate::{Build, LengthInMetres};
 use shape_up::mesh::Mesh;

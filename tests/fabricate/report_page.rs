@@ -68,7 +68,7 @@ fn a_link_that_is_too_long_to_type_is_not_printed() {
         found.map(|node| [node.attribute("href"), node.text()].map(|it| it.unwrap().to_owned()))
     };
     let long = format!("{LINK}{}", "x".repeat(1000));
-    let words = format!("Click here: its {} characters are too many to type.", long.len());
+    let words = "Click to open it; the link is too long to print.".to_owned();
     assert_eq!(link(long.clone()), Some([long, words]));
     assert_eq!(link(String::new()), None);
 }
@@ -88,11 +88,13 @@ fn its_numbers_are_those_of_the_card() {
             Ok(found) => {
                 let shown = if value.ends_with(" m") { 1000.0 * found } else { found };
                 let expected = row.value.unwrap();
-                assert!((shown - expected).abs() <= 0.006 * expected.abs(), "{value} {expected}");
+                let off = (shown - expected).abs();
+                // What is less than a thousandth is 0.
+                assert!(off <= 0.006 * expected.abs() || off < 0.001, "{value} {expected}");
             }
-            Err(_) => assert!(row.value.is_none_or(|value| value < 0.01), "{value}"),
+            Err(_) => assert!(row.value.is_none_or(|value| value < 0.0), "{value}"),
         }
-        assert!(limit.starts_with("limit "));
+        assert!(limit.starts_with("limit ") || limit == "no limit");
         assert_eq!(row.met == Some(true), state == "met", "{state}");
     }
     let sheets = format!("{} of 420 x 297 mm", report.sheets);

@@ -28,4 +28,5 @@ mod stories;
 mod tables;
 mod undo;
 mod variations;
+mod words;
 mod worst;

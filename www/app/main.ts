@@ -12,7 +12,6 @@ import { bindButtons, bindKeys, bindRunButton } from './commands.ts';
 import { byId } from '../ui/dom.ts';
 import { acceptDrops } from '../documents/opening/drop-zone.ts';
 import { Files } from '../documents/files.ts';
-import { ended } from '../ui/format.ts';
 import { loadFeatures, loadWhenNeeded } from './features.ts';
 import { firstHints } from '../features/hints.ts';
 import { arrangeForWidth } from './arrangement/layout.ts';
@@ -238,8 +237,8 @@ function bindSolver(client: SolverClient) {
     store.set({ running, converged });
     // A drag that converges keeps the status about its handle.
     if (running === before.running) return;
-    const { iteration = 0 } = before.numbers ?? {};
-    store.set({ status: running ? 'Running' : ended(converged, iteration) });
+    const ended = before.numbers?.ended[converged ? 'converged' : 'paused'];
+    store.set({ status: running ? 'Running' : (ended ?? '') });
   });
   client.on('busy', ({ busy }) => offerCancel('solver', busy, () => client.abandon()));
   jobs.on('busy', ({ busy }) => offerCancel('jobs', busy, () => jobs.cancel()));

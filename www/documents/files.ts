@@ -1,6 +1,6 @@
 /** File input and output: open, examples, save, export. Emits `opened` after each opened model. */
 
-import { count, ended, groupDigits, length } from '../ui/format.ts';
+import { count, groupDigits, length } from '../ui/format.ts';
 import { listOfExamples, type Example } from '../solver/examples.ts';
 import { removeFirstPicture } from '../viewport/first-picture.ts';
 import { Emitter } from '../solver/emitter.ts';
@@ -161,7 +161,7 @@ export class Files extends Emitter<{ opened: void }> {
     const loaded = await this.open(files, { first, example }, { opening });
     if (!loaded) return null;
     const { numbers } = this.#store.get();
-    const status = first && numbers && ended(true, numbers.iteration);
+    const status = first && numbers?.ended.converged;
     this.#actions.setStatus(status || `Opened the example ${example.title}`);
     return loaded;
   }

@@ -3,7 +3,7 @@
  * panels and scripts all go through here.
  */
 
-import { count, ended } from '../ui/format.ts';
+import { count } from '../ui/format.ts';
 import { Cancelled, messageOf } from '../solver/errors.ts';
 import { createTrials } from './actions/trials.ts';
 import type { Edit, PanelStart, Handle } from '../solver/types.ts';
@@ -177,7 +177,7 @@ export function createActions(
       const converged = await reportErrors(solver.change.step());
       if (converged === undefined) return;
       const { document, numbers } = store.get();
-      const done = converged ? ended(true, numbers?.iteration ?? 0) : 'One iteration';
+      const done = (converged && numbers?.ended.converged) || 'One iteration';
       const isInexact = document?.constraints.some(isHard) && !numbers?.exact?.met;
       setStatus(isInexact ? `${done}; Run makes it exact` : done);
     },

@@ -1,4 +1,7 @@
-/** Formatting of numbers and units. */
+/**
+ * Formatting of the numbers that are shown while a shape moves. Finished sentences come from the
+ * engine, whose room `src/words` writes numbers in the same way: both read `tests/data/words.json`.
+ */
 
 import { UNITS } from './units.ts';
 
@@ -17,7 +20,7 @@ export function number(value: number): string {
   if (size < 1e-3 || size >= 1e6)
     return value
       .toExponential(DIGITS - 1)
-      .replace('-', '−')
+      .replaceAll('-', '−')
       .replace('e+', 'e');
   // Three digits would round the numbers just below to 1000, with a power of ten.
   const text = size >= 999.5 ? String(Math.round(value)) : value.toPrecision(DIGITS);
@@ -34,21 +37,22 @@ export function lengthUnit(size: number, units: string): { unit: string; factor:
   return { unit: units, factor: 1 };
 }
 
-/** Lengths below these are irrelevant for buildings, by unit. */
-const LEAST: Record<string, number> = { mm: 0.001, m: 1e-6 };
+/** Lengths below this many millimetres are 0: they are irrelevant for buildings. */
+const LEAST_MM = 0.001;
+/** Millimetres in the units in which that is known. */
+const MILLIMETRES: Record<string, number> = { mm: 1, m: 1000 };
 
 /**
- * Formats a length with its unit.
+ * Formats a length with its unit. What would be a power of ten in metres is in millimetres.
  * @param value in units of the mesh
  * @param like the length that determines the unit: errors use that of their tolerance
  */
 export function length(value: number, units: string, like: number = value): string {
   const { unit, factor } = lengthUnit(like, units);
-  const scaled = value * factor;
-  const size = Math.abs(scaled);
-  if (size > 0 && size < LEAST[unit]) return `< ${LEAST.mm} mm`;
-  if (unit === 'mm' && size > 0 && size < 1) return `${scaled.toFixed(3)} mm`;
-  return `${number(scaled)} ${unit}`.trim();
+  const size = Math.abs(value) * MILLIMETRES[units];
+  if (size < LEAST_MM) return `0 ${unit}`;
+  if (size < 1) return `${value < 0 ? '−' : ''}${size.toFixed(3)} mm`;
+  return `${number(value * factor)} ${unit}`.trim();
 }
 
 /**
@@ -57,7 +61,7 @@ export function length(value: number, units: string, like: number = value): stri
  */
 export function limit(value: number, units: string) {
   const { unit, factor } = lengthUnit(value, units);
-  return `${round(value * factor)} ${unit}`.trim();
+  return `${round(value * factor).replace('-', '−')} ${unit}`.trim();
 }
 
 /** Formats a number as briefly as possible, with at most six significant digits. */
@@ -89,11 +93,6 @@ export function ratio(value: number): string {
 /** Formats a count with its noun: "1 face", "12 faces". */
 export function count(value: number, noun: string, plural: string = `${noun}s`): string {
   return `${groupDigits(value)} ${value === 1 ? noun : plural}`;
-}
-
-/** Describes how a run ended. */
-export function ended(converged: boolean, iterations: number) {
-  return `${converged ? 'Converged' : 'Paused'} after ${count(iterations, 'iteration')}`;
 }
 
 /** Formats a whole number with thin spaces between thousands, from five digits on. */

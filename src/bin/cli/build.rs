@@ -3,12 +3,12 @@
 use super::folder::MadeFolders;
 use super::{Failure, arguments, input, output};
 use shape_up::fabricate::{
-    Build, BuildFile, BuildReport, CheckRow, FrameReport, LengthInMetres, PRESENTATION,
-    PaperReport, ReportView,
+    Build, BuildFile, BuildReport, BuildWords, CardWords, CheckRow, CheckWords, FrameReport,
+    LengthInMetres, PRESENTATION, PaperReport, ReportView,
 };
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BuildSettings, Product};
-use shape_up::scene::{Scene, UNITS, Up};
+use shape_up::scene::{BuildSettings, Scene, UNITS, Up};
+use shape_up::words;
 use std::path::{Path, PathBuf};
 
 pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
@@ -52,7 +52,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     output::write(&files)?;
     remarks.extend(asked.out.as_deref().and_then(|folder| left_over(folder, &files)));
     let names = files.iter().map(|(path, _)| format!("{}\n", path.display()));
-    output::print(&(words(&report, &remarks) + &names.collect::<String>()))
+    output::print(&(words(&report, &build.words(&report), &remarks) + &names.collect::<String>()))
 }
 
 /// Names the files in a folder that an earlier build wrote and this one did not: they are kept, but
@@ -66,13 +66,9 @@ fn left_over(folder: &Path, written: &[(PathBuf, Vec<u8>)]) -> Option<String> {
         .filter(|name| !written.iter().any(|(path, _)| *path == folder.join(name)))
         .collect();
     names.sort();
-    let some = names[..names.len().min(MOST)].join(", ");
-    let more = match names.len().saturating_sub(MOST) {
-        0 => String::new(),
-        more => format!(" and {more} more"),
-    };
     (!names.is_empty()).then(|| {
-        format!("{}: not of this build, but of an earlier one: {some}{more}", folder.display())
+        let some = words::and_more(&names, MOST);
+        format!("{}: not of this build, but of an earlier one: {some}", folder.display())
     })
 }
 
@@ -95,53 +91,20 @@ fn settings(asked: &arguments::Build, scene: &Scene) -> BuildSettings {
     }
 }
 
-fn words(report: &BuildReport, remarks: &[String]) -> String {
-    let BuildReport { product, parts, placed, sheets, scale, types, .. } = report;
-    let product = match product {
-        Product::Paper => "pieces of paper",
-        own => own.id(),
-    };
+fn words(report: &BuildReport, said: &BuildWords, remarks: &[String]) -> String {
     let [width, height] = report.sheet_mm;
-    let used = 100.0 * report.used;
-    let noun = if *sheets == 1 { "sheet" } else { "sheets" };
-    let mut lines = vec![format!(
-        "{placed} of {parts} {product} on {sheets} {noun} of {width} x {height} mm, {used:.0} % covered, scale 1:{scale}, unit {}",
-        report.unit
-    )];
-    lines.push(format!("types of panels {types}, of edges {}", report.edge_types));
+    let mut lines = vec![
+        said.sheets.clone(),
+        format!("sheets of {width} x {height} mm, scale 1:{}, unit {}", report.scale, report.unit),
+        format!("types of edges {}", report.edge_types),
+    ];
     lines.extend(report.frame.as_ref().map(frame_line));
     lines.extend(report.paper.as_ref().map(paper_line));
-    if let Some(offset) = &report.offset {
-        let how = if offset.exact { "exact" } else { "least-squares fit" };
-        lines.push(format!(
-            "offset of {}s, {how}, {} mm",
-            offset.kind.id(),
-            output::short(offset.distance_mm)
-        ));
-        lines.extend((!offset.exact).then(|| format!("not exact: {}", offset.why_not)));
-    }
-    lines.extend(report.check.iter().map(check_line));
-    for (what, names) in
-        [("larger than the sheet", &report.too_large), ("not cut", &report.not_cut)]
-    {
-        if !names.is_empty() {
-            lines.push(format!("{what}: {}", names.join(", ")));
-        }
-    }
-    if report.dropped_names + report.small_names > 0 {
-        lines.push(format!(
-            "names: {} of neighbours have no room, {} smaller than 2 mm",
-            report.dropped_names, report.small_names
-        ));
-    }
-    if !report.unnamed.is_empty() {
-        let names = &report.unnamed;
-        let pieces = if names.len() == 1 { "part has" } else { "parts have" };
-        lines.push(format!("{} {pieces} no room for a name: {}", names.len(), names.join(", ")));
-    }
-    if report.holes + report.dropped_holes > 0 {
-        lines.push(format!("holes {}, without room {}", report.holes, report.dropped_holes));
-    }
+    let CardWords { check, offset, .. } = &said.card;
+    let sentences = [offset, &said.joint].into_iter().filter(|words| !words.is_empty());
+    lines.extend(sentences.cloned());
+    lines.extend(report.check.iter().zip(check).map(check_line));
+    lines.extend(said.warnings.iter().cloned());
     lines.extend(report.problems.iter().map(|problem| format!("problem: {problem}")));
     lines.extend(remarks.iter().map(|remark| format!("note: {remark}")));
     lines.join("\n") + "\n"
@@ -149,43 +112,18 @@ fn words(report: &BuildReport, remarks: &[String]) -> String {
 
 fn frame_line(frame: &FrameReport) -> String {
     format!(
-        "nodes {}, types of nodes {} within {} degrees; fins cut back by up to {} mm; steps between prisms up to {} mm",
+        "nodes {}; fins cut back by up to {}; steps between prisms up to {}",
         frame.nodes,
-        frame.node_types,
-        frame.alike_deg,
-        output::short(frame.cut_back_mm),
-        output::short(frame.node_step_mm)
+        words::millimetres(frame.cut_back_mm),
+        words::millimetres(frame.node_step_mm)
     )
 }
 
 fn paper_line(paper: &PaperReport) -> String {
-    const MOST: usize = 8;
-    let bare = &paper.without_tab;
-    let bare = match (bare.len(), bare[..bare.len().min(MOST)].join(", ")) {
-        (0, _) => String::new(),
-        (n, some) if n > MOST => {
-            format!("; no tab between {some} and {} more", n - MOST)
-        }
-        (_, all) => format!("; no tab between {all}"),
-    };
-    format!(
-        "ridges {}, valleys {}, tabs {}, panels creased {}{bare}",
-        paper.ridges, paper.valleys, paper.tabs, paper.creased
-    )
+    format!("ridges {}, valleys {}", paper.ridges, paper.valleys)
 }
 
-fn check_line(row: &CheckRow) -> String {
-    let number = |value: Option<f64>| value.map_or("-".to_owned(), output::short);
-    let met = match row.met {
-        Some(true) => "met",
-        Some(false) => "NOT MET",
-        None => "not available",
-    };
-    format!(
-        "{:<15} {} {}, limit {}: {met}",
-        row.label,
-        number(row.value),
-        row.unit,
-        number(row.limit)
-    )
+fn check_line((row, CheckWords { value, limit, state }): (&CheckRow, &CheckWords)) -> String {
+    let state = if state.is_empty() { String::new() } else { format!(": {state}") };
+    format!("{:<15} {value}, {limit}{state}", row.label)
 }

@@ -8,6 +8,7 @@ use shape_up::mesh::{
     UnrolledStrip, components, gauss_curvature, strips,
 };
 use shape_up::scene::Forecast;
+use shape_up::words;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -150,7 +151,7 @@ fn words(path: &Path, check: &Check) -> String {
         output::circularity(&check.circularity, ""),
     ];
     if let Some(GaussCurvature { max, vertex }) = check.gauss_curvature {
-        lines.push(format!("Gauss curv. greatest {}, at vertex {vertex}", output::short(max)));
+        lines.push(format!("Gauss curv. greatest {}, at vertex {vertex}", words::number(max)));
     }
     lines.extend(words_of(&check.strips));
     lines.extend(curvature(&check.curvature));
@@ -194,9 +195,9 @@ fn words_of(strips: &[StripReport]) -> Vec<String> {
             "strips      {} of {} quads: laid flat {} to {} wide, up to {} long",
             alike.len(),
             alike[0].quads,
-            output::short(least),
-            output::short(most),
-            output::short(longest)
+            words::number(least),
+            words::number(most),
+            words::number(longest)
         )
     };
     alike.map(line).collect()
@@ -204,8 +205,8 @@ fn words_of(strips: &[StripReport]) -> Vec<String> {
 
 /// Describes the angle of the edges to the lines of curvature, if it is defined.
 fn curvature(edges: &Curvature) -> Option<String> {
-    let mean = edges.mean_degrees?;
-    Some(format!("curvature   edges are {mean:.0} degrees off the lines of curvature on average"))
+    let angle = words::rough_degrees(edges.mean_degrees?);
+    Some(format!("curvature   edges are {angle} off the lines of curvature on average"))
 }
 
 fn tally(degrees: impl Iterator<Item = usize>) -> BTreeMap<usize, usize> {

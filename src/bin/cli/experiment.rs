@@ -7,6 +7,7 @@ use shape_up::experiment::{COMPARISON, EXPERIMENTS, Experiment, Limits, Run};
 use shape_up::generate::example::EXAMPLES;
 use shape_up::mesh::Mesh;
 use shape_up::scene::Scene;
+use shape_up::words;
 use std::path::Path;
 
 /// Prints one line per example with its own experiment.
@@ -68,9 +69,9 @@ fn table(run: &Run) -> String {
             method.label.to_owned(),
             ended.to_owned(),
             iterations,
-            output::short(last.seconds),
+            words::number(last.seconds),
         ];
-        row.extend(last.values.iter().map(|&value| output::short(value)));
+        row.extend(last.values.iter().map(|&value| words::number(value)));
         rows.push(row);
     }
     output::table(&rows)

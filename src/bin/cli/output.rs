@@ -1,8 +1,9 @@
-//! Output: atomic writing of files, text on standard output, and the forms of tables and numbers.
+//! Output: atomic writing of files, text on standard output, and the form of tables.
 
 use super::Failure;
 use serde::Serialize;
 use shape_up::mesh::{Circularity, Planarity};
+use shape_up::words;
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -121,9 +122,9 @@ pub(super) fn table(rows: &[impl AsRef<[String]>]) -> String {
 pub(super) fn planarity(planarity: &Planarity, units: &str) -> String {
     format!(
         "planarity   worst {}, mean {}, largest diagonal ratio {}",
-        length(planarity.max_distance, units),
-        length(planarity.mean_distance, units),
-        short(planarity.diagonal_ratio_max)
+        words::length(planarity.max_distance, units),
+        words::length_like(planarity.mean_distance, units, planarity.max_distance),
+        words::number(planarity.diagonal_ratio_max)
     )
 }
 
@@ -131,28 +132,7 @@ pub(super) fn planarity(planarity: &Planarity, units: &str) -> String {
 pub(super) fn circularity(circularity: &Circularity, units: &str) -> String {
     format!(
         "circularity worst {}, mean {}",
-        length(circularity.max_distance, units),
-        length(circularity.mean_distance, units)
+        words::length(circularity.max_distance, units),
+        words::length_like(circularity.mean_distance, units, circularity.max_distance)
     )
-}
-
-/// Formats a length with its unit, if any.
-pub(super) fn length(value: f64, units: &str) -> String {
-    format!("{} {units}", short(value)).trim_end().to_owned()
-}
-
-/// Formats a number with few digits, for reading.
-pub(super) fn short(value: f64) -> String {
-    let size = value.abs();
-    if value == 0.0 {
-        "0".to_owned()
-    } else if !(1e-4..1e6).contains(&size) {
-        format!("{value:.3e}")
-    } else if size >= 100.0 {
-        format!("{value:.1}")
-    } else if size >= 1.0 {
-        format!("{value:.3}")
-    } else {
-        format!("{value:.6}")
-    }
 }

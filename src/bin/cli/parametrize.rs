@@ -3,9 +3,10 @@
 use super::arguments::Parametrize;
 use super::{Failure, input, output};
 use serde::Serialize;
-use shape_up::mesh::{QuasiConformal, Topology, Weld, counted, write_obj_with_uv};
+use shape_up::mesh::{QuasiConformal, Topology, Weld, write_obj_with_uv};
 use shape_up::scene::NamedEnum;
 use shape_up::solve::{ConformalNorm, ConformalSeconds, FewerFlips, Parametrization, clock};
+use shape_up::words;
 use std::path::Path;
 
 /// The report written by `--report`.
@@ -75,17 +76,17 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
     let mut lines = vec![
         path.to_string(),
         format!("parts            {}", report.parts),
-        format!("eigenvalue       {}", output::short(report.eigenvalue)),
+        format!("eigenvalue       {}", words::number(report.eigenvalue)),
         format!(
             "quasi-conformal  mean {}, worst {}",
-            output::short(report.quasi_conformal.mean),
-            output::short(report.quasi_conformal.max)
+            words::number(report.quasi_conformal.mean),
+            words::number(report.quasi_conformal.max)
         ),
         format!("flipped          {}", report.flipped),
-        format!("seconds          {}", output::short(report.seconds.total)),
+        format!("seconds          {}", words::number(report.seconds.total)),
     ];
     if report.flipped > 0 {
-        let faces = counted(report.flipped, "face", "faces");
+        let faces = words::count(report.flipped, "face", "faces");
         let better = FewerFlips::of(mesh, &topology, report.flipped).map_or(
             "and no other weights or norm turn fewer: cut the mesh open or into parts".to_owned(),
             |better| {
@@ -96,7 +97,7 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
         lines.push(format!("warning: {faces} turned over; {better}"));
     }
     if report.left_out > 0 {
-        let faces = counted(report.left_out, "face", "faces");
+        let faces = words::count(report.left_out, "face", "faces");
         lines.push(format!(
             "left out         {faces} without area or on the same vertices as another"
         ));

@@ -4,10 +4,10 @@ use super::arguments::Solve;
 use super::meshes::mesh_file;
 use super::{Failure, input, output};
 use shape_up::constraint::describe;
-use shape_up::mesh::counted;
 use shape_up::session::Error;
-use shape_up::session::{ExactReport, Report, Session, Unpaired};
+use shape_up::session::{EndWords, ExactReport, Report, Session};
 use shape_up::solve::{Improved, Require};
+use shape_up::words;
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
@@ -46,7 +46,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         session.arm_guard();
     }
     if let Some(nearest) = session.nearest_to_exact().map_err(at_input)? {
-        let nearest = output::short(nearest);
+        let nearest = words::length(nearest, &units);
         eprintln!(
             "note: the mesh, or one constraint, is too large to be exact: met up to about {nearest}; use --within LENGTH"
         );
@@ -56,7 +56,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     } else {
         session.solve(command.trace).map_err(at_input)?;
     }
-    let report = session.report();
+    let (report, verdict) = (session.report(), verdict(&mut session));
     if command.improve && report.exact.as_ref().is_none_or(|exact| exact.improved.is_none()) {
         let why = "--improve did nothing: it needs exact or within constraints, all of them met";
         remarks.push(why.to_owned());
@@ -66,7 +66,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
             .push("nothing is required: there are no constraints; --panels adds some".to_owned());
     }
     remarks.extend(misfits(&session));
-    remarks.extend(report.unpaired.iter().map(|row| unpaired(*row, &session)));
+    remarks.extend(session.unpaired_words());
     remarks.extend(session.collapse().map(|collapse| {
         format!("stopped: {collapse}. A larger weight of closeness keeps the mesh closer to its original shape")
     }));
@@ -80,7 +80,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         files.push((path, output::json(&report)));
     }
     output::write(&files)?;
-    output::print(&summary(&command.input, &report, &remarks, &units))
+    output::print(&summary(&command.input, &report, &verdict, &remarks, &units))
 }
 
 /// Describes the elements that each row of constraints skipped.
@@ -98,23 +98,32 @@ fn misfits(session: &Session) -> impl Iterator<Item = String> {
     })
 }
 
-/// Describes a row of constraints that pairs vertices, some of which have no partner.
-fn unpaired(row: Unpaired, session: &Session) -> String {
-    let spec = &session.document().constraints[row.constraint];
-    let (of, on) = (row.paired.of, describe(&spec.on));
-    let free = if row.paired.vertices == 0 {
-        "it does nothing; see its parameters"
-    } else {
-        "the others are free"
-    };
-    format!(
-        "{} on {on}: {} of {of} vertices have an image at rest, {free}",
-        spec.kind.info().id,
-        row.paired.vertices
-    )
+/// Returns the verdict in the words of the page: on the panels, on hard constraints, or on all
+/// constraints. The tolerance is the largest that a constraint requires, or that of the mesh.
+fn verdict(session: &mut Session) -> Vec<String> {
+    let rows = session.document().constraints.iter().filter(|row| row.enabled);
+    let required = rows.filter_map(|row| match row.require {
+        Require::Within(length) => Some(length),
+        Require::Soft | Require::Exact => None,
+    });
+    let tolerance = required.reduce(f64::max).unwrap_or_else(|| session.tolerance());
+    let panels = session.verdict(tolerance).map(|verdict| session.verdict_words(&verdict).full);
+    match (panels, session.exact_words()) {
+        (Some(panels), Some(exact)) if exact.brief.is_empty() => vec![panels],
+        (Some(panels), Some(exact)) => vec![panels, exact.brief],
+        (Some(panels), None) => vec![panels],
+        (None, Some(exact)) => vec![exact.full],
+        (None, None) => session.run_verdict(tolerance).into_iter().map(|run| run.full).collect(),
+    }
 }
 
-fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> String {
+fn summary(
+    input: &Path,
+    report: &Report,
+    verdict: &[String],
+    remarks: &[String],
+    units: &str,
+) -> String {
     let mut text = String::new();
     let mut line = |words: std::fmt::Arguments<'_>| {
         writeln!(text, "{words}").expect("writing to a string does not fail");
@@ -124,26 +133,23 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
     line(format_args!(
         "{}: {}, {}, constraints: {}",
         input.display(),
-        counted(report.vertices, "vertex", "vertices"),
-        counted(report.faces, "face", "faces"),
+        words::count(report.vertices, "vertex", "vertices"),
+        words::count(report.faces, "face", "faces"),
         if kinds.is_empty() { "none".to_owned() } else { kinds.join(", ") }
     ));
     for remark in remarks {
         line(format_args!("note: {remark}"));
     }
     if !report.pinned.is_empty() {
-        let named: Vec<_> =
-            report.pinned.iter().take(NAMED_PINS).map(ToString::to_string).collect();
-        let more = report.pinned.len() - named.len();
+        let pinned: Vec<_> = report.pinned.iter().map(ToString::to_string).collect();
         line(format_args!(
-            "note: {} {}{}",
+            "note: {} {}",
             if report.pinned.len() == 1 {
                 "one part of the mesh has no handle or closeness; fixed at vertex"
             } else {
                 "some parts of the mesh have no handle or closeness; fixed at vertices"
             },
-            named.join(", "),
-            if more == 0 { String::new() } else { format!(" and {more} more") }
+            words::and_more(&pinned, NAMED_PINS)
         ));
     }
     let (initial, last) = (report.energy.initial, report.energy.last);
@@ -156,29 +162,30 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
     ] {
         line(format_args!(
             "energy {name:<8} {} -> {}",
-            output::short(before),
-            output::short(after)
+            words::number(before),
+            words::number(after)
         ));
     }
     line(format_args!(
-        "iterations {}, stopped by {}, {} s",
-        report.iterations,
+        "{}, stopped by {}, {} s",
+        ended(report),
         report.stopped_by,
-        output::short(report.seconds.iterate)
+        words::number(report.seconds.iterate)
     ));
     line(format_args!("{}", output::planarity(&report.planarity, units)));
     line(format_args!("{}", output::circularity(&report.circularity, units)));
     if let Some(folded) = report.folded {
         line(format_args!("folds       {folded} faces are folded or dented"));
     }
+    verdict.iter().for_each(|words| line(format_args!("{words}")));
     if let Some(exact) = &report.exact {
         line(format_args!("{}", exact_line(exact, units)));
         if let Some(Improved { before, after, steps }) = exact.improved {
             line(format_args!(
                 "improved by {}: energy without hard constraints {} -> {}",
-                counted(steps as usize, "step", "steps"),
-                output::short(before),
-                output::short(after)
+                words::count(steps as usize, "step", "steps"),
+                words::number(before),
+                words::number(after)
             ));
         }
     }
@@ -196,27 +203,31 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
     text
 }
 
+/// Says how the iterations ended.
+fn ended(report: &Report) -> String {
+    let EndWords { converged, paused } = EndWords::after(report.iterations);
+    if report.stopped_by == "tolerance" { converged } else { paused }
+}
+
 /// Formats how well hard constraints are met.
 fn exact_line(exact: &ExactReport, units: &str) -> String {
-    let length = |length: f64| output::length(length, units);
     let met = if exact.met {
         "met".to_owned()
     } else {
-        let misses = counted(exact.misses, "constraint", "constraints");
+        let misses = words::count(exact.misses, "constraint", "constraints");
         let why = if exact.contradiction { ", which contradict each other" } else { "" };
         let mut why = why.to_owned();
         if let Some(ratio) = exact.shortest_edge.filter(|_| exact.on_guard > 0) {
-            let edges = counted(exact.on_guard, "edge is", "edges are");
-            let ratio = output::short(ratio);
+            let edges = words::count(exact.on_guard, "edge is", "edges are");
+            let ratio = words::number(ratio);
             why += &format!("; {edges} as short as allowed, down to {ratio} of the length at rest");
         }
         format!("not met by {misses}{why}")
     };
     format!(
-        "hard constraints {met}: farthest {}, tolerance {}, moved {} on the way, {} s",
-        length(exact.max_distance),
-        length(exact.tolerance),
-        length(exact.moved.max),
-        output::short(exact.seconds)
+        "hard constraints {met}: tolerance {}, moved {} on the way, {} s",
+        words::limit(exact.tolerance, units),
+        words::length(exact.moved.max, units),
+        words::number(exact.seconds)
     )
 }

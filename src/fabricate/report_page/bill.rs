@@ -1,10 +1,11 @@
 //! The bill of materials.
 
-use super::words::{area, count, length, short};
 use crate::fabricate::build::Build;
+use crate::fabricate::build_words::parts;
 use crate::fabricate::report::BuildReport;
 use crate::math::plane::Point2;
 use crate::scene::Product;
+use crate::words::{area, brief, millimetres, millimetres_limit, part, rough_degrees};
 
 /// A line of the bill: item and quantity.
 pub(super) type Line = (&'static str, String);
@@ -14,40 +15,28 @@ pub(super) fn bill(build: &Build, report: &BuildReport) -> [Vec<Line>; 2] {
     [model(build, report), building(build, report)]
 }
 
-/// The noun for the parts of a product.
-pub(super) fn noun(product: Product) -> &'static str {
-    match product {
-        Product::Panels => "panel",
-        Product::Fins => "fin",
-        Product::Paper => "piece",
-    }
-}
-
 fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
     let [width, height] = report.sheet_mm;
     let thickness = build.settings.thickness;
     let material = match thickness > 0.0 {
-        true => format!("{} mm {}", short(thickness), build.settings.material),
+        true => format!("{} {}", millimetres_limit(thickness), build.settings.material),
         false => build.settings.material.clone(),
     };
     let of_sheets = report.sheets as f64 * width * height;
     let mut lines = vec![
         ("Material", material),
-        ("Sheets", format!("{} of {} x {} mm", report.sheets, short(width), short(height))),
+        ("Sheets", format!("{} of {} x {} mm", report.sheets, brief(width), brief(height))),
         ("Area of the sheets", area(of_sheets)),
-        (
-            "Covered by parts",
-            format!("{} ({:.0} %)", area(report.cut_area_mm2), 100.0 * report.used),
-        ),
-        ("Parts on sheets", count(report.placed, noun(report.product))),
-        ("Length of cuts", length(report.cut_length_mm)),
+        ("Covered by parts", format!("{} ({})", area(report.cut_area_mm2), part(report.used))),
+        ("Parts on sheets", parts(report.placed, report.product)),
+        ("Length of cuts", millimetres(report.cut_length_mm)),
     ];
     let folds = || build.parts.iter().flat_map(|part| part.ridges.iter().chain(&part.valleys));
     match report.product {
         Product::Panels => {
-            let [outside, inside] = report.least_joint_mm.map(|mm| length(mm.unwrap_or(0.0)));
+            let [outside, inside] = report.least_joint_mm.map(|mm| millimetres(mm.unwrap_or(0.0)));
             lines.extend([
-                ("Joint on the sheet", length(report.joint_mm)),
+                ("Joint on the sheet", millimetres(report.joint_mm)),
                 ("Least joint for that thickness", format!("{outside} outside, {inside} inside")),
             ]);
         }
@@ -55,10 +44,10 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
             report
                 .frame
                 .as_ref()
-                .map(|frame| ("Cut back at nodes by up to", length(frame.cut_back_mm))),
+                .map(|frame| ("Cut back at nodes by up to", millimetres(frame.cut_back_mm))),
         ),
         Product::Paper => {
-            lines.push(("Length of scores", length(folds().map(|fold| long(fold)).sum())));
+            lines.push(("Length of scores", millimetres(folds().map(|fold| long(fold)).sum())));
             lines.extend(report.paper.as_ref().map(|paper| ("Tabs", paper.tabs.to_string())));
         }
     }
@@ -69,22 +58,22 @@ fn building(build: &Build, report: &BuildReport) -> Vec<Line> {
     let building = build.mm_of_building();
     let panels: f64 = build.surface.areas.iter().map(|area| area.length()).sum();
     let edges: f64 = build.surface.edges.iter().map(|edge| build.surface.length(edge)).sum();
-    let alike = short(build.settings.alike);
+    let alike = millimetres_limit(build.settings.alike);
     let mut lines = vec![
         ("Panels", format!("{}, {}", report.panels, area(panels * building * building))),
-        ("Types of panels", format!("{} within {alike} mm", report.types)),
-        ("Types of edges", format!("{} within {alike} mm", report.edge_types)),
-        ("Edges", format!("{}, {}", report.edges, length(edges * building))),
+        ("Types of panels", format!("{} within {alike}", report.types)),
+        ("Types of edges", format!("{} within {alike}", report.edge_types)),
+        ("Edges", format!("{}, {}", report.edges, millimetres(edges * building))),
         ("Nodes", report.nodes.to_string()),
     ];
     lines.extend(report.frame.as_ref().map(|frame| {
-        let types = format!("{} within {}\u{b0}", frame.node_types, short(frame.alike_deg));
+        let types = format!("{} within {}°", frame.node_types, brief(frame.alike_deg));
         ("Types of nodes", types)
     }));
     lines.extend(report.fold_deg.map(|[low, high]| {
-        ("Folds between panels", format!("{}\u{b0} to {}\u{b0}", short(low), short(high)))
+        ("Folds between panels", format!("{} to {}", rough_degrees(low), rough_degrees(high)))
     }));
-    lines.push(("Change by laying flat", length(report.flattening_error_mm)));
+    lines.push(("Change by laying flat", millimetres(report.flattening_error_mm)));
     lines
 }
 

@@ -1,6 +1,5 @@
 //! Histogram of the values behind a number of the build check, from 0 to the limit or beyond.
 
-use super::words::with_unit;
 use crate::fabricate::file::{escaped, places};
 
 /// Number of bars.
@@ -10,9 +9,9 @@ const SIZE: [f64; 2] = [54.0, 8.5];
 /// The height of the bars; the labels are below.
 const BASE: f64 = 5.5;
 
-/// Draws `values`, which should be from 0 to `limit`, as SVG; empty without a value above 0 or a
-/// limit.
-pub(super) fn histogram(values: &[f64], limit: f64, unit: &str) -> String {
+/// Draws `values`, which should be from 0 to `limit`, as SVG; `words` writes a value with its unit.
+/// Empty without a value above 0 or a limit.
+pub(super) fn histogram(values: &[f64], limit: f64, words: impl Fn(f64) -> String) -> String {
     let worst = values.iter().copied().fold(0.0, f64::max);
     let end = worst.max(1.25 * limit);
     if values.is_empty() || !(end.is_finite() && end > 0.0) {
@@ -37,7 +36,7 @@ pub(super) fn histogram(values: &[f64], limit: f64, unit: &str) -> String {
         );
     }
     let at = places(limit / end * width, 2);
-    let (words, below) = (escaped(&with_unit(end, unit)), places(BASE + 0.6, 2));
+    let (words, below) = (escaped(&words(end)), places(BASE + 0.6, 2));
     format!(
         "<svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{} values from 0 to {words}\">\
          <path class=\"axis\" d=\"M0,{BASE}H{width}\"/>{bars}<path class=\"limit\" d=\"M{at},0V{below}\"/>\

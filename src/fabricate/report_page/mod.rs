@@ -5,7 +5,6 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `words` | rounded numbers with units, as text |
 //! | `picture` | the shape in parallel projection, and its plan |
 //! | `histogram` | histogram of the values behind a number |
 //! | `bill` | the bill of materials |
@@ -17,6 +16,5 @@ mod bill;
 mod histogram;
 mod page;
 mod picture;
-mod words;
 
 pub use page::ReportView;

@@ -1,14 +1,14 @@
 //! The document: its sections from top to bottom.
 
-use super::bill::{Line, bill, noun};
+use super::bill::{Line, bill};
 use super::histogram::histogram;
 use super::picture::{Picture, from_above, from_camera};
-use super::words::{count, length, sentence, short, with_unit};
 use crate::fabricate::build::Build;
+use crate::fabricate::build_words::{CheckWords, parts};
 use crate::fabricate::check_card::CheckRow;
 use crate::fabricate::file::escaped;
 use crate::fabricate::report::BuildReport;
-use crate::scene::OffsetKind;
+use crate::words;
 
 /// The look. The policy of the page that shows the document allows exactly this text.
 const STYLE: &str = include_str!("page.css");
@@ -46,7 +46,7 @@ impl Build {
             self.pictures(view),
             self.check(&report),
             materials(bill(self, &report)),
-            notes(&report),
+            self.notes(&report),
             foot(&view.link),
         ];
         format!(
@@ -59,16 +59,16 @@ impl Build {
     }
 
     fn head(&self, report: &BuildReport, title: &str) -> String {
-        let words = format!(
+        let line = format!(
             "{} at 1:{}, {} on {}. Model in {}; lengths of the building in mm.",
             self.settings.material,
-            short(report.scale),
-            count(report.placed, noun(report.product)),
-            count(report.sheets, "sheet"),
+            words::brief(report.scale),
+            parts(report.placed, report.product),
+            words::count(report.sheets, "sheet", "sheets"),
             report.unit
         );
-        let words = escaped(&sentence(&words));
-        format!("<header>\n<h1>{title}</h1>\n<p>{words}</p>\n</header>\n")
+        let line = escaped(&words::sentence(&line));
+        format!("<header>\n<h1>{title}</h1>\n<p>{line}</p>\n</header>\n")
     }
 
     fn pictures(&self, view: &ReportView) -> String {
@@ -77,11 +77,11 @@ impl Build {
         let plan = Picture::new(self, from_above(view.z_up));
         let building = self.mm_of_building();
         let scale = round_up(building / plan.scale_in([narrow, high]));
-        let [across, along] = plan.size.map(|size| length(size * building));
-        let words = format!("Plan 1:{}, {across} by {along}", short(scale));
+        let [across, along] = plan.size.map(|size| words::millimetres(size * building));
+        let caption = format!("Plan 1:{}, {across} by {along}", words::brief(scale));
         let figures = [
             (seen.shaded([wide, high], &self.failed()), "Current view; red exceeds a limit"),
-            (plan.plan(narrow, building / scale), &*words),
+            (plan.plan(narrow, building / scale), &*caption),
         ];
         let figures = figures.map(|(picture, caption)| {
             let caption = escaped(caption);
@@ -93,18 +93,20 @@ impl Build {
     fn check(&self, report: &BuildReport) -> String {
         let rows = report.check.iter().zip(self.spreads());
         let rows: String = rows.map(|(row, values)| check_row(row, &values)).collect();
-        let words = report.offset.as_ref().map_or(String::new(), |offset| {
-            let kept = match offset.kind {
-                OffsetKind::Corner => "Corners keep",
-                OffsetKind::Face => "Panels keep",
-                OffsetKind::Edge => "Beams keep",
-            };
-            let how = if offset.exact { "exactly" } else { "as nearly as possible" };
-            let why = if offset.exact { String::new() } else { format!("; {}", offset.why_not) };
-            let words = format!("{kept} a distance of {} {how}{why}.", length(offset.distance_mm));
-            format!("<p>{}</p>\n", escaped(&words))
-        });
-        section("Build check", &format!("<table>\n{rows}</table>\n{words}"))
+        let kept = report
+            .offset
+            .as_ref()
+            .map_or(String::new(), |offset| format!("<p>{}</p>\n", escaped(&offset.words())));
+        section("Build check", &format!("<table>\n{rows}</table>\n{kept}"))
+    }
+
+    fn notes(&self, report: &BuildReport) -> String {
+        let notes = report.problems.iter().cloned().chain(self.words(report).warnings);
+        let items = notes.map(|note| format!("<li>{}</li>\n", escaped(&words::sentence(&note))));
+        match items.collect::<String>() {
+            none if none.is_empty() => none,
+            items => section("Notes", &format!("<ul>\n{items}</ul>\n")),
+        }
     }
 }
 
@@ -113,21 +115,17 @@ fn section(title: &str, content: &str) -> String {
 }
 
 fn check_row(row: &CheckRow, values: &[f64]) -> String {
-    let number = |value: Option<f64>, otherwise: &str| {
-        value.map_or(otherwise.to_owned(), |value| escaped(&with_unit(value, row.unit)))
+    let class = match row.met {
+        Some(true) => "met",
+        Some(false) => "unmet",
+        None => "open",
     };
-    let (state, class) = match row.met {
-        Some(true) => ("met".to_owned(), "met"),
-        Some(false) if row.failed > 0 => (format!("not met by {}", row.failed), "unmet"),
-        Some(false) => ("not met".to_owned(), "unmet"),
-        None => (String::new(), "open"),
-    };
+    let CheckWords { value, limit, state } = row.words();
+    let [value, limit, state] = [value, limit, state].map(|words| escaped(&words));
+    let spread = histogram(values, row.limit.unwrap_or_default(), |end| row.value_in_words(end));
     format!(
-        "<tr class=\"{class}\"><th scope=\"row\">{}</th><td>{}</td><td>limit {}</td><td>{state}</td><td>{}</td></tr>\n",
-        row.label,
-        number(row.value, "not available"),
-        number(row.limit, "none"),
-        histogram(values, row.limit.unwrap_or_default(), row.unit)
+        "<tr class=\"{class}\"><th scope=\"row\">{}</th><td>{value}</td><td>{limit}</td><td>{state}</td><td>{spread}</td></tr>\n",
+        row.label
     )
 }
 
@@ -139,37 +137,13 @@ fn materials(columns: [Vec<Line>; 2]) -> String {
     section("Bill of materials", &format!("<div class=\"bill\">\n{}</div>\n", lists.concat()))
 }
 
-fn notes(report: &BuildReport) -> String {
-    let mut notes: Vec<String> = report.problems.clone();
-    let some = |names: &[String]| match names.len().saturating_sub(4) {
-        0 => names.join(", "),
-        more => format!("{} and {more} more", names[..4].join(", ")),
-    };
-    for (what, names) in [
-        ("Larger than the sheet, left out", &report.too_large),
-        ("Not cut", &report.not_cut),
-        ("No room for the name of", &report.unnamed),
-        ("No tab between", report.paper.as_ref().map_or(&Vec::new(), |paper| &paper.without_tab)),
-    ] {
-        notes.extend((!names.is_empty()).then(|| format!("{what}: {}.", some(names))));
-    }
-    if report.dropped_names > 0 {
-        notes.push(format!("{} of neighbours have no room.", count(report.dropped_names, "name")));
-    }
-    if notes.is_empty() {
-        return String::new();
-    }
-    let items = notes.iter().map(|note| format!("<li>{}</li>\n", escaped(&sentence(note))));
-    section("Notes", &format!("<ul>\n{}</ul>\n", items.collect::<String>()))
-}
-
 fn foot(link: &str) -> String {
     let program = concat!("Shape-Up ", env!("CARGO_PKG_VERSION"));
     let link = match link.chars().count() {
         0 => String::new(),
         length => {
             let words = match length > MOST_LINK {
-                true => format!("Click here: its {length} characters are too many to type."),
+                true => "Click to open it; the link is too long to print.".to_owned(),
                 false => escaped(link),
             };
             format!("<a href=\"{}\" target=\"_blank\">{words}</a>\n", escaped(link))

@@ -6,7 +6,8 @@
 use super::origins::{Combinations, Edited, Origins, Sum};
 use super::sharp::Sharp;
 use crate::math::polygon_corners;
-use crate::mesh::{Group, Mesh, Ragged, Topology, counted};
+use crate::mesh::{Group, Mesh, Ragged, Topology};
+use crate::words;
 use std::fmt;
 
 /// Maximum number of levels at once.
@@ -94,7 +95,7 @@ impl fmt::Display for SubdivideError {
             SubdivideError::TooMany(vertices) => write!(
                 f,
                 "the result would have {}, expected {MOST_VERTICES} at most",
-                counted(*vertices, "vertex", "vertices")
+                words::count(*vertices, "vertex", "vertices")
             ),
         }
     }

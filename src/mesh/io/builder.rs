@@ -5,7 +5,8 @@ use super::number::{Numbering, coordinate};
 use super::outcome::{Read, ReadFault};
 use crate::mesh::diagnostics::{coincident, examine};
 use crate::mesh::problem::DiagnosticCounts;
-use crate::mesh::{ElementKind, Mesh, Point, ProblemKind, counted};
+use crate::mesh::{ElementKind, Mesh, Point, ProblemKind};
+use crate::words;
 
 /// The mesh so far, with the source lines of its vertices and faces.
 #[derive(Default)]
@@ -151,7 +152,7 @@ impl MeshBuilder {
             return Err(ReadFault::whole("no coordinate in the file is a number"));
         }
         if let Some((count, first)) = coincident(positions) {
-            let vertices = counted(count, "vertex lies", "vertices lie");
+            let vertices = words::count(count, "vertex lies", "vertices lie");
             let line = self.vertex_lines[first];
             self.notes.push(format!("{vertices} exactly on an earlier one, first at line {line}"));
         }

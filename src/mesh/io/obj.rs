@@ -7,7 +7,8 @@ use super::builder::MeshBuilder;
 use super::groups::Groups;
 use super::lines::{joined_lines, words};
 use super::number::{Numbering, whole};
-use crate::mesh::{ElementKind, GroupKeyword, ProblemKind, counted};
+use crate::mesh::{ElementKind, GroupKeyword, ProblemKind};
+use crate::words;
 
 /// Statements ignored without a message: they do not affect the shape, or only free-form elements.
 const SILENT: &str = "vt vn vp s mg mtllib maplib usemap parm trim hole scrv sp end con bmat step \
@@ -121,6 +122,6 @@ impl Ignored {
         ];
         all.into_iter()
             .filter(|(count, ..)| *count > 0)
-            .map(|(count, one, many)| format!("{} ignored", counted(count, one, many)))
+            .map(|(count, one, many)| format!("{} ignored", words::count(count, one, many)))
     }
 }

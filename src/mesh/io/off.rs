@@ -6,7 +6,8 @@ use super::builder::MeshBuilder;
 use super::number::Numbering;
 use super::outcome::ReadFault;
 use super::stream::Stream;
-use crate::mesh::{ElementKind, counted};
+use crate::mesh::ElementKind;
+use crate::words;
 
 /// The first word of a file.
 pub(crate) struct Header<'a> {
@@ -42,18 +43,18 @@ pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
             usize::from(stream.element(ElementKind::Face, corners, what, &mut builder)?);
     }
     if let Some(word) = stream.word() {
-        let vertices = counted(vertices, "vertex", "vertices");
-        let faces = counted(faces, "face", "faces");
+        let vertices = words::count(vertices, "vertex", "vertices");
+        let faces = words::count(faces, "face", "faces");
         let message = format!("the header says {vertices} and {faces}, but `{word}` follows them");
         return Err(stream.fault(message));
     }
 
     if vertex_rests > 0 {
-        let vertices = counted(vertex_rests, "vertex", "vertices");
+        let vertices = words::count(vertex_rests, "vertex", "vertices");
         builder.notes.push(format!("extra numbers of {vertices} ignored"));
     }
     if face_rests > 0 {
-        let faces = counted(face_rests, "face", "faces");
+        let faces = words::count(face_rests, "face", "faces");
         builder.notes.push(format!("colours of {faces} ignored"));
     }
     let numbering = match counts_from_one(&builder, vertices) {

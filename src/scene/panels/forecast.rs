@@ -6,6 +6,7 @@ use crate::mesh::{
     Curvature, CurvatureLines, MESH_OPERATIONS, Mesh, Ragged, Task, Topology, face_curvatures,
 };
 use crate::solve::{Constraints, least_move};
+use crate::words;
 use serde::Serialize;
 
 /// Least estimated move, as a fraction of the mean edge, of [`HowFar::Lot`].
@@ -127,7 +128,8 @@ impl Forecast {
                     |remedy| remedy.words,
                 );
                 format!(
-                    ": its edges are {angle:.0}° off the lines of curvature on average. {remedy}"
+                    ": its edges are {} off the lines of curvature on average. {remedy}",
+                    words::rough_degrees(angle)
                 )
             }
             None if is_far => ". A larger tolerance would reduce this.".to_owned(),
@@ -135,8 +137,9 @@ impl Forecast {
         };
         let some = |&[on_saddles, all]: &[usize; 2]| on_saddles as f64 > SADDLE_SHARE * all as f64;
         if let Some([on_saddles, all]) = self.saddles.filter(some) {
+            let [some, all] = [on_saddles, all].map(words::group_digits);
             words += &format!(
-                " {on_saddles} of {all} faces with more than four corners are where the surface is a saddle: flat panels \
+                " {some} of {all} faces with more than four corners are where the surface is a saddle: flat panels \
                  cannot be convex there."
             );
         }

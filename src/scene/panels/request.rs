@@ -27,6 +27,11 @@ pub fn panel_offers(mesh: &Mesh) -> Vec<PanelOffer> {
         .collect()
 }
 
+/// Returns the adjective for panels of the kind with this id; none if it is not offered for panels.
+pub fn panel_adjective(kind: &str) -> Option<&'static str> {
+    KINDS.iter().find(|info| info.id == kind)?.panels
+}
+
 pub(super) fn is_of_triangles(mesh: &Mesh) -> bool {
     mesh.faces.iter().all(|face| face.len() <= 3)
 }

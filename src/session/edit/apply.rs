@@ -6,13 +6,14 @@ use super::edit_list::{Edit, NewConstraint, PanelStart};
 use super::iteration_state::{IterationState, back_to_rest, reset};
 use super::{presenting, settings, variants};
 use crate::constraint::{Kind, KindError, Set};
-use crate::mesh::{Read, counted, read};
+use crate::mesh::{Read, read};
 use crate::scene::{
     ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose, SceneError, Target, Variants,
 };
 use crate::session::report::{check_lesson, check_presentation};
 use crate::session::state::{Draft, Part, RowValues, Settings};
 use crate::solve::{Handle, HandleIndex, Require};
+use crate::words;
 use serde_json::{Map, Value};
 use std::rc::Rc;
 
@@ -156,7 +157,7 @@ pub(crate) fn apply(
                 handles[place].hold = Hold::Soft { weight };
             }
             draft.put_handles(handles);
-            format!("Weigh {}", counted(vertices.len(), "handle", "handles"))
+            format!("Weigh {}", words::count(vertices.len(), "handle", "handles"))
         }
         Edit::SetWeights(weights) => {
             draft.set(|document| {
@@ -216,7 +217,7 @@ pub(crate) fn apply(
             draft.put_handles(with_handles(&vertices, hold, draft)?);
             match fixed {
                 true => format!("Fix {}", of_vertices(vertices.len())),
-                false => format!("Make {}", counted(vertices.len(), "handle", "handles")),
+                false => format!("Make {}", words::count(vertices.len(), "handle", "handles")),
             }
         }
         Edit::RemoveHandles { vertices } => {
@@ -320,5 +321,5 @@ fn with_params(kind: &Kind, index: usize, changed: Map<String, Value>) -> Result
 }
 
 fn of_vertices(count: usize) -> String {
-    counted(count, "vertex", "vertices")
+    words::count(count, "vertex", "vertices")
 }

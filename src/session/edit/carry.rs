@@ -7,10 +7,11 @@
 
 use crate::constraint::{Element, Selector, describe, resolve};
 use crate::math::marked;
-use crate::mesh::{Edited, Origins, Point, Topology, counted};
+use crate::mesh::{Edited, Origins, Point, Topology};
 use crate::scene::{ConstraintSpec, EasedFaces, Hold, MeshSource, Pose, Scene};
 use crate::session::state::{RestMesh, resolve_row};
 use crate::solve::Handle;
+use crate::words;
 use serde_json::Value;
 
 /// A scene carried over to another mesh.
@@ -40,7 +41,7 @@ pub(crate) fn carry(
     let carried = carry_handles(handles, (positions, &now), before.topology(), origins);
     let gone = handles.iter().filter(|handle| is_gone(handle.vertex, origins)).count();
     if gone > 0 {
-        let handles = counted(gone, "handle", "handles");
+        let handles = words::count(gone, "handle", "handles");
         lost.push(format!("Left out: {handles} on vertices that no longer exist."));
     }
     let mut document = document.clone();

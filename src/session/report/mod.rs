@@ -5,6 +5,9 @@
 //! | `run_report` | the report of the command line |
 //! | `moved` | displacements, and the shortest edge |
 //! | `verdict` | how many panels have the required shape within a tolerance |
+//! | `verdict_words` | the same in words |
+//! | `run_verdict` | how a run ended, and whether its constraints are met, in words |
+//! | `exact_words` | how well hard constraints are met, and what exactness costs, in words |
 //! | `face_measure` | the measures of faces, by which hosts colour and list them |
 //! | `measuring` | the shapes to be measured |
 //! | `measure_cache` | measures of the current shape, each computed once |
@@ -19,6 +22,7 @@
 
 mod angles;
 mod constraint_map;
+mod exact_words;
 mod face_measure;
 mod inspect;
 mod lesson;
@@ -28,13 +32,17 @@ mod mesh_diagnostics;
 mod moved;
 mod projected;
 mod run_report;
+mod run_verdict;
 mod tables;
 mod verdict;
+mod verdict_words;
 mod worst;
 
 pub(crate) use angles::{angles, angles_csv};
 pub(crate) use constraint_map::{ConstraintCoverage, acting_rows};
 pub use constraint_map::{ConstraintMap, RowPalette};
+pub use exact_words::{ExactWords, TrialWords, WeakerRequirement};
+pub(crate) use exact_words::{Exactness, TrialNumbers};
 pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
 pub(crate) use face_measure::{corner_values, face_values};
 pub(crate) use inspect::{free, members, required_measure, reweighted_vertices};
@@ -49,8 +57,10 @@ pub(crate) use moved::{moved, shortest_edge};
 pub use projected::Projections;
 pub(crate) use projected::projections;
 pub use run_report::{EnergyReport, Report, Seconds, Unpaired};
+pub use run_verdict::{EndWords, RunVerdict};
 pub(crate) use tables::{convergence_csv, errors_csv};
 pub(crate) use verdict::tolerance;
 pub use verdict::{Bend, BendChange, EasedPanels, Verdict};
+pub use verdict_words::VerdictWords;
 pub use worst::WorstElement;
 pub(crate) use worst::{worst_constraints, worst_faces};

@@ -1,11 +1,13 @@
 //! The report of a solved scene.
 
 use super::moved::{moved, shortest_edge};
+use crate::constraint::describe;
 use crate::mesh::{Circularity, Measures, Planarity};
-use crate::scene::{Accelerator, NamedEnum};
+use crate::scene::{Accelerator, ConstraintSpec, NamedEnum};
 use crate::session::run::{ExactReport, Progress, TraceEntry};
 use crate::session::state::{Paired, RestMesh, SolvedScene};
 use crate::solve::{Energy, IterateSeconds, Moved};
+use crate::words::group_digits;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
@@ -69,6 +71,38 @@ pub struct Unpaired {
     pub paired: Paired,
 }
 
+impl Unpaired {
+    /// Returns the enabled rows of which some vertices have no partner.
+    fn all(scene: &SolvedScene) -> impl Iterator<Item = Unpaired> {
+        let rows = scene.rows().iter().enumerate().filter(|(_, row)| row.enabled);
+        rows.filter_map(|(constraint, row)| {
+            let paired = row.paired.filter(|paired| paired.vertices < paired.of)?;
+            Some(Unpaired { constraint, paired })
+        })
+    }
+
+    /// Says for each of these rows how many vertices have a partner.
+    pub(crate) fn words(scene: &SolvedScene) -> Vec<String> {
+        let specs = &scene.document().constraints;
+        let words = |Unpaired { constraint, paired: Paired { vertices, of } }| {
+            let spec: &ConstraintSpec = &specs[constraint];
+            let (what, of) =
+                (format!("{} on {}", spec.label(), describe(&spec.on)), group_digits(of));
+            match vertices {
+                0 => format!(
+                    "{what}: none of the {of} vertices has an image among the others, so it does nothing. \
+                     Check the direction of its mirror or axis."
+                ),
+                some => format!(
+                    "{what}: {} of {of} vertices have an image; the others are free.",
+                    group_digits(some)
+                ),
+            }
+        };
+        Unpaired::all(scene).map(words).collect()
+    }
+}
+
 /// Energies of the input and of the current shape.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct EnergyReport {
@@ -108,13 +142,10 @@ impl Report {
     ) -> Report {
         let mut constraints = BTreeMap::new();
         let mut skipped = 0;
-        let mut unpaired = Vec::new();
-        for (constraint, row) in scene.rows().iter().enumerate().filter(|(_, row)| row.enabled) {
+        for row in scene.rows().iter().filter(|row| row.enabled) {
             *constraints.entry(row.constraints.kind.info().id).or_insert(0) +=
                 row.constraints.members.len();
             skipped += row.skipped;
-            let paired = row.paired.filter(|paired| paired.vertices < paired.of);
-            unpaired.extend(paired.map(|paired| Unpaired { constraint, paired }));
         }
         let solver = scene.solver();
         let set_up = solver.set_up_seconds();
@@ -127,7 +158,7 @@ impl Report {
             faces: rest.mesh().faces.len(),
             constraints,
             skipped,
-            unpaired,
+            unpaired: Unpaired::all(scene).collect(),
             unknowns: solver.system().unknowns(),
             factor_nonzeros: solver.system().factor_nonzeros(),
             iterations: progress.iteration(),

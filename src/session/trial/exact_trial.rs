@@ -5,6 +5,7 @@ use crate::mesh::Point;
 use crate::scene::ConstraintSpec;
 use crate::session::Error;
 use crate::session::Session;
+use crate::session::report::{Exactness, TrialNumbers, TrialWords};
 use crate::session::requirements::Required;
 use crate::session::run::{ExactReport, Met};
 use crate::session::state::{Part, RowValues};
@@ -47,7 +48,7 @@ pub struct Cost {
 }
 
 /// The cost of exactness. Lengths are in the unit of the mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct ExactOffer {
@@ -67,6 +68,8 @@ pub struct ExactOffer {
     pub after: Cost,
     /// Displacements between these two shapes.
     pub moved: Moved,
+    /// The same in words.
+    pub words: TrialWords,
 }
 
 /// The shape of a trial, to be accepted by the session of which a copy was tried. The positions
@@ -215,15 +218,34 @@ impl ExactTrial {
         let positions = self.exact.positions();
         let moved_by = session.rest.moved_by(&positions);
         let after = Cost { energy: self.exact.energy().total, moved: moved_by };
+        let (too_large, misses) = (!self.exact.can_polish(), unmet.len());
+        let folded = session.rest.folded_by(&positions).len();
+        let distance = session.exact().map_or(max_distance, |report| report.max_distance);
+        let numbers = TrialNumbers {
+            units: &session.document().units,
+            size: session.rest.diameter(),
+            distance: [distance, max_distance],
+            moved: [self.before.moved, after.moved],
+            energy: [self.before.energy, after.energy],
+            by: moved.max,
+        };
+        let words = match (self.rows.is_empty(), too_large, met) {
+            (true, ..) => TrialWords::of_improvement(&numbers),
+            (_, true, _) => TrialWords::of_exactness(&numbers, &Exactness::TooLarge),
+            (.., false) => TrialWords::of_exactness(&numbers, &Exactness::Missed(misses)),
+            _ => TrialWords::of_exactness(&numbers, &Exactness::Met(folded)),
+        };
+        let before = self.before;
         Some(ExactOffer {
             met,
-            too_large: !self.exact.can_polish(),
-            misses: unmet.len(),
-            folded: session.rest.folded_by(&positions).len(),
+            too_large,
+            misses,
+            folded,
             max_distance,
-            before: self.before,
+            before,
             after,
             moved,
+            words,
         })
     }
 

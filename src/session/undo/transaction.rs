@@ -1,10 +1,10 @@
 //! A drag or run under way: many changes that become one step of undo.
 
 use super::change::Change;
-use crate::mesh::counted;
 use crate::session::run::ExactReport;
 use crate::session::state::SceneChange;
 use crate::solve::Handle;
+use crate::words;
 
 /// A drag, run or variation that has begun and is not yet a step of undo.
 pub(crate) struct Transaction {
@@ -99,7 +99,7 @@ impl Transaction {
     /// Returns the name of the step of a run that ends at `iteration`; none without iterations.
     pub(crate) fn name_of_run(&self, iteration: u32) -> Option<String> {
         let iterations = iteration - self.back.iteration;
-        let words = counted(iterations as usize, "iteration", "iterations");
+        let words = words::count(iterations as usize, "iteration", "iterations");
         (iterations > 0).then(|| format!("Run, {words}"))
     }
 }

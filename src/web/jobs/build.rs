@@ -1,7 +1,10 @@
 //! Sheets and the build check for the page.
 
 use crate::fabricate::file::picture;
-use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres, ReportView};
+use crate::fabricate::{
+    BUILD_NUMBERS, Build, BuildCard, BuildReport, BuildWords, CardWords, Choice, LengthInMetres,
+    ReportView,
+};
 use crate::scene::{BUILD_PRESETS, BuildPreset, BuildSettings};
 use crate::web::{log_panics, mesh_of, plain_object as plain, thrown};
 use serde::Serialize;
@@ -14,6 +17,28 @@ struct BuildOffers {
     /// All of them.
     #[tsify(type = "Required<BuildSettings>")]
     defaults: BuildSettings,
+}
+
+/// The report, with its words.
+#[derive(Serialize, tsify::Tsify)]
+struct WordedReport {
+    report: BuildReport,
+    words: BuildWords,
+}
+
+/// The card, with its words.
+#[derive(Serialize, tsify::Tsify)]
+struct WordedCard {
+    report: BuildCard,
+    words: CardWords,
+}
+
+/// The errors of a kind of offset, with their words.
+#[derive(Serialize, tsify::Tsify)]
+struct WordedChoice {
+    #[serde(flatten)]
+    choice: Choice,
+    words: String,
 }
 
 /// A file to be saved by the page.
@@ -59,16 +84,18 @@ impl Builder {
         Ok(Builder { build: build.map_err(thrown)? })
     }
 
-    /// Returns all numbers, as in the report of the command line.
-    #[wasm_bindgen(unchecked_return_type = "BuildReport")]
+    /// Returns all numbers, as in the report of the command line, and their words.
+    #[wasm_bindgen(unchecked_return_type = "WordedReport")]
     pub fn report(&self) -> Result<JsValue, JsValue> {
-        plain(&self.build.report())
+        let report = self.build.report();
+        plain(&WordedReport { words: self.build.words(&report), report })
     }
 
-    /// Returns the numbers of the card, which is updated while the shape moves.
-    #[wasm_bindgen(unchecked_return_type = "BuildCard")]
+    /// Returns the numbers and words of the card, which is updated while the shape moves.
+    #[wasm_bindgen(unchecked_return_type = "WordedCard")]
     pub fn card(&self) -> Result<JsValue, JsValue> {
-        plain(&self.build.card())
+        let report = self.build.card();
+        plain(&WordedCard { words: self.build.card_words(&report), report })
     }
 
     /// Returns at most `count` sheets as pictures, starting with sheet `first`.
@@ -124,9 +151,11 @@ impl Builder {
     }
 
     /// Returns the errors of each kind of offset.
-    #[wasm_bindgen(unchecked_return_type = "Choice[]")]
+    #[wasm_bindgen(unchecked_return_type = "WordedChoice[]")]
     pub fn choices(&self) -> Result<JsValue, JsValue> {
-        plain(&self.build.choices())
+        let choices = self.build.choices().into_iter();
+        let worded = choices.map(|choice| WordedChoice { words: choice.words(), choice });
+        plain(&worded.collect::<Vec<_>>())
     }
 
     /// Returns shape, offset and beams as binary glTF; `z_up` if the up axis is z, else y.

@@ -1,5 +1,6 @@
-//! Lists of elements: the verdict on the panels, the worst elements, elements with a flaw.
+//! Verdicts in words, and lists of elements: the worst ones, and those with a flaw.
 
+use super::report::PanelVerdict;
 use super::solver::Solver;
 use crate::web::plain::{plain, selection};
 use crate::web::thrown;
@@ -22,9 +23,25 @@ impl Solver {
 
     /// Returns how many panels meet their requirement within a tolerance (units of the mesh); null
     /// if no row requires a shape of the panels.
-    #[wasm_bindgen(unchecked_return_type = "Verdict | null")]
+    #[wasm_bindgen(unchecked_return_type = "PanelVerdict | null")]
     pub fn verdict(&mut self, tolerance: f64) -> Result<JsValue, JsValue> {
-        plain(&self.open_mut()?.verdict(tolerance))
+        let session = self.open_mut()?;
+        let verdict = session.verdict(tolerance);
+        plain(&verdict.map(|verdict| PanelVerdict::of(session, verdict)))
+    }
+
+    /// Returns whether the constraints are met within a tolerance (units of the mesh), after a run
+    /// without hard constraints; null if no constraint has a weight.
+    #[wasm_bindgen(js_name = runVerdict, unchecked_return_type = "RunVerdict | null")]
+    pub fn run_verdict(&mut self, tolerance: f64) -> Result<JsValue, JsValue> {
+        plain(&self.open_mut()?.run_verdict(tolerance))
+    }
+
+    /// Returns how well the hard constraints are met; null if they have not been met for the
+    /// current shape.
+    #[wasm_bindgen(js_name = exactWords, unchecked_return_type = "ExactWords | null")]
+    pub fn exact_words(&self) -> Result<JsValue, JsValue> {
+        plain(&self.open()?.exact_words())
     }
 
     /// Returns the vertices, edges and faces with a flaw, as a selection.

@@ -60,7 +60,7 @@ test('each level is solved, and undo goes back level by level', async ({ page })
   await expect(dialog.getByText('“Moved” is measured from the refined original.')).toBeVisible();
   await dialog.getByRole('button', { name: 'Refine and solve' }).click();
   await waitForState(page, (now) => now.faces === 256 && !now.running && now.exact?.met);
-  await expect(page.getByRole('status')).toContainText('256 of 256 panels flat within');
+  await expect(page.getByRole('status')).toContainText('All 256 panels are flat within');
   const undo = page.getByRole('button', { name: 'Undo', exact: true });
   await undo.click();
   await waitForState(page, (now) => now.faces === 64);

@@ -2,9 +2,18 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import cases from '../../data/words.json' with { type: 'json' };
 import { count, duration, length, limit, number, part, ratio } from '../../../www/ui/format.ts';
 import { coordinate, decimalsFor, readLength } from '../../../www/ui/number-entry.ts';
 import { chordOf, digitOf, keyName } from '../../../www/ui/keys.ts';
+
+test('numbers are worded as by the engine, whose test reads the same cases', () => {
+  const words: Record<string, (...given: never[]) => string> = {
+    ...{ number, length, limit, part, count },
+  };
+  for (const { of, given, words: expected } of cases)
+    assert.equal(words[of](...(given as never[])), expected, `${of} of ${JSON.stringify(given)}`);
+});
 
 test('a number has three digits, a true minus sign, and a power of ten where that is shorter', () => {
   const cases = { 1.2345: '1.23', [-0.5]: '−0.500', 12345: '12345', 0: '0', 2.5e-7: '2.50e−7' };
@@ -22,7 +31,7 @@ test('a number that rounds to a power of ten is written in full', () => {
 test('metres below a decimetre are shown in millimetres, other units are kept', () => {
   assert.equal(length(0.0421, 'm'), '42.1 mm');
   assert.equal(length(0.0421, 'ft'), '0.0421 ft');
-  assert.equal(length(1e-9, 'm'), '< 0.001 mm');
+  assert.equal(length(1e-9, 'm'), '0 mm');
   assert.equal(length(2, ''), '2.00');
   // Beside another length, both have the same unit.
   assert.equal(length(0.0421, 'm', 3), '0.0421 m');
@@ -31,11 +40,12 @@ test('metres below a decimetre are shown in millimetres, other units are kept', 
 });
 
 test('an irrelevant length is shown alike beside any other length', () => {
-  // Beside a length in metres an exact shape used to be off by "4.99e−12 m".
-  assert.equal(length(4.99e-12, 'm', 0.105), '< 0.001 mm');
-  assert.equal(length(-4.99e-12, 'm'), '< 0.001 mm');
-  assert.equal(length(4.99e-12, 'mm'), '< 0.001 mm');
-  assert.equal(length(0.0000421, 'm', 3), '4.21e−5 m');
+  // Beside a length in metres an exact shape used to be off by "4.99e−12 m", and later by
+  // "< 0.001 mm" beside "0 mm".
+  assert.equal(length(4.99e-12, 'm', 0.105), '0 m');
+  assert.equal(length(-4.99e-12, 'm'), '0 mm');
+  assert.equal(length(4.99e-12, 'mm'), '0 mm');
+  assert.equal(length(0.0000421, 'm', 3), '0.042 mm');
   assert.equal(length(4.99e-12, 'ft', 3), '4.99e−12 ft');
   assert.equal(length(0, 'm', 3), '0 m');
 });

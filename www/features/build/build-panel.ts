@@ -8,7 +8,7 @@ import { oneAtATime } from '../../ui/once.ts';
 import { latestOnly } from '../../store/latest-only.ts';
 import { MOST_LIVE_VERTICES } from '../../store/live-shape.ts';
 import { showElements } from '../../viewport/reveal-elements.ts';
-import { checkCard, sheetsInWords, warnings } from './check-card.ts';
+import { checkCard } from './check-card.ts';
 import { showReport } from './report/dialog-report.ts';
 import { LiveBuild, MOST_SHEETS } from './live-build.ts';
 import { offsetLayer } from './offset-layer.ts';
@@ -95,20 +95,19 @@ async function buildPanel(app: AppContext) {
   /** Shows what depends on the offset and follows a drag. */
   function showOffset(built: Reshaped) {
     if (panel.hidden || !built) return;
-    const { metres } = live.unit();
-    check.update(built.report, store.get(), metres);
-    thickness.update(built.report, live.settings(), metres);
+    check.update(built, store.get());
+    thickness.update(built, live.settings(), live.unit().metres);
     layer.show(built.layer);
   }
 
-  function show({ report: found, sheets, layer }: Built) {
+  function show({ report: found, words: said, sheets, layer }: Built) {
     if (panel.hidden) return;
     actions.look({ build: found });
     check.card.hidden = false;
-    words.textContent = sheetsInWords(found);
-    showOffset({ report: found, layer });
-    types.update(found, live.settings());
-    notes.replaceChildren(...warnings(found).map((line) => element('p.notice', line)));
+    words.textContent = said.sheets;
+    showOffset({ report: found, words: said.card, layer });
+    types.update(found, said.joint, live.settings());
+    notes.replaceChildren(...said.warnings.map((line) => element('p.notice', line)));
     pictures.show(sheets, new Set(layer.panels), Math.max(0, found.sheets - MOST_SHEETS));
     pictures.mark(store.get().selection.faces);
     save.disabled = rhino.disabled = report.disabled = false;

@@ -4,8 +4,7 @@
  */
 
 import { element, setText } from '../../ui/dom.ts';
-import { millimetres } from './check-card.ts';
-import type { BuildCard, BuildChoice, BuildSettings } from '../../solver/types.ts';
+import type { BuildCard, BuildChoice, BuildSettings, CardWords } from '../../solver/types.ts';
 
 const KINDS: { kind: BuildChoice['kind']; label: string; title: string }[] = [
   {
@@ -88,7 +87,12 @@ export function thicknessForm({
   return {
     place,
     /** @param metres per unit of the mesh */
-    update({ offset, mean_edge_mm: edge }: BuildCard, settings: BuildSettings, metres: number) {
+    update(
+      { report, words }: { report: BuildCard; words: CardWords },
+      settings: BuildSettings,
+      metres: number,
+    ) {
+      const { offset, mean_edge_mm: edge } = report;
       place.hidden = !offset;
       if (!offset) return;
       scale = 1000 * metres;
@@ -98,12 +102,10 @@ export function thicknessForm({
       const high = Math.min(far, INSIDE * (outwards ?? Infinity));
       slider.min = String(low / scale);
       slider.max = String(high / scale);
-      setText(figure, millimetres(offset.distance_mm));
+      setText(figure, words.distance);
       slider.setAttribute('aria-valuetext', figure.textContent ?? '');
       if (!slider.matches(':active')) slider.value = String(offset.distance_mm / scale);
-      const side = (limit: number | null, way: string) =>
-        limit === null ? `at any distance ${way}` : `up to ${millimetres(Math.abs(limit))} ${way}`;
-      setText(ends, `Safe ${side(inwards, 'inwards')}, ${side(outwards, 'outwards')}.`);
+      setText(ends, words.safe);
       for (const { kind, one } of buttons) {
         one.ariaPressed = String(kind === settings.kind);
         one.classList.toggle('proposed', settings.kind === null && kind === offset.kind);
@@ -115,12 +117,8 @@ export function thicknessForm({
     offer(choices: BuildChoice[]) {
       for (const { kind, error } of buttons) {
         const own = choices.find((choice) => choice.kind === kind);
-        setText(error, own ? errorInWords(own) : '');
+        setText(error, own?.words ?? '');
       }
     },
   };
-}
-
-function errorInWords({ exact, warp_mm: warp, distance_error_mm: distance }: BuildChoice) {
-  return exact ? 'exact' : `± ${millimetres(Number(Math.max(warp, distance).toPrecision(2)))}`;
 }

@@ -3,7 +3,6 @@
 import { choice, setOptions } from '../../ui/controls/fields.ts';
 import { element, setAttribute, setText } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
-import { millimetres } from './check-card.ts';
 import type { BuildReport, BuildSettings } from '../../solver/types.ts';
 
 /** Elements that are sorted into types, with the number of types at each tolerance. */
@@ -74,12 +73,13 @@ export function typesCurve(change: (change: Partial<BuildSettings>) => void) {
 
   return {
     place,
-    update(report: BuildReport, settings: BuildSettings) {
-      const { product, frame, least_joint_mm: least } = report;
+    /** @param said the least joint in words */
+    update(report: BuildReport, said: string, settings: BuildSettings) {
+      const { product, frame } = report;
       const all = countedIn(report);
       setOptions(
         what,
-        all.map(({ noun, unit }) => [noun, `${noun} alike within, ${unit}`]),
+        all.map(({ noun, unit }) => [noun, `${noun}, tolerance in ${unit}`]),
       );
       draw = () => {
         const first = frame ? 'nodes' : 'panels';
@@ -93,12 +93,8 @@ export function typesCurve(change: (change: Partial<BuildSettings>) => void) {
         showBars(shown, settings);
       };
       draw();
-      const [outside, inside] = least.map((mm) => (mm === null ? 'none' : millimetres(mm)));
-      joint.hidden = product !== 'panels' || settings.thickness === 0;
-      setText(
-        joint,
-        `Smallest joint on the sheet at ${millimetres(settings.thickness)}: ${outside} for panels outside the surface, ${inside} inside.`,
-      );
+      joint.hidden = said === '';
+      setText(joint, said);
     },
   };
 }

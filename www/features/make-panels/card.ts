@@ -13,8 +13,7 @@ import { showElements } from '../../viewport/reveal-elements.ts';
 import { isMeshLocked, panelButtons } from './buttons.ts';
 import { openEdit } from './open-edit.ts';
 import { addButtons } from './refine-buttons.ts';
-import { progressWords, verdictWords } from './verdict.ts';
-import type { KindInfo, PanelStart, Verdict } from '../../solver/types.ts';
+import type { KindInfo, PanelStart, PanelVerdict } from '../../solver/types.ts';
 import type { MeshRemedy } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
 
@@ -250,18 +249,18 @@ export class MakePanels {
 
   async #renewVerdict() {
     const { store, actions } = this.#app;
-    const { model, document } = store.get();
+    const { model } = store.get();
     const tolerance = store.get().tolerance ?? model?.tolerance ?? 0;
     const atEnd = this.#isAtEnd;
     this.#isAtEnd = false;
     const verdict = await actions.ask.verdict(tolerance).catch(() => null);
     const { running, numbers } = store.get();
     if (!verdict || store.get().model !== model || this.#shows !== 'verdict') return;
-    const words = running || this.#isUnderWay() ? progressWords : verdictWords;
-    const text = words(verdict, document?.units ?? '');
+    const isOver = !running && !this.#isUnderWay();
+    const text = isOver ? verdict.words.full : verdict.words.progress;
     setText(this.#text, text);
     this.#kind = verdict.kind;
-    this.#showChanges(words === verdictWords ? verdict : null);
+    this.#showChanges(isOver ? verdict : null);
     // A verdict in the status line is renewed with that on the card.
     const isSaid = this.#said !== '' && store.get().status === this.#said;
     if (running || numbers?.collapse || !(atEnd || isSaid)) return;
@@ -270,7 +269,7 @@ export class MakePanels {
   }
 
   /** Offers ways to a better shape, if the final `verdict` asks for it. */
-  #showChanges(verdict: Verdict | null) {
+  #showChanges(verdict: PanelVerdict | null) {
     const change = verdict?.bend.change ?? null;
     const isFolded = Boolean(verdict?.folded);
     this.#showFolds.hidden = this.#avoidFolds.hidden = !isFolded;

@@ -85,7 +85,7 @@ export function keptStrip({ store, solver, actions }: AppContext) {
 /** Headings and tooltips of the table. */
 const COLUMNS = [
   ['', ''],
-  ['Farthest', 'The greatest distance of a vertex from its exact constraints'],
+  ['Worst', 'The greatest distance of a vertex from its exact constraints'],
   ['Moved', 'The greatest distance from the model as it was opened'],
   ['Area', 'Of all faces'],
   ['Beyond', 'Panels beyond the tolerance'],

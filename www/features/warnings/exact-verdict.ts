@@ -5,12 +5,11 @@
 
 import './exact-verdict.css';
 import { element } from '../../ui/dom.ts';
-import { count, groupDigits, length, limit, number, part } from '../../ui/format.ts';
 import { exactActions } from '../../store/actions/exact-actions.ts';
 import { isHard } from '../../store/state.ts';
 import { showElements } from '../../viewport/reveal-elements.ts';
 import type { AppContext as App } from '../../app/context.ts';
-import type { ConstraintRow, ExactOffer, ExactReport } from '../../solver/types.ts';
+import type { ExactReport, ExactWords, TrialWords } from '../../solver/types.ts';
 
 /** Minimum relative decrease of the energy for an improvement to be worth an undo step. */
 const LEAST_GAIN = 1e-4;
@@ -30,32 +29,24 @@ interface Output {
 }
 
 export async function showExactVerdict(app: App, output: Output) {
-  const { store } = app;
+  const { store, actions } = app;
   const { numbers, document: scene } = store.get();
   if (!numbers?.exact || !scene) return;
-  if (!numbers.exact.met) return showUnmet(app, output, numbers.exact);
+  const words = await actions.ask.exactWords().catch(() => null);
+  if (!words || store.get().document !== scene || store.get().running) return;
+  if (!numbers.exact.met) return showUnmet(app, output, numbers.exact, words);
   const hard = scene.constraints.filter(isHard);
-  if (hard.every(({ require }) => require === 'exact')) return showMet(app, output, numbers.exact);
-  await showCost(app, output);
+  if (hard.every(({ require }) => require === 'exact')) return showMet(app, output, words);
+  await showCost(app, output, words);
 }
 
+/** The words of a verdict: what the card of the panels does not show already. */
+const saidIn = ({ brief, full }: ExactWords, { hasCard }: Output) => (hasCard() ? brief : full);
+
 /** Shows that all is exact. */
-function showMet(app: App, output: Output, { max_distance, on_guard, shortest_edge }: ExactReport) {
-  const { store } = app;
-  const { showMessage, hasCard, hasHint } = output;
-  const { document: scene, numbers } = store.get();
-  if (!scene || !numbers || hasHint()) return;
-  const units = scene.units;
-  const guarded =
-    on_guard > 0
-      ? ` ${count(on_guard, 'edge is', 'edges are')} as short as allowed, ${number(shortest_edge ?? 0)} of the original length.`
-      : '';
-  const { max, mean } = numbers.moved;
-  const moved = hasCard()
-    ? ''
-    : ` Moved at most ${length(max, units)}, ${length(mean, units)} on average.`;
-  const text = `Exact: farthest ${length(max_distance, units)}.${moved}${guarded}`;
-  showMessage(text, improveButton(app, output));
+function showMet(app: App, output: Output, words: ExactWords) {
+  if (output.hasHint()) return;
+  output.showMessage(saidIn(words, output), improveButton(app, output));
 }
 
 const improveButton = (app: App, output: Output) =>
@@ -67,10 +58,9 @@ const improveButton = (app: App, output: Output) =>
 
 /** Improves the shape until stopped; reports the gain. */
 async function improve(app: App, output: Output) {
-  const { store, solver, actions } = app;
+  const { solver, actions } = app;
   const { showMessage, offer } = output;
   const exact = exactActions(solver, actions);
-  const units = store.get().document?.units ?? '';
   let isStopped = false;
   const stop = offer('Stop', () => (isStopped = true), 'Keeps the improvement so far');
   const group = showMessage(
@@ -79,79 +69,51 @@ async function improve(app: App, output: Output) {
   );
   const found = await actions.reportErrors(actions.trials.improvement(() => !isStopped));
   if (!found) return group.remove();
-  const { before, after, moved, maxDistance } = found.offer;
+  const { before, after, words } = found.offer;
   const gained = 1 - after.energy / before.energy;
   if (!(gained > LEAST_GAIN)) {
-    showMessage(
-      `There is no better exact shape nearby: the energy stays ${number(before.energy)}.`,
-    );
+    showMessage(words.offered);
     return;
   }
-  const distance = store.get().numbers?.exact?.max_distance ?? maxDistance;
   if (!(await exact.accept(found, false))) return group.remove();
-  const words = `Improved: ${part(gained)} less energy, moved by up to ${length(moved.max, units)}.`;
-  showMessage(words).append(table(found.offer, distance, units, 'Improved'));
+  showMessage(words.taken).append(table(words, 'Improved'));
 }
 
 /** Reports the cost of exactness. */
-async function showCost(app: App, output: Output) {
+async function showCost(app: App, output: Output, words: ExactWords) {
   const { store, solver, actions } = app;
-  const { showMessage, offer, hasCard } = output;
-  const { document: scene, model, tolerance, numbers } = store.get();
-  if (!scene || !model || !numbers?.exact) return;
+  const { showMessage, offer } = output;
+  const { model, tolerance } = store.get();
+  if (!model) return;
   const exact = exactActions(solver, actions);
-  const { units } = scene;
-  const met = hasCard()
-    ? ''
-    : `All constraints are met within ${limit(numbers.exact.tolerance, units)}. `;
-  const group = showMessage(`${met}Computing the cost of exactness …`);
+  const say = (next: string, ...buttons: HTMLElement[]) =>
+    showMessage(`${saidIn(words, output)} ${next}`.trim(), ...buttons);
+  const group = say('Checking how far an exact shape would move …');
   const found = await actions.trials.exactOffer(() => group.isConnected).catch(() => null);
   if (!group.isConnected || !found) return group.remove();
   const { offer: cost } = found;
   const allowed = tolerance ?? model.tolerance;
   if (cost.met && cost.moved.max <= allowed && cost.folded === 0) {
-    if (await exact.accept(found, true)) {
-      const words = `${met}Also made exact: farthest ${length(cost.maxDistance, units)}.`;
-      showMessage(words, improveButton(app, output));
-    }
+    if (await exact.accept(found, true)) say(cost.words.taken, improveButton(app, output));
     return;
   }
-  if (cost.tooLarge) {
-    showMessage(
-      `${met}The mesh, or one constraint, is too large to be exact; a tolerance can be met.`,
-    );
+  if (cost.tooLarge || !cost.met) {
+    say(cost.words.offered);
     return;
   }
-  if (!cost.met) {
-    const constraints = count(cost.misses, 'constraint');
-    showMessage(`${met}${constraints} cannot be exact at the same time as the others.`);
-    return;
-  }
-  const folds = cost.folded > 0 ? `, and ${count(cost.folded, 'face')} would fold` : '';
   const take = async () => {
     if (!(await exact.accept(found, false))) return;
-    const report = store.get().numbers?.exact;
-    if (report) showMet(app, output, report);
+    const { document: taken } = store.get();
+    const exactly = await actions.ask.exactWords().catch(() => null);
+    if (exactly && store.get().document === taken) showMet(app, output, exactly);
   };
-  showMessage(
-    `${met}If made exact, the shape would move by up to ${length(cost.moved.max, units)} more${folds}.`,
-    offer('Make exact', take, 'Uses the shape in the right column'),
-  ).append(table(cost, numbers.exact.max_distance, units, 'Exact'));
+  say(cost.words.offered, offer('Make exact', take, 'Uses the shape in the right column')).append(
+    table(cost.words, 'Exact'),
+  );
 }
 
 /** @param then heading of the other shape */
-function table(
-  { before, after, maxDistance }: ExactOffer,
-  distance: number,
-  units: string,
-  then: string,
-) {
-  const rows: [string, string, string][] = [
-    ['Farthest', length(distance, units), length(maxDistance, units, distance)],
-    ['Moved at most', length(before.moved.max, units), length(after.moved.max, units)],
-    ['on average', length(before.moved.mean, units), length(after.moved.mean, units)],
-    ['Energy', number(before.energy), number(after.energy)],
-  ];
+function table(words: TrialWords, then: string) {
   const row = ([name, now, then]: [string, string, string]) =>
     element(
       'tr',
@@ -166,21 +128,14 @@ function table(
     'table.cost',
     { 'aria-label': then === 'Exact' ? 'Cost of exactness' : 'Improvement' },
     element('thead', element('tr', element('td'), ...heads)),
-    element('tbody', ...rows.map(row)),
+    element('tbody', ...words.table.map(row)),
   );
 }
 
 /** Selects and colours the constraints that cannot be met together, and offers remedies. */
-function showUnmet(app: App, { showMessage, offer }: Output, exact: ExactReport) {
-  const { unmet, misses, worst, max_distance, tolerance, contradiction, too_large } = exact;
-  const { store, solver, actions } = app;
-  const { document: scene } = store.get();
-  if (!scene) return;
-  const { units } = scene;
+function showUnmet(app: App, output: Output, { worst }: ExactReport, words: ExactWords) {
+  const { solver, actions } = app;
   const { require } = exactActions(solver, actions);
-  const rows = unmet.flatMap((index) => scene.constraints[index] ?? []);
-  const hard = scene.constraints.filter(isHard);
-  const all = hard.reduce((sum, row) => sum + row.count, 0);
   const elements = elementsOf(
     app,
     worst.map(({ vertices }) => vertices),
@@ -189,28 +144,12 @@ function showUnmet(app: App, { showMessage, offer }: Output, exact: ExactReport)
     showElements(app, elements);
     actions.tint({ ...elements, colour: UNMET });
   };
-  const far = length(max_distance, units, tolerance);
-  const change = (row: ConstraintRow) => [
-    offer(`Make ${row.label} soft`, () => require(row.index, 'soft')),
-    offer(`${row.label} within ${limit(wider(max_distance), units)}`, () =>
-      require(row.index, { within: wider(max_distance) }),
-    ),
-  ];
-  const where = rows.map(({ label, on }) => `${label} on ${on}`).join(', ');
-  const many = `${groupDigits(misses)} of ${groupDigits(all)}`;
-  let [cannot, closest] = ['are not met yet', 'The farthest is off by'];
-  if (too_large) cannot = 'are not exact: the mesh, or one constraint, is too large for that';
-  else if (contradiction) [cannot, closest] = ['cannot be met together', 'The smallest miss is'];
-  showMessage(
-    `${many} ${cannot}: ${where}. ${closest} ${far}.`,
-    offer('Show them', show),
-    ...rows.slice(0, 2).flatMap(change),
+  const remedies = words.remedies.map(({ label, index, within }) =>
+    output.offer(label, () => require(index, within === null ? 'soft' : { within })),
   );
+  output.showMessage(saidIn(words, output), output.offer('Show them', show), ...remedies);
   show();
 }
-
-/** About 10 % more, to two digits. */
-const wider = (value: number) => Number((1.1 * value).toPrecision(2));
 
 /**
  * The faces of these constraints, or their vertices if there are none.

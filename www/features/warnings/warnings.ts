@@ -7,12 +7,11 @@
 import '../../ui/styles/lists.css';
 import { button, closeButton } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
-import { count, length, limit } from '../../ui/format.ts';
-import { movedInWords } from '../../store/colours/measures.ts';
+import { count, length } from '../../ui/format.ts';
 import { isHard } from '../../store/state.ts';
 import { showElements } from '../../viewport/reveal-elements.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { ConstraintRow, Edit } from '../../solver/types.ts';
+import type { Edit } from '../../solver/types.ts';
 
 const ZERO_SIZE = 'zero-size-faces';
 /** Maximum number of remedies offered. */
@@ -65,27 +64,18 @@ export function watchConditions(app: AppContext) {
         hasHint,
       });
     }
-    const isAsked = ({ enabled, weight }: ConstraintRow) => enabled && weight > 0;
-    const errors = scene.constraints.map((row) =>
-      isAsked(row) ? (numbers.worst[row.index] ?? 0) : 0,
-    );
-    const greatest = Math.max(0, ...errors);
-    if (hasHint() || !scene.constraints.some(isAsked)) return;
-    const most = limit(allowed, scene.units);
-    const moved = movedInWords(store.get());
-    const cost = moved && ` Moved ${moved}.`;
-    if (greatest <= allowed) {
-      if (!cardOfPanels()) showMessage(`All constraints are met within ${most}.${cost}`);
+    if (hasHint()) return;
+    const verdict = await actions.ask.runVerdict(allowed).catch(() => null);
+    if (!verdict || store.get().document !== scene || store.get().running) return;
+    // The card already shows the verdict on the panels.
+    const words = cardOfPanels() ? verdict.brief : verdict.full;
+    const { worst } = verdict;
+    if (!worst) {
+      if (words) showMessage(words);
       return;
     }
-    const row = scene.constraints[errors.indexOf(greatest)];
-    const [worst] = await actions.ask.worstConstraints(row.index, 1).catch(() => []);
-    if (!worst || store.get().document !== scene || store.get().running) return;
-    const far = length(worst.value, scene.units, allowed);
-    const what = `Worst: ${row.label} on ${worst.element}, ${far}; the tolerance is ${most}.`;
     const group = showMessage(
-      // The card already shows the verdict on the panels.
-      cardOfPanels() ? 'Solved as far as possible.' : `Solved as far as possible. ${what}${cost}`,
+      words,
       offer('Show it', () => showElements(app, worst)),
     );
     const waiting = element('p.quiet', 'Looking for changes that help …');

@@ -1,6 +1,6 @@
 /** Actions on the mesh itself. Loaded on first use. */
 
-import { count, length } from '../../ui/format.ts';
+import { count } from '../../ui/format.ts';
 import type { Remeshing } from '../../pkg/engine/shape_up.js';
 import type { Edit } from '../../solver/types.ts';
 import type { Store } from '../state.ts';
@@ -26,16 +26,11 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
     return ended;
   }
 
-  /** Summarises the panels' distances from their constraints, for the status line. */
+  /** The verdict on the panels, for the status line. */
   async function verdict() {
-    const { tolerance, model, document } = store.get();
-    const within = tolerance ?? model?.tolerance ?? 0;
-    const found = await actions.ask.verdict(within);
-    if (!found) return '';
-    const [worst, limit] = [found.worst, found.tolerance].map((far) =>
-      length(far, document?.units ?? ''),
-    );
-    return `, ${found.within} of ${found.panels} panels ${found.adjective} within ${limit}, the worst ${worst}`;
+    const { tolerance, model } = store.get();
+    const found = await actions.ask.verdict(tolerance ?? model?.tolerance ?? 0);
+    return found ? `. ${found.words.progress}` : '';
   }
 
   return {
@@ -76,10 +71,11 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
         goesOn &&= store.get().refining;
         for (let level = 1; level <= how.levels && goesOn; level++) {
           const ended = await untilEnd(() => solver.change.editAndRun(once));
-          const words = `${refined()}${await verdict()}`;
+          const words = refined();
+          const told = await verdict();
           // The user may also have paused between two levels, when nothing runs.
           goesOn = ended && (level === how.levels || store.get().refining);
-          actions.setStatus(goesOn ? words : `${words}; stopped`);
+          actions.setStatus(`${words}${goesOn ? '' : '; stopped'}${told}`);
         }
       } finally {
         store.set({ refining: false });

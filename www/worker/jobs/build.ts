@@ -68,19 +68,19 @@ export const builds = {
   /** Makes the parts of a shape, and draws at most `sheets` sheets. */
   build(asker: Asker, shape: Shape, sheets: number) {
     const builder = parts[asker].renew(shape);
-    return { report: builder.report(), sheets: builder.sheets(0, sheets), layer: layerOf(builder) };
+    return { ...builder.report(), sheets: builder.sheets(0, sheets), layer: layerOf(builder) };
   },
   /** Changes the distance of its offset. */
   moveLayer(asker: Asker, distance: number) {
     const { builder } = parts[asker];
     if (!builder) return null;
     builder.moveLayer(distance);
-    return { report: builder.card(), layer: layerOf(builder) };
+    return { ...builder.card(), layer: layerOf(builder) };
   },
   /** Changes the positions of its offset, during a drag. */
   reshape(asker: Asker, positions: Float64Array) {
     const builder = parts[asker].reshape(positions);
-    return builder && { report: builder.card(), layer: layerOf(builder) };
+    return builder && { ...builder.card(), layer: layerOf(builder) };
   },
   /** The numbers that a lesson may bound, by id. */
   buildNumbers: (asker: Asker) => parts[asker].whole()?.numbers() ?? [],

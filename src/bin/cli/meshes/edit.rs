@@ -5,9 +5,10 @@ use crate::cli::arguments::apart;
 use crate::cli::words::{Word, Words};
 use crate::cli::{Failure, input, output};
 use serde_json::{Map, Value, json};
-use shape_up::mesh::{MESH_OPERATIONS, MeshOperation, counted};
+use shape_up::mesh::{MESH_OPERATIONS, MeshOperation};
 use shape_up::session::Error;
 use shape_up::session::{Edit, Session};
+use shape_up::words;
 use std::path::PathBuf;
 
 /// `shape-up edit`.
@@ -87,9 +88,9 @@ pub(in crate::cli) fn edit(command: &Remesh) -> Result<(), Failure> {
     let mut text = format!(
         "{}: {} became {}, {}\n",
         command.input.display(),
-        counted(before, "face", "faces"),
-        counted(mesh.faces.len(), "face", "faces"),
-        counted(mesh.positions.len(), "vertex", "vertices")
+        words::count(before, "face", "faces"),
+        words::count(mesh.faces.len(), "face", "faces"),
+        words::count(mesh.positions.len(), "vertex", "vertices")
     );
     remarks.extend_from_slice(session.lost());
     let mut files = Vec::new();

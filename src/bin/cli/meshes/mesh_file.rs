@@ -1,8 +1,9 @@
 //! Mesh files of sessions, with the format by extension: Medit (`.mesh`), else OBJ.
 
 use crate::cli::input;
-use shape_up::mesh::{Mesh, Weld, counted, write_medit};
+use shape_up::mesh::{Mesh, Weld, write_medit};
 use shape_up::session::Session;
+use shape_up::words;
 use std::path::Path;
 
 /// Returns the text of the file `path`, with the original vertices and faces of a welded mesh.
@@ -45,7 +46,7 @@ pub(in crate::cli) fn left_out(path: &Path, mesh: &Mesh) -> Option<String> {
         ("OBJ", vec![(mesh.tets.len(), "tetrahedron", "tetrahedra")])
     };
     let parts = parts.into_iter().filter(|(count, ..)| *count > 0);
-    let parts: Vec<_> = parts.map(|(count, one, many)| counted(count, one, many)).collect();
+    let parts: Vec<_> = parts.map(|(count, one, many)| words::count(count, one, many)).collect();
     let parts = (!parts.is_empty()).then(|| parts.join(", "))?;
     Some(format!("{} is {format}, which cannot store {parts}", path.display()))
 }

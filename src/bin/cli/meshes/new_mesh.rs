@@ -3,8 +3,9 @@
 use crate::cli::words::{Word, Words};
 use crate::cli::{Failure, input, output};
 use shape_up::generate::{NEW_KINDS, NewKind, Plan, SpanCurve, fill, loft};
-use shape_up::mesh::{Mesh, counted, write_obj};
+use shape_up::mesh::{Mesh, write_obj};
 use shape_up::scene::UnitsAndUp;
+use shape_up::words;
 use std::path::PathBuf;
 
 /// `shape-up new`.
@@ -108,7 +109,7 @@ fn parse_span(mut words: Words, name: &str, count: usize) -> Result<New, String>
                     numbers.ok().filter(|numbers| numbers.len() == count).ok_or_else(|| {
                         format!(
                             "--curves needs {}, found `{list}`",
-                            counted(count, "number", "numbers")
+                            words::count(count, "number", "numbers")
                         )
                     })?;
             }
@@ -130,8 +131,8 @@ pub(in crate::cli) fn make(command: &New) -> Result<(), Failure> {
     let text = comments + &write_obj(&mesh, &mesh.positions);
     let Some(path) = &command.out else { return output::print(&text) };
     output::write(&[(path, text)])?;
-    let vertices = counted(mesh.positions.len(), "vertex", "vertices");
-    let faces = counted(mesh.faces.len(), "face", "faces");
+    let vertices = words::count(mesh.positions.len(), "vertex", "vertices");
+    let faces = words::count(mesh.faces.len(), "face", "faces");
     output::print(&format!("{}: {vertices}, {faces}\n", path.display()))
 }
 

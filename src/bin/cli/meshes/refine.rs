@@ -4,10 +4,10 @@ use super::mesh_file;
 use crate::cli::arguments::Refine;
 use crate::cli::{Failure, input, output};
 use serde::Serialize;
-use shape_up::mesh::counted;
 use shape_up::session::Error;
 use shape_up::session::{Edit, Report, Session, Verdict};
 use shape_up::solve::Require;
+use shape_up::words;
 use std::path::Path;
 use std::time::Instant;
 
@@ -30,6 +30,8 @@ struct Level {
     total: f64,
     /// The deviation of the panels from the required shape.
     verdict: Option<Verdict>,
+    #[serde(skip)]
+    words: String,
     seconds: f64,
 }
 
@@ -41,7 +43,7 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
         let asked = scene.request_panels(kind, Require::Soft, &mesh);
         asked.map_err(|error| at_input(error.into()))?;
     }
-    let (units, solves) = (scene.units.clone(), command.panels.is_some());
+    let solves = command.panels.is_some();
     let mut session = Session::open(scene, mesh).map_err(at_input)?;
     let (mut levels, mut lost) = (Vec::new(), Vec::new());
     let mut refine = |session: &mut Session, levels| {
@@ -67,8 +69,8 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     let mut text = format!(
         "{}: {}, {}\n",
         command.input.display(),
-        counted(report.vertices, "vertex", "vertices"),
-        counted(report.faces, "face", "faces")
+        words::count(report.vertices, "vertex", "vertices"),
+        words::count(report.faces, "face", "faces")
     );
     remarks.extend(lost.iter().cloned());
     let mut files: Vec<(&Path, String)> = Vec::new();
@@ -76,7 +78,7 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
         remarks.extend(mesh_file::write_changed(path, &session, &mut files));
     }
     remarks.iter().for_each(|remark| text += &format!("note: {remark}\n"));
-    levels.iter().for_each(|level| text += &line(level, &units));
+    levels.iter().for_each(|level| text += &line(level));
     if let Some(path) = &command.report {
         let report = RefineReport { levels, lost, report };
         files.push((path, output::json(&report)));
@@ -86,29 +88,24 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
 }
 
 fn level_of(session: &mut Session, start: Instant) -> Level {
-    let tolerance = session.tolerance();
+    let verdict = session.verdict(session.tolerance());
+    let words = verdict.as_ref().map(|verdict| session.verdict_words(verdict).full);
     Level {
         vertices: session.mesh().positions.len(),
         faces: session.mesh().faces.len(),
         total: session.solver().energy().total,
-        verdict: session.verdict(tolerance),
+        verdict,
+        words: words.unwrap_or_default(),
         seconds: start.elapsed().as_secs_f64(),
     }
 }
 
-fn line(level: &Level, units: &str) -> String {
-    let length = |length: f64| output::length(length, units);
-    let faces = counted(level.faces, "face", "faces");
-    let panels = level.verdict.as_ref().map_or_else(String::new, |verdict| {
-        format!(
-            ", {} of {} panels {}, the worst {} off, moved {} at most",
-            verdict.within,
-            verdict.panels,
-            verdict.adjective,
-            length(verdict.worst),
-            length(verdict.moved.max)
-        )
-    });
-    let (total, seconds) = (output::short(level.total), output::short(level.seconds));
-    format!("{faces}{panels}, energy {total}, {seconds} s\n")
+fn line(level: &Level) -> String {
+    format!(
+        "{}, energy {}, {} s. {}\n",
+        words::count(level.faces, "face", "faces"),
+        words::number(level.total),
+        words::number(level.seconds),
+        level.words
+    )
 }

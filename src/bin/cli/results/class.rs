@@ -2,10 +2,10 @@
 
 use super::super::{Failure, input, output};
 use super::read;
-use shape_up::mesh::counted;
 use shape_up::scene::{NamedEnum, Results, SceneError};
 use shape_up::session::Error;
 use shape_up::session::{Checked, check_results};
+use shape_up::words;
 use std::path::{Path, PathBuf};
 
 /// The extension of scene files.
@@ -114,8 +114,8 @@ fn row(path: &Path, results: &Results, checked: Result<Checked, Error>) -> [Stri
         student,
         met.to_string(),
         checked.goals.len().to_string(),
-        short(checked.distance),
-        short(checked.moved),
+        checked.distance.to_string(),
+        checked.moved.to_string(),
         iterations,
         altered.join(" "),
         checked.changed.join("; "),
@@ -123,18 +123,14 @@ fn row(path: &Path, results: &Results, checked: Result<Checked, Error>) -> [Stri
     ]
 }
 
-/// Formats a number with three significant digits, enough to tell students apart.
-fn short(value: f64) -> String {
-    let digits =
-        if value == 0.0 { 0 } else { (2 - value.abs().log10().floor() as i32).clamp(0, 12) };
-    format!("{value:.*}", digits as usize)
-}
-
-/// Formats the table in aligned columns, without the column `changed`, which is long.
+/// Formats the table in aligned columns, without the column `changed`, which is long, and with
+/// three digits of the numbers.
 fn aligned(rows: &[[String; 9]], units: &str) -> String {
     let shown = |row: &[String; 9]| {
         let [student, met, of, distance, moved, iterations, altered, _, file] = row.clone();
         let goals = if of.is_empty() { "-".to_owned() } else { format!("{met} of {of}") };
+        let short = |number: String| number.parse().map_or(number, words::number);
+        let (distance, moved) = (short(distance), short(moved));
         let altered = if altered.is_empty() { "no".to_owned() } else { altered };
         [student, goals, distance, moved, iterations, altered, file]
     };
@@ -151,7 +147,8 @@ fn aligned(rows: &[[String; 9]], units: &str) -> String {
     let lines: Vec<[String; 7]> = std::iter::once(head).chain(rows.iter().map(shown)).collect();
     let passed =
         rows.iter().filter(|row| !row[2].is_empty() && row[1] == row[2] && row[6].is_empty());
-    let sum = format!("{} passed, of {}\n", passed.count(), counted(rows.len(), "file", "files"));
+    let sum =
+        format!("{} passed, of {}\n", passed.count(), words::count(rows.len(), "file", "files"));
     output::table(&lines) + &sum
 }
 

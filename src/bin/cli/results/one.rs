@@ -4,6 +4,7 @@ use super::super::{Failure, input, output};
 use super::read;
 use shape_up::scene::{GoalOf, GoalResult, NamedEnum, Results};
 use shape_up::session::{Checked, check_results};
+use shape_up::words;
 use std::path::Path;
 
 pub(crate) fn check(path: &Path, scene: &Path) -> Result<(), Failure> {
@@ -33,8 +34,8 @@ fn words(results: &Results, checked: &Checked, units: &str) -> String {
         format!("title       {}", results.title),
         format!("saved       {}", results.time),
         format!("iterations  {}", results.iterations),
-        format!("moved       {}", checked.moved),
-        format!("distance    {}", checked.distance),
+        format!("moved       {}", words::length(checked.moved, units)),
+        format!("distance    {}", words::length(checked.distance, units)),
     ];
     if !results.steps.is_empty() {
         lines.push(format!("steps       {}", results.steps.join("; ")));
@@ -61,10 +62,10 @@ fn measured(goal: &GoalResult) -> String {
     let of = match &goal.goal.of {
         GoalOf::Measure(id) => id.clone(),
         GoalOf::Beyond { measure, tolerance } => {
-            format!("panels with {measure} beyond {tolerance}")
+            format!("panels with {measure} beyond {}", words::brief(*tolerance))
         }
         GoalOf::Constraint(name) | GoalOf::Build(name) => name.clone(),
     };
-    let value = goal.value.map_or("none".to_owned(), |value| value.to_string());
-    format!("{of}: {value}, at most {}", goal.goal.at_most)
+    let value = goal.value.map_or("none".to_owned(), words::number);
+    format!("{of}: {value}, at most {}", words::brief(goal.goal.at_most))
 }

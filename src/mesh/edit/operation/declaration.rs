@@ -4,7 +4,8 @@ use crate::math::marked;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Touching;
 use crate::mesh::edit::size::{Size, SizeError};
-use crate::mesh::{Mesh, Point, Topology, counted};
+use crate::mesh::{Mesh, Point, Topology};
+use crate::words;
 use serde::Serialize;
 use std::fmt;
 
@@ -96,7 +97,7 @@ impl fmt::Display for OperationError {
             OperationError::Tetrahedra(count) => write!(
                 f,
                 "the mesh has {}, expected faces and curves only",
-                counted(*count, "tetrahedron", "tetrahedra")
+                words::count(*count, "tetrahedron", "tetrahedra")
             ),
             OperationError::NoFaces => f.write_str("the mesh has no faces"),
             OperationError::NotThere { element, index } => {

@@ -48,6 +48,8 @@ pub(crate) struct Document<'a> {
     lesson: Option<LessonWords<'a>>,
     /// The presentation.
     steps: &'a [Slide],
+    /// A sentence for each constraint on pairs of vertices, some of which have no partner.
+    unpaired: Vec<String>,
     /// The settings for building the shape.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Required<BuildSettings> | null"))]
     build: Option<Value>,
@@ -216,6 +218,7 @@ impl<'a> Document<'a> {
             variants: scene.variants.kept.iter().map(|variant| &*variant.name).collect(),
             design: scene.variants.design,
             too_large_for_exact: session.is_too_large_for_exact(),
+            unpaired: session.unpaired_words(),
             build: scene.build.as_deref().and_then(|build| serde_json::to_value(build).ok()),
         }
     }

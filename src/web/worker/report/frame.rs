@@ -3,7 +3,7 @@
 use super::lesson::GoalNumbers;
 use crate::constraint::LocalStep;
 use crate::mesh::{Circularity, Planarity};
-use crate::session::{ExactReport, Moved, Session};
+use crate::session::{EndWords, ExactReport, Moved, Session};
 use crate::solve::Energy;
 use serde::Serialize;
 
@@ -14,6 +14,8 @@ use serde::Serialize;
 pub(crate) struct Frame {
     iteration: u32,
     converged: bool,
+    /// How the run is described if it ends here.
+    ended: EndWords,
     /// How the shape has collapsed, if it has.
     collapse: Option<String>,
     /// Whether the local step is done and the global step comes next.
@@ -60,6 +62,7 @@ impl Frame {
         Frame {
             iteration: session.iteration(),
             converged: session.converged(),
+            ended: EndWords::after(session.iteration()),
             collapse: session.collapse().map(|collapse| collapse.to_string()),
             halfway: session.halfway(),
             energy,

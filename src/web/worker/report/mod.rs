@@ -7,6 +7,7 @@
 //! | `frame` | the numbers of one state of the iteration |
 //! | `forecast` | the forecast for panels of one shape |
 //! | `lesson` | the exercise of the scene, and its goals |
+//! | `verdict` | the verdict on the panels, with its words |
 //! | `vocabulary` | the kinds, and the elements that they act on |
 
 mod document;
@@ -14,10 +15,12 @@ mod forecast;
 mod frame;
 mod lesson;
 mod loaded;
+mod verdict;
 mod vocabulary;
 
 pub(crate) use document::Document;
 pub(crate) use forecast::ForecastWords;
 pub(crate) use frame::Frame;
 pub(crate) use loaded::Loaded;
+pub(crate) use verdict::PanelVerdict;
 pub(crate) use vocabulary::{elements, kinds};

@@ -1,0 +1,281 @@
+//! The report in words: the sentences of the page's card and panel, of the report as a document,
+//! and of the command line.
+
+use super::build::Build;
+use super::card::{BuildCard, OffsetReport};
+use super::check_card::CheckRow;
+use super::offset::Choice;
+use super::report::BuildReport;
+use super::tighten::PanelRemedy;
+use crate::scene::{OffsetKind, Product, panel_adjective};
+use crate::words;
+use serde::Serialize;
+
+/// The most names in a sentence; the report has them all.
+const NAMED: usize = 6;
+/// The digits of the error of a kind of offset, which is compared with those of other kinds.
+const ERROR_DIGITS: usize = 2;
+
+/// A number of the build check in words.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct CheckWords {
+    /// Its value.
+    pub value: String,
+    /// Its limit.
+    pub limit: String,
+    /// Whether it is within the limit, and how many elements are not.
+    pub state: String,
+}
+
+/// The card in words.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct CardWords {
+    /// The numbers of the check, in their order.
+    pub check: Vec<CheckWords>,
+    /// What keeps the distance, and why not exactly; empty if there is no offset.
+    pub offset: String,
+    /// The distance of the offset; empty if there is none.
+    pub distance: String,
+    /// The distances at which no edge flips; empty if there is no offset.
+    pub safe: String,
+    /// What each remedy does, in their order.
+    pub remedies: Vec<String>,
+}
+
+/// The report in words.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct BuildWords {
+    /// One line about the parts on the sheets.
+    pub sheets: String,
+    /// A sentence for each kind of parts that are missing or hard to read.
+    pub warnings: Vec<String>,
+    /// The least joint for panels of this thickness; empty for other products and for no thickness.
+    pub joint: String,
+    /// The card.
+    pub card: CardWords,
+}
+
+impl CheckRow {
+    /// The row in words.
+    pub fn words(&self) -> CheckWords {
+        let state = match self.met {
+            Some(true) => "met".to_owned(),
+            Some(false) if self.failed > 0 => {
+                format!("not met by {}", words::group_digits(self.failed))
+            }
+            Some(false) => "not met".to_owned(),
+            None => String::new(),
+        };
+        let limit = |limit| match self.unit {
+            "deg" => format!("limit {}°", words::brief(limit)),
+            _ => format!("limit {}", words::millimetres_limit(limit)),
+        };
+        CheckWords {
+            value: self
+                .value
+                .map_or("not available".to_owned(), |value| self.value_in_words(value)),
+            // The limit of the distance is measured; the others are settings.
+            limit: match self.limit {
+                Some(measured) if self.id == "safe_distance" => {
+                    format!("limit {}", self.value_in_words(measured))
+                }
+                other => other.map_or("no limit".to_owned(), limit),
+            },
+            state,
+        }
+    }
+
+    /// Formats a value of this row with its unit.
+    pub(super) fn value_in_words(&self, value: f64) -> String {
+        if self.unit == "deg" { words::degrees(value) } else { words::millimetres(value) }
+    }
+}
+
+impl CardWords {
+    /// The words of these parts of a card; the unit of the mesh is `building` mm long.
+    fn new(
+        check: &[CheckRow],
+        offset: Option<&OffsetReport>,
+        remedies: &[PanelRemedy],
+        building: f64,
+    ) -> CardWords {
+        let remedy = |found: &PanelRemedy| {
+            let adjective = panel_adjective(found.constraint).unwrap_or_default();
+            let within = words::millimetres_limit(building * found.within);
+            format!("Makes all panels {adjective} within {within}")
+        };
+        CardWords {
+            check: check.iter().map(CheckRow::words).collect(),
+            offset: offset.map(OffsetReport::words).unwrap_or_default(),
+            distance: offset
+                .map(|offset| words::millimetres(offset.distance_mm))
+                .unwrap_or_default(),
+            safe: offset.map(OffsetReport::safe).unwrap_or_default(),
+            remedies: remedies.iter().map(remedy).collect(),
+        }
+    }
+}
+
+impl OffsetReport {
+    /// Says what keeps the distance, and why not exactly.
+    pub fn words(&self) -> String {
+        let kept = match self.kind {
+            OffsetKind::Corner => "Corners keep",
+            OffsetKind::Face => "Panels keep",
+            OffsetKind::Edge => "Beams keep",
+        };
+        let how = if self.exact { "exactly" } else { "as nearly as possible" };
+        let why = if self.exact { String::new() } else { format!("; {}", self.why_not) };
+        format!("{kept} their distance {how}{why}.")
+    }
+
+    fn safe(&self) -> String {
+        let side = |limit: Option<f64>, way: &str| match limit {
+            Some(limit) => format!("up to {} {way}", words::millimetres(limit.abs())),
+            None => format!("at any distance {way}"),
+        };
+        let [inwards, outwards] = self.safe_distance_mm;
+        format!("Safe {}, {}.", side(inwards, "inwards"), side(outwards, "outwards"))
+    }
+}
+
+impl Choice {
+    /// The error of this kind of offset: "exact", or "± 1.2 mm".
+    pub fn words(&self) -> String {
+        if self.exact {
+            return "exact".to_owned();
+        }
+        let error = self.warp_mm.max(self.distance_error_mm);
+        let rounded = format!("{:.*e}", ERROR_DIGITS - 1, error).parse().unwrap_or(error);
+        format!("± {}", words::millimetres_limit(rounded))
+    }
+}
+
+impl BuildReport {
+    fn sheets_in_words(&self) -> String {
+        let all = parts(self.parts, self.product);
+        let all = match self.placed == self.parts {
+            true => all,
+            false => format!("{} of {all}", words::group_digits(self.placed)),
+        };
+        let types = |number: usize, of: &str| words::count(number, "type", "types") + of;
+        let mut line = vec![
+            format!("{all} on {}", words::count(self.sheets, "sheet", "sheets")),
+            format!("{} covered", words::part(self.used)),
+        ];
+        if self.product == Product::Panels {
+            line.push(types(self.types, " of panels"));
+        }
+        line.extend(self.frame.as_ref().map(|frame| {
+            let within = words::brief(frame.alike_deg);
+            types(frame.node_types, &format!(" of nodes within {within}°"))
+        }));
+        line.extend(self.paper.as_ref().map(|paper| words::count(paper.tabs, "tab", "tabs")));
+        line.join(", ")
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        let bare = self.paper.as_ref().map_or(&[][..], |paper| &paper.without_tab);
+        let creased = self.paper.as_ref().map_or(0, |paper| paper.creased);
+        let some = |names: &[String]| words::and_more(names, NAMED);
+        let named = |names: &[String], sentence: String| (!names.is_empty()).then_some(sentence);
+        let counted = |number: usize, sentence: String| (number > 0).then_some(sentence);
+        let unnamed = parts(self.unnamed.len(), self.product);
+        let has = if self.unnamed.len() == 1 { "has" } else { "have" };
+        let (large, uncut) = (some(&self.too_large), some(&self.not_cut));
+        [
+            named(
+                &self.too_large,
+                format!("Larger than the sheet: {large}. They are left out, not scaled."),
+            ),
+            named(&self.not_cut, format!("Not cut: {uncut}.")),
+            counted(
+                self.dropped_names,
+                format!("No room for {} of neighbours.", count(self.dropped_names, "name")),
+            ),
+            named(
+                &self.unnamed,
+                format!("{unnamed} {has} no room for a name: {}.", some(&self.unnamed)),
+            ),
+            counted(
+                self.small_names,
+                words::count(self.small_names, "part has", "parts have")
+                    + " a name smaller than 2 mm.",
+            ),
+            counted(
+                self.dropped_holes,
+                format!("No room for {}.", count(self.dropped_holes, "hole")),
+            ),
+            named(bare, format!("No tab between {}.", some(bare))),
+            counted(
+                creased,
+                words::count(creased, "panel is", "panels are")
+                    + " not flat and creased along a diagonal.",
+            ),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+
+    fn joint(&self, thickness: f64) -> String {
+        if self.product != Product::Panels || thickness == 0.0 {
+            return String::new();
+        }
+        let panels = format!("Panels of {}", words::millimetres_limit(thickness));
+        let joint = |least: f64| format!("a joint of at least {}", words::millimetres(least));
+        match self.least_joint_mm {
+            [None, None] => format!("{panels} need no joint."),
+            [Some(outside), None] => {
+                format!("{panels} need {} outside the surface, and none inside.", joint(outside))
+            }
+            [None, Some(inside)] => {
+                format!("{panels} need no joint outside the surface, and {} inside.", joint(inside))
+            }
+            [Some(outside), Some(inside)] => format!(
+                "{panels} need {} outside the surface, and {} inside.",
+                joint(outside),
+                words::millimetres(inside)
+            ),
+        }
+    }
+}
+
+impl Build {
+    /// The report of this build in words.
+    pub fn words(&self, report: &BuildReport) -> BuildWords {
+        let BuildReport { check, offset, tighten, .. } = report;
+        BuildWords {
+            sheets: report.sheets_in_words(),
+            warnings: report.warnings(),
+            joint: report.joint(self.settings.thickness),
+            card: CardWords::new(check, offset.as_ref(), &tighten.remedies, self.mm_of_building()),
+        }
+    }
+
+    /// The card of this build in words.
+    pub fn card_words(&self, card: &BuildCard) -> CardWords {
+        let BuildCard { check, offset, tighten, .. } = card;
+        CardWords::new(check, offset.as_ref(), &tighten.remedies, self.mm_of_building())
+    }
+}
+
+/// Formats a number of parts of a product.
+pub(super) fn parts(number: usize, product: Product) -> String {
+    count(
+        number,
+        match product {
+            Product::Panels => "panel",
+            Product::Fins => "fin",
+            Product::Paper => "piece",
+        },
+    )
+}
+
+/// Formats a count of a noun whose plural ends with s.
+fn count(number: usize, noun: &str) -> String {
+    words::count(number, noun, &format!("{noun}s"))
+}

@@ -1,0 +1,165 @@
+//! The verdict on the panels in words, during a run and after it.
+
+use super::verdict::{Bend, BendChange, Verdict};
+use crate::words::{count, group_digits, length_like, limit, moved, rough_degrees};
+use serde::Serialize;
+
+/// From this part of the tolerance on, the distance of the worst panel says no more than it.
+const SAYS_NO_MORE: f64 = 0.99;
+
+/// The verdict in words.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct VerdictWords {
+    /// The number of panels within the tolerance, for a run that goes on.
+    pub progress: String,
+    /// All of it, with the worst panel and how far the mesh moved.
+    pub full: String,
+}
+
+impl Verdict {
+    /// The verdict in words; `units` is the symbol of the unit of the mesh, empty if not known, and
+    /// `size` is the size of the mesh.
+    pub fn words(&self, units: &str, size: f64) -> VerdictWords {
+        let worst = length_like(self.worst, units, self.tolerance);
+        let is_told = self.within == self.panels && self.worst > SAYS_NO_MORE * self.tolerance;
+        let sentences = [
+            self.reached(units),
+            self.folds(),
+            self.bend.words(),
+            if is_told { String::new() } else { format!("Worst {worst}.") },
+            match moved(self.moved.max, self.moved.mean, units, size) {
+                Some(far) => format!("Your mesh moved by {far}."),
+                None => "Your mesh did not move.".to_owned(),
+            },
+        ];
+        let told: Vec<String> = sentences.into_iter().filter(|words| !words.is_empty()).collect();
+        let progress = self.met(self.within, self.tolerance, units);
+        VerdictWords { progress, full: told.join(" ") }
+    }
+
+    /// Says that `within` panels have their shape within `tolerance`.
+    fn met(&self, within: usize, tolerance: f64, units: &str) -> String {
+        let flat = format!("{} within {}", self.adjective, limit(tolerance, units));
+        let all = group_digits(self.panels);
+        match self.panels {
+            panels if within < panels => {
+                format!("{} of {all} panels are {flat}.", group_digits(within))
+            }
+            1 => format!("The panel is {flat}."),
+            _ => format!("All {all} panels are {flat}."),
+        }
+    }
+
+    /// The same, with the panels that are within a larger tolerance only, because they would fold.
+    fn reached(&self, units: &str) -> String {
+        let Some(eased) = self.eased else { return self.met(self.within, self.tolerance, units) };
+        if eased.panels == self.panels {
+            let all = self.met(self.panels, eased.within, units);
+            return format!("{all} Within {}, faces would fold.", limit(self.tolerance, units));
+        }
+        let met = self.met(self.within, self.tolerance, units);
+        let larger = limit(eased.within, units);
+        match self.panels - self.within {
+            1 => format!("{met} The other one would fold, so it is within {larger}."),
+            others => format!(
+                "{met} The other {} would fold, so they are within {larger}.",
+                group_digits(others)
+            ),
+        }
+    }
+
+    fn folds(&self) -> String {
+        match self.folded {
+            0 => String::new(),
+            folded => format!("But {} folded or dented.", count(folded, "face is", "faces are")),
+        }
+    }
+}
+
+impl Bend {
+    /// Describes a change of the surface as a whole; empty if there is none.
+    fn words(&self) -> String {
+        let change = match self.change {
+            Some(BendChange::Rougher) => "rougher",
+            Some(BendChange::Flatter) => "flatter",
+            None => return String::new(),
+        };
+        let [now, rest] = [self.now, self.rest].map(rough_degrees);
+        format!(
+            "The surface became {change}: neighbours meet at {now} on average instead of {rest}."
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::session::EasedPanels;
+    use crate::solve::Moved;
+
+    fn verdict() -> Verdict {
+        Verdict {
+            kind: "plane",
+            adjective: "flat",
+            panels: 800,
+            within: 800,
+            tolerance: 0.001,
+            eased: None,
+            worst: 0.00088,
+            worst_face: 3,
+            folded: 0,
+            moved: Moved { max: 0.2134, mean: 0.0512 },
+            bend: Bend { rest: 3.6, now: 4.0, change: None },
+        }
+    }
+
+    fn full(verdict: &Verdict) -> String {
+        verdict.words("m", 10.0).full
+    }
+
+    #[test]
+    fn a_verdict_has_the_panels_the_worst_one_and_the_way_of_the_mesh() {
+        assert_eq!(
+            full(&verdict()),
+            "All 800 panels are flat within 1 mm. Worst 0.880 mm. \
+             Your mesh moved by at most 0.213 m, 0.0512 m on average."
+        );
+        let bad = Verdict { within: 12, worst: 1.787, folded: 1, ..verdict() };
+        let words = bad.words("m", 10.0);
+        assert_eq!(words.progress, "12 of 800 panels are flat within 1 mm.");
+        let rest = " But 1 face is folded or dented. Worst 1787 mm. Your mesh ";
+        assert!(words.full.starts_with(&(words.progress + rest)), "{}", words.full);
+    }
+
+    #[test]
+    fn what_does_not_move_or_says_no_more_than_the_tolerance_is_said_so_or_not_at_all() {
+        // It used to be "Worst 1 mm. Your mesh moved by at most < 0.001 mm, < 0.001 mm on average."
+        let moved = Moved { max: 3e-8, mean: 1e-8 };
+        let still = Verdict { worst: 0.000_996, moved, ..verdict() };
+        assert_eq!(full(&still), "All 800 panels are flat within 1 mm. Your mesh did not move.");
+    }
+
+    #[test]
+    fn a_rougher_surface_is_compared_with_the_original() {
+        let bend = Bend { rest: 3.64, now: 49.2, change: Some(BendChange::Rougher) };
+        let rough = full(&Verdict { bend, ..verdict() });
+        let words =
+            "The surface became rougher: neighbours meet at 49° on average instead of 3.6°. Worst ";
+        assert!(rough.contains(words), "{rough}");
+    }
+
+    #[test]
+    fn panels_with_a_larger_tolerance_are_counted_apart() {
+        let eased = |panels, within| {
+            let eased = Some(EasedPanels { panels, within: 0.05 });
+            full(&Verdict { within, eased, ..verdict() })
+        };
+        let some = "798 of 800 panels are flat within 1 mm. The other 2 would fold, so they are within 50 mm. ";
+        assert!(eased(2, 798).starts_with(some), "{}", eased(2, 798));
+        let one = "799 of 800 panels are flat within 1 mm. The other one would fold, so it is within 50 mm. ";
+        assert!(eased(1, 799).starts_with(one), "{}", eased(1, 799));
+        let all = "All 800 panels are flat within 50 mm. Within 1 mm, faces would fold. ";
+        assert!(eased(800, 3).starts_with(all), "{}", eased(800, 3));
+    }
+}

@@ -1,0 +1,74 @@
+//! Numbers without a unit, and angles.
+
+/// Significant digits of measured values.
+const DIGITS: usize = 3;
+/// Significant digits of entered values, at most.
+const MOST_DIGITS: usize = 6;
+/// Smaller and larger numbers are written as powers of ten.
+const PLAIN: std::ops::Range<f64> = 1e-3..1e6;
+
+/// Formats a measured number: `1.23`, `−0.500`, `12345`, `2.50e−7`; `–` if it is not finite.
+pub fn number(value: f64) -> String {
+    let size = value.abs();
+    let text = match size {
+        0.0 => "0".to_owned(),
+        _ if !size.is_finite() => return "–".to_owned(),
+        _ if !PLAIN.contains(&size) => format!("{:.*e}", DIGITS - 1, half_up(size)),
+        _ => significant(size),
+    };
+    signed(value, &text)
+}
+
+/// Formats an entered number as briefly as possible: `5`, `0.25`, `5e−6`.
+pub fn brief(value: f64) -> String {
+    let text = format!("{:.*e}", MOST_DIGITS - 1, half_up(value.abs()));
+    let size: f64 = text.parse().unwrap_or(value);
+    let is_tiny = size != 0.0 && size < PLAIN.start;
+    signed(value, &if is_tiny { format!("{size:e}") } else { size.to_string() })
+}
+
+/// Formats a fraction, from 0 to 1, in per cent: `0 %`, `< 1 %`, `50 %`.
+pub fn part(share: f64) -> String {
+    let percent = 100.0 * share;
+    if percent > 0.0 && percent < 1.0 {
+        "< 1 %".to_owned()
+    } else {
+        format!("{} %", (percent + 0.5).floor())
+    }
+}
+
+/// Formats a measured angle in degrees: `12.3°`; rounding errors are 0.
+pub fn degrees(angle: f64) -> String {
+    let angle = if angle.abs() < PLAIN.start { 0.0 } else { angle };
+    number(angle) + "°"
+}
+
+/// Formats an angle in degrees, as precisely as a mean angle is read: `3.6°`, `49°`.
+pub fn rough_degrees(angle: f64) -> String {
+    let decimals = usize::from(angle.abs() < 9.95);
+    signed(angle, &decimal(angle.abs(), decimals)) + "°"
+}
+
+/// Formats a size in [`PLAIN`] with three significant digits, and all digits before the point.
+fn significant(size: f64) -> String {
+    let text = format!("{:.*e}", DIGITS - 1, half_up(size));
+    let exponent: i32 = text.split_once('e').and_then(|(_, at)| at.parse().ok()).unwrap_or(0);
+    decimal(size, (DIGITS as i32 - 1 - exponent).max(0) as usize)
+}
+
+/// Formats a size with this many decimals.
+pub(super) fn decimal(size: f64, decimals: usize) -> String {
+    format!("{:.decimals$}", half_up(size))
+}
+
+/// Adds the sign of `value` to its size in words.
+pub(super) fn signed(value: f64, size: &str) -> String {
+    let sign = if value < 0.0 { "−" } else { "" };
+    format!("{sign}{}", size.replace('-', "−"))
+}
+
+/// Moves a size that lies in the middle of two decimal numbers up, as the page rounds: the standard
+/// library takes the even one.
+fn half_up(size: f64) -> f64 {
+    size * (1.0 + f64::EPSILON)
+}

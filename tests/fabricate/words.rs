@@ -1,0 +1,109 @@
+//! The report of a build in words.
+
+use super::build;
+use super::identities::revolution;
+use crate::support::grid::grid;
+use shape_up::fabricate::{BuildReport, CheckWords, PanelRemedy};
+use shape_up::mesh::Mesh;
+use shape_up::scene::{BuildSettings, OffsetKind, Product};
+
+/// Quads that are neither flat nor circular.
+fn wavy() -> Mesh {
+    grid(4, 4, |i, j| [f64::from(i), f64::from(j), 0.2 * f64::from((7 * i + 5 * j) % 4)])
+}
+
+#[test]
+fn parts_on_sheets_are_counted_with_what_is_left_out() {
+    let made = build(&wavy(), &BuildSettings::default());
+    let report = made.report();
+    let words = made.words(&report).sheets;
+    let types = if report.types == 1 { "type" } else { "types" };
+    assert!(words.starts_with("16 panels on 1 sheet, "), "{words}");
+    assert!(words.ends_with(&format!(" % covered, {} {types} of panels", report.types)), "{words}");
+    let names = |all: usize| (0..all).map(|k| format!("P{k}")).collect::<Vec<_>>();
+    let bad = BuildReport { placed: 15, too_large: names(8), unnamed: names(1), ..report };
+    let words = made.words(&bad);
+    assert!(words.sheets.starts_with("15 of 16 panels on 1 sheet, "), "{}", words.sheets);
+    let large =
+        "Larger than the sheet: P0, P1, P2, P3, P4, P5 and 2 more. They are left out, not scaled.";
+    assert_eq!(words.warnings[0], large);
+    assert!(
+        words.warnings.contains(&"1 panel has no room for a name: P0.".to_owned()),
+        "{words:?}"
+    );
+}
+
+#[test]
+fn fins_and_paper_have_their_own_nouns() {
+    for (product, noun, more) in
+        [(Product::Fins, " fins on ", "of nodes within"), (Product::Paper, " piece on ", " tabs")]
+    {
+        let made = build(&wavy(), &BuildSettings { product, ..BuildSettings::default() });
+        let words = made.words(&made.report());
+        assert!(words.sheets.contains(noun) && words.sheets.contains(more), "{}", words.sheets);
+        assert!(words.joint.is_empty());
+    }
+}
+
+#[test]
+fn a_joint_is_needed_where_panels_of_a_thickness_would_collide() {
+    let own = BuildSettings { thickness: 0.5, ..BuildSettings::default() };
+    let made = build(&wavy(), &own);
+    let joint = |least_joint_mm| {
+        let report = BuildReport { least_joint_mm, ..made.report() };
+        made.words(&report).joint
+    };
+    for (least, words) in [
+        (
+            [None, Some(0.3814)],
+            "need no joint outside the surface, and a joint of at least 0.381 mm inside.",
+        ),
+        (
+            [Some(1.0), None],
+            "need a joint of at least 1.00 mm outside the surface, and none inside.",
+        ),
+        ([None, None], "need no joint."),
+    ] {
+        assert_eq!(joint(least), format!("Panels of 0.5 mm {words}"));
+    }
+    let thin = build(&wavy(), &BuildSettings { thickness: 0.0, ..own });
+    assert!(thin.words(&thin.report()).joint.is_empty());
+}
+
+#[test]
+fn a_row_of_the_check_has_its_value_its_limit_and_whether_it_is_met() {
+    let made = build(&wavy(), &BuildSettings::default());
+    let card = made.card();
+    let words = made.card_words(&card);
+    assert_eq!(words, made.words(&made.report()).card);
+    let at = |id: &str| card.check.iter().position(|row| row.id == id).unwrap();
+    let CheckWords { value, limit, state } = &words.check[at("panel_flatness")];
+    assert!(value.ends_with(" mm") && limit.starts_with("limit ") && limit.ends_with(" mm"));
+    assert_eq!(state, &format!("not met by {}", card.check[at("panel_flatness")].failed));
+    let lean = &words.check[at("lean")];
+    assert!(lean.value.ends_with('°') && lean.limit.ends_with('°'), "{lean:?}");
+    let PanelRemedy { constraint, .. } = card.tighten.remedies[0];
+    let adjective = if constraint == "circle" { "circular" } else { "flat" };
+    let remedy = format!("Makes all panels {adjective} within ");
+    assert!(words.remedies[0].starts_with(&remedy), "{words:?}");
+}
+
+#[test]
+fn an_offset_is_said_to_be_exact_or_why_it_is_not() {
+    let own = BuildSettings {
+        kind: Some(OffsetKind::Corner),
+        distance: Some(0.2),
+        ..BuildSettings::default()
+    };
+    let exact = build(&revolution(9, 7), &own);
+    let words = exact.card_words(&exact.card());
+    assert_eq!(words.offset, "Corners keep their distance exactly.");
+    assert_eq!(words.distance, "200 mm");
+    assert!(words.safe.starts_with("Safe ") && words.safe.contains(" inwards, "), "{words:?}");
+    let fitted = build(&wavy(), &own);
+    let words = fitted.card_words(&fitted.card());
+    let start = "Corners keep their distance as nearly as possible; ";
+    assert!(words.offset.starts_with(start) && words.offset.ends_with('.'), "{words:?}");
+    let errors: Vec<String> = fitted.choices().iter().map(|choice| choice.words()).collect();
+    assert!(errors.iter().all(|words| words == "exact" || words.starts_with("± ")), "{errors:?}");
+}

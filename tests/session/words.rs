@@ -1,0 +1,110 @@
+//! Verdicts in words: on a run, on hard constraints, and on trials of exactness.
+
+use crate::support::grid::grid;
+use serde_json::{Value, json};
+use shape_up::mesh::Mesh;
+use shape_up::scene::Scene;
+use shape_up::session::{EndWords, Session};
+
+/// Quads that are not flat.
+fn wavy() -> Mesh {
+    grid(4, 4, |i, j| [f64::from(i), f64::from(j), 0.2 * f64::from((7 * i + 5 * j) % 4)])
+}
+
+/// A solved session in metres with these constraints and handles.
+fn solved(constraints: &Value, handles: &Value) -> Session {
+    let text = json!({
+        "format": "shape-up-scene", "version": 1, "units": "m", "mesh": { "file": "wavy.obj" },
+        "constraints": constraints, "handles": handles,
+        "weights": { "shape": 5, "close": 10, "smooth": 2 }, "closeness": { "to": "rest" },
+        "smoothness": { "of": "displacement" },
+    });
+    let scene = Scene::from_json(&text.to_string()).expect("it is a scene");
+    let mut session = Session::open(scene, wavy()).expect("it opens");
+    session.solve(false).expect("regular");
+    session
+}
+
+#[test]
+fn a_run_says_whether_all_is_met_or_which_element_is_worst() {
+    let mut session = solved(&json!([{ "kind": "plane", "on": "faces" }]), &json!([]));
+    let met = session.run_verdict(10.0).expect("there is a constraint");
+    assert!(met.met && met.worst.is_none() && met.brief.is_empty(), "{met:?}");
+    let start = "All constraints are met within 10 m. Moved at most ";
+    assert!(met.full.starts_with(start) && met.full.ends_with(" on average."), "{met:?}");
+
+    let missed = session.run_verdict(0.001).expect("there is a constraint");
+    let worst = missed.worst.expect("a face is not flat");
+    assert_eq!(missed.brief, "Solved as far as possible.");
+    let words = format!("Solved as far as possible. Worst: Plane on {}, ", worst.element);
+    assert!(missed.full.starts_with(&words), "{}", missed.full);
+    assert!(missed.full.contains(" mm; the tolerance is 1 mm. Moved at "), "{}", missed.full);
+
+    // A constraint without a weight is not judged.
+    let weightless = json!([{ "kind": "plane", "on": "faces", "weight": 0 }]);
+    assert_eq!(solved(&weightless, &json!([])).run_verdict(1.0), None);
+}
+
+#[test]
+fn an_exact_shape_is_said_to_be_so_with_and_without_how_far_it_moved() {
+    let planes = |require: Value| json!([{ "kind": "plane", "on": "faces", "require": require }]);
+    let words = solved(&planes(json!("exact")), &json!([])).exact_words().expect("it was met");
+    assert_eq!(words.brief, "Exact: worst 0 mm.");
+    assert!(words.full.starts_with("Exact: worst 0 mm. Moved at most "), "{words:?}");
+    let within = solved(&planes(json!({ "within": 0.02 })), &json!([]));
+    let words = within.exact_words().expect("it was met");
+    assert_eq!([&*words.brief, &words.full], ["", "All constraints are met within 20 mm."]);
+    assert!(words.remedies.is_empty());
+}
+
+#[test]
+fn what_contradicts_is_named_with_weaker_requirements_that_can_be_met() {
+    let length = |length: f64| {
+        let on = json!({ "vertices": [0, 1] });
+        let name = format!("Length {length}");
+        json!({ "kind": "line-segment", "on": on, "length": length, "require": "exact", "name": name })
+    };
+    let session = solved(&json!([length(1.0), length(1.2)]), &json!([]));
+    let words = session.exact_words().expect("it was tried");
+    let start = "2 of 2 cannot be met together: Length 1 on 2 vertices, Length 1.2 on ";
+    assert!(words.full.starts_with(start), "{}", words.full);
+    assert!(words.full.contains(" The smallest miss is "), "{}", words.full);
+    assert_eq!(words.brief, words.full);
+    let found: Vec<_> = words.remedies.iter().map(|one| (one.index, one.within)).collect();
+    let [(0, None), (0, Some(wide)), (1, None), (1, Some(_))] = found[..] else {
+        panic!("{found:?}")
+    };
+    assert!(wide >= session.exact().expect("it was tried").max_distance);
+    assert_eq!(words.remedies[0].label, "Make Length 1 soft");
+    assert!(words.remedies[1].label.starts_with("Length 1 within "), "{words:?}");
+}
+
+#[test]
+fn the_cost_of_exactness_and_the_gain_of_an_improvement_are_said() {
+    let within = json!([{ "kind": "plane", "on": "faces", "require": { "within": 0.02 } }]);
+    let mut session = solved(&within, &json!([]));
+    let mut trial = session.exact_trial().expect("regular").expect("it is within");
+    while trial.step(&session).expect("regular") {}
+    let cost = trial.offer(&session).expect("nothing has changed").words;
+    assert_eq!(cost.taken, "Also made exact: worst 0 mm.");
+    assert!(cost.offered.starts_with("If made exact, the shape would move by up to "), "{cost:?}");
+    let names: Vec<_> = cost.table.iter().map(|[name, ..]| &**name).collect();
+    assert_eq!(names, ["Worst distance", "Moved at most", "on average", "Energy"]);
+    assert_eq!(cost.table[0][2], "0 mm");
+    assert!(session.make_exact(trial.shape(), &trial.positions(), false).expect("regular"));
+
+    let mut search = session.improvement().expect("regular").expect("all is met");
+    while search.step(&session).expect("regular") {}
+    let gain = search.offer(&session).expect("nothing has changed").words;
+    assert!(
+        gain.taken.starts_with("Improved: ")
+            && gain.taken.contains(" % less energy, moved by up to ")
+    );
+    assert!(gain.offered.starts_with("There is no better exact shape nearby: "), "{gain:?}");
+}
+
+#[test]
+fn a_run_that_ends_has_converged_or_was_paused() {
+    let EndWords { converged, paused } = EndWords::after(1);
+    assert_eq!([converged, paused], ["Converged after 1 iteration", "Paused after 1 iteration"]);
+}
