@@ -151,6 +151,9 @@ export function createActions(store: Store, solver: SolverClient, alerts: Alerts
      */
     settled: () => solver.settled(),
 
+    /** Registers what selects elements that are still to be found, so that `settled` waits for it. */
+    begin: <T>(begun: Promise<T>) => solver.begin(begun),
+
     /** Opens files; rejects with the error. */
     open: solver.change.open,
 
