@@ -9,6 +9,7 @@ mod grid;
 
 use js_sys::{Float32Array, Float64Array, JSON, Reflect, Uint8Array, Uint32Array};
 use shape_up::constraint::{Arity, KINDS};
+use shape_up::web::jobs::ModelCopy;
 use shape_up::web::warm_up::WarmUp;
 use shape_up::web::worker::Solver;
 use std::fmt::Write;
@@ -46,6 +47,13 @@ fn loaded() -> Solver {
     assert_eq!(number(&about, "faces"), 2.0);
     assert_eq!(number(&about, "problems.length"), 0.0);
     solver
+}
+
+/// The copy of the open model, as in the second worker.
+fn copy(solver: &Solver) -> ModelCopy {
+    let (scene, generation) = (solver.scene(), solver.generation());
+    let scene = scene.expect("a model is open");
+    ModelCopy::new(&scene, generation.expect("a model is open")).expect("it is open already")
 }
 
 const ADD: &str =
@@ -93,6 +101,48 @@ fn a_mesh_is_opened_constrained_run_and_undone() {
     solver.write_positions(&positions).expect("a model is open");
     assert_eq!(positions.get_index(5), 0.2, "vertex 1 is at rest");
     assert_ne!(positions.to_vec(), moved);
+}
+
+#[wasm_bindgen_test]
+fn what_the_second_worker_finds_on_a_copy_is_accepted_for_that_shape_only() {
+    let mut solver = loaded();
+    let within = r#"{ "type": "addConstraint", "kind": "plane", "params": {}, "on": "faces",
+                      "weight": 1, "require": { "within": 0.01 } }"#;
+    solver.edit(object(within)).expect("planes fit quads");
+    solver.begin_run().expect("a model is open");
+    while !solver.step().expect("positions stay finite") {}
+    solver.end_run().expect("a model is open");
+
+    let mut copied = copy(&solver);
+    assert!(copied.offer().expect("it can be asked").is_null(), "nothing is tried yet");
+    copied.try_exact().expect("regular");
+    while copied.advance(10.0).expect("regular") {}
+    let offer = copied.offer().expect("it can be asked");
+    assert!(get(&offer, "met").is_truthy() && number(&offer, "maxDistance") < 1e-9);
+    let shape = || copied.shape().expect("it can be asked");
+    let positions = copied.positions().to_vec();
+    assert!(solver.make_exact(shape(), &positions, false).expect("regular"));
+    let now = Float64Array::new_with_length(18);
+    solver.write_positions(&now).expect("a model is open");
+    assert_eq!(now.to_vec(), positions);
+    let document = solver.document().expect("a model is open");
+    assert_eq!(get(&document, "undo").as_string().as_deref(), Some("Make exact"));
+    assert_eq!(get(&document, "constraints.0.require").as_string().as_deref(), Some("exact"));
+    assert!(!solver.make_exact(shape(), &positions, false).expect("regular"), "it is another now");
+
+    let mut copied = copy(&solver);
+    let of = solver.generation().expect("a model is open");
+    assert!(copied.find_variations().expect("regular"));
+    while get(&copied.advance_variations(10.0).expect("regular"), "more").is_truthy() {}
+    let towards = copied.towards(&[0.02]).expect("there is one").to_vec();
+    assert!(solver.show_variation(of, &towards, JsValue::NULL).expect("a model is open"));
+    assert!(!solver.keep_variation().expect("nothing is wrong"), "it is not brought back");
+    let varied = copied.go(&[0.02]).expect("regular");
+    let reached = Float64Array::from(get(&varied, "positions")).to_vec();
+    let shown = solver.show_variation(of, &reached, get(&varied, "report"));
+    assert!(shown.expect("a model is open"));
+    assert!(solver.keep_variation().expect("there is room"));
+    assert!(!solver.show_variation(of, &towards, JsValue::NULL).expect("a model is open"));
 }
 
 #[wasm_bindgen_test]
@@ -248,7 +298,8 @@ fn what_is_wrong_is_said_in_one_line_and_the_old_model_stays() {
 #[wasm_bindgen_test]
 fn a_model_is_flattened_and_exported_with_its_map() {
     let solver = loaded();
-    let map = solver.parametrize("inverse-area", "boundary").expect("it is a surface");
+    let copied = copy(&solver);
+    let map = copied.parametrize("inverse-area", "boundary").expect("it is a surface");
     let uv = get(&map, "uv").unchecked_into::<Float64Array>().to_vec();
     let errors = get(&map, "faceErrors").unchecked_into::<Float32Array>().to_vec();
     assert_eq!((uv.len(), errors.len()), (12, 2));
@@ -257,8 +308,8 @@ fn a_model_is_flattened_and_exported_with_its_map() {
     assert!(errors.iter().any(|&error| (f64::from(error) - max).abs() < 1e-6));
     assert_eq!([number(&map, "parts"), number(&map, "closedParts")], [1.0, 0.0]);
     assert_eq!(number(&map, "flipped"), 0.0);
-    assert!(solver.fewer_flips(0).expect("there is a model").is_null());
-    assert_eq!(number(&solver.fewer_flips(1).expect("there is a model"), "flipped"), 0.0);
+    assert!(copied.fewer_flips(0).expect("there is a model").is_null());
+    assert_eq!(number(&copied.fewer_flips(1).expect("there is a model"), "flipped"), 0.0);
     let histogram = get(&map, "histogram").unchecked_into::<Uint32Array>().to_vec();
     assert_eq!(histogram.iter().sum::<u32>(), 2);
     assert!(number(&map, "seconds") >= number(&map, "secondsOf.factor"));
@@ -273,15 +324,18 @@ fn a_model_is_flattened_and_exported_with_its_map() {
 fn what_cannot_be_flattened_is_told() {
     let mut solver = Solver::new();
     let refused = |solver: &Solver, weights: &str| {
-        message(solver.parametrize(weights, "vertices").expect_err("it cannot be flattened"))
+        let flattened = copy(solver).parametrize(weights, "vertices");
+        message(flattened.expect_err("it cannot be flattened"))
     };
-    assert_eq!(refused(&solver, "one"), "no model is open");
-    assert_eq!(refused(&solver, "two"), "weights \"two\", expected one of inverse-area, one, lscm");
+    assert_eq!(
+        refused(&loaded(), "two"),
+        "weights \"two\", expected one of inverse-area, one, lscm"
+    );
     solver.load("line.obj", b"v 0 0 0\nv 1 0 0\nl 1 2\n").expect("it is a curve");
     assert_eq!(refused(&solver, "one"), "the mesh has no faces, expected a surface");
     let tetrahedron = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
     solver.load("closed.obj", tetrahedron).expect("it is a surface");
-    let map = solver.parametrize("one", "boundary").expect("it is folded");
+    let map = copy(&solver).parametrize("one", "boundary").expect("it is folded");
     assert_eq!(number(&map, "closedParts"), 1.0);
 }
 

@@ -39,9 +39,9 @@ impl Session {
         Ok(true)
     }
 
-    /// A number that every edit, undo and redo raises that changes the problem, the handles or the
-    /// positions. Others leave a converged shape converged: the lesson, the build, a presentation,
-    /// units, names.
+    /// The number of the current problem, handles and positions: what was made for another one is
+    /// out of date. Edits of the lesson, the build, a presentation, units and names leave it, and a
+    /// converged shape converged.
     pub fn generation(&self) -> u32 {
         self.scene.generation()
     }
@@ -279,8 +279,8 @@ impl Session {
         check_presentation(&document, rest.mesh())?;
         let rows = resolve_rows(&document, rest.mesh(), rest.topology())?;
         let SceneChange { handles, positions, .. } = &change.scene;
-        let scene = SolvedScene::new(document, &rest, rows, handles.to_vec(), positions)?
-            .follows(&self.scene);
+        let mut scene = SolvedScene::new(document, &rest, rows, handles.to_vec(), positions)?;
+        scene.follow_generation(self.scene.last_generation());
         change.scene = self.scene.snapshot();
         let before = (
             std::mem::replace(&mut self.rest, rest),

@@ -164,7 +164,7 @@ impl Session {
     }
 
     pub(super) fn note_met(&mut self, exact: &Exact) {
-        let report = ExactReport::new(exact.answer(), &self.required_places(false));
+        let report = ExactReport::new(exact.answer(), &self.required_places(&Required::of, false));
         self.met = Some(Met::new(&self.scene, report));
     }
 }

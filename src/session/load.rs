@@ -21,8 +21,9 @@ impl Session {
         Checked::new(scene, mesh)?.open()
     }
 
-    /// Opens a scene, as [`Session::open`], in place of `open`. If it is refused, the previous
-    /// scene stays; only the step history of its solver is lost, as after a pause.
+    /// Opens a scene, as [`Session::open`], in place of `open`, whose generations it goes on with.
+    /// If it is refused, the previous scene stays; only the step history of its solver is lost, as
+    /// after a pause.
     ///
     /// # Errors
     /// As [`Session::open`].
@@ -32,13 +33,21 @@ impl Session {
         mesh: Mesh,
     ) -> Result<&mut Session, Error> {
         let checked = Checked::new(scene, mesh)?;
+        let last = open.as_ref().map_or(0, |session| session.scene.last_generation());
         let before = open.take().map(Session::suspend);
         match checked.open() {
-            Ok(session) => Ok(open.insert(session)),
+            Ok(session) => {
+                let session = open.insert(session);
+                session.scene.follow_generation(last);
+                Ok(session)
+            }
             Err(error) => {
                 let resume =
                     |suspended: Suspended| suspended.resume().expect("it could be solved before");
                 *open = before.map(resume);
+                if let Some(session) = open {
+                    session.scene.follow_generation(last);
+                }
                 Err(error)
             }
         }

@@ -72,7 +72,7 @@ pub use run::{
 };
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
 pub use state::{Paired, ResolvedRow};
-pub use trial::{Cost, ExactOffer, ExactTrial, Remedies, Remedy};
+pub use trial::{Cost, ExactOffer, ExactShape, ExactTrial, Remedies, Remedy};
 pub use undo::check_targets;
 pub use variant_table::VariantRow;
-pub use variations::Variations;
+pub use variations::{Variations, Varied};

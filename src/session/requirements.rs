@@ -48,10 +48,14 @@ impl Session {
         all
     }
 
-    /// Returns the index in the list of constraints of each row of the exact solver, with the
-    /// requirements of the scene; only of hard rows if requested.
-    pub(super) fn required_places(&self, only_hard: bool) -> Vec<usize> {
-        let rows = self.required_rows(&Required::of).into_iter();
+    /// Returns the index in the list of constraints of each row of the exact solver, with these
+    /// requirements; only of hard rows if requested.
+    pub(super) fn required_places(
+        &self,
+        required: &dyn Fn(&ConstraintSpec) -> Required,
+        only_hard: bool,
+    ) -> Vec<usize> {
+        let rows = self.required_rows(required).into_iter();
         rows.filter(|(.., require)| !only_hard || require.is_hard())
             .map(|(place, ..)| place)
             .collect()

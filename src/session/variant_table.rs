@@ -66,11 +66,12 @@ impl Session {
         positions: Rc<[Point]>,
         ask: impl FnOnce(&mut Session) -> T,
     ) -> Result<T, Error> {
-        let mut change = self.scene.snapshot();
+        let (mut change, generation) = (self.scene.snapshot(), self.generation());
         change.positions = positions;
         self.scene.exchange(&self.rest, &mut change)?;
         let answer = ask(self);
         self.scene.exchange(&self.rest, &mut change)?;
+        self.scene.restored(generation);
         Ok(answer)
     }
 

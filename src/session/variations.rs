@@ -1,23 +1,32 @@
-//! Variations: ways to change the shape while its hard constraints stay met. They are shown,
-//! projected back onto the constraints, and kept or discarded.
+//! Variations: ways to change the shape while its hard constraints stay met. They are searched on a
+//! copy; their shapes are shown, kept or discarded by the session.
 
 use super::Session;
 use super::edit::Edit;
 use super::requirements::Required;
 use super::run::{ExactReport, Met};
-use super::undo::{Change, Transaction};
+use super::undo::{Change, ShownVariation, Transaction};
 use crate::mesh::Point;
 use crate::session::Error;
-use crate::solve::{ExactAnswer, Handle, Problem, Requirements, ShapeSpace, Variation};
+use crate::solve::{Handle, Problem, Requirements, ShapeSpace, Variation};
 use std::rc::Rc;
 
 /// The variations of a shape of a session.
 pub struct Variations {
     space: ShapeSpace,
-    /// The shape that they change, `#V by 3`.
-    from: Rc<[Point]>,
-    /// The last answer, if its shape is shown.
-    reached: Option<ExactAnswer>,
+    /// The index in the scene's list of constraints of each row of the space.
+    places: Vec<usize>,
+    generation: u32,
+}
+
+/// A varied shape that was brought back onto the hard constraints.
+pub struct Varied {
+    /// `#V by 3`.
+    pub positions: Vec<Point>,
+    /// The fraction of the coefficients that was reached; the rest is not possible.
+    pub part: f64,
+    /// How well it meets the constraints.
+    pub report: ExactReport,
 }
 
 impl Variations {
@@ -38,6 +47,27 @@ impl Variations {
     pub fn modes(&self) -> &[Variation] {
         self.space.modes()
     }
+
+    /// The [`Session::generation`] of the shape that they change.
+    pub fn generation(&self) -> u32 {
+        self.generation
+    }
+
+    /// Returns the shape plus the variations times these coefficients, `#V by 3`, which meets the
+    /// constraints only to first order.
+    pub fn towards(&self, coefficients: &[f64]) -> Vec<Point> {
+        self.space.towards(coefficients)
+    }
+
+    /// Applies the coefficients as far as the constraints can be met again.
+    ///
+    /// # Errors
+    /// As [`ShapeSpace::go`].
+    pub fn go(&mut self, coefficients: &[f64]) -> Result<Varied, Error> {
+        let reached = self.space.go(coefficients)?;
+        let report = ExactReport::new(reached.answer, &self.places);
+        Ok(Varied { positions: reached.positions, part: reached.part, report })
+    }
 }
 
 impl Session {
@@ -57,62 +87,57 @@ impl Session {
              start: &[Point],
              cache| { ShapeSpace::new(&problem, &requirements, handles, start, cache) };
         let Some(space) = self.with_requirements(&Required::of, make)? else { return Ok(None) };
-        let from = Rc::clone(self.scene.positions());
-        Ok(Some(Variations { space: space?, from, reached: None }))
+        let places = self.required_places(&Required::of, true);
+        Ok(Some(Variations { space: space?, places, generation: self.generation() }))
     }
 
-    /// Shows the shape plus the variations times these coefficients, without projecting it back
-    /// onto the constraints. Returns false if the variations are of another shape.
-    pub fn show_variation(&mut self, variations: &mut Variations, coefficients: &[f64]) -> bool {
-        if !self.begin_variation(variations) {
-            return false;
+    /// Shows the positions `#V by 3` of a variation of the shape with the number `of`, with the
+    /// report if they were brought back onto the constraints. Returns false if the current shape is
+    /// another one.
+    pub fn show_variation(
+        &mut self,
+        of: u32,
+        positions: &[Point],
+        report: Option<ExactReport>,
+    ) -> bool {
+        if let Some(shown) = self.transaction.as_mut().and_then(Transaction::variation_shown) {
+            if shown.of != of {
+                return false;
+            }
+            shown.report.clone_from(&report);
+        } else {
+            if self.generation() != of {
+                return false;
+            }
+            let shown = ShownVariation { of, report: report.clone() };
+            self.begin(|back| Transaction::variation(back, shown));
+            self.met_before = self.met.take();
         }
-        self.scene.show(&variations.space.towards(coefficients));
-        variations.reached = None;
+        self.scene.show(positions);
+        self.met = report.map(|report| Met::new(&self.scene, report));
         true
     }
 
-    /// Applies the coefficients as far as the constraints can be met again, and shows that shape.
-    /// Returns the fraction reached, or none if the variations are of another shape.
-    ///
-    /// # Errors
-    /// As [`ShapeSpace::go`].
-    pub fn project_variation(
-        &mut self,
-        variations: &mut Variations,
-        coefficients: &[f64],
-    ) -> Result<Option<f64>, Error> {
-        if !self.begin_variation(variations) {
-            return Ok(None);
-        }
-        let reached = variations.space.go(coefficients)?;
-        self.scene.show(&reached.positions);
-        self.note_reached(&reached.answer);
-        variations.reached = Some(reached.answer);
-        Ok(Some(reached.part))
-    }
-
-    /// Keeps the shape reached last as a variant and makes it the design, as one step of undo.
-    /// Returns false if there is nothing to keep.
+    /// Keeps the shape shown as a variant and makes it the design, as one step of undo. Returns
+    /// false if none is shown that was brought back onto the constraints.
     ///
     /// # Errors
     /// If there are too many variants; the shape is then still shown.
-    pub fn keep_variation(&mut self, variations: &mut Variations) -> Result<bool, Error> {
-        let Some(answer) = variations.reached.take() else { return Ok(false) };
-        let Some(transaction) = self.transaction.take_if(|it| it.is_variation()) else {
-            return Ok(false);
-        };
-        let start = Rc::clone(&variations.from);
+    pub fn keep_variation(&mut self) -> Result<bool, Error> {
+        let shown = self.transaction.as_mut().and_then(Transaction::variation_shown);
+        let Some(report) = shown.and_then(|shown| shown.report.clone()) else { return Ok(false) };
+        let Some(transaction) = self.transaction.take() else { return Ok(false) };
+        let start = Rc::clone(&transaction.back().scene.positions);
         match self.make(Edit::KeepVariant { start }) {
             Ok(Some((name, mut change))) => {
                 change.scene.positions = transaction.into_back().scene.positions;
                 self.history.push(name, change);
-                self.note_reached(&answer);
+                self.met = Some(Met::new(&self.scene, report));
                 Ok(true)
             }
             Ok(None) => unreachable!("a variant more is a change"),
             Err(error) => {
-                (self.transaction, variations.reached) = (Some(transaction), Some(answer));
+                self.transaction = Some(transaction);
                 Err(error)
             }
         }
@@ -120,27 +145,12 @@ impl Session {
 
     /// Discards a variation that is shown and not kept, and restores the shape before it.
     pub fn leave_variation(&mut self) {
-        let Some(transaction) = self.transaction.take_if(|it| it.is_variation()) else { return };
+        let shown = self.transaction.as_mut().and_then(Transaction::variation_shown);
+        let Some(of) = shown.map(|shown| shown.of) else { return };
+        let Some(transaction) = self.transaction.take() else { return };
         let mut back: Change = transaction.into_back();
         self.exchange(&mut back).expect("the state was solvable before");
         self.met = self.met_before.take();
-    }
-
-    fn begin_variation(&mut self, variations: &Variations) -> bool {
-        let shown = self.transaction.as_ref().filter(|it| it.is_variation());
-        if let Some(transaction) = shown {
-            return Rc::ptr_eq(&transaction.back().scene.positions, &variations.from);
-        }
-        if !Rc::ptr_eq(self.scene.positions(), &variations.from) {
-            return false;
-        }
-        self.begin(Transaction::variation);
-        self.met_before = self.met.take();
-        true
-    }
-
-    fn note_reached(&mut self, answer: &ExactAnswer) {
-        let report = ExactReport::new(answer.clone(), &self.required_places(true));
-        self.met = Some(Met::new(&self.scene, report));
+        self.scene.restored(of);
     }
 }

@@ -4,19 +4,16 @@
 //! | file or folder | holds |
 //! |---|---|
 //! | `worker` | the interface of the solver |
+//! | `jobs` | the interface of what takes long, for the second worker |
 //! | `page` | the interface of the view |
-//! | `build` | the interface of sheets and the build check |
 //! | `generate` | the interface of new meshes, and the files of the examples |
-//! | `curvature` | the interface of lines of curvature |
 //! | `plain` | conversions between Rust and JavaScript |
 //! | `warm_up` | iterations that make V8 optimise the solver |
 
 #[cfg(feature = "engine")]
-pub mod build;
-#[cfg(feature = "engine")]
-pub mod curvature;
-#[cfg(feature = "engine")]
 pub mod generate;
+#[cfg(feature = "engine")]
+pub mod jobs;
 #[cfg(feature = "view")]
 pub mod page;
 #[cfg(feature = "engine")]

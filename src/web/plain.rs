@@ -1,8 +1,9 @@
 //! Conversions between Rust and the page: plain objects, typed arrays, errors with JSON paths.
 
 use super::thrown;
-use crate::scene::SceneError;
-use js_sys::{Float32Array, Uint32Array};
+use crate::mesh::Point;
+use crate::scene::{NamedEnum, SceneError};
+use js_sys::{Float32Array, Float64Array, Uint32Array};
 use wasm_bindgen::JsValue;
 
 pub(super) use super::plain_object as plain;
@@ -18,6 +19,11 @@ pub(super) fn object<const N: usize>(entries: [(&str, JsValue); N]) -> Result<Js
         js_sys::Reflect::set(&object, &key.into(), &value)?;
     }
     Ok(object.into())
+}
+
+/// Returns the coordinates of points, `#points by 3`.
+pub(super) fn flat(points: &[Point]) -> Float64Array {
+    Float64Array::from(points.as_flattened())
 }
 
 /// Converts to single precision, for drawing.
@@ -44,4 +50,10 @@ pub(super) fn thrown_at(error: &SceneError) -> JsValue {
     // Setting a property of a new object cannot fail.
     let _ = js_sys::Reflect::set(&thrown, &"path".into(), &error.path.as_str().into());
     thrown
+}
+
+/// Returns the choice with the given word of the command line.
+pub(super) fn of_word<T: NamedEnum>(what: &str, word: &str) -> Result<T, JsValue> {
+    let unknown = || thrown(format!("{what} \"{word}\", expected one of {}", T::list(", ")));
+    T::of_word(word).ok_or_else(unknown)
 }

@@ -173,7 +173,8 @@ fn exact_digests(kind: &str) -> [u64; 2] {
     while !variations.are_found() {
         variations.step().expect("its systems are regular");
     }
-    session.project_variation(&mut variations, &[0.02]).expect("its systems are regular");
+    let varied = variations.go(&[0.02]).expect("its systems are regular");
+    assert!(session.show_variation(variations.generation(), &varied.positions, None));
     [exact, digest(&session.positions())]
 }
 

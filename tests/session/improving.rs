@@ -2,8 +2,9 @@
 
 use crate::support::grid::grid;
 use serde_json::json;
+use shape_up::mesh::Mesh;
 use shape_up::scene::Scene;
-use shape_up::session::{Edit, Session};
+use shape_up::session::{Edit, ExactShape, FileReader, Session};
 
 /// Rough bumps on which all panels are required to be flat.
 fn rough() -> Session {
@@ -48,7 +49,7 @@ fn an_improvement_is_one_step_of_undo_and_as_exact() {
     let offer = trial.offer(&session).expect("nothing has changed");
     assert!(offer.met && offer.after.energy < offer.before.energy, "{offer:?}");
     assert_eq!(session.positions(), before, "nothing has changed yet");
-    assert!(session.make_exact(&trial, false).expect("regular"));
+    assert!(session.make_exact(trial.shape(), &trial.positions(), false).expect("regular"));
     assert!(session.exact().expect("there is a hard row").met);
     assert_eq!(session.undo_and_redo()[0], Some("Improve"));
     assert_ne!(session.positions(), before);
@@ -57,7 +58,7 @@ fn an_improvement_is_one_step_of_undo_and_as_exact() {
     // The trial began at another shape than the current one.
     run(&mut session);
     session.redo().expect("regular");
-    assert!(!session.make_exact(&trial, false).expect("regular"));
+    assert!(!session.make_exact(trial.shape(), &trial.positions(), false).expect("regular"));
 }
 
 #[test]
@@ -75,7 +76,7 @@ fn an_improvement_is_not_applied_to_constraints_that_changed_since_it_began() {
     edit(&mut session, &circular);
     assert_eq!(trial.offer(&session), None);
     let before = session.positions();
-    assert!(!session.make_exact(&trial, false).expect("regular"));
+    assert!(!session.make_exact(trial.shape(), &trial.positions(), false).expect("regular"));
     assert_eq!(session.positions(), before);
     assert!(session.exact().is_none_or(|exact| !exact.met), "nobody has made the faces circular");
 
@@ -88,6 +89,47 @@ fn an_improvement_is_not_applied_to_constraints_that_changed_since_it_began() {
         grid(9, 9, |i, j| [f64::from(i), f64::from(j), 0.0]),
     );
     assert_eq!(trial.offer(&larger.expect("it opens")), None);
+}
+
+#[test]
+fn a_trial_on_a_copy_is_accepted_unless_the_shape_has_changed() {
+    let mut session = rough();
+    run(&mut session);
+    let file = FileReader::default()
+        .read("copy.json", session.scene_with_mesh().as_bytes())
+        .expect("it was written by the session");
+    let copy = Session::open(file.scene, file.mesh).expect("it is open already");
+    assert_eq!(copy.positions(), session.positions(), "to the last bit");
+    let mut trial = copy.improvement().expect("regular").expect("all is met");
+    while trial.step(&copy).expect("regular") {}
+    let of_session =
+        |session: &Session| ExactShape { generation: session.generation(), ..trial.shape() };
+    let shape = of_session(&session);
+    session.edit(Edit::SetUnits { units: "m".to_owned() }).expect("a unit");
+    assert_eq!(session.generation(), shape.generation, "a unit is no change of the shape");
+    let positions = trial.positions();
+    assert!(session.make_exact(shape.clone(), &positions, false).expect("regular"));
+    assert_eq!(session.positions(), positions);
+    let report = session.exact().expect("there is a hard row");
+    assert!(report.met && report.improved.is_some(), "the report comes with the shape");
+    session.undo().expect("regular");
+    assert!(!session.make_exact(shape, &positions, false).expect("regular"));
+}
+
+#[test]
+fn the_generation_goes_on_when_another_scene_is_opened() {
+    let mut open = Some(rough());
+    let session = open.as_mut().expect("it is open");
+    run(session);
+    let last = session.generation();
+    let (scene, mesh) = (session.scene(), session.mesh().clone());
+    Session::replace(&mut open, scene.clone(), mesh.clone()).expect("it fits");
+    let next = open.as_ref().expect("it is open").generation();
+    assert!(next > last, "what was made for the scene before is not taken for one of this");
+    // So it does when the other scene is refused, and this one set up again.
+    let none = Mesh { positions: mesh.positions, ..Mesh::default() };
+    assert!(Session::replace(&mut open, scene, none).is_err());
+    assert!(open.as_ref().expect("it stays").generation() >= next);
 }
 
 #[test]

@@ -295,7 +295,7 @@ fn exact_panels_are_those_near_the_shape_where_others_crumple() {
     let offer = trial.offer(&session).expect("nothing has changed");
     assert!(offer.met && offer.folded == 0 && offer.moved.max < 1.0, "{offer:?}");
     assert!(offer.after.energy < 4.0 * offer.before.energy, "{offer:?}");
-    assert!(session.make_exact(&trial, false).expect("regular"));
+    assert!(session.make_exact(trial.shape(), &trial.positions(), false).expect("regular"));
     assert!(session.exact().is_some_and(|exact| exact.met && exact.max_distance < 1e-9));
 }
 

@@ -43,11 +43,28 @@ fn farthest(a: &[Point], b: &[Point]) -> f64 {
     away.fold(0.0, f64::max)
 }
 
+/// Shows a variation; returns false if the session has another shape than the varied one.
+fn show(session: &mut Session, variations: &Variations, coefficients: &[f64]) -> bool {
+    let positions = variations.towards(coefficients);
+    session.show_variation(variations.generation(), &positions, None)
+}
+
+/// Shows a variation that was brought back onto the constraints; returns the fraction reached.
+fn bring_back(session: &mut Session, variations: &mut Variations, coefficients: &[f64]) -> f64 {
+    let varied = variations.go(coefficients).expect("regular");
+    assert!(session.show_variation(
+        variations.generation(),
+        &varied.positions,
+        Some(varied.report)
+    ));
+    varied.part
+}
+
 /// Moves along the first two variations and keeps the result.
 fn keep_one(session: &mut Session) -> Vec<Point> {
     let mut variations = found(session);
-    assert_eq!(session.project_variation(&mut variations, &[0.05, 0.02]), Ok(Some(1.0)));
-    assert!(session.keep_variation(&mut variations).expect("there is room"));
+    assert_eq!(bring_back(session, &mut variations, &[0.05, 0.02]), 1.0);
+    assert!(session.keep_variation().expect("there is room"));
     session.positions()
 }
 
@@ -57,20 +74,20 @@ fn what_is_kept_is_exact_and_one_step_of_undo() {
     let start = session.positions();
     let mut variations = found(&session);
     let before = session.undo_and_redo().map(|name| name.map(str::to_owned));
-    assert!(session.show_variation(&mut variations, &[0.05]));
+    assert!(show(&mut session, &variations, &[0.05]));
     assert!(farthest(&session.positions(), &start) > 0.01, "the way is shown at once");
-    assert_eq!(session.keep_variation(&mut variations), Ok(false), "it is not brought back yet");
-    assert_eq!(session.project_variation(&mut variations, &[0.05]), Ok(Some(1.0)));
+    assert_eq!(session.keep_variation(), Ok(false), "it is not brought back yet");
+    assert_eq!(bring_back(&mut session, &mut variations, &[0.05]), 1.0);
     assert!(session.exact().expect("there is a hard row").met);
     assert_eq!(session.undo_and_redo().map(|name| name.map(str::to_owned)), before);
-    assert_eq!(session.keep_variation(&mut variations), Ok(true));
+    assert_eq!(session.keep_variation(), Ok(true));
     let kept = session.positions();
     assert_eq!(session.undo_and_redo()[0], Some("Keep Variant 1"));
     let names = |session: &Session| -> Vec<String> {
         session.document().variants.kept.iter().map(|variant| variant.name.clone()).collect()
     };
     assert_eq!(names(&session), ["Start", "Variant 1"]);
-    assert!(!session.show_variation(&mut variations, &[0.01]), "those are of the shape before");
+    assert!(!show(&mut session, &variations, &[0.01]), "those are of the shape before");
     session.undo().expect("it was solvable");
     assert!(session.positions() == start && names(&session).is_empty());
     session.redo().expect("it was solvable");
@@ -82,13 +99,16 @@ fn what_is_not_kept_is_left() {
     let mut session = flat();
     let start = session.positions();
     let mut variations = found(&session);
-    session.show_variation(&mut variations, &[0.05]);
+    let generation = session.generation();
+    show(&mut session, &variations, &[0.05]);
+    assert_ne!(session.generation(), generation);
     session.leave_variation();
     assert_eq!(session.positions(), start);
-    session.project_variation(&mut variations, &[0.0, 0.05]).expect("regular");
+    assert_eq!(session.generation(), generation, "what was made for that shape holds again");
+    bring_back(&mut session, &mut variations, &[0.0, 0.05]);
     run(&mut session);
     assert_eq!(session.positions(), start, "a run begins at the shape that is open");
-    session.show_variation(&mut variations, &[0.05]);
+    assert!(show(&mut session, &variations, &[0.05]));
     session.edit(Edit::SetUnits { units: "m".to_owned() }).expect("a unit");
     assert_eq!(session.positions(), start);
     let ways = session.document().constraints[0].clone();

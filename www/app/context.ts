@@ -4,6 +4,7 @@
  */
 
 import type { State, Store } from '../store/state.ts';
+import type { JobsClient } from '../solver/jobs-client.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Viewport } from '../viewport/viewport.ts';
 import type { Files } from '../documents/files.ts';
@@ -37,6 +38,8 @@ export interface Command {
 export interface AppContext {
   store: Store;
   solver: SolverClient;
+  /** the second worker */
+  jobs: JobsClient;
   viewport: Viewport;
   files: Files;
   actions: Actions;

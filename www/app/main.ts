@@ -32,6 +32,7 @@ import { sizeOf } from '../ui/rounding.ts';
 import { scriptApi } from './script-api.ts';
 import { Selecting } from '../store/mesh-queries.ts';
 import { NOTHING } from '../store/selection.ts';
+import { JobsClient } from '../solver/jobs-client.ts';
 import { SolverClient } from '../solver/solver-client.ts';
 import { runEarlyPresses } from '../store/press.ts';
 import { createStore } from '../store/state.ts';
@@ -49,9 +50,10 @@ followAdvanced(store);
 const alerts = new Alerts(byId('alert'));
 reportUncaughtErrors(alerts, store);
 const solver = new SolverClient();
+const jobs = new JobsClient(solver.module);
 bindSolver(solver);
 
-const actions = createActions(store, solver, alerts);
+const actions = createActions(store, solver, jobs, alerts);
 const viewport = new Viewport(byId('viewport'), store, solver, actions);
 const files = new Files(store, solver, alerts, actions);
 const region = new RegionSelection(store, viewport, actions);
@@ -72,7 +74,7 @@ colourRows(store, solver, actions);
 
 const hold = new HoldOriginal(store, actions);
 const app: AppContext = {
-  ...{ store, solver, viewport, files, actions, selecting, alerts, hold, commands: [] },
+  ...{ store, solver, jobs, viewport, files, actions, selecting, alerts, hold, commands: [] },
   script: scriptApi(store, solver, viewport, files),
 };
 viewport.once('ready', showLegend);
@@ -182,6 +184,14 @@ function showLegend() {
   void actions.reportErrors(legend.then(({ legend }) => legend(byId('legend'), app, fit)));
 }
 
+/** Offers to cancel what takes long. */
+function offerCancel(worker: string, busy: boolean, cancel: () => void) {
+  import('./progress/long-work.ts').then(
+    (it) => it.offerCancel(worker, busy, cancel),
+    () => {},
+  );
+}
+
 /** Writes the messages of the solver to the store. */
 function bindSolver(client: SolverClient) {
   client.on('ready', ({ kinds, elements, measures, operations, settings }) =>
@@ -231,12 +241,8 @@ function bindSolver(client: SolverClient) {
     const { iteration = 0 } = before.numbers ?? {};
     store.set({ status: running ? 'Running' : ended(converged, iteration) });
   });
-  client.on('busy', ({ busy }) => {
-    import('./progress/long-work.ts').then(
-      ({ offerCancel }) => offerCancel(busy, client),
-      () => {},
-    );
-  });
+  client.on('busy', ({ busy }) => offerCancel('solver', busy, () => client.abandon()));
+  jobs.on('busy', ({ busy }) => offerCancel('jobs', busy, () => jobs.cancel()));
   client.on('trouble', ({ message }) => alerts.error(message));
   client.on('absent', ({ message }) => {
     alerts.stop(message, { label: 'Reload', action: () => location.reload() });

@@ -17,6 +17,13 @@ const isNotFetched = (thrown: unknown, message: string) =>
   (thrown instanceof TypeError && NOT_FETCHED.test(message)) ||
   (thrown instanceof Error && NOT_LOADED.test(message));
 
+/** Error of what the user has cancelled: there is nothing to report. */
+export class Cancelled extends Error {
+  constructor() {
+    super('Cancelled.');
+  }
+}
+
 /** Returns a one-line message for any thrown value. */
 export function messageOf(thrown: unknown): string {
   const hasMessage = thrown && typeof thrown === 'object' && 'message' in thrown;

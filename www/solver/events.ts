@@ -32,13 +32,14 @@ import type {
 } from './types.ts';
 
 /**
- * - `ready`: the solver accepts messages. Sent first, once.
+ * - `ready`: the solver accepts messages. Sent first, once; `module` is the engine, compiled.
  * - `loading`: before that, the progress of fetching its module, if it takes long.
  * - `model`: another mesh is open; without a name and files, the current mesh was refined or
  *   refining was undone. `positions` is one of the two buffers.
  * - `document`: after every edit and every load.
  * - `scene`: the scene file's text with its undo history, whenever it changed and the solver is
- *   idle: for autosave, and to restore a worker that died. `progress`: at intervals, the progress
+ *   idle: for autosave, to restore a worker that died, and for the second worker; `generation` is
+ *   that of its problem and shape. `progress`: at intervals, the progress
  *   of a run or a drag since then.
  * - `frame`: a state of the iteration. `values` are those of `measure`, `#F`; `corners`, for
  *   measures of vertices, those of the vertices, `#V`, whose maximum a face has; `shapes` the
@@ -61,11 +62,12 @@ export type FromWorker =
       measures: FaceMeasure[];
       operations: Operation[];
       settings: SettingInfo[];
+      module: WebAssembly.Module;
     }
   | { type: 'loading'; bytes: number; all: number }
   | { type: 'model'; loaded: Loaded; connectivity: Connectivity; positions: Float64Array }
   | { type: 'document'; document: SceneDocument }
-  | { type: 'scene'; text: string; history: Uint8Array; iteration: number }
+  | { type: 'scene'; text: string; generation: number; history: Uint8Array; iteration: number }
   | { type: 'progress'; bytes: Uint8Array; iteration: number }
   | {
       type: 'frame';

@@ -52,6 +52,11 @@ export class Waiting {
   > = new Map();
   #nextId = 1;
 
+  /** Number of calls without an answer. */
+  get size() {
+    return this.#calls.size;
+  }
+
   /** Sends a call, numbered, by `send`. */
   call(name: string, given: unknown[], send: (call: Call) => void): Promise<unknown> {
     const id = this.#nextId++;

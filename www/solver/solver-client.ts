@@ -9,7 +9,7 @@ import { Emitter } from './emitter.ts';
 import { messageOf } from './errors.ts';
 import type { FromWorker, WorkerEvents } from './events.ts';
 import { calling, Waiting, type Call, type Remote, type Told } from './remote.ts';
-import type { Connectivity, Measure, Projections, Saved } from './types.ts';
+import type { Connectivity, Measure, Snapshot, Projections, Saved } from './types.ts';
 import type { Changes, Commands, Questions } from '../worker/interface.ts';
 
 /** The current mesh. */
@@ -64,10 +64,15 @@ type SolverEvents = Omit<WorkerEvents, 'reply' | 'refused' | 'died' | 'working' 
 
 export class SolverClient extends Emitter<SolverEvents> {
   geometry: Geometry | null = null;
-  /** Text of the scene as last sent by the worker. */
+  /** Text of the scene as last sent by the worker, and its generation there. */
   sceneText: string | null = null;
+  #sceneGeneration = 0;
   /** Data saved with that text. */
   saved: Saved = { iteration: 0, history: null, progress: null };
+
+  #compiled: (module: WebAssembly.Module) => void = () => {};
+  /** The engine's module; pending until the worker is ready. */
+  readonly module = new Promise<WebAssembly.Module>((resolve) => (this.#compiled = resolve));
 
   #worker: Worker | null = null;
   #ready = false;
@@ -141,6 +146,13 @@ export class SolverClient extends Emitter<SolverEvents> {
     const positions = this.#previous;
     this.#previous = null;
     this.#post({ name: 'recycle', given: [positions] }, [positions.buffer]);
+  }
+
+  /** Returns the model as it was when the worker was last idle, for the second worker. */
+  copy(): Snapshot | null {
+    return this.sceneText === null
+      ? null
+      : { text: this.sceneText, generation: this.#sceneGeneration };
   }
 
   /** Whether there is no worker, for good. */
@@ -219,6 +231,7 @@ export class SolverClient extends Emitter<SolverEvents> {
         return;
       case 'ready': {
         this.#ready = true;
+        this.#compiled(message.module);
         const held = this.#held;
         this.#held = [];
         for (const [early, transfer] of held) this.#post(early, transfer);
@@ -246,6 +259,7 @@ export class SolverClient extends Emitter<SolverEvents> {
         break;
       case 'scene':
         this.sceneText = message.text;
+        this.#sceneGeneration = message.generation;
         this.saved = { iteration: message.iteration, history: message.history, progress: null };
         break;
       case 'progress':

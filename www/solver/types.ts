@@ -17,6 +17,7 @@ export type {
   Energy,
   ExactOffer,
   ExactReport,
+  ExactShape,
   FaceMeasure,
   FewerFlips,
   Form,
@@ -51,6 +52,10 @@ export type {
   WorstElement,
 } from '../pkg/engine/shape_up.js';
 
+export type { Asker, Built, Reshaped } from '../worker/jobs/build.ts';
+export type { Lines, Question as LinesQuestion } from '../worker/jobs/curvature.ts';
+export type { ExactFound } from '../worker/jobs/model-copy.ts';
+
 /**
  * An opened model: `files` are those it was opened from; `undoLost` is the reason why its saved
  * undo history is lost, or empty.
@@ -77,6 +82,9 @@ export interface Connectivity {
   /** `#E by 2` */
   edges: Uint32Array;
 }
+
+/** The text of the scene with its mesh, which has this generation in the solver. */
+export type Snapshot = { text: string; generation: number };
 
 export type NamedBytes = { name: string; bytes: Uint8Array };
 

@@ -4,15 +4,22 @@
  */
 
 import { count, ended } from '../ui/format.ts';
-import { messageOf } from '../solver/errors.ts';
+import { Cancelled, messageOf } from '../solver/errors.ts';
+import { createTrials } from './actions/trials.ts';
 import type { Edit, PanelStart, Handle } from '../solver/types.ts';
 import { verticesOf } from './selection.ts';
 import { isHard, type Store } from './state.ts';
 import { createViewActions } from './view-actions.ts';
+import type { JobsClient } from '../solver/jobs-client.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
 
-export function createActions(store: Store, solver: SolverClient, alerts: Alerts) {
+export function createActions(
+  store: Store,
+  solver: SolverClient,
+  jobs: JobsClient,
+  alerts: Alerts,
+) {
   const view = createViewActions(store);
   const { setStatus } = view;
 
@@ -21,7 +28,7 @@ export function createActions(store: Store, solver: SolverClient, alerts: Alerts
     try {
       return await promise;
     } catch (error) {
-      alerts.error(messageOf(error));
+      if (!(error instanceof Cancelled)) alerts.error(messageOf(error));
       return undefined;
     }
   }
@@ -120,13 +127,19 @@ export function createActions(store: Store, solver: SolverClient, alerts: Alerts
         throw error;
       })),
 
+    trials: createTrials(solver, jobs),
+
+    /** Ends a run; returns the model at rest, for the second worker. */
+    async rest() {
+      await solver.change.rest();
+      return solver.copy();
+    },
+
     /** Other shapes that are equally exact, shown and kept. */
     variations: {
-      find: solver.change.findVariations,
       show: solver.change.showVariation,
-      project: solver.change.projectVariation,
       keep: () => reportErrors(solver.change.keepVariation()),
-      leave: () => reportErrors(solver.change.leaveVariation()),
+      leave: () => reportErrors(solver.change.rest()),
     },
 
     /** Passes numbers of the build, by id, to the session; goals of a lesson may bound them. */

@@ -1,4 +1,4 @@
-/** Fetches the solver's module, and reports progress if that takes long. */
+/** Fetches and compiles the engine, and reports progress if that takes long. */
 
 import type { FromWorker } from '../solver/events.ts';
 
@@ -6,8 +6,8 @@ import type { FromWorker } from '../solver/events.ts';
 const LATE_MS = 500;
 const EVERY_MS = 200;
 
-/** @returns the module; rejects with the reason if it cannot be fetched */
-export async function fetchModule(post: (message: FromWorker) => void): Promise<Response> {
+/** @returns the compiled module; rejects with the reason if it cannot be fetched */
+export async function fetchModule(post: (message: FromWorker) => void) {
   const address = new URL('../pkg/engine/shape_up_bg.wasm', import.meta.url);
   const response = await fetch(address).catch(() => {
     throw new Error('its module could not be fetched');
@@ -15,7 +15,10 @@ export async function fetchModule(post: (message: FromWorker) => void): Promise<
   if (!response.ok) throw new Error(`its module could not be fetched: ${response.status}`);
   // Count on a copy: browsers cache compiled code only for an unmodified response.
   count(response.clone(), post).catch(() => {});
-  return response;
+  // Compiling while bytes arrive needs the right type, which not every host sends.
+  return response.headers.get('content-type') === 'application/wasm'
+    ? WebAssembly.compileStreaming(response)
+    : WebAssembly.compile(await response.arrayBuffer());
 }
 
 async function count({ body }: Response, post: (message: FromWorker) => void) {

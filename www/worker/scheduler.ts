@@ -371,7 +371,8 @@ export class Scheduler {
     this.#progressTimer = 0;
     const history = this.#solver.savedHistory();
     const [text, iteration] = [this.#solver.scene(), this.#solver.iteration()];
-    this.#post({ type: 'scene', text, history, iteration }, [history.buffer]);
+    const generation = this.#solver.generation();
+    this.#post({ type: 'scene', text, generation, history, iteration }, [history.buffer]);
   }
 
   /** Sends the progress of a run or a drag since the last scene sent. */

@@ -17,8 +17,9 @@ const early: Call[] = [];
 onmessage = (event) => early.push(event.data);
 
 try {
-  await init({ module_or_path: fetchModule(post) });
-  listen(new Solver());
+  const module = await fetchModule(post);
+  await init({ module_or_path: module });
+  listen(new Solver(), module);
 } catch (thrown) {
   post({ type: 'died', message: messageOf(thrown) });
 }
@@ -27,7 +28,7 @@ function post(message: FromWorker, transfer: Transferable[] = []) {
   postMessage(message, { transfer });
 }
 
-function listen(solver: Solver) {
+function listen(solver: Solver, module: WebAssembly.Module) {
   let isDead = false;
   const died = (thrown: unknown) => {
     isDead = true;
@@ -36,7 +37,7 @@ function listen(solver: Solver) {
   };
   const scheduler = new Scheduler(solver, post, died);
   const commands = commandsOf(scheduler) as Record<string, Method>;
-  const own = { ...changesOf(solver, scheduler), ...questionsOf(solver, scheduler, post) };
+  const own = { ...changesOf(solver, scheduler), ...questionsOf(solver) };
   const answers = own as Record<string, Method>;
   const methods = solver as unknown as Record<string, Method>;
   const called = ({ name, given }: Call) =>
@@ -76,6 +77,7 @@ function listen(solver: Solver) {
     measures: solver.measures(),
     operations: solver.operations(),
     settings: solver.settings(),
+    module,
   });
   onmessage = (event) => receive(event.data);
   early.forEach(receive);

@@ -4,11 +4,11 @@ use crate::mesh::Point;
 use crate::scene::Scene;
 use crate::session::state::{SolvedScene, same_problem};
 use crate::solve::{ExactAnswer, Handle, Improved, Moved, Unmet};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
 /// A shape, and the problem that it was solved for.
-pub(crate) struct SolvedFor {
+struct SolvedFor {
     positions: Rc<[Point]>,
     handles: Rc<[Handle]>,
     document: Scene,
@@ -16,7 +16,7 @@ pub(crate) struct SolvedFor {
 
 impl SolvedFor {
     /// Records the current state of the scene.
-    pub(crate) fn new(scene: &SolvedScene) -> SolvedFor {
+    fn new(scene: &SolvedScene) -> SolvedFor {
         SolvedFor {
             positions: Rc::clone(scene.positions()),
             handles: Rc::clone(scene.handles()),
@@ -24,19 +24,14 @@ impl SolvedFor {
         }
     }
 
-    /// The shape, `#V by 3`.
-    pub(crate) fn positions(&self) -> &[Point] {
-        &self.positions
-    }
-
     /// Whether shape and problem, apart from the handles, are those of the current state.
-    pub(crate) fn is_of(&self, scene: &SolvedScene) -> bool {
+    fn is_of(&self, scene: &SolvedScene) -> bool {
         Rc::ptr_eq(&self.positions, scene.positions())
             && same_problem(&self.document, scene.document())
     }
 
     /// Whether the handles are those of the current state.
-    pub(crate) fn has_handles_of(&self, scene: &SolvedScene) -> bool {
+    fn has_handles_of(&self, scene: &SolvedScene) -> bool {
         Rc::ptr_eq(&self.handles, scene.handles()) || self.handles == *scene.handles()
     }
 }
@@ -74,7 +69,7 @@ impl Met {
 }
 
 /// Panels with a larger tolerance than required, so that no face is folded.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Eased {
     /// The required tolerance, in the unit of the mesh.
@@ -91,7 +86,7 @@ pub struct Eased {
 const MOST_NAMED: usize = 1000;
 
 /// How well hard constraints are met. Lengths are in the unit of the mesh.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct ExactReport {
     /// The largest distance of a vertex to its projection by a hard constraint.

@@ -23,8 +23,10 @@ pub(crate) struct SolvedScene {
     /// Handles and positions of the solver, cached until they change.
     positions: OnceCell<Rc<[Point]>>,
     handles: OnceCell<Rc<[Handle]>>,
-    /// Raised by every exchange that changes the problem, the handles or the positions.
+    /// The number of the current problem, handles and positions.
     generation: u32,
+    /// The last number that was given.
+    last_generation: u32,
 }
 
 impl SolvedScene {
@@ -41,18 +43,49 @@ impl SolvedScene {
     ) -> Result<SolvedScene, Error> {
         let solver = set_up(&document, rest, &rows, SetupCache::default(), handles, start)?;
         let (positions, handles) = (OnceCell::new(), OnceCell::new());
-        Ok(SolvedScene { document, rows, solver, positions, handles, generation: 0 })
+        Ok(SolvedScene {
+            document,
+            rows,
+            solver,
+            positions,
+            handles,
+            generation: 0,
+            last_generation: 0,
+        })
     }
 
-    /// A number that every exchange of the problem, the handles or the positions raises.
+    /// A number that is another one after every change of the problem, the handles or the positions.
     pub(crate) fn generation(&self) -> u32 {
         self.generation
     }
 
-    /// Goes on with the generations of the scene that this one replaces.
-    pub(crate) fn follows(mut self, replaced: &SolvedScene) -> SolvedScene {
-        self.generation = replaced.generation + 1;
-        self
+    /// The last number that was given.
+    pub(crate) fn last_generation(&self) -> u32 {
+        self.last_generation
+    }
+
+    /// Goes on with the numbers after `last`, which that of the scene before this one was given.
+    pub(crate) fn follow_generation(&mut self, last: u32) {
+        self.last_generation = last;
+        self.renew();
+    }
+
+    /// Gives problem, handles and positions their number again, after they were changed and
+    /// restored.
+    pub(crate) fn restored(&mut self, generation: u32) {
+        self.generation = generation;
+    }
+
+    /// Gives the current problem, handles and positions a new number.
+    fn renew(&mut self) {
+        self.last_generation += 1;
+        self.generation = self.last_generation;
+    }
+
+    /// Clears the cached positions after a change of those of the solver.
+    fn forget_positions(&mut self) {
+        self.positions.take();
+        self.renew();
     }
 
     pub(crate) fn document(&self) -> &Scene {
@@ -100,32 +133,27 @@ impl SolvedScene {
     /// # Errors
     /// If a position is not finite; the shape is then that before the step.
     pub(crate) fn step(&mut self) -> Result<(), Error> {
-        self.positions.take();
+        self.forget_positions();
         Ok(self.solver.step()?)
     }
 
     /// See [`Solver::settle`].
     pub(crate) fn settle(&mut self) {
-        self.positions.take();
+        self.forget_positions();
         self.solver.settle();
     }
 
     /// Sets the positions, `#V by 3`.
     pub(crate) fn show(&mut self, positions: &[Point]) {
-        self.positions.take();
+        self.forget_positions();
         self.solver.set_positions(positions);
     }
 
     /// See [`Solver::move_handles`].
     pub(crate) fn move_handles(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
         self.solver.move_handles(targets);
-        self.forget();
-    }
-
-    /// Clears the cached positions and handles after a change of the solver.
-    fn forget(&mut self) {
-        self.positions.take();
         self.handles.take();
+        self.forget_positions();
     }
 
     /// Returns a change that restores the current state.
@@ -201,7 +229,8 @@ impl SolvedScene {
             change.exchange_parts(&mut self.document);
             return Err(error);
         }
-        self.forget();
+        self.positions.take();
+        self.handles.take();
         let there = std::mem::replace(&mut change.positions, positions);
         // They may differ if the solver moved vertices itself, such as the corners of a boundary.
         if self
@@ -265,7 +294,7 @@ impl SolvedScene {
                 self.rows = rows;
             }
         }
-        self.generation += 1;
+        self.renew();
         Ok(())
     }
 }

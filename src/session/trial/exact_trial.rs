@@ -1,24 +1,28 @@
 //! The cost of exactness, or the gain of an improvement, computed from the current shape without
 //! changing it.
 
+use crate::mesh::Point;
 use crate::scene::ConstraintSpec;
 use crate::session::Error;
 use crate::session::Session;
 use crate::session::requirements::Required;
-use crate::session::run::SolvedFor;
+use crate::session::run::{ExactReport, Met};
 use crate::session::state::{Part, RowValues};
 use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use std::rc::Rc;
 
 /// A trial of exact constraints instead of those within a distance, or of an improvement.
 pub struct ExactTrial {
     exact: Exact,
     stage: TrialStage,
-    /// The rows to be made exact, and the name of the step of undo.
+    /// The rows to be made exact; none for an improvement.
     rows: Vec<usize>,
-    name: &'static str,
-    /// The shape at which it began, and its problem.
-    from: SolvedFor,
+    /// The index in the scene's list of constraints of each row of the exact solver.
+    places: Vec<usize>,
+    /// The shape at which it began, `#V by 3`, and its number.
+    from: Rc<[Point]>,
+    generation: u32,
     before: Cost,
 }
 
@@ -65,6 +69,19 @@ pub struct ExactOffer {
     pub moved: Moved,
 }
 
+/// The shape of a trial, to be accepted by the session of which a copy was tried. The positions
+/// travel beside it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct ExactShape {
+    /// The generation of the session at which the trial began.
+    pub generation: u32,
+    /// Indices of the rows that become exact; none for an improvement.
+    pub rows: Vec<usize>,
+    /// How well the shape meets the hard constraints.
+    pub report: ExactReport,
+}
+
 impl Session {
     /// Tries to meet exactly the constraints within a distance; none if there is no such row.
     ///
@@ -75,16 +92,8 @@ impl Session {
         if rows.is_empty() {
             return Ok(None);
         }
-        let exact = self.exactly()?;
-        Ok(exact.map(|exact| self.trial(exact, rows, "Make exact")))
-    }
-
-    /// Returns the exact solver with those constraints exact, starting at the current shape.
-    fn exactly(&self) -> Result<Option<Exact>, Error> {
-        self.meeting_with(&|row: &ConstraintSpec| match row.require {
-            Require::Within(_) => Required { require: Require::Exact, eased: None },
-            _ => Required::of(row),
-        })
+        let exact = self.meeting_with(&exactly)?;
+        Ok(exact.map(|exact| self.trial(exact, rows, &exactly)))
     }
 
     /// Searches for less energy with all requirements met; none if they are not met now.
@@ -97,23 +106,39 @@ impl Session {
         }
         let Some(mut exact) = self.meeting()? else { return Ok(None) };
         exact.improve();
-        Ok(Some(self.trial(exact, Vec::new(), "Improve")))
+        Ok(Some(self.trial(exact, Vec::new(), &Required::of)))
     }
 
-    fn trial(&self, mut exact: Exact, rows: Vec<usize>, name: &'static str) -> ExactTrial {
-        let before = Cost { energy: exact.energy().total, moved: self.moved() };
-        let from = SolvedFor::new(&self.scene);
-        ExactTrial { exact, stage: TrialStage::Far, rows, name, from, before }
+    fn trial(
+        &self,
+        mut exact: Exact,
+        rows: Vec<usize>,
+        required: &dyn Fn(&ConstraintSpec) -> Required,
+    ) -> ExactTrial {
+        ExactTrial {
+            before: Cost { energy: exact.energy().total, moved: self.moved() },
+            exact,
+            stage: TrialStage::Far,
+            rows,
+            places: self.required_places(required, false),
+            from: Rc::clone(self.scene.positions()),
+            generation: self.generation(),
+        }
     }
 
-    /// Accepts the current shape of a trial and its requirements, as a step of undo or as a part of
-    /// the last one. Returns false if the trial began at another shape or with another problem.
+    /// Accepts the shape of a trial, `#V by 3`, and its requirements, as a step of undo or as a part
+    /// of the last one. Returns false if the trial began at another shape or with another problem.
     ///
     /// # Errors
     /// If the system would be singular; nothing has changed then.
-    pub fn make_exact(&mut self, trial: &ExactTrial, joins_last: bool) -> Result<bool, Error> {
+    pub fn make_exact(
+        &mut self,
+        shape: ExactShape,
+        positions: &[Point],
+        joins_last: bool,
+    ) -> Result<bool, Error> {
         self.end_transaction();
-        if !trial.is_of(self) {
+        if shape.generation != self.generation() {
             return Ok(false);
         }
         let values = |&row: &usize| {
@@ -121,14 +146,15 @@ impl Session {
             Part::RowValues(row, RowValues { require: Require::Exact, eased: None, ..now })
         };
         let mut change = self.snapshot();
-        change.scene.parts = trial.rows.iter().map(values).collect();
-        change.scene.positions = trial.exact.positions().into();
+        change.scene.parts = shape.rows.iter().map(values).collect();
+        change.scene.positions = positions.into();
         self.exchange(&mut change)?;
+        let name = if shape.rows.is_empty() { "Improve" } else { "Make exact" };
         match joins_last {
             true => self.history.join(change),
-            false => self.history.push(trial.name.to_owned(), change),
+            false => self.history.push(name.to_owned(), change),
         }
-        self.note_met(&trial.exact);
+        self.met = Some(Met::new(&self.scene, shape.report));
         Ok(true)
     }
 
@@ -154,7 +180,7 @@ impl ExactTrial {
         let own = self.cost(session);
         match std::mem::replace(&mut self.stage, TrialStage::Ended) {
             TrialStage::Far if !self.rows.is_empty() && self.costs_more(own, session) => {
-                let Some(mut near) = session.exactly()? else { return Ok(false) };
+                let Some(mut near) = session.meeting_with(&exactly)? else { return Ok(false) };
                 near.hurry();
                 let far = std::mem::replace(&mut self.exact, near);
                 self.stage = TrialStage::Near(Box::new(far), own);
@@ -176,18 +202,13 @@ impl ExactTrial {
 
     /// Whether this is more than the shape costs at which the trial began.
     fn costs_more(&self, (folded, energy): (usize, f64), session: &Session) -> bool {
-        energy > self.before.energy || folded > session.rest.folded_by(self.from.positions()).len()
-    }
-
-    /// Whether the session has the shape and the problem with which the trial began.
-    fn is_of(&self, session: &Session) -> bool {
-        self.from.is_of(&session.scene) && self.from.has_handles_of(&session.scene)
+        energy > self.before.energy || folded > session.rest.folded_by(&self.from).len()
     }
 
     /// Returns the current result; none if the session has another shape or another problem than
     /// at the beginning.
     pub fn offer(&mut self, session: &Session) -> Option<ExactOffer> {
-        if !self.is_of(session) {
+        if session.generation() != self.generation {
             return None;
         }
         let ExactAnswer { met, unmet, max_distance, moved, .. } = self.exact.answer();
@@ -204,5 +225,27 @@ impl ExactTrial {
             after,
             moved,
         })
+    }
+
+    /// Returns the current shape, to be accepted.
+    pub fn shape(&self) -> ExactShape {
+        ExactShape {
+            generation: self.generation,
+            rows: self.rows.clone(),
+            report: ExactReport::new(self.exact.answer(), &self.places),
+        }
+    }
+
+    /// Returns the positions of that shape, `#V by 3`.
+    pub fn positions(&self) -> Vec<Point> {
+        self.exact.positions()
+    }
+}
+
+/// The requirement of a row, with exactness instead of a tolerance.
+fn exactly(row: &ConstraintSpec) -> Required {
+    match row.require {
+        Require::Within(_) => Required { require: Require::Exact, eased: None },
+        _ => Required::of(row),
     }
 }

@@ -8,5 +8,5 @@
 mod exact_trial;
 mod remedies;
 
-pub use exact_trial::{Cost, ExactOffer, ExactTrial};
+pub use exact_trial::{Cost, ExactOffer, ExactShape, ExactTrial};
 pub use remedies::{Remedies, Remedy};

@@ -50,4 +50,4 @@ pub(crate) use change::Change;
 pub(crate) use history::History;
 pub(crate) use saved::{SavedState, read_history, read_state, write_history, write_state};
 pub use targets::check_targets;
-pub(crate) use transaction::Transaction;
+pub(crate) use transaction::{ShownVariation, Transaction};

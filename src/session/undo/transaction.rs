@@ -2,6 +2,7 @@
 
 use super::change::Change;
 use crate::mesh::counted;
+use crate::session::run::ExactReport;
 use crate::session::state::SceneChange;
 use crate::solve::Handle;
 
@@ -14,11 +15,18 @@ pub(crate) struct Transaction {
     joins_last: bool,
 }
 
-#[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Drag,
     Run,
-    Variation,
+    Variation(ShownVariation),
+}
+
+/// A variation of a shape that is shown and not kept.
+pub(crate) struct ShownVariation {
+    /// The generation of the shape that is varied.
+    pub(crate) of: u32,
+    /// How well the shape meets the hard constraints, if it was brought back onto them.
+    pub(crate) report: Option<ExactReport>,
 }
 
 impl Transaction {
@@ -33,20 +41,24 @@ impl Transaction {
     }
 
     /// Begins to show a shape that is not kept; `back` leads to the state before it.
-    pub(crate) fn variation(back: Change) -> Transaction {
-        Transaction { kind: Kind::Variation, back, joins_last: false }
+    pub(crate) fn variation(back: Change, shown: ShownVariation) -> Transaction {
+        Transaction { kind: Kind::Variation(shown), back, joins_last: false }
     }
 
-    pub(crate) fn is_variation(&self) -> bool {
-        self.kind == Kind::Variation
+    /// The variation that is shown, if it is one.
+    pub(crate) fn variation_shown(&mut self) -> Option<&mut ShownVariation> {
+        match &mut self.kind {
+            Kind::Variation(shown) => Some(shown),
+            Kind::Drag | Kind::Run => None,
+        }
     }
 
     pub(crate) fn is_drag(&self) -> bool {
-        self.kind == Kind::Drag
+        matches!(self.kind, Kind::Drag)
     }
 
     pub(crate) fn is_run(&self) -> bool {
-        self.kind == Kind::Run
+        matches!(self.kind, Kind::Run)
     }
 
     pub(crate) fn back(&self) -> &Change {

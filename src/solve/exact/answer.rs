@@ -7,10 +7,10 @@ use crate::constraint::Row;
 use crate::math::{Lane, key_of_number, sort_by_number};
 use crate::mesh::{Mesh, Point};
 use crate::solve::local_frame::centre_and_extent;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A constraint that is not met.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Unmet {
     /// Index of its row in the problem.
@@ -22,7 +22,7 @@ pub struct Unmet {
 }
 
 /// The distances by which vertices were moved, in the unit of the mesh.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Moved {
     /// The maximum.
@@ -42,7 +42,7 @@ impl Moved {
 }
 
 /// The gain of an improvement: energies of all but the hard rows, in squared units of the mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Improved {
     /// The energy when all hard constraints were met.

@@ -1,10 +1,9 @@
 //! Edits from the page, and previews of edits.
 
-use super::parametrize::of_word;
 use super::solver::Solver;
 use crate::session::Error;
 use crate::session::{ConstraintTarget, Edit, Remeshing};
-use crate::web::plain::{plain, text, thrown_at};
+use crate::web::plain::{of_word, plain, text, thrown_at};
 use crate::web::thrown;
 use wasm_bindgen::prelude::*;
 

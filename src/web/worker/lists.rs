@@ -1,6 +1,5 @@
 //! Lists of elements: the verdict on the panels, the worst elements, elements with a flaw.
 
-use super::report::ForecastWords;
 use super::solver::Solver;
 use crate::web::plain::{plain, selection};
 use crate::web::thrown;
@@ -26,13 +25,6 @@ impl Solver {
     #[wasm_bindgen(unchecked_return_type = "Verdict | null")]
     pub fn verdict(&mut self, tolerance: f64) -> Result<JsValue, JsValue> {
         plain(&self.open_mut()?.verdict(tolerance))
-    }
-
-    /// Returns in words how far making panels of one shape will move the mesh, and a change of the
-    /// mesh that would reduce it; null if no shape is offered.
-    #[wasm_bindgen(unchecked_return_type = "ForecastWords | null")]
-    pub fn forecast(&self) -> Result<JsValue, JsValue> {
-        plain(&self.open()?.forecast().as_ref().map(ForecastWords::of))
     }
 
     /// Returns the vertices, edges and faces with a flaw, as a selection.

@@ -8,22 +8,21 @@
 //! | `report` | reports on the session |
 //! | `selecting`, `lists` | selections and settings, lists of elements |
 //! | `saved` | undo history and unfinished work as bytes, for a restart; a student's results |
-//! | `parametrize` | the flat map |
-//! | `trials` | edits that may help if constraints are not met, the cost of exactness, variations |
+//! | `accepting` | what was found on a copy of the model, and variants |
 //! | `measure` | timings for benchmarks |
 
+mod accepting;
 mod drag;
 mod edit;
 mod lists;
 mod measure;
 mod original;
-mod parametrize;
 mod reading;
 mod report;
 mod saved;
 mod selecting;
 mod shown;
 mod solver;
-pub mod trials;
 
+pub(crate) use report::ForecastWords;
 pub use solver::Solver;

@@ -53,7 +53,6 @@ impl Solver {
         session.start_trace();
         let loaded = plain(&Loaded::new(name, session, &diagnostics, guessed, weld.as_ref()));
         self.step_ms = 0.0;
-        self.trial = None;
         self.weld = weld;
         self.mesh_generation = 0;
         loaded

@@ -2,7 +2,7 @@
 
 use super::report::{self, Document, elements, kinds};
 use crate::mesh::Weld;
-use crate::session::{ExactTrial, FACE_MEASURES, FileReader, Session, Variations};
+use crate::session::{FACE_MEASURES, FileReader, Session};
 use crate::solve::clock;
 use crate::web::plain::plain;
 use crate::web::{log_panics, thrown};
@@ -20,10 +20,6 @@ pub struct Solver {
     /// The generation of the mesh that was last reported to the page.
     pub(super) mesh_generation: u32,
     pub(super) step_ms: f64,
-    /// The trial of exactness in progress.
-    pub(super) trial: Option<ExactTrial>,
-    /// The variations of the shape: the ways in which it can change.
-    pub(super) variations: Option<Variations>,
 }
 
 #[wasm_bindgen]
@@ -177,6 +173,23 @@ impl Solver {
         let session = self.open()?;
         let weld = self.weld.as_ref().filter(|_| session.mesh_generation() == 0);
         Ok(weld.map_or_else(|| session.obj(), |weld| session.obj_unwelded(weld)))
+    }
+
+    /// The current shape as OBJ with the texture coordinates `uv` (`#V by 2`) of each vertex.
+    ///
+    /// # Errors
+    /// The number of coordinates is wrong.
+    #[wasm_bindgen(js_name = objWithUv)]
+    pub fn obj_with_uv(&self, uv: &[f64]) -> Result<String, JsValue> {
+        let session = self.open()?;
+        let (pairs, rest) = uv.as_chunks::<2>();
+        if !rest.is_empty() {
+            let numbers = uv.len();
+            return Err(thrown(format!(
+                "found {numbers} numbers, expected two texture coordinates per vertex"
+            )));
+        }
+        session.obj_with_uv(pairs).map_err(thrown)
     }
 
     /// Returns a table as CSV: `errors` of faces, energies (`convergence`), or `angles`.

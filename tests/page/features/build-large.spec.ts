@@ -136,7 +136,7 @@ test('the offset of 2500 panels follows the slider and a drag, and the sheets co
   await panel(page).getByLabel('Distance').press('ArrowRight');
   await expect.poll(async () => (await took('moveLayer')).length).toBeGreaterThan(0);
   const slides = median(await took('moveLayer'));
-  await expect.poll(async () => (await took('choices')).length).toBe(2);
+  await expect.poll(async () => (await took('offsetChoices')).length).toBe(2);
 
   const vertex = (VERTICES - 1) / 2;
   const [x, y] = await screenOf(page, vertex);

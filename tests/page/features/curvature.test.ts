@@ -1,36 +1,31 @@
-// A shape refused by the curvature worker is discarded on both sides.
+// A shape refused by the second worker is discarded on both sides.
 
 import assert from 'node:assert/strict';
 import { register } from 'node:module';
 import { test } from 'node:test';
 import type { AppContext } from '../../../www/app/context.ts';
-import type { Answer, Question } from '../../../www/features/curvature/curvature-worker.ts';
 import { surfaceLines } from '../../../www/features/curvature/surface-lines.ts';
-
-/** What the worker posts: the lines, or why there are none. */
-interface Posted {
-  value?: Partial<Answer>;
-  refused?: string;
-}
+import type { Lines, Question } from '../../../www/worker/jobs/curvature.ts';
 
 test('after a refusal the shape is sent again', async () => {
   const sent: Question[] = [];
-  let answer: Posted = { refused: 'The surface has no area.' };
-  globalThis.Worker = class {
-    onmessage: (event: { data: Posted }) => void = () => {};
-    postMessage(question: Question) {
-      sent.push(question);
-      queueMicrotask(() => this.onmessage({ data: answer }));
-    }
-  } as unknown as typeof Worker;
+  const none = new Uint32Array(0);
+  const found = { points: new Float64Array(0), offsets: Uint32Array.of(0), count: 0, distance: 1 };
+  let answer = (): Lines => {
+    throw new Error('The surface has no area.');
+  };
+  const surfaceLinesOf = async (question: Question) => {
+    sent.push({ ...question });
+    return answer();
+  };
   const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
   const app = {
     store: { get: () => ({ model, running: false }) },
     solver: { geometry: { generation: 1, positions: new Float64Array(9), connectivity } },
+    jobs: { ask: { surfaceLines: surfaceLinesOf } },
     viewport: { unmeasured() {}, on() {} },
   } as unknown as AppContext;
   const model = { vertices: 3 };
-  const none = new Uint32Array(0);
   const how: Question = { draw: 'strokes', distance: null, vertices: none, faces: none };
   const told: string[] = [];
   const lines = surfaceLines(
@@ -43,7 +38,7 @@ test('after a refusal the shape is sent again', async () => {
   // The same request is not sent again; a different one is, together with the shape.
   await lines.update();
   how.draw = 'lines';
-  answer = { value: { points: new Float64Array(0), offsets: Uint32Array.of(0), count: 0 } };
+  answer = () => found;
   await lines.update();
   how.draw = 'strokes';
   await lines.update();
@@ -60,14 +55,10 @@ test('after a refusal the shape is sent again', async () => {
 test('another shape is sent to the worker, even one with equal sums of its coordinates', async () => {
   /** The shapes that were sent, by their first coordinate. */
   const sent: number[] = [];
-  const value = { points: new Float64Array(0), offsets: Uint32Array.of(0), count: 0 };
-  globalThis.Worker = class {
-    onmessage: (event: { data: Posted }) => void = () => {};
-    postMessage({ shape }: Question) {
-      if (shape) sent.push(shape.positions[0]);
-      queueMicrotask(() => this.onmessage({ data: { value } }));
-    }
-  } as unknown as typeof Worker;
+  const surfaceLinesOf = async ({ shape }: Question) => {
+    if (shape) sent.push(shape.positions[0]);
+    return { points: new Float64Array(0), offsets: Uint32Array.of(0), count: 0, distance: 1 };
+  };
   const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
   const shape = (generation: number, ...positions: number[]) => ({
     ...{ generation, connectivity, positions: Float64Array.from(positions) },
@@ -76,6 +67,7 @@ test('another shape is sent to the worker, even one with equal sums of its coord
   const model = { vertices: 3 };
   const app = {
     ...{ store: { get: () => ({ model, running: false }) }, solver },
+    jobs: { ask: { surfaceLines: surfaceLinesOf } },
     viewport: { unmeasured() {}, on() {} },
   } as unknown as AppContext;
   const none = new Uint32Array(0);
@@ -108,35 +100,20 @@ test('the worker does not use a surface that it has freed', async () => {
     export const resolve = (name, context, next) =>
       name.endsWith('pkg/engine/shape_up.js') ? { url, shortCircuit: true } : next(name, context);`;
   register(`data:text/javascript,${encodeURIComponent(hooks)}`);
-  const answers: Posted[] = [];
-  globalThis.postMessage = (answer) => answers.push(answer);
-  // Workers have this property, which the module sets.
-  const worker = globalThis as unknown as {
-    onmessage: ((event: { data: Question }) => Promise<void>) | null;
-  };
-  worker.onmessage = null;
-  await import('../../../www/features/curvature/curvature-worker.ts');
+  const { curvature } = await import('../../../www/worker/jobs/curvature.ts');
+  const none = new Uint32Array(0);
   const ask = (length: number) => {
     const shape = {
       positions: new Float64Array(length),
       offsets: new Uint32Array(1),
       indices: new Uint32Array(0),
     };
-    const none = new Uint32Array(0);
-    const question: Question = {
-      shape,
-      draw: 'strokes',
-      distance: null,
-      vertices: none,
-      faces: none,
-    };
-    return worker.onmessage?.({ data: question });
+    return curvature.surfaceLines({
+      ...{ shape, draw: 'strokes', distance: null },
+      ...{ vertices: none, faces: none },
+    });
   };
-  await ask(9);
-  await ask(0);
-  await ask(9);
-  assert.deepEqual(
-    answers.map(({ value, refused }) => refused ?? value?.count),
-    [1, 'no vertices', 1],
-  );
+  assert.equal(ask(9)?.count, 1);
+  assert.throws(() => ask(0), /no vertices/);
+  assert.equal(ask(9)?.count, 1);
 });

@@ -4,31 +4,29 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { AppContext } from '../../../www/app/context.ts';
 import { LiveBuild } from '../../../www/features/build/live-build.ts';
-import type { Shape } from '../../../www/features/build/build-worker.ts';
-import type { Call } from '../../../www/solver/remote.ts';
+import { calling } from '../../../www/solver/remote.ts';
+import type { Shape } from '../../../www/worker/jobs/build.ts';
 
+/** A second worker that answers every call, after telling of it. */
+const jobsThat = (hear: (name: string, shape: Shape | undefined) => void) => ({
+  ask: calling((name, given) => {
+    hear(name, name === 'build' ? (given[1] as Shape) : undefined);
+    const value = name === 'buildOffers' ? { presets: [], defaults: {} } : {};
+    return new Promise((resolve) => setTimeout(resolve, 0, value));
+  }),
+});
 /** Nothing is under way. */
 const actions = { settled: async () => {} };
-
-/** The shape of a call to build; undefined for other calls. */
-const shapeOf = ({ name, given }: Call) => (name === 'build' ? (given[0] as Shape) : undefined);
 
 test('faces that change during a build are built, although no vertex has moved', async () => {
   /** Corners of the meshes that were built. */
   const built: number[] = [];
   /** Called when a build has begun. */
   let begun = () => {};
-  globalThis.Worker = class {
-    onmessage: (event: { data: object }) => void = () => {};
-    postMessage(call: Call) {
-      const shape = shapeOf(call);
-      if (shape) built.push(shape.indices.length);
-      begun();
-      const value = call.name === 'offers' ? { presets: [], defaults: {} } : {};
-      const { id } = call;
-      setTimeout(() => this.onmessage({ data: { id, value } }));
-    }
-  } as unknown as typeof Worker;
+  const jobs = jobsThat((_, shape) => {
+    if (shape) built.push(shape.indices.length);
+    begun();
+  });
   const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
   const mesh = (generation: number, offsets: number[], indices: number[]) => ({
     ...{ generation, positions },
@@ -42,8 +40,8 @@ test('faces that change during a build are built, although no vertex has moved',
     document: { units: 'm', build: {} },
   };
   const solver = { geometry: mesh(1, [0, 3, 6], [0, 1, 2, 0, 2, 3]) };
-  const app = { store: { get: () => state }, solver, actions } as unknown as AppContext;
-  const live = new LiveBuild(app, {
+  const app = { store: { get: () => state }, solver, actions, jobs } as unknown as AppContext;
+  const live = new LiveBuild(app, 'panel', {
     show() {},
     showOffset() {},
     refuse: (why) => assert.fail(why),
@@ -64,15 +62,7 @@ test('faces that change during a build are built, although no vertex has moved',
 test('what is saved while a large shape moves is built of its current positions', async () => {
   /** The first coordinate of each request, and its type. */
   const asked: (string | number)[] = [];
-  globalThis.Worker = class {
-    onmessage: (event: { data: object }) => void = () => {};
-    postMessage(call: Call) {
-      asked.push(shapeOf(call)?.positions[0] ?? call.name);
-      const value = call.name === 'offers' ? { presets: [], defaults: {} } : {};
-      const { id } = call;
-      setTimeout(() => this.onmessage({ data: { id, value } }));
-    }
-  } as unknown as typeof Worker;
+  const jobs = jobsThat((name, shape) => asked.push(shape?.positions[0] ?? name));
   const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
   const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0);
   const state = {
@@ -81,38 +71,31 @@ test('what is saved while a large shape moves is built of its current positions'
   };
   const geometry = { generation: 1, positions, connectivity };
   const app = {
-    ...{ store: { get: () => state }, solver: { geometry }, actions },
+    ...{ store: { get: () => state }, solver: { geometry }, actions, jobs },
   } as unknown as AppContext;
   const refuse = (why: string) => assert.fail(why);
-  const live = new LiveBuild(app, { show() {}, showOffset() {}, refuse });
+  const live = new LiveBuild(app, 'panel', { show() {}, showOffset() {}, refuse });
   await live.offers();
   await live.update();
   state.running = true;
   positions[0] = 7;
   geometry.generation = 2;
   await live.update();
-  assert.deepEqual(asked.splice(0), ['offers', 0]);
+  assert.deepEqual(asked.splice(0), ['buildOffers', 0]);
   await live.zip();
   await live.spatialParts();
   positions[0] = 8;
   geometry.generation = 3;
   await live.reportPage({ title: '', camera: null, link: '' });
-  assert.deepEqual(asked, [7, 'zip', 'spatialParts', 8, 'reportPage']);
+  assert.deepEqual(asked, [7, 'zipParts', 'spatialParts', 8, 'reportPage']);
 });
 
 test('another shape is built, even one with equal sums of its coordinates', async () => {
   /** The first coordinate of each shape that was built. */
   const built: number[] = [];
-  globalThis.Worker = class {
-    onmessage: (event: { data: object }) => void = () => {};
-    postMessage(call: Call) {
-      const shape = shapeOf(call);
-      if (shape) built.push(shape.positions[0]);
-      const value = call.name === 'offers' ? { presets: [], defaults: {} } : {};
-      const { id } = call;
-      setTimeout(() => this.onmessage({ data: { id, value } }));
-    }
-  } as unknown as typeof Worker;
+  const jobs = jobsThat((_, shape) => {
+    if (shape) built.push(shape.positions[0]);
+  });
   const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
   const shape = (generation: number, ...positions: number[]) => ({
     ...{ generation, connectivity, positions: Float64Array.from(positions) },
@@ -122,9 +105,9 @@ test('another shape is built, even one with equal sums of its coordinates', asyn
     document: { units: 'm', build: {} },
   };
   const solver = { geometry: shape(1, 1, 0, 0, 0, 1, 0, 0, 5, 0) };
-  const app = { store: { get: () => state }, solver, actions } as unknown as AppContext;
+  const app = { store: { get: () => state }, solver, actions, jobs } as unknown as AppContext;
   const refuse = (why: string) => assert.fail(why);
-  const live = new LiveBuild(app, { show() {}, showOffset() {}, refuse });
+  const live = new LiveBuild(app, 'panel', { show() {}, showOffset() {}, refuse });
   await live.offers();
   await live.update();
   // The first and the eighth coordinate had the same weight in a check sum.
@@ -137,15 +120,7 @@ test('another shape is built, even one with equal sums of its coordinates', asyn
 test('what is saved is built with the settings that were set just before', async () => {
   /** The scale of each build, and the other calls. */
   const asked: (number | string)[] = [];
-  globalThis.Worker = class {
-    onmessage: (event: { data: object }) => void = () => {};
-    postMessage(call: Call) {
-      asked.push(shapeOf(call)?.settings.scale ?? call.name);
-      const value = call.name === 'offers' ? { presets: [], defaults: {} } : {};
-      const { id } = call;
-      setTimeout(() => this.onmessage({ data: { id, value } }));
-    }
-  } as unknown as typeof Worker;
+  const jobs = jobsThat((name, shape) => asked.push(shape?.settings.scale ?? name));
   const state = {
     ...{ model: { faces: 1, vertices: 3 }, dragged: [], running: false },
     document: { units: 'm', build: { scale: 10 } },
@@ -158,12 +133,12 @@ test('what is saved is built with the settings that were set just before', async
     state.document = { units: 'm', build: { scale: 20 } };
   };
   const app = {
-    ...{ store: { get: () => state }, solver: { geometry }, actions: { settled } },
+    ...{ store: { get: () => state }, solver: { geometry }, actions: { settled }, jobs },
   } as unknown as AppContext;
   const refuse = (why: string) => assert.fail(why);
-  const live = new LiveBuild(app, { show() {}, showOffset() {}, refuse });
+  const live = new LiveBuild(app, 'panel', { show() {}, showOffset() {}, refuse });
   await live.offers();
   await live.update();
   await live.zip();
-  assert.deepEqual(asked, ['offers', 10, 20, 'zip']);
+  assert.deepEqual(asked, ['buildOffers', 10, 20, 'zipParts']);
 });

@@ -3,21 +3,28 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createActions } from '../../../www/store/actions.ts';
+import { Emitter } from '../../../www/solver/emitter.ts';
 import { createStore } from '../../../www/store/state.ts';
 import type { Alerts } from '../../../www/ui/controls/alerts.ts';
+import type { JobsClient } from '../../../www/solver/jobs-client.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 
 test('the original is asked for once for every model', async () => {
-  const heard: Record<string, () => void> = {};
+  const solverEvents = new Emitter<{ model: object }>();
   let asked = 0;
   const solver = {
-    on: (event: string, hear: () => void) => (heard[event] = hear),
+    on: solverEvents.on.bind(solverEvents),
     ask: { originalPositions: async () => ++asked },
     ...{ change: {}, tell: {} },
   } as unknown as SolverClient;
-  const { originalPositions } = createActions(createStore(), solver, {} as Alerts);
+  const { originalPositions } = createActions(
+    createStore(),
+    solver,
+    {} as JobsClient,
+    {} as Alerts,
+  );
   assert.equal(await originalPositions(), 1);
   assert.equal(await originalPositions(), 1);
-  heard.model();
+  solverEvents.emit('model', {});
   assert.equal(await originalPositions(), 2);
 });

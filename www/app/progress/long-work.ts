@@ -1,22 +1,23 @@
-/** Offers to cancel long work of the solver. Loaded when such work occurs. */
+/** Offers to cancel long work of a worker. Loaded when such work occurs. */
 
 import '../../ui/styles/waiting.css';
 import { byId, element, removeKeepingFocus } from '../../ui/dom.ts';
-import type { SolverClient } from '../../solver/solver-client.ts';
 
-let card: HTMLElement | null = null;
+/** The card of each worker that works. */
+const cards = new Map<string, HTMLElement>();
 
-export function offerCancel(busy: boolean, solver: SolverClient) {
-  const before = card;
-  card = null;
+export function offerCancel(worker: string, busy: boolean, abandon: () => void) {
+  const before = cards.get(worker);
+  cards.delete(worker);
   if (before) removeKeepingFocus(before, () => before.remove());
   const messages = byId('messages');
   // Opening a large file shows its own message.
   if (!busy || messages.querySelector('.import')) return;
   const bar = element('progress', { 'aria-label': 'The solver is working' });
   const words = element('div.import', element('p', 'Working …'), bar);
-  const cancel = element('button.small.bordered', { onclick: () => solver.abandon() }, 'Cancel');
+  const cancel = element('button.small.bordered', { onclick: abandon }, 'Cancel');
   const attributes = { class: 'message notice', role: 'group', 'aria-label': 'Long work' };
-  card = element('div', attributes, words, cancel);
+  const card = element('div', attributes, words, cancel);
+  cards.set(worker, card);
   messages.append(card);
 }

@@ -1,6 +1,6 @@
 /**
- * Lesson goals on the parts. Their numbers are measured in the worker that makes parts, so
- * that iterations do not wait, while the shape is at rest; the session discards them when it moves.
+ * Lesson goals on the parts. Their numbers are measured in the second worker, so that iterations
+ * do not wait, while the shape is at rest; the session discards them when it moves.
  */
 
 import { LiveBuild } from './live-build.ts';
@@ -8,7 +8,7 @@ import type { AppContext } from '../../app/context.ts';
 
 export async function buildGoals(app: AppContext) {
   const { store, actions } = app;
-  const live = new LiveBuild(app, {
+  const live = new LiveBuild(app, 'goals', {
     show: tell,
     showOffset: () => {},
     refuse: () => actions.setBuildNumbers([]),

@@ -17,8 +17,7 @@ import { panelUnderPointer } from './sheets/panel-under-pointer.ts';
 import { sheetPictures } from './sheets/sheet-pictures.ts';
 import { thicknessForm } from './thickness.ts';
 import { typesCurve } from './types-curve.ts';
-import type { BuildReport, BuildSettings, CheckRow } from '../../solver/types.ts';
-import type { Built, Reshaped } from './build-worker.ts';
+import type { BuildReport, BuildSettings, Built, CheckRow, Reshaped } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** Colour of the panels of the part pointed at on a sheet. */
@@ -33,7 +32,7 @@ export async function toggleBuild(app: AppContext) {
 
 async function buildPanel(app: AppContext) {
   const { store, actions, files } = app;
-  const live = new LiveBuild(app, { show, showOffset, refuse });
+  const live = new LiveBuild(app, 'panel', { show, showOffset, refuse });
   const offers = await live.offers();
   const form = settingsForm(offers, change);
   const check = checkCard(showWorst, tighten);

@@ -1,12 +1,10 @@
 /** Keeps the parts up to date with the shape: one request at a time, for the newest state. */
 
 import { messageOf } from '../../solver/errors.ts';
-import type { BuildSettings } from '../../solver/types.ts';
+import type { Asker, BuildSettings, Built, Reshaped } from '../../solver/types.ts';
 import { latestOnly } from '../../store/latest-only.ts';
 import { MOST_LIVE_VERTICES } from '../../store/live-shape.ts';
 import { UNITS } from '../../ui/units.ts';
-import { startBuilder } from './build-client.ts';
-import type { Built, Reshaped } from './build-worker.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** Longest build, in ms, for which the sheets follow a moving shape; the offset always follows. */
@@ -16,7 +14,7 @@ export const MOST_SHEETS = 24;
 
 export class LiveBuild {
   #app;
-  #builder = startBuilder();
+  #asker: Asker;
   #builds = latestOnly(() => this.#once());
   /** Generation and settings of the last build. */
   #key = '';
@@ -34,6 +32,7 @@ export class LiveBuild {
   /** @param on.showOffset called while the shape moves */
   constructor(
     app: AppContext,
+    asker: Asker,
     {
       show,
       showOffset,
@@ -45,6 +44,7 @@ export class LiveBuild {
     },
   ) {
     this.#app = app;
+    this.#asker = asker;
     this.#show = show;
     this.#showOffset = showOffset;
     this.#refuse = refuse;
@@ -52,7 +52,7 @@ export class LiveBuild {
 
   /** Returns the presets and the defaults. */
   async offers() {
-    const offers = await this.#builder.offers();
+    const offers = await this.#app.jobs.ask.buildOffers();
     this.#defaults = offers.defaults;
     return offers;
   }
@@ -82,7 +82,7 @@ export class LiveBuild {
 
   /** @param isSaved whether the parts are built of the shape as it is, however long it takes */
   async #once(isSaved: boolean = false) {
-    const { store, solver } = this.#app;
+    const { store, solver, jobs } = this.#app;
     const { model, document, running, dragged } = store.get();
     const { geometry } = solver;
     if (!model || !document || !geometry || !this.#defaults) return;
@@ -107,13 +107,13 @@ export class LiveBuild {
       if (isMoving && isSlow && !isOther && !isSaved) {
         // The last build no longer belongs to this shape.
         this.#key = '';
-        return this.#showOffset(await this.#builder.reshape(positions));
+        return this.#showOffset(await jobs.ask.reshape(this.#asker, positions));
       }
       [this.#key, this.#mesh, this.#agreed] = [key, mesh, agreed];
       const { faceOffsets: offsets, faceIndices: indices } = mesh;
       const shape = { positions, offsets, indices, settings, symbol, metres };
       const begun = performance.now();
-      const built = await this.#builder.build(shape, MOST_SHEETS);
+      const built = await jobs.ask.build(this.#asker, shape, MOST_SHEETS);
       this.#milliseconds = performance.now() - begun;
       this.#show(built);
     } catch (error) {
@@ -127,12 +127,12 @@ export class LiveBuild {
    * @param distance in the unit of the mesh
    */
   moveLayer(distance: number) {
-    return this.#builder.moveLayer(distance);
+    return this.#app.jobs.ask.moveLayer(this.#asker, distance);
   }
 
   /** The error of each kind of offset. */
   choices() {
-    return this.#builder.choices();
+    return this.#app.jobs.ask.offsetChoices(this.#asker);
   }
 
   /** Builds what the user sees and has begun to change, to save it. */
@@ -144,18 +144,18 @@ export class LiveBuild {
   /** All files as a ZIP archive. */
   async zip() {
     await this.#whole();
-    return this.#builder.zip(this.#isZUp());
+    return this.#app.jobs.ask.zipParts(this.#asker, this.#isZUp());
   }
 
   /** The numbers that a lesson may bound. */
   numbers() {
-    return this.#builder.numbers();
+    return this.#app.jobs.ask.buildNumbers(this.#asker);
   }
 
   /** The parts in space and the sheets, for CAD programs. */
   async spatialParts() {
     await this.#whole();
-    return this.#builder.spatialParts(this.#isZUp());
+    return this.#app.jobs.ask.spatialParts(this.#asker, this.#isZUp());
   }
 
   /** The report. */
@@ -169,7 +169,7 @@ export class LiveBuild {
     link: string;
   }) {
     await this.#whole();
-    return this.#builder.reportPage(title, this.#isZUp(), camera, link);
+    return this.#app.jobs.ask.reportPage(this.#asker, title, this.#isZUp(), camera, link);
   }
 
   #isZUp() {

@@ -11,7 +11,7 @@ import { number } from '../../ui/format.ts';
 import { once } from '../../ui/once.ts';
 import { surfaceLines } from './surface-lines.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { Answer } from './curvature-worker.ts';
+import type { Lines } from '../../solver/types.ts';
 
 const theCard = once(curvatureCard);
 
@@ -87,7 +87,7 @@ function curvatureCard(app: AppContext) {
     },
   );
 
-  function wordsOf(answer: Answer | null) {
+  function wordsOf(answer: Lines | null) {
     const found = (answer?.offsets.length ?? 1) - 1;
     if (lines.value === 'strokes')
       return found ? '' : 'No directions: the surface is flat or equally curved in all directions.';
@@ -118,7 +118,7 @@ function curvatureCard(app: AppContext) {
     told = model;
     distance.value = '';
     sentence.hidden = true;
-    const forecast = await actions.ask.forecast().catch(() => null);
+    const forecast = await actions.trials.forecast().catch(() => null);
     if (store.get().model !== model) return;
     setText(sentence, forecast?.words ?? '');
     sentence.hidden = !forecast;

@@ -2,42 +2,27 @@
 
 import { latestOnly } from '../../store/latest-only.ts';
 import { MOST_LIVE_VERTICES } from '../../store/live-shape.ts';
-import type { Answer, Question } from './curvature-worker.ts';
+import { messageOf } from '../../solver/errors.ts';
+import type { Lines, LinesQuestion } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** @param wanted the lines to draw; null for none */
 export function surfaceLines(
-  { store, solver, viewport }: AppContext,
-  wanted: () => Omit<Question, 'shape'> | null,
-  show: (answer: Answer | null, refused: string) => void,
+  { store, solver, jobs, viewport }: AppContext,
+  wanted: () => Omit<LinesQuestion, 'shape'> | null,
+  show: (answer: Lines | null, refused: string) => void,
 ) {
-  const worker = new Worker(new URL('./curvature-worker.ts', import.meta.url), {
-    type: 'module',
-    name: 'curvature',
-  });
   /** Generation of the shape that the worker has; 0 if none. */
   let known = 0;
   /** The last question. */
   let asked = '';
   /** The lines drawn now. */
-  let drawn: Answer | null = null;
+  let drawn: Lines | null = null;
 
   function draw() {
     const { points = new Float64Array(0), offsets = new Uint32Array(1), count = 0 } = drawn ?? {};
     viewport.unmeasured((view) => view.setSurfaceLines(points, offsets, count));
   }
-
-  const ask = (question: Question): Promise<{ value?: Answer; refused?: string }> =>
-    new Promise((answered) => {
-      worker.onmessage = ({ data }) => answered(data);
-      worker.onerror = (event) => {
-        event.preventDefault();
-        answered({
-          refused: 'The curvature module could not be loaded. Check the network connection.',
-        });
-      };
-      worker.postMessage(question);
-    });
 
   async function once() {
     const { model, running } = store.get();
@@ -60,18 +45,24 @@ export function surfaceLines(
     ]);
     if (question === asked) return;
     asked = question;
-    const isNew = generation !== known;
-    const { value, refused } = await ask({
-      ...how,
-      ...(isNew && { shape: { positions: positions.slice(), offsets, indices } }),
-    });
+    const shape = { positions: positions.slice(), offsets, indices };
+    const ask = (how: LinesQuestion) => jobs.ask.surfaceLines(how);
+    let found: Lines | null = null;
+    let refused = '';
+    try {
+      found = generation === known ? await ask(how) : null;
+      // The worker lacks the shape, or what it had was lost.
+      found ??= await ask({ ...how, shape });
+    } catch (error) {
+      refused = messageOf(error);
+    }
     // A worker that refuses may not have taken the shape.
-    known = value ? generation : 0;
+    known = found ? generation : 0;
     // Another mesh may have been opened since.
     if (store.get().model !== model || !wanted()) return;
-    drawn = value ?? null;
+    drawn = found;
     draw();
-    show(drawn, refused ?? '');
+    show(drawn, refused);
   }
 
   viewport.on('ready', draw);

@@ -10,6 +10,7 @@ import { duration } from '../../ui/format.ts';
 import { once } from '../../ui/once.ts';
 import { FlatMapRegion } from './flat-map-region.ts';
 import { flatMapPanel } from './flat-map-panel.ts';
+import type { MapNorm, MapWeights } from '../../solver/types.ts';
 import type { FlatMap } from '../../store/state.ts';
 import type { AppContext } from '../../app/context.ts';
 
@@ -22,6 +23,7 @@ export class FlatMapController {
   #store;
   #viewport;
   #actions;
+  #jobs;
   #choices: Choices = {
     weights: 'inverse-area',
     norm: 'boundary',
@@ -35,10 +37,11 @@ export class FlatMapController {
   /** The only instance of the page. */
   static of = once((app: AppContext) => new FlatMapController(app));
 
-  constructor({ store, viewport, actions }: AppContext) {
+  constructor({ store, viewport, actions, jobs }: AppContext) {
     this.#store = store;
     this.#viewport = viewport;
     this.#actions = actions;
+    this.#jobs = jobs;
     flatMapPanel(byId('flat-map-section'), store, this);
     new FlatMapRegion(byId('flat-map'), store, viewport);
   }
@@ -79,19 +82,29 @@ export class FlatMapController {
       if (now?.found === found) this.#actions.look({ flatMap: { ...now, fewerFlips } });
     };
     show('searching');
-    const search = this.#actions.ask.fewerFlips(found.flipped).catch((error) => {
-      show(null);
-      throw error;
-    });
-    await this.#actions.reportErrors(search.then((better) => show(better ?? 'none')));
+    const search = async () => {
+      try {
+        const model = await this.#actions.rest();
+        show((model && (await this.#jobs.ask.fewerFlips(model, found.flipped))) ?? 'none');
+      } catch (error) {
+        show(null);
+        throw error;
+      }
+    };
+    await this.#actions.reportErrors(search());
   }
 
-  /** Computes the map of the current shape. */
+  async #map(weights: MapWeights, norm: MapNorm) {
+    const model = await this.#actions.rest();
+    return model && this.#jobs.ask.parametrize(model, weights, norm);
+  }
+
+  /** Shows the map of the current shape. */
   async flatten() {
     const { weights, norm } = this.#choices;
     this.#actions.setStatus('Flattening …');
     try {
-      const found = await this.#newest(this.#actions.ask.parametrize(weights, norm));
+      const found = await this.#newest(this.#map(weights, norm));
       if (!found) return;
       const { numbers } = this.#store.get();
       const iteration = numbers?.iteration ?? 0;

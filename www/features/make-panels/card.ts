@@ -186,7 +186,7 @@ export class MakePanels {
     this.#forecastOf = model;
     this.#remedy = null;
     this.#forecast.hidden = this.#remedyButton.hidden = true;
-    const forecast = await this.#newestForecast(actions.ask.forecast().catch(() => null));
+    const forecast = await this.#newestForecast(actions.trials.forecast().catch(() => null));
     if (forecast === undefined) return;
     setText(this.#forecast, forecast?.words ?? '');
     this.#forecast.hidden = !forecast;

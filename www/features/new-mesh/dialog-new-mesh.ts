@@ -25,7 +25,7 @@ const SPAN = { id: 'span', label: 'Between curves' };
 const QUIET_MS = 150;
 
 export async function newMesh({ store, solver, files, actions, alerts }: AppContext) {
-  await init();
+  await init({ module_or_path: solver.module });
   const kinds = newKinds();
   const before = await whatIsOpen();
   const open = openMesh();

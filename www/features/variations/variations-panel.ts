@@ -19,7 +19,8 @@ export const toggleVariations = (app: AppContext) => thePanel(app).toggle();
 
 function variationsPanel(app: AppContext) {
   const { store, solver, actions } = app;
-  const { ask, variations } = actions;
+  const { ask } = app.jobs;
+  const { variations } = actions;
   let cards: ReturnType<typeof variationCard>[] = [];
   /** Number of the current search; a new number ends it. */
   let search = 0;
@@ -27,6 +28,8 @@ function variationsPanel(app: AppContext) {
   let isReleased = false;
   /** The document and theme for which the variations were computed. */
   let searched: unknown[] = [];
+  /** The generation of the shape that is varied. */
+  let varied = 0;
 
   const words = element('p', { 'aria-live': 'polite' });
   const grid = element('div.variation-cards');
@@ -59,10 +62,14 @@ function variationsPanel(app: AppContext) {
     grid.replaceChildren();
     setText(words, 'Looking for variations of the shape …');
     searched = [store.get().document, store.get().dark];
-    if (!connectivity || !(await variations.find())) {
+    // The shape that was open, at rest.
+    const model = await actions.rest();
+    if (!connectivity || !model || !(await ask.findVariations(model))) {
       if (mine === search) setText(words, NONE);
       return;
     }
+    if (mine !== search) return;
+    varied = model.generation;
     let progress = await ask.advanceVariations();
     while (mine === search && progress.found === null) progress = await ask.advanceVariations();
     if (mine !== search) return;
@@ -87,7 +94,7 @@ function variationsPanel(app: AppContext) {
   }
 
   /** Shows the shape of the sliders, or makes it exact. */
-  const follow = (): Promise<unknown> => (isReleased ? project() : variations.show(coefficients()));
+  const follow = (): Promise<unknown> => (isReleased ? project() : show());
   const updates = latestOnly(() => actions.reportErrors(follow()));
   const coefficients = () => Float64Array.from(cards, (card) => card.value());
   const isMoved = () => cards.some((card) => card.value() !== 0);
@@ -111,10 +118,14 @@ function variationsPanel(app: AppContext) {
     void updates.ask();
   }
 
+  async function show() {
+    await variations.show(varied, await ask.towards(coefficients()), null);
+  }
+
   async function project() {
     const asked = coefficients();
-    const part = await variations.project(asked);
-    if (part === null || updates.hasNext()) return;
+    const { positions, part, report } = await ask.go(asked);
+    if (!(await variations.show(varied, positions, report)) || updates.hasNext()) return;
     if (part < 1) cards.forEach((card, k) => card.set(part * asked[k]));
     setText(words, part < 1 ? 'This is as far as the shape can go and stay exact.' : HINT);
     back.disabled = keep.disabled = !isMoved();

@@ -71,14 +71,15 @@ async function improve(app: App, output: Output) {
   const { showMessage, offer } = output;
   const exact = exactActions(solver, actions);
   const units = store.get().document?.units ?? '';
-  const stop = offer('Stop', () => exact.endTrial(), 'Keeps the improvement so far');
+  let isStopped = false;
+  const stop = offer('Stop', () => (isStopped = true), 'Keeps the improvement so far');
   const group = showMessage(
     'Improving: looking for an equally exact shape with less energy …',
     stop,
   );
-  const found = await actions.reportErrors(exact.improve());
+  const found = await actions.reportErrors(actions.trials.improvement(() => !isStopped));
   if (!found) return group.remove();
-  const { before, after, moved, maxDistance } = found;
+  const { before, after, moved, maxDistance } = found.offer;
   const gained = 1 - after.energy / before.energy;
   if (!(gained > LEAST_GAIN)) {
     showMessage(
@@ -87,9 +88,9 @@ async function improve(app: App, output: Output) {
     return;
   }
   const distance = store.get().numbers?.exact?.max_distance ?? maxDistance;
-  if (!(await exact.accept(false))) return group.remove();
+  if (!(await exact.accept(found, false))) return group.remove();
   const words = `Improved: ${part(gained)} less energy, moved by up to ${length(moved.max, units)}.`;
-  showMessage(words).append(table(found, distance, units, 'Improved'));
+  showMessage(words).append(table(found.offer, distance, units, 'Improved'));
 }
 
 /** Reports the cost of exactness. */
@@ -104,11 +105,12 @@ async function showCost(app: App, output: Output) {
     ? ''
     : `All constraints are met within ${limit(numbers.exact.tolerance, units)}. `;
   const group = showMessage(`${met}Computing the cost of exactness …`);
-  const cost = await exact.offer().catch(() => null);
-  if (!group.isConnected || !cost) return group.remove();
+  const found = await actions.trials.exactOffer(() => group.isConnected).catch(() => null);
+  if (!group.isConnected || !found) return group.remove();
+  const { offer: cost } = found;
   const allowed = tolerance ?? model.tolerance;
   if (cost.met && cost.moved.max <= allowed && cost.folded === 0) {
-    if (await exact.accept(true)) {
+    if (await exact.accept(found, true)) {
       const words = `${met}Also made exact: farthest ${length(cost.maxDistance, units)}.`;
       showMessage(words, improveButton(app, output));
     }
@@ -127,7 +129,7 @@ async function showCost(app: App, output: Output) {
   }
   const folds = cost.folded > 0 ? `, and ${count(cost.folded, 'face')} would fold` : '';
   const take = async () => {
-    if (!(await exact.accept(false))) return;
+    if (!(await exact.accept(found, false))) return;
     const report = store.get().numbers?.exact;
     if (report) showMet(app, output, report);
   };

@@ -1,10 +1,10 @@
-//! The flat map of the model in the worker (paper section 4.3, Eq. 14).
+//! The flat map of the copy (paper section 4.3, Eq. 14).
 
-use super::solver::Solver;
+use super::model_copy::ModelCopy;
 use crate::mesh::Histogram;
 use crate::scene::NamedEnum;
 use crate::solve::{ConformalNorm, ConformalWeights, FewerFlips, clock};
-use crate::web::plain::{indices, narrow, object, plain};
+use crate::web::plain::{indices, narrow, object, of_word, plain};
 use crate::web::thrown;
 use js_sys::Float64Array;
 use wasm_bindgen::prelude::*;
@@ -56,7 +56,7 @@ export interface FewerFlips {
 "#;
 
 #[wasm_bindgen]
-impl Solver {
+impl ModelCopy {
     /// Computes the flat map of the current shape.
     ///
     /// `weights` and `norm` are the words of the command line.
@@ -71,7 +71,7 @@ impl Solver {
     ) -> Result<JsValue, JsValue> {
         let weights: ConformalWeights = of_word("weights", weights)?;
         let norm: ConformalNorm = of_word("norm", norm)?;
-        let session = self.open()?;
+        let session = &self.session;
         if session.mesh().faces.is_empty() {
             return Err(thrown("the mesh has no faces, expected a surface"));
         }
@@ -103,12 +103,9 @@ impl Solver {
     /// Returns the weights and norm whose flat map of the current shape flips the fewest triangles,
     /// among those that flip fewer than `flipped`; null if no choice flips fewer. It computes the maps
     /// of all choices.
-    ///
-    /// # Errors
-    /// No model is open.
     #[wasm_bindgen(js_name = fewerFlips, unchecked_return_type = "FewerFlips | null")]
     pub fn fewer_flips(&self, flipped: usize) -> Result<JsValue, JsValue> {
-        match self.open()?.fewer_flips(flipped) {
+        match self.session.fewer_flips(flipped) {
             None => Ok(JsValue::NULL),
             Some(FewerFlips { weights, norm, flipped, mean }) => object([
                 ("weights", weights.word().into()),
@@ -118,27 +115,4 @@ impl Solver {
             ]),
         }
     }
-
-    /// The current shape as OBJ with the texture coordinates `uv` (`#V by 2`) of each vertex.
-    ///
-    /// # Errors
-    /// The number of coordinates is wrong.
-    #[wasm_bindgen(js_name = objWithUv)]
-    pub fn obj_with_uv(&self, uv: &[f64]) -> Result<String, JsValue> {
-        let session = self.open()?;
-        let (pairs, rest) = uv.as_chunks::<2>();
-        if !rest.is_empty() {
-            let numbers = uv.len();
-            return Err(thrown(format!(
-                "found {numbers} numbers, expected two texture coordinates per vertex"
-            )));
-        }
-        session.obj_with_uv(pairs).map_err(thrown)
-    }
-}
-
-/// Returns the choice with the given word of the command line.
-pub(super) fn of_word<T: NamedEnum>(what: &str, word: &str) -> Result<T, JsValue> {
-    let unknown = || thrown(format!("{what} \"{word}\", expected one of {}", T::list(", ")));
-    T::of_word(word).ok_or_else(unknown)
 }

@@ -1,9 +1,9 @@
 //! Sheets and the build check for the page.
 
-use super::{log_panics, mesh_of, plain_object as plain, thrown};
 use crate::fabricate::file::picture;
 use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres, ReportView};
 use crate::scene::{BUILD_PRESETS, BuildPreset, BuildSettings};
+use crate::web::{log_panics, mesh_of, plain_object as plain, thrown};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 

@@ -1,7 +1,7 @@
 //! Curvature directions and lines for the page.
 
-use super::{log_panics, mesh_of, thrown};
 use crate::mesh::{CurvatureField, CurvatureLine, Family, Point, SurfacePoint, Topology};
+use crate::web::{log_panics, mesh_of, thrown};
 use wasm_bindgen::prelude::*;
 
 const FAMILIES: [Family; 2] = [Family::Larger, Family::Smaller];

@@ -1,0 +1,36 @@
+// What takes long runs in a second worker: the first one answers meanwhile, and it can be cancelled.
+
+import { openText, showPanel } from '../actions.ts';
+import { wavyGrid } from '../meshes.ts';
+import { expect, openPage, screenOf, test, waitForState } from '../support.ts';
+
+/** Panels along a side: their parts take seconds. */
+const SIDE = 120;
+const VERTICES = (SIDE + 1) ** 2;
+
+test('while parts are made, edits are answered; making them can be cancelled and begun again', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(SIDE)}`, VERTICES);
+  const [x, y] = await screenOf(page, (VERTICES - 1) / 2);
+  await page.mouse.dblclick(x, y);
+  await waitForState(page, (now) => now.handles.length === 1);
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  const work = page.getByRole('group', { name: 'Long work' });
+  await expect(work).toBeVisible();
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await waitForState(page, (now) => now.handles.length === 0 && now.build === null);
+  await expect(work).toBeVisible();
+
+  await work.getByRole('button', { name: 'Cancel' }).click();
+  await expect(work).toBeHidden();
+  const panel = page.getByRole('region', { name: 'Parts and sheets' });
+  await expect(panel.getByText('Cancelled.')).toBeVisible();
+  await expect(page.getByRole('alert')).toBeEmpty();
+  await panel.getByRole('button', { name: 'Close parts and sheets' }).click();
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  await waitForState(page, (now, panels) => now.build?.panels === panels, SIDE * SIDE);
+  await expect(panel.getByText('Cancelled.')).toBeHidden();
+});

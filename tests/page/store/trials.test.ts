@@ -1,0 +1,70 @@
+// Trials on a copy of the model: what ends them, and what of them is kept.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { createTrials } from '../../../www/store/actions/trials.ts';
+import { Emitter } from '../../../www/solver/emitter.ts';
+import type { JobsClient } from '../../../www/solver/jobs-client.ts';
+import type { SolverClient } from '../../../www/solver/solver-client.ts';
+
+type Heard = { activity: { running: boolean }; scene: { generation: number } };
+
+/** Trials of many steps; `during` is called after the first. */
+function trials(during: (solver: Emitter<Heard>) => void) {
+  const solver = Object.assign(new Emitter<Heard>(), {
+    copy: () => ({ text: 'the scene', generation: 5 }),
+  });
+  let steps = 0;
+  const begun: unknown[] = [];
+  const begin = async (model: unknown) => void begun.push(model);
+  const ask = {
+    ...{ tryExact: begin, tryImprovement: begin, tryRemedies: begin },
+    async advance() {
+      if (++steps === 1) during(solver);
+      return steps < 9;
+    },
+    found: async () => 'the shape',
+    remedies: async () => ['smooth less'],
+  };
+  const made = createTrials(solver as unknown as SolverClient, { ask } as unknown as JobsClient);
+  solver.emit('scene', { generation: 5 });
+  return { made, begun, steps: () => steps };
+}
+
+test('a trial runs to its end on a copy of the model', async () => {
+  const { made, begun, steps } = trials((solver) => {
+    solver.emit('scene', { generation: 5 });
+    solver.emit('activity', { running: false });
+  });
+  assert.equal(await made.exactOffer(() => true), 'the shape');
+  assert.deepEqual(begun, [{ text: 'the scene', generation: 5 }]);
+  assert.equal(steps(), 9, 'a setting of the build changes neither problem nor shape');
+});
+
+for (const [what, during] of [
+  ['a run', (solver: Emitter<Heard>) => solver.emit('activity', { running: true })],
+  ['an edit', (solver: Emitter<Heard>) => solver.emit('scene', { generation: 6 })],
+] as const)
+  test(`${what} ends a trial, and what was found is dropped`, async () => {
+    const { made, steps } = trials(during);
+    assert.equal(await made.exactOffer(() => true), null);
+    assert.equal(steps(), 1);
+    const improving = trials(during);
+    assert.equal(await improving.made.improvement(() => true), null);
+    const helping = trials(during);
+    assert.deepEqual(await helping.made.remedies(), ['smooth less'], 'those found before it');
+  });
+
+test('another trial ends the one before', async () => {
+  const { made } = trials(() => {});
+  const first = made.exactOffer(() => true);
+  const second = made.improvement(() => true);
+  assert.deepEqual([await first, await second], [null, 'the shape']);
+});
+
+test('an improvement that is stopped keeps what it has', async () => {
+  let isStopped = false;
+  const { made, steps } = trials(() => (isStopped = true));
+  assert.equal(await made.improvement(() => !isStopped), 'the shape');
+  assert.equal(steps(), 1);
+});

@@ -1,0 +1,91 @@
+/**
+ * Page side of the second worker, which does what takes long. It starts with the first call, with
+ * the module that the solver's worker has compiled. A job that takes long can be cancelled.
+ */
+
+import { Emitter } from './emitter.ts';
+import { Cancelled } from './errors.ts';
+import { calling, Waiting, type Call, type Remote } from './remote.ts';
+import type { JobAnswer, Jobs } from '../worker/jobs-worker.ts';
+
+/** Time after which the user may want to cancel a job, in milliseconds. */
+const LONG_MS = 1500;
+
+export class JobsClient extends Emitter<{ busy: { busy: boolean } }> {
+  #module;
+  #worker: Promise<Worker> | null = null;
+  #waiting = new Waiting();
+  /** Timer of the current call, until it is long. */
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #isBusy = false;
+
+  /** The methods of the worker. */
+  readonly ask: Remote<Jobs> = calling((name, given) => this.#call(name, given));
+
+  /** @param module the compiled engine */
+  constructor(module: Promise<WebAssembly.Module>) {
+    super();
+    this.#module = module;
+  }
+
+  /** Ends the current job and those that wait. */
+  cancel() {
+    this.#end(new Cancelled());
+  }
+
+  async #call(name: string, given: unknown[]) {
+    const started = (this.#worker ??= this.#start());
+    const worker = await started;
+    if (this.#worker !== started) throw new Cancelled();
+    const answer = this.#waiting.call(name, given, (call: Call) => worker.postMessage(call));
+    if (this.#waiting.size === 1) this.#follow();
+    return answer;
+  }
+
+  async #start() {
+    const module = await this.#module;
+    const worker = new Worker(new URL('../worker/jobs-worker.ts', import.meta.url), {
+      type: 'module',
+      name: 'jobs',
+    });
+    worker.onmessage = ({ data }: MessageEvent<JobAnswer>) => this.#receive(data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      this.#end(new Error('A part of the page could not be fetched. Check the network.'));
+    };
+    worker.postMessage(module);
+    return worker;
+  }
+
+  #receive(answer: JobAnswer) {
+    if ('refused' in answer) {
+      this.#waiting.settle(answer.id, null, new Error(answer.refused));
+      // What the engine had is lost; the next call starts another worker.
+      if (answer.isDead) return this.#end(new Error(answer.refused));
+    } else {
+      this.#waiting.settle(answer.id, answer.value, null);
+    }
+    this.#follow();
+  }
+
+  /** Ends the worker; its calls fail with the error. */
+  #end(error: Error) {
+    void this.#worker?.then((worker) => worker.terminate());
+    this.#worker = null;
+    this.#waiting.fail(error);
+    this.#follow();
+  }
+
+  /** Tells when the next call has become long. */
+  #follow() {
+    clearTimeout(this.#timer);
+    this.#setBusy(false);
+    if (this.#waiting.size > 0) this.#timer = setTimeout(() => this.#setBusy(true), LONG_MS);
+  }
+
+  #setBusy(busy: boolean) {
+    if (busy === this.#isBusy) return;
+    this.#isBusy = busy;
+    this.emit('busy', { busy });
+  }
+}

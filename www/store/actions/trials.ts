@@ -1,0 +1,80 @@
+/**
+ * What is tried in the second worker on a copy of the model, one trial at a time. A run, a drag or a
+ * change of the model ends a trial; what was found belongs to the shape that was copied, and the
+ * solver refuses it for another one.
+ */
+
+import type { JobsClient } from '../../solver/jobs-client.ts';
+import type { SolverClient } from '../../solver/solver-client.ts';
+import type { ExactFound, Remedy, Snapshot } from '../../solver/types.ts';
+
+/** Time limit of the search for remedies, in milliseconds. */
+const MOST_REMEDIES_MS = 4000;
+
+export function createTrials(solver: SolverClient, { ask }: JobsClient) {
+  /** Number of the current trial. */
+  let turn = 0;
+  /** Of the model as last known. */
+  let generation: number | undefined;
+
+  const end = () => {
+    turn += 1;
+  };
+  solver.on('model', end);
+  solver.on('activity', ({ running }) => {
+    if (running) end();
+  });
+  solver.on('scene', (scene) => {
+    if (scene.generation !== generation) end();
+    ({ generation } = scene);
+  });
+
+  /**
+   * Tries until all is done.
+   * @param goesOn whether to continue
+   * @returns whether it is still the current trial; null without a model
+   */
+  async function run(
+    begin: (model: Snapshot) => Promise<unknown>,
+    goesOn: () => boolean = () => true,
+  ): Promise<boolean | null> {
+    const model = solver.copy();
+    if (!model) return null;
+    end();
+    const mine = turn;
+    await begin(model);
+    while (mine === turn && goesOn() && (await ask.advance()));
+    return mine === turn;
+  }
+
+  return {
+    /** How far making panels of one shape will move the mesh, in words; null if none is offered. */
+    async forecast() {
+      const model = solver.copy();
+      return model && ask.forecast(model);
+    },
+
+    /**
+     * What meeting constraints exactly instead of within a distance would cost; null if something
+     * changes meanwhile.
+     * @param goesOn whether somebody waits for it
+     */
+    exactOffer: async (goesOn: () => boolean): Promise<ExactFound | null> =>
+      (await run(ask.tryExact, goesOn)) ? ask.found() : null,
+
+    /**
+     * Searches for lower energy among equally exact shapes; returns how far it came, or null if
+     * something changes meanwhile.
+     * @param goesOn whether to search on
+     */
+    improvement: async (goesOn: () => boolean): Promise<ExactFound | null> =>
+      (await run(ask.tryImprovement, goesOn)) ? ask.found() : null,
+
+    /** Changes that lower the worst distance; those found before something changes. */
+    async remedies(): Promise<Remedy[]> {
+      const until = performance.now() + MOST_REMEDIES_MS;
+      const done = await run(ask.tryRemedies, () => performance.now() < until);
+      return done === null ? [] : ask.remedies();
+    },
+  };
+}

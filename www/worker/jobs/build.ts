@@ -1,0 +1,113 @@
+/** Parts of a shape, made in the second worker. */
+
+import { zipSync, type Zippable } from 'fflate';
+import { Builder, buildOffers } from '../../pkg/engine/shape_up.js';
+import type { BuildSettings, OffsetLayer } from '../../solver/types.ts';
+
+/** The file name of the shape with its offset, the same as on the command line. */
+const PRESENTATION = 'model.glb';
+
+/** A shape (positions `#V by 3`) in a unit of `metres` metres, and what is to be made of it. */
+export interface Shape {
+  positions: Float64Array;
+  offsets: Uint32Array;
+  indices: Uint32Array;
+  settings: BuildSettings;
+  symbol: string;
+  metres: number;
+}
+
+/** The parts of one shape; each user has its own, so that none changes those of another. */
+class Parts {
+  builder: Builder | null = null;
+  #shape: Shape | null = null;
+  /** Whether the positions belong to the offset only. */
+  #isReshaped = false;
+
+  renew(shape: Shape) {
+    const { positions, offsets, indices, settings, symbol, metres } = shape;
+    this.builder?.free();
+    this.builder = this.#shape = null;
+    this.builder = new Builder(positions, offsets, indices, settings, symbol, metres);
+    this.#shape = shape;
+    this.#isReshaped = false;
+    return this.builder;
+  }
+
+  /** Changes the positions of the offset only. */
+  reshape(positions: Float64Array) {
+    if (!this.builder || !this.#shape) return null;
+    this.builder.reshape(positions);
+    this.#shape = { ...this.#shape, positions };
+    this.#isReshaped = true;
+    return this.builder;
+  }
+
+  /** The parts of the current shape, made again first if only the offset has followed it. */
+  whole() {
+    return this.#shape && this.#isReshaped ? this.renew(this.#shape) : this.builder;
+  }
+}
+
+/** Who asks for parts: the panel of parts, and the goals of a lesson. */
+export type Asker = 'panel' | 'goals';
+
+const parts: Record<Asker, Parts> = { panel: new Parts(), goals: new Parts() };
+
+const layerOf = (builder: Builder): OffsetLayer => ({
+  points: builder.layer() ?? new Float64Array(0),
+  edges: builder.failedEdges(),
+  vertices: builder.failedNodes(),
+  panels: builder.failedPanels(),
+});
+
+/** All but `buildOffers` and `build` are about the last build of who asks. */
+export const builds = {
+  /** The presets and the defaults. */
+  buildOffers: () => buildOffers(),
+  /** Makes the parts of a shape, and draws at most `sheets` sheets. */
+  build(asker: Asker, shape: Shape, sheets: number) {
+    const builder = parts[asker].renew(shape);
+    return { report: builder.report(), sheets: builder.sheets(0, sheets), layer: layerOf(builder) };
+  },
+  /** Changes the distance of its offset. */
+  moveLayer(asker: Asker, distance: number) {
+    const { builder } = parts[asker];
+    if (!builder) return null;
+    builder.moveLayer(distance);
+    return { report: builder.card(), layer: layerOf(builder) };
+  },
+  /** Changes the positions of its offset, during a drag. */
+  reshape(asker: Asker, positions: Float64Array) {
+    const builder = parts[asker].reshape(positions);
+    return builder && { report: builder.card(), layer: layerOf(builder) };
+  },
+  /** The numbers that a lesson may bound, by id. */
+  buildNumbers: (asker: Asker) => parts[asker].whole()?.numbers() ?? [],
+  /** The errors of each kind of offset. */
+  offsetChoices: (asker: Asker) => parts[asker].builder?.choices() ?? [],
+  /**
+   * An HTML document.
+   * @param camera of its picture: two angles in radians; null for the default
+   */
+  reportPage: (
+    asker: Asker,
+    title: string,
+    zUp: boolean,
+    camera: Float64Array | null,
+    link: string,
+  ) => parts[asker].whole()?.reportPage(title, zUp, camera, link) ?? null,
+  spatialParts: (asker: Asker, zUp: boolean) => parts[asker].whole()?.spatialParts(zUp) ?? [],
+  /** All files in one archive. */
+  zipParts(asker: Asker, zUp: boolean) {
+    const builder = parts[asker].whole();
+    const files: Zippable = {};
+    for (const { name, text } of builder?.files(zUp) ?? [])
+      files[name] = new TextEncoder().encode(text);
+    if (builder) files[PRESENTATION] = builder.presentation(zUp);
+    return zipSync(files);
+  },
+};
+
+export type Built = ReturnType<typeof builds.build>;
+export type Reshaped = ReturnType<typeof builds.reshape>;
