@@ -31,7 +31,8 @@ export function bindButtons(commands: Command[], store: Store) {
   }
 }
 
-export function bindKeys(commands: Command[], store: Store) {
+/** @param settled see {@link press} */
+export function bindKeys(commands: Command[], store: Store, settled: () => Promise<void>) {
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.altKey) return;
     const chord = chordOf(event);
@@ -47,7 +48,7 @@ export function bindKeys(commands: Command[], store: Store) {
     // disabled.
     if (chord !== 'Escape') event.preventDefault();
     if (chord.startsWith('Ctrl+')) commitTyping();
-    press(command, store);
+    press(command, store, settled);
   });
 }
 

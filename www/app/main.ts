@@ -127,7 +127,7 @@ const { commands } = app;
 for (const button of document.querySelectorAll('[data-command="reset"]'))
   if (button instanceof HTMLElement) hold.bind(button, { clicks: true });
 bindButtons(commands, store);
-bindKeys(commands, store);
+bindKeys(commands, store, actions.settled);
 bindRunButton(byId('run'), store);
 bindHalfStepSwitches(store);
 /** collected by a script in index.html */

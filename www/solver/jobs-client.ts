@@ -19,6 +19,9 @@ export class JobsClient extends Emitter<{ busy: { busy: boolean } }> {
   #timer: ReturnType<typeof setTimeout> | undefined;
   #isBusy = false;
 
+  /** Raised when the worker ends: what it had made is lost. */
+  generation = 0;
+
   /** The methods of the worker. */
   readonly ask: Remote<Jobs> = calling((name, given) => this.#call(name, given));
 
@@ -72,6 +75,7 @@ export class JobsClient extends Emitter<{ busy: { busy: boolean } }> {
   #end(error: Error) {
     void this.#worker?.then((worker) => worker.terminate());
     this.#worker = null;
+    this.generation += 1;
     this.#waiting.fail(error);
     this.#follow();
   }

@@ -164,6 +164,9 @@ export function createActions(
      */
     settled: () => solver.settled(),
 
+    /** Registers what selects elements that are still to be found, so that `settled` waits for it. */
+    begin: <T>(begun: Promise<T>) => solver.begin(begun),
+
     /** Opens files; rejects with the error. */
     open: solver.change.open,
 

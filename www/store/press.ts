@@ -9,14 +9,19 @@ const waiting: Set<Command> = new Set();
 export const isEnabled: (command: Command, state: State) => boolean = ({ enabled }, state) =>
   !enabled || enabled(state);
 
-/** Executes a command if it is enabled, now or as soon as there is a model. */
-export function press(command: Command, store: Store) {
+/**
+ * Executes a command if it is enabled, now or as soon as there is a model.
+ * @param settled resolves when the page shows the edits begun before, which may enable the command
+ */
+export function press(command: Command, store: Store, settled?: () => Promise<void>) {
   const state = store.get();
   if (command.needsModel && !state.document) {
     if (waiting.size === 0) store.set({ status: 'Starts when the model is loaded' });
     waiting.add(command);
   } else if (isEnabled(command, state)) {
     command.action();
+  } else if (settled) {
+    void settled().then(() => press(command, store));
   }
 }
 

@@ -9,6 +9,7 @@ import type { Shape } from '../../../www/worker/jobs/build.ts';
 
 /** A second worker that answers every call, after telling of it. */
 const jobsThat = (hear: (name: string, shape: Shape | undefined) => void) => ({
+  generation: 0,
   ask: calling((name, given) => {
     hear(name, name === 'build' ? (given[1] as Shape) : undefined);
     const value = name === 'buildOffers' ? { presets: [], defaults: {} } : {};
@@ -141,4 +142,26 @@ test('what is saved is built with the settings that were set just before', async
   await live.update();
   await live.zip();
   assert.deepEqual(asked, ['buildOffers', 10, 20, 'zipParts']);
+});
+
+test('what is saved after the worker was replaced is built again', async () => {
+  // The archive used to be empty: the new worker had no parts.
+  const asked: string[] = [];
+  const jobs = jobsThat((name) => asked.push(name));
+  const state = {
+    ...{ model: { faces: 1, vertices: 3 }, dragged: [], running: false },
+    document: { units: 'm', build: {} },
+  };
+  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
+  const geometry = { generation: 1, positions: new Float64Array(9), connectivity };
+  const app = {
+    ...{ store: { get: () => state }, solver: { geometry }, actions, jobs },
+  } as unknown as AppContext;
+  const refuse = (why: string) => assert.fail(why);
+  const live = new LiveBuild(app, 'panel', { show() {}, showOffset() {}, refuse });
+  await live.offers();
+  await live.zip();
+  jobs.generation += 1;
+  await live.zip();
+  assert.deepEqual(asked, ['buildOffers', 'build', 'zipParts', 'build', 'zipParts']);
 });

@@ -30,6 +30,18 @@ test('a disabled command does not run', () => {
   assert.equal(isEnabled(command(done), store.get()), true);
 });
 
+test('a key pressed right after an edit waits for it, if that may enable its command', async () => {
+  const store = createStore();
+  const done: string[] = [];
+  const undo = command(done, { enabled: ({ document }) => Boolean(document?.undo) });
+  press(undo, store, async () => store.set({ document: { undo: 'Weight' } as SceneDocument }));
+  assert.deepEqual(done, []);
+  await new Promise((end) => setTimeout(end));
+  assert.deepEqual(done, ['fit']);
+  press(undo, store, () => Promise.reject(new Error('not asked for an enabled command')));
+  assert.deepEqual(done, ['fit', 'fit']);
+});
+
 test('a command that needs a model waits for it and runs once', async () => {
   const store = createStore();
   const done: string[] = [];

@@ -16,7 +16,7 @@ export class LiveBuild {
   #app;
   #asker: Asker;
   #builds = latestOnly(() => this.#once());
-  /** Generation and settings of the last build. */
+  /** Generations of the worker and of the shape, and settings of the last build. */
   #key = '';
   /** Mesh of the last build. */
   #mesh: object | null = null;
@@ -99,7 +99,8 @@ export class LiveBuild {
     const { connectivity: mesh, generation } = geometry;
     const positions = geometry.positions.slice();
     const agreed = [symbol, JSON.stringify(settings)].join();
-    const key = [generation, agreed].join();
+    const keyNow = () => [jobs.generation, generation, agreed].join();
+    const key = keyNow();
     if (key === this.#key) return;
     const isOther = mesh !== this.#mesh || agreed !== this.#agreed;
     const isSlow = this.#milliseconds > LIVE_MS;
@@ -118,6 +119,8 @@ export class LiveBuild {
       this.#show(built);
     } catch (error) {
       this.#agreed = '';
+      // A build that was cancelled, or has ended its worker, is not begun again by itself.
+      this.#key = keyNow();
       this.#refuse(messageOf(error));
     }
   }

@@ -46,7 +46,7 @@ export class MakePanels {
     class: 'bordered remedy',
     'aria-haspopup': 'dialog',
   });
-  #showFolds = button('Show the folds', () => this.#showFolded());
+  #showFolds = button('Show the folds', () => this.#app.actions.begin(this.#showFolded()));
   #avoidFolds = button('Avoid them', () => this.#makeAgain('original'), {
     title: 'Makes the panels again from the original, smoother or within a larger tolerance',
   });

@@ -82,7 +82,7 @@ export function constraintsPanel(place: HTMLElement, { store, actions, solver }:
       hidden: !open.has(key),
     });
     const fill = () => {
-      const own = { select: () => selectMembers(row), rename: () => rename() };
+      const own = { select: () => actions.begin(selectMembers(row)), rename: () => rename() };
       details.replaceChildren(
         ...(rowDetails?.detailsOf(row, name, store, actions, solver, own) ?? []),
       );

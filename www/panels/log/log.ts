@@ -26,7 +26,9 @@ export function logOf(panel: HTMLElement, app: AppContext) {
   );
 
   /** Selects the elements affected by a problem. */
-  async function select(flaw: string) {
+  const select = (flaw: string) => actions.begin(selectFlaw(flaw));
+
+  async function selectFlaw(flaw: string) {
     const found = await actions.reportErrors(actions.ask.flawed(flaw));
     if (!found) return;
     const some = found.vertices.length + found.edges.length + found.faces.length;

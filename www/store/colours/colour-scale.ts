@@ -9,7 +9,6 @@
  */
 
 import { RENEW_MS, throttled } from '../../ui/dom.ts';
-import { messageOf } from '../../solver/errors.ts';
 import type { Measure } from '../../solver/types.ts';
 import { newestOnly } from '../newest-only.ts';
 import { declared, measureOfScene, roundingOf, toleranceOf } from './measures.ts';
@@ -86,9 +85,9 @@ export function colourFaces(store: Store, solver: SolverClient): { fit: () => vo
       const values = await newest(solver.ask.originalValues(measure));
       if (!values) return;
       original = values;
-    } catch (error) {
-      // Not worth an alert: the bars show the current values, the outline is only a comparison.
-      console.warn(messageOf(error));
+    } catch {
+      // Not worth an alert: the bars show the current values, the outline is only a comparison; and
+      // a solver that has stopped reports that itself.
       hasFailed = true;
     }
     update();
