@@ -67,14 +67,16 @@
 //!    (`session/run/attempts`, `session/run/outcome`).
 //! 4. `Session::end_run` keeps the iterate of least energy, or the best shape for the hard
 //!    constraints, and records the run as one step of undo.
-//! 5. `Session::report` measures the shape (`mesh/measure`); `session/export` writes OBJ or the
-//!    scene.
+//! 5. `Session::report` measures the shape (`mesh/measure`), and the verdicts on it are worded beside
+//!    it: `session/report/verdict_words` on panels, `run_verdict`, and `exact_words` on hard
+//!    constraints. `session/export` writes OBJ or the scene.
 //!
 //! # From a shape to parts
 //!
 //! [`fabricate`] takes a mesh and settings (the key `build` of a scene), and needs no
 //! solver. The command line calls it with the shape of a scene; the page in a worker of its own
-//! (`www/features/build`), so that iterations do not wait for it. Both write the same bytes.
+//! (`www/features/build`), so that iterations do not wait for it. Both write the same bytes, and say
+//! the same words (`fabricate/build_words`).
 //!
 //! # Two numeric factors
 //!

@@ -65,6 +65,12 @@ fn angles_have_as_many_digits_as_they_are_read_with() {
 }
 
 #[test]
+fn a_number_is_rounded_as_it_is_written() {
+    let rounded = [0.1234, 98_765.0, -2.7e-7, 0.0].map(|value| words::rounded(value, 2));
+    assert_eq!(rounded, [0.12, 99_000.0, -2.7e-7, 0.0]);
+}
+
+#[test]
 fn lists_end_with_the_number_of_the_others() {
     let names = ["A", "B", "C"].map(str::to_owned);
     assert_eq!(words::and_more(&names, 3), "A, B, C");

@@ -70,8 +70,8 @@ impl CheckRow {
             None => String::new(),
         };
         let limit = |limit| match self.unit {
-            "deg" => format!("limit {}°", words::brief(limit)),
-            _ => format!("limit {}", words::millimetres_limit(limit)),
+            "deg" => format!("≤ {}°", words::brief(limit)),
+            _ => format!("≤ {}", words::millimetres_limit(limit)),
         };
         CheckWords {
             value: self
@@ -80,7 +80,7 @@ impl CheckRow {
             // The limit of the distance is measured; the others are settings.
             limit: match self.limit {
                 Some(measured) if self.id == "safe_distance" => {
-                    format!("limit {}", self.value_in_words(measured))
+                    format!("≤ {}", self.value_in_words(measured))
                 }
                 other => other.map_or("no limit".to_owned(), limit),
             },
@@ -149,8 +149,7 @@ impl Choice {
             return "exact".to_owned();
         }
         let error = self.warp_mm.max(self.distance_error_mm);
-        let rounded = format!("{:.*e}", ERROR_DIGITS - 1, error).parse().unwrap_or(error);
-        format!("± {}", words::millimetres_limit(rounded))
+        format!("± {}", words::millimetres_limit(words::rounded(error, ERROR_DIGITS)))
     }
 }
 

@@ -139,7 +139,7 @@ impl Build {
                 let tolerance = self.exact_tolerance();
                 let bent = |flat: &FlatPanel| flat.flatness > FLAT * tolerance;
                 if !can_be_exact(&self.surface, kind, self.distance(), tolerance) {
-                    "the planes of the panels around some vertex touch no common cone".to_owned()
+                    "around some vertex, the planes at this distance from the panels do not meet in one point".to_owned()
                 } else if self.flat.iter().flatten().any(bent) {
                     "the panels are not flat".to_owned()
                 } else {

@@ -8,6 +8,7 @@ use crate::mesh::Point;
 use crate::scene::{ConstraintSpec, EasedFaces, SmoothnessOf, all_faces};
 use crate::session::Error;
 use crate::solve::{Exact, ExactAnswer, Require, Requirements};
+use crate::words;
 
 impl Session {
     /// Plans the attempts to meet the hard constraints.
@@ -130,7 +131,7 @@ impl Session {
 
 /// Rounds up to a number of two digits, at most a ninth larger.
 fn two_digits_above(number: f64) -> f64 {
-    format!("{:.1e}", 1.06 * number).parse().unwrap_or(number)
+    words::rounded(1.06 * number, 2)
 }
 
 #[cfg(test)]

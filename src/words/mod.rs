@@ -14,4 +14,4 @@ mod number;
 
 pub use count::{and_more, count, group_digits, sentence};
 pub use length::{area, length, length_like, limit, millimetres, millimetres_limit, moved};
-pub use number::{brief, degrees, number, part, rough_degrees};
+pub use number::{brief, degrees, number, part, rough_degrees, rounded};

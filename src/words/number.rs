@@ -7,6 +7,11 @@ const MOST_DIGITS: usize = 6;
 /// Smaller and larger numbers are written as powers of ten.
 const PLAIN: std::ops::Range<f64> = 1e-3..1e6;
 
+/// Rounds to this many significant digits, in decimal, for numbers that somebody reads and may edit.
+pub fn rounded(value: f64, digits: usize) -> f64 {
+    format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
+}
+
 /// Formats a measured number: `1.23`, `−0.500`, `12345`, `2.50e−7`; `–` if it is not finite.
 pub fn number(value: f64) -> String {
     let size = value.abs();

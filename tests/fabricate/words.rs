@@ -78,7 +78,7 @@ fn a_row_of_the_check_has_its_value_its_limit_and_whether_it_is_met() {
     assert_eq!(words, made.words(&made.report()).card);
     let at = |id: &str| card.check.iter().position(|row| row.id == id).unwrap();
     let CheckWords { value, limit, state } = &words.check[at("panel_flatness")];
-    assert!(value.ends_with(" mm") && limit.starts_with("limit ") && limit.ends_with(" mm"));
+    assert!(value.ends_with(" mm") && limit.starts_with("≤ ") && limit.ends_with(" mm"));
     assert_eq!(state, &format!("not met by {}", card.check[at("panel_flatness")].failed));
     let lean = &words.check[at("lean")];
     assert!(lean.value.ends_with('°') && lean.limit.ends_with('°'), "{lean:?}");

@@ -125,5 +125,5 @@ fn paper_line(paper: &PaperReport) -> String {
 
 fn check_line((row, CheckWords { value, limit, state }): (&CheckRow, &CheckWords)) -> String {
     let state = if state.is_empty() { String::new() } else { format!(": {state}") };
-    format!("{:<15} {value}, {limit}{state}", row.label)
+    format!("{:<15} {value} ({limit}){state}", row.label)
 }

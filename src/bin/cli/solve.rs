@@ -225,8 +225,7 @@ fn exact_line(exact: &ExactReport, units: &str) -> String {
         format!("not met by {misses}{why}")
     };
     format!(
-        "hard constraints {met}: tolerance {}, moved {} on the way, {} s",
-        words::limit(exact.tolerance, units),
+        "hard constraints {met}: moved {} on the way, {} s",
         words::length(exact.moved.max, units),
         words::number(exact.seconds)
     )

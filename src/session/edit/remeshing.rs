@@ -2,6 +2,7 @@
 
 use crate::json::indices;
 use crate::mesh::{MESH_OPERATIONS, Mesh, MeshOperation, Size, SizeOf};
+use crate::words::rounded;
 use serde::{Deserialize, Serialize};
 
 /// An operation on the mesh and what it is applied to: see [`crate::mesh::MeshOperation`].
@@ -36,7 +37,7 @@ pub struct OfferedOperation {
 /// Returns all operations, for a mesh with this mean edge length.
 pub(crate) fn offered(mean_edge: f64) -> Vec<OfferedOperation> {
     let default = |size: &Size| match size.of {
-        SizeOf::Length => two_digits(size.default * mean_edge),
+        SizeOf::Length => rounded(size.default * mean_edge, 2),
         SizeOf::Count | SizeOf::Degrees => size.default,
     };
     let offered = |operation: &MeshOperation| OfferedOperation {
@@ -44,10 +45,6 @@ pub(crate) fn offered(mean_edge: f64) -> Vec<OfferedOperation> {
         defaults: operation.sizes.iter().map(default).collect(),
     };
     MESH_OPERATIONS.iter().map(offered).collect()
-}
-
-fn two_digits(number: f64) -> f64 {
-    format!("{number:.1e}").parse().unwrap_or(number)
 }
 
 /// The size of the mesh after refining.

@@ -10,6 +10,8 @@ use serde::Serialize;
 
 /// The most rows of constraints for which remedies are offered.
 const MOST_ROWS: usize = 2;
+/// A tolerance that is offered, relative to the distance that was reached.
+const WIDER: f64 = 1.1;
 
 /// How well hard constraints are met, in words.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -132,7 +134,7 @@ impl ExactWords {
             places.join(", "),
             words::length_like(report.max_distance, units, report.tolerance)
         );
-        let within = wider(report.max_distance);
+        let within = words::rounded(WIDER * report.max_distance, 2);
         let remedies = rows().take(MOST_ROWS).flat_map(|(index, row)| {
             let label = row.label();
             [
@@ -212,9 +214,4 @@ impl TrialNumbers<'_> {
             row("Energy", self.energy.map(words::number)),
         ]
     }
-}
-
-/// Returns about a tenth more, to two digits.
-fn wider(distance: f64) -> f64 {
-    format!("{:.1e}", 1.1 * distance).parse().unwrap_or(distance)
 }
