@@ -31,7 +31,12 @@ pub fn length_like(value: f64, units: &str, like: f64) -> String {
 
 /// Formats a length that was entered, such as a tolerance: `5 mm`. As [`length`] otherwise.
 pub fn limit(value: f64, units: &str) -> String {
-    let (unit, factor) = unit_of(value, units);
+    limit_like(value, units, value)
+}
+
+/// As [`limit`], in the unit in which another length, `like`, is written.
+pub fn limit_like(value: f64, units: &str, like: f64) -> String {
+    let (unit, factor) = unit_of(like, units);
     with_unit(&brief(value * factor), unit)
 }
 

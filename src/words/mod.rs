@@ -13,5 +13,7 @@ mod length;
 mod number;
 
 pub use count::{and_more, count, group_digits, sentence};
-pub use length::{area, length, length_like, limit, millimetres, millimetres_limit, moved};
+pub use length::{
+    area, length, length_like, limit, limit_like, millimetres, millimetres_limit, moved,
+};
 pub use number::{brief, degrees, number, part, rough_degrees, rounded};

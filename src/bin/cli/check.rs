@@ -147,8 +147,8 @@ fn words(path: &Path, check: &Check) -> String {
         format!("curves      {}", check.curves),
         format!("tetrahedra  {}", check.tets),
         format!("groups      {}", check.groups.len()),
-        output::planarity(&check.planarity, ""),
-        output::circularity(&check.circularity, ""),
+        output::planarity(&check.planarity, "", 0.0),
+        output::circularity(&check.circularity, "", 0.0),
     ];
     if let Some(GaussCurvature { max, vertex }) = check.gauss_curvature {
         lines.push(format!("Gauss curv. greatest {}, at vertex {vertex}", words::number(max)));

@@ -118,21 +118,21 @@ pub(super) fn table(rows: &[impl AsRef<[String]>]) -> String {
     rows.iter().map(|row| line(row.as_ref())).collect()
 }
 
-/// Formats planarity in one line.
-pub(super) fn planarity(planarity: &Planarity, units: &str) -> String {
+/// Formats planarity in one line, in the unit in which `tolerance` is written.
+pub(super) fn planarity(planarity: &Planarity, units: &str, tolerance: f64) -> String {
     format!(
         "planarity   worst {}, mean {}, largest diagonal ratio {}",
-        words::length(planarity.max_distance, units),
-        words::length_like(planarity.mean_distance, units, planarity.max_distance),
+        words::length_like(planarity.max_distance, units, tolerance),
+        words::length_like(planarity.mean_distance, units, tolerance),
         words::number(planarity.diagonal_ratio_max)
     )
 }
 
-/// Formats circularity in one line.
-pub(super) fn circularity(circularity: &Circularity, units: &str) -> String {
+/// Formats circularity in one line, as [`planarity`].
+pub(super) fn circularity(circularity: &Circularity, units: &str, tolerance: f64) -> String {
     format!(
         "circularity worst {}, mean {}",
-        words::length(circularity.max_distance, units),
-        words::length_like(circularity.mean_distance, units, circularity.max_distance)
+        words::length_like(circularity.max_distance, units, tolerance),
+        words::length_like(circularity.mean_distance, units, tolerance)
     )
 }

@@ -56,7 +56,8 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     } else {
         session.solve(command.trace).map_err(at_input)?;
     }
-    let (report, verdict) = (session.report(), verdict(&mut session));
+    let tolerance = tolerance(&session);
+    let (report, verdict) = (session.report(), verdict(&mut session, tolerance));
     if command.improve && report.exact.as_ref().is_none_or(|exact| exact.improved.is_none()) {
         let why = "--improve did nothing: it needs exact or within constraints, all of them met";
         remarks.push(why.to_owned());
@@ -80,7 +81,8 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         files.push((path, output::json(&report)));
     }
     output::write(&files)?;
-    output::print(&summary(&command.input, &report, &verdict, &remarks, &units))
+    let told = Told { units, tolerance, verdict, remarks };
+    output::print(&summary(&command.input, &report, &told))
 }
 
 /// Describes the elements that each row of constraints skipped.
@@ -98,15 +100,29 @@ fn misfits(session: &Session) -> impl Iterator<Item = String> {
     })
 }
 
-/// Returns the verdict in the words of the page: on the panels, on hard constraints, or on all
-/// constraints. The tolerance is the largest that a constraint requires, or that of the mesh.
-fn verdict(session: &mut Session) -> Vec<String> {
+/// What the summary says besides the numbers of the report.
+struct Told {
+    /// The symbol of the unit of the mesh.
+    units: String,
+    /// The tolerance of the verdict.
+    tolerance: f64,
+    verdict: Vec<String>,
+    remarks: Vec<String>,
+}
+
+/// Returns the largest tolerance that a constraint requires, or that of the mesh.
+fn tolerance(session: &Session) -> f64 {
     let rows = session.document().constraints.iter().filter(|row| row.enabled);
     let required = rows.filter_map(|row| match row.require {
         Require::Within(length) => Some(length),
         Require::Soft | Require::Exact => None,
     });
-    let tolerance = required.reduce(f64::max).unwrap_or_else(|| session.tolerance());
+    required.reduce(f64::max).unwrap_or_else(|| session.tolerance())
+}
+
+/// Returns the verdict in the words of the page: on the panels, on hard constraints, or on all
+/// constraints.
+fn verdict(session: &mut Session, tolerance: f64) -> Vec<String> {
     let panels = session.verdict(tolerance).map(|verdict| session.verdict_words(&verdict).full);
     match (panels, session.exact_words()) {
         (Some(panels), Some(exact)) if exact.brief.is_empty() => vec![panels],
@@ -117,13 +133,8 @@ fn verdict(session: &mut Session) -> Vec<String> {
     }
 }
 
-fn summary(
-    input: &Path,
-    report: &Report,
-    verdict: &[String],
-    remarks: &[String],
-    units: &str,
-) -> String {
+fn summary(input: &Path, report: &Report, told: &Told) -> String {
+    let Told { units, tolerance, verdict, remarks } = told;
     let mut text = String::new();
     let mut line = |words: std::fmt::Arguments<'_>| {
         writeln!(text, "{words}").expect("writing to a string does not fail");
@@ -172,8 +183,8 @@ fn summary(
         report.stopped_by,
         words::number(report.seconds.iterate)
     ));
-    line(format_args!("{}", output::planarity(&report.planarity, units)));
-    line(format_args!("{}", output::circularity(&report.circularity, units)));
+    line(format_args!("{}", output::planarity(&report.planarity, units, *tolerance)));
+    line(format_args!("{}", output::circularity(&report.circularity, units, *tolerance)));
     if let Some(folded) = report.folded {
         line(format_args!("folds       {folded} faces are folded or dented"));
     }

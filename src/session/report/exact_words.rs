@@ -55,8 +55,10 @@ pub(crate) struct TrialNumbers<'a> {
     pub(crate) units: &'a str,
     /// The size of the mesh.
     pub(crate) size: f64,
-    /// The largest distances of a vertex to its projection.
+    /// The largest distances of a vertex to its projection, and the tolerance of the mesh, in whose
+    /// unit they are written.
     pub(crate) distance: [f64; 2],
+    pub(crate) tolerance: f64,
     /// Displacements from the original.
     pub(crate) moved: [Moved; 2],
     /// The energies of the soft terms.
@@ -174,8 +176,10 @@ impl TrialWords {
                 format!("If made exact, the shape would move by up to {far} more{folds}.")
             }
         };
-        let taken =
-            format!("Also made exact: worst {}.", words::length(numbers.distance[1], units));
+        let taken = format!(
+            "Also made exact: worst {}.",
+            words::length_like(numbers.distance[1], units, numbers.tolerance)
+        );
         TrialWords { taken, offered, table: numbers.table() }
     }
 
@@ -206,9 +210,9 @@ impl TrialNumbers<'_> {
                 |moved| if still(moved) { "did not move".to_owned() } else { length(of(moved)) },
             )
         };
-        let [before, after] = self.distance;
+        let error = |distance| words::length_like(distance, self.units, self.tolerance);
         vec![
-            row("Worst distance", [length(before), words::length_like(after, self.units, before)]),
+            row("Worst distance", self.distance.map(error)),
             row("Moved at most", moved(|moved| moved.max)),
             row("on average", moved(|moved| moved.mean)),
             row("Energy", self.energy.map(words::number)),

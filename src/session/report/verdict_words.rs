@@ -1,7 +1,7 @@
 //! The verdict on the panels in words, during a run and after it.
 
 use super::verdict::{Bend, BendChange, Verdict};
-use crate::words::{count, group_digits, length_like, limit, moved, rough_degrees};
+use crate::words::{count, group_digits, length_like, limit_like, moved, rough_degrees};
 use serde::Serialize;
 
 /// From this part of the tolerance on, the distance of the worst panel says no more than it.
@@ -40,7 +40,8 @@ impl Verdict {
 
     /// Says that `within` panels have their shape within `tolerance`.
     fn met(&self, within: usize, tolerance: f64, units: &str) -> String {
-        let flat = format!("{} within {}", self.adjective, limit(tolerance, units));
+        let flat =
+            format!("{} within {}", self.adjective, limit_like(tolerance, units, self.tolerance));
         let all = group_digits(self.panels);
         match self.panels {
             panels if within < panels => {
@@ -56,10 +57,13 @@ impl Verdict {
         let Some(eased) = self.eased else { return self.met(self.within, self.tolerance, units) };
         if eased.panels == self.panels {
             let all = self.met(self.panels, eased.within, units);
-            return format!("{all} Within {}, faces would fold.", limit(self.tolerance, units));
+            return format!(
+                "{all} Within {}, faces would fold.",
+                limit_like(self.tolerance, units, self.tolerance)
+            );
         }
         let met = self.met(self.within, self.tolerance, units);
-        let larger = limit(eased.within, units);
+        let larger = limit_like(eased.within, units, self.tolerance);
         match self.panels - self.within {
             1 => format!("{met} The other one would fold, so it is within {larger}."),
             others => format!(
@@ -152,14 +156,14 @@ mod tests {
     #[test]
     fn panels_with_a_larger_tolerance_are_counted_apart() {
         let eased = |panels, within| {
-            let eased = Some(EasedPanels { panels, within: 0.05 });
+            let eased = Some(EasedPanels { panels, within: 0.12 });
             full(&Verdict { within, eased, ..verdict() })
         };
-        let some = "798 of 800 panels are flat within 1 mm. The other 2 would fold, so they are within 50 mm. ";
+        let some = "798 of 800 panels are flat within 1 mm. The other 2 would fold, so they are within 120 mm. ";
         assert!(eased(2, 798).starts_with(some), "{}", eased(2, 798));
-        let one = "799 of 800 panels are flat within 1 mm. The other one would fold, so it is within 50 mm. ";
+        let one = "799 of 800 panels are flat within 1 mm. The other one would fold, so it is within 120 mm. ";
         assert!(eased(1, 799).starts_with(one), "{}", eased(1, 799));
-        let all = "All 800 panels are flat within 50 mm. Within 1 mm, faces would fold. ";
+        let all = "All 800 panels are flat within 120 mm. Within 1 mm, faces would fold. ";
         assert!(eased(800, 3).starts_with(all), "{}", eased(800, 3));
     }
 }

@@ -225,6 +225,7 @@ impl ExactTrial {
             units: &session.document().units,
             size: session.rest.diameter(),
             distance: [distance, max_distance],
+            tolerance: session.tolerance(),
             moved: [self.before.moved, after.moved],
             energy: [self.before.energy, after.energy],
             by: moved.max,
