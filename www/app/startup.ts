@@ -166,9 +166,7 @@ export class Startup {
       if (location.hash) history.replaceState(null, '', location.pathname + location.search);
       void this.#viewContext.actions.reportErrors(this.#startFresh());
     };
-    const words = undoLost
-      ? `is back, but its undo history is lost: ${undoLost}`
-      : 'is back as you left it';
+    const words = undoLost ? `is back, but its undo history is lost: ${undoLost}` : 'is back';
     this.#alerts.notice(`${last.work.title} ${words}.`, {
       label: 'Start fresh',
       action: fresh,

@@ -32,7 +32,7 @@ const kept = (page: Page) =>
     .poll(() => page.evaluate(() => document.querySelector('#numbers')?.textContent))
     .toContain('Saved in this browser');
 
-const back = (page: Page) => page.getByRole('alert').getByText('is back as you left it');
+const back = (page: Page) => page.getByRole('alert').getByText(/ is back\./);
 
 test('work is restored after the tab was killed', async ({ page, context }) => {
   await visit(page);

@@ -10,6 +10,7 @@ import { RENEW_MS, element, setText, throttled } from '../../ui/dom.ts';
 import { number } from '../../ui/format.ts';
 import { once } from '../../ui/once.ts';
 import { surfaceLines } from './surface-lines.ts';
+import { newestOnly } from '../../store/newest-only.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { Lines } from '../../solver/types.ts';
 
@@ -111,6 +112,8 @@ function curvatureCard(app: AppContext) {
     return { measure, measureChosen };
   }
 
+  const newest = newestOnly(() => store.get().model);
+
   /** Shows what the curvature means for panels; requested once for each model. */
   async function tell() {
     const { model } = store.get();
@@ -118,8 +121,8 @@ function curvatureCard(app: AppContext) {
     told = model;
     distance.value = '';
     sentence.hidden = true;
-    const forecast = await actions.trials.forecast().catch(() => null);
-    if (store.get().model !== model) return;
+    const forecast = await newest(actions.trials.forecast().catch(() => null));
+    if (forecast === undefined) return;
     setText(sentence, forecast?.words ?? '');
     sentence.hidden = !forecast;
   }

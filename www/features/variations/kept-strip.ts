@@ -4,6 +4,7 @@ import { closeButton } from '../../ui/controls/fields.ts';
 import { element } from '../../ui/dom.ts';
 import { groupDigits, length, number } from '../../ui/format.ts';
 import { drawShape } from '../../ui/plot/thumbnail.ts';
+import { newestOnly } from '../../store/newest-only.ts';
 import type { SceneDocument, VariantRow } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
@@ -27,24 +28,29 @@ export function keptStrip({ store, solver, actions }: AppContext) {
     'The shapes that you keep appear here, to compare and to return to.',
   );
   const place = element('div.kept', element('h3', 'Kept'), empty, strip, table);
-  let asked = 0;
+  const newest = newestOnly();
   let isRemoving = false;
 
-  async function update() {
-    const mine = ++asked;
-    const { document: scene, model, tolerance } = store.get();
-    const { connectivity } = solver.geometry ?? {};
-    if (!scene || !model || !connectivity) return;
-    const { variants, units, up } = scene;
-    empty.hidden = variants.length > 0;
-    strip.hidden = table.hidden = variants.length === 0;
-    if (variants.length === 0) return strip.replaceChildren();
-    const allowed = tolerance ?? model.tolerance;
+  /** Asks for the kept shapes and their numbers. */
+  async function keptShapes(allowed: number) {
     const rows = await actions.ask.variantTable(allowed);
     const shapes: Float64Array[] = [];
     for (const index of rows.keys()) shapes.push(await actions.ask.variantPositions(index));
-    // A newer update has started.
-    if (mine !== asked) return;
+    return { rows, shapes };
+  }
+
+  async function update() {
+    const { document: scene, model, tolerance } = store.get();
+    const { connectivity } = solver.geometry ?? {};
+    if (!scene || !model || !connectivity) return void newest(null);
+    const { variants, units, up } = scene;
+    empty.hidden = variants.length > 0;
+    strip.hidden = table.hidden = variants.length === 0;
+    const allowed = tolerance ?? model.tolerance;
+    const kept = await newest(variants.length > 0 ? keptShapes(allowed) : null);
+    if (kept === null) return strip.replaceChildren();
+    if (!kept) return;
+    const { rows, shapes } = kept;
     const cards = rows.map((row, index) => card(scene, row, index));
     strip.replaceChildren(...cards.map(({ place }) => place));
     cards.forEach(({ canvas }, index) => drawShape(canvas, connectivity, shapes[index], { up }));
