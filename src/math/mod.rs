@@ -30,7 +30,10 @@ pub use angle::angle;
 pub use argsort::{argsort, key_of_number, key_of_pair, sort_by_number};
 pub use cube_root::cube_root;
 pub use cubic::Cubic;
-pub use eigen::{Eigenvector, PrincipalAxes, Scatter, SingularValues, Symmetric3, symmetric_eigen};
+pub use eigen::{
+    Eigenvector, PrincipalAxes, Scatter, SingularValues, Symmetric3, orthonormalise,
+    symmetric_eigen,
+};
 pub use fit::{
     Alignment, CircleFit, OrthogonalPair, PrincipalCircle, PrincipalRound, Round, RoundWithin,
     pair_with_product, pair_with_product_robust, triple_with_product, triple_with_product_robust,

@@ -2,6 +2,7 @@
 //! fundamental form at that point (Cazals and Pouget 2005, osculating jets of degree two).
 
 use crate::math::Vec3;
+use nalgebra::{Matrix5, Vector5};
 
 /// Number of unknowns of `h(x, y) = a x^2 + b x y + c y^2 + d x + e y`.
 const N: usize = 5;
@@ -30,17 +31,20 @@ pub(super) fn fit(around: &[Vec3<f64>], [x_axis, y_axis]: [Vec3<f64>; 2]) -> Opt
     }
     // Scaled by the root mean square distance, all coefficients are of the same magnitude.
     let unit = 1.0 / mean_square.sqrt();
-    let mut normal_matrix = [[0.0; N + 1]; N];
+    let (mut normal_matrix, mut right) = (Matrix5::zeros(), Vector5::zeros());
     for &point in around {
         let [x, y, h] = [x_axis, y_axis, normal].map(|axis| axis.dot(point) * unit);
-        let row = [x * x, x * y, y * y, x, y, h];
-        for (i, equation) in normal_matrix.iter_mut().enumerate() {
-            for (entry, value) in equation.iter_mut().zip(row) {
-                *entry += row[i] * value;
-            }
-        }
+        let row = Vector5::new(x * x, x * y, y * y, x, y);
+        normal_matrix.ger(1.0, &row, &row, 1.0);
+        right.axpy(h, &row, 1.0);
     }
-    let [a, b, c, d, e] = solve(normal_matrix)?;
+    let factor = normal_matrix.cholesky()?;
+    // Their squares are the pivots.
+    let diagonal = factor.l_dirty().diagonal();
+    if diagonal.min() * diagonal.min() <= SINGULAR * diagonal.max() * diagonal.max() {
+        return None;
+    }
+    let [[a, b, c, d, e]] = factor.solve(&right).into();
     // First form (E, F, G) and second form (L, M, N) of the graph at the origin.
     let area = (1.0 + d * d + e * e).sqrt();
     let [l, m, n] = [2.0 * a, b, 2.0 * c].map(|value| value * unit / area);
@@ -55,36 +59,4 @@ pub(super) fn fit(around: &[Vec3<f64>], [x_axis, y_axis]: [Vec3<f64>; 2]) -> Opt
         axes: [tangent_x * (1.0 / length), tangent_x * u + tangent_y * v],
         values: [l / big_e, (l * u + m * v) / length, l * u * u + 2.0 * m * u * v + n * v * v],
     })
-}
-
-/// Solves a symmetric positive definite system with diagonal pivoting; `None` if it is singular.
-fn solve(mut rows: [[f64; N + 1]; N]) -> Option<[f64; N]> {
-    let mut left: Vec<usize> = (0..N).collect();
-    let mut order = Vec::with_capacity(N);
-    let mut largest = 0.0;
-    while !left.is_empty() {
-        let place = (0..left.len()).fold(0, |best, k| {
-            if rows[left[k]][left[k]] > rows[left[best]][left[best]] { k } else { best }
-        });
-        let k = left.remove(place);
-        let pivot = rows[k][k];
-        largest = if pivot > largest { pivot } else { largest };
-        if pivot.is_nan() || pivot <= SINGULAR * largest {
-            return None;
-        }
-        let pivot_row = rows[k];
-        for &i in &left {
-            let factor = rows[i][k] / pivot;
-            for (entry, value) in rows[i].iter_mut().zip(pivot_row) {
-                *entry -= factor * value;
-            }
-        }
-        order.push(k);
-    }
-    let mut found = [0.0; N];
-    for (place, &k) in order.iter().enumerate().rev() {
-        let known: f64 = order[place + 1..].iter().map(|&j| rows[k][j] * found[j]).sum();
-        found[k] = (rows[k][N] - known) / rows[k][k];
-    }
-    Some(found)
 }

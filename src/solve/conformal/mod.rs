@@ -32,8 +32,9 @@ use crate::mesh::{
     quasi_conformal,
 };
 use face::Face;
+use nalgebra::{Complex, DMatrix};
 use serde::Serialize;
-use subspace::{Pair, smallest};
+use subspace::{VECTORS, smallest};
 
 /// A flat map.
 #[derive(Clone, Debug, PartialEq)]
@@ -245,7 +246,7 @@ impl Part {
         seconds.factor += system.seconds.factor;
 
         let iterating = clock::now();
-        let start = counted.iter().map(|&v| start(v as usize)).collect();
+        let start = DMatrix::from_fn(counted.len(), VECTORS, |k, j| start(counted[k] as usize, j));
         let mut map = smallest(&mut system, &nodes, &counted, start).ok_or_else(singular)?;
         map.truncate(self.vertices.len());
         let energies = self.faces.iter().map(|face| face.weight(weights) * face.distance(&map));
@@ -292,8 +293,8 @@ impl Part {
     }
 }
 
-/// Start vectors at one vertex, scattered so that they have a component along every eigenvector.
-fn start(vertex: usize) -> Pair {
+/// Start vector `j` at one vertex, scattered so that it has a component along every eigenvector.
+fn start(vertex: usize, j: usize) -> Complex<f64> {
     let scattered = |k: usize| ((vertex * 7919 + k * 104_729) % 1009) as f64 / 1009.0 - 0.5;
-    [0, 4].map(|first| std::array::from_fn(|k| scattered(first + k)))
+    Complex::new(scattered(j), scattered(VECTORS + j))
 }

@@ -1,8 +1,8 @@
 //! Planes of symmetry of a shape, through its centre.
 
-use super::vectors::{COUNT, principal};
 use crate::constraint::Row;
-use crate::math::{argsort, key_of_number};
+use crate::math::{argsort, key_of_number, symmetric_eigen};
+use nalgebra::DMatrix;
 
 /// Vertices are mirror images up to this fraction of the size, because shapes come from iterations.
 const NEAR: f64 = 1e-4;
@@ -23,14 +23,13 @@ impl Mirror {
             std::array::from_fn(|c| nodes.iter().map(|&node| at[node as usize][c] / n).sum());
         let relative =
             |node: u32| -> [f64; 3] { std::array::from_fn(|c| at[node as usize][c] - mean[c]) };
-        let mut scatter = [[0.0; COUNT]; COUNT];
+        let mut scatter = DMatrix::zeros(3, 3);
         for &node in nodes {
             let p = relative(node);
-            (0..9).for_each(|k| scatter[k / 3][k % 3] += p[k / 3] * p[k % 3]);
+            (0..9).for_each(|k| scatter[(k / 3, k % 3)] += p[k / 3] * p[k % 3]);
         }
-        let (_, axes) = principal(&scatter);
-        let principal = axes.into_iter().map(|axis| [axis[0], axis[1], axis[2]]);
-        let principal = principal.filter(|axis| dot(*axis, *axis) > 0.5);
+        let (_, axes) = symmetric_eigen(&scatter);
+        let principal = axes.column_iter().map(|axis| [axis[0], axis[1], axis[2]]);
         let coordinate = (0..3).map(|c| std::array::from_fn(|k| f64::from(u8::from(k == c))));
         // Sorted along a direction that is unlikely to be the normal of a plane of symmetry.
         let key = |p: [f64; 3]| dot(p, [0.532, 0.301, 0.791]);

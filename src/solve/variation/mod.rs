@@ -8,7 +8,6 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `vectors` | a few vectors over all unknowns |
 //! | `motions` | translations, rotations and scaling, which are not variations |
 //! | `subspace` | the iteration for the softest directions |
 //! | `mirror` | planes of symmetry |
@@ -20,7 +19,6 @@ mod modes;
 mod motions;
 mod shape_space;
 mod subspace;
-mod vectors;
 
 pub use modes::{SLIDE, Variation};
 pub use shape_space::{Reached, ShapeSpace};

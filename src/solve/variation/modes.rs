@@ -2,12 +2,12 @@
 //! outwards.
 
 use super::mirror::Mirror;
-use super::subspace::Subspace;
-use super::vectors::{COUNT, MODES, Products, principal};
+use super::subspace::{MODES, Subspace, column_of, rows_of};
 use crate::constraint::Row;
-use crate::math::{Vec3, argsort, key_of_number};
+use crate::math::{Vec3, argsort, key_of_number, symmetric_eigen};
 use crate::mesh::Point;
 use crate::solve::exact::block_system::BlockSystem;
+use nalgebra::{DMatrix, DVector};
 
 /// Coefficients of modes range this far to either side, as a fraction of the size.
 pub const SLIDE: f64 = 0.1;
@@ -39,11 +39,11 @@ pub(super) fn modes(
     mut subspace: Subspace,
     mirrors: &[Mirror],
 ) -> Vec<(Vec<Row>, f64)> {
-    let mut compliances = subspace.compliances;
-    let parities = symmetrise(&mut subspace, &mut compliances, mirrors);
+    let parities = symmetrise(&mut subspace, mirrors);
+    let compliances = &subspace.compliances;
     let mut modes = Vec::new();
     for k in 0..MODES {
-        let mut mode = subspace.vectors.get(k);
+        let mut mode = rows_of(&subspace.vectors, k);
         if compliances[k] <= 0.0 || squared(&mode) < 0.5 {
             continue;
         }
@@ -69,49 +69,38 @@ pub(super) fn modes(
 /// Mixes the vectors of a subspace so that each is symmetric or antisymmetric about every mirror,
 /// if possible. Returns their parities, from -1 to 1, for each mirror. If the constraints are not
 /// symmetric, changes nothing and returns no parities.
-fn symmetrise(
-    subspace: &mut Subspace,
-    compliances: &mut [f64; COUNT],
-    mirrors: &[Mirror],
-) -> Vec<[f64; COUNT]> {
-    let vectors = &subspace.vectors;
-    let images: Vec<Products> = mirrors
-        .iter()
-        .map(|mirror| {
-            let mut image = vectors.clone();
-            (0..COUNT).for_each(|k| image.set(k, &mirror.of(&vectors.get(k))));
-            vectors.products(&image)
-        })
-        .collect();
-    if images.is_empty() {
+fn symmetrise(subspace: &mut Subspace, mirrors: &[Mirror]) -> Vec<Vec<f64>> {
+    if mirrors.is_empty() {
         return Vec::new();
     }
+    let vectors = &subspace.vectors;
+    let (n, count) = vectors.shape();
+    let products = |mirror: &Mirror| {
+        let images = (0..count).map(|k| mirror.of(&rows_of(vectors, k)));
+        let entries = images.flat_map(|image| column_of(&image).collect::<Vec<_>>());
+        vectors.tr_mul(&DMatrix::from_iterator(n, count, entries))
+    };
+    let images: Vec<DMatrix<f64>> = mirrors.iter().map(products).collect();
     // Commuting matrices share an eigenbasis, even with repeated compliances.
-    let mut sum: Products = [[0.0; COUNT]; COUNT];
-    (0..COUNT).for_each(|k| sum[k][k] = compliances[k]);
-    let mut weight = 0.1 * compliances[MODES - 1];
+    let own = DMatrix::from_diagonal(&DVector::from_column_slice(&subspace.compliances));
+    let mut sum = own.clone();
+    let mut weight = 0.1 * subspace.compliances[MODES - 1];
     for image in &images {
-        for (to, from) in sum.as_flattened_mut().iter_mut().zip(image.as_flattened()) {
-            *to += weight * from;
-        }
+        sum += image * weight;
         weight *= 0.37;
     }
-    let (_, factors) = principal(&sum);
-    let along = |matrix: &Products, k: usize| -> f64 {
-        let row = |i: usize| (0..COUNT).map(|j| matrix[i][j] * factors[k][j]).sum::<f64>();
-        (0..COUNT).map(|i| factors[k][i] * row(i)).sum()
+    let (_, factors) = symmetric_eigen(&sum);
+    let along = |matrix: &DMatrix<f64>| -> Vec<f64> {
+        factors.column_iter().map(|mode| mode.dot(&(matrix * mode))).collect()
     };
-    let parities: Vec<[f64; COUNT]> =
-        images.iter().map(|image| std::array::from_fn(|k| along(image, k))).collect();
+    let parities: Vec<Vec<f64>> = images.iter().map(along).collect();
     let is_definite = |k: &usize| parities.iter().all(|parity| parity[*k].abs() > ALMOST);
     // The subspace may end between modes of equal compliance, so that some have no parity.
     if (0..MODES).filter(is_definite).count() < MODES / 2 {
         return Vec::new();
     }
-    let mut own: Products = [[0.0; COUNT]; COUNT];
-    (0..COUNT).for_each(|k| own[k][k] = compliances[k]);
-    *compliances = std::array::from_fn(|k| along(&own, k));
-    subspace.vectors.mix(&factors);
+    subspace.compliances = along(&own);
+    subspace.vectors *= factors;
     parities
 }
 
