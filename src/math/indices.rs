@@ -1,5 +1,8 @@
-//! Sorting by integer keys. The standard library's sort costs five to ten kilobytes of machine code
-//! for every type that is sorted; all callers with integer keys share one copy.
+//! Lists of indices: sorting by integer keys, and marked elements. The standard library's sort
+//! costs five to ten kilobytes of machine code for every type that is sorted; all callers with
+//! integer keys share one copy.
+
+use std::borrow::Borrow;
 
 /// Returns the indices of `keys` in ascending order of the keys; equal keys keep their order.
 pub fn argsort(keys: impl Iterator<Item = u64>) -> Vec<u32> {
@@ -28,6 +31,13 @@ pub fn key_of_number(x: f64) -> u64 {
     let bits = x.to_bits();
     // Negative numbers sort before the others, by descending magnitude.
     if x.is_sign_negative() { !bits } else { bits | 1 << 63 }
+}
+
+/// Returns for each of `count` elements whether its index is among `items`.
+pub fn marked(count: usize, items: impl IntoIterator<Item = impl Borrow<u32>>) -> Vec<bool> {
+    let mut marks = vec![false; count];
+    items.into_iter().for_each(|item| marks[*item.borrow() as usize] = true);
+    marks
 }
 
 #[cfg(test)]

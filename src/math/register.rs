@@ -185,8 +185,6 @@ mod wasm {
     all(target_arch = "wasm32", target_feature = "simd128")
 )))]
 mod plain {
-    use crate::math::Lane;
-
     /// Two numbers.
     #[derive(Clone, Copy)]
     pub(crate) struct Register([f64; 2]);
@@ -250,11 +248,11 @@ mod plain {
         }
         #[inline(always)]
         pub(crate) fn max(self, other: Self) -> Self {
-            self.map(other, Lane::max)
+            self.map(other, |a, b| if a > b { a } else { b })
         }
         #[inline(always)]
         pub(crate) fn min(self, other: Self) -> Self {
-            self.map(other, Lane::min)
+            self.map(other, |a, b| if a < b { a } else { b })
         }
         #[inline(always)]
         pub(crate) fn if_greater(self, bound: Self, yes: Self, no: Self) -> Self {
