@@ -1,11 +1,15 @@
-//! Everything that is built as objects on layers, for CAD programs: panels, offset, beams, node
-//! axes, and the sheets at their real size beside the shape.
+//! A build in space: everything as objects on layers, for CAD programs (panels, offset, beams, node
+//! axes, and the sheets at their real size beside the shape); the shape with its offset and beams
+//! as one file for presentations; and as groups of one mesh in the unit and the coordinates of the
+//! model.
 
 use crate::fabricate::beam::Prism;
 use crate::fabricate::build::{Build, beam_name, node_name};
+use crate::fabricate::file::{GlbPart, glb};
 use crate::fabricate::panel::triangles_in_space;
 use crate::fabricate::sheet::Role;
 use crate::math::{Vec3, twice_vector_area};
+use crate::mesh::{Group, GroupKeyword, Mesh};
 use serde::Serialize;
 
 /// An object on a layer, in the unit of the mesh; z is up.
@@ -131,4 +135,76 @@ impl Build {
         }
         parts
     }
+}
+
+/// The name of the file.
+pub const PRESENTATION: &str = "model.glb";
+
+impl Build {
+    /// Writes panels, offset panels and flat beams between them as binary glTF, in metres about the
+    /// centre of the bounding box. `z_up` is whether z is up in the mesh; else y is.
+    pub fn presentation(&self, z_up: bool) -> Vec<u8> {
+        let [mut panels, mut offset, mut beams] = [
+            ("panels", [0.80, 0.81, 0.83, 1.0]),
+            ("offset", [0.35, 0.20, 0.65, 0.35]),
+            ("beams", [0.45, 0.30, 0.18, 1.0]),
+        ]
+        .map(|(name, colour)| GlbPart { name, colour, ..GlbPart::default() });
+        let metres = self.unit.metres;
+        let surface = &self.surface;
+        let below = |v: u32| surface.at(v) * metres;
+        for face in surface.faces.iter() {
+            panels.add_polygon(&face.iter().map(|&v| below(v)).collect::<Vec<_>>());
+        }
+        if let Some((axes, _)) = &self.offset {
+            let by = self.distance() * metres;
+            let above = |v: u32| -> Vec3<f64> { below(v) + axes.axes[v as usize] * by };
+            for face in surface.faces.iter() {
+                offset.add_polygon(&face.iter().map(|&v| above(v)).collect::<Vec<_>>());
+            }
+            for [i, j] in surface.edges.iter().map(|edge| edge.ends) {
+                beams.add_polygon(&[below(i), below(j), above(j), above(i)]);
+            }
+        }
+        glb(&[panels, offset, beams], z_up)
+    }
+}
+
+/// Panels, the offset, and every prism by its name; none if no beams are made.
+pub(in crate::fabricate) fn solids(build: &Build) -> Option<Mesh> {
+    let frame = build.frame.as_ref()?;
+    let (axes, _) = build.offset.as_ref()?;
+    let mut mesh = Mesh::default();
+    let faces = || build.surface.faces.iter().map(<[u32]>::to_vec);
+    let moved = |by: f64| -> Vec<Vec3<f64>> {
+        build.surface.positions.iter().zip(&axes.axes).map(|(p, n)| *p + *n * by).collect()
+    };
+    let centre = build.surface.centre;
+    add(&mut mesh, "panels", &moved(0.0), centre, faces());
+    add(&mut mesh, "offset", &moved(build.distance()), centre, faces());
+    for (edge, prism) in build.surface.edges.iter().zip(&frame.prisms) {
+        if let Some(prism) = prism {
+            let faces = Prism::faces();
+            add(&mut mesh, &beam_name(edge.ends), &prism.corners, centre, faces);
+        }
+    }
+    Some(mesh)
+}
+
+fn add(
+    mesh: &mut Mesh,
+    name: &str,
+    points: &[Vec3<f64>],
+    centre: Vec3<f64>,
+    faces: impl IntoIterator<Item = Vec<u32>>,
+) {
+    let first = mesh.positions.len() as u32;
+    mesh.positions.extend(points.iter().map(|&point| <[f64; 3]>::from(point + centre)));
+    let first_face = mesh.faces.len() as u32;
+    for face in faces {
+        mesh.faces.push(&face.iter().map(|v| v + first).collect::<Vec<_>>());
+    }
+    let faces = (first_face..mesh.faces.len() as u32).collect();
+    let (name, keyword) = (name.to_owned(), GroupKeyword::Group);
+    mesh.groups.push(Group { name, keyword, faces, curves: Vec::new() });
 }
