@@ -3,12 +3,13 @@
 //! Visibility is sampled along each line against a depth buffer whose pixels are about a tenth of a
 //! millimetre on paper. The sides of the frontmost face at a sample count as visible whatever their
 //! depth, so that lines on slanted surfaces stay whole.
+//!
+//! The fitted circles of a line drawing.
 
-use super::circles::fitted;
+use super::model::sides_by_edge;
 use crate::view::camera::{Eye, Section};
-use crate::view::model::polygon_edges::sides_by_edge;
 use crate::view::picking::DepthMap;
-use crate::view::state::ViewState;
+use crate::view::state::{SHAPE_NUMBERS, ViewState};
 use glam::{Vec2, Vec3};
 use std::fmt::Write;
 
@@ -240,6 +241,22 @@ fn forget_specks(seen: &mut [Seen], speck: usize) {
 fn line([start, end]: [Vec2; 2]) -> String {
     let pair = |Vec2 { x, y }: Vec2| format!("{x}{}{y}", if y < 0.0 { "" } else { " " });
     format!("M{}l{}", pair(start), pair(end - start))
+}
+
+/// A circle of the scene: centre, and two perpendicular radii.
+pub(super) struct Circle {
+    pub centre: Vec3,
+    pub radii: [Vec3; 2],
+}
+
+/// Returns the fitted circles of the scene.
+pub(super) fn fitted(state: &ViewState) -> impl Iterator<Item = Circle> + '_ {
+    let shapes = state.shapes().chunks_exact(SHAPE_NUMBERS);
+    shapes.filter(|shape| shape[0] == 0.0).map(|shape| {
+        let normal = Vec3::from_slice(&shape[4..7]);
+        let u = normal.any_orthonormal_vector() * shape[7];
+        Circle { centre: Vec3::from_slice(&shape[1..4]), radii: [u, normal.cross(u)] }
+    })
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The flat map of a surface: the same faces in the plane, in a view of their own from above, and
 //! the division of the canvas between the two.
 
-use crate::view::model::polygon_edges::undirected_sides;
+use super::model::undirected_sides;
 use crate::view::model::{Checks, Lists, RenderMesh, ViewError, check_indices};
 use crate::view::state::ViewState;
 use glam::{Vec2, Vec3};
