@@ -1,12 +1,10 @@
 //! `shape-up refine`: subdivides a scene or a mesh, solving at every level if panels are required.
 
-use super::mesh_file;
 use crate::cli::arguments::Refine;
 use crate::cli::{Failure, input, output};
 use serde::Serialize;
 use shape_up::mesh::counted;
-use shape_up::session::Error;
-use shape_up::session::{Edit, Report, Session, Verdict};
+use shape_up::session::{Edit, Error, Report, Session, Verdict};
 use shape_up::solve::Require;
 use std::path::Path;
 use std::time::Instant;
@@ -73,7 +71,7 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     remarks.extend(lost.iter().cloned());
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(path) = &command.out {
-        remarks.extend(mesh_file::write_changed(path, &session, &mut files));
+        remarks.extend(output::write_changed(path, &session, &mut files));
     }
     remarks.iter().for_each(|remark| text += &format!("note: {remark}\n"));
     levels.iter().for_each(|level| text += &line(level, &units));

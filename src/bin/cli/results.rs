@@ -1,11 +1,10 @@
-//! `shape-up check FOLDER [--scene SCENE] [--csv FILE.csv]`: tabulates the results of a class.
+//! `shape-up check` of the results of a lesson: of one student (`RESULTS --scene SCENE`), against
+//! the goals; or of a class (`FOLDER [--scene SCENE] [--csv FILE.csv]`), as a table.
 
-use super::super::{Failure, input, output};
-use super::read;
+use crate::cli::{Failure, input, output};
 use shape_up::mesh::counted;
-use shape_up::scene::{NamedEnum, Results, SceneError};
-use shape_up::session::Error;
-use shape_up::session::{Checked, check_results};
+use shape_up::scene::{GoalOf, GoalResult, NamedEnum, Results, SceneError};
+use shape_up::session::{Checked, Error, check_results};
 use std::path::{Path, PathBuf};
 
 /// The extension of scene files.
@@ -29,7 +28,7 @@ const NOT_RESULTS: &str = "unreadable";
 const OTHER: &str = "another mesh or lesson";
 
 /// Checks all results files in `folder`, sorted by student. The default scene is the one in it.
-pub(crate) fn check(
+pub(crate) fn check_class(
     folder: &Path,
     scene: Option<&Path>,
     csv: Option<&Path>,
@@ -166,4 +165,75 @@ fn comma_separated(row: &[String]) -> String {
         format!("\"{}\"", text.replace('"', "\"\""))
     };
     row.iter().map(field).collect::<Vec<_>>().join(",") + "\n"
+}
+
+pub(crate) fn check(path: &Path, scene: &Path) -> Result<(), Failure> {
+    let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
+    let results = read(path)?;
+    let input = input::read(scene)?;
+    let units = input.scene.units.clone();
+    let checked = check_results(&results, input.scene, input.mesh);
+    let checked = checked.map_err(|error| at(error.to_string()))?;
+    output::print(&words(&results, &checked, &units))?;
+    let missed = checked.goals.iter().filter(|goal| !goal.met).count();
+    if missed > 0 {
+        return Err(at(format!("{missed} of {} goals not met, expected all", checked.goals.len())));
+    }
+    if let [first, ..] = &*checked.altered {
+        return Err(at(format!(
+            "locked {} altered, expected the same as in the scene",
+            first.word()
+        )));
+    }
+    Ok(())
+}
+
+fn words(results: &Results, checked: &Checked, units: &str) -> String {
+    let mut lines = vec![
+        format!("student     {}", results.student),
+        format!("title       {}", results.title),
+        format!("saved       {}", results.time),
+        format!("iterations  {}", results.iterations),
+        format!("moved       {}", checked.moved),
+        format!("distance    {}", checked.distance),
+    ];
+    if !results.steps.is_empty() {
+        lines.push(format!("steps       {}", results.steps.join("; ")));
+    }
+    if !checked.changed.is_empty() {
+        lines.push(format!("changed     {}", checked.changed.join("; ")));
+    }
+    lines.extend(checked.altered.iter().map(|lock| format!("altered     locked {}", lock.word())));
+    let said = results.goals.iter().map(Some).chain(std::iter::repeat(None));
+    for (goal, said) in checked.goals.iter().zip(said) {
+        let met = if goal.met { "met        " } else { "not met    " };
+        let otherwise = said.is_none_or(|said| said.met != goal.met);
+        let otherwise = if otherwise { ", but the file says otherwise" } else { "" };
+        lines.push(format!("{met} {}{otherwise}", measured(goal)));
+    }
+    if !units.is_empty() {
+        lines.push(format!("lengths in  {units}"));
+    }
+    lines.join("\n") + "\n"
+}
+
+/// Formats the subject of a goal, its value, and its limit.
+fn measured(goal: &GoalResult) -> String {
+    let of = match &goal.goal.of {
+        GoalOf::Measure(id) => id.clone(),
+        GoalOf::Beyond { measure, tolerance } => {
+            format!("panels with {measure} beyond {tolerance}")
+        }
+        GoalOf::Constraint(name) | GoalOf::Build(name) => name.clone(),
+    };
+    let value = goal.value.map_or("none".to_owned(), |value| value.to_string());
+    format!("{of}: {value}, at most {}", goal.goal.at_most)
+}
+
+/// Reads a results file.
+fn read(path: &Path) -> Result<Results, Failure> {
+    let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
+    let text = String::from_utf8(input::bytes(path)?)
+        .map_err(|_| at("the file is not UTF-8 text, expected results in JSON".to_owned()))?;
+    Results::from_json(&text).map_err(|error| at(error.to_string()))
 }

@@ -1,13 +1,11 @@
 //! `shape-up edit`: applies a mesh operation to a scene or a mesh.
 
-use super::mesh_file;
 use crate::cli::arguments::apart;
 use crate::cli::words::{Word, Words};
 use crate::cli::{Failure, input, output};
 use serde_json::{Map, Value, json};
 use shape_up::mesh::{MESH_OPERATIONS, MeshOperation, counted};
-use shape_up::session::Error;
-use shape_up::session::{Edit, Session};
+use shape_up::session::{Edit, Error, Session};
 use std::path::PathBuf;
 
 /// `shape-up edit`.
@@ -94,7 +92,7 @@ pub(in crate::cli) fn edit(command: &Remesh) -> Result<(), Failure> {
     remarks.extend_from_slice(session.lost());
     let mut files = Vec::new();
     if let Some(path) = &command.out {
-        remarks.extend(mesh_file::write_changed(path, &session, &mut files));
+        remarks.extend(output::write_changed(path, &session, &mut files));
     }
     remarks.iter().for_each(|remark| text += &format!("note: {remark}\n"));
     output::write(&files)?;
