@@ -18,7 +18,7 @@
 //!
 //! | room | contents | knows of |
 //! |---|---|---|
-//! | [`math`] | vectors in SIMD lanes and of the plane, eigenvectors, closest rotations, fitted circles and spheres | nothing |
+//! | [`math`] | vectors in SIMD lanes and of the plane, eigenvectors, closest rotations, fitted circles and spheres; on nalgebra, dense matrices of any size | nothing |
 //! | `json` | what `serde_json` lacks: errors with paths in our words, repeated keys, lists of indices | nothing |
 //! | [`mesh`] | polygon mesh, reading and writing of files, topology, Laplacian, closest point, error measures | math |
 //! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, json, mesh |
@@ -68,6 +68,21 @@
 //!    constraints, and records the run as one step of undo.
 //! 5. `Session::report` measures the shape (`mesh/measure`); `session/export` writes OBJ or the
 //!    scene.
+//!
+//! # Other ways through the rooms
+//!
+//! - The text of a scene: `Scene::from_json` (`scene/json/file`) gives the typed [`scene::Scene`],
+//!   `Scene::validate` (`scene/validate`) checks it against the mesh, and `scene/problem` makes the
+//!   [`solve::Problem`] of it.
+//! - A setting of Build: a field of [`scene::BuildSettings`] and its control in
+//!   `www/features/build/settings-form.ts`. The edit `SetBuild` stores it in the scene; the page's
+//!   worker for parts passes it to `web::build`, which calls [`fabricate::Build::new`].
+//! - A question of the page: a method in `web/worker`, such as `forecast` in `web/worker/lists`, whose
+//!   types wasm-bindgen writes; and its use in the page, `ask.forecast()` of
+//!   `www/solver/solver-client.ts`.
+//! - A setting of the solver: a declaration in [`session::SETTINGS`]. Hosts build their controls from
+//!   that list.
+//! - An operator: a file in `constraint/kinds`, and a line in the list there. See [`constraint`].
 //!
 //! # From a shape to parts
 //!
