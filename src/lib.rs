@@ -18,7 +18,7 @@
 //!
 //! | room | contents | knows of |
 //! |---|---|---|
-//! | [`math`] | vectors in SIMD lanes and of the plane, eigenvectors, closest rotations, fitted circles and spheres | nothing |
+//! | [`math`] | vectors in SIMD lanes and of the plane, eigenvectors, closest rotations, fitted circles and spheres; on nalgebra, dense matrices of any size | nothing |
 //! | [`words`] | words for readers: numbers, lengths with units, counts, lists | nothing |
 //! | `json` | what `serde_json` lacks: errors with paths in our words, repeated keys, lists of indices | nothing |
 //! | [`mesh`] | polygon mesh, reading and writing of files, topology, Laplacian, closest point, error measures | math, words |
@@ -71,10 +71,26 @@
 //!    it: `session/report/verdict_words` on panels, `run_verdict`, and `exact_words` on hard
 //!    constraints. `session/export` writes OBJ or the scene.
 //!
+//! # Other ways through the rooms
+//!
+//! - The text of a scene: `Scene::from_json` (`scene/json/file`) gives the typed [`scene::Scene`],
+//!   `Scene::validate` (`scene/validate`) checks it against the mesh, and `scene/problem` makes the
+//!   [`solve::Problem`] of it.
+//! - A setting of Build: a field of [`scene::BuildSettings`] and its control in
+//!   `www/features/build/settings-form.ts`. The edit `SetBuild` stores it in the scene; the page's
+//!   second worker passes it to `web::jobs::build`, which calls [`fabricate::Build::new`].
+//! - A question of the page: a method in `web/worker`, such as `verdict` in `web/worker/lists`, whose
+//!   types wasm-bindgen writes; and its use in the page, `ask.verdict(tolerance)` of
+//!   `www/solver/solver-client.ts`. What takes long is a method in `web/jobs`, for the second worker
+//!   (`www/solver/jobs-client.ts`).
+//! - A setting of the solver: a declaration in [`session::SETTINGS`]. Hosts build their controls from
+//!   that list.
+//! - An operator: a file in `constraint/kinds`, and a line in the list there. See [`constraint`].
+//!
 //! # From a shape to parts
 //!
 //! [`fabricate`] takes a mesh and settings (the key `build` of a scene), and needs no
-//! solver. The command line calls it with the shape of a scene; the page in a worker of its own
+//! solver. The command line calls it with the shape of a scene; the page in the second worker
 //! (`www/features/build`), so that iterations do not wait for it. Both write the same bytes, and say
 //! the same words (`fabricate/build_words`).
 //!

@@ -32,10 +32,9 @@
 mod points;
 
 use super::declaration::{Arity, Centring};
-use super::fitted::Fitted;
 use super::kinds::{Kind, KindVisitor};
+use super::projection::{Fitted, Reference, Row};
 use super::projection::{Projection, project_with};
-use super::reference::{Reference, Row};
 use crate::math::{LANES, Lane, Lanes, Vec3, argsort, centre, key_of_pair};
 use crate::mesh::Ragged;
 

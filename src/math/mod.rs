@@ -1,41 +1,60 @@
 //! Small dense mathematics, used by all other modules. Only `+ - * / sqrt`, and `libm` for angles,
 //! so that all platforms give the same bits.
 //!
-//! | file or folder | holds |
+//! | file | holds |
 //! |---|---|
-//! | `vector` | lanes, and 3-vectors of lanes |
-//! | `eigen` | eigenvectors, principal axes and singular values of 3x3 matrices |
-//! | `fit` | closest rotations, fitted circles and spheres, numbers with a given product |
-//! | `polygon` | sides and corners of polygons, regular polygons |
+//! | `lane`, `register` | one scalar, or the same scalar of several constraints side by side |
+//! | `vec3` | 3-vectors of lanes |
+//! | `symmetric3`, `eigenvector` | symmetric 3x3 matrices in lanes, and their eigenvectors in closed form |
+//! | `principal`, `singular` | principal axes and singular values, accurate for every input |
+//! | `dense` | eigenvectors and orthonormal vectors of any size |
+//! | `alignment`, `orthogonal_pair` | the closest rotation and scale, the closest square frame |
+//! | `round`, `round_within`, `circle_fit` | fitted circles and spheres |
+//! | `product` | the closest numbers with a given product |
+//! | `polygon`, `unit_polygon` | sides and corners of polygons, regular polygons |
 //! | `plane` | points and vectors of the plane, area of a polygon |
-//! | `angle`, `turns` | angles between directions; sine and cosine |
-//! | `cube_root` | the cube root |
+//! | `elementary` | angles, sine and cosine, cube root |
 //! | `cubic` | a segment of a cubic curve, and its closest point |
-//! | `argsort` | sorting by integer keys |
-//! | `marks` | marked elements of a list |
+//! | `indices` | sorting by integer keys, marked elements |
 
-mod angle;
-mod argsort;
-mod cube_root;
+mod alignment;
+mod circle_fit;
 mod cubic;
-mod eigen;
-mod fit;
-mod marks;
+mod dense;
+mod eigenvector;
+mod elementary;
+mod indices;
+mod lane;
+mod orthogonal_pair;
 pub mod plane;
 mod polygon;
-mod turns;
-mod vector;
+mod principal;
+mod product;
+mod register;
+mod round;
+mod round_within;
+mod singular;
+mod symmetric3;
+mod unit_polygon;
+mod vec3;
 
-pub use angle::angle;
-pub use argsort::{argsort, key_of_number, key_of_pair, sort_by_number};
-pub use cube_root::cube_root;
+pub use alignment::Alignment;
+pub use circle_fit::{CircleFit, PrincipalCircle};
 pub use cubic::Cubic;
-pub use eigen::{Eigenvector, PrincipalAxes, Scatter, SingularValues, Symmetric3, symmetric_eigen};
-pub use fit::{
-    Alignment, CircleFit, OrthogonalPair, PrincipalCircle, PrincipalRound, Round, RoundWithin,
+pub use dense::{orthonormalise, symmetric_eigen};
+pub use eigenvector::Eigenvector;
+pub use elementary::{angle, cosine, cosine_and_sine_of_degrees, cube_root, sine};
+pub use indices::{argsort, key_of_number, key_of_pair, marked, sort_by_number};
+pub use lane::{LANES, Lane, Lanes, Pair};
+pub use orthogonal_pair::OrthogonalPair;
+pub use polygon::{plane_frame, polygon_corners, polygon_sides, twice_vector_area};
+pub use principal::PrincipalAxes;
+pub use product::{
     pair_with_product, pair_with_product_robust, triple_with_product, triple_with_product_robust,
 };
-pub use marks::marked;
-pub use polygon::{UnitPolygon, plane_frame, polygon_corners, polygon_sides, twice_vector_area};
-pub use turns::{cosine, cosine_and_sine_of_degrees, sine};
-pub use vector::{LANES, Lane, Lanes, Pair, Vec3, centre, in_range, largest_coordinate};
+pub use round::Round;
+pub use round_within::{PrincipalRound, RoundWithin};
+pub use singular::SingularValues;
+pub use symmetric3::{Scatter, Symmetric3};
+pub use unit_polygon::UnitPolygon;
+pub use vec3::{Vec3, centre, in_range, largest_coordinate};

@@ -58,7 +58,7 @@ pub struct Slide {
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub notes: String,
     /// Camera: pivot, distance, turn, tilt, and whether the model is framed
-    /// ([`crate::view::state::saved_camera`]).
+    /// ([`crate::view::state::navigate`]).
     #[serde(default, deserialize_with = "fixed", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number[]"))]
     pub camera: Option<[f64; 7]>,

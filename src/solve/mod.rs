@@ -12,13 +12,11 @@
 //! | `assemble` | the normal matrix `Q^T Q` in compressed columns |
 //! | `system` | the linear system of the global step: matrix, factor, and when each is computed |
 //! | `gliding` | boundary vertices that stay exactly on their curve |
-//! | `parts` | the components of a solver, built from a problem |
+//! | `parts` | the components of a solver, built from a problem, and what the next solver can take over |
 //! | `solver` | the iteration |
 //! | `exact` | hard constraints: met exactly or within a tolerance |
 //! | `variation` | changes of a shape that keep its hard constraints met |
 //! | `accelerate` | steps that use previous steps |
-//! | `setup_cache` | the data that one solver passes to the next |
-//! | `rest_projections` | projections at the rest shape, without a solver |
 //! | `conformal` | conformal parametrisation (Eq. 14) |
 //! | `clock` | the clock for reports |
 
@@ -33,10 +31,8 @@ mod gliding;
 mod local_frame;
 mod parts;
 mod problem;
-mod rest_projections;
 mod rows;
 mod settings;
-mod setup_cache;
 mod solver;
 mod system;
 mod variation;
@@ -45,19 +41,20 @@ pub use assemble::Terms;
 pub use conformal::{
     ConformalNorm, ConformalSeconds, ConformalWeights, FewerFlips, Parametrization,
 };
+
 pub use energy::{Constraints, Energy, Handle, HandleIndex, Hold, IterateSeconds};
 pub use error::SolveError;
 pub use exact::{
     Exact, ExactAnswer, Improved, Moved, Require, Requirements, Stage, Unmet, exact_tolerance,
     farthest, least_move,
 };
+pub use parts::{SetupCache, rest_projections};
 pub use problem::Problem;
-pub use rest_projections::rest_projections;
+
 pub use settings::{
     Accelerator, BoundaryCloseness, BoundaryRequire, ClosenessTo, SHORTEST_EDGE, Smoothness,
     SmoothnessOf, SolverSettings, Weighting, Weights,
 };
-pub use setup_cache::SetupCache;
 pub use solver::Solver;
 pub use system::{SetUpSeconds, System};
 pub use variation::{Reached, SLIDE, ShapeSpace, Variation};

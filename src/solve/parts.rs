@@ -1,20 +1,23 @@
 //! The components of a solver: the energies of a problem, the system of their global step, and the
 //! nodes that are not unknowns.
+//!
+//! What depends only on the mesh and the pattern of the matrix is kept for the next solver on the
+//! same mesh.
 
 use super::assemble::Terms;
 use super::clock;
 use super::energy::{
-    CloseEnergy, Energies, Handle, Hold, PositionalConstraints, RestShape, ShapeEnergy,
-    SmoothEnergy, pins, smooth_terms,
+    CloseEnergy, Constraints, Energies, Handle, Hold, PositionalConstraints, RestShape,
+    ShapeEnergy, SmoothEnergy, pins, smooth_terms,
 };
 use super::gliding::Gliding;
 use super::local_frame::{centre_and_extent, relative, rest_surface};
 use super::problem::Problem;
 use super::settings::{BoundaryRequire, SmoothnessOf};
-use super::setup_cache::SetupCache;
 use super::system::System;
-use crate::constraint::{Reference, Row};
+use crate::constraint::{Projected, Reference, Row};
 use crate::mesh::{Mesh, Point, Surface};
+use crate::sparse::SymbolicAnalysis;
 use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -243,4 +246,46 @@ fn hold_both_sides(system: &System, held: &mut [bool]) {
     for (&component, held) in components.iter().zip(held) {
         *held |= sides[component as usize] == [true; 2];
     }
+}
+
+/// The rest surface, and the symbolic analysis of the last normal matrix.
+#[derive(Clone, Default)]
+pub struct SetupCache {
+    /// Relative to the centre of the model; computed on first use.
+    pub(super) surface: OnceCell<Rc<Surface>>,
+    pub(super) analysis: Option<Rc<SymbolicAnalysis>>,
+    /// The target surface of closeness with its mesh, relative to the same centre.
+    pub(super) target: Option<(Rc<Mesh>, Rc<Surface>)>,
+}
+
+impl SetupCache {
+    /// Returns the surface of `target`, computed unless the previous solver had the same target.
+    pub(super) fn surface_of(&mut self, target: &Rc<Mesh>, centre: Point) -> Rc<Surface> {
+        let known = self.target.take().filter(|(mesh, _)| Rc::ptr_eq(mesh, target));
+        let (mesh, surface) =
+            known.unwrap_or_else(|| (Rc::clone(target), Rc::new(rest_surface(target, centre))));
+        self.target = Some((mesh, Rc::clone(&surface)));
+        surface
+    }
+}
+
+/// Calls `each` with the vertices of every constraint and the displacements to their projected
+/// points, at the rest shape of `mesh` and in its unit. Kinds take their rest shape from the
+/// `pose`, `#V by 3`, if given.
+pub fn rest_projections(
+    mesh: &Mesh,
+    pose: Option<&[Point]>,
+    constraints: &[Constraints],
+    mut each: impl FnMut(&Projected),
+) {
+    let (centre, _) = centre_and_extent(mesh);
+    let rows = |positions: &[Point]| -> Vec<Row> {
+        positions.iter().map(|&point| relative(point, centre)).collect()
+    };
+    let (rest, pose) = (rows(&mesh.positions), pose.map(rows));
+    let own_nodes: Vec<u32> = (0..rest.len() as u32).collect();
+    let surface = || Rc::new(rest_surface(mesh, centre));
+    let reference = Reference { surface: &surface, pose: pose.as_deref() };
+    let mut energy = ShapeEnergy::new(constraints, &own_nodes, &rest, false, &reference);
+    energy.projected(&rest, |_, points| each(points));
 }

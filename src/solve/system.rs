@@ -12,6 +12,9 @@
 //! set_coefficients    any -> Unknown
 //! ```
 
+#[cfg(test)]
+mod tests;
+
 use super::assemble::{Assembler, Terms, structure};
 use super::clock;
 use super::error::SolveError;
@@ -342,6 +345,3 @@ impl System {
         self.fixed.iter().for_each(|&node| gradient[node as usize] = [0.0; 4]);
     }
 }
-
-#[cfg(test)]
-mod tests;

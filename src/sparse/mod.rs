@@ -14,18 +14,16 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `matrix` | the types of matrices and right-hand sides, the criterion for positive pivots |
-//! | `order` | the fill-reducing permutation: approximate minimum degree, then a postorder |
+//! | `matrix` | the types of matrices and right-hand sides, positive pivots, the two precisions |
 //! | `elimination_tree` | the elimination tree, its postorder, and the column counts of `L` |
 //! | `supernodes` | runs of columns of `L` with the same rows, and these rows |
-//! | `analysis` | symbolic analysis of a pattern: permutation, supernodes, components |
-//! | `simplicial` | the numeric factor of `sprs-ldl` |
+//! | `analysis` | symbolic analysis of a pattern: fill-reducing order, supernodes, components |
 //! | `dense`, `supernodal` | the supernodal numeric factor, and its dense kernels |
-//! | `scalar`, `panels` | the factor in dense panels of either precision, and the triangular sweeps |
+//! | `panels` | the factor in dense panels of either precision, and the triangular sweeps |
 //! | `blocks` | matrices of 3 by 3 blocks in the pattern of a scalar one, and their factor |
 //! | `rank_one` | updates of the factor after one diagonal entry has grown |
 //! | `f32_factor` | panels in single precision, with the scaling that they need |
-//! | `factor` | the choice between the numeric factorisations, and the panels that they fill |
+//! | `factor` | the choice between the numeric factorisations, that of `sprs-ldl`, and the panels that both fill |
 
 mod analysis;
 mod blocks;
@@ -34,11 +32,8 @@ mod elimination_tree;
 mod f32_factor;
 mod factor;
 mod matrix;
-mod order;
 mod panels;
 mod rank_one;
-mod scalar;
-mod simplicial;
 mod supernodal;
 mod supernodes;
 

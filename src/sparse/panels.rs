@@ -5,7 +5,7 @@
 //! together. Rows of `x` are padded to four values: one 128-bit register in single precision, two
 //! in double.
 
-use super::scalar::Scalar;
+use super::matrix::Scalar;
 use super::supernodal::Front;
 use super::supernodes::Supernodes;
 use sprs::CsMatViewI;

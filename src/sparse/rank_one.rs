@@ -6,8 +6,8 @@
 //! downdate) is not; the matrix is then factored again.
 
 use super::elimination_tree::NONE;
+use super::matrix::Scalar;
 use super::panels::{MOST_COLUMNS, Panels};
-use super::scalar::Scalar;
 
 /// A change of the row and column of an unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,9 +3,10 @@
 //!
 //! [`state`] and the modules that it builds on hold the displayed mesh, the camera, and what is
 //! picked or marked. They need no GPU, so that native tests can check them. [`gpu`] turns a state
-//! into draw calls and is compiled for the browser only. [`svg`] draws the lines of a state for print.
+//! into draw calls and is compiled for the browser only. [`line_drawing`] draws the lines of a
+//! state for print.
 //!
-//! | folder | holds |
+//! | file or folder | holds |
 //! |---|---|
 //! | `model` | the mesh as it is drawn |
 //! | `camera` | the camera |
@@ -14,8 +15,8 @@
 //! | `gizmo` | arrows and squares for dragging handles |
 //! | `overlay` | ghost, ground, scale bar |
 //! | `state` | the state that determines a picture, and what has changed since the last one |
-//! | `side_by_side` | the model, and its flat map beside it on one canvas |
-//! | `svg` | the line drawing for print |
+//! | `pictures`, `flat_map` | the model, and its flat map beside it on one canvas |
+//! | `line_drawing` | the line drawing for print, as SVG |
 //! | `gpu` | pictures with wgpu |
 //!
 //! Positions arrive as `f64` in file coordinates. The view subtracts the centre of the first
@@ -24,11 +25,12 @@
 
 pub mod appearance;
 pub mod camera;
+pub mod flat_map;
 pub mod gizmo;
 pub mod gpu;
+pub mod line_drawing;
 pub mod model;
 pub mod overlay;
 pub mod picking;
-pub mod side_by_side;
+pub mod pictures;
 pub mod state;
-pub mod svg;

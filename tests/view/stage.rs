@@ -2,8 +2,8 @@
 
 use glam::{DVec3, Vec2, Vec3};
 use shape_up::view::camera::UpAxis;
+use shape_up::view::flat_map::{flat_map, follow, show_flipped};
 use shape_up::view::gizmo::DragDirection;
-use shape_up::view::side_by_side::{flat_map, follow, show_flipped};
 use shape_up::view::state::{Changes, Outline, RegionMode, ViewState};
 
 const CANVAS: Vec2 = Vec2::new(900.0, 600.0);

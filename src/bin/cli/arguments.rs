@@ -1,8 +1,9 @@
 //! Parser of the commands and their arguments.
 
-use super::meshes::edit::{self, Remesh};
-use super::meshes::new_mesh::{self, New};
+use super::edit::Remesh;
+use super::new_mesh::New;
 use super::words::{Word, Words};
+use crate::cli::{edit, new_mesh};
 use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
 use shape_up::scene::{Accelerator, BoundaryCloseness, UNITS};
 use shape_up::scene::{OffsetKind, Page, Pieces, Product};

@@ -1,6 +1,6 @@
 //! `shape-up build`: panels on sheets, the build check, and their files.
 
-use super::folder::MadeFolders;
+use super::output::MadeFolders;
 use super::{Failure, arguments, input, output};
 use shape_up::fabricate::{
     Build, BuildFile, BuildReport, BuildWords, CardWords, CheckRow, CheckWords, FrameReport,

@@ -1,6 +1,6 @@
 //! `shape-up examples`: lists the examples, or writes their scenes and models.
 
-use super::folder::MadeFolders;
+use super::output::MadeFolders;
 use super::{Failure, output};
 use shape_up::generate::example::example_files;
 use shape_up::generate::example::{EXAMPLES, Example};

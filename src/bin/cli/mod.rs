@@ -6,29 +6,28 @@
 //! | `words` | lexer of the command line: files, options and their values |
 //! | `usage` | the usage text |
 //! | `input` | reading of mesh and scene files |
-//! | `output` | atomic writing of files, and standard output |
-//! | `folder` | output folders |
-//! | `meshes` | the commands `new`, `edit` and `refine`, and mesh files of sessions |
-//! | `solve`, `build`, `check`, `parametrize`, `examples`, `experiment` | the commands of these names |
+//! | `output` | atomic writing of files, mesh files of sessions, output folders, and standard output |
+//! | `solve`, `build`, `check`, `edit`, `refine`, `parametrize`, `examples`, `experiment` | the commands of these names |
+//! | `new_mesh` | the command `new` |
 //! | `results` | `check` of students' results |
 
 mod arguments;
 mod build;
 mod check;
+mod edit;
 mod examples;
 mod experiment;
-mod folder;
 mod input;
-mod meshes;
+mod new_mesh;
 mod output;
 mod parametrize;
+mod refine;
 mod results;
 mod solve;
 mod usage;
 mod words;
 
 use arguments::Command;
-use meshes::{edit, new_mesh, refine};
 use std::ffi::OsString;
 use std::process::ExitCode;
 

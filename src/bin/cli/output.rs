@@ -1,12 +1,17 @@
-//! Output: atomic writing of files, text on standard output, and the form of tables.
+//! Output: atomic writing of files, mesh files of sessions with the format by extension (Medit,
+//! else OBJ), an output folder that is removed if it stays empty, text on standard output, and the
+//! form of tables.
 
 use super::Failure;
+use crate::cli::input;
 use serde::Serialize;
-use shape_up::mesh::{Circularity, Planarity};
+use shape_up::mesh::{Circularity, Mesh, Planarity, Weld, write_medit};
+use shape_up::session::Session;
 use shape_up::words;
-use std::fs::{self, OpenOptions};
-use std::io::{self, Write};
+use std::fs::OpenOptions;
+use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 /// Writes all files, or none in part: each is written under a temporary name beside its
 /// destination, and all are renamed once all are complete.
@@ -135,4 +140,87 @@ pub(super) fn circularity(circularity: &Circularity, units: &str, tolerance: f64
         words::length_like(circularity.max_distance, units, tolerance),
         words::length_like(circularity.mean_distance, units, tolerance)
     )
+}
+
+/// Returns the text of the file `path`, with the original vertices and faces of a welded mesh.
+pub(super) fn mesh_text(path: &Path, session: &Session, weld: Option<&Weld>) -> String {
+    let now = session.positions();
+    match (is_medit(path), weld) {
+        (false, None) => session.obj(),
+        (false, Some(weld)) => session.obj_unwelded(weld),
+        (true, None) => write_medit(&Mesh { positions: now, ..session.mesh().clone() }),
+        (true, Some(weld)) => {
+            let positions = weld.original_positions(&session.mesh().positions, &now);
+            write_medit(&Mesh { positions, ..weld.original.clone() })
+        }
+    }
+}
+
+/// Adds to `files` the changed mesh of a session or, if the name ends in .json, the scene with the
+/// mesh. Returns a remark on parts that the format cannot represent.
+pub(super) fn write_changed<'a>(
+    path: &'a Path,
+    session: &Session,
+    files: &mut Vec<(&'a Path, String)>,
+) -> Option<String> {
+    if input::is_scene(path) {
+        files.push((path, session.scene_with_mesh()));
+        return None;
+    }
+    files.push((path, mesh_text(path, session, None)));
+    left_out(path, session.mesh())
+}
+
+/// Returns a remark on the parts of the mesh that the format of `path` cannot represent, if any.
+pub(super) fn left_out(path: &Path, mesh: &Mesh) -> Option<String> {
+    let larger = mesh.faces.iter().filter(|face| face.len() > 4).count();
+    let (format, parts) = if is_medit(path) {
+        let faces = (larger, "face of more than four corners", "faces of more than four corners");
+        let curves = (mesh.curves.len(), "curve", "curves");
+        ("Medit", vec![faces, curves, (mesh.groups.len(), "group", "groups")])
+    } else {
+        ("OBJ", vec![(mesh.tets.len(), "tetrahedron", "tetrahedra")])
+    };
+    let parts = parts.into_iter().filter(|(count, ..)| *count > 0);
+    let parts: Vec<_> = parts.map(|(count, one, many)| words::count(count, one, many)).collect();
+    let parts = (!parts.is_empty()).then(|| parts.join(", "))?;
+    Some(format!("{} is {format}, which cannot store {parts}", path.display()))
+}
+
+fn is_medit(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("mesh"))
+}
+
+/// Folders made for output. On drop, those that are empty are removed.
+pub(super) struct MadeFolders(Vec<PathBuf>);
+
+impl MadeFolders {
+    /// Makes a folder and its missing ancestors.
+    ///
+    /// # Errors
+    /// If the folder cannot be made.
+    pub(super) fn make(folder: &Path) -> Result<MadeFolders, Failure> {
+        let missing = folder
+            .ancestors()
+            .take_while(|path| !path.as_os_str().is_empty() && !path.exists())
+            .map(Path::to_owned);
+        // Recorded first, so that they are removed even if only some can be made.
+        let made = MadeFolders(missing.collect());
+        fs::create_dir_all(folder).map_err(|error| {
+            Failure::Input(format!(
+                "{}: cannot be made: {error}, expected the name of a folder",
+                folder.display()
+            ))
+        })?;
+        Ok(made)
+    }
+}
+
+impl Drop for MadeFolders {
+    fn drop(&mut self) {
+        for folder in &self.0 {
+            // Fails for a folder with contents, which is kept.
+            let _ = fs::remove_dir(folder);
+        }
+    }
 }

@@ -1,7 +1,6 @@
 //! `shape-up solve`: solves a scene or a mesh, optionally with a kind of panels on every face.
 
 use super::arguments::Solve;
-use super::meshes::mesh_file;
 use super::{Failure, input, output};
 use shape_up::constraint::describe;
 use shape_up::session::Error;
@@ -74,8 +73,8 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
 
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(path) = &command.out {
-        files.push((path, mesh_file::text(path, &session, weld.as_ref())));
-        remarks.extend(mesh_file::left_out(path, session.mesh()));
+        files.push((path, output::mesh_text(path, &session, weld.as_ref())));
+        remarks.extend(output::left_out(path, session.mesh()));
     }
     if let Some(path) = &command.report {
         files.push((path, output::json(&report)));

@@ -15,9 +15,9 @@ mod shared;
 pub use registry::KindVisitor;
 
 use super::declaration::Info;
+use super::declaration::TargetShape;
 use super::parameter::{self, KindError};
 use super::projection::Projection;
-use super::target_shape::TargetShape;
 use crate::math::Vec3;
 
 kinds! {

@@ -1,10 +1,10 @@
-//! Limits of a non-negative quantity, such as a scale, a length or a radius.
+//! Limits of a non-negative quantity, such as a scale, a length or a radius, or of an angle.
 //!
 //! In JSON one number for an exact value, or an array of two, each a number or null for no limit.
 
-use crate::math::Lane;
-use serde::de::{self, Deserializer, SeqAccess, Visitor};
-use serde::{Deserialize, Serialize, Serializer};
+use crate::math::{Lane, cosine_and_sine_of_degrees};
+use serde::de::{Deserializer, SeqAccess, Visitor};
+use serde::{Deserialize, Serialize, Serializer, de};
 use std::fmt;
 
 /// Least and greatest value; none for no limit.
@@ -122,5 +122,39 @@ impl Visitor<'_> for LimitFrom {
             return Ok(Some(value + 0.0));
         }
         Err(E::custom(format_args!("found {value}, expected {}", &self as &dyn de::Expected)))
+    }
+}
+
+/// In JSON one number, or an array of two, each a number or null for no limit, in degrees. The
+/// upper bound of 180 is checked by the declaration of the parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct AngleRange {
+    degrees: Limits,
+    /// Cosine and sine of the least angle.
+    pub(crate) least: [f64; 2],
+    /// Cosine and sine of the greatest angle.
+    pub(crate) greatest: [f64; 2],
+    /// Whether both limits are equal.
+    pub(crate) is_one_angle: bool,
+}
+
+impl AngleRange {
+    /// Makes a range from limits in degrees.
+    pub(crate) fn of(degrees: Limits) -> AngleRange {
+        let ends = degrees.ends().map(|end| end.min(180.0));
+        let [least, greatest] = ends.map(cosine_and_sine_of_degrees);
+        AngleRange { degrees, least, greatest, is_one_angle: ends[0] == ends[1] }
+    }
+}
+
+impl Serialize for AngleRange {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.degrees.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for AngleRange {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Limits::deserialize(deserializer).map(AngleRange::of)
     }
 }

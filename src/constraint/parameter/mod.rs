@@ -1,26 +1,171 @@
-//! Parameters of kinds: declaration, deserialisation, and value types of several kinds.
-//!
-//! | file | holds |
-//! |---|---|
-//! | `declaration` | key, unit, default, forms and range of a parameter |
-//! | `range` | range checks of numbers |
-//! | `kind_error` | errors of a kind or a parameter |
-//! | `limits`, `angle_range` | a number or a range, of amounts or angles |
-//! | `target` | an amount, given or as at rest |
-//! | `direction` | a direction in space |
+//! Parameters of kinds: declaration (key, unit, default, forms and range), checks, and value types
+//! shared by several kinds.
 
-mod angle_range;
-mod declaration;
 mod direction;
-mod kind_error;
 mod limits;
-mod range;
 mod target;
 
-pub(crate) use angle_range::AngleRange;
-pub use declaration::{Form, Param, ParamValue};
 pub(crate) use direction::Direction;
-pub use kind_error::KindError;
-pub(crate) use limits::Limits;
-pub(crate) use range::check_ranges;
+pub(crate) use limits::{AngleRange, Limits};
 pub(crate) use target::Target;
+
+use crate::json::JsonError;
+use serde::Serialize;
+use serde_json::Value;
+
+/// The declaration of a parameter of a kind.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct Param {
+    /// The key in scene files.
+    pub id: &'static str,
+    /// The name on the page.
+    pub label: &'static str,
+    /// `"length"`, `"area"`, `"volume"`, `"degrees"`, or empty for a plain number.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "\"length\" | \"area\" | \"volume\" | \"degrees\" | \"\"")
+    )]
+    pub unit: &'static str,
+    /// The value when the key is absent.
+    pub default: ParamValue,
+    /// The accepted forms, including that of the default.
+    pub forms: &'static [Form],
+    /// Least and greatest number, which also bound the ends of a range. Infinity is null in JSON.
+    pub range: [f64; 2],
+}
+
+/// The range of parameters with unlimited numbers, or none.
+const UNLIMITED: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+impl Param {
+    /// A number in a range.
+    pub(crate) const fn number(
+        id: &'static str,
+        label: &'static str,
+        unit: &'static str,
+        default: f64,
+        range: [f64; 2],
+    ) -> Param {
+        let default = ParamValue::Number(default);
+        Param { id, label, unit, default, forms: &[Form::Number], range }
+    }
+
+    /// A number, or a lower and an upper limit, in a range.
+    pub(crate) const fn limits(
+        id: &'static str,
+        label: &'static str,
+        unit: &'static str,
+        default: f64,
+        range: [f64; 2],
+    ) -> Param {
+        let forms = &[Form::Number, Form::Range];
+        Param { forms, ..Param::number(id, label, unit, default, range) }
+    }
+
+    /// One of several words.
+    pub(crate) const fn word(
+        id: &'static str,
+        label: &'static str,
+        default: &'static str,
+        words: &'static [Form],
+    ) -> Param {
+        let default = ParamValue::Word(default);
+        Param { id, label, unit: "", default, forms: words, range: UNLIMITED }
+    }
+
+    /// A direction, by default the best fit.
+    pub(crate) const fn direction(id: &'static str, label: &'static str) -> Param {
+        let forms = &[Form::Nothing, Form::Vector];
+        let default = ParamValue::Nothing;
+        Param { id, label, unit: "", default, forms, range: UNLIMITED }
+    }
+
+    /// A radius, by default the best fit.
+    pub(crate) const RADIUS: Param = Param {
+        id: "radius",
+        label: "Radius",
+        unit: "length",
+        default: ParamValue::Nothing,
+        forms: &[Form::Nothing, Form::Number, Form::Range],
+        range: [0.0, f64::INFINITY],
+    };
+}
+
+/// A form that the value of a parameter may have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[serde(rename_all = "kebab-case")]
+pub enum Form {
+    /// One number.
+    Number,
+    /// A lower and an upper limit, each null for no limit.
+    Range,
+    /// Three numbers, not all zero: a direction.
+    Vector,
+    /// This word.
+    Word(&'static str),
+    /// Null: the best fit.
+    Nothing,
+}
+
+/// The value of a parameter, as written in JSON.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[serde(untagged)]
+pub enum ParamValue {
+    /// See [`Form::Number`].
+    Number(f64),
+    /// See [`Form::Range`].
+    Range([Option<f64>; 2]),
+    /// See [`Form::Vector`].
+    Vector([f64; 3]),
+    /// See [`Form::Word`].
+    Word(&'static str),
+    /// See [`Form::Nothing`].
+    Nothing,
+}
+
+/// Checks that the numbers among the values of `params` are in their declared ranges.
+pub(crate) fn check_ranges(params: &[Param], values: &Value) -> Result<(), KindError> {
+    for param in params {
+        let [least, greatest] = param.range;
+        let check = |value: &Value, path: String| match value.as_f64() {
+            Some(number) if !(least..=greatest).contains(&number) => {
+                let message = match greatest {
+                    f64::INFINITY => format!("found {number}, expected a number from {least}"),
+                    _ => format!("found {number}, expected a number from {least} to {greatest}"),
+                };
+                Err(KindError::Params { path, message })
+            }
+            _ => Ok(()),
+        };
+        match &values[param.id] {
+            Value::Array(several) => (0..)
+                .zip(several)
+                .try_for_each(|(i, value)| check(value, format!("{}[{i}]", param.id)))?,
+            value => check(value, param.id.to_owned())?,
+        }
+    }
+    Ok(())
+}
+
+/// The error of [`Kind::new`](crate::constraint::Kind::new).
+#[derive(Clone, Debug, PartialEq)]
+pub enum KindError {
+    /// No kind has that id.
+    Unknown,
+    /// A parameter is unknown, missing or of the wrong type.
+    Params {
+        /// The JSON path below the constraint, such as `scale[0]`.
+        path: String,
+        /// The fault, and the expected value.
+        message: String,
+    },
+}
+
+impl From<JsonError> for KindError {
+    fn from(JsonError { path, message }: JsonError) -> KindError {
+        KindError::Params { path, message }
+    }
+}

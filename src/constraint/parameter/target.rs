@@ -1,7 +1,7 @@
 //! An amount, given or as at rest.
 
-use super::declaration::{Form, Param, ParamValue};
 use super::limits::Limits;
+use super::{Form, Param, ParamValue};
 use serde::de::{self, Deserializer, IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
 use std::fmt;

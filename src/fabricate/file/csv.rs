@@ -1,6 +1,6 @@
 //! Comma-separated values (RFC 4180): UTF-8, a header with units, a point as decimal mark.
 
-use super::number::places;
+use super::places;
 
 /// A table that grows by rows.
 #[derive(Clone, Debug)]

@@ -6,7 +6,7 @@
 //! written anyway.
 
 use super::drawing::{Drawing, DrawnLine};
-use super::number::six;
+use super::six;
 use crate::fabricate::sheet::Role;
 use crate::scene::Dxf;
 

@@ -2,7 +2,7 @@
 //! off, a ruler of 100 mm, and a request to print without scaling.
 
 use super::drawing::{Drawing, DrawnLine};
-use super::number::places;
+use super::places;
 use crate::fabricate::sheet::{FREE, OVERLAP, Role, Tile, strokes, text_width, tiles};
 use crate::math::plane::Point2;
 

@@ -3,7 +3,7 @@
 //! ignore. Each layer is a group, as in Inkscape.
 
 use super::drawing::{Drawing, DrawnLine};
-use super::number::places;
+use super::places;
 use crate::fabricate::sheet::Role;
 use crate::math::plane::Point2;
 

@@ -3,7 +3,8 @@
 //! these reflections must leave the axis unchanged.
 
 use crate::fabricate::surface::PanelSurface;
-use crate::math::{Vec3, argsort, key_of_number, symmetric_eigen};
+use crate::math::{Vec3, symmetric_eigen};
+use nalgebra::DMatrix;
 
 /// A 3 by 3 matrix.
 type Matrix = [[f64; 3]; 3];
@@ -119,7 +120,6 @@ fn closing_form(surface: &PanelSurface) -> [f64; 3] {
     if count > 0.0 {
         sum = sum.map(|row| row.map(|entry| entry / count));
     }
-    let values = symmetric_eigen(sum).0;
-    let order = argsort(values.iter().map(|value| key_of_number(*value)));
-    [0, 1, 2].map(|k| values[order[k] as usize])
+    let values = symmetric_eigen(&DMatrix::from_fn(3, 3, |r, c| sum[r][c])).0;
+    [values[2], values[1], values[0]]
 }

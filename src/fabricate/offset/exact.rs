@@ -5,6 +5,7 @@ use super::system::{System, identity_and_outer};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::{Vec3, symmetric_eigen};
 use crate::scene::OffsetKind;
+use nalgebra::DMatrix;
 
 /// The weight of a proximal step.
 const PROXIMAL: f64 = 1e-6;
@@ -109,21 +110,20 @@ pub(in crate::fabricate) fn can_be_exact(
 
 /// The minimum over `n` of the sum of `(N . n - 1)^2` over some unit normals `N`.
 fn cone_error(normals: &[Vec3<f64>]) -> f64 {
-    let mut matrix = [[0.0; 3]; 3];
+    let mut matrix = DMatrix::zeros(3, 3);
     let mut sum = Vec3::zero();
     for &normal in normals {
         let n = [normal.x, normal.y, normal.z];
         for r in 0..3 {
-            (0..3).for_each(|c| matrix[r][c] += n[r] * n[c]);
+            (0..3).for_each(|c| matrix[(r, c)] += n[r] * n[c]);
         }
         sum += normal;
     }
-    let (values, vectors) = symmetric_eigen(matrix);
-    let most = values.iter().copied().fold(0.0, f64::max);
+    let (values, vectors) = symmetric_eigen(&matrix);
     let mut axis = Vec3::zero();
-    for (value, direction) in values.into_iter().zip(vectors) {
-        if value > ONE_PLANE * most {
-            let direction = Vec3::from(direction);
+    for (value, direction) in values.iter().zip(vectors.column_iter()) {
+        if *value > ONE_PLANE * values[0] {
+            let direction = Vec3::new(direction[0], direction[1], direction[2]);
             axis += direction * (direction.dot(sum) / value);
         }
     }

@@ -6,28 +6,141 @@
 //! surfaces* (2006); Pottmann, Liu, Wallner, Bobenko, Wang, *Geometry of multi-layer freeform structures for
 //! architecture* (2007), which has the three kinds of offsets.
 //!
-//! | file | holds |
-//! |---|---|
-//! | `system` | the sparse system of 3 by 3 blocks of one step |
-//! | `axes` | node axes: the exact ones, else the least-squares fit |
-//! | `newton` | the least-squares fit |
-//! | `exact` | the exact pass, and whether it is worthwhile |
-//! | `closing` | why corner offsets are not exact: turns around panels and holes |
-//! | `check` | the numbers that show whether an offset can be built |
-//! | `choice` | the errors by which kinds are compared |
+//! Node axes: exact ones if there are any, else a least-squares fit.
+//!
+//! With `P_e x = x - (x . t_e) t_e`, the fit minimises
+//!
+//! ```text
+//! E(n) = sum_e |P_e (n_j - n_i)|^2 + D(n) + mu sum_i |n_i - N_i|^2
+//! corner  D = sum_i (|n_i| - 1)^2
+//! face    D = sum over corners (i, f) of (N_f . n_i - 1)^2
+//! edge    D = sum over edges, both ends, of (|P_e n_i| - 1)^2
+//! ```
+//!
+//! by Newton steps from `n = N`. With `u` the direction of `x` in the previous step, `(|x| - 1)^2`
+//! has the Hessian `u u' + c (I - u u')`, `c = 1 - 1 / |x|`. The second term maps `x` itself to
+//! zero, so it changes the Gauss-Newton matrix (of `u . x - 1`), but not its right-hand side. If
+//! `c < 0` makes the matrix indefinite, the term is dropped, and Gauss-Newton takes some more
+//! steps. All terms are dimensionless; `mu` trades flat beams for upright axes. The matrix is
+//! factored for long steps only: short steps are solved by conjugate gradients with the last
+//! factor.
+//!
+//! The exact pass is the limit `mu -> 0` without a choice of `mu`: ten proximal steps with one
+//! factor (corner and face). For corners it minimises `sum_e |n_j - R_e n_i|^2` with the
+//! reflections `R_e = I - 2 t_e t_e'` over unit vectors. Its matrix is a connection Laplacian; if
+//! the reflections close around all loops, its null vectors are the exact axes. Propagating an axis
+//! from vertex to vertex by `R_e` instead would twist the last beams by degrees on a mesh whose
+//! circles are off by a thousandth.
 
-mod axes;
 mod check;
-mod choice;
 mod closing;
 mod exact;
 mod newton;
 mod system;
 
-pub(super) use axes::axes_of;
-pub use axes::{Axes, exact, fit};
 pub use check::{BeamCheck, NodeCheck, OffsetCheck, check};
-pub use choice::Choice;
 pub use closing::{Closing, closing};
 pub(super) use exact::can_be_exact;
 pub(super) use system::across_edge;
+
+use crate::fabricate::surface::PanelSurface;
+use crate::math::Vec3;
+use crate::scene::OffsetKind;
+use check::{most_lean, within};
+use exact::exact_pass;
+use newton::{InitialAxes, StopWhen, descend};
+use serde::Serialize;
+use system::System;
+
+/// Largest additional lean of the exact axes over the largest lean of the fit, in degrees.
+const MOST_LEAN: f64 = 30.0;
+
+/// The axes of an offset.
+#[derive(Clone, Debug)]
+pub struct Axes {
+    /// Node axes (`#V`); zero at vertices of no panel.
+    pub axes: Vec<Vec3<f64>>,
+    /// The elements that keep their distance.
+    pub kind: OffsetKind,
+    /// Whether they come from the exact pass.
+    pub exact: bool,
+}
+
+/// For each kind the exact axes, if beam warp and distance error at the distance `depth` stay below
+/// `tolerance` and no axis leans much more than in the fit; else the fit.
+pub(in crate::fabricate) fn axes_of(
+    surface: &PanelSurface,
+    kinds: &[OffsetKind],
+    mu: f64,
+    depth: f64,
+    tolerance: f64,
+) -> Vec<Axes> {
+    let system = &mut System::new(surface);
+    let of = |&kind: &OffsetKind| {
+        let normals = surface.normals.clone();
+        let fitted = descend(system, surface, kind, mu, InitialAxes::At(normals), StopWhen::Still);
+        let exact = can_be_exact(surface, kind, depth, tolerance)
+            .then(|| exact_pass(system, surface, kind, (mu, fitted.clone())))
+            .filter(|exact| {
+                within(surface, exact, kind, depth, tolerance)
+                    && most_lean(surface, exact) <= most_lean(surface, &fitted) + MOST_LEAN
+            });
+        Axes { exact: exact.is_some(), axes: exact.unwrap_or(fitted), kind }
+    };
+    kinds.iter().map(of).collect()
+}
+
+/// The least-squares axes; `mu` is the weight of following the surface.
+pub fn fit(surface: &PanelSurface, kind: OffsetKind, mu: f64) -> Vec<Vec3<f64>> {
+    descend(
+        &mut System::new(surface),
+        surface,
+        kind,
+        mu,
+        InitialAxes::At(surface.normals.clone()),
+        StopWhen::Still,
+    )
+}
+
+/// The axes of the exact pass. On a mesh without exact axes the result is useless.
+pub fn exact(surface: &PanelSurface, kind: OffsetKind) -> Vec<Vec3<f64>> {
+    let system = &mut System::new(surface);
+    let fitted = match kind {
+        OffsetKind::Edge => descend(
+            system,
+            surface,
+            kind,
+            1.0,
+            InitialAxes::At(surface.normals.clone()),
+            StopWhen::Still,
+        ),
+        _ => surface.normals.clone(),
+    };
+    exact_pass(system, surface, kind, (1.0, fitted))
+}
+
+/// The errors that one kind of offset would have, to choose between kinds.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct Choice {
+    /// The kind.
+    pub kind: OffsetKind,
+    /// Whether it is exact.
+    pub exact: bool,
+    /// The beam warp in mm of the building.
+    pub warp_mm: f64,
+    /// The distance error in mm of the building.
+    pub distance_error_mm: f64,
+}
+
+impl Choice {
+    /// The errors of these axes; `building` is in mm of the building per unit of the mesh.
+    pub(in crate::fabricate) fn of(axes: &Axes, check: &OffsetCheck, building: f64) -> Choice {
+        Choice {
+            kind: axes.kind,
+            exact: axes.exact,
+            warp_mm: check.warp * building,
+            distance_error_mm: check.distance_error * building,
+        }
+    }
+}

@@ -2,7 +2,7 @@
 //! distances between corners, minimised over cyclic shifts and (if the sheet may be turned over)
 //! mirror images. It is zero exactly for congruent panels, and needs no fitting.
 
-use super::flat::FlatPanel;
+use super::FlatPanel;
 use super::polygon::perimeter;
 use crate::fabricate::alike::{Alike, Types};
 use crate::math::plane::{length, minus};

@@ -1,29 +1,111 @@
-//! Single panels: laid flat, with the joint subtracted, named, sorted into types.
-//!
-//! | file | holds |
-//! |---|---|
-//! | `plane` | least-squares planes |
-//! | `polygon` | polygons in the plane: perimeter, hull, the roomiest point for a label |
-//! | `flat` | a panel laid flat, with its errors |
-//! | `inset` | subtraction of the joint |
-//! | `name` | short, stable names of panels |
-//! | `triangles` | a polygon as triangles, shortest diagonals first |
-//! | `alike` | types of panels |
+//! Single panels: laid flat in their least-squares plane, counterclockwise seen from outside; with
+//! the joint subtracted, named, sorted into types.
 
 mod alike;
-mod flat;
 mod inset;
 mod name;
-mod plane;
 mod polygon;
 mod triangles;
 
 pub use alike::panel_types;
-pub use flat::{FlatPanel, lay_flat};
 pub use inset::inset;
 pub use name::panel_names;
-pub(super) use plane::plane_distance;
-pub(super) use polygon::smallest_box_within;
-pub(super) use polygon::{direction_of, distance_to_outline, sides};
+pub(super) use polygon::{direction_of, distance_to_outline, sides, smallest_box_within};
 pub use polygon::{hull, is_simple, perimeter, roomiest_point, smallest_box};
 pub(super) use triangles::{triangles, triangles_in_space, turn};
+
+use crate::fabricate::surface::PanelSurface;
+use crate::math::plane::Point2;
+use crate::math::{PrincipalAxes, Vec3};
+
+/// A panel in its plane. All lengths are in the unit of the mesh.
+#[derive(Clone, Debug)]
+pub struct FlatPanel {
+    /// Its corners, in the order of the surface.
+    pub corners: Vec<Point2>,
+    /// Origin of the plane, near the centre of the box. A corner `(x, y)` is at
+    /// `origin + x axes[0] + y axes[1]` in space.
+    pub origin: Vec3<f64>,
+    /// The axes of the plane.
+    pub axes: [Vec3<f64>; 2],
+    /// Largest distance of a corner from the plane.
+    pub flatness: f64,
+    /// Largest change of a distance between two corners.
+    pub flattening_error: f64,
+}
+
+/// With more corners than this, only neighbouring and opposite corners are compared.
+const MOST_CORNERS: usize = 200;
+
+/// Lays a panel flat; none if it has no area.
+pub fn lay_flat(surface: &PanelSurface, panel: u32) -> Option<FlatPanel> {
+    let outside = surface.normal(panel);
+    if outside == Vec3::zero() {
+        return None;
+    }
+    let face = surface.faces.row(panel as usize);
+    let points: Vec<Vec3<f64>> = face.iter().map(|&v| surface.at(v)).collect();
+    let plane = Plane::of(&points);
+    let normal = if plane.normal.dot(outside) < 0.0 { -plane.normal } else { plane.normal };
+    // x runs along the first edge.
+    let mut along = (1..points.len()).map(|k| points[k] - points[0]);
+    let x = along.find_map(|step| (step - normal * step.dot(normal)).length_and_direction().1)?;
+    let axes = [x, normal.cross(x)];
+    let flat = |point: &Vec3<f64>| {
+        let step = *point - plane.centre;
+        [step.dot(axes[0]), step.dot(axes[1])]
+    };
+    let corners: Vec<Point2> = points.iter().map(flat).collect();
+    let flattening_error = largest_change(&points, &corners);
+    Some(FlatPanel {
+        corners,
+        origin: plane.centre,
+        axes,
+        flatness: plane.distance,
+        flattening_error,
+    })
+}
+
+fn largest_change(points: &[Vec3<f64>], corners: &[Point2]) -> f64 {
+    let n = points.len();
+    let change = |i: usize, j: usize| {
+        let [x, y] = [corners[i][0] - corners[j][0], corners[i][1] - corners[j][1]];
+        ((points[i] - points[j]).length() - (x * x + y * y).sqrt()).abs()
+    };
+    let mut largest: f64 = 0.0;
+    for i in 0..n {
+        if n > MOST_CORNERS {
+            largest = largest.max(change(i, (i + 1) % n)).max(change(i, (i + n / 2) % n));
+        } else {
+            (i + 1..n).for_each(|j| largest = largest.max(change(i, j)));
+        }
+    }
+    largest
+}
+
+/// The least-squares plane of some points.
+#[derive(Clone, Copy, Debug)]
+struct Plane {
+    /// The mean of the points.
+    centre: Vec3<f64>,
+    /// Unit normal, of either sign.
+    normal: Vec3<f64>,
+    /// Largest distance of a point from the plane.
+    distance: f64,
+}
+
+impl Plane {
+    /// Fits a plane to at least one point. Collinear points get some plane through them.
+    fn of(points: &[Vec3<f64>]) -> Plane {
+        let mut own = points.to_vec();
+        let centre = crate::math::centre(&mut own);
+        let axes = PrincipalAxes::rotate(&mut own);
+        let distance = own.iter().map(|point| point.z.abs()).fold(0.0, f64::max) * axes.scale;
+        Plane { centre, normal: axes.axes[2], distance }
+    }
+}
+
+/// The largest distance of some points from their least-squares plane.
+pub(in crate::fabricate) fn plane_distance(points: &[Vec3<f64>]) -> f64 {
+    Plane::of(points).distance
+}

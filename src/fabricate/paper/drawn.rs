@@ -1,8 +1,8 @@
 //! A piece as a part to be cut: its outline with tabs, folds, and names on panels and on tabs.
 
-use super::model::{JointKind, PaperModel};
 use super::net::OutlineSide;
 use super::tab_name::place_on_tab;
+use super::{JointKind, PaperModel};
 use crate::fabricate::panel::{direction_of, smallest_box};
 use crate::fabricate::sheet::{CutPart, Inscription, label, strokes, upright};
 use crate::math::plane::{Point2, rotated};

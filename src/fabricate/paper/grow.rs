@@ -1,9 +1,8 @@
 //! Growth of pieces: folding a joint merges two pieces if they fit on the sheet together, do not
 //! overlap, and leave room for the tabs of the edges that stay open between them.
 
-use super::motion::Motion;
 use super::net::{OutlineSide, PaperNet};
-use super::overlap::{is_near, is_same_corner, overlaps};
+use super::plane::{Motion, is_near, is_same_corner, overlaps};
 use super::tab::tab;
 use crate::fabricate::panel::{hull, smallest_box};
 use crate::math::plane::{Point2, bounds};

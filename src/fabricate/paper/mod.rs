@@ -1,26 +1,11 @@
 //! Paper models: panels laid flat side by side as strips and nets, folded along their edges, and
 //! glued with tabs that are hidden behind the neighbour.
-//!
-//! | file | holds |
-//! |---|---|
-//! | `facet` | flat facets in mm and the joints between them; a panel that is not flat is creased |
-//! | `strip` | the order in which joints are folded: along strips, or by their fold angle |
-//! | `overlap` | whether convex polygons overlap |
-//! | `motion` | motions of the plane |
-//! | `net` | facets placed in the plane, piece by piece |
-//! | `tab` | hidden tabs, where they have room |
-//! | `tab_name` | the name on a tab |
-//! | `grow` | growth of pieces by folded joints |
-//! | `model` | the model: pieces with their tabs |
-//! | `drawn` | a piece as a part to be cut: outline, folds, names |
 
 mod drawn;
 mod facet;
 mod grow;
-mod model;
-mod motion;
 mod net;
-mod overlap;
+mod plane;
 mod strip;
 mod tab;
 mod tab_name;
@@ -28,7 +13,173 @@ mod tab_name;
 pub(super) use drawn::FLAT;
 pub use drawn::{MissingNames, drawn, write_names};
 pub use facet::{Facet, Joint};
-pub use model::{JointKind, PaperModel, PaperSize};
-pub use motion::Motion;
 pub use net::{OutlineSide, PaperNet};
+pub use plane::Motion;
 pub use tab::Tab;
+
+use crate::fabricate::panel::FlatPanel;
+use crate::fabricate::surface::PanelSurface;
+use crate::math::plane::Point2;
+use crate::math::sort_by_number;
+use crate::scene::Pieces;
+use facet::facets;
+use std::collections::BTreeMap;
+use strip::{Foldable, foldable};
+use tab::tab;
+
+/// Sizes in mm.
+#[derive(Clone, Copy, Debug)]
+pub struct PaperSize {
+    /// Millimetres of the sheet per unit of the mesh.
+    pub model: f64,
+    /// Largest size of a piece with its tabs.
+    pub room: [f64; 2],
+    /// The height of tabs; 0 for none.
+    pub tab: f64,
+}
+
+/// How a joint is made.
+#[derive(Clone, Copy, Debug)]
+pub enum JointKind {
+    /// Folded.
+    Folded,
+    /// Cut, with a tab on one of its sides.
+    Tab(Tab),
+    /// Cut, without room for a tab on either side.
+    Bare,
+}
+
+/// A paper model.
+#[derive(Clone, Debug)]
+pub struct PaperModel {
+    /// Facets, joints and their positions.
+    pub net: PaperNet,
+    /// How each joint is made.
+    pub joint_kinds: Vec<JointKind>,
+    /// The pieces of the net that have facets, sorted by their first facet.
+    pub pieces: Vec<u32>,
+    /// The panels beyond each side of a facet that has no joint because there are several of them, or
+    /// one that traverses the side in the same direction.
+    pub unpaired: BTreeMap<(u32, u32), Vec<u32>>,
+    /// Panels without facets, and the reasons.
+    pub without: Vec<(u32, &'static str)>,
+    /// Whether nets are made because strips were requested and there are no quads.
+    pub is_without_quads: bool,
+}
+
+impl PaperModel {
+    /// The paper model of a surface whose panels are laid `flat`.
+    pub fn new(
+        surface: &PanelSurface,
+        flat: &[Option<FlatPanel>],
+        pieces: Pieces,
+        size: PaperSize,
+    ) -> PaperModel {
+        let (facets, joints, without) = facets(surface, flat, size.model);
+        let order = foldable(surface, &joints, pieces);
+        let is_without_quads = order.is_none();
+        let order = order.or_else(|| foldable(surface, &joints, Pieces::Nets));
+        let unpaired = unpaired(surface, &facets);
+        let unfolded = PaperNet::new(facets, joints);
+        let mut net =
+            order.map_or_else(|| unfolded.clone(), |order| folded(&unfolded, &order, size));
+        let mut pieces: Vec<u32> =
+            (0..net.pieces.len() as u32).filter(|&p| !net.pieces[p as usize].is_empty()).collect();
+        net.pieces.iter_mut().for_each(|own| own.sort_unstable());
+        sort_by_number(&mut pieces, |&piece| u64::from(net.pieces[piece as usize][0]));
+        let joint_kinds = joint_kinds(&net, &pieces, size.tab);
+        PaperModel { net, joint_kinds, pieces, unpaired, without, is_without_quads }
+    }
+
+    /// The tab on a side.
+    pub fn tab(&self, side: (u32, u32)) -> Option<&Tab> {
+        let (joint, _) = self.net.across(side)?;
+        match &self.joint_kinds[joint as usize] {
+            JointKind::Tab(tab) if (tab.side.facet, tab.side.side) == side => Some(tab),
+            _ => None,
+        }
+    }
+
+    /// The tabs of a piece.
+    pub fn tabs(&self, piece: u32) -> impl Iterator<Item = &Tab> {
+        self.joint_kinds.iter().filter_map(move |kind| match kind {
+            JointKind::Tab(tab) if self.net.piece_of[tab.side.facet as usize] == piece => Some(tab),
+            _ => None,
+        })
+    }
+}
+
+/// The panels beyond the sides of facets without a joint.
+fn unpaired(surface: &PanelSurface, facets: &[Facet]) -> BTreeMap<(u32, u32), Vec<u32>> {
+    let mut found = BTreeMap::new();
+    for (own, f) in facets.iter().zip(0..) {
+        for ((side, joint), k) in own.panel_sides.iter().zip(&own.joints).zip(0..) {
+            let (Some(side), None) = (side, joint) else { continue };
+            let edge = surface.sides.row(own.panel as usize)[*side as usize];
+            let others: Vec<u32> = surface.others(edge, own.panel).collect();
+            if surface.edges[edge as usize].panels == [None; 2] && !others.is_empty() {
+                found.insert((f, k), others);
+            }
+        }
+    }
+    found
+}
+
+/// Folds all joints that are allowed and possible. Strips too long for the sheet are divided evenly
+/// if that makes no more pieces.
+fn folded(unfolded: &PaperNet, order: &Foldable, size: PaperSize) -> PaperNet {
+    let room = size.room.map(|side| side - 2.0 * size.tab);
+    let all = |cuts: &[bool]| {
+        let mut net = unfolded.clone();
+        for &joint in order.always.iter().chain(order.strips.iter().flatten()) {
+            if !cuts[joint as usize] {
+                net.fold(joint, room, size.tab);
+            }
+        }
+        net
+    };
+    let longest = all(&vec![false; unfolded.joints.len()]);
+    let cuts = order.even_cuts(&longest.folded);
+    if !cuts.contains(&true) {
+        return longest;
+    }
+    let even = all(&cuts);
+    let count = |net: &PaperNet| net.pieces.iter().filter(|own| !own.is_empty()).count();
+    if count(&even) <= count(&longest) { even } else { longest }
+}
+
+/// Chooses tabs: on the piece that comes first, or else on the other side.
+fn joint_kinds(net: &PaperNet, pieces: &[u32], tab_height: f64) -> Vec<JointKind> {
+    let mut place = vec![0; net.pieces.len()];
+    pieces.iter().enumerate().for_each(|(k, &piece)| place[piece as usize] = k);
+    let outlines: Vec<_> =
+        pieces.iter().map(|&piece| net.outline(piece).unwrap_or_default()).collect();
+    let mut taken: Vec<Vec<Vec<Point2>>> = pieces.iter().map(|&piece| net.convex(piece)).collect();
+    let mut found = Vec::new();
+    for (joint, &folded) in net.joints.iter().zip(&net.folded) {
+        if folded {
+            found.push(JointKind::Folded);
+            continue;
+        }
+        let mut sides =
+            joint.sides.map(|side| (place[net.piece_of[side.0 as usize] as usize], side));
+        // The piece that comes first is tried first.
+        if sides[1] < sides[0] {
+            sides.swap(0, 1);
+        }
+        let own =
+            sides.into_iter().filter(|_| tab_height > 0.0).find_map(|(piece, (facet, side))| {
+                let outline = &outlines[piece];
+                let k = outline.iter().position(|own| (own.facet, own.side) == (facet, side))?;
+                Some((piece, tab(net, outline, k, &taken[piece], tab_height)?))
+            });
+        found.push(match own {
+            Some((piece, tab)) => {
+                taken[piece].push(tab.corners.into());
+                JointKind::Tab(tab)
+            }
+            None => JointKind::Bare,
+        });
+    }
+    found
+}

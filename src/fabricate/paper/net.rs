@@ -1,7 +1,7 @@
 //! Facets placed in the plane, piece by piece.
 
 use super::facet::{Facet, Joint};
-use super::motion::Motion;
+use super::plane::Motion;
 use crate::math::plane::{Point2, bounds};
 
 /// A side of the outline of a piece.

@@ -1,9 +1,8 @@
 //! Tabs: trapezia on one of the two edges of a cut joint, shortened until they lie behind the
 //! neighbour, where they are hidden, and overlap nothing else on the piece.
 
-use super::motion::Motion;
 use super::net::{OutlineSide, PaperNet};
-use super::overlap::overlaps;
+use super::plane::{Motion, overlaps};
 use crate::fabricate::panel::{direction_of, distance_to_outline};
 use crate::math::cosine_and_sine_of_degrees;
 use crate::math::plane::{Point2, distance, is_inside};

@@ -2,8 +2,7 @@
 //! whichever leaves more room, so that trapezoids alternate and arcs nest.
 
 use super::clearance::min_shift;
-use super::part::CutPart;
-use super::place::Place;
+use super::part::{CutPart, Place};
 use crate::fabricate::panel::{hull, sides, smallest_box_within};
 use crate::math::plane::{Point2, area, bounds, rotated};
 use crate::scene::Order;

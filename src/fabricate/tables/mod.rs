@@ -1,12 +1,5 @@
 //! Lists of the parts, and a summary. Lengths of parts are at the scale of the model; lengths of
 //! edges, nodes and prisms are of the building. Every column name includes its unit.
-//!
-//! | file | holds |
-//! |---|---|
-//! | `panels` | panels as cut, and their types |
-//! | `beams` | fins, prisms with their end cuts, the beams around each node, types of nodes |
-//! | `paper` | pieces of a paper model, and how each edge is joined |
-//! | `shape` | edges and nodes of the shape |
 
 mod beams;
 mod panels;

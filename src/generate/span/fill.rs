@@ -1,7 +1,7 @@
 //! The surface inside a closed curve: a Coons patch between four corners.
 
-use super::curve::{SpanCurve, SpanError, evenly, length_of};
 use super::loft::turn_up;
+use super::{SpanCurve, SpanError, evenly, length_of};
 use crate::generate::quads::{check_face_count, quads};
 use crate::generate::sides::coons_patch;
 use crate::math::{Vec3, argsort, key_of_number, twice_vector_area};

@@ -1,6 +1,6 @@
 //! The surface between two curves: straight lines from each point of one to a point of the other.
 
-use super::curve::{SpanCurve, SpanError, evenly, length_of};
+use super::{SpanCurve, SpanError, evenly, length_of};
 use crate::generate::quads::{check_face_count, quads};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point};

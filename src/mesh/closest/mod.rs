@@ -1,26 +1,159 @@
-//! Closest points on a surface (`c(v)` of Eq. 11) and on its boundary curves.
+//! Closest points on a surface (`c(v)` of paper section 4, Eq. 11) and on its boundary curves.
 //!
-//! | file | holds |
-//! |---|---|
-//! | `surface` | the surface as triangles, and the search |
-//! | `bvh` | bounding volume hierarchy over the triangles |
-//! | `triangle` | the closest point of one triangle |
-//! | `neighbourhoods` | nearby triangles and safe region of each triangle |
-//! | `safe_region` | region above and below a triangle in which no other triangle is closer |
-//! | `point_cache` | per point, the last closest triangle and its safe region |
-//! | `boundary_curves` | the boundary loops as curves to glide on, and their corners |
-//! | `polyline` | a polyline parametrised by arc length |
+//! Every iteration searches the closest point on the surface for every vertex, so a search starts
+//! from the last result for that vertex. Near the surface, the neighbour list of the last closest
+//! triangle contains all candidates; elsewhere the distance to that triangle bounds the search of
+//! the hierarchy. Both are exact.
 
 mod boundary_curves;
 mod bvh;
 mod neighbourhoods;
-mod point_cache;
 mod polyline;
 mod safe_region;
-mod surface;
 mod triangle;
 
 pub use boundary_curves::{BoundaryCurve, BoundaryCurves, BoundaryPiece};
-pub use point_cache::ClosestPointCache;
 pub use polyline::Polyline;
-pub use surface::Surface;
+pub use safe_region::ClosestPointCache;
+
+use crate::math::{Pair, Vec3};
+use crate::mesh::{Mesh, Point};
+use bvh::{Box3, Bvh};
+use neighbourhoods::TriangleNeighbourhoods;
+use triangle::{Corners, Hit, Planes, is_sliver, splat};
+
+/// A surface with closest-point queries.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    /// Origin of the coordinates below, so that coordinates far from zero do not lose digits.
+    centre: Vec3<f64>,
+    /// In the order of the hierarchy, so that neighbours in space are neighbours in memory.
+    planes: Vec<Planes>,
+    corners: Vec<Corners>,
+    neighbourhoods: TriangleNeighbourhoods,
+    bvh: Bvh,
+}
+
+impl Surface {
+    /// Initial value of `hint`: no triangle is known yet.
+    pub const NO_HINT: u32 = u32::MAX;
+
+    /// Builds the surface of `mesh` at `positions` (`#V by 3`): its faces, triangulated as fans
+    /// `(f0, fk, fk+1)`; without faces, the segments of its curves; without both, its vertices.
+    /// A triangle thinner than 1e-8 of its length is replaced by its three sides.
+    pub fn new(positions: &[Point], mesh: &Mesh) -> Surface {
+        let at = |v: &u32| positions[*v as usize];
+        let fans = mesh.faces.iter().map(|face| face.len().saturating_sub(2)).sum();
+        let mut triangles: Vec<[Point; 3]> = Vec::with_capacity(fans);
+        for face in mesh.faces.iter() {
+            for side in face[1..].windows(2) {
+                let [a, b, c] = [at(&face[0]), at(&side[0]), at(&side[1])];
+                if is_sliver([a, b, c]) {
+                    triangles.extend([[a, b, b], [b, c, c], [c, a, a]]);
+                } else {
+                    triangles.push([a, b, c]);
+                }
+            }
+        }
+        if mesh.faces.is_empty() {
+            let segments = mesh.curves.iter().flat_map(|curve| curve.windows(2));
+            triangles.extend(segments.map(|ends| [at(&ends[0]), at(&ends[1]), at(&ends[1])]));
+        }
+        if triangles.is_empty() {
+            triangles.extend(positions.iter().map(|&p| [p; 3]));
+        }
+        Surface::of_triangles(triangles)
+    }
+
+    fn of_triangles(triangles: Vec<[Point; 3]>) -> Surface {
+        let centre = Box3::around(triangles.as_flattened()).centre();
+        let triangles: Vec<[Vec3<f64>; 3]> =
+            triangles.into_iter().map(|corners| corners.map(|p| Vec3::from(p) - centre)).collect();
+        let boxes: Vec<Box3> =
+            triangles.iter().map(|corners| Box3::around(&corners.map(Point::from))).collect();
+        let (bvh, order) = Bvh::new(&boxes);
+        let ordered = || order.iter().map(|&t| t as usize);
+        let boxes: Vec<Box3> = ordered().map(|t| boxes[t]).collect();
+        let planes: Vec<Planes> = ordered().map(|t| Planes::new(triangles[t])).collect();
+        let corners: Vec<Corners> = ordered().map(|t| Corners::new(triangles[t])).collect();
+        let neighbourhoods = TriangleNeighbourhoods::new(&bvh, &boxes, &planes, &corners);
+        Surface { centre, planes, corners, neighbourhoods, bvh }
+    }
+
+    /// Returns the point of the surface closest to `p`; `p` itself if the surface is empty.
+    /// `hint` is the value that the last search for this point left, or [`Surface::NO_HINT`]. A
+    /// better value makes the search faster; if several points are equally close, it can decide
+    /// which is returned.
+    #[inline]
+    pub fn closest(&self, p: Point, hint: &mut u32) -> Point {
+        let p = Vec3::from(p) - self.centre;
+        if let Some(planes) = self.planes.get(*hint as usize) {
+            let distances = planes.distances(splat(p));
+            if self.neighbourhoods.region(*hint as usize).contains(distances) {
+                return (planes.foot(p, distances) + self.centre).into();
+            }
+        }
+        (self.search(p, hint) + self.centre).into()
+    }
+
+    /// Returns the same as [`Surface::closest`]. `cache` also comes from the last search for this
+    /// point, or is [`ClosestPointCache::unknown`].
+    #[inline(always)]
+    pub fn closest_from(&self, p: Point, hint: &mut u32, cache: &mut ClosestPointCache) -> Point {
+        let p = Vec3::from(p) - self.centre;
+        let foot = match cache.foot(p) {
+            Some(foot) => foot,
+            None => self.find_from(p, hint, cache),
+        };
+        (foot + self.centre).into()
+    }
+
+    #[inline(never)]
+    fn find_from(&self, p: Vec3<f64>, hint: &mut u32, cache: &mut ClosestPointCache) -> Vec3<f64> {
+        let before = *hint;
+        let found = self.search(p, hint);
+        if *hint != before {
+            let t = *hint as usize;
+            cache.planes.clone_from(&self.planes[t]);
+            cache.region.clone_from(self.neighbourhoods.region(t));
+        }
+        found
+    }
+
+    /// Searches the neighbours of the triangle `hint` if they suffice, else the hierarchy.
+    #[inline(never)]
+    fn search(&self, p: Vec3<f64>, hint: &mut u32) -> Vec3<f64> {
+        let lanes = splat(p);
+        let mut best = Hit { point: p, distance_squared: f64::INFINITY };
+        if let Some(planes) = self.planes.get(*hint as usize) {
+            let t = *hint as usize;
+            best = self.corners[t].closest(planes, p, planes.distances(lanes));
+            if let Some(list) = self.neighbourhoods.of(t, best.distance_squared) {
+                for &s in list {
+                    self.consider(s as usize, p, lanes, &mut best, hint);
+                }
+                return best.point;
+            }
+        }
+        self.bvh.search(lanes, best.distance_squared, |leaf, _| {
+            for t in leaf {
+                self.consider(t, p, lanes, &mut best, hint);
+            }
+            best.distance_squared
+        });
+        best.point
+    }
+
+    /// Replaces the best point by the closest point of triangle `t` if that is nearer.
+    #[inline(always)]
+    fn consider(&self, t: usize, p: Vec3<f64>, lanes: Vec3<Pair>, best: &mut Hit, hint: &mut u32) {
+        let distances = self.planes[t].distances(lanes);
+        if distances.within(best.distance_squared) {
+            let hit = self.corners[t].closest(&self.planes[t], p, distances);
+            if hit.distance_squared < best.distance_squared {
+                *best = hit;
+                *hint = t as u32;
+            }
+        }
+    }
+}

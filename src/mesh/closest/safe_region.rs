@@ -33,6 +33,9 @@
 //! condition is `d tan(theta / 2) |n_i + n_j| <= a_i + a_j`. A triangle beyond none of these lines
 //! limits the height instead. On a surface with small dihedral angles, few points lie outside the
 //! region.
+//!
+//! A surface stores them per triangle. Points access them in another order, and on large surfaces
+//! the cache misses cost more than the arithmetic, so each point has a copy of its own.
 
 use super::triangle::{Corners, PlaneDistances, Planes, splat};
 use crate::math::{Lane, Vec3};
@@ -148,4 +151,28 @@ fn rounded_up(x: f64) -> f32 {
 fn rounded_down(x: f64) -> f32 {
     let small = f64::from(f32::MIN_POSITIVE);
     if x > small { Lane::min(x * (1.0 - 1e-6), f64::from(f32::MAX)) as f32 } else { -1.0 }
+}
+
+/// The last closest triangle of a point, and the region in which it remains the closest.
+#[derive(Clone, Debug)]
+pub struct ClosestPointCache {
+    pub(crate) planes: Planes,
+    pub(crate) region: TriangleSafeRegion,
+}
+
+impl ClosestPointCache {
+    /// Returns a cache without a triangle.
+    pub fn unknown() -> ClosestPointCache {
+        ClosestPointCache {
+            planes: Planes::new([Vec3::zero(); 3]),
+            region: TriangleSafeRegion::up_to(-1.0),
+        }
+    }
+
+    /// Returns the closest point to `p` if `p` is in the cached region.
+    #[inline(always)]
+    pub(crate) fn foot(&self, p: Vec3<f64>) -> Option<Vec3<f64>> {
+        let distances = self.planes.distances(splat(p));
+        self.region.contains(distances).then(|| self.planes.foot(p, distances))
+    }
 }

@@ -4,8 +4,7 @@
 //! small (Bobenko and Suris 2008, Liu et al. 2006). Where the edges deviate from them, the mesh has
 //! to rotate them to become circular.
 
-use super::principal::{Curvature, curvatures};
-use super::quadric::SecondForm;
+use super::{Curvature, SecondForm, curvatures};
 use crate::math::{Vec3, angle, polygon_sides};
 use crate::mesh::{Point, Ragged, Topology};
 

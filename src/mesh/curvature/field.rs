@@ -1,8 +1,7 @@
 //! Field of principal directions on a surface: second fundamental forms at the corners of
 //! triangles, interpolated linearly.
 
-use super::principal::{Curvature, curvatures};
-use super::quadric::SecondForm;
+use super::{Curvature, SecondForm, curvatures};
 use crate::math::{Vec3, argsort, key_of_pair};
 use crate::mesh::{BoundingSphere, Mesh, Point, Topology};
 

@@ -1,10 +1,11 @@
 //! Evenly spaced lines of curvature (Jobard and Lefer 1997): each line seeds the next ones on both
-//! sides, and ends where it comes close to another.
+//! sides, and ends where it comes close to another. Or, for a picture that needs no tracing, two
+//! short strokes on each face.
 
 use super::field::{CurvatureField, Family, SurfacePoint};
-use super::trace::{CurvatureLine, comes_back};
-use super::walk::Heading;
+use super::trace::{CurvatureLine, Heading, comes_back};
 use crate::math::Vec3;
+use crate::mesh::Point;
 
 /// Least distance to other lines at the beginning of a line, as a fraction of the spacing.
 const BEGIN: f64 = 0.9;
@@ -122,5 +123,22 @@ impl Cells {
             .wrapping_add(y.wrapping_mul(19_349_663))
             .wrapping_add(z.wrapping_mul(83_492_791));
         mixed.rem_euclid(Self::SIZE as i64) as usize
+    }
+}
+
+/// Half the length of a stroke, as a fraction of the mean edge.
+const HALF: f64 = 0.3;
+
+impl CurvatureField {
+    /// Returns the ends of a stroke through the centre of each face along the direction of a
+    /// family. Faces where the surface is flat or umbilic have no stroke.
+    pub fn strokes(&self, family: Family) -> Vec<[Point; 2]> {
+        let half = HALF * self.mean_edge();
+        let centres = self.centres();
+        let directed = centres.filter_map(|point| {
+            let direction = self.direction(point, family, super::edges::UMBILIC)?;
+            Some([point.at - direction * half, point.at + direction * half].map(Point::from))
+        });
+        directed.collect()
     }
 }

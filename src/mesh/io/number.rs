@@ -1,6 +1,8 @@
-//! Parsing coordinates and vertex numbers of mesh files.
+//! Coordinates and vertex numbers of mesh files: parsing, and formatting as text that reads back to
+//! the same bits.
 
 use crate::mesh::{ElementKind, ProblemKind};
+use std::fmt;
 
 /// Parses a coordinate; returns NaN if it is not a finite number, and the problem, if any.
 pub(crate) fn coordinate(word: &str) -> (f64, Option<ProblemKind>) {
@@ -59,6 +61,21 @@ impl Numbering {
     }
 }
 
+/// Displays the shortest decimal that reads back to the same bits: plain from 1e-5 to below 1e16,
+/// else with an exponent, to avoid long runs of zeros.
+#[derive(Clone, Copy)]
+pub struct Decimal(pub f64);
+
+impl fmt::Display for Decimal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Decimal(x) = *self;
+        match x == 0.0 || (1e-5..1e16).contains(&x.abs()) {
+            true => write!(f, "{x}"),
+            false => write!(f, "{x:e}"),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -107,5 +124,24 @@ mod tests {
         }
         assert_eq!(vertex(back, "0"), Err(ProblemKind::CornerZero(ElementKind::Face)));
         assert_eq!(vertex(back, "1.5"), Err(ProblemKind::MalformedCorner(ElementKind::Face)));
+    }
+
+    #[test]
+    fn what_is_written_is_short_and_reads_back() {
+        for (x, text) in [
+            (0.0, "0"),
+            (-0.0, "-0"),
+            (1.0, "1"),
+            (-0.1, "-0.1"),
+            (1e-5, "0.00001"),
+            (9.9e-6, "9.9e-6"),
+            (9_999_999_999_999_998.0, "9999999999999998"),
+            (1e16, "1e16"),
+            (-2.5e300, "-2.5e300"),
+            (5e-324, "5e-324"),
+        ] {
+            assert_eq!(Decimal(x).to_string(), text);
+            assert_eq!(text.parse::<f64>().unwrap().to_bits(), f64::to_bits(x));
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! Reads Wavefront OBJ (Appendix B1 of the Advanced Visualizer manual,
+//! Reads and writes Wavefront OBJ (Appendix B1 of the Advanced Visualizer manual,
 //! <https://paulbourke.net/dataformats/obj/>): vertices, polygons, polylines and groups. Polylines
 //! are `l` statements and the free-form curves of degree one that Rhino writes. Texture
 //! coordinates, normals, points and other free-form geometry are counted and ignored.
@@ -7,8 +7,9 @@ use super::builder::MeshBuilder;
 use super::groups::Groups;
 use super::lines::{joined_lines, words};
 use super::number::{Numbering, whole};
-use crate::mesh::{ElementKind, GroupKeyword, ProblemKind};
+use crate::mesh::{Decimal, ElementKind, Group, GroupKeyword, Mesh, Point, ProblemKind};
 use crate::words;
+use std::fmt::{Display, Write};
 
 /// Statements ignored without a message: they do not affect the shape, or only free-form elements.
 const SILENT: &str = "vt vn vp s mg mtllib maplib usemap parm trim hole scrv sp end con bmat step \
@@ -123,5 +124,112 @@ impl Ignored {
         all.into_iter()
             .filter(|(count, ..)| *count > 0)
             .map(|(count, one, many)| format!("{} ignored", words::count(count, one, many)))
+    }
+}
+
+/// Returns the mesh at other positions (`#V by 3`, finite) as an OBJ file: vertices, faces, then
+/// polylines, in order and with their groups. Numbers have the fewest digits that read back to the
+/// same `f64`.
+///
+/// OBJ has no tetrahedra: they are left out. It has one `o` and one `usemtl` at a time: of several
+/// such groups of an element, the first is written. White space in the name of a `g` becomes `_`.
+pub fn write_obj(mesh: &Mesh, positions: &[Point]) -> String {
+    write(mesh, positions, &[])
+}
+
+/// As [`write_obj`], with a flat map `uv` (`#V by 2`) as texture coordinates, one `vt` per vertex.
+pub fn write_obj_with_uv(mesh: &Mesh, positions: &[Point], uv: &[[f64; 2]]) -> String {
+    assert_eq!(uv.len(), positions.len(), "one place in the map for each vertex");
+    write(mesh, positions, uv)
+}
+
+fn write(mesh: &Mesh, positions: &[Point], uv: &[[f64; 2]]) -> String {
+    assert_eq!(positions.len(), mesh.positions.len(), "one position for each vertex");
+    let indices = mesh.faces.indices().len() + mesh.curves.indices().len();
+    let mut out = String::with_capacity(64 * positions.len() + 10 * indices);
+    for position in positions {
+        push_row(&mut out, "v", position);
+    }
+    for place in uv {
+        push_row(&mut out, "vt", place);
+    }
+    let members = members(mesh);
+    let mut members = members.chunk_by(|a, b| a.0 == b.0).peekable();
+    let mut open: &[(u32, u32)] = &[];
+    let faces = mesh.faces.iter().map(|row| ('f', row));
+    let curves = mesh.curves.iter().map(|row| ('l', row));
+    for (element, (statement, row)) in faces.chain(curves).enumerate() {
+        let now = members.next_if(|run| run[0].0 as usize == element).unwrap_or_default();
+        push_groups(&mut out, &mesh.groups, open, now);
+        open = now;
+        out.push(statement);
+        for &vertex in row {
+            out.push(' ');
+            push(&mut out, u64::from(vertex) + 1);
+            if !uv.is_empty() {
+                push(&mut out, format_args!("/{}", u64::from(vertex) + 1));
+            }
+        }
+        out.push('\n');
+    }
+    out
+}
+
+fn push_row(out: &mut String, statement: &str, numbers: &[f64]) {
+    out.push_str(statement);
+    for &x in numbers {
+        out.push(' ');
+        push(out, Decimal(x));
+    }
+    out.push('\n');
+}
+
+fn push(out: &mut String, value: impl Display) {
+    write!(out, "{value}").expect("a string takes all that is written to it");
+}
+
+/// Returns all memberships as pairs of element (faces, then curves) and group, ascending.
+fn members(mesh: &Mesh) -> Vec<(u32, u32)> {
+    let first_curve = mesh.faces.len() as u32;
+    let mut members = Vec::new();
+    for (group, Group { faces, curves, .. }) in (0..).zip(&mesh.groups) {
+        members.extend(faces.iter().map(|&face| (face, group)));
+        members.extend(curves.iter().map(|&curve| (first_curve + curve, group)));
+    }
+    members.sort_unstable();
+    members
+}
+
+/// Appends the statements that change from the groups of one element to those of the next.
+fn push_groups(out: &mut String, groups: &[Group], open: &[(u32, u32)], now: &[(u32, u32)]) {
+    for (statement, keyword) in GroupKeyword::STATEMENTS {
+        let (most, gap) = match keyword {
+            GroupKeyword::Group => (usize::MAX, '_'),
+            GroupKeyword::Object | GroupKeyword::Material => (1, ' '),
+        };
+        let of_keyword = |&&(_, group): &&(u32, u32)| groups[group as usize].keyword == keyword;
+        let names = now.iter().filter(of_keyword).take(most);
+        if names.clone().map(|m| m.1).eq(open.iter().filter(of_keyword).take(most).map(|m| m.1)) {
+            continue;
+        }
+        out.push_str(statement);
+        for &(_, group) in names {
+            out.push(' ');
+            push_name(out, &groups[group as usize].name, gap);
+        }
+        out.push('\n');
+    }
+}
+
+/// Appends a name with each run of white space and control characters, and the backslashes before
+/// it, replaced by `gap`.
+fn push_name(out: &mut String, name: &str, gap: char) {
+    let parts = name.split(|c: char| c.is_ascii_whitespace() || c.is_control());
+    let parts = parts.map(|part| part.trim_end_matches('\\')).filter(|part| !part.is_empty());
+    for (index, part) in parts.enumerate() {
+        if index > 0 {
+            out.push(gap);
+        }
+        out.push_str(part);
     }
 }

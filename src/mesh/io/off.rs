@@ -3,8 +3,8 @@
 //! texture coordinates of the variants `COFF`, `NOFF` and `STOFF` are ignored.
 
 use super::builder::MeshBuilder;
+use super::builder::ReadFault;
 use super::number::Numbering;
-use super::outcome::ReadFault;
 use super::stream::Stream;
 use crate::mesh::ElementKind;
 use crate::words;

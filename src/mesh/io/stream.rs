@@ -1,13 +1,12 @@
 //! Word stream for the formats that give the number of rows: OFF and Medit.
 
-use std::fmt::Display;
-use std::str::SplitAsciiWhitespace;
-
 use super::builder::MeshBuilder;
+use super::builder::ReadFault;
 use super::lines::{Lines, lines, words};
 use super::number::whole;
-use super::outcome::ReadFault;
 use crate::mesh::ElementKind;
+use std::fmt::Display;
+use std::str::SplitAsciiWhitespace;
 
 /// Stream of the words of a file, across lines.
 pub(crate) struct Stream<'a> {

@@ -1,29 +1,225 @@
 //! Connectivity of vertices, edges and faces, and curves and regions derived from it.
 //!
-//! | file | holds |
-//! |---|---|
-//! | `adjacency` | edges, neighbours, rings, faces at edges and vertices |
-//! | `boundary` | boundary loops |
-//! | `components` | connected components |
-//! | `curves` | polylines and edge lines that duplicate each other |
-//! | `edge_lines` | lines of edges through regular vertices |
-//! | `feature_curves` | creases, boundary and non-manifold edges as curves |
-//! | `local` | corners of faces, stars of vertices, hinges |
-//! | `strips` | strips of quads |
+//! All lists are built by sorting, so their order depends on the mesh alone. The mesh need not be a
+//! manifold: an edge may have any number of faces, a vertex any number of fans.
 
-mod adjacency;
 mod boundary;
-mod components;
-mod curves;
 mod edge_lines;
 mod feature_curves;
 mod local;
 mod strips;
 
-pub use adjacency::Topology;
-pub use components::components;
-pub use curves::{Repeated, repeated};
-pub use edge_lines::edge_lines;
+pub use boundary::components;
+pub use edge_lines::{Repeated, edge_lines, repeated};
 pub use feature_curves::feature_curves;
 pub use local::{corners, hinges, stars};
 pub use strips::strips;
+
+use crate::math::{Vec3, argsort, key_of_pair, polygon_sides};
+use crate::mesh::{Mesh, Point, Ragged};
+
+/// The adjacency of a mesh. Indices are those of the mesh; edges are numbered in lexicographic
+/// order of their ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Topology {
+    edges: Vec<[u32; 2]>,
+    neighbours: Ragged,
+    vertex_edges: Ragged,
+    edge_faces: Ragged,
+    vertex_faces: Ragged,
+    boundary_loops: Ragged,
+    triangle_mesh: bool,
+    quad_dominant: bool,
+}
+
+impl Topology {
+    /// Computes the adjacency of `mesh`. Its edges are the sides of faces, the segments of curves
+    /// and the edges of tetrahedra, each once; sides from a vertex to itself are excluded.
+    pub fn new(mesh: &Mesh) -> Topology {
+        let n_vertices = mesh.positions.len();
+        let sides = sides(mesh);
+        let mut edges = Vec::new();
+        let mut edge_faces = Ragged::new();
+        for same in sides.chunk_by(|a, b| a.ends == b.ends) {
+            edges.push(same[0].ends);
+            let faces: Vec<u32> = same.iter().filter_map(|side| side.face).collect();
+            edge_faces.push(&faces);
+        }
+        let numbered = || edges.iter().zip(0..);
+        let by_vertex = |of_end: fn([u32; 2], u32, bool) -> u32| {
+            let ends = numbered().flat_map(|(&[a, b], e)| {
+                [(a, of_end([a, b], e, true)), (b, of_end([a, b], e, false))]
+            });
+            gather(n_vertices, ends)
+        };
+        // Edges are in lexicographic order, so both lists are in the order of the neighbours.
+        let neighbours = by_vertex(|[a, b], _, first| if first { b } else { a });
+        let vertex_edges = by_vertex(|_, e, _| e);
+        // List a face once even if it visits the vertex several times.
+        let mut last_face = vec![None; n_vertices];
+        let corners = mesh.faces.iter().zip(0..);
+        let corners = corners.flat_map(|(face, f)| face.iter().map(move |&v| (v, f)));
+        let distinct: Vec<(u32, u32)> =
+            corners.filter(|&(v, f)| last_face[v as usize].replace(f) != Some(f)).collect();
+        let vertex_faces = gather(n_vertices, distinct.iter().copied());
+        let boundary_loops = boundary::boundary_loops(mesh, &edges, &vertex_edges, &edge_faces);
+        let quads = mesh.faces.iter().filter(|face| face.len() == 4).count();
+        Topology {
+            triangle_mesh: !mesh.faces.is_empty()
+                && mesh.faces.iter().all(|face| face.len() == 3)
+                && edge_faces.iter().all(|faces| !faces.is_empty()),
+            quad_dominant: 2 * quads > mesh.faces.len(),
+            edges,
+            neighbours,
+            vertex_edges,
+            edge_faces,
+            vertex_faces,
+            boundary_loops,
+        }
+    }
+
+    /// `#E by 2`: the ends of each edge, the lower first, in lexicographic order.
+    pub fn edges(&self) -> &[[u32; 2]] {
+        &self.edges
+    }
+    /// Returns the edge between two vertices.
+    pub fn edge(&self, a: u32, b: u32) -> Option<u32> {
+        self.edges.binary_search(&[a.min(b), a.max(b)]).ok().map(|e| e as u32)
+    }
+    /// Returns the end of edge `e` that is not `v`.
+    pub fn other_end(&self, e: u32, v: u32) -> u32 {
+        let [a, b] = self.edges[e as usize];
+        if a == v { b } else { a }
+    }
+    /// `#V` rows: the vertices that share an edge with a vertex, `N(i)` of Eq. 12, ascending.
+    pub fn neighbours(&self) -> &Ragged {
+        &self.neighbours
+    }
+    /// `#V` rows: the edges at a vertex, each at the index of its other end in
+    /// [`Topology::neighbours`].
+    pub fn vertex_edges(&self) -> &Ragged {
+        &self.vertex_edges
+    }
+    /// `#E` rows: the faces that have an edge as a side, ascending. An edge with one face is on the
+    /// boundary, an edge without faces belongs to curves or tetrahedra only, and an edge with three
+    /// or more is not manifold. A face that traverses the edge twice is listed twice.
+    pub fn edge_faces(&self) -> &Ragged {
+        &self.edge_faces
+    }
+    /// Mean length of an edge at `positions`, `#V by 3`, in their unit; zero without edges.
+    pub fn mean_edge(&self, positions: &[Point]) -> f64 {
+        let at = |v: u32| Vec3::from(positions[v as usize]);
+        let edges = self.edges();
+        let sum: f64 = edges.iter().map(|&[a, b]| (at(b) - at(a)).length()).sum();
+        sum / edges.len().max(1) as f64
+    }
+
+    /// Whether edge `e` has exactly one face.
+    pub fn is_boundary_edge(&self, e: u32) -> bool {
+        self.edge_faces.row(e as usize).len() == 1
+    }
+    /// `#V` rows: the faces that have a vertex as a corner, ascending.
+    pub fn vertex_faces(&self) -> &Ragged {
+        &self.vertex_faces
+    }
+    /// The boundary as loops of vertices. Each boundary edge is in exactly one loop, no vertex is
+    /// twice in a loop, and the first is not repeated at the end. A loop has the direction of its
+    /// faces if they agree. Only where edges of three or more faces meet the boundary, a row can be
+    /// an open chain.
+    pub fn boundary_loops(&self) -> &Ragged {
+        &self.boundary_loops
+    }
+    /// Whether a row of [`Topology::boundary_loops`] is closed by an edge from its last to its
+    /// first vertex.
+    pub fn is_closed_loop(&self, row: &[u32]) -> bool {
+        let closing = self.edge(row[0], row[row.len() - 1]);
+        row.len() > 2 && closing.is_some_and(|e| self.is_boundary_edge(e))
+    }
+    /// Whether the mesh consists of triangles only: it has faces, all have three corners, and every
+    /// edge is a side of one.
+    pub fn is_triangle_mesh(&self) -> bool {
+        self.triangle_mesh
+    }
+    /// Whether more than half of the faces have four corners.
+    pub fn is_quad_dominant(&self) -> bool {
+        self.quad_dominant
+    }
+
+    /// Returns the vertices within `radius` edges of `vertex`: itself first, then ring by ring,
+    /// each ring ascending.
+    pub fn ring(&self, vertex: u32, radius: u32) -> Vec<u32> {
+        self.grow(&[vertex], radius)
+    }
+
+    /// Returns the vertices within `radius` edges of `seed` (distinct vertices): the seed
+    /// unchanged, then ring by ring, each ring ascending.
+    pub fn grow(&self, seed: &[u32], radius: u32) -> Vec<u32> {
+        let mut all = seed.to_vec();
+        let mut inner: Vec<u32> = Vec::new();
+        let mut ring = seed.to_vec();
+        ring.sort_unstable();
+        for _ in 0..radius {
+            // A neighbour of a ring is in this, the previous or the next ring.
+            let mut next: Vec<u32> =
+                ring.iter().flat_map(|&v| self.neighbours.row(v as usize)).copied().collect();
+            next.sort_unstable();
+            next.dedup();
+            next.retain(|v| ring.binary_search(v).is_err() && inner.binary_search(v).is_err());
+            if next.is_empty() {
+                break;
+            }
+            all.extend_from_slice(&next);
+            inner = std::mem::replace(&mut ring, next);
+        }
+        all
+    }
+}
+
+/// One side of a face, one segment of a curve or one edge of a tetrahedron.
+#[derive(Clone, Copy)]
+struct Side {
+    /// The lower vertex first.
+    ends: [u32; 2],
+    /// `None` for curves and tetrahedra.
+    face: Option<u32>,
+}
+
+/// Returns all sides, sorted by ends, then by face.
+fn sides(mesh: &Mesh) -> Vec<Side> {
+    const TET_EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+    let of_faces = mesh
+        .faces
+        .iter()
+        .zip(0..)
+        .flat_map(|(face, f)| polygon_sides(face).map(move |[a, b]| (a, b, Some(f))));
+    let of_curves =
+        mesh.curves.iter().flat_map(|curve| curve.windows(2).map(|ends| (ends[0], ends[1], None)));
+    let of_tets = mesh.tets.iter().flat_map(|tet| TET_EDGES.map(|[a, b]| (tet[a], tet[b], None)));
+    // Faces come last and in order, and the sort is stable, so the sides of an edge are, too.
+    let sides: Vec<Side> = of_curves
+        .chain(of_tets)
+        .chain(of_faces)
+        .filter(|(a, b, _)| a != b)
+        .map(|(a, b, face)| Side { ends: [a.min(b), a.max(b)], face })
+        .collect();
+    let order = argsort(sides.iter().map(|side| key_of_pair(side.ends)));
+    order.into_iter().map(|side| sides[side as usize]).collect()
+}
+
+/// Groups values by key (a counting sort): row `i` has the values of key `i`, in their order.
+fn gather(n_rows: usize, pairs: impl Iterator<Item = (u32, u32)> + Clone) -> Ragged {
+    let mut starts = vec![0_u32; n_rows + 1];
+    for (key, _) in pairs.clone() {
+        starts[key as usize + 1] += 1;
+    }
+    for i in 0..n_rows {
+        starts[i + 1] += starts[i];
+    }
+    let mut values = vec![0; starts[n_rows] as usize];
+    let mut ends = starts.clone();
+    for (key, value) in pairs {
+        values[ends[key as usize] as usize] = value;
+        ends[key as usize] += 1;
+    }
+    Ragged::from_parts(starts, values)
+}

@@ -2,7 +2,7 @@
 //! Deng, Zhang, Geng, Qin, Liu: Anderson Acceleration for Geometry Optimization and Physics
 //! Simulation, 2018, Algorithm 1).
 
-use super::iterate::Iterate;
+use super::plain::Iterate;
 use crate::constraint::Row;
 use crate::solve::rows::{add_scaled, dot};
 use crate::sparse::{F32Factor, F32Row, round};

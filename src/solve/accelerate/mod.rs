@@ -5,20 +5,12 @@
 //! independent of the geometry. It proposes a step; the solver accepts it only if the energy falls,
 //! and falls back to the plain step otherwise. Proposals may therefore be in single precision, but
 //! the plain step of the fallback is in double.
-//!
-//! | file | holds |
-//! |---|---|
-//! | `iterate` | positions with their gradient, and the plain step from there |
-//! | `plain` | the plain iteration: in single precision where the factor is large |
-//! | `quasi_newton` | L-BFGS whose initial metric is the factored normal matrix |
-//! | `anderson` | Anderson acceleration |
 
 mod anderson;
-mod iterate;
 mod plain;
 mod quasi_newton;
 
-pub(super) use iterate::Iterate;
+pub(super) use plain::Iterate;
 
 use super::settings::{Accelerator, SolverSettings};
 use super::system::System;

@@ -7,7 +7,7 @@
 //! reason the two-loop recursion (Nocedal and Wright, Algorithm 7.4) is written in inner products,
 //! computed for all vectors at once, one block of rows at a time.
 
-use super::iterate::Iterate;
+use super::plain::Iterate;
 use crate::constraint::Row;
 use crate::sparse::{F32Factor, F32Row, round};
 use std::collections::VecDeque;

@@ -2,9 +2,20 @@
 
 use super::super::assemble::Terms;
 use super::super::energy::BIG;
-use super::weights::ConformalWeights;
 use crate::math::{PrincipalAxes, Vec3, centre};
 use crate::mesh::Point;
+
+/// The weights `w_i` of Eq. 14.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ConformalWeights {
+    /// The inverse area of the polygon, so that the map does not depend on the meshing.
+    #[default]
+    InverseArea,
+    /// `w_i = 1`.
+    One,
+    /// `|z|^2 / area`: on triangles these give least-squares conformal maps.
+    Lscm,
+}
 
 /// A face that is thinner than this fraction of the size of the mesh has an area only by rounding.
 const ROUNDING: f64 = 1e-12;

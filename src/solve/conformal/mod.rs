@@ -6,21 +6,11 @@
 //! `P u = z (z* u) / |z|^2`. With `N u` centred, Eq. 14 is the quadratic form
 //! `phi(u) = sum_i w_i (|N_i u_i|^2 - |z_i* u_i|^2 / |z_i|^2)`. The map is its smallest eigenvector
 //! besides the constants.
-//!
-//! | file | holds |
-//! |---|---|
-//! | `weights` | the options: the weights of the polygons, and the norm |
-//! | `face` | the terms of one polygon |
-//! | `offer` | better options for a map that flips faces |
-//! | `subspace` | the smallest eigenvector, by inverse iteration |
 
 mod face;
-mod offer;
 mod subspace;
-mod weights;
 
-pub use offer::FewerFlips;
-pub use weights::{ConformalNorm, ConformalWeights};
+pub use face::ConformalWeights;
 
 use super::assemble::Terms;
 use super::clock;
@@ -32,8 +22,20 @@ use crate::mesh::{
     quasi_conformal,
 };
 use face::Face;
+use nalgebra::{Complex, DMatrix};
 use serde::Serialize;
-use subspace::{Pair, smallest};
+use subspace::{VECTORS, smallest};
+
+/// The norm `u* B u` that is fixed to one, without which the map would shrink to a point.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ConformalNorm {
+    /// The sum of squares over the boundary vertices is one. A part without a boundary uses all its
+    /// vertices.
+    #[default]
+    Boundary,
+    /// The sum of squares over all vertices is one.
+    Vertices,
+}
 
 /// A flat map.
 #[derive(Clone, Debug, PartialEq)]
@@ -245,7 +247,7 @@ impl Part {
         seconds.factor += system.seconds.factor;
 
         let iterating = clock::now();
-        let start = counted.iter().map(|&v| start(v as usize)).collect();
+        let start = DMatrix::from_fn(counted.len(), VECTORS, |k, j| start(counted[k] as usize, j));
         let mut map = smallest(&mut system, &nodes, &counted, start).ok_or_else(singular)?;
         map.truncate(self.vertices.len());
         let energies = self.faces.iter().map(|face| face.weight(weights) * face.distance(&map));
@@ -292,8 +294,45 @@ impl Part {
     }
 }
 
-/// Start vectors at one vertex, scattered so that they have a component along every eigenvector.
-fn start(vertex: usize) -> Pair {
+/// The settings of a map that flips fewer faces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FewerFlips {
+    /// The weights of the faces.
+    pub weights: ConformalWeights,
+    /// The norm that is fixed.
+    pub norm: ConformalNorm,
+    /// Number of faces that this map flips.
+    pub flipped: usize,
+    /// Its mean quasi-conformal error.
+    pub mean: f64,
+}
+
+impl FewerFlips {
+    /// Returns the settings that flip the fewest faces, if these are fewer than `flipped`; of
+    /// several, those with the least mean error. Computes the maps of all settings.
+    pub fn of(mesh: &Mesh, topology: &Topology, flipped: usize) -> Option<FewerFlips> {
+        let mut best: Option<FewerFlips> = None;
+        for weights in
+            [ConformalWeights::InverseArea, ConformalWeights::One, ConformalWeights::Lscm]
+        {
+            for norm in [ConformalNorm::Boundary, ConformalNorm::Vertices] {
+                let Ok(map) = Parametrization::new(mesh, topology, weights, norm) else { continue };
+                let errors = map.errors;
+                let mean = errors.quasi_conformal.mean;
+                let found = FewerFlips { weights, norm, flipped: errors.flipped, mean };
+                let is_better =
+                    |best: FewerFlips| (found.flipped, found.mean) < (best.flipped, best.mean);
+                if found.flipped < flipped && best.is_none_or(is_better) {
+                    best = Some(found);
+                }
+            }
+        }
+        best
+    }
+}
+
+/// Start vector `j` at one vertex, scattered so that it has a component along every eigenvector.
+fn start(vertex: usize, j: usize) -> Complex<f64> {
     let scattered = |k: usize| ((vertex * 7919 + k * 104_729) % 1009) as f64 / 1009.0 - 0.5;
-    [0, 4].map(|first| std::array::from_fn(|k| scattered(first + k)))
+    Complex::new(scattered(j), scattered(VECTORS + j))
 }

@@ -1,12 +1,5 @@
 //! The total energy (Eq. 13) with its gradient. Each part also provides its terms of the normal
 //! matrix.
-//!
-//! | file | holds |
-//! |---|---|
-//! | `shape` | `E_shape` (Eq. 4): the constraints and their projections |
-//! | `closeness` | `E_close` (Eq. 11): closest points on a surface or curve, or rest positions |
-//! | `smoothness` | `E_smooth` (Eq. 12): the Laplacian of positions or displacements |
-//! | `positional_constraints` | handles, and pins for components that nothing else holds |
 
 mod closeness;
 mod positional_constraints;

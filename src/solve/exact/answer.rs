@@ -1,13 +1,16 @@
-//! The result: the distances reached, and the constraints that are not met.
+//! The result: the distances reached, and the constraints that are not met; and the distance of any
+//! shape from its requirements.
 
-use super::guard;
-use super::hard_rows::HardBatch;
+use super::hard_rows::{HardBatch, HardRows};
 use super::model::Model;
-use crate::constraint::Row;
+use super::requirement::{LONGER, Require};
+use crate::constraint::{Reference, Row};
 use crate::math::{Lane, key_of_number, sort_by_number};
 use crate::mesh::{Mesh, Point};
-use crate::solve::local_frame::centre_and_extent;
+use crate::solve::energy::Constraints;
+use crate::solve::local_frame::{centre_and_extent, relative, rest_surface};
 use serde::{Deserialize, Serialize};
+use std::rc::Rc;
 
 /// A constraint that is not met.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -93,7 +96,7 @@ pub struct ExactAnswer {
 
 /// A guarded edge counts as on the guard up to this fraction above its bound: the guard aims a
 /// little higher if a tolerance is enough.
-const ON_GUARD: f64 = 2.0 * guard::LONGER;
+const ON_GUARD: f64 = 2.0 * LONGER;
 
 impl Model {
     /// Returns the output positions, `#V by 3`.
@@ -203,4 +206,19 @@ fn rounding_of(centre: Point, extent: f64) -> f64 {
 
 fn distance(a: Row, b: Row) -> f64 {
     (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>().sqrt()
+}
+
+/// Returns the greatest distance of a vertex at `positions` (`#V by 3`) to the shape of one of the
+/// `constraints`, with `mesh` as the rest shape, in the unit of `mesh`.
+pub fn farthest(mesh: &Mesh, positions: &[Point], constraints: &Constraints) -> f64 {
+    let (centre, _) = centre_and_extent(mesh);
+    let rows = |points: &[Point]| -> Vec<Row> {
+        points.iter().map(|&point| relative(point, centre)).collect()
+    };
+    let surface = || Rc::new(rest_surface(mesh, centre));
+    let reference = Reference { surface: &surface, pose: None };
+    let own_nodes: Vec<u32> = (0..positions.len() as u32).collect();
+    let hard = [(constraints, None, Require::Exact)];
+    HardRows::new(&hard, &own_nodes, &rows(&mesh.positions), &reference)
+        .worst_excess(&rows(positions))
 }

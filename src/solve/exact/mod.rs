@@ -10,27 +10,10 @@
 //!
 //! Penalties alone converge like one over the weight, and Newton steps alone wander; both were
 //! tried.
-//!
-//! | file | holds |
-//! |---|---|
-//! | `requirement` | the requirements on rows of constraints |
-//! | `guard` | edges that keep a fraction of their length |
-//! | `hard_rows` | hard constraints with shifted projections |
-//! | `model` | the state shared by both stages |
-//! | `approach` | the first stage |
-//! | `normal_space` | the normal space of a constraint, by central differences of its projection |
-//! | `block_system` | the system of the polish |
-//! | `polish` | the second stage |
-//! | `improve` | the improvement of an exact shape |
-//! | `least_move` | the least movement that constraints need, estimated without a solver |
-//! | `farthest` | the distance of a shape from its requirements |
-//! | `answer` | the result |
 
 mod answer;
 mod approach;
 pub(super) mod block_system;
-mod farthest;
-mod guard;
 mod hard_rows;
 mod improve;
 mod least_move;
@@ -39,8 +22,8 @@ mod normal_space;
 pub(super) mod polish;
 mod requirement;
 
+pub use answer::farthest;
 pub use answer::{ExactAnswer, Improved, Moved, Unmet, exact_tolerance};
-pub use farthest::farthest;
 pub use least_move::least_move;
 pub use requirement::{Require, Requirements};
 
@@ -48,9 +31,9 @@ use super::clock;
 use super::energy::{Energy, Handle, IterateSeconds, springs};
 use super::error::SolveError;
 use super::local_frame::centre_and_extent;
+use super::parts::SetupCache;
 use super::problem::Problem;
 use super::settings::SolverSettings;
-use super::setup_cache::SetupCache;
 use crate::constraint::Row;
 use crate::mesh::Point;
 use crate::sparse::BlockMatrix;

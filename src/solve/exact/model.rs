@@ -1,8 +1,8 @@
 //! The state shared by both stages: the energies, the hard constraints, and the system of the
 //! global step.
 
-use super::guard::Guard;
 use super::hard_rows::{HardBatch, HardRow, HardRows};
+use super::requirement::Guard;
 use super::requirement::{Require, Requirements};
 use crate::constraint::{Centring, Reference, Row};
 use crate::mesh::{Laplacian, Point};
@@ -11,9 +11,9 @@ use crate::solve::energy::{
     BIG, Constraints, Handle, Hold, PositionalConstraints, extra_unknowns, shape_terms,
 };
 use crate::solve::local_frame::{relative, rest_surface};
+use crate::solve::parts::SetupCache;
 use crate::solve::parts::{Added, Holding, Parts};
 use crate::solve::problem::Problem;
-use crate::solve::setup_cache::SetupCache;
 use std::rc::Rc;
 
 /// The polish ends at this fraction of the diagonal of the bounding box: 1e-12 of the bounding

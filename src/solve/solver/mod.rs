@@ -4,14 +4,7 @@
 //! `g(x) = A x - Q^T p(x)` half the gradient of the total energy (Appendix A). The local step gives
 //! `g` as a by-product, and the factor of `A` is only a metric: its rounding errors do not move the
 //! fixed point.
-//!
-//! | file | holds |
-//! |---|---|
-//! | `step` | one iteration, and its fallbacks |
-//! | `handles` | changes of handles and weights, at the least cost |
-//! | `fitted` | the projections at the current positions, for drawing |
 
-mod fitted;
 mod handles;
 mod step;
 
@@ -19,12 +12,11 @@ use super::accelerate::Acceleration;
 use super::energy::{Energy, Handle, HandleIndex, IterateSeconds};
 use super::error::SolveError;
 use super::local_frame::{relative, rest_surface};
-use super::parts::{Added, Parts};
+use super::parts::{Added, Parts, SetupCache};
 use super::problem::Problem;
 use super::settings::SolverSettings;
-use super::setup_cache::SetupCache;
 use super::system::{SetUpSeconds, System};
-use crate::constraint::{LocalStep, Row};
+use crate::constraint::{Fitted, LocalStep, Projected, Row};
 use crate::mesh::{Mesh, Point, Surface};
 use std::rc::Rc;
 
@@ -207,5 +199,34 @@ impl Solver {
     /// Times of all iterations so far in seconds, by part.
     pub fn iterate_seconds(&self) -> IterateSeconds {
         self.seconds
+    }
+}
+
+impl Solver {
+    /// Calls `each` with the row of every constraint, its vertices, and their displacements to the
+    /// fitted shape at the current positions, in the unit of the mesh.
+    pub fn projected(&mut self, mut each: impl FnMut(usize, &Projected)) {
+        let mut vertex_of = vec![0; self.x.len()];
+        for (vertex, &node) in (0..).zip(self.parts.node_of()) {
+            vertex_of[node as usize] = vertex;
+        }
+        let mut points = Vec::new();
+        self.parts.energies.shape.projected(&self.x, |row, projected| {
+            points.clear();
+            points.extend(projected.iter().map(|&(node, way)| (vertex_of[node as usize], way)));
+            each(row, &points);
+        });
+    }
+
+    /// The shapes fitted to the constraints at the current positions, for drawing.
+    pub fn fitted(&self) -> Vec<Fitted> {
+        let offset = self.parts.centre.into();
+        let mut shapes = self.parts.energies.shape.fitted(&self.x);
+        for shape in &mut shapes {
+            match shape {
+                Fitted::Circle { centre, .. } | Fitted::Sphere { centre, .. } => *centre += offset,
+            }
+        }
+        shapes
     }
 }

@@ -1,13 +1,12 @@
-//! The modes that are shown: the softest directions, made tangent and symmetric, and oriented
-//! outwards.
+//! The modes that are shown: the softest directions, made tangent and symmetric about the mirrors
+//! of the shape, and oriented outwards.
 
-use super::mirror::Mirror;
-use super::subspace::Subspace;
-use super::vectors::{COUNT, MODES, Products, principal};
+use super::subspace::{MODES, Subspace, column_of, rows_of};
 use crate::constraint::Row;
-use crate::math::{Vec3, argsort, key_of_number};
+use crate::math::{Vec3, argsort, key_of_number, symmetric_eigen};
 use crate::mesh::Point;
 use crate::solve::exact::block_system::BlockSystem;
+use nalgebra::{DMatrix, DVector};
 
 /// Coefficients of modes range this far to either side, as a fraction of the size.
 pub const SLIDE: f64 = 0.1;
@@ -39,11 +38,11 @@ pub(super) fn modes(
     mut subspace: Subspace,
     mirrors: &[Mirror],
 ) -> Vec<(Vec<Row>, f64)> {
-    let mut compliances = subspace.compliances;
-    let parities = symmetrise(&mut subspace, &mut compliances, mirrors);
+    let parities = symmetrise(&mut subspace, mirrors);
+    let compliances = &subspace.compliances;
     let mut modes = Vec::new();
     for k in 0..MODES {
-        let mut mode = subspace.vectors.get(k);
+        let mut mode = rows_of(&subspace.vectors, k);
         if compliances[k] <= 0.0 || squared(&mode) < 0.5 {
             continue;
         }
@@ -69,49 +68,38 @@ pub(super) fn modes(
 /// Mixes the vectors of a subspace so that each is symmetric or antisymmetric about every mirror,
 /// if possible. Returns their parities, from -1 to 1, for each mirror. If the constraints are not
 /// symmetric, changes nothing and returns no parities.
-fn symmetrise(
-    subspace: &mut Subspace,
-    compliances: &mut [f64; COUNT],
-    mirrors: &[Mirror],
-) -> Vec<[f64; COUNT]> {
-    let vectors = &subspace.vectors;
-    let images: Vec<Products> = mirrors
-        .iter()
-        .map(|mirror| {
-            let mut image = vectors.clone();
-            (0..COUNT).for_each(|k| image.set(k, &mirror.of(&vectors.get(k))));
-            vectors.products(&image)
-        })
-        .collect();
-    if images.is_empty() {
+fn symmetrise(subspace: &mut Subspace, mirrors: &[Mirror]) -> Vec<Vec<f64>> {
+    if mirrors.is_empty() {
         return Vec::new();
     }
+    let vectors = &subspace.vectors;
+    let (n, count) = vectors.shape();
+    let products = |mirror: &Mirror| {
+        let images = (0..count).map(|k| mirror.of(&rows_of(vectors, k)));
+        let entries = images.flat_map(|image| column_of(&image).collect::<Vec<_>>());
+        vectors.tr_mul(&DMatrix::from_iterator(n, count, entries))
+    };
+    let images: Vec<DMatrix<f64>> = mirrors.iter().map(products).collect();
     // Commuting matrices share an eigenbasis, even with repeated compliances.
-    let mut sum: Products = [[0.0; COUNT]; COUNT];
-    (0..COUNT).for_each(|k| sum[k][k] = compliances[k]);
-    let mut weight = 0.1 * compliances[MODES - 1];
+    let own = DMatrix::from_diagonal(&DVector::from_column_slice(&subspace.compliances));
+    let mut sum = own.clone();
+    let mut weight = 0.1 * subspace.compliances[MODES - 1];
     for image in &images {
-        for (to, from) in sum.as_flattened_mut().iter_mut().zip(image.as_flattened()) {
-            *to += weight * from;
-        }
+        sum += image * weight;
         weight *= 0.37;
     }
-    let (_, factors) = principal(&sum);
-    let along = |matrix: &Products, k: usize| -> f64 {
-        let row = |i: usize| (0..COUNT).map(|j| matrix[i][j] * factors[k][j]).sum::<f64>();
-        (0..COUNT).map(|i| factors[k][i] * row(i)).sum()
+    let (_, factors) = symmetric_eigen(&sum);
+    let along = |matrix: &DMatrix<f64>| -> Vec<f64> {
+        factors.column_iter().map(|mode| mode.dot(&(matrix * mode))).collect()
     };
-    let parities: Vec<[f64; COUNT]> =
-        images.iter().map(|image| std::array::from_fn(|k| along(image, k))).collect();
+    let parities: Vec<Vec<f64>> = images.iter().map(along).collect();
     let is_definite = |k: &usize| parities.iter().all(|parity| parity[*k].abs() > ALMOST);
     // The subspace may end between modes of equal compliance, so that some have no parity.
     if (0..MODES).filter(is_definite).count() < MODES / 2 {
         return Vec::new();
     }
-    let mut own: Products = [[0.0; COUNT]; COUNT];
-    (0..COUNT).for_each(|k| own[k][k] = compliances[k]);
-    *compliances = std::array::from_fn(|k| along(&own, k));
-    subspace.vectors.mix(&factors);
+    subspace.compliances = along(&own);
+    subspace.vectors *= factors;
     parities
 }
 
@@ -137,4 +125,77 @@ pub(super) fn goes_outwards(displacement: &[Point], normals: &[Vec3<f64>], at: &
         (along.abs() > ALONG * longest * direction.length()).then_some(along)
     });
     clear.is_none_or(|along| along > 0.0)
+}
+
+/// Vertices are mirror images up to this fraction of the size, because shapes come from iterations.
+const NEAR: f64 = 1e-4;
+
+/// A plane of symmetry.
+pub(super) struct Mirror {
+    normal: [f64; 3],
+    /// The node whose mirror image each node of a vertex is; other nodes map to themselves.
+    image: Vec<u32>,
+}
+
+impl Mirror {
+    /// Finds the mirrors across coordinate planes and principal planes of `nodes`, the nodes of
+    /// vertices, at positions `at` on a model of this `size`.
+    pub(super) fn all(at: &[Row], nodes: &[u32], size: f64) -> Vec<Mirror> {
+        let n = nodes.len() as f64;
+        let mean: [f64; 3] =
+            std::array::from_fn(|c| nodes.iter().map(|&node| at[node as usize][c] / n).sum());
+        let relative =
+            |node: u32| -> [f64; 3] { std::array::from_fn(|c| at[node as usize][c] - mean[c]) };
+        let mut scatter = DMatrix::zeros(3, 3);
+        for &node in nodes {
+            let p = relative(node);
+            (0..9).for_each(|k| scatter[(k / 3, k % 3)] += p[k / 3] * p[k % 3]);
+        }
+        let (_, axes) = symmetric_eigen(&scatter);
+        let principal = axes.column_iter().map(|axis| [axis[0], axis[1], axis[2]]);
+        let coordinate = (0..3).map(|c| std::array::from_fn(|k| f64::from(u8::from(k == c))));
+        // Sorted along a direction that is unlikely to be the normal of a plane of symmetry.
+        let key = |p: [f64; 3]| dot(p, [0.532, 0.301, 0.791]);
+        let points: Vec<[f64; 3]> = nodes.iter().map(|&node| relative(node)).collect();
+        let order = argsort(points.iter().map(|&p| key_of_number(key(p))));
+        let keys: Vec<f64> = order.iter().map(|&k| key(points[k as usize])).collect();
+        let near = NEAR * size;
+        let find = |p: [f64; 3]| {
+            let first = keys.partition_point(|&other| other < key(p) - near);
+            let last = keys.partition_point(|&other| other <= key(p) + near);
+            let mut found = order[first..last].iter().copied().filter(|&k| {
+                let q = points[k as usize];
+                let away: [f64; 3] = std::array::from_fn(|c| q[c] - p[c]);
+                dot(away, away) <= near * near
+            });
+            found.next().filter(|_| found.next().is_none())
+        };
+        let mirror = |normal: [f64; 3]| {
+            let mut image: Vec<u32> = (0..at.len() as u32).collect();
+            for (&node, &p) in nodes.iter().zip(&points) {
+                image[node as usize] = nodes[find(mirrored(p, normal))? as usize];
+            }
+            Some(Mirror { normal, image })
+        };
+        coordinate.chain(principal).filter_map(mirror).collect()
+    }
+
+    /// The mirror image of a displacement, `#nodes`.
+    pub(super) fn of(&self, displacement: &[Row]) -> Vec<Row> {
+        let rows = self.image.iter().map(|&from| {
+            let [x, y, z, _] = displacement[from as usize];
+            let [x, y, z] = mirrored([x, y, z], self.normal);
+            [x, y, z, 0.0]
+        });
+        rows.collect()
+    }
+}
+
+fn mirrored(p: [f64; 3], normal: [f64; 3]) -> [f64; 3] {
+    let twice = 2.0 * dot(p, normal);
+    std::array::from_fn(|c| p[c] - twice * normal[c])
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|c| a[c] * b[c]).sum()
 }

@@ -1,11 +1,4 @@
 //! The camera.
-//!
-//! | file | holds |
-//! |---|---|
-//! | `orbit_camera` | the camera, its projection, and conversions between scene and canvas |
-//! | `framing` | fitting points into the canvas |
-//! | `section` | a plane that cuts the model open |
-//! | `flight` | the movement from one camera to another |
 
 pub mod flight;
 pub mod framing;

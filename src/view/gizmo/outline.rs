@@ -4,7 +4,7 @@
 //! is drawn heavier; while it is held, the others are drawn fainter.
 
 use super::drag_constraint::DragDirection;
-use super::parts::{Gizmo, GizmoState, Part};
+use super::{Gizmo, GizmoState, Part};
 use crate::view::appearance::{Colour, Palette};
 use glam::Vec2;
 

@@ -4,9 +4,9 @@
 //! WebGPU adapter and device are requested without a canvas, and the canvas is touched only when it
 //! is certain which backend draws on it.
 
-use super::canvas_size::clamp_size;
 use super::loss::Loss;
 use super::pipeline::{DEPTH_FORMAT, SAMPLES};
+use super::placement::clamp_size;
 use std::sync::Arc;
 
 /// Device, queue and canvas.

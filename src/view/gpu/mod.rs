@@ -6,15 +6,13 @@
 //! | `viewport` | the GPU resources of one picture |
 //! | `device` | adapter, device and surface |
 //! | `loss` | notification that a device was lost |
-//! | `placement` | the position of a picture, or of a tile of it, on the canvas |
-//! | `canvas_size` | the size of a canvas in device pixels |
+//! | `placement` | the position of a picture, or of a tile of it, on the canvas, and the size of that |
 //! | `gpu_tables` | buffers and textures that shaders read |
 //! | `globals` | the uniform block of all shaders |
 //! | `shaders` | the sources of the shaders |
 //! | `pipeline` | render pipelines |
 //! | `primitive` | the drawing primitives, one file for each kind |
 
-pub mod canvas_size;
 #[cfg(target_arch = "wasm32")]
 pub mod device;
 pub mod globals;

@@ -5,12 +5,12 @@ use super::gpu_tables::GpuTables;
 use super::placement::Placement;
 use super::viewport::Viewport;
 use crate::view::camera::{Camera, Section};
+use crate::view::flat_map::Region;
 use crate::view::gpu::primitive::{
     Backdrop, Circles, Faces, GizmoMarks, Lines, Occlusion, Points, ProjectionLines, Spheres,
 };
 use crate::view::model::RenderMesh;
 use crate::view::overlay::GroundShadow;
-use crate::view::side_by_side::Region;
 use crate::view::state::ViewState;
 use glam::Vec2;
 

@@ -1,27 +1,263 @@
-//! The mesh as it is drawn, and data that belongs to it.
+//! The mesh as it is drawn: positions relative to the view's own centre, triangles, edges and
+//! normals; and data that belongs to it.
 //!
-//! | file | holds |
-//! |---|---|
-//! | `lists` | rows of indices in flat arrays, and errors for bad arrays |
-//! | `render_mesh` | positions, faces, curves, triangles and edges as they are drawn |
-//! | `triangulate` | triangulation of polygons |
-//! | `normals` | normals of faces and vertices |
-//! | `polygon_edges` | the edges of the polygons |
-//! | `checks` | the checkerboard of a flat map |
-//! | `projections` | the projections of constraints |
-//! | `projected_faces` | the insides of projected shapes |
+//! Panels must look like panels, so shading uses mainly the normal of the polygon; the normal of
+//! the vertex only bends it slightly across the panel.
 
 pub mod checks;
 pub mod lists;
-pub mod normals;
-pub mod polygon_edges;
 pub mod projected_faces;
 pub mod projections;
-pub mod render_mesh;
 pub mod triangulate;
 
 pub use checks::Checks;
 pub use lists::{Lists, ViewError, check_indices, check_length};
 pub use projected_faces::ProjectedFaces;
 pub use projections::ProjectionMarks;
-pub use render_mesh::{RenderMesh, read_points};
+
+use crate::math::polygon_sides;
+use glam::{DVec3, Vec3};
+use triangulate::{newell_normal, triangulate};
+
+/// The mesh as it is drawn.
+#[derive(Clone, Debug, Default)]
+pub struct RenderMesh {
+    /// The centre of the first bounding box, in file coordinates. It stays when vertices move.
+    pub centre: DVec3,
+    /// The vertices of faces and curves, or all vertices if there are neither. A stray vertex far
+    /// away would otherwise shrink the model to a dot and cost precision.
+    pub used: Vec<u32>,
+    /// #V, in file coordinates.
+    pub exact: Vec<DVec3>,
+    /// #V, relative to the centre.
+    pub positions: Vec<Vec3>,
+    /// Corners of each face.
+    pub faces: Lists,
+    /// Vertices of each polyline.
+    pub curves: Lists,
+    /// Triangles of the faces, three vertices each.
+    pub triangles: Vec<[u32; 3]>,
+    /// The face of each triangle.
+    pub triangle_face: Vec<u32>,
+    /// The edges of the polygons, each once.
+    pub edges: Vec<PolygonEdge>,
+    /// Normals per face and per vertex.
+    pub normals: Normals,
+}
+
+impl RenderMesh {
+    /// Creates the mesh; `coordinates` is #V by 3 in a flat array, in file coordinates.
+    ///
+    /// # Errors
+    /// Arrays that do not fit together, or a coordinate that is not finite.
+    pub fn new(faces: Lists, curves: Lists, coordinates: &[f64]) -> Result<RenderMesh, ViewError> {
+        let exact = read_points(coordinates)?;
+        let used = used(&faces, &curves, exact.len());
+        let [low, high] = bounds(&used, &exact);
+        let edges = polygon_edges(&faces);
+        let centre = low + (high - low) * 0.5;
+        let mut mesh = RenderMesh { centre, used, faces, curves, edges, ..RenderMesh::default() };
+        mesh.place(exact);
+        for (f, face) in mesh.faces.iter().enumerate() {
+            triangulate(&mesh.positions, face, &mut mesh.triangles);
+            mesh.triangle_face.resize(mesh.triangles.len(), f as u32);
+        }
+        Ok(mesh)
+    }
+
+    /// Moves the vertices; `coordinates` as in [`RenderMesh::new`].
+    ///
+    /// # Errors
+    /// A wrong number of vertices, or a coordinate that is not finite. Nothing has moved then.
+    pub fn set_positions(&mut self, coordinates: &[f64]) -> Result<(), ViewError> {
+        check_length("positions", coordinates.len(), self.exact.len() * 3)?;
+        self.place(read_points(coordinates)?);
+        Ok(())
+    }
+
+    fn place(&mut self, exact: Vec<DVec3>) {
+        self.positions.clear();
+        self.positions.extend(exact.iter().map(|&p| (p - self.centre).as_vec3()));
+        self.exact = exact;
+        self.normals.update(&self.positions, &self.faces);
+    }
+
+    /// Returns whether the bounding box of other positions, #V by 3, is at most its diagonal away
+    /// from the centre, relative to which they then keep their digits.
+    pub fn is_near(&self, points: &[DVec3]) -> bool {
+        let [low, high] = bounds(&self.used, points);
+        (low + (high - low) * 0.5).distance(self.centre) <= low.distance(high)
+    }
+
+    /// Returns the positions of the used vertices, relative to the centre.
+    pub fn used_positions(&self) -> impl Iterator<Item = Vec3> + Clone {
+        self.used.iter().map(|&v| self.positions[v as usize])
+    }
+
+    /// Returns whether the mesh has only vertices, neither faces nor curves.
+    pub fn is_only_points(&self) -> bool {
+        self.faces.is_empty() && self.curves.is_empty()
+    }
+
+    /// Returns a point in file coordinates relative to the centre.
+    pub fn relative(&self, point: DVec3) -> Vec3 {
+        (point - self.centre).as_vec3()
+    }
+}
+
+/// Returns the lowest and the highest corner of the bounding box of the vertices `used`.
+fn bounds(used: &[u32], points: &[DVec3]) -> [DVec3; 2] {
+    let corners = used.iter().map(|&v| points[v as usize]);
+    [DVec3::min, DVec3::max].map(|end| corners.clone().reduce(end).unwrap_or_default())
+}
+
+/// Returns the vertices of faces and curves among `count`, ascending, or all if there are neither.
+fn used(faces: &Lists, curves: &Lists, count: usize) -> Vec<u32> {
+    let mut is_used = vec![faces.is_empty() && curves.is_empty(); count];
+    for &vertex in faces.iter().chain(curves.iter()).flatten() {
+        is_used[vertex as usize] = true;
+    }
+    (0..).zip(is_used).filter_map(|(vertex, used)| used.then_some(vertex)).collect()
+}
+
+/// Reads points from #P by 3 coordinates.
+///
+/// # Errors
+/// A length that is not a multiple of three, or a coordinate that is not finite.
+pub fn read_points(coordinates: &[f64]) -> Result<Vec<DVec3>, ViewError> {
+    check_length("positions", coordinates.len(), coordinates.len().next_multiple_of(3))?;
+    let (points, _) = coordinates.as_chunks::<3>();
+    if let Some(vertex) = points.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
+        return Err(ViewError::NotFinite { vertex });
+    }
+    Ok(points.iter().map(|&p| DVec3::from(p)).collect())
+}
+
+/// A side of one or more faces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PolygonEdge {
+    /// The two vertices, the smaller index first.
+    pub ends: [u32; 2],
+    /// Whether only one face has this side.
+    pub boundary: bool,
+}
+
+/// Returns every edge of `faces` once, sorted by vertices, without sides of zero length.
+pub fn polygon_edges(faces: &Lists) -> Vec<PolygonEdge> {
+    sides_by_edge(faces)
+        .chunk_by(|a, b| a.0 == b.0)
+        .map(|same| PolygonEdge { ends: same[0].0, boundary: same.len() == 1 })
+        .collect()
+}
+
+/// Returns every side of every face, the smaller vertex first, with its face. Sides of the same
+/// edge are adjacent, edges in the order of [`polygon_edges`].
+pub fn sides_by_edge(faces: &Lists) -> Vec<([u32; 2], u32)> {
+    let mut sides = Vec::new();
+    for (index, face) in (0..).zip(faces.iter()) {
+        let own = undirected_sides(face).filter(|[a, b]| a != b);
+        sides.extend(own.map(|ends| (ends, index)));
+    }
+    sides.sort_unstable();
+    sides
+}
+
+/// Returns the sides of a face, each with the smaller vertex first.
+pub fn undirected_sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
+    polygon_sides(corners).map(|[a, b]| [a.min(b), a.max(b)])
+}
+
+/// Unit normals: `faces` is #F, `vertices` is #V. Zero without area, or where normals cancel.
+#[derive(Clone, Debug, Default)]
+pub struct Normals {
+    /// One per polygon.
+    pub faces: Vec<Vec3>,
+    /// One per vertex, the area-weighted mean of its polygons.
+    pub vertices: Vec<Vec3>,
+}
+
+impl Normals {
+    /// Computes both for the given positions.
+    pub fn update(&mut self, positions: &[Vec3], faces: &Lists) {
+        self.faces.clear();
+        self.vertices.clear();
+        self.vertices.resize(positions.len(), Vec3::ZERO);
+        for face in faces.iter() {
+            let normal = newell_normal(positions, face);
+            for &corner in face {
+                self.vertices[corner as usize] += normal;
+            }
+            self.faces.push(normal.normalize_or_zero());
+        }
+        for normal in &mut self.vertices {
+            *normal = normal.normalize_or_zero();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(at: DVec3) -> RenderMesh {
+        let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.25]];
+        let coordinates: Vec<f64> =
+            corners.iter().flat_map(|&c| (DVec3::from(c) + at).to_array()).collect();
+        let faces = Lists::new("faces", vec![0, 4], vec![0, 1, 2, 3], 4).unwrap();
+        RenderMesh::new(faces, Lists::default(), &coordinates).unwrap()
+    }
+
+    #[test]
+    fn site_coordinates_lose_no_digits() {
+        let (here, there) =
+            (square(DVec3::ZERO), square(DVec3::new(2_679_500.0, 1_247_250.0, 408.0)));
+        assert_eq!(here.positions, there.positions);
+        assert_eq!(here.triangles.len(), 2);
+        assert_eq!(here.edges.len(), 4);
+    }
+
+    #[test]
+    fn a_stray_vertex_costs_no_digits() {
+        let at = DVec3::new(2_679_500.0, 1_247_250.0, 408.0);
+        let there = square(at);
+        let mut coordinates: Vec<f64> = there.exact.iter().flat_map(|p| p.to_array()).collect();
+        coordinates.extend([0.0; 3]);
+        let stray = RenderMesh::new(there.faces.clone(), Lists::default(), &coordinates).unwrap();
+        assert_eq!(stray.centre, there.centre);
+        assert_eq!(stray.positions[..4], there.positions);
+        assert!(stray.used_positions().eq(there.used_positions()));
+    }
+
+    #[test]
+    fn bad_positions_change_nothing() {
+        let mut mesh = square(DVec3::ZERO);
+        let before = mesh.positions.clone();
+        let mut wrong = [0.0; 12];
+        wrong[7] = f64::NAN;
+        assert_eq!(mesh.set_positions(&wrong), Err(ViewError::NotFinite { vertex: 2 }));
+        assert!(mesh.set_positions(&wrong[..9]).is_err());
+        assert_eq!(mesh.positions, before);
+    }
+
+    #[test]
+    fn shared_sides_come_once_and_the_rim_is_marked() {
+        let faces = Lists::new("faces", vec![0, 4, 7], vec![0, 1, 4, 3, 1, 2, 4], 5).unwrap();
+        let edges = polygon_edges(&faces);
+        assert_eq!(edges.len(), 6);
+        let inner: Vec<_> = edges.iter().filter(|e| !e.boundary).collect();
+        assert_eq!(inner.len(), 1);
+        assert_eq!(inner[0].ends, [1, 4]);
+    }
+
+    #[test]
+    fn a_folded_pair_has_two_face_normals_and_their_mean_on_the_fold() {
+        let positions =
+            [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from);
+        let faces = Lists::new("faces", vec![0, 3, 6], vec![0, 2, 1, 0, 1, 3], 4).unwrap();
+        let mut normals = Normals::default();
+        normals.update(&positions, &faces);
+        assert_eq!(normals.faces, [Vec3::Z, Vec3::X]);
+        assert!((normals.vertices[0] - Vec3::new(1.0, 0.0, 1.0).normalize()).length() < 1e-6);
+        assert_eq!(normals.vertices[3], Vec3::X);
+    }
+}

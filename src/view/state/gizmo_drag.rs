@@ -1,6 +1,6 @@
 //! The gizmo of a view, and dragging with or without it.
 
-use super::view_state::ViewState;
+use super::ViewState;
 use crate::view::gizmo::{DragConstraint, DragDirection, Gizmo, GizmoState};
 use crate::view::model::{ViewError, check_indices};
 use glam::{DVec3, Vec2, Vec3};

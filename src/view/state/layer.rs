@@ -1,6 +1,6 @@
 //! The layer beside the surface of a view, and the lines over the surface.
 
-use super::view_state::ViewState;
+use super::ViewState;
 use crate::view::appearance::{Colour, DARK, LineKind};
 use crate::view::model::{ViewError, check_indices, check_length, read_points};
 use crate::view::overlay::{ShownLayer, SurfaceLines};

@@ -1,7 +1,55 @@
-//! Small parts of a view: handles, switches, and flags of changes since the last picture.
+//! The parts of the state of a view: its contents (mesh, handles, shapes, projections, tape), its
+//! look (colours, marks, theme, switches), its viewpoint, and flags of changes since the last
+//! picture.
 
-use crate::view::appearance::DotKind;
-use glam::DVec3;
+use crate::view::appearance::{Appearance, DotKind};
+use crate::view::camera::Camera;
+use crate::view::model::{Checks, ProjectionMarks, RenderMesh};
+use crate::view::picking::DepthMap;
+use glam::{DVec3, Vec3};
+
+/// The mesh and the marks on it.
+#[derive(Debug, Default)]
+pub(super) struct Content {
+    pub(super) mesh: RenderMesh,
+    /// `#E by 2`: the edges that can be picked and selected.
+    pub(super) edges: Vec<[u32; 2]>,
+    pub(super) handles: Vec<HandleMark>,
+    /// Fitted shapes in view coordinates, [`super::SHAPE_NUMBERS`] numbers each.
+    pub(super) shapes: Vec<f32>,
+    pub(super) projections: ProjectionMarks,
+    pub(super) checks: Checks,
+    /// Sides of the faces that a flat map flips: `#sides by 2`.
+    pub(super) flipped: Vec<[u32; 2]>,
+    pub(super) tape: Vec<u32>,
+}
+
+/// Colours, marks, theme and switches.
+#[derive(Debug)]
+pub(super) struct Look {
+    pub(super) appearance: Appearance,
+    /// The colour of marked members of a constraint, three components from 0 to 1.
+    pub(super) tint: [f32; 3],
+    pub(super) display: Display,
+    pub(super) dark: bool,
+    /// A grey background for figures, instead of that of the theme.
+    pub(super) ground: Option<f32>,
+    /// Strength of the ambient occlusion, from 0 to 1.
+    pub(super) occlusion: f32,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Look {
+            appearance: Appearance::default(),
+            tint: [0.2, 0.7, 0.3],
+            display: Display { edges: true, ..Display::default() },
+            dark: false,
+            ground: None,
+            occlusion: 0.0,
+        }
+    }
+}
 
 /// Numbers per fitted shape: kind (0 circle, 1 sphere), centre, normal, radius.
 pub const SHAPE_NUMBERS: usize = 8;
@@ -72,5 +120,31 @@ impl Changes {
     /// Returns whether anything has changed.
     pub fn any(self) -> bool {
         self != Changes::default()
+    }
+}
+
+/// The camera, and data that depends on it.
+#[derive(Debug)]
+pub(super) struct Viewpoint {
+    pub(super) camera: Camera,
+    /// The point about which a drag turns the camera.
+    pub(super) turned_about: Vec3,
+    /// Whether the camera is as `fit` left it; then it is fitted again when the canvas is resized.
+    pub(super) framed: bool,
+    /// The frontmost face per pixel, computed on first use after camera or mesh have moved.
+    pub(super) depth_map: Option<DepthMap>,
+}
+
+impl Default for Viewpoint {
+    fn default() -> Self {
+        let camera = Camera::default();
+        Viewpoint { camera, turned_about: Vec3::ZERO, framed: true, depth_map: None }
+    }
+}
+
+impl Viewpoint {
+    /// Discards the depth map after camera or mesh have moved.
+    pub(super) fn forget_depth(&mut self) {
+        self.depth_map = None;
     }
 }

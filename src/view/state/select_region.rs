@@ -1,6 +1,6 @@
 //! Elements inside a box, a lasso, or a brush stroke. Screen positions are CSS pixels.
 
-use super::view_state::ViewState;
+use super::ViewState;
 use crate::math::polygon_sides;
 use crate::view::camera::{Camera, Eye};
 use crate::view::model::{RenderMesh, ViewError, check_indices, check_length};

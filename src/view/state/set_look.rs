@@ -1,7 +1,7 @@
 //! Setters of how a view looks: colours and marks of faces, theme, switches.
 
+use super::ViewState;
 use super::parts::Display;
-use super::view_state::ViewState;
 use crate::view::appearance::{
     Appearance, Colour, ColourScale, DARK, LIGHT, MapChoice, Palette, RowColours,
 };

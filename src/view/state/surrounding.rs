@@ -1,6 +1,6 @@
 //! The ghost and the ground of a view, its projection, and its depth range.
 
-use super::view_state::ViewState;
+use super::ViewState;
 use crate::view::appearance::LineKind;
 use crate::view::camera::{CameraProjection, Section, depth_range};
 use crate::view::model::{ViewError, check_length, read_points};

@@ -64,7 +64,7 @@ impl View {
         self.model().cover(pixels);
     }
 
-    /// Returns the camera as numbers, for saving. See [`crate::view::state::saved_camera`].
+    /// Returns the camera as numbers, for saving. See [`crate::view::state::navigate`].
     pub fn camera(&self) -> Vec<f64> {
         self.pictures.model().camera_numbers().to_vec()
     }

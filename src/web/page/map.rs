@@ -2,7 +2,7 @@
 
 use super::view::View;
 use crate::view::appearance::ColourScale;
-use crate::view::side_by_side::Region;
+use crate::view::flat_map::Region;
 use crate::web::thrown;
 use glam::Vec2;
 use wasm_bindgen::prelude::*;

@@ -2,8 +2,8 @@
 
 use super::view::View;
 use crate::view::appearance::{Bands, LineKind};
+use crate::view::line_drawing::line_drawing;
 use crate::view::overlay::{SurfaceLines, scale_bar};
-use crate::view::svg::line_drawing::line_drawing;
 use crate::web::thrown;
 use wasm_bindgen::prelude::*;
 

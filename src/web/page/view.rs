@@ -6,7 +6,7 @@
 use crate::view::appearance::{ColourMap, ColourScale, RowColours};
 use crate::view::gpu::{Device, DeviceError, Loss, Placement, Renderer};
 use crate::view::model::ProjectionMarks;
-use crate::view::side_by_side::Pictures;
+use crate::view::pictures::Pictures;
 use crate::view::state::{Display, ViewState};
 use crate::web::{log_panics, thrown};
 use glam::Vec2;

@@ -1,32 +1,166 @@
-//! Editing operations: each makes a new mesh and records the origins of its elements.
-//!
-//! | file | holds |
-//! |---|---|
-//! | `declaration` | declaration, input and errors of an operation |
-//! | `list` | the list of operations |
-//! | `triangle_pairs` | quads from triangles |
-//! | `triangles` | triangles from faces |
-//! | `diagonal` | a quad for each edge |
-//! | `dual` | a face for each vertex |
-//! | `strips` | inserting and removing strips of quads |
-//! | `extrude` | a row of quads along a boundary |
-//! | `holes` | filling holes |
-//! | `faces` | deleting, merging and splitting faces |
-//! | `vertices` | welding, merging and snapping vertices |
-//! | `orientation` | flipping faces |
+//! The list of editing operations: each makes a new mesh and records the origins of its elements.
 
 mod declaration;
-mod diagonal;
 mod dual;
 mod extrude;
 mod faces;
-mod holes;
-mod list;
 mod orientation;
 mod strips;
-mod triangle_pairs;
 mod triangles;
 mod vertices;
 
 pub use declaration::{MeshOperation, OperationError, Picks, Task};
-pub use list::MESH_OPERATIONS;
+
+use crate::mesh::edit::size::Size;
+use crate::mesh::edit::subdivide::KEPT_TURN;
+
+/// Every operation, in the order in which hosts list them.
+pub const MESH_OPERATIONS: &[MeshOperation] = &[
+    MeshOperation {
+        id: "quads",
+        label: "Triangles to quads",
+        summary: "Merges pairs of triangles whose union is closest to a flat rectangle; other triangles stay.",
+        picks: Picks::Nothing,
+        sizes: &[Size::degrees("corner", "Largest angle of a quad", 160.0, [90.0, 180.0])],
+        apply: triangles::to_quads,
+    },
+    MeshOperation {
+        id: "dual",
+        label: "Dual",
+        summary: "Makes a face for each vertex, with corners at the centres of the old faces: triangles become hexagons. The outline keeps its corners.",
+        picks: Picks::Nothing,
+        sizes: &[Size::degrees(
+            "keep",
+            "Keep corners that turn by more than",
+            KEPT_TURN,
+            [0.0, 180.0],
+        )],
+        apply: dual::dual,
+    },
+    MeshOperation {
+        id: "diagonal",
+        label: "Diagonal quads",
+        summary: "Makes a quad for each edge, from its ends and the centres of its faces; triangles along the boundary.",
+        picks: Picks::Nothing,
+        sizes: &[],
+        apply: dual::diagonal,
+    },
+    MeshOperation {
+        id: "triangles",
+        label: "Faces to triangles",
+        summary: "Cuts quads along the shorter diagonal, and larger faces from a new vertex at their centre.",
+        picks: Picks::Nothing,
+        sizes: &[],
+        apply: triangles::from_faces,
+    },
+    MeshOperation {
+        id: "insert-strip",
+        label: "Insert a strip",
+        summary: "Halves all quads of the strip that crosses an edge. Select the two ends of the edge.",
+        picks: Picks::Vertices,
+        sizes: &[],
+        apply: strips::insert,
+    },
+    MeshOperation {
+        id: "remove-strip",
+        label: "Remove a strip",
+        summary: "Collapses the strip of quads that crosses an edge. Select the two ends of the edge.",
+        picks: Picks::Vertices,
+        sizes: &[],
+        apply: strips::remove,
+    },
+    MeshOperation {
+        id: "extrude",
+        label: "Extrude the boundary",
+        summary: "Adds a row of quads along the boundary or its selected part: outward, in the direction of the surface, and up or down.",
+        picks: Picks::AnyVertices,
+        sizes: &[
+            Size::length("outward", "Outward", 1.0, [0.0, 1e6]),
+            Size::length("up", "Up", 0.0, [-1e6, 1e6]),
+        ],
+        apply: extrude::apply,
+    },
+    MeshOperation {
+        id: "fill",
+        label: "Fill holes",
+        summary: "Closes every boundary except the longest with a face, or only those with a selected vertex.",
+        picks: Picks::AnyVertices,
+        sizes: &[],
+        apply: faces::fill_holes,
+    },
+    MeshOperation {
+        id: "delete",
+        label: "Delete faces",
+        summary: "Removes the selected faces, and the vertices that only they use.",
+        picks: Picks::Faces,
+        sizes: &[],
+        apply: faces::delete,
+    },
+    MeshOperation {
+        id: "merge-faces",
+        label: "Merge faces",
+        summary: "Merges neighbouring selected faces into one.",
+        picks: Picks::Faces,
+        sizes: &[],
+        apply: faces::merge,
+    },
+    MeshOperation {
+        id: "split-face",
+        label: "Split a face",
+        summary: "Cuts a face between two of its corners. Select both.",
+        picks: Picks::Vertices,
+        sizes: &[],
+        apply: faces::split,
+    },
+    MeshOperation {
+        id: "weld",
+        label: "Weld",
+        summary: "Merges vertices that are closer to each other than a distance.",
+        picks: Picks::AnyVertices,
+        sizes: &[Size::length("distance", "Distance", 0.01, [1e-12, 1e6])],
+        apply: vertices::weld,
+    },
+    MeshOperation {
+        id: "merge-vertices",
+        label: "Merge vertices",
+        summary: "Merges the selected vertices into one at their centre.",
+        picks: Picks::Vertices,
+        sizes: &[],
+        apply: vertices::merge,
+    },
+    MeshOperation {
+        id: "snap",
+        label: "Snap to a grid",
+        summary: "Rounds the coordinates of all vertices, or of the selected ones, to multiples of a length.",
+        picks: Picks::AnyVertices,
+        sizes: &[Size::length("step", "Length", 0.1, [1e-12, 1e6])],
+        apply: vertices::snap,
+    },
+    MeshOperation {
+        id: "unify",
+        label: "Unify orientation",
+        summary: "Flips as few faces as possible so that all have the same orientation.",
+        picks: Picks::Nothing,
+        sizes: &[],
+        apply: orientation::unify,
+    },
+    MeshOperation {
+        id: "flip",
+        label: "Flip faces",
+        summary: "Flips all faces: front becomes back.",
+        picks: Picks::Nothing,
+        sizes: &[],
+        apply: orientation::flip,
+    },
+];
+
+impl MeshOperation {
+    /// Returns the operation with this id.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn of(id: &str) -> Result<&'static MeshOperation, OperationError> {
+        let found = MESH_OPERATIONS.iter().find(|operation| operation.id == id);
+        found.ok_or_else(|| OperationError::Unknown(id.to_owned()))
+    }
+}

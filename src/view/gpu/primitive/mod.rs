@@ -1,17 +1,4 @@
 //! Drawing primitives, each with its shader.
-//!
-//! | file | holds |
-//! |---|---|
-//! | `backdrop` | the background |
-//! | `faces` | lit faces |
-//! | `occlusion` | ambient occlusion of the faces |
-//! | `lines` | edges, curves, lines from handles to targets |
-//! | `points` | dots |
-//! | `circles` | fitted circles |
-//! | `spheres` | fitted spheres |
-//! | `projection_lines` | projected points, outlines and arrows |
-//! | `surrounding_lines` | ghost and ground |
-//! | `gizmo_marks` | the gizmo |
 
 pub mod backdrop;
 pub mod circles;

@@ -1,0 +1,101 @@
+//! `shape-up edit`: applies a mesh operation to a scene or a mesh.
+
+use crate::cli::arguments::apart;
+use crate::cli::words::{Word, Words};
+use crate::cli::{Failure, input, output};
+use serde_json::{Map, Value, json};
+use shape_up::mesh::{MESH_OPERATIONS, MeshOperation};
+use shape_up::session::{Edit, Error, Session};
+use shape_up::words;
+use std::path::PathBuf;
+
+/// `shape-up edit`.
+#[derive(Debug, PartialEq)]
+pub(in crate::cli) struct Remesh {
+    input: PathBuf,
+    /// The id of the operation.
+    operation: &'static str,
+    /// The given sizes, in the order of those of the operation.
+    sizes: Vec<Option<f64>>,
+    /// `vertices` and `faces`, if given.
+    picked: Map<String, Value>,
+    out: Option<PathBuf>,
+}
+
+/// Parses the arguments: input, operation, then the options, which depend on the operation.
+pub(in crate::cli) fn parse(mut words: Words) -> Result<Remesh, String> {
+    let known = || MESH_OPERATIONS.iter().map(|it| it.id).collect::<Vec<_>>().join(", ");
+    let Some(Word::File(input)) = words.next()? else {
+        return Err("edit needs a scene or a mesh file first".to_owned());
+    };
+    let Some(Word::File(id)) = words.next()? else {
+        return Err(format!("edit needs an operation after the file: {}", known()));
+    };
+    let id = id.to_string_lossy();
+    let operation =
+        MeshOperation::of(&id).map_err(|_| format!("edit does {}, found `{id}`", known()))?;
+    let mut sizes = vec![None; operation.sizes.len()];
+    let (mut picked, mut out) = (Map::new(), None);
+    while let Some(word) = words.next()? {
+        let name = match word {
+            Word::Option(name) => name,
+            Word::File(file) => {
+                return Err(format!("edit does not take `{}`", file.to_string_lossy()));
+            }
+        };
+        let size = operation.sizes.iter().position(|size| name.strip_prefix("--") == Some(size.id));
+        match (name.as_str(), size) {
+            ("--vertices" | "--faces", _) => {
+                picked.insert(name[2..].to_owned(), words.text(&name)?.into());
+            }
+            ("--out", _) => out = Some(words.mesh(&name, &["obj", "mesh", "json"])?),
+            (_, Some(size)) => sizes[size] = Some(words.number(&name)?),
+            (_, None) => {
+                let sizes: Vec<_> = operation.sizes.iter().map(|s| format!("--{}", s.id)).collect();
+                let takes = [sizes.join(", "), "--vertices, --faces, --out".to_owned()];
+                let takes: Vec<_> = takes.into_iter().filter(|names| !names.is_empty()).collect();
+                let takes = takes.join(", ");
+                return Err(format!("edit {} takes {takes}, found `{name}`", operation.id));
+            }
+        }
+    }
+    let input = PathBuf::from(input);
+    apart(&input, &[("--out", &out)])?;
+    Ok(Remesh { input, operation: operation.id, sizes, picked, out })
+}
+
+/// Applies the operation and prints the result.
+pub(in crate::cli) fn edit(command: &Remesh) -> Result<(), Failure> {
+    let input::Input { scene, mesh, mut remarks, .. } = input::read(&command.input)?;
+    let at_input = |error: Error| Failure::Input(format!("{}: {error}", command.input.display()));
+    let mut session = Session::open(scene, mesh).map_err(at_input)?;
+    let offered = session.operations();
+    let offered = offered.into_iter().find(|offered| offered.operation.id == command.operation);
+    let defaults = offered.expect("it was found when it was read").defaults;
+    let sizes = command.sizes.iter().zip(defaults);
+    let sizes: Vec<f64> = sizes.map(|(given, default)| given.unwrap_or(default)).collect();
+    let mut asked = command.picked.clone();
+    asked.insert("type".to_owned(), "remesh".into());
+    asked.insert("operation".to_owned(), command.operation.into());
+    asked.insert("sizes".to_owned(), json!(sizes));
+    let asked = Edit::from_json(&Value::Object(asked).to_string(), session.document());
+    let before = session.mesh().faces.len();
+    session.edit(asked.map_err(|error| at_input(error.into()))?).map_err(at_input)?;
+
+    let mesh = session.mesh();
+    let mut text = format!(
+        "{}: {} became {}, {}\n",
+        command.input.display(),
+        words::count(before, "face", "faces"),
+        words::count(mesh.faces.len(), "face", "faces"),
+        words::count(mesh.positions.len(), "vertex", "vertices")
+    );
+    remarks.extend_from_slice(session.lost());
+    let mut files = Vec::new();
+    if let Some(path) = &command.out {
+        remarks.extend(output::write_changed(path, &session, &mut files));
+    }
+    remarks.iter().for_each(|remark| text += &format!("note: {remark}\n"));
+    output::write(&files)?;
+    output::print(&text)
+}

@@ -1,0 +1,109 @@
+//! `shape-up refine`: subdivides a scene or a mesh, solving at every level if panels are required.
+
+use crate::cli::arguments::Refine;
+use crate::cli::{Failure, input, output};
+use serde::Serialize;
+use shape_up::session::{Edit, Error, Report, Session, Verdict};
+use shape_up::solve::Require;
+use shape_up::words;
+use std::path::Path;
+use std::time::Instant;
+
+/// The report written by `--report`.
+#[derive(Serialize)]
+struct RefineReport {
+    /// From the input mesh to the last level.
+    levels: Vec<Level>,
+    /// A sentence for each item that was not carried over.
+    lost: Vec<String>,
+    /// The report of the last level.
+    report: Report,
+}
+
+/// A solved level.
+#[derive(Serialize)]
+struct Level {
+    vertices: usize,
+    faces: usize,
+    total: f64,
+    /// The deviation of the panels from the required shape.
+    verdict: Option<Verdict>,
+    #[serde(skip)]
+    words: String,
+    seconds: f64,
+}
+
+pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
+    let input::Input { mut scene, mesh, mut remarks, .. } = input::read(&command.input)?;
+    let at_input = |error: Error| Failure::Input(format!("{}: {error}", command.input.display()));
+    let subdivision = command.subdivision;
+    if let Some(kind) = command.panels {
+        let asked = scene.request_panels(kind, Require::Soft, &mesh);
+        asked.map_err(|error| at_input(error.into()))?;
+    }
+    let solves = command.panels.is_some();
+    let mut session = Session::open(scene, mesh).map_err(at_input)?;
+    let (mut levels, mut lost) = (Vec::new(), Vec::new());
+    let mut refine = |session: &mut Session, levels| {
+        let (scheme, keep) = (subdivision.scheme, subdivision.keep);
+        session.edit(Edit::Refine { scheme, levels, keep, adopt: command.adopt })?;
+        lost.extend_from_slice(session.lost());
+        Ok(())
+    };
+    if solves {
+        for level in 0..=subdivision.levels {
+            let start = Instant::now();
+            if level > 0 {
+                refine(&mut session, 1).map_err(at_input)?;
+            }
+            session.solve(false).map_err(at_input)?;
+            levels.push(level_of(&mut session, start));
+        }
+    } else {
+        refine(&mut session, subdivision.levels).map_err(at_input)?;
+    }
+
+    let report = session.report();
+    let mut text = format!(
+        "{}: {}, {}\n",
+        command.input.display(),
+        words::count(report.vertices, "vertex", "vertices"),
+        words::count(report.faces, "face", "faces")
+    );
+    remarks.extend(lost.iter().cloned());
+    let mut files: Vec<(&Path, String)> = Vec::new();
+    if let Some(path) = &command.out {
+        remarks.extend(output::write_changed(path, &session, &mut files));
+    }
+    remarks.iter().for_each(|remark| text += &format!("note: {remark}\n"));
+    levels.iter().for_each(|level| text += &line(level));
+    if let Some(path) = &command.report {
+        let report = RefineReport { levels, lost, report };
+        files.push((path, output::json(&report)));
+    }
+    output::write(&files)?;
+    output::print(&text)
+}
+
+fn level_of(session: &mut Session, start: Instant) -> Level {
+    let verdict = session.verdict(session.tolerance());
+    let words = verdict.as_ref().map(|verdict| session.verdict_words(verdict).full);
+    Level {
+        vertices: session.mesh().positions.len(),
+        faces: session.mesh().faces.len(),
+        total: session.solver().energy().total,
+        verdict,
+        words: words.unwrap_or_default(),
+        seconds: start.elapsed().as_secs_f64(),
+    }
+}
+
+fn line(level: &Level) -> String {
+    format!(
+        "{}, energy {}, {} s. {}\n",
+        words::count(level.faces, "face", "faces"),
+        words::number(level.total),
+        words::number(level.seconds),
+        level.words
+    )
+}

@@ -1,0 +1,236 @@
+//! `shape-up check` of the results of a lesson: of one student (`RESULTS --scene SCENE`), against
+//! the goals; or of a class (`FOLDER [--scene SCENE] [--csv FILE.csv]`), as a table.
+
+use crate::cli::{Failure, input, output};
+use shape_up::scene::{GoalOf, GoalResult, NamedEnum, Results, SceneError};
+use shape_up::session::{Checked, Error, check_results};
+use shape_up::words;
+use std::path::{Path, PathBuf};
+
+/// The extension of scene files.
+const SCENE: &str = ".shapeup.json";
+
+const HEAD: [&str; 9] = [
+    "student",
+    "goals met",
+    "of",
+    "worst distance",
+    "moved",
+    "iterations",
+    "altered",
+    "changed",
+    "file",
+];
+
+/// Entries of column `altered`: for an unreadable file, and for one of another mesh or lesson. For
+/// others that cannot be checked it is the reason.
+const NOT_RESULTS: &str = "unreadable";
+const OTHER: &str = "another mesh or lesson";
+
+/// Checks all results files in `folder`, sorted by student. The default scene is the one in it.
+pub(crate) fn check_class(
+    folder: &Path,
+    scene: Option<&Path>,
+    csv: Option<&Path>,
+) -> Result<(), Failure> {
+    let at = |message: String| Failure::Input(format!("{}: {message}", folder.display()));
+    let (scenes, handed_in): (Vec<PathBuf>, Vec<PathBuf>) =
+        files(folder)?.into_iter().partition(|path| name(path).ends_with(SCENE));
+    let scene = match (scene, &*scenes) {
+        (Some(scene), _) => scene,
+        (None, [one]) => one,
+        (None, []) => return Err(at(format!("no scene, expected one *{SCENE}, or --scene SCENE"))),
+        (None, _) => return Err(at(format!("{} scenes, expected --scene SCENE", scenes.len()))),
+    };
+    let input = input::read(scene)?;
+    let mut unreadable = Vec::new();
+    let mut rows = Vec::new();
+    for path in handed_in.iter().filter(|path| path.as_path() != scene) {
+        match read(path) {
+            Ok(results) => {
+                let checked = check_results(&results, input.scene.clone(), input.mesh.clone());
+                rows.push(row(path, &results, checked));
+            }
+            Err(failure) => {
+                let mut row = [""; 9].map(str::to_owned);
+                (row[6], row[8]) = (NOT_RESULTS.to_owned(), name(path));
+                rows.push(row);
+                unreadable.push(failure);
+            }
+        }
+    }
+    if rows.is_empty() {
+        return Err(at("no results, expected files *.results.json".to_owned()));
+    }
+    rows.sort_by_key(|row| (row[0].to_lowercase(), row[8].clone()));
+    if let Some(csv) = csv {
+        let lines = std::iter::once(HEAD.map(str::to_owned).to_vec());
+        let lines = lines.chain(rows.iter().map(|row| row.to_vec()));
+        let text: String = lines.map(|row| comma_separated(&row)).collect();
+        output::write(&[(csv, text)])?;
+    }
+    output::print(&aligned(&rows, &input.scene.units))?;
+    match unreadable.into_iter().next() {
+        Some(first) => Err(first),
+        None => Ok(()),
+    }
+}
+
+/// Returns the files in a folder that may be scenes or results, sorted by name.
+fn files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let entries = std::fs::read_dir(folder).map_err(|error| {
+        Failure::Input(format!("{}: cannot be read: {error}, expected a folder", folder.display()))
+    })?;
+    let paths = entries.filter_map(|entry| entry.ok().map(|entry| entry.path()));
+    let mut paths: Vec<PathBuf> =
+        paths.filter(|path| path.is_file() && name(path).ends_with(".json")).collect();
+    paths.sort();
+    Ok(paths)
+}
+
+fn name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+fn row(path: &Path, results: &Results, checked: Result<Checked, Error>) -> [String; 9] {
+    let student = results.student.clone();
+    let iterations = results.iterations.to_string();
+    let checked = match checked {
+        Ok(checked) => checked,
+        Err(error) => {
+            let altered = match error {
+                Error::Scene(SceneError { path, .. }) if path == "scene" => OTHER.to_owned(),
+                error => error.to_string(),
+            };
+            let [met, of, distance, moved, changed] = [""; 5].map(str::to_owned);
+            let file = name(path);
+            return [student, met, of, distance, moved, iterations, altered, changed, file];
+        }
+    };
+    let met = checked.goals.iter().filter(|goal| goal.met).count();
+    let altered: Vec<_> = checked.altered.iter().map(|lock| lock.word()).collect();
+    [
+        student,
+        met.to_string(),
+        checked.goals.len().to_string(),
+        checked.distance.to_string(),
+        checked.moved.to_string(),
+        iterations,
+        altered.join(" "),
+        checked.changed.join("; "),
+        name(path),
+    ]
+}
+
+/// Formats the table in aligned columns, without the column `changed`, which is long, and with
+/// three digits of the numbers.
+fn aligned(rows: &[[String; 9]], units: &str) -> String {
+    let shown = |row: &[String; 9]| {
+        let [student, met, of, distance, moved, iterations, altered, _, file] = row.clone();
+        let goals = if of.is_empty() { "-".to_owned() } else { format!("{met} of {of}") };
+        let short = |number: String| number.parse().map_or(number, words::number);
+        let (distance, moved) = (short(distance), short(moved));
+        let altered = if altered.is_empty() { "no".to_owned() } else { altered };
+        [student, goals, distance, moved, iterations, altered, file]
+    };
+    let unit = if units.is_empty() { String::new() } else { format!(" ({units})") };
+    let head = [
+        "student".to_owned(),
+        "goals met".to_owned(),
+        format!("worst distance{unit}"),
+        format!("moved{unit}"),
+        "iterations".to_owned(),
+        "altered".to_owned(),
+        "file".to_owned(),
+    ];
+    let lines: Vec<[String; 7]> = std::iter::once(head).chain(rows.iter().map(shown)).collect();
+    let passed =
+        rows.iter().filter(|row| !row[2].is_empty() && row[1] == row[2] && row[6].is_empty());
+    let sum =
+        format!("{} passed, of {}\n", passed.count(), words::count(rows.len(), "file", "files"));
+    output::table(&lines) + &sum
+}
+
+/// Formats a line of CSV. A field that a spreadsheet would read as a formula (students' names are
+/// untrusted) is turned into text.
+fn comma_separated(row: &[String]) -> String {
+    let field = |text: &String| {
+        let text = match text.chars().next() {
+            Some('=' | '+' | '-' | '@' | '\t' | '\r') => format!("'{text}"),
+            _ => text.clone(),
+        };
+        format!("\"{}\"", text.replace('"', "\"\""))
+    };
+    row.iter().map(field).collect::<Vec<_>>().join(",") + "\n"
+}
+
+pub(crate) fn check(path: &Path, scene: &Path) -> Result<(), Failure> {
+    let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
+    let results = read(path)?;
+    let input = input::read(scene)?;
+    let units = input.scene.units.clone();
+    let checked = check_results(&results, input.scene, input.mesh);
+    let checked = checked.map_err(|error| at(error.to_string()))?;
+    output::print(&words(&results, &checked, &units))?;
+    let missed = checked.goals.iter().filter(|goal| !goal.met).count();
+    if missed > 0 {
+        return Err(at(format!("{missed} of {} goals not met, expected all", checked.goals.len())));
+    }
+    if let [first, ..] = &*checked.altered {
+        return Err(at(format!(
+            "locked {} altered, expected the same as in the scene",
+            first.word()
+        )));
+    }
+    Ok(())
+}
+
+fn words(results: &Results, checked: &Checked, units: &str) -> String {
+    let mut lines = vec![
+        format!("student     {}", results.student),
+        format!("title       {}", results.title),
+        format!("saved       {}", results.time),
+        format!("iterations  {}", results.iterations),
+        format!("moved       {}", words::length(checked.moved, units)),
+        format!("distance    {}", words::length(checked.distance, units)),
+    ];
+    if !results.steps.is_empty() {
+        lines.push(format!("steps       {}", results.steps.join("; ")));
+    }
+    if !checked.changed.is_empty() {
+        lines.push(format!("changed     {}", checked.changed.join("; ")));
+    }
+    lines.extend(checked.altered.iter().map(|lock| format!("altered     locked {}", lock.word())));
+    let said = results.goals.iter().map(Some).chain(std::iter::repeat(None));
+    for (goal, said) in checked.goals.iter().zip(said) {
+        let met = if goal.met { "met        " } else { "not met    " };
+        let otherwise = said.is_none_or(|said| said.met != goal.met);
+        let otherwise = if otherwise { ", but the file says otherwise" } else { "" };
+        lines.push(format!("{met} {}{otherwise}", measured(goal)));
+    }
+    if !units.is_empty() {
+        lines.push(format!("lengths in  {units}"));
+    }
+    lines.join("\n") + "\n"
+}
+
+/// Formats the subject of a goal, its value, and its limit.
+fn measured(goal: &GoalResult) -> String {
+    let of = match &goal.goal.of {
+        GoalOf::Measure(id) => id.clone(),
+        GoalOf::Beyond { measure, tolerance } => {
+            format!("panels with {measure} beyond {}", words::brief(*tolerance))
+        }
+        GoalOf::Constraint(name) | GoalOf::Build(name) => name.clone(),
+    };
+    let value = goal.value.map_or("none".to_owned(), words::number);
+    format!("{of}: {value}, at most {}", words::brief(goal.goal.at_most))
+}
+
+/// Reads a results file.
+fn read(path: &Path) -> Result<Results, Failure> {
+    let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
+    let text = String::from_utf8(input::bytes(path)?)
+        .map_err(|_| at("the file is not UTF-8 text, expected results in JSON".to_owned()))?;
+    Results::from_json(&text).map_err(|error| at(error.to_string()))
+}

@@ -1,0 +1,210 @@
+//! A build in space: everything as objects on layers, for CAD programs (panels, offset, beams, node
+//! axes, and the sheets at their real size beside the shape); the shape with its offset and beams
+//! as one file for presentations; and as groups of one mesh in the unit and the coordinates of the
+//! model.
+
+use crate::fabricate::beam::Prism;
+use crate::fabricate::build::{Build, beam_name, node_name};
+use crate::fabricate::file::{GlbPart, glb};
+use crate::fabricate::panel::triangles_in_space;
+use crate::fabricate::sheet::Role;
+use crate::math::{Vec3, twice_vector_area};
+use crate::mesh::{Group, GroupKeyword, Mesh};
+use serde::Serialize;
+
+/// An object on a layer, in the unit of the mesh; z is up.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct SpatialPart {
+    /// The name of its layer.
+    pub layer: String,
+    /// The colour of the layer: red, green, blue.
+    pub colour: [u8; 3],
+    /// Its name; may be empty.
+    pub name: String,
+    /// Its points.
+    pub points: Vec<[f64; 3]>,
+    /// Its faces over the points, counterclockwise seen from outside; empty for a line. Faces that a
+    /// program could fill wrongly are triangles: those with more than four corners or a notch.
+    pub faces: Vec<Vec<u32>>,
+    /// Whether a line leads back to its first point, which is not repeated.
+    pub closed: bool,
+}
+
+/// Faces, those with more than four corners or a notch as triangles.
+fn filled(faces: &[Vec<u32>], points: &[Vec3<f64>]) -> Vec<Vec<u32>> {
+    let mut found = Vec::new();
+    for face in faces {
+        let corners: Vec<Vec3<f64>> = face.iter().map(|&v| points[v as usize]).collect();
+        let outside = twice_vector_area(corners.iter().copied());
+        let n = corners.len();
+        let turns_left = |k: usize| {
+            let [a, b, c] = [k, k + 1, k + 2].map(|k| corners[k % n]);
+            (b - a).cross(c - b).dot(outside) >= 0.0
+        };
+        match n <= 4 && (0..n).all(turns_left) {
+            true => found.push(face.clone()),
+            false => found.extend(
+                triangles_in_space(&corners).into_iter().map(|own| own.map(|k| face[k]).into()),
+            ),
+        }
+    }
+    found
+}
+
+/// Distance of sheets from the shape and from each other, as a fraction of their width.
+const BESIDE: f64 = 0.1;
+
+impl Build {
+    /// All objects, rotated so that z is up. `z_up` is whether z is up in the mesh; else y is.
+    pub fn spatial_parts(&self, z_up: bool) -> Vec<SpatialPart> {
+        let surface = &self.surface;
+        let turned = |point: Vec3<f64>| -> [f64; 3] {
+            let [x, y, z] = (point + surface.centre).into();
+            if z_up { [x, y, z] } else { [x, -z, y] }
+        };
+        let on = |layer: &str, colour, name: &str, points: &[Vec3<f64>]| SpatialPart {
+            layer: layer.to_owned(),
+            colour,
+            name: name.to_owned(),
+            points: points.iter().map(|&point| turned(point)).collect(),
+            faces: Vec::new(),
+            closed: false,
+        };
+        let faces: Vec<Vec<u32>> = surface.faces.iter().map(<[u32]>::to_vec).collect();
+        let (grey, violet, brown, blue) =
+            ([110, 110, 115], [90, 50, 165], [115, 75, 45], [0, 90, 160]);
+        let mut parts = vec![SpatialPart {
+            faces: filled(&faces, &surface.positions),
+            ..on("Surface", grey, "", &surface.positions)
+        }];
+        for (face, name) in faces.iter().zip(&self.names) {
+            let corners: Vec<_> = face.iter().map(|&v| surface.at(v)).collect();
+            parts.push(SpatialPart { closed: true, ..on("Panels", grey, name, &corners) });
+        }
+        if let Some((axes, _)) = &self.offset {
+            let above = surface.positions.iter().zip(&axes.axes);
+            let above: Vec<_> = above.map(|(p, n)| *p + *n * self.distance()).collect();
+            let own = on("Offset", violet, "", &above);
+            parts.push(SpatialPart { faces: filled(&faces, &above), ..own });
+            for (v, (&low, &high)) in (0..).zip(surface.positions.iter().zip(&above)) {
+                if low != high {
+                    parts.push(on("Nodes", blue, &node_name(v), &[low, high]));
+                }
+            }
+        }
+        let prisms = self.frame.iter().flat_map(|frame| &frame.prisms);
+        for (edge, prism) in surface.edges.iter().zip(prisms) {
+            if let Some(prism) = prism {
+                let name = beam_name(edge.ends);
+                let own = on("Beams", brown, &name, &prism.corners);
+                let faces = filled(&Prism::faces(), &prism.corners);
+                parts.push(SpatialPart { faces, ..own });
+            }
+        }
+        let beside = parts.iter().flat_map(|part| &part.points);
+        let (mut right, mut front) = (f64::NEG_INFINITY, f64::INFINITY);
+        for [x, y, _] in beside {
+            (right, front) = (right.max(*x), front.min(*y));
+        }
+        parts.extend(self.sheets_from([right, front]));
+        parts
+    }
+
+    /// The lines of all sheets at their real size, side by side to the right of this point on the
+    /// ground.
+    fn sheets_from(&self, [right, front]: [f64; 2]) -> Vec<SpatialPart> {
+        let of_mm = 1.0 / self.mm_of_building();
+        let mut parts = Vec::new();
+        let mut left = right;
+        for drawing in self.drawings() {
+            left += BESIDE * drawing.size[0] * of_mm;
+            for line in &drawing.lines {
+                let put = |&[x, y]: &[f64; 2]| [left + x * of_mm, front + y * of_mm, 0.0];
+                let title = if line.role == Role::Sheet { &drawing.name } else { &line.part };
+                parts.push(SpatialPart {
+                    layer: format!("Sheets {}", line.role.layer()),
+                    colour: line.role.rgb(),
+                    name: title.clone(),
+                    points: line.points.iter().map(put).collect(),
+                    faces: Vec::new(),
+                    closed: line.closed,
+                });
+            }
+            left += drawing.size[0] * of_mm;
+        }
+        parts
+    }
+}
+
+/// The name of the file.
+pub const PRESENTATION: &str = "model.glb";
+
+impl Build {
+    /// Writes panels, offset panels and flat beams between them as binary glTF, in metres about the
+    /// centre of the bounding box. `z_up` is whether z is up in the mesh; else y is.
+    pub fn presentation(&self, z_up: bool) -> Vec<u8> {
+        let [mut panels, mut offset, mut beams] = [
+            ("panels", [0.80, 0.81, 0.83, 1.0]),
+            ("offset", [0.35, 0.20, 0.65, 0.35]),
+            ("beams", [0.45, 0.30, 0.18, 1.0]),
+        ]
+        .map(|(name, colour)| GlbPart { name, colour, ..GlbPart::default() });
+        let metres = self.unit.metres;
+        let surface = &self.surface;
+        let below = |v: u32| surface.at(v) * metres;
+        for face in surface.faces.iter() {
+            panels.add_polygon(&face.iter().map(|&v| below(v)).collect::<Vec<_>>());
+        }
+        if let Some((axes, _)) = &self.offset {
+            let by = self.distance() * metres;
+            let above = |v: u32| -> Vec3<f64> { below(v) + axes.axes[v as usize] * by };
+            for face in surface.faces.iter() {
+                offset.add_polygon(&face.iter().map(|&v| above(v)).collect::<Vec<_>>());
+            }
+            for [i, j] in surface.edges.iter().map(|edge| edge.ends) {
+                beams.add_polygon(&[below(i), below(j), above(j), above(i)]);
+            }
+        }
+        glb(&[panels, offset, beams], z_up)
+    }
+}
+
+/// Panels, the offset, and every prism by its name; none if no beams are made.
+pub(in crate::fabricate) fn solids(build: &Build) -> Option<Mesh> {
+    let frame = build.frame.as_ref()?;
+    let (axes, _) = build.offset.as_ref()?;
+    let mut mesh = Mesh::default();
+    let faces = || build.surface.faces.iter().map(<[u32]>::to_vec);
+    let moved = |by: f64| -> Vec<Vec3<f64>> {
+        build.surface.positions.iter().zip(&axes.axes).map(|(p, n)| *p + *n * by).collect()
+    };
+    let centre = build.surface.centre;
+    add(&mut mesh, "panels", &moved(0.0), centre, faces());
+    add(&mut mesh, "offset", &moved(build.distance()), centre, faces());
+    for (edge, prism) in build.surface.edges.iter().zip(&frame.prisms) {
+        if let Some(prism) = prism {
+            let faces = Prism::faces();
+            add(&mut mesh, &beam_name(edge.ends), &prism.corners, centre, faces);
+        }
+    }
+    Some(mesh)
+}
+
+fn add(
+    mesh: &mut Mesh,
+    name: &str,
+    points: &[Vec3<f64>],
+    centre: Vec3<f64>,
+    faces: impl IntoIterator<Item = Vec<u32>>,
+) {
+    let first = mesh.positions.len() as u32;
+    mesh.positions.extend(points.iter().map(|&point| <[f64; 3]>::from(point + centre)));
+    let first_face = mesh.faces.len() as u32;
+    for face in faces {
+        mesh.faces.push(&face.iter().map(|v| v + first).collect::<Vec<_>>());
+    }
+    let faces = (first_face..mesh.faces.len() as u32).collect();
+    let (name, keyword) = (name.to_owned(), GroupKeyword::Group);
+    mesh.groups.push(Group { name, keyword, faces, curves: Vec::new() });
+}

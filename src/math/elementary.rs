@@ -1,0 +1,112 @@
+//! Angles, sines and cosines, and the cube root. All platforms give the same bits, which their own
+//! functions do not: these use `+ - * / sqrt`, which round correctly, or `libm`.
+
+/// Returns the angle in radians, from 0 to pi, whose cosine and sine are these times the same
+/// positive number. The sine must not be negative. Relative error below 3e-16. NaN if both are
+/// zero.
+pub fn angle(cosine: f64, sine: f64) -> f64 {
+    if cosine == 0.0 && sine == 0.0 { f64::NAN } else { libm::atan2(sine, cosine) }
+}
+
+/// The sine of an angle in turns: a Taylor polynomial over a quarter turn, accurate to 1e-15.
+pub fn sine(turns: f64) -> f64 {
+    // Reduced to -1/2..1/2 turns, then mirrored into -1/4..1/4.
+    let turns = turns - (turns + 0.5).floor();
+    let turns = match turns {
+        t if t > 0.25 => 0.5 - t,
+        t if t < -0.25 => -0.5 - t,
+        t => t,
+    };
+    let x = turns * std::f64::consts::TAU;
+    // Horner's scheme on 1 - x^2/(2*3) (1 - x^2/(4*5) (1 - ...)).
+    let polynomial = (1..=9).rev().fold(1.0, |sum, k| {
+        let k = f64::from(2 * k);
+        1.0 - x * x / (k * (k + 1.0)) * sum
+    });
+    x * polynomial
+}
+
+/// The cosine of an angle in turns.
+pub fn cosine(turns: f64) -> f64 {
+    sine(turns + 0.25)
+}
+
+/// Cosine and sine of an angle in degrees, accurate to 1e-15, and exact at their zeros.
+pub fn cosine_and_sine_of_degrees(degrees: f64) -> [f64; 2] {
+    [sine((90.0 - degrees) / 360.0), sine(degrees / 360.0)]
+}
+
+/// The cube root of a non-negative number, accurate to the last bits.
+pub fn cube_root(x: f64) -> f64 {
+    if x == 0.0 || x == f64::INFINITY {
+        return x;
+    }
+    // Fixed-point iteration r <- (r x)^(1/4): each step divides the error of the logarithm by four.
+    let start = (0..28).fold(1.0f64, |root, _| (root.sqrt() * x.sqrt()).sqrt());
+    start - (start - x / start / start) / 3.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{cube_root, *};
+    use std::f64::consts::PI;
+
+    #[test]
+    #[expect(clippy::disallowed_methods, reason = "the platform is what is compared with")]
+    fn agrees_with_the_platform_at_every_length() {
+        for k in 0..=1800 {
+            let expected = f64::from(k) / 1800.0 * PI;
+            for length in [1e-100, 1.0, 3e50] {
+                let found = angle(length * expected.cos(), length * expected.sin());
+                assert!((found - expected).abs() <= 1e-15 * PI, "{expected}: {found}");
+            }
+        }
+        assert_eq!([angle(2.0, 0.0), angle(-2.0, 0.0)], [0.0, PI]);
+        assert!(angle(0.0, 0.0).is_nan());
+    }
+
+    #[test]
+    #[expect(clippy::disallowed_methods, reason = "the platform is what is compared with")]
+    fn degrees_agree_with_the_platform() {
+        for k in -1800..=3600 {
+            let degrees = f64::from(k) / 10.0;
+            let [c, s] = cosine_and_sine_of_degrees(degrees);
+            let radians = degrees.to_radians();
+            // Radians beyond half a turn are themselves rounded by more.
+            let tolerance = if degrees <= 180.0 { 1e-15 } else { 2e-15 };
+            assert!((c - radians.cos()).abs() <= tolerance, "cosine of {degrees}");
+            assert!((s - radians.sin()).abs() <= tolerance, "sine of {degrees}");
+        }
+        for k in 0..4 {
+            let [c, s] = cosine_and_sine_of_degrees(f64::from(90 * k));
+            assert_eq!(if k % 2 == 0 { s } else { c }, 0.0, "{k} quarters");
+        }
+    }
+
+    #[test]
+    fn sine_and_cosine_lie_on_the_unit_circle_and_add_up() {
+        for k in -300..300 {
+            let (a, b) = (f64::from(k) / 97.0, f64::from(k) / 41.0 + 0.1);
+            let unit = sine(a) * sine(a) + cosine(a) * cosine(a);
+            assert!((unit - 1.0).abs() < 1e-12, "{a}: {unit}");
+            let sum = sine(a) * cosine(b) + cosine(a) * sine(b);
+            assert!((sine(a + b) - sum).abs() < 2e-12, "{a} + {b}");
+        }
+        assert!((sine(1.0 / 12.0) - 0.5).abs() < 1e-15);
+        assert_eq!((sine(0.0), sine(0.25)), (0.0, cosine(0.0)));
+    }
+
+    #[test]
+    fn cubes_give_back_what_was_cubed() {
+        for k in -100..=100 {
+            let power = 10f64.powi(k);
+            for root in [1.0, 1.7, 3.3, 9.9].map(|factor| factor * power) {
+                let error = cube_root(root * root * root) / root - 1.0;
+                assert!(error.abs() <= 1e-15, "{root:e}: off by {error:e}");
+            }
+        }
+        assert_eq!(cube_root(0.0), 0.0);
+        assert!(cube_root(5e-324) > 0.0);
+        assert_eq!(cube_root(f64::INFINITY), f64::INFINITY);
+    }
+}
