@@ -18,7 +18,7 @@ pub(crate) struct Transaction {
 enum Kind {
     Drag,
     Run,
-    Variation(ShownVariation),
+    Variation(Box<ShownVariation>),
 }
 
 /// A variation of a shape that is shown and not kept.
@@ -42,7 +42,7 @@ impl Transaction {
 
     /// Begins to show a shape that is not kept; `back` leads to the state before it.
     pub(crate) fn variation(back: Change, shown: ShownVariation) -> Transaction {
-        Transaction { kind: Kind::Variation(shown), back, joins_last: false }
+        Transaction { kind: Kind::Variation(Box::new(shown)), back, joins_last: false }
     }
 
     /// The variation that is shown, if it is one.
