@@ -91,7 +91,7 @@
 //!
 //! [`fabricate`] takes a mesh and settings (the key `build` of a scene), and needs no
 //! solver. The command line calls it with the shape of a scene; the page in the second worker
-//! (`www/features/build`), so that iterations do not wait for it. Both write the same bytes, and say
+//! (`www/worker/jobs/build.ts`), so that iterations do not wait for it. Both write the same bytes, and say
 //! the same words (`fabricate/build_words`).
 //!
 //! # Two numeric factors

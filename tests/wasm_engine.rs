@@ -106,9 +106,11 @@ fn a_mesh_is_opened_constrained_run_and_undone() {
 #[wasm_bindgen_test]
 fn what_the_second_worker_finds_on_a_copy_is_accepted_for_that_shape_only() {
     let mut solver = loaded();
-    let within = r#"{ "type": "addConstraint", "kind": "plane", "params": {}, "on": "faces",
-                      "weight": 1, "require": { "within": 0.01 } }"#;
-    solver.edit(object(within)).expect("planes fit quads");
+    let planes =
+        r#"{ "type": "addConstraint", "kind": "plane", "params": {}, "on": "faces", "weight": 1 }"#;
+    solver.edit(object(planes)).expect("planes fit quads");
+    let within = r#"{ "type": "setConstraint", "index": 0, "require": { "within": 0.01 } }"#;
+    solver.edit(object(within)).expect("the row is there");
     solver.begin_run().expect("a model is open");
     while !solver.step().expect("positions stay finite") {}
     solver.end_run().expect("a model is open");

@@ -33,7 +33,9 @@ impl Session {
         mesh: Mesh,
     ) -> Result<&mut Session, Error> {
         let checked = Checked::new(scene, mesh)?;
-        let last = open.as_ref().map_or(0, |session| session.scene.last_generation());
+        let [last, now] = open
+            .as_ref()
+            .map_or([0; 2], |session| [session.scene.last_generation(), session.generation()]);
         let before = open.take().map(Session::suspend);
         match checked.open() {
             Ok(session) => {
@@ -47,6 +49,7 @@ impl Session {
                 *open = before.map(resume);
                 if let Some(session) = open {
                     session.scene.follow_generation(last);
+                    session.scene.restored(now);
                 }
                 Err(error)
             }

@@ -93,7 +93,7 @@ impl Session {
 
     /// Shows the positions `#V by 3` of a variation of the shape with the number `of`, with the
     /// report if they were brought back onto the constraints. Returns false if the current shape is
-    /// another one.
+    /// another one, or dragged.
     pub fn show_variation(
         &mut self,
         of: u32,
@@ -106,7 +106,7 @@ impl Session {
             }
             shown.report.clone_from(&report);
         } else {
-            if self.generation() != of {
+            if self.is_dragging() || self.generation() != of {
                 return false;
             }
             let shown = ShownVariation { of, report: report.clone() };

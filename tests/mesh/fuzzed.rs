@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use shape_up::mesh::{read, write_obj};
+use shape_up::words;
 
 const NAMES: [&str; 4] = ["a.obj", "a.off", "a.mesh", "a"];
 
@@ -41,7 +42,7 @@ fn check(bytes: &[u8]) {
         }
         for problem in &read.problems {
             assert!(problem.count > 0 && problem.line.is_some());
-            assert!(problem.to_string().starts_with(&problem.count.to_string()));
+            assert!(problem.to_string().starts_with(&words::group_digits(problem.count)));
         }
         assert_eq!(
             write_obj(mesh, &mesh.positions).lines().next().map(|line| &line[..2]),

@@ -26,14 +26,21 @@ export const bumpyGrid = (n: number) =>
 /** A grid of steps that cannot be flat without folds. */
 export const steppedGrid = (n: number) => gridText(n, (x, y) => 0.3 * ((x * y) % 5));
 
-/** The OBJ text of a tube of 12 by 4 quads, open at both ends. */
-export function tube() {
+/**
+ * The OBJ text of a tube of 12 by 4 quads, open at both ends.
+ * @param shape.width of the tube across, as a part of its depth
+ * @param shape.taper by how much it is wider at the upper end
+ * @param shape.power of the heights of its rings: 2 moves them to the lower end
+ */
+export function tube({ width = 1, taper = 0, power = 1 } = {}) {
   const [around, along] = [12, 4];
   const lines = [];
   for (let v = 0; v < around * (along + 1); v++) {
     const angle = (2 * Math.PI * v) / around;
-    const height = (3 * Math.floor(v / around)) / along;
-    lines.push(`v ${Math.cos(angle).toFixed(6)} ${Math.sin(angle).toFixed(6)} ${height}`);
+    const height = (Math.floor(v / around) / along) ** power;
+    const radius = 1 + taper * height;
+    const [x, y] = [radius * Math.cos(angle), width * radius * Math.sin(angle)];
+    lines.push(`v ${x.toFixed(6)} ${y.toFixed(6)} ${3 * height}`);
   }
   for (let f = 0; f < around * along; f++) {
     const below = f + 1;

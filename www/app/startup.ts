@@ -119,7 +119,7 @@ export class Startup {
       this.#store.set({ status: `Opened ${title}` });
       if (undoLost) this.#alerts.notice(`The undo history of ${title} is lost: ${undoLost}.`);
     } catch (error) {
-      this.#reportUnreadable(error);
+      if (await opening.isWanted()) this.#reportUnreadable(error);
     }
   }
 

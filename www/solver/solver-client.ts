@@ -66,7 +66,7 @@ export class SolverClient extends Emitter<SolverEvents> {
   geometry: Geometry | null = null;
   /** Text of the scene as last sent by the worker, and its generation there. */
   sceneText: string | null = null;
-  #sceneGeneration = 0;
+  #sceneGeneration: number | null = null;
   /** Data saved with that text. */
   saved: Saved = { iteration: 0, history: null, progress: null };
 
@@ -148,11 +148,14 @@ export class SolverClient extends Emitter<SolverEvents> {
     this.#post({ name: 'recycle', given: [positions] }, [positions.buffer]);
   }
 
-  /** Returns the model as it was when the worker was last idle, for the second worker. */
+  /**
+   * Returns the model as it was when the worker was last idle, for the second worker; null until the
+   * scene of a new model has come.
+   */
   copy(): Snapshot | null {
-    return this.sceneText === null
-      ? null
-      : { text: this.sceneText, generation: this.#sceneGeneration };
+    const { sceneText: text } = this;
+    const generation = this.#sceneGeneration;
+    return text === null || generation === null ? null : { text, generation };
   }
 
   /** Whether there is no worker, for good. */
@@ -245,6 +248,7 @@ export class SolverClient extends Emitter<SolverEvents> {
           this.#modelName = message.loaded.name;
         }
         message.loaded.name = this.#modelName;
+        this.#sceneGeneration = null;
         this.#previous = null;
         this.geometry = {
           generation: ++this.#generation,

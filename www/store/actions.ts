@@ -129,17 +129,14 @@ export function createActions(
 
     trials: createTrials(solver, jobs),
 
-    /** Ends a run; returns the model at rest, for the second worker. */
-    async rest() {
-      await solver.change.rest();
-      return solver.copy();
-    },
+    /** Ends a run; returns what is shown, for the second worker. */
+    rest: solver.change.rest,
 
     /** Other shapes that are equally exact, shown and kept. */
     variations: {
       show: solver.change.showVariation,
       keep: () => reportErrors(solver.change.keepVariation()),
-      leave: () => reportErrors(solver.change.rest()),
+      leave: () => reportErrors(solver.change.leaveVariation()),
     },
 
     /** Passes numbers of the build, by id, to the session; goals of a lesson may bound them. */

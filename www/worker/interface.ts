@@ -8,7 +8,7 @@ import { missingFiles, open, type Opening } from './open.ts';
 import type { Scheduler } from './scheduler.ts';
 import { mostFaces, warmUpWhenQuiet } from './warm-up.ts';
 import type { Shown } from './frames.ts';
-import type { Drag, Edit, ExactReport, ExactShape, NamedBytes } from '../solver/types.ts';
+import type { Drag, Edit, ExactReport, ExactShape, NamedBytes, Snapshot } from '../solver/types.ts';
 
 /** Commands, which have no answer. Their errors are told as `trouble`. */
 export const commandsOf = (scheduler: Scheduler) => ({
@@ -76,7 +76,8 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
      * @returns whether it was done
      */
     makeExact: (shape: ExactShape, positions: Float64Array, joins: boolean) =>
-      paused(() => scheduler.betweenRuns(() => solver.makeExact(shape, positions, joins), true)),
+      !scheduler.isMoving &&
+      scheduler.betweenRuns(() => solver.makeExact(shape, positions, joins), true),
     /** @returns the name of what was undone */
     undo: () => paused(() => scheduler.betweenRuns(() => solver.undo() ?? null)),
     /** @returns the name of what was redone */
@@ -97,14 +98,16 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
      * @returns whether it is the current shape that is varied
      */
     showVariation: (generation: number, positions: Float64Array, report: ExactReport | null) =>
-      shows(() => solver.showVariation(generation, positions, report)),
+      !scheduler.isMoving && shows(() => solver.showVariation(generation, positions, report)),
     /**
      * Makes the projected shape the design, as one step of undo.
      * @returns whether there was anything to keep
      */
     keepVariation: () => scheduler.betweenRuns(() => solver.keepVariation(), false),
-    /** Ends a run, and shows the shape before a variation that is not kept. */
-    rest: () => paused(() => shows(() => solver.leaveVariation())),
+    /** Shows the shape before a variation that is not kept. */
+    leaveVariation: () => shows(() => solver.leaveVariation()),
+    /** Ends a run; returns what is shown, for the second worker. */
+    rest: () => paused((): Snapshot => ({ text: solver.scene(), generation: solver.generation() })),
   };
 }
 
@@ -133,7 +136,6 @@ type Inner =
   | 'free'
   | 'ignoreCollapse'
   | 'keepUnwelded'
-  | 'leaveVariation'
   | 'load'
   | 'remeshed'
   | 'restore'

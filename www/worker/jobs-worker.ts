@@ -31,10 +31,12 @@ onmessage = ({ data: module }: MessageEvent<WebAssembly.Module>) => {
 
 async function answer({ id, name, given }: Call & { id: number }) {
   const post = (answer: JobAnswer) => postMessage(answer);
+  let isReady = false;
   try {
     await ready;
+    isReady = true;
     post({ id, value: methods[name](...given) });
   } catch (thrown) {
-    post({ id, refused: messageOf(thrown), isDead: isTrap(thrown) });
+    post({ id, refused: messageOf(thrown), isDead: !isReady || isTrap(thrown) });
   }
 }

@@ -69,6 +69,11 @@ export class Scheduler {
     return this.#isLoaded;
   }
 
+  /** Whether a run or a drag is under way. */
+  get isMoving() {
+    return this.#isRunning || this.#isDragging;
+  }
+
   get isIterating() {
     return this.#isLoaded && (this.#isRunning || this.#isDragging) && !this.#isSettled;
   }

@@ -54,7 +54,8 @@ impl Verdict {
 
     /// The same, with the panels that are within a larger tolerance only, because they would fold.
     fn reached(&self, units: &str) -> String {
-        let Some(eased) = self.eased else { return self.met(self.within, self.tolerance, units) };
+        let eased = self.eased.filter(|_| self.within < self.panels);
+        let Some(eased) = eased else { return self.met(self.within, self.tolerance, units) };
         if eased.panels == self.panels {
             let all = self.met(self.panels, eased.within, units);
             return format!(

@@ -130,7 +130,8 @@ impl Session {
     }
 
     /// Accepts the shape of a trial, `#V by 3`, and its requirements, as a step of undo or as a part
-    /// of the last one. Returns false if the trial began at another shape or with another problem.
+    /// of the last one. Returns false if the trial began at another shape or with another problem,
+    /// or during a drag.
     ///
     /// # Errors
     /// If the system would be singular; nothing has changed then.
@@ -140,10 +141,10 @@ impl Session {
         positions: &[Point],
         joins_last: bool,
     ) -> Result<bool, Error> {
-        self.end_transaction();
-        if shape.generation != self.generation() {
+        if self.is_dragging() || shape.generation != self.generation() {
             return Ok(false);
         }
+        self.end_transaction();
         let values = |&row: &usize| {
             let now = RowValues::of(&self.document().constraints[row]);
             Part::RowValues(row, RowValues { require: Require::Exact, eased: None, ..now })

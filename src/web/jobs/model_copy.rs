@@ -1,7 +1,6 @@
 //! A copy of the open model.
 
-use super::trials::Trial;
-use crate::session::{FileReader, OpenedFile, Session, Variations};
+use crate::session::{ExactTrial, FileReader, OpenedFile, Remedies, Session, Variations};
 use crate::web::plain::plain;
 use crate::web::worker::ForecastWords;
 use crate::web::{log_panics, thrown};
@@ -15,6 +14,12 @@ pub struct ModelCopy {
     pub(super) generation: u32,
     pub(super) trial: Option<Trial>,
     pub(super) variations: Option<Variations>,
+}
+
+/// What is being tried.
+pub(super) enum Trial {
+    Exact(Box<ExactTrial>),
+    Remedies(Box<Remedies>),
 }
 
 #[wasm_bindgen]

@@ -1,19 +1,13 @@
 //! Trials on the copy: the cost of exactness, improvements, and edits that may help if constraints
 //! are not met.
 
-use super::model_copy::ModelCopy;
+use super::model_copy::{ModelCopy, Trial};
 use crate::session::{Error, ExactShape, ExactTrial, Remedies};
 use crate::solve::clock;
 use crate::web::plain::{flat, plain};
 use crate::web::thrown;
 use js_sys::Float64Array;
 use wasm_bindgen::prelude::*;
-
-/// What is being tried.
-pub(super) enum Trial {
-    Exact(Box<ExactTrial>),
-    Remedies(Box<Remedies>),
-}
 
 #[wasm_bindgen]
 impl ModelCopy {

@@ -194,13 +194,14 @@ test(
 
 test('a map that folds offers settings with fewer folds', async ({ page }) => {
   await openPage(page);
-  // Two boundary loops: the map folds with the default settings, but not with others.
-  await openText(page, 'tube.obj', tube(), 60);
+  // Two boundary loops: the map folds with the default settings, but not with others. A round tube
+  // has several maps of equal energy, between which rounding decides.
+  await openText(page, 'tube.obj', tube({ width: 0.5, taper: 0.1, power: 2 }), 60);
   await parametrize(page);
   await expect(value(page, 'Flipped triangles')).not.toHaveText('0');
   await expect(page.getByText(/^Weight .* flips none, mean error/)).toBeVisible();
   await page.getByRole('button', { name: 'Use these settings' }).click();
   await expect(value(page, 'Flipped triangles')).toHaveText('0');
-  await expect(page.getByLabel('Weight of a polygon')).toHaveValue('one');
+  await expect(page.getByLabel('Weight of a polygon')).toHaveValue('lscm');
   await expect(page.getByRole('button', { name: 'Use these settings' })).toBeHidden();
 });

@@ -7,12 +7,14 @@ import { Emitter } from '../../../www/solver/emitter.ts';
 import type { JobsClient } from '../../../www/solver/jobs-client.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 
-type Heard = { activity: { running: boolean }; scene: { generation: number } };
+type Heard = { frame: object; scene: { generation: number } };
+type Fake = Emitter<Heard> & { geometry: { generation: number } };
 
 /** Trials of many steps; `during` is called after the first. */
-function trials(during: (solver: Emitter<Heard>) => void) {
+function trials(during: (solver: Fake) => void) {
   const solver = Object.assign(new Emitter<Heard>(), {
     copy: () => ({ text: 'the scene', generation: 5 }),
+    geometry: { generation: 1 },
   });
   let steps = 0;
   const begun: unknown[] = [];
@@ -28,13 +30,14 @@ function trials(during: (solver: Emitter<Heard>) => void) {
   };
   const made = createTrials(solver as unknown as SolverClient, { ask } as unknown as JobsClient);
   solver.emit('scene', { generation: 5 });
+  solver.emit('frame', {});
   return { made, begun, steps: () => steps };
 }
 
 test('a trial runs to its end on a copy of the model', async () => {
   const { made, begun, steps } = trials((solver) => {
     solver.emit('scene', { generation: 5 });
-    solver.emit('activity', { running: false });
+    solver.emit('frame', {});
   });
   assert.equal(await made.exactOffer(() => true), 'the shape');
   assert.deepEqual(begun, [{ text: 'the scene', generation: 5 }]);
@@ -42,8 +45,14 @@ test('a trial runs to its end on a copy of the model', async () => {
 });
 
 for (const [what, during] of [
-  ['a run', (solver: Emitter<Heard>) => solver.emit('activity', { running: true })],
-  ['an edit', (solver: Emitter<Heard>) => solver.emit('scene', { generation: 6 })],
+  [
+    'a run or a drag',
+    (solver: Fake) => {
+      solver.geometry.generation += 1;
+      solver.emit('frame', {});
+    },
+  ],
+  ['an edit', (solver: Fake) => solver.emit('scene', { generation: 6 })],
 ] as const)
   test(`${what} ends a trial, and what was found is dropped`, async () => {
     const { made, steps } = trials(during);

@@ -12,11 +12,11 @@ export function offerCancel(worker: string, busy: boolean, abandon: () => void) 
   if (before) removeKeepingFocus(before, () => before.remove());
   const messages = byId('messages');
   // Opening a large file shows its own message.
-  if (!busy || messages.querySelector('.import')) return;
+  if (!busy || messages.querySelector(':scope > :not(.work) .import')) return;
   const bar = element('progress', { 'aria-label': 'The solver is working' });
   const words = element('div.import', element('p', 'Working …'), bar);
   const cancel = element('button.small.bordered', { onclick: abandon }, 'Cancel');
-  const attributes = { class: 'message notice', role: 'group', 'aria-label': 'Long work' };
+  const attributes = { class: 'message notice work', role: 'group', 'aria-label': 'Long work' };
   const card = element('div', attributes, words, cancel);
   cards.set(worker, card);
   messages.append(card);

@@ -54,6 +54,7 @@ async function read(
   try {
     return await open(await Promise.all(chosen.map((file) => namedBytes(file))));
   } catch (error) {
+    if (!(await opening.isWanted())) return null;
     const names = chosen.map(({ name }) => name).join(' and ');
     alerts.error(`${names} could not be read from the disk (${messageOf(error)}).`);
   }

@@ -9,14 +9,16 @@ import type { AppContext } from '../../app/context.ts';
 export async function buildGoals(app: AppContext) {
   const { store, actions } = app;
   const live = new LiveBuild(app, 'goals', {
-    show: tell,
+    show: () => void actions.reportErrors(tell()),
     showOffset: () => {},
-    refuse: () => actions.setBuildNumbers([]),
+    refuse: () => void actions.reportErrors(actions.setBuildNumbers([])),
   });
   await live.offers();
 
   async function tell() {
-    await actions.setBuildNumbers(await live.numbers());
+    const numbers = await live.numbers();
+    // Of another shape they say nothing; it is built in its turn.
+    if (live.isCurrent()) await actions.setBuildNumbers(numbers);
   }
 
   const isAsked = () =>

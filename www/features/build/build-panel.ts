@@ -111,7 +111,7 @@ async function buildPanel(app: AppContext) {
     pictures.show(sheets, new Set(layer.panels), Math.max(0, found.sheets - MOST_SHEETS));
     pictures.mark(store.get().selection.faces);
     save.disabled = rhino.disabled = report.disabled = false;
-    void offerKinds();
+    void actions.reportErrors(offerKinds());
   }
 
   /** Shows the error of each kind of offset, while the shape is at rest. */

@@ -18,8 +18,9 @@ export class LiveBuild {
   #builds = latestOnly(() => this.#once());
   /** Generations of the worker and of the shape, and settings of the last build. */
   #key = '';
-  /** Mesh of the last build. */
+  /** Mesh of the last build, and generation of its shape. */
   #mesh: object | null = null;
+  #generation = 0;
   /** Settings of the last build; empty if it was refused. */
   #agreed = '';
   /** Duration of the last build. */
@@ -111,6 +112,7 @@ export class LiveBuild {
         return this.#showOffset(await jobs.ask.reshape(this.#asker, positions));
       }
       [this.#key, this.#mesh, this.#agreed] = [key, mesh, agreed];
+      this.#generation = generation;
       const { faceOffsets: offsets, faceIndices: indices } = mesh;
       const shape = { positions, offsets, indices, settings, symbol, metres };
       const begun = performance.now();
@@ -122,6 +124,7 @@ export class LiveBuild {
       // A build that was cancelled, or has ended its worker, is not begun again by itself.
       this.#key = keyNow();
       this.#refuse(messageOf(error));
+      if (isSaved) throw error;
     }
   }
 
@@ -148,6 +151,11 @@ export class LiveBuild {
   async zip() {
     await this.#whole();
     return this.#app.jobs.ask.zipParts(this.#asker, this.#isZUp());
+  }
+
+  /** Whether the last build is of the shape as it is now. */
+  isCurrent() {
+    return this.#app.solver.geometry?.generation === this.#generation;
   }
 
   /** The numbers that a lesson may bound. */

@@ -48,7 +48,7 @@ export class FlatMapController {
 
   toggle() {
     if (this.#store.get().flatMap) this.close();
-    else void this.flatten();
+    else return this.flatten();
   }
 
   /** Closes the flat map. */
@@ -85,7 +85,7 @@ export class FlatMapController {
     const search = async () => {
       try {
         const model = await this.#actions.rest();
-        show((model && (await this.#jobs.ask.fewerFlips(model, found.flipped))) ?? 'none');
+        show((await this.#jobs.ask.fewerFlips(model, found.flipped)) ?? 'none');
       } catch (error) {
         show(null);
         throw error;
@@ -96,7 +96,8 @@ export class FlatMapController {
 
   async #map(weights: MapWeights, norm: MapNorm) {
     const model = await this.#actions.rest();
-    return model && this.#jobs.ask.parametrize(model, weights, norm);
+    const { iteration = 0 } = this.#store.get().numbers ?? {};
+    return { found: await this.#jobs.ask.parametrize(model, weights, norm), iteration };
   }
 
   /** Shows the map of the current shape. */
@@ -104,10 +105,9 @@ export class FlatMapController {
     const { weights, norm } = this.#choices;
     this.#actions.setStatus('Flattening …');
     try {
-      const found = await this.#newest(this.#map(weights, norm));
-      if (!found) return;
-      const { numbers } = this.#store.get();
-      const iteration = numbers?.iteration ?? 0;
+      const map = await this.#newest(this.#map(weights, norm));
+      if (!map) return;
+      const { found, iteration } = map;
       this.#actions.look({
         flatMap: { found, iteration, fewerFlips: null, ...this.#choices },
         status: `Flattened in ${duration(1000 * found.seconds)}`,

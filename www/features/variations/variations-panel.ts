@@ -3,6 +3,7 @@
 import './variations.css';
 import { docked } from '../../docked/docked.ts';
 import { button, closeButton } from '../../ui/controls/fields.ts';
+import { messageOf } from '../../solver/errors.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { once } from '../../ui/once.ts';
 import { latestOnly } from '../../store/latest-only.ts';
@@ -19,17 +20,18 @@ export const toggleVariations = (app: AppContext) => thePanel(app).toggle();
 
 function variationsPanel(app: AppContext) {
   const { store, solver, actions } = app;
-  const { ask } = app.jobs;
+  const { jobs } = app;
+  const { ask } = jobs;
   const { variations } = actions;
   let cards: ReturnType<typeof variationCard>[] = [];
   /** Number of the current search; a new number ends it. */
   let search = 0;
-  /** Whether the slider was released, so that the shape is made exact again. */
-  let isReleased = false;
+  /** What the latest deed shows: the shape of the sliders, that made exact, or the shape before. */
+  let wanted: 'moved' | 'exact' | 'none' = 'none';
   /** The document and theme for which the variations were computed. */
   let searched: unknown[] = [];
-  /** The generation of the shape that is varied. */
-  let varied = 0;
+  /** The generation of the shape that is varied, and of the worker that has its variations. */
+  let varied = [0, 0];
 
   const words = element('p', { 'aria-live': 'polite' });
   const grid = element('div.variation-cards');
@@ -57,19 +59,28 @@ function variationsPanel(app: AppContext) {
   /** Computes the variations of the open shape. */
   async function find() {
     const mine = ++search;
+    try {
+      await findIn(mine);
+    } catch (error) {
+      if (mine === search) setText(words, messageOf(error));
+    }
+  }
+
+  /** @param mine the number of the search */
+  async function findIn(mine: number) {
     const { connectivity } = solver.geometry ?? {};
     cards = [];
     grid.replaceChildren();
     setText(words, 'Looking for variations of the shape …');
     searched = [store.get().document, store.get().dark];
-    // The shape that was open, at rest.
+    await variations.leave();
     const model = await actions.rest();
-    if (!connectivity || !model || !(await ask.findVariations(model))) {
+    if (!connectivity || !(await ask.findVariations(model))) {
       if (mine === search) setText(words, NONE);
       return;
     }
     if (mine !== search) return;
-    varied = model.generation;
+    varied = [model.generation, jobs.generation];
     let progress = await ask.advanceVariations();
     while (mine === search && progress.found === null) progress = await ask.advanceVariations();
     if (mine !== search) return;
@@ -93,21 +104,26 @@ function variationsPanel(app: AppContext) {
     }
   }
 
-  /** Shows the shape of the sliders, or makes it exact. */
-  const follow = (): Promise<unknown> => (isReleased ? project() : show());
+  /** Shows what is wanted. */
+  function follow(): Promise<unknown> {
+    if (wanted === 'none') return variations.leave();
+    // The worker that had the variations was ended.
+    if (varied[1] !== jobs.generation) return find();
+    return wanted === 'exact' ? project() : show();
+  }
   const updates = latestOnly(() => actions.reportErrors(follow()));
   const coefficients = () => Float64Array.from(cards, (card) => card.value());
   const isMoved = () => cards.some((card) => card.value() !== 0);
 
   /** While a slider moves: shows the deformed shape. */
   function change() {
-    isReleased = false;
+    wanted = 'moved';
     update();
   }
 
   /** After a slider is released: makes the shape exact. */
   function release() {
-    isReleased = true;
+    wanted = 'exact';
     update();
   }
 
@@ -119,13 +135,13 @@ function variationsPanel(app: AppContext) {
   }
 
   async function show() {
-    await variations.show(varied, await ask.towards(coefficients()), null);
+    await variations.show(varied[0], await ask.towards(coefficients()), null);
   }
 
   async function project() {
     const asked = coefficients();
     const { positions, part, report } = await ask.go(asked);
-    if (!(await variations.show(varied, positions, report)) || updates.hasNext()) return;
+    if (!(await variations.show(varied[0], positions, report)) || updates.hasNext()) return;
     if (part < 1) cards.forEach((card, k) => card.set(part * asked[k]));
     setText(words, part < 1 ? 'This is as far as the shape can go and stay exact.' : HINT);
     back.disabled = keep.disabled = !isMoved();
@@ -142,19 +158,19 @@ function variationsPanel(app: AppContext) {
   function leave() {
     cards.forEach((card) => card.set(0));
     back.disabled = keep.disabled = true;
-    isReleased = false;
-    return variations.leave();
+    wanted = 'none';
+    void updates.ask();
   }
 
   const place = docked(panel, {
     opened() {
       void kept.update();
-      void actions.reportErrors(find());
+      void find();
       keep.focus();
     },
     closed() {
       search++;
-      if (isMoved()) void leave();
+      if (isMoved()) leave();
     },
   });
 
@@ -165,8 +181,7 @@ function variationsPanel(app: AppContext) {
       if (!model?.faces || !scene) return place.close();
       void kept.update();
       // An edit or undo step may have changed the shape, and with it the variations.
-      if (!running && (scene !== searched[0] || dark !== searched[1]))
-        void actions.reportErrors(find());
+      if (!running && (scene !== searched[0] || dark !== searched[1])) void find();
     },
   );
   return place;

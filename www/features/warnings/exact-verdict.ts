@@ -67,8 +67,10 @@ async function improve(app: App, output: Output) {
     'Improving: looking for an equally exact shape with less energy …',
     stop,
   );
-  const found = await actions.reportErrors(actions.trials.improvement(() => !isStopped));
-  if (!found) return group.remove();
+  const found = await actions.reportErrors(
+    actions.trials.improvement(() => !isStopped && group.isConnected),
+  );
+  if (!found || !(isStopped || group.isConnected)) return group.remove();
   const { before, after, words } = found.offer;
   const gained = 1 - after.energy / before.energy;
   if (!(gained > LEAST_GAIN)) {
@@ -94,7 +96,8 @@ async function showCost(app: App, output: Output, words: ExactWords) {
   const { offer: cost } = found;
   const allowed = tolerance ?? model.tolerance;
   if (cost.met && cost.moved.max <= allowed && cost.folded === 0) {
-    if (await exact.accept(found, true)) say(cost.words.taken, improveButton(app, output));
+    if (!(await exact.accept(found, true))) return group.remove();
+    say(cost.words.taken, improveButton(app, output));
     return;
   }
   if (cost.tooLarge || !cost.met) {

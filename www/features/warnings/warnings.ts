@@ -80,7 +80,8 @@ export function watchConditions(app: AppContext) {
     );
     const waiting = element('p.quiet', 'Looking for changes that help …');
     group.append(waiting);
-    const remedies = await actions.trials.remedies().catch(() => []);
+    const remedies = await actions.trials.remedies().catch(() => null);
+    if (!remedies) return waiting.remove();
     const helping = remedies
       .slice(0, MOST_REMEDIES)
       .map(({ label, edit, worst }) =>

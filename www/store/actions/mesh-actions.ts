@@ -14,15 +14,21 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
   async function untilEnd(begin: () => unknown) {
     // A current run goes on, and is waited for.
     let began = store.get().running;
+    let stop = () => {};
     const ended = new Promise((settle) => {
-      const stop = solver.on('activity', ({ running, converged }) => {
+      stop = solver.on('activity', ({ running, converged }) => {
         began ||= running;
         if (running || !began) return;
         stop();
         settle(converged);
       });
     });
-    await begin();
+    try {
+      await begin();
+    } catch (error) {
+      stop();
+      throw error;
+    }
     return ended;
   }
 

@@ -14,19 +14,21 @@ const MOST_REMEDIES_MS = 4000;
 export function createTrials(solver: SolverClient, { ask }: JobsClient) {
   /** Number of the current trial. */
   let turn = 0;
-  /** Of the model as last known. */
-  let generation: number | undefined;
+  /** Generations of the problem and of the shape as last known. */
+  let [problem, shape]: (number | undefined)[] = [];
 
   const end = () => {
     turn += 1;
   };
   solver.on('model', end);
-  solver.on('activity', ({ running }) => {
-    if (running) end();
+  solver.on('scene', ({ generation }) => {
+    if (generation !== problem) end();
+    problem = generation;
   });
-  solver.on('scene', (scene) => {
-    if (scene.generation !== generation) end();
-    ({ generation } = scene);
+  // A run or a drag moves it.
+  solver.on('frame', () => {
+    if (solver.geometry?.generation !== shape) end();
+    shape = solver.geometry?.generation;
   });
 
   /**
@@ -50,6 +52,8 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
   return {
     /** How far making panels of one shape will move the mesh, in words; null if none is offered. */
     async forecast() {
+      // That of a model just opened has not come yet.
+      if (!solver.copy()) await new Promise((come) => solver.once('scene', come));
       const model = solver.copy();
       return model && ask.forecast(model);
     },

@@ -45,7 +45,9 @@ class Parts {
 
   /** The parts of the current shape, made again first if only the offset has followed it. */
   whole() {
-    return this.#shape && this.#isReshaped ? this.renew(this.#shape) : this.builder;
+    const builder = this.#shape && this.#isReshaped ? this.renew(this.#shape) : this.builder;
+    if (!builder) throw new Error('No parts have been made.');
+    return builder;
   }
 }
 
@@ -83,7 +85,7 @@ export const builds = {
     return builder && { ...builder.card(), layer: layerOf(builder) };
   },
   /** The numbers that a lesson may bound, by id. */
-  buildNumbers: (asker: Asker) => parts[asker].whole()?.numbers() ?? [],
+  buildNumbers: (asker: Asker) => parts[asker].whole().numbers(),
   /** The errors of each kind of offset. */
   offsetChoices: (asker: Asker) => parts[asker].builder?.choices() ?? [],
   /**
@@ -96,15 +98,14 @@ export const builds = {
     zUp: boolean,
     camera: Float64Array | null,
     link: string,
-  ) => parts[asker].whole()?.reportPage(title, zUp, camera, link) ?? null,
-  spatialParts: (asker: Asker, zUp: boolean) => parts[asker].whole()?.spatialParts(zUp) ?? [],
+  ) => parts[asker].whole().reportPage(title, zUp, camera, link),
+  spatialParts: (asker: Asker, zUp: boolean) => parts[asker].whole().spatialParts(zUp),
   /** All files in one archive. */
   zipParts(asker: Asker, zUp: boolean) {
     const builder = parts[asker].whole();
     const files: Zippable = {};
-    for (const { name, text } of builder?.files(zUp) ?? [])
-      files[name] = new TextEncoder().encode(text);
-    if (builder) files[PRESENTATION] = builder.presentation(zUp);
+    for (const { name, text } of builder.files(zUp)) files[name] = new TextEncoder().encode(text);
+    files[PRESENTATION] = builder.presentation(zUp);
     return zipSync(files);
   },
 };
