@@ -4,7 +4,7 @@ use crate::support::grid::grid;
 use serde_json::json;
 use shape_up::mesh::Mesh;
 use shape_up::scene::Scene;
-use shape_up::session::{Edit, ExactShape, FileReader, Session};
+use shape_up::session::{DragPhase, Edit, ExactShape, FileReader, Session};
 
 /// Rough bumps on which all panels are required to be flat.
 fn rough() -> Session {
@@ -114,6 +114,29 @@ fn a_trial_on_a_copy_is_accepted_unless_the_shape_has_changed() {
     assert!(report.met && report.improved.is_some(), "the report comes with the shape");
     session.undo().expect("regular");
     assert!(!session.make_exact(shape, &positions, false).expect("regular"));
+}
+
+#[test]
+fn what_is_found_during_a_drag_is_not_applied_and_does_not_end_the_drag() {
+    // A drag became a step of undo when a trial that had begun before it was accepted.
+    let mut session = rough();
+    edit(&mut session, &json!({ "type": "addHandles", "vertices": [14], "fixed": false }));
+    run(&mut session);
+    let mut trial = session.improvement().expect("regular").expect("all is met");
+    while trial.step(&session).expect("regular") {}
+    let mut variations = session.variations().expect("regular").expect("all is met");
+    while variations.step().expect("regular") {}
+    let [x, y, z] = session.positions()[14];
+    session.drag_through(DragPhase::Start, &[14], &[[x, y, z]]).expect("it is a handle");
+    assert!(!session.make_exact(trial.shape(), &trial.positions(), false).expect("regular"));
+    let varied = variations.towards(&[0.05]);
+    assert!(!session.show_variation(variations.generation(), &varied, None));
+    assert!(session.is_dragging());
+    session.drag_through(DragPhase::Move, &[14], &[[x, y, z + 0.1]]).expect("it is a handle");
+    session.step().expect("positions stay finite");
+    session.drag_through(DragPhase::End, &[14], &[[x, y, z + 0.1]]).expect("it is a handle");
+    assert_eq!(session.undo_and_redo()[0], Some("Move handle"));
+    assert_eq!(session.solver().handles()[0].target, [x, y, z + 0.1]);
 }
 
 #[test]

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { AppContext } from '../../../www/app/context.ts';
 import { LiveBuild } from '../../../www/features/build/live-build.ts';
+import { Cancelled } from '../../../www/solver/errors.ts';
 import { calling } from '../../../www/solver/remote.ts';
 import type { Shape } from '../../../www/worker/jobs/build.ts';
 
@@ -164,4 +165,35 @@ test('what is saved after the worker was replaced is built again', async () => {
   jobs.generation += 1;
   await live.zip();
   assert.deepEqual(asked, ['buildOffers', 'build', 'zipParts', 'build', 'zipParts']);
+});
+
+test('what is saved while its build is cancelled is not saved', async () => {
+  // An archive without files was saved.
+  const asked: string[] = [];
+  const jobs = jobsThat((name) => asked.push(name));
+  const cancelled = {
+    generation: 0,
+    ask: calling((name, given) => {
+      if (name === 'build') return Promise.reject(new Cancelled());
+      return (jobs.ask as unknown as Record<string, (...given: unknown[]) => unknown>)[name](
+        ...given,
+      );
+    }),
+  };
+  const state = {
+    ...{ model: { faces: 1, vertices: 3 }, dragged: [], running: false },
+    document: { units: 'm', build: {} },
+  };
+  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
+  const geometry = { generation: 1, positions: new Float64Array(9), connectivity };
+  const app = {
+    ...{ store: { get: () => state }, solver: { geometry }, actions, jobs: cancelled },
+  } as unknown as AppContext;
+  const refused: string[] = [];
+  const refuse = (why: string) => refused.push(why);
+  const live = new LiveBuild(app, 'panel', { show() {}, showOffset() {}, refuse });
+  await live.offers();
+  await assert.rejects(live.zip(), Cancelled);
+  assert.deepEqual(refused, ['Cancelled.']);
+  assert.deepEqual(asked, ['buildOffers']);
 });

@@ -95,3 +95,44 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
   await page.evaluate(() => window.shapeUp.settled());
   await expect(page.getByRole('alert')).toBeEmpty();
 });
+
+test('a variation that is left while it is made exact does not come back', async ({ page }) => {
+  // Shape and leaving come from two workers.
+  await page.addInitScript(() => {
+    window.Worker = class extends Worker {
+      #isSlow;
+      #late = new Set<number>();
+      constructor(address: string | URL, options?: WorkerOptions) {
+        super(address, options);
+        this.#isSlow = options?.name === 'jobs';
+      }
+      override postMessage(message: { id: number; name: string }, ...rest: unknown[]) {
+        if (this.#isSlow && message.name === 'go') this.#late.add(message.id);
+        super.postMessage(message, ...(rest as [StructuredSerializeOptions?]));
+      }
+      override set onmessage(listener: (event: MessageEvent) => void) {
+        super.onmessage = (event: MessageEvent) => {
+          const wait = this.#late.has(event.data.id) ? 500 : 0;
+          if (wait) setTimeout(() => listener(event), wait);
+          else listener(event);
+        };
+      }
+    };
+  });
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Variations', exact: true }).click();
+  const panel = page.getByRole('region', { name: 'Variations' });
+  await expect(panel.getByRole('slider')).not.toHaveCount(0);
+  const start = await positions(page);
+  const slider = panel.getByRole('slider').first();
+  await slide(slider, 'ArrowRight', 20);
+  await panel.getByRole('button', { name: 'Back', exact: true }).click();
+  await expect(slider).toHaveValue('0');
+  await page.waitForTimeout(800);
+  expect(await positions(page)).toEqual(start);
+  await expect(panel.getByRole('button', { name: 'Back', exact: true })).toBeDisabled();
+});
