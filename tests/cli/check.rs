@@ -63,3 +63,18 @@ fn faces_that_do_not_share_vertices_are_welded_as_they_are_to_be_solved() {
     assert_eq!((maps.len(), maps[1]), (16, maps[4]));
     assert_eq!(out.lines().filter(|line| line.starts_with("v ")).count(), 16);
 }
+
+#[test]
+fn numbers_on_standard_output_can_be_read_by_programs() {
+    // As words for readers they have a typographic minus sign, and thin spaces between thousands.
+    let folder = Folder::new("plain-numbers");
+    let vertices: String = (0..12_000).map(|v| format!("v {v} {} 0\n", v % 7)).collect();
+    let quad = "v 0 0 1\nv 1 0 1\nv 1 1 1.000001\nv 0 1 1\nf 12001 12002 12003 12004\n";
+    folder.write("fine.obj", vertices + quad);
+    let text = folder.run(&["check", "fine.obj"]).done();
+    assert!(text.contains("12000 unused vertices"), "{text}");
+    let line = text.lines().find_map(|line| line.strip_prefix("planarity   worst "));
+    let worst = line.and_then(|line| line.split(',').next()).expect("it is printed");
+    let worst: f64 = worst.split(' ').next().unwrap_or_default().parse().expect("it is a number");
+    assert!(worst > 0.0 && worst < 1e-5, "{text}");
+}

@@ -95,8 +95,10 @@ fn cannot(path: &Path, error: &io::Error) -> Failure {
     ))
 }
 
-/// Writes to standard output. A closed pipe, as after `head`, is no error.
+/// Writes to standard output, with numbers as programs read them. A closed pipe, as after `head`, is
+/// no error.
 pub(super) fn print(text: &str) -> Result<(), Failure> {
+    let text = with_plain_numbers(text);
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
@@ -104,6 +106,22 @@ pub(super) fn print(text: &str) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
+}
+
+/// Replaces the signs and thin spaces that numbers have in words for readers.
+fn with_plain_numbers(text: &str) -> String {
+    let mut plain = String::with_capacity(text.len());
+    let (mut rest, mut before) = (text.chars().peekable(), ' ');
+    while let Some(sign) = rest.next() {
+        let begins_digits = rest.peek().is_some_and(char::is_ascii_digit);
+        match sign {
+            '−' if begins_digits => plain.push('-'),
+            '\u{2009}' if begins_digits && before.is_ascii_digit() => {}
+            _ => plain.push(sign),
+        }
+        before = sign;
+    }
+    plain
 }
 
 /// Returns data that can be written as JSON, with finite numbers only, as text.
