@@ -37,7 +37,7 @@ export class MakePanels {
   #shown: unknown = null;
   #text = element('p');
   /** How far the mesh will move, and why. */
-  #forecast = element('p.quiet');
+  #forecast = element('p.quiet.forecast');
   /** The model of the forecast. */
   #forecastOf: unknown = null;
   /** A change of the mesh that would reduce the move. */
@@ -184,7 +184,10 @@ export class MakePanels {
     if (this.#forecastOf === model) return;
     this.#forecastOf = model;
     this.#remedy = null;
-    this.#forecast.hidden = this.#remedyButton.hidden = true;
+    this.#remedyButton.hidden = true;
+    // It has its place at once: a card that grows moves the model, and what the user does with it.
+    this.#forecast.hidden = false;
+    setText(this.#forecast, 'Estimating how far the mesh will move …');
     const forecast = await this.#newestForecast(actions.trials.forecast().catch(() => null));
     if (forecast === undefined) return;
     setText(this.#forecast, forecast?.words ?? '');
