@@ -20,6 +20,19 @@ const jobsThat = (hear: (name: string, shape: Shape | undefined) => void) => ({
 /** Nothing is under way. */
 const actions = { settled: async () => {} };
 
+/** A page with a triangle, and these parts of its own. */
+function withTriangle(own: object, refuse: (why: string) => unknown = assert.fail) {
+  const state = {
+    ...{ model: { faces: 1, vertices: 3 }, dragged: [], running: false },
+    document: { units: 'm', build: {} },
+  };
+  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
+  const geometry = { generation: 1, positions: new Float64Array(9), connectivity };
+  const app = { store: { get: () => state }, solver: { geometry }, actions, ...own };
+  const on = { show() {}, showOffset() {}, refuse };
+  return { state, live: new LiveBuild(app as unknown as AppContext, 'panel', on) };
+}
+
 test('faces that change during a build are built, although no vertex has moved', async () => {
   /** Corners of the meshes that were built. */
   const built: number[] = [];
@@ -123,22 +136,13 @@ test('what is saved is built with the settings that were set just before', async
   /** The scale of each build, and the other calls. */
   const asked: (number | string)[] = [];
   const jobs = jobsThat((name, shape) => asked.push(shape?.settings.scale ?? name));
-  const state = {
-    ...{ model: { faces: 1, vertices: 3 }, dragged: [], running: false },
-    document: { units: 'm', build: { scale: 10 } },
-  };
-  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
-  const geometry = { generation: 1, positions: new Float64Array(9), connectivity };
   // The solver answers an edit later.
   const settled = async () => {
     await new Promise((done) => setTimeout(done, 5));
     state.document = { units: 'm', build: { scale: 20 } };
   };
-  const app = {
-    ...{ store: { get: () => state }, solver: { geometry }, actions: { settled }, jobs },
-  } as unknown as AppContext;
-  const refuse = (why: string) => assert.fail(why);
-  const live = new LiveBuild(app, 'panel', { show() {}, showOffset() {}, refuse });
+  const { state, live } = withTriangle({ jobs, actions: { settled } });
+  state.document.build = { scale: 10 };
   await live.offers();
   await live.update();
   await live.zip();
@@ -149,17 +153,7 @@ test('what is saved after the worker was replaced is built again', async () => {
   // The archive used to be empty: the new worker had no parts.
   const asked: string[] = [];
   const jobs = jobsThat((name) => asked.push(name));
-  const state = {
-    ...{ model: { faces: 1, vertices: 3 }, dragged: [], running: false },
-    document: { units: 'm', build: {} },
-  };
-  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
-  const geometry = { generation: 1, positions: new Float64Array(9), connectivity };
-  const app = {
-    ...{ store: { get: () => state }, solver: { geometry }, actions, jobs },
-  } as unknown as AppContext;
-  const refuse = (why: string) => assert.fail(why);
-  const live = new LiveBuild(app, 'panel', { show() {}, showOffset() {}, refuse });
+  const { live } = withTriangle({ jobs });
   await live.offers();
   await live.zip();
   jobs.generation += 1;
@@ -180,18 +174,8 @@ test('what is saved while its build is cancelled is not saved', async () => {
       );
     }),
   };
-  const state = {
-    ...{ model: { faces: 1, vertices: 3 }, dragged: [], running: false },
-    document: { units: 'm', build: {} },
-  };
-  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
-  const geometry = { generation: 1, positions: new Float64Array(9), connectivity };
-  const app = {
-    ...{ store: { get: () => state }, solver: { geometry }, actions, jobs: cancelled },
-  } as unknown as AppContext;
   const refused: string[] = [];
-  const refuse = (why: string) => refused.push(why);
-  const live = new LiveBuild(app, 'panel', { show() {}, showOffset() {}, refuse });
+  const { live } = withTriangle({ jobs: cancelled }, (why) => refused.push(why));
   await live.offers();
   await assert.rejects(live.zip(), Cancelled);
   assert.deepEqual(refused, ['Cancelled.']);

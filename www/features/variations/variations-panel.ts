@@ -31,7 +31,7 @@ function variationsPanel(app: AppContext) {
   /** The document and theme for which the variations were computed. */
   let searched: unknown[] = [];
   /** The generation of the shape that is varied, and of the worker that has its variations. */
-  let varied = [0, 0];
+  let varied = { generation: 0, worker: 0 };
 
   const words = element('p', { 'aria-live': 'polite' });
   const grid = element('div.variation-cards');
@@ -80,7 +80,7 @@ function variationsPanel(app: AppContext) {
       return;
     }
     if (mine !== search) return;
-    varied = [model.generation, jobs.generation];
+    varied = { generation: model.generation, worker: jobs.generation };
     let progress = await ask.advanceVariations();
     while (mine === search && progress.found === null) progress = await ask.advanceVariations();
     if (mine !== search) return;
@@ -108,7 +108,7 @@ function variationsPanel(app: AppContext) {
   function follow(): Promise<unknown> {
     if (wanted === 'none') return variations.leave();
     // The worker that had the variations was ended.
-    if (varied[1] !== jobs.generation) return find();
+    if (varied.worker !== jobs.generation) return find();
     return wanted === 'exact' ? project() : show();
   }
   const updates = latestOnly(() => actions.reportErrors(follow()));
@@ -135,13 +135,13 @@ function variationsPanel(app: AppContext) {
   }
 
   async function show() {
-    await variations.show(varied[0], await ask.towards(coefficients()), null);
+    await variations.show(varied.generation, await ask.towards(coefficients()), null);
   }
 
   async function project() {
     const asked = coefficients();
     const { positions, part, report } = await ask.go(asked);
-    if (!(await variations.show(varied[0], positions, report)) || updates.hasNext()) return;
+    if (!(await variations.show(varied.generation, positions, report)) || updates.hasNext()) return;
     if (part < 1) cards.forEach((card, k) => card.set(part * asked[k]));
     setText(words, part < 1 ? 'This is as far as the shape can go and stay exact.' : HINT);
     back.disabled = keep.disabled = !isMoved();
