@@ -21,6 +21,17 @@ impl Session {
         Checked::new(scene, mesh)?.open()
     }
 
+    /// Opens a copy of a scene that is open elsewhere with this [`Session::generation`], so that what
+    /// is found on the copy belongs to the original.
+    ///
+    /// # Errors
+    /// As [`Session::open`].
+    pub fn open_copy(scene: Scene, mesh: Mesh, generation: u32) -> Result<Session, Error> {
+        let mut copy = Session::open(scene, mesh)?;
+        copy.scene.restored(generation);
+        Ok(copy)
+    }
+
     /// Opens a scene, as [`Session::open`], in place of `open`, whose generations it goes on with.
     /// If it is refused, the previous scene stays; only the step history of its solver is lost, as
     /// after a pause.

@@ -4,7 +4,7 @@ use crate::support::grid::grid;
 use serde_json::json;
 use shape_up::mesh::Mesh;
 use shape_up::scene::Scene;
-use shape_up::session::{DragPhase, Edit, ExactShape, FileReader, Session};
+use shape_up::session::{DragPhase, Edit, FileReader, Session};
 
 /// Rough bumps on which all panels are required to be flat.
 fn rough() -> Session {
@@ -98,13 +98,12 @@ fn a_trial_on_a_copy_is_accepted_unless_the_shape_has_changed() {
     let file = FileReader::default()
         .read("copy.json", session.scene_with_mesh().as_bytes())
         .expect("it was written by the session");
-    let copy = Session::open(file.scene, file.mesh).expect("it is open already");
+    let copy = Session::open_copy(file.scene, file.mesh, session.generation());
+    let copy = copy.expect("it is open already");
     assert_eq!(copy.positions(), session.positions(), "to the last bit");
     let mut trial = copy.improvement().expect("regular").expect("all is met");
     while trial.step(&copy).expect("regular") {}
-    let of_session =
-        |session: &Session| ExactShape { generation: session.generation(), ..trial.shape() };
-    let shape = of_session(&session);
+    let shape = trial.shape();
     session.edit(Edit::SetUnits { units: "m".to_owned() }).expect("a unit");
     assert_eq!(session.generation(), shape.generation, "a unit is no change of the shape");
     let positions = trial.positions();

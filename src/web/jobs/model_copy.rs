@@ -10,8 +10,6 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 pub struct ModelCopy {
     pub(super) session: Session,
-    /// The generation of the model that was copied.
-    pub(super) generation: u32,
     pub(super) trial: Option<Trial>,
     pub(super) variations: Option<Variations>,
 }
@@ -33,8 +31,8 @@ impl ModelCopy {
         log_panics();
         let file = FileReader::default().read("copy.json", scene.as_bytes()).map_err(thrown)?;
         let OpenedFile { scene, mesh, .. } = file;
-        let session = Session::open(scene, mesh).map_err(thrown)?;
-        Ok(ModelCopy { session, generation, trial: None, variations: None })
+        let session = Session::open_copy(scene, mesh, generation).map_err(thrown)?;
+        Ok(ModelCopy { session, trial: None, variations: None })
     }
 
     /// Returns in words how far making panels of one shape will move the mesh, and a change of the

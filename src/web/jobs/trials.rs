@@ -2,7 +2,7 @@
 //! are not met.
 
 use super::model_copy::{ModelCopy, Trial};
-use crate::session::{Error, ExactShape, ExactTrial, Remedies};
+use crate::session::{Error, ExactTrial, Remedies};
 use crate::solve::clock;
 use crate::web::plain::{flat, plain};
 use crate::web::thrown;
@@ -62,9 +62,7 @@ impl ModelCopy {
     /// Returns that shape for [`crate::web::worker::Solver::make_exact`], without its positions.
     #[wasm_bindgen(unchecked_return_type = "ExactShape | null")]
     pub fn shape(&self) -> Result<JsValue, JsValue> {
-        let of_model =
-            |trial: &ExactTrial| ExactShape { generation: self.generation, ..trial.shape() };
-        plain(&self.exact().map(of_model))
+        plain(&self.exact().map(ExactTrial::shape))
     }
 
     /// Returns the positions of that shape, `#V by 3`; empty without one.
