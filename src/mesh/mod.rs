@@ -48,7 +48,7 @@ pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use measure::{
     Circularity, Histogram, MapErrors, Measures, Planarity, QuasiConformal, UnrolledStrip,
     angle_histogram, diagonal_ratio, folded_faces, gauss_curvature, mean_dihedral_angle,
-    quasi_conformal,
+    quasi_conformal, smoothed_area,
 };
 pub use polygon_mesh::{Group, GroupKeyword, Mesh, Point};
 pub use problem::{ElementKind, MeshProblem, ProblemKind};

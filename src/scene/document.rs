@@ -72,6 +72,14 @@ pub struct Scene {
         serialize_with = "changed"
     )]
     pub solver: SolverSettings,
+    /// How its hard constraints were met: a run does the same again.
+    #[serde(
+        default,
+        deserialize_with = "object",
+        skip_serializing_if = "is_default",
+        serialize_with = "changed"
+    )]
+    pub attempt: ChosenAttempt,
     /// Lesson, if the scene is an exercise.
     #[serde(default, deserialize_with = "object_or_none", skip_serializing_if = "Option::is_none")]
     pub lesson: Option<Lesson>,
@@ -108,6 +116,7 @@ impl Scene {
             closeness: Closeness::default(),
             smoothness: Smoothness::default(),
             solver: SolverSettings::default(),
+            attempt: ChosenAttempt::default(),
             lesson: None,
             build: None,
             variants: Variants::default(),
@@ -255,6 +264,41 @@ pub struct EasedFaces {
     /// Indices of faces.
     #[serde(with = "indices")]
     pub faces: Vec<u32>,
+}
+
+/// The attempt by which a search met the hard constraints. The settings of the scene are those of the
+/// attempt; it also says which of them the search has changed, so that the next one can begin with
+/// those before.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ChosenAttempt {
+    /// Where it began.
+    pub from: AttemptStart,
+    /// The factor by which the weight of smoothness was multiplied, above zero.
+    pub smoother: f64,
+    /// Whether closeness was to the rest positions before, and to the surface then.
+    pub on_surface: bool,
+}
+
+impl Default for ChosenAttempt {
+    fn default() -> ChosenAttempt {
+        ChosenAttempt { from: AttemptStart::Soft, smoother: 1.0, on_surface: false }
+    }
+}
+
+/// Where an attempt to meet hard constraints began.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum AttemptStart {
+    /// At the soft solution.
+    #[default]
+    Soft,
+    /// At the rest shape.
+    Rest,
+    /// At the rest shape, with exact panels.
+    Exact,
+    /// At the soft solution, and on through larger tolerances.
+    Eased,
 }
 
 impl ConstraintSpec {

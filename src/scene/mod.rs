@@ -48,7 +48,8 @@ pub use build::{
 };
 pub use closeness::{Closeness, ClosenessWeight, Target};
 pub use document::{
-    ConstraintSpec, EasedFaces, HANDLE_WEIGHT, HandleSpec, MeshSource, Pose, Scene, Up,
+    AttemptStart, ChosenAttempt, ConstraintSpec, EasedFaces, HANDLE_WEIGHT, HandleSpec, MeshSource,
+    Pose, Scene, Up,
 };
 pub use error::SceneError;
 pub use frame::UnitsAndUp;

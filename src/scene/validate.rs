@@ -161,6 +161,13 @@ impl Scene {
                 }
             }
         }
+        let smoother = self.attempt.smoother;
+        if !(smoother > 0.0 && smoother.is_finite()) {
+            return error(
+                "attempt.smoother",
+                format!("found {smoother}, expected a number above 0"),
+            );
+        }
         for (i, handle) in self.handles.iter().enumerate() {
             check_handle_numbers(i, handle)?;
         }

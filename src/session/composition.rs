@@ -1,7 +1,7 @@
 //! The session itself: its parts, and plain access to them.
 
 use super::report::MeasureCache;
-use super::run::{Collapse, CollapseGuard, Meeting, Met, Progress, TraceEntry, Unfolding};
+use super::run::{Collapse, CollapseGuard, Meeting, Met, Progress, Search, TraceEntry};
 use super::state::{ResolvedRow, RestMesh, SolvedScene};
 use super::undo::{History, Transaction};
 use crate::mesh::{Mesh, Point, Topology};
@@ -24,8 +24,8 @@ pub struct Session {
     pub(super) met_before: Option<Met>,
     /// The solver by which the current run meets its hard constraints.
     pub(super) meeting: Option<Meeting>,
-    /// What the current run may do to avoid folded faces.
-    pub(super) unfolding: Unfolding,
+    /// What the current run may do to meet its hard constraints.
+    pub(super) search: Search,
 }
 
 impl Session {

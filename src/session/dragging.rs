@@ -2,7 +2,7 @@
 
 use super::Session;
 use super::edit::{Edit, PanelStart, check_lock};
-use super::run::Unfolding;
+use super::run::Search;
 use super::undo::{Change, Transaction, check_targets};
 use crate::mesh::Point;
 use crate::scene::{Lock, NamedEnum, SceneError};
@@ -124,7 +124,7 @@ impl Session {
                 if self.has_hard_rows() {
                     self.begin_run();
                     self.join_last();
-                    self.unfolding = Unfolding::Off;
+                    self.search = Search::Off;
                 }
             }
         } else {
@@ -138,8 +138,8 @@ impl Session {
         self.guard.set_ignore_collapse(false);
         self.leave_variation();
         // A run that was interrupted goes on with the tolerance that it was asked for.
-        if !self.document().constraints.iter().any(|row| self.may_ease(row)) {
-            self.unfolding = Unfolding::Smoother;
+        if !self.document().constraints.iter().any(|row| self.eases(row)) {
+            self.search = self.search_of_scene();
         }
         if self.transaction.is_none() {
             self.begin(Transaction::run);
@@ -161,9 +161,15 @@ impl Session {
         let within = tolerance.is_finite().then_some(tolerance);
         self.edit_and_run(Edit::MakePanels { kind: kind.to_owned(), within, from })?;
         if let Some(asked) = within {
-            self.unfolding = Unfolding::Eased(asked);
+            self.search = Search::Panels(asked);
         }
         Ok(())
+    }
+
+    /// Begins a run that may ease the required `tolerance` of panels (unit of the mesh).
+    pub(super) fn begin_search(&mut self, tolerance: f64) {
+        self.begin_run();
+        self.search = Search::Panels(tolerance);
     }
 
     /// Makes an edit and begins a run, as one step of undo.
@@ -201,7 +207,7 @@ impl Session {
         let met = self.end_meeting(false).expect("the state was solvable before");
         let Some(transaction) = self.transaction.take_if(|t| t.is_run()) else { return };
         if self.is_met() {
-            self.unfolding = Unfolding::Smoother;
+            self.search = self.search_of_scene();
         } else if !met {
             self.scene.settle();
         }

@@ -3,7 +3,7 @@
 
 use super::Session;
 use super::requirements::Required;
-use super::run::{Attempt, ExactReport, Meeting, MeetingEnd, Met, Step};
+use super::run::{Attempt, ExactReport, Meeting, MeetingEnd, MeetingStage, Met, Search, Step};
 use super::state::Part;
 use crate::mesh::Point;
 use crate::scene::ConstraintSpec;
@@ -80,8 +80,9 @@ impl Session {
         if !parts.is_empty() {
             self.go_to(&self.positions(), parts)?;
         }
-        let Some(exact) = self.meeting()? else { return Ok(false) };
-        self.meeting = Some(Meeting::new(exact, self.attempts(), converged));
+        let attempts = self.attempts();
+        let Some(exact) = self.first_attempt(&attempts)? else { return Ok(false) };
+        self.meeting = Some(Meeting::new(exact, attempts, converged));
         Ok(true)
     }
 
@@ -108,40 +109,46 @@ impl Session {
 
     /// Whether the meeting continues after a step: until it has ended, and then with the next
     /// attempt, which this begins.
-    fn goes_on(&mut self, ended: &Result<bool, SolveError>) -> Result<bool, Error> {
-        Ok(match ended {
-            Ok(true) => self.try_next()?,
-            Ok(false) => true,
-            Err(_) => false,
-        })
+    fn goes_on(&mut self, stage: &Result<MeetingStage, SolveError>) -> Result<bool, Error> {
+        match stage {
+            Ok(MeetingStage::Going) => Ok(true),
+            Ok(MeetingStage::Softened) => self.go_on_from_soft(),
+            Ok(MeetingStage::Ended) => self.try_next(),
+            Err(_) => Ok(false),
+        }
     }
 
     /// Ends the meeting of hard constraints with the best shape so far, improved if requested.
     /// Returns false if none was under way.
     pub(super) fn end_meeting(&mut self, improves: bool) -> Result<bool, Error> {
         let Some(end) = self.meeting.take().map(Meeting::end) else { return Ok(false) };
-        let MeetingEnd { mut exact, attempt, is_whole, folded_at_first, attempts, converged } = end;
+        let MeetingEnd { mut exact, attempt, is_whole, folded_at_first, tried, chosen, converged } =
+            end;
         let mut improved = Ok(());
         if improves {
             exact.improve();
             improved = exact.run();
         }
-        let (parts, eased) = match &attempt {
-            Attempt::Eased(tolerances) => {
-                let far = exact.answer().max_distance;
-                self.eased(tolerances, folded_at_first, far).unzip()
-            }
-            // The shape is the solution with these weights: with others, it would not stay.
-            Attempt::Smoother(times) => (Some(vec![self.smoother(*times)]), None),
-            Attempt::Asked | Attempt::FromRest | Attempt::Exact => (None, None),
+        let far = exact.answer().max_distance;
+        let (mut parts, eased) = match &attempt {
+            Attempt::Eased(tolerances) => match self.eased(tolerances, folded_at_first, far) {
+                Some((parts, eased)) => (parts, Some(eased)),
+                None => (Vec::new(), None),
+            },
+            _ => (Vec::new(), None),
         };
+        if self.search != Search::Off {
+            parts.push(self.choice(&attempt));
+        }
+        parts.retain(|part| !part.is_in(self.document()));
         self.progress.end_next();
-        self.go_to(&exact.positions(), parts.unwrap_or_default())?;
+        self.go_to(&exact.positions(), parts)?;
         self.note_met(&exact);
         // An attempt may have had a smaller tolerance than the scene.
         let allowed = self.hard_distance().filter(|_| matches!(attempt, Attempt::Exact));
         if let Some(met) = &mut self.met {
-            (met.report.attempts, met.report.eased) = (attempts, eased);
+            (met.report.attempts, met.report.eased) = (tried.len() as u32, eased);
+            (met.tried, met.chosen) = (tried, chosen);
             met.converged = converged;
             if let Some((_, tolerance, _)) = allowed {
                 met.report.tolerance = tolerance;

@@ -34,17 +34,29 @@ impl Session {
             return Ok(Step { converged: self.converged(), ended: true });
         }
         let dragging = self.is_dragging();
+        if meets && self.is_running() && self.needs_no_soft_solution() && self.begin_meeting()? {
+            return Ok(Step { converged: false, ended: false });
+        }
         if !dragging {
             self.guard.take_start(&self.scene, &self.rest, self.progress.iteration());
         }
         self.scene.step()?;
         self.progress.advance(self.scene.solver().energy());
         let collapsed = self.guard.watch(&self.scene, &self.rest, dragging);
-        let ended = self.scene.solver().converged() || collapsed;
-        if meets && ended && !collapsed && self.is_running() && self.begin_meeting()? {
+        let ended = self.scene.solver().converged() || collapsed || (meets && self.is_run_long());
+        // A soft solution that collapses is no reason not to look for a shape that does not.
+        if meets && ended && self.is_running() && self.begin_meeting()? {
+            self.guard.forgive();
             return Ok(Step { converged: false, ended: false });
         }
         Ok(Step { converged: self.converged(), ended })
+    }
+
+    /// Whether the run has had as many iterations as the scene allows.
+    fn is_run_long(&self) -> bool {
+        let run = self.transaction.as_ref().filter(|transaction| transaction.is_run());
+        let most = self.document().solver.iterations;
+        run.is_some_and(|run| self.iteration().saturating_sub(run.back().iteration) >= most)
     }
 
     /// Runs the next half of an iteration. Two halves equal one [`Session::step`], to the last bit
@@ -87,9 +99,25 @@ impl Session {
         self.meet(true)
     }
 
+    /// As a press for panels in the page: a search for a shape that meets the hard constraints, by all
+    /// attempts, and with tolerances above this required one for some panels at last (unit of the
+    /// mesh).
+    ///
+    /// # Errors
+    /// As [`Session::step`].
+    pub fn solve_as_pressed(&mut self, tolerance: f64) -> Result<(), Error> {
+        self.begin_search(tolerance);
+        while !self.step()?.ended {}
+        self.end_run();
+        Ok(())
+    }
+
     fn iterate_all(&mut self, trace: bool) -> Result<(), Error> {
         if trace {
             self.progress.record_all(self.scene.solver().energy());
+        }
+        if self.needs_no_soft_solution() {
+            return Ok(());
         }
         for _ in 0..self.document().solver.iterations {
             if self.step()?.ended {

@@ -4,7 +4,7 @@
 
 use super::Session;
 use super::report::{MeasureCache, check_lesson, check_presentation};
-use super::run::{CollapseGuard, Progress, Unfolding};
+use super::run::{CollapseGuard, Progress, Search};
 use super::state::{ResolvedRow, RestMesh, SolvedScene, flat, resolve_rows};
 use super::undo::{History, Transaction};
 use crate::mesh::{Mesh, Point};
@@ -146,7 +146,7 @@ impl Checked {
             met: None,
             met_before: None,
             meeting: None,
-            unfolding: Unfolding::Smoother,
+            search: Search::Scene,
         })
     }
 }

@@ -13,7 +13,7 @@
 //! | `iterating` | iterations, whole and in halves |
 //! | `hard_constraints` | meeting hard constraints, during a run or at once |
 //! | `requirements` | the requirements of constraints, and how far the shape is from them |
-//! | `unfolding` | other ways to meet hard constraints if faces fold |
+//! | `searching` | the attempts to meet hard constraints |
 //! | `variations` | ways to change the shape while hard constraints stay met: shown, projected back, kept |
 //! | `variant_table` | the numbers of the kept variants |
 //! | `queries` | queries of hosts: selections, measures, reports, flat maps |
@@ -43,11 +43,11 @@ mod queries;
 mod report;
 mod requirements;
 mod run;
+mod searching;
 mod selection;
 mod state;
 mod trial;
 mod undo;
-mod unfolding;
 mod variant_table;
 mod variations;
 
@@ -62,18 +62,20 @@ pub use error::Error;
 pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
 pub use report::{
-    Bend, BendChange, ConstraintMap, EasedPanels, EndWords, EnergyReport, ExactWords,
-    FACE_MEASURES, FOLDED_FACES, FaceMeasure, GoalWords, MeasureUnit, Projections, Report,
-    RowPalette, RunVerdict, Seconds, Shape, TrialWords, Unpaired, Verdict, VerdictWords,
-    WeakerRequirement, WorstElement, ZERO_SIZE_FACES, flaw_of, goals_in_words,
+    ConstraintMap, EasedPanels, EndWords, EnergyReport, ExactWords, FACE_MEASURES, FOLDED_FACES,
+    FaceMeasure, GoalWords, MeasureUnit, Projections, Report, RowPalette, RunVerdict, Seconds,
+    Shape, TrialWords, Unpaired, Verdict, VerdictReport, VerdictWords, WeakerRequirement,
+    WorstElement, ZERO_SIZE_FACES, flaw_of, goals_in_words, tolerance_of,
 };
 pub use run::{
-    Collapse, CollapseReason, Eased, ExactReport, FittedCount, HalfStep, Step, TraceEntry,
-    max_interactive_faces,
+    Bend, BendChange, Collapse, CollapseReason, Eased, ExactReport, FittedCount, Flaw, HalfStep,
+    Level, Step, SurfaceDistance, TraceEntry, Tried, max_interactive_faces,
 };
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
 pub use state::{Paired, ResolvedRow};
-pub use trial::{Cost, ExactOffer, ExactShape, ExactTrial, Remedies, Remedy};
+pub use trial::{
+    Cost, ExactOffer, ExactShape, ExactTrial, Remedies, Remedy, Suggestion, Suggestions,
+};
 pub use undo::check_targets;
 pub use variant_table::VariantRow;
 pub use variations::{Variations, Varied};

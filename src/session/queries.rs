@@ -4,11 +4,14 @@ use super::Session;
 use super::edit::{ConstraintTarget, Preview, previews};
 use super::report::{
     self, ConstraintMap, ExactWords, Measuring, Projections, Report, RowPalette, RunVerdict, Shape,
-    Verdict, VerdictWords, WorstElement,
+    Verdict, VerdictReport, VerdictWords, WorstElement,
 };
+use super::run::shortest_edge;
 use super::selection::{SelectRequest, Selection, select};
+use super::trial::Suggestions;
 use crate::mesh::{ElementsWithProblem, Measures, Mesh};
 use crate::scene::{Forecast, GoalResult, SceneError};
+use crate::session::Error;
 use crate::solve::{
     ConformalNorm, ConformalWeights, FewerFlips, Moved, Parametrization, SolveError,
 };
@@ -87,7 +90,7 @@ impl Session {
     /// Returns the smallest ratio of an edge length to its rest length. Ignores edges of zero rest
     /// length; 1 without edges.
     pub fn shortest_edge(&self) -> f64 {
-        report::shortest_edge(&self.scene, &self.rest)
+        shortest_edge(self.scene.positions(), &self.rest)
     }
 
     /// Mean edge length at rest, in the unit of the mesh; zero without edges.
@@ -98,7 +101,7 @@ impl Session {
     /// Returns a tolerance for distances on this mesh: about a thousandth of the mean edge, rounded
     /// to 1, 2 or 5 times a power of ten, in the unit of the mesh.
     pub fn tolerance(&self) -> f64 {
-        report::tolerance(&self.rest)
+        report::tolerance(self.rest.mean_edge(), self.rest.diameter())
     }
 
     /// Histogram of the face angles, in bins of five degrees from 0 to 180.
@@ -109,12 +112,30 @@ impl Session {
     /// Returns how many panels have the shape required by the last enabled row on single faces,
     /// with distances up to `tolerance`. None if no row constrains panels.
     pub fn verdict(&mut self, tolerance: f64) -> Option<Verdict> {
-        Verdict::of(&mut self.measuring(), tolerance)
+        let met = self.met.as_ref().filter(|met| met.is_of(&self.scene));
+        let Session { rest, scene, measured: cache, .. } = self;
+        Verdict::of(&mut Measuring { rest, scene, cache }, tolerance, met)
+    }
+
+    /// Returns the verdict for the report, with better choices if the shape is not good; none if
+    /// [`Session::verdict`] has none.
+    ///
+    /// # Errors
+    /// As [`Suggestions::step`].
+    pub fn verdict_report(&mut self, tolerance: f64) -> Result<Option<VerdictReport>, Error> {
+        let Some(numbers) = self.verdict(tolerance) else { return Ok(None) };
+        let words = self.verdict_words(&numbers).full;
+        let mut suggestions = Vec::new();
+        if let Some(mut trials) = Suggestions::new(self, tolerance) {
+            while trials.step()? {}
+            suggestions = trials.found().to_vec();
+        }
+        Ok(Some(VerdictReport { numbers, words, suggestions }))
     }
 
     /// Returns a verdict on this shape in words.
     pub fn verdict_words(&self, verdict: &Verdict) -> VerdictWords {
-        verdict.words(&self.document().units, self.rest.diameter())
+        verdict.words(&self.document().units, self.rest.diameter(), self.rest.mean_edge())
     }
 
     /// Returns in words whether the constraints are met, with distances up to `tolerance`. None if

@@ -44,7 +44,7 @@ impl Session {
             let is_current = *positions == *here;
             self.at(positions, |session| {
                 let verdict = session.verdict(tolerance);
-                let (panels, within) = verdict.map_or((0, 0), |it| (it.panels, it.within));
+                let (panels, within) = verdict.map_or((0, 0), |it| (it.of, it.within));
                 VariantRow {
                     name,
                     is_design: design == Some(index),

@@ -78,8 +78,13 @@ impl Gliding {
     /// Moves each vertex to the closest point on its curve, except those with a fixed handle.
     pub(super) fn place(&mut self, x: &mut [Row], handles: &[Handle]) {
         let fixed = |v: u32| handles.iter().any(|it| it.vertex == v && it.hold == Hold::Fixed);
+        self.vertices.iter_mut().for_each(|glider| glider.taken = fixed(glider.vertex));
+        self.follow(x);
+    }
+
+    /// The same with the handles of before.
+    pub(super) fn follow(&mut self, x: &mut [Row]) {
         for glider in &mut self.vertices {
-            glider.taken = fixed(glider.vertex);
             let row = &mut x[glider.node as usize];
             let curve = &self.curves[glider.curve as usize];
             if glider.taken || curve.point(glider.s) == row[..3] {
@@ -110,6 +115,11 @@ impl Gliding {
             let along = direction.unwrap_or(Vec3::zero()) * slope;
             *row = [along.x, along.y, along.z, 0.0];
         }
+    }
+
+    /// The nodes that are not held by a fixed handle.
+    pub(super) fn moving(&self) -> impl Iterator<Item = u32> {
+        self.vertices.iter().filter(|glider| !glider.taken).map(|glider| glider.node)
     }
 
     /// Converts positions and their gradient to unknowns.

@@ -45,6 +45,15 @@ pub(super) enum Command {
     Version,
 }
 
+/// The requirement of all constraints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Required {
+    /// This one.
+    Is(Require),
+    /// That of the button of the page: the tolerance of the mesh, by all attempts.
+    Auto,
+}
+
 /// `shape-up solve`.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Solve {
@@ -53,7 +62,7 @@ pub(super) struct Solve {
     /// The id of the kind required of every face.
     pub(super) panels: Option<&'static str>,
     /// The requirement of all constraints; none for those of the scene.
-    pub(super) require: Option<Require>,
+    pub(super) require: Option<Required>,
     /// Whether the energy is reduced further once the constraints are met.
     pub(super) improve: bool,
     /// The closeness of the boundary; none for that of the scene.
@@ -225,11 +234,14 @@ fn solve(mut words: Words) -> Result<Command, String> {
             "--panels" => solve.panels = Some(words.kind(&name)?),
             "--exact" => {
                 words.flag(&name)?;
-                require(&mut solve, Require::Exact)?;
+                require(&mut solve, Required::Is(Require::Exact))?;
             }
             "--within" => {
-                let length = words.positive(&name)?;
-                require(&mut solve, Require::Within(length))?;
+                let within = words.positive_or_auto(&name)?;
+                require(
+                    &mut solve,
+                    within.map_or(Required::Auto, |length| Required::Is(Require::Within(length))),
+                )?;
             }
             "--improve" => solve.improve = words.flag(&name)?,
             "--boundary" => solve.boundary = Some(words.boundary(&name)?),
@@ -310,7 +322,7 @@ fn refine(mut words: Words) -> Result<Command, String> {
 }
 
 /// Sets the requirement of all constraints, at most once.
-fn require(solve: &mut Solve, require: Require) -> Result<(), String> {
+fn require(solve: &mut Solve, require: Required) -> Result<(), String> {
     match solve.require.replace(require) {
         None => Ok(()),
         _ => Err("solve takes --exact or --within, not both".to_owned()),

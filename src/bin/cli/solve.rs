@@ -1,10 +1,10 @@
 //! `shape-up solve`: solves a scene or a mesh, optionally with a kind of panels on every face.
 
-use super::arguments::Solve;
+use super::arguments::{Required, Solve};
 use super::{Failure, input, output};
 use shape_up::constraint::describe;
 use shape_up::session::Error;
-use shape_up::session::{EndWords, ExactReport, Report, Session};
+use shape_up::session::{EndWords, ExactReport, Report, Session, tolerance_of};
 use shape_up::solve::{Improved, Require};
 use shape_up::words;
 use std::fmt::Write;
@@ -27,7 +27,12 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     if let Some(kind) = command.panels {
         scene.request_panels(kind, Require::Soft, &mesh).map_err(|error| at_input(error.into()))?;
     }
-    if let Some(require) = command.require {
+    let press = (command.require == Some(Required::Auto)).then(|| tolerance_of(&mesh));
+    let require = match command.require {
+        Some(Required::Is(require)) => Some(require),
+        _ => press.map(Require::Within),
+    };
+    if let Some(require) = require {
         for row in &mut scene.constraints {
             (row.require, row.eased) = (require, None);
         }
@@ -50,13 +55,18 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
             "note: the mesh, or one constraint, is too large to be exact: met up to about {nearest}; use --within LENGTH"
         );
     }
-    if command.improve {
+    if let Some(tolerance) = press {
+        session.solve_as_pressed(tolerance).map_err(at_input)?;
+    } else if command.improve {
         session.solve_and_improve(command.trace).map_err(at_input)?;
     } else {
         session.solve(command.trace).map_err(at_input)?;
     }
     let tolerance = tolerance(&session);
-    let (report, verdict) = (session.report(), verdict(&mut session, tolerance));
+    let (mut report, verdict) = (session.report(), verdict(&mut session, tolerance));
+    if command.report.is_some() {
+        report.verdict = session.verdict_report(tolerance).map_err(at_input)?;
+    }
     if command.improve && report.exact.as_ref().is_none_or(|exact| exact.improved.is_none()) {
         let why = "--improve did nothing: it needs exact or within constraints, all of them met";
         remarks.push(why.to_owned());

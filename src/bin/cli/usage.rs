@@ -11,7 +11,7 @@ use shape_up::solve::{ConformalNorm, ConformalWeights};
 pub(super) fn usage() -> String {
     format!(
         "\
-usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
+usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH|auto]
                 [--improve] [--boundary exact|WEIGHT] [--iterations N] [--tolerance T]
                 [--accelerator {}]
                 [--out FILE.obj|FILE.mesh] [--report FILE.json] [--trace]
@@ -43,8 +43,10 @@ A SCENE is a *.json file, a MESH is OBJ, OFF or Medit (.obj, .off, .mesh).
 --panels puts a KIND of constraint on every face that it fits. The kinds are:
  {}
 --exact meets all constraints exactly instead of weighing them; --within meets them up to a LENGTH in
-the unit of the mesh. Otherwise each constraint of the scene keeps its own requirement. --improve then
-looks for a shape with less energy that meets them too.
+the unit of the mesh. --within auto does what the button \"Make panels\" of the page does: within the
+tolerance of the mesh, in several attempts if faces fold or the design changes. Otherwise each constraint
+of the scene keeps its own requirement. --improve then looks for a shape with less energy that meets them
+too.
 --boundary exact keeps boundary vertices on their curve, along which they glide, and fixes its corners;
 a WEIGHT keeps them near it.
 A MESH is solved with settings that preserve its shape, a scene with its own.

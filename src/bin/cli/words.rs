@@ -143,6 +143,18 @@ impl Words {
         }
     }
 
+    /// Returns the value of an option that takes a positive number, or none for `auto`.
+    pub(super) fn positive_or_auto(&mut self, name: &str) -> Result<Option<f64>, String> {
+        let value = self.text(name)?;
+        if value == "auto" {
+            return Ok(None);
+        }
+        finite(&value)
+            .filter(|&number| number > 0.0)
+            .map(Some)
+            .ok_or_else(|| format!("{name} takes a number above 0, or `auto`, found `{value}`"))
+    }
+
     /// Returns the value of an option that takes a non-zero length of either sign.
     pub(super) fn distance(&mut self, name: &str) -> Result<f64, String> {
         self.number_that(name, "a number that is not 0", |number| number != 0.0)

@@ -2,11 +2,13 @@
 //! their corners to the least-squares plane and to the circle fitted in it (section 3.1); angles,
 //! distortion of flat maps, and histograms.
 
+mod area;
 mod developable;
 mod dihedral;
 mod histogram;
 mod quasi_conformal;
 
+pub use area::smoothed_area;
 pub use developable::{UnrolledStrip, gauss_curvature};
 pub use dihedral::{folded_faces, mean_dihedral_angle};
 pub use histogram::{Histogram, angle_histogram};

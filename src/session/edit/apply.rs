@@ -33,10 +33,14 @@ pub(crate) fn apply(
             if from != PanelStart::Now {
                 reset(draft, state);
             }
-            if from == PanelStart::Smoother {
-                let settings = Settings::of(draft.document());
-                draft.put(Part::Settings(settings.smoother(PanelStart::SMOOTHER)));
-            }
+            // What an earlier search chose is no choice of the user.
+            let settings = Settings::of(draft.document()).before_attempt();
+            draft.put(Part::Settings(match from {
+                PanelStart::Smoother => settings.smoother(PanelStart::SMOOTHER),
+                PanelStart::Surface => settings.on_surface(),
+                PanelStart::Boundary => settings.on_boundary(),
+                PanelStart::Now | PanelStart::Original => settings,
+            }));
             let require = within.map_or(Require::Soft, Require::Within);
             let info =
                 draft.set_rows(|document, mesh| document.request_panels(&kind, require, mesh))?;

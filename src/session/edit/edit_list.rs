@@ -259,6 +259,11 @@ pub enum PanelStart {
     Original,
     /// The opened shape, with ten times the smoothness weight.
     Smoother,
+    /// The opened shape, with closeness to its surface instead of to the places of the vertices, and
+    /// its boundary held softly.
+    Surface,
+    /// The opened shape, with vertices of the boundary exactly on it.
+    Boundary,
 }
 
 impl PanelStart {
@@ -271,5 +276,7 @@ impl NamedEnum for PanelStart {
         ("now", PanelStart::Now),
         ("original", PanelStart::Original),
         ("smoother", PanelStart::Smoother),
+        ("surface", PanelStart::Surface),
+        ("boundary", PanelStart::Boundary),
     ];
 }

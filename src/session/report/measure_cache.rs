@@ -3,6 +3,7 @@
 
 use crate::math::Vec3;
 use crate::mesh::{Measures, Point, Surface};
+use crate::session::run::ShapeMeasure;
 use crate::session::state::{RestMesh, SolvedScene};
 use crate::solve::clock;
 use std::cell::RefCell;
@@ -19,6 +20,8 @@ struct Measured {
     measures: Option<Rc<Measures>>,
     /// The last measures, of this or an earlier shape, and their time in seconds.
     recent: Option<(Rc<Measures>, f64)>,
+    /// The shape against the original.
+    shape: Option<Rc<ShapeMeasure>>,
     /// Distance of each vertex to the original surface, `#V`.
     surface_distances: Option<Rc<[f64]>>,
     /// Numbers of this shape that were computed elsewhere, by name.
@@ -55,6 +58,14 @@ impl MeasureCache {
         recent.map_or_else(|| self.measures(scene, rest), |(measures, _)| measures)
     }
 
+    /// Returns the measure of the current shape against the original.
+    pub(crate) fn shape_measure(&self, scene: &SolvedScene, rest: &RestMesh) -> Rc<ShapeMeasure> {
+        let mut measured = self.0.borrow_mut();
+        measured.begin(scene.positions());
+        let measure = || Rc::new(ShapeMeasure::of(scene.positions(), rest));
+        Rc::clone(measured.shape.get_or_insert_with(measure))
+    }
+
     /// Returns the distance of each vertex to the surface of the opened model, `#V`, in its unit.
     pub(crate) fn surface_distances(&self, scene: &SolvedScene, rest: &RestMesh) -> Rc<[f64]> {
         let mut measured = self.0.borrow_mut();
@@ -87,7 +98,7 @@ impl Measured {
     fn begin(&mut self, positions: &Rc<[Point]>) {
         let is_same = |known: &Rc<[Point]>| Rc::ptr_eq(known, positions) || known == positions;
         if !self.positions.as_ref().is_some_and(is_same) {
-            (self.measures, self.surface_distances) = (None, None);
+            (self.measures, self.shape, self.surface_distances) = (None, None, None);
             self.external_numbers.clear();
         }
         self.positions = Some(Rc::clone(positions));

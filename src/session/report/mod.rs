@@ -3,7 +3,7 @@
 //! | file | holds |
 //! |---|---|
 //! | `run_report` | the report of the command line |
-//! | `moved` | displacements, and the shortest edge |
+//! | `moved` | displacements |
 //! | `verdict` | how many panels have the required shape within a tolerance |
 //! | `verdict_words` | the same in words |
 //! | `run_verdict` | how a run ended, and whether its constraints are met, in words |
@@ -53,14 +53,14 @@ pub(crate) use measuring::Measuring;
 pub use measuring::Shape;
 pub(crate) use mesh_diagnostics::elements_with_problem;
 pub use mesh_diagnostics::{FOLDED_FACES, ZERO_SIZE_FACES, flaw_of};
-pub(crate) use moved::{moved, shortest_edge};
+pub(crate) use moved::moved;
 pub use projected::Projections;
 pub(crate) use projected::projections;
 pub use run_report::{EnergyReport, Report, Seconds, Unpaired};
 pub use run_verdict::{EndWords, RunVerdict};
 pub(crate) use tables::{convergence_csv, errors_csv};
 pub(crate) use verdict::tolerance;
-pub use verdict::{Bend, BendChange, EasedPanels, Verdict};
+pub use verdict::{EasedPanels, Verdict, VerdictReport, tolerance_of};
 pub use verdict_words::VerdictWords;
 pub use worst::WorstElement;
 pub(crate) use worst::{worst_constraints, worst_faces};

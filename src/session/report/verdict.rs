@@ -4,75 +4,56 @@
 use super::face_measure::face_values;
 use super::inspect::{members, required_measure};
 use super::measuring::{Measuring, Shape};
-use super::moved::moved;
-use crate::mesh::Point;
-use crate::session::state::RestMesh;
+use crate::mesh::{BoundingSphere, Mesh, Topology};
+use crate::session::run::{Bend, Flaw, Level, Met, SurfaceDistance, Tried};
+use crate::session::trial::Suggestion;
 use crate::solve::Moved;
 use serde::Serialize;
 
-/// How many panels have the required shape.
+/// How many panels have the required shape, and what became of the design. Lengths are in the unit of
+/// the mesh.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-#[serde(rename_all = "camelCase")]
 pub struct Verdict {
     /// The id of the kind that constrains them.
     pub kind: &'static str,
     /// The adjective for panels with the shape: "flat".
     pub adjective: &'static str,
-    /// Number of constrained panels.
-    pub panels: usize,
+    /// How good the shape is.
+    pub level: Level,
+    /// Why it is not good, the gravest reason first; empty for a poor one, which lacks panels or has
+    /// folded faces.
+    pub flaws: Vec<Flaw>,
     /// Number of panels whose worst vertex is within the tolerance.
     pub within: usize,
-    /// The tolerance, in the unit of the mesh.
+    /// Number of constrained panels.
+    pub of: usize,
+    /// The tolerance.
     pub tolerance: f64,
-    /// The panels with a larger tolerance, because they would fold within this one.
-    pub eased: Option<EasedPanels>,
-    /// The distance of the worst vertex, in the unit of the mesh.
+    /// The distance of the worst vertex.
     pub worst: f64,
     /// The face that it belongs to.
     pub worst_face: u32,
     /// Number of faces of the mesh that are folded or dented but were not at rest.
     pub folded: usize,
+    /// The panels within a larger tolerance only, because they would fold within this one.
+    pub eased: Option<EasedPanels>,
     /// Distances of the vertices from their rest positions.
     pub moved: Moved,
+    /// Distances between the surface and the original.
+    pub surface: SurfaceDistance,
+    /// The largest distance of a boundary vertex from the original boundary.
+    pub boundary: f64,
     /// The angle between neighbouring faces.
     pub bend: Bend,
-}
-
-/// The mean angle between neighbouring faces of the whole mesh, in degrees.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub struct Bend {
-    /// At rest.
-    pub rest: f64,
-    /// In the current shape.
-    pub now: f64,
-    /// Whether the difference is a change of the design.
-    pub change: Option<BendChange>,
-}
-
-/// A change of the surface as a whole.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
-pub enum BendChange {
-    /// The faces meet at clearly larger angles.
-    Rougher,
-    /// They meet at less than half the angle.
-    Flatter,
-}
-
-impl Bend {
-    fn of(now: &[Point], rest: &RestMesh) -> Bend {
-        let (fair, before) = (rest.fair_bends(), rest.bend());
-        let now = rest.bend_at(now);
-        let change = match now {
-            _ if now > *fair.end() => Some(BendChange::Rougher),
-            _ if now < *fair.start() => Some(BendChange::Flatter),
-            _ => None,
-        };
-        Bend { rest: before, now, change }
-    }
+    /// The smallest ratio of an edge length to its rest length.
+    pub shortest_edge: f64,
+    /// The fraction of the area that is lost, after wrinkles are smoothed away.
+    pub area_lost: f64,
+    /// The attempts of the search that led to the shape; empty if none did.
+    pub attempts: Vec<Tried>,
+    /// The name of the attempt that found it.
+    pub chosen: Option<String>,
 }
 
 /// Panels with a larger tolerance.
@@ -88,7 +69,12 @@ pub struct EasedPanels {
 impl Verdict {
     /// Returns how many panels have the shape required by the last enabled row on single faces,
     /// with distances up to `tolerance`. None if no row constrains panels.
-    pub(crate) fn of(model: &mut Measuring<'_>, tolerance: f64) -> Option<Verdict> {
+    /// `search` met its hard constraints, if that is so.
+    pub(crate) fn of(
+        model: &mut Measuring<'_>,
+        tolerance: f64,
+        search: Option<&Met>,
+    ) -> Option<Verdict> {
         let document = model.scene.document();
         let rows = document.constraints.iter().enumerate().rev();
         let mut asking = rows.filter(|(_, row)| row.enabled);
@@ -98,37 +84,70 @@ impl Verdict {
             Some((index, info, adjective))
         })?;
         let [faces, _] = members(model.scene.rows().get(row), model.rest);
-        let eased = document.constraints[row].eased.as_ref().map(|eased| {
-            let panels = eased.faces.iter().filter(|&face| faces.binary_search(face).is_ok());
-            EasedPanels { panels: panels.count(), within: eased.within }
-        });
+        let eased = document.constraints[row].eased.clone();
         let distances = face_values(model, info.measure?, Shape::Now)?;
         let distance = |face: u32| distances[face as usize];
         let worst_face =
             faces.iter().copied().max_by(|&a, &b| distance(a).total_cmp(&distance(b)))?;
+        let is_within = |face: &u32| distance(*face) <= tolerance;
+        let within = faces.iter().filter(|face| is_within(face)).count();
+        let eased = eased.as_ref().and_then(|eased| {
+            let beyond = |face: &&u32| faces.binary_search(face).is_ok() && !is_within(face);
+            let panels = eased.faces.iter().filter(beyond);
+            let panels = panels.filter(|&&face| distance(face) <= eased.within).count();
+            (panels > 0).then_some(EasedPanels { panels, within: eased.within })
+        });
+        let measure = model.cache.shape_measure(model.scene, model.rest);
+        let (level, flaws) = match within + eased.map_or(0, |eased| eased.panels) == faces.len() {
+            true => measure.level(eased.is_some(), model.rest.mean_edge()),
+            false => (Level::Poor, Vec::new()),
+        };
         Some(Verdict {
             kind: info.id,
             adjective,
-            panels: faces.len(),
-            within: faces.iter().filter(|&&face| distance(face) <= tolerance).count(),
+            level,
+            flaws,
+            within,
+            of: faces.len(),
             tolerance,
-            eased,
             worst: distance(worst_face),
             worst_face,
-            folded: model.rest.folded_by(model.scene.positions()).len(),
-            moved: moved(model.scene, model.rest),
-            bend: Bend::of(model.scene.positions(), model.rest),
+            folded: measure.folded.len(),
+            eased,
+            moved: measure.moved,
+            surface: measure.surface,
+            boundary: measure.boundary,
+            bend: measure.bend,
+            shortest_edge: measure.shortest_edge,
+            area_lost: measure.area_lost,
+            attempts: search.map_or_else(Vec::new, |met| met.tried.clone()),
+            chosen: search.and_then(|met| Some(met.tried.get(met.chosen?)?.name.clone())),
         })
     }
 }
 
+/// The verdict in the report, with its words, and with what would end better.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct VerdictReport {
+    /// The numbers.
+    #[serde(flatten)]
+    pub numbers: Verdict,
+    /// All of it in words.
+    pub words: String,
+    /// Better choices, the most helpful first; empty if the shape is good.
+    pub suggestions: Vec<Suggestion>,
+}
+
 /// Returns a tolerance for distances on a mesh: about a thousandth of the mean edge, rounded to 1,
 /// 2 or 5 times a power of ten, in the unit of the mesh.
-pub(crate) fn tolerance(rest: &RestMesh) -> f64 {
-    match rest.mean_edge() {
-        edge if edge > 0.0 => round_number(1e-3 * edge),
-        _ => round_number(1e-3 * rest.diameter()),
-    }
+pub fn tolerance_of(mesh: &Mesh) -> f64 {
+    let size = BoundingSphere::of(&mesh.positions).diameter();
+    tolerance(Topology::new(mesh).mean_edge(&mesh.positions), size)
+}
+
+/// The same for a mesh of this mean `edge` and this `size`.
+pub(crate) fn tolerance(edge: f64, size: f64) -> f64 {
+    round_number(1e-3 * if edge > 0.0 { edge } else { size })
 }
 
 /// Rounds to 1, 2 or 5 times a power of ten; returns 1 for anything not positive.

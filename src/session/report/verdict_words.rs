@@ -1,7 +1,10 @@
 //! The verdict on the panels in words, during a run and after it.
 
-use super::verdict::{Bend, BendChange, Verdict};
-use crate::words::{count, group_digits, length_like, limit_like, moved, rough_degrees};
+use super::verdict::Verdict;
+use crate::session::run::{Bend, BendChange, Flaw, SurfaceDistance};
+use crate::words::{
+    count, group_digits, length, length_like, limit_like, moved, part, rough_degrees,
+};
 use serde::Serialize;
 
 /// From this part of the tolerance on, the distance of the worst panel says no more than it.
@@ -17,18 +20,35 @@ pub struct VerdictWords {
     pub full: String,
 }
 
+/// The quantities of the design: the symbol of the unit of the mesh, empty if not known; the size of
+/// the mesh, and its mean edge at rest, in that unit.
+struct Scale<'a> {
+    units: &'a str,
+    size: f64,
+    edge: f64,
+}
+
 impl Verdict {
-    /// The verdict in words; `units` is the symbol of the unit of the mesh, empty if not known, and
-    /// `size` is the size of the mesh.
-    pub fn words(&self, units: &str, size: f64) -> VerdictWords {
+    /// The verdict in words; `units` is the symbol of the unit of the mesh, empty if not known,
+    /// `size` the size of the mesh, and `edge` its mean edge at rest.
+    pub fn words(&self, units: &str, size: f64, edge: f64) -> VerdictWords {
+        let scale = Scale { units, size, edge };
         let worst = length_like(self.worst, units, self.tolerance);
-        let is_told = self.within == self.panels && self.worst > SAYS_NO_MORE * self.tolerance;
+        let is_told = self.within == self.of && self.worst > SAYS_NO_MORE * self.tolerance;
+        let why = self.flaws.iter().map(|&flaw| self.why(flaw, &scale)).find(|it| !it.is_empty());
+        let folds = self.folds();
+        let [before, after] = match self.within == self.of {
+            true => [folds, String::new()],
+            false if folds.is_empty() => [String::new(), folds],
+            false => [String::new(), format!("But {folds}")],
+        };
         let sentences = [
+            why.unwrap_or_default(),
+            before,
             self.reached(units),
-            self.folds(),
-            self.bend.words(),
+            after,
             if is_told { String::new() } else { format!("Worst {worst}.") },
-            match moved(self.moved.max, self.moved.mean, units, size) {
+            match moved(self.moved.max, self.moved.mean, units, scale.size) {
                 Some(far) => format!("Your mesh moved by {far}."),
                 None => "Your mesh did not move.".to_owned(),
             },
@@ -38,12 +58,46 @@ impl Verdict {
         VerdictWords { progress, full: told.join(" ") }
     }
 
+    /// Says what is not good about the shape; empty if the rest of the verdict says it.
+    fn why(&self, flaw: Flaw, scale: &Scale<'_>) -> String {
+        let far = |far: f64| length(far, scale.units);
+        let edges = |far: f64| format!("{} of an edge", part(far / scale.edge));
+        match flaw {
+            Flaw::Eased => String::new(),
+            Flaw::Rougher | Flaw::Flatter => self.bend.words(),
+            Flaw::Away => {
+                let SurfaceDistance { max, .. } = self.surface;
+                format!("The surface moved by up to {}, {}.", far(max), edges(max))
+            }
+            Flaw::Moved => {
+                let [slid, away] = [self.moved.mean, self.surface.max];
+                let within = far(away);
+                format!(
+                    "Panels slid by {} on average, {}; the surface stays within {within}.",
+                    far(slid),
+                    edges(slid)
+                )
+            }
+            Flaw::OffBoundary => {
+                format!(
+                    "The boundary moved by up to {}, {}.",
+                    far(self.boundary),
+                    edges(self.boundary)
+                )
+            }
+            Flaw::Short => {
+                format!("An edge has {} of its length.", part(self.shortest_edge))
+            }
+            Flaw::Shrunk => format!("The surface lost {} of its area.", part(self.area_lost)),
+        }
+    }
+
     /// Says that `within` panels have their shape within `tolerance`.
     fn met(&self, within: usize, tolerance: f64, units: &str) -> String {
         let flat =
             format!("{} within {}", self.adjective, limit_like(tolerance, units, self.tolerance));
-        let all = group_digits(self.panels);
-        match self.panels {
+        let all = group_digits(self.of);
+        match self.of {
             panels if within < panels => {
                 format!("{} of {all} panels are {flat}.", group_digits(within))
             }
@@ -54,30 +108,32 @@ impl Verdict {
 
     /// The same, with the panels that are within a larger tolerance only, because they would fold.
     fn reached(&self, units: &str) -> String {
-        let eased = self.eased.filter(|_| self.within < self.panels);
-        let Some(eased) = eased else { return self.met(self.within, self.tolerance, units) };
-        if eased.panels == self.panels {
-            let all = self.met(self.panels, eased.within, units);
-            return format!(
-                "{all} Within {}, faces would fold.",
-                limit_like(self.tolerance, units, self.tolerance)
-            );
-        }
-        let met = self.met(self.within, self.tolerance, units);
+        let Some(eased) = self.eased else { return self.met(self.within, self.tolerance, units) };
         let larger = limit_like(eased.within, units, self.tolerance);
-        match self.panels - self.within {
-            1 => format!("{met} The other one would fold, so it is within {larger}."),
-            others => format!(
+        let met = match eased.panels == self.of {
+            true => {
+                return format!(
+                    "{} Within {}, faces would fold.",
+                    self.met(self.of, eased.within, units),
+                    limit_like(self.tolerance, units, self.tolerance)
+                );
+            }
+            false => self.met(self.within, self.tolerance, units),
+        };
+        match (eased.panels, self.of - self.within - eased.panels) {
+            (1, 0) => format!("{met} The other one would fold, so it is within {larger}."),
+            (others, 0) => format!(
                 "{met} The other {} would fold, so they are within {larger}.",
                 group_digits(others)
             ),
+            (some, _) => format!("{met} {} more are within {larger}.", group_digits(some)),
         }
     }
 
     fn folds(&self) -> String {
         match self.folded {
             0 => String::new(),
-            folded => format!("But {} folded or dented.", count(folded, "face is", "faces are")),
+            folded => format!("{} folded or dented.", count(folded, "face is", "faces are")),
         }
     }
 }
@@ -101,26 +157,35 @@ impl Bend {
 mod tests {
     use super::*;
     use crate::session::EasedPanels;
+    use crate::session::run::Level;
     use crate::solve::Moved;
 
     fn verdict() -> Verdict {
         Verdict {
             kind: "plane",
             adjective: "flat",
-            panels: 800,
+            level: Level::Good,
+            flaws: Vec::new(),
             within: 800,
+            of: 800,
             tolerance: 0.001,
-            eased: None,
             worst: 0.00088,
             worst_face: 3,
             folded: 0,
+            eased: None,
             moved: Moved { max: 0.2134, mean: 0.0512 },
+            surface: SurfaceDistance { rms: 0.01, max: 0.03 },
+            boundary: 0.0,
             bend: Bend { rest: 3.6, now: 4.0, change: None },
+            shortest_edge: 0.8,
+            area_lost: 0.0,
+            attempts: Vec::new(),
+            chosen: None,
         }
     }
 
     fn full(verdict: &Verdict) -> String {
-        verdict.words("m", 10.0).full
+        verdict.words("m", 10.0, 0.5).full
     }
 
     #[test]
@@ -130,8 +195,11 @@ mod tests {
             "All 800 panels are flat within 1 mm. Worst 0.880 mm. \
              Your mesh moved by at most 0.213 m, 0.0512 m on average."
         );
+        let folded = Verdict { folded: 1, ..verdict() };
+        let first = "1 face is folded or dented. All 800 panels are flat within 1 mm. Worst ";
+        assert!(full(&folded).starts_with(first), "{}", full(&folded));
         let bad = Verdict { within: 12, worst: 1.787, folded: 1, ..verdict() };
-        let words = bad.words("m", 10.0);
+        let words = bad.words("m", 10.0, 0.5);
         assert_eq!(words.progress, "12 of 800 panels are flat within 1 mm.");
         let rest = " But 1 face is folded or dented. Worst 1787 mm. Your mesh ";
         assert!(words.full.starts_with(&(words.progress + rest)), "{}", words.full);
@@ -148,10 +216,28 @@ mod tests {
     #[test]
     fn a_rougher_surface_is_compared_with_the_original() {
         let bend = Bend { rest: 3.64, now: 49.2, change: Some(BendChange::Rougher) };
-        let rough = full(&Verdict { bend, ..verdict() });
-        let words =
-            "The surface became rougher: neighbours meet at 49° on average instead of 3.6°. Worst ";
-        assert!(rough.contains(words), "{rough}");
+        let rough = full(&Verdict { bend, flaws: vec![Flaw::Rougher], ..verdict() });
+        let words = "The surface became rougher: neighbours meet at 49° on average instead of 3.6°. All 800 ";
+        assert!(rough.starts_with(words), "{rough}");
+    }
+
+    #[test]
+    fn what_is_not_good_comes_first() {
+        let surface = SurfaceDistance { rms: 0.3, max: 0.98 };
+        let with =
+            |flaw| full(&Verdict { surface, boundary: 0.11, flaws: vec![flaw], ..verdict() });
+        for (flaw, words) in [
+            (Flaw::Away, "The surface moved by up to 0.980 m, 196 % of an edge. All 800 "),
+            (
+                Flaw::Moved,
+                "Panels slid by 51.2 mm on average, 10 % of an edge; the surface stays within 0.980 m. ",
+            ),
+            (Flaw::OffBoundary, "The boundary moved by up to 0.110 m, 22 % of an edge. All "),
+            (Flaw::Short, "An edge has 80 % of its length. All "),
+            (Flaw::Eased, "All 800 "),
+        ] {
+            assert!(with(flaw).starts_with(words), "{}", with(flaw));
+        }
     }
 
     #[test]

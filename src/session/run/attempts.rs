@@ -1,131 +1,203 @@
-//! The sequence of attempts to meet hard constraints if faces fold or the surface becomes rough.
+//! The search for a shape that meets hard constraints: attempts one after another, compared by the
+//! measure of their shapes, until one is good.
 //!
 //! The first attempt has the required tolerances and starts at the soft solution, which approximates
-//! the shapes themselves. If this is within the tolerances already, an attempt that starts at the
-//! rest shape may end nearer to it, with more of the tolerances used. If the first folds a few faces, panels with a tolerance are made exact, which may avoid the folds: the approach then ends
-//! earlier, and the polish moves little. Smoother displacements, starting at the rest shape, often
-//! end in a valley that has no folds and is not rough, though farther away. If faces still fold, and
-//! the tolerance may be eased, it is: see [`Easing`].
+//! the shapes themselves; a soft solution within the tolerances needs no more. The others differ in
+//! one thing: they start at the rest shape, keep the vertices on the surface instead of at their
+//! places, make panels with a tolerance exact (the approach then ends earlier, and the polish moves
+//! little, which may avoid a few folds), or smooth displacements more. None is left out because an
+//! earlier one collapsed or was not met. If all fold faces, and the tolerance may be eased, it is:
+//! see [`Easing`].
+//!
+//! Of two shapes one is taken for better only if it is so by a margin: results within rounding of
+//! each other do not change the choice.
 
 use super::easing::{Easing, Tolerances};
-use super::outcome::Outcome;
-use std::ops::RangeInclusive;
+use super::outcome::{Flaw, Level, Outcome};
+use crate::scene::{AttemptStart, BoundaryCloseness, ChosenAttempt, ClosenessTo};
+use crate::solve::{Problem, Requirements};
+use serde::Serialize;
 
-/// The permitted ways to avoid folded faces.
+/// What the search may do.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Unfolding {
-    /// None: the shape follows a drag.
+pub(crate) enum Search {
+    /// Only the first attempt: the shape follows a drag.
     Off,
-    /// Smoother displacements.
-    Smoother,
-    /// The same and, for some panels, tolerances above this required one (unit of the mesh).
-    Eased(f64),
+    /// The attempts that keep the settings of the scene but for its smoothness.
+    Scene,
+    /// All of them, with tolerances above this required one for some panels at last (unit of the
+    /// mesh).
+    Panels(f64),
 }
 
 /// Factors of the smoothness weight, in order.
 const SMOOTHER: [f64; 2] = [10.0, 30.0];
 
-/// Maximum displacement of a smoother attempt, relative to the first.
-const FAR: f64 = 2.0;
+/// A shape that meets the requirements without folds is no better than one that does not if vertices
+/// move farther than this multiple of the distance in the first attempt.
+const FAR: f64 = 3.0;
 
-/// The same if the first attempt is rough and this one is not.
-const FAR_BUT_FAIR: f64 = 3.0;
-
-/// A smoother attempt is better if this angle is at most this fraction of the best one.
-const FAIRER: f64 = 0.8;
-
-/// The next smoother attempt is tried if the last left at most this fraction of the folds.
-const FEWER: f64 = 0.8;
+/// A shape is better if its change of the design, or its number of faults, is at most this fraction
+/// of those of the other.
+const BETTER: f64 = 0.8;
 
 /// Exact panels are tried if the first attempt folds at most this fraction of the faces.
 const FEW: f64 = 0.01;
 
-/// Iterations times vertices of the first attempt above which smoother ones would take too long.
-const MOST_WORK: u64 = 3_000_000;
+/// Iterations times vertices of all attempts after which none begins: some seconds in a browser.
+const MOST_WORK: u64 = 5_000_000;
 
-/// Maximum number of iterations within a larger tolerance: if more, the shape resists.
+/// Maximum number of iterations of attempts after the first, and within a larger tolerance: if more,
+/// the shape resists.
+const MOST_ITERATIONS: u32 = 900;
 const MOST_EASED_ITERATIONS: u32 = 600;
 
 /// One way to meet hard constraints.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Attempt {
-    /// With the requirements of the scene.
-    Asked,
+    /// With the requirements of the scene, from the soft solution.
+    FromSoft,
     /// The same, starting at the rest shape.
     FromRest,
     /// With exact panels.
     Exact,
-    /// With the requirements of the scene, and the smoothness weight multiplied by this factor.
+    /// Vertices may slide over the surface, and those of the boundary along it; from the soft solution
+    /// with this closeness.
+    OnSurface,
+    /// With the smoothness weight multiplied by this factor.
     Smoother(f64),
     /// With the panels within these tolerances, in few iterations.
     Eased(Tolerances),
 }
 
 impl Attempt {
+    /// Its name in reports.
+    pub(crate) fn name(&self) -> String {
+        match self {
+            Attempt::FromSoft => "soft".to_owned(),
+            Attempt::FromRest => "rest".to_owned(),
+            Attempt::Exact => "exact".to_owned(),
+            Attempt::OnSurface => "surface".to_owned(),
+            Attempt::Smoother(times) => format!("smoother {times}"),
+            Attempt::Eased(_) => "eased".to_owned(),
+        }
+    }
+
     /// The factor of the smoothness weight.
     pub(crate) fn smoother(&self) -> f64 {
         if let Attempt::Smoother(times) = self { *times } else { 1.0 }
     }
 
-    /// Maximum number of iterations of the approach; none for the default.
-    pub(crate) fn iterations(&self) -> Option<u32> {
-        matches!(self, Attempt::Eased(_)).then_some(MOST_EASED_ITERATIONS)
+    /// Sets what it changes in the problem of the scene.
+    pub(crate) fn set_in(&self, problem: &mut Problem<'_>) {
+        problem.weights.smooth *= self.smoother();
+        if *self == Attempt::OnSurface {
+            problem.closeness_to = ClosenessTo::Surface;
+            problem.boundary_closeness = Some(BoundaryCloseness::default());
+        }
     }
+
+    /// Maximum number of iterations of the approach.
+    pub(crate) fn iterations(&self) -> u32 {
+        match self {
+            Attempt::FromSoft => Requirements::ITERATIONS,
+            Attempt::Eased(_) => MOST_EASED_ITERATIONS,
+            _ => MOST_ITERATIONS,
+        }
+    }
+
+    /// How the scene says that this attempt was chosen.
+    pub(crate) fn chosen(&self) -> ChosenAttempt {
+        let from = match self {
+            Attempt::FromSoft | Attempt::OnSurface => AttemptStart::Soft,
+            Attempt::FromRest | Attempt::Smoother(_) => AttemptStart::Rest,
+            Attempt::Exact => AttemptStart::Exact,
+            Attempt::Eased(_) => AttemptStart::Eased,
+        };
+        let on_surface = *self == Attempt::OnSurface;
+        ChosenAttempt { from, smoother: self.smoother(), on_surface }
+    }
+}
+
+/// An attempt that has ended.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Tried {
+    /// Its name: `soft`, `rest`, `exact`, `surface`, `smoother 10`, `eased`.
+    pub name: String,
+    /// The level of its shape.
+    pub level: Level,
+    /// Number of constraints that it did not meet.
+    pub misses: usize,
+    /// Number of faces that it folded.
+    pub folded: usize,
+    /// Largest distance of a vertex from its rest position, in the unit of the mesh.
+    pub moved: f64,
 }
 
 /// The attempts of one run.
 #[derive(Debug)]
 pub(crate) struct Attempts {
+    search: Search,
     now: Attempt,
     /// Whether the current attempt has ended and is the best so far.
     is_best: bool,
-    count: u32,
+    tried: Vec<Tried>,
     first: Option<Outcome>,
-    /// Number of folded faces of the best attempt.
-    folded: usize,
-    /// The mean angle between neighbouring faces of the best attempt, in degrees, and the range
-    /// that is neither flat nor rough.
-    bend: f64,
-    fair: RangeInclusive<f64>,
-    /// Number of faces of the mesh.
+    /// The best outcome, and its index in `tried`.
+    best: Option<(usize, Outcome)>,
+    /// Whether less folded, or was smoother, with ten times the smoothness.
+    smoothness_helps: bool,
+    /// Number of faces of the mesh, and the mean edge at rest (unit of the mesh).
     faces: usize,
+    edge: f64,
     /// Attempts still to be tried before tolerances are eased, the next one last.
     others: Vec<Attempt>,
     easing: Option<Easing>,
+    work: u64,
 }
 
 impl Attempts {
-    /// Begins with the requirements of the scene; `can_be_smoother` if displacements are smoothed.
-    /// The mesh has this number of faces and this mean edge at rest (unit of the mesh); `fair` are
-    /// the mean angles between neighbouring faces at which it is neither flat nor rough (degrees).
+    /// Begins with the attempt that the scene names, or at the soft solution. `can_be_smoother` is
+    /// whether displacements are smoothed, `can_slide` whether vertices are held at their places. The
+    /// mesh has this number of faces and this mean edge at rest (unit of the mesh).
     pub(crate) fn new(
-        unfolding: Unfolding,
-        can_be_smoother: bool,
+        search: Search,
+        from: AttemptStart,
+        [can_be_smoother, can_slide]: [bool; 2],
         faces: usize,
-        mean_edge: f64,
-        fair: RangeInclusive<f64>,
+        edge: f64,
     ) -> Attempts {
-        let is_on = unfolding != Unfolding::Off && can_be_smoother;
-        let easing = match unfolding {
-            Unfolding::Eased(asked) => Easing::new(asked, mean_edge),
-            Unfolding::Off | Unfolding::Smoother => None,
+        let is_on = search != Search::Off;
+        let asked = if let Search::Panels(asked) = search { Some(asked) } else { None };
+        let now = match from {
+            AttemptStart::Rest if is_on => Attempt::FromRest,
+            AttemptStart::Exact if is_on => Attempt::Exact,
+            _ => Attempt::FromSoft,
         };
-        let smoother =
-            SMOOTHER.iter().filter(|_| is_on).rev().map(|&times| Attempt::Smoother(times));
-        let mut others: Vec<Attempt> = smoother.collect();
-        others.extend(matches!(unfolding, Unfolding::Eased(_)).then_some(Attempt::Exact));
-        others.extend((unfolding != Unfolding::Off).then_some(Attempt::FromRest));
+        let mut others = Vec::new();
+        // What the scene says was eased, was so after all others had failed.
+        if is_on && from != AttemptStart::Eased {
+            others.extend((asked.is_some() && can_slide).then_some(Attempt::OnSurface));
+            let smoother = SMOOTHER.iter().rev().map(|&times| Attempt::Smoother(times));
+            others.extend(smoother.filter(|_| can_be_smoother));
+            others.extend(asked.is_some().then_some(Attempt::Exact));
+            others.push(Attempt::FromRest);
+            others.retain(|other| *other != now);
+        }
         Attempts {
-            now: Attempt::Asked,
+            search,
+            now,
             is_best: false,
-            count: 1,
+            tried: Vec::new(),
             first: None,
-            folded: 0,
-            bend: 0.0,
-            fair,
+            best: None,
+            smoothness_helps: false,
             faces,
+            edge,
             others,
-            easing,
+            easing: asked.and_then(|asked| Easing::new(asked, edge)),
+            work: 0,
         }
     }
 
@@ -136,91 +208,119 @@ impl Attempts {
         outcome: &Outcome,
         around: &dyn Fn(&[u32]) -> Vec<u32>,
     ) -> Option<Attempt> {
-        let mut goes_on = true;
+        self.work += outcome.work;
+        self.record(outcome);
         if matches!(self.now, Attempt::Eased(_)) {
             let easing = self.easing.as_mut()?;
-            (self.is_best, goes_on) = easing.take(outcome, around);
-        } else {
-            self.is_best = self.judge(outcome);
-            if let Some(other) = self.others.pop() {
+            let (is_best, goes_on) = easing.take(outcome, around);
+            let next = goes_on.then(|| Attempt::Eased(easing.tolerances()));
+            self.keep(outcome, is_best);
+            return next;
+        }
+        let is_better = self.is_better(outcome);
+        self.keep(outcome, is_better);
+        if let Attempt::Smoother(_) = self.now {
+            self.smoothness_helps = self.is_fairer_than_first(outcome);
+        }
+        let first = self.first.get_or_insert_with(|| outcome.clone());
+        if let Some(easing) = &mut self.easing {
+            easing.expect(around(&first.resisting()));
+        }
+        while let Some(other) = self.others.pop() {
+            if self.may_help(&other) {
                 return Some(other);
             }
-            if let (Some(easing), Some(first)) = (&mut self.easing, &self.first) {
-                easing.expect(around(&first.folded));
-            }
         }
-        let easing = self.easing.as_ref().filter(|_| goes_on)?;
+        let is_whole = self.best.as_ref().is_some_and(|(_, best)| best.is_whole());
+        let easing = self.easing.as_ref().filter(|_| !is_whole)?;
         Some(Attempt::Eased(easing.tolerances()))
     }
 
     /// Proceeds to an attempt; returns the previous one if it is the best so far.
     pub(crate) fn begin(&mut self, next: Attempt) -> Option<Attempt> {
-        self.count += 1;
         let before = std::mem::replace(&mut self.now, next);
         std::mem::take(&mut self.is_best).then_some(before)
     }
 
-    /// Records the outcome within the required tolerance; returns whether it is the best so far.
-    fn judge(&mut self, outcome: &Outcome) -> bool {
-        let Outcome { met, moved, energy, bend, .. } = *outcome;
-        let (folded, is_rough) = (outcome.folded.len(), self.is_rough(bend));
-        let Some(first) = &self.first else {
-            self.judge_first(outcome);
-            return true;
-        };
-        if matches!(self.now, Attempt::FromRest) {
-            let is_better = met && folded <= self.folded && energy < first.energy;
-            if is_better {
-                self.judge_first(outcome);
-            }
-            return is_better;
+    /// Adds an attempt to the list; steps within larger tolerances are one.
+    fn record(&mut self, outcome: &Outcome) {
+        let is_eased = matches!(self.now, Attempt::Eased(_));
+        let name = self.now.name();
+        if is_eased {
+            self.tried.retain(|tried| tried.name != name);
         }
-        let becomes_fair = self.is_rough(first.bend) && self.fair.contains(&bend);
-        let far = if becomes_fair { FAR_BUT_FAIR } else { FAR };
-        let is_fairer = |than: f64| self.is_rough(than) && bend <= FAIRER * than;
-        let is_better = folded < self.folded || (folded == self.folded && is_fairer(self.bend));
-        let is_best = met && is_better && moved <= far * first.moved;
-        let is_fewer =
-            folded < first.folded.len() && folded as f64 <= FEWER * first.folded.len() as f64;
-        let helps = is_fewer || is_fairer(first.bend);
-        if is_best {
-            (self.folded, self.bend) = (folded, bend);
-        }
-        if is_best && folded == 0 {
-            self.easing = None;
-            if !is_rough {
-                self.end();
-            }
-        } else if !helps && !matches!(self.now, Attempt::Exact) {
-            self.others.clear();
-        }
-        is_best
-    }
-
-    /// Records the outcome of the first attempt, or of one that replaces it, and keeps the attempts
-    /// that may help.
-    fn judge_first(&mut self, outcome: &Outcome) {
-        let folded = outcome.folded.len();
-        (self.folded, self.bend) = (folded, outcome.bend);
-        // Without work, the tolerances are more than what the soft solution needs.
-        let is_within = outcome.met && outcome.work == 0 && self.first.is_none();
-        let is_fine = !outcome.met || (folded == 0 && !self.is_rough(outcome.bend));
-        let may_help = !is_fine && outcome.work <= MOST_WORK;
-        let are_few = folded > 0 && folded as f64 <= FEW * self.faces as f64;
-        self.others.retain(|other| match other {
-            Attempt::FromRest => is_within,
-            Attempt::Exact => may_help && are_few,
-            _ => may_help,
+        self.tried.push(Tried {
+            name,
+            level: outcome.level(is_eased, self.edge),
+            misses: outcome.misses,
+            folded: outcome.measure.folded.len(),
+            moved: outcome.measure.moved.max,
         });
-        if is_fine || folded == 0 {
-            self.easing = None;
-        }
-        self.first = Some(outcome.clone());
     }
 
-    /// Whether this mean angle between neighbouring faces makes the surface rough.
-    fn is_rough(&self, bend: f64) -> bool {
-        bend > *self.fair.end()
+    fn keep(&mut self, outcome: &Outcome, is_best: bool) {
+        self.is_best = is_best;
+        if is_best {
+            self.best = Some((self.tried.len() - 1, outcome.clone()));
+        }
+    }
+
+    /// Whether a shape is better than the best so far.
+    fn is_better(&self, new: &Outcome) -> bool {
+        let (Some(first), Some((_, best))) = (&self.first, &self.best) else { return true };
+        let change = |of: &Outcome| of.measure.change(self.edge);
+        match (new.is_whole(), best.is_whole()) {
+            (true, false) => !best.met || change(new) <= FAR * change(first),
+            (false, true) => false,
+            (false, false) => new.faults() as f64 <= BETTER * best.faults() as f64,
+            // With more tolerance than the soft solution needs, the nearer shape is as good.
+            (true, true) if first.work == 0 && self.now == Attempt::FromRest => {
+                new.energy < best.energy
+            }
+            // A rough surface is another design, however near it is.
+            (true, true) => match [new, best].map(|of| of.measure.bend.is_rough()) {
+                [false, true] => change(new) <= FAR * change(first),
+                [true, false] => false,
+                _ => change(new) <= BETTER * change(best),
+            },
+        }
+    }
+
+    /// Whether a shape has clearly fewer faults, or is clearly smoother, than that of the first
+    /// attempt.
+    fn is_fairer_than_first(&self, outcome: &Outcome) -> bool {
+        self.first.as_ref().is_some_and(|first| {
+            let [now, then] = [outcome, first].map(|of| of.measure.bend.now);
+            let [left, faults] = [outcome, first].map(|of| of.faults() as f64);
+            (faults > 0.0 && left <= BETTER * faults) || now <= BETTER * then
+        })
+    }
+
+    /// Whether an attempt may find a better shape than the best so far.
+    fn may_help(&self, next: &Attempt) -> bool {
+        let (Some(first), Some((_, best))) = (&self.first, &self.best) else { return true };
+        if self.work > MOST_WORK {
+            return false;
+        }
+        let flaws = best.measure.flaws(false, self.edge);
+        let is_whole = best.is_whole();
+        let is_far = || flaws.iter().any(|flaw| matches!(flaw, Flaw::Away | Flaw::Moved));
+        match next {
+            Attempt::FromRest => {
+                let is_nearer = first.work == 0 && first.met && self.tried.len() == 1;
+                !is_whole || is_nearer || (self.search != Search::Scene && is_far())
+            }
+            Attempt::Exact => {
+                let folded = first.measure.folded.len();
+                !is_whole && first.met && folded as f64 <= FEW * self.faces as f64
+            }
+            Attempt::Smoother(times) => {
+                let is_next = *times == SMOOTHER[0] || self.smoothness_helps;
+                is_next && (!is_whole || flaws.contains(&Flaw::Rougher))
+            }
+            Attempt::OnSurface => !is_whole || is_far(),
+            Attempt::FromSoft | Attempt::Eased(_) => true,
+        }
     }
 
     pub(crate) fn now(&self) -> &Attempt {
@@ -232,37 +332,45 @@ impl Attempts {
         self.is_best
     }
 
-    /// Number of attempts, including the current one.
-    pub(crate) fn count(&self) -> u32 {
-        self.count
+    /// The attempts that have ended, and the index of the best one.
+    pub(crate) fn tried(&self) -> (&[Tried], Option<usize>) {
+        (&self.tried, self.best.as_ref().map(|(place, _)| *place))
     }
 
     /// Number of faces folded by the first attempt.
     pub(crate) fn folded_at_first(&self) -> usize {
-        self.first.as_ref().map_or(0, |first| first.folded.len())
-    }
-
-    fn end(&mut self) {
-        self.others.clear();
-        self.easing = None;
+        self.first.as_ref().map_or(0, |first| first.measure.folded.len())
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::outcome::Outcome;
+    use super::super::shape_measure::{Bend, BendChange, SurfaceDistance};
     use super::*;
 
-    fn outcome(folded: u32, moved: f64) -> Outcome {
-        Outcome { met: true, folded: (0..folded).collect(), bend: 4.0, energy: 9.0, moved, work: 1 }
+    /// The mean edge of these tests.
+    const EDGE: f64 = 1.0;
+
+    fn folds(count: u32) -> Outcome {
+        Outcome::of_test(&(0..count).collect::<Vec<_>>())
+    }
+
+    fn away(far: f64) -> Outcome {
+        let mut outcome = folds(0);
+        outcome.measure.surface = SurfaceDistance { rms: far, max: far };
+        outcome
+    }
+
+    fn bent(now: f64) -> Outcome {
+        let mut outcome = folds(0);
+        outcome.measure.bend = Bend { rest: 4.0, now, change: Some(BendChange::Rougher) };
+        outcome
     }
 
     /// The attempts that follow these `outcomes`, and whether each was the best so far.
-    fn follow(
-        unfolding: Unfolding,
-        is_smooth: bool,
-        outcomes: &[Outcome],
-    ) -> Vec<(bool, Option<Attempt>)> {
-        let mut attempts = Attempts::new(unfolding, is_smooth, 1000, 0.3, 2.0..=6.0);
+    fn follow(search: Search, outcomes: &[Outcome]) -> Vec<(bool, Option<Attempt>)> {
+        let mut attempts = Attempts::new(search, AttemptStart::Soft, [true; 2], 1000, EDGE);
         let each = outcomes.iter().map(|outcome| {
             let next = attempts.after(outcome, &|faces| faces.to_vec());
             let is_best = attempts.is_best();
@@ -274,93 +382,112 @@ mod tests {
         each.collect()
     }
 
-    fn smoother(times: f64) -> Option<Attempt> {
-        Some(Attempt::Smoother(times))
+    fn press(outcomes: &[Outcome]) -> Vec<(bool, Option<Attempt>)> {
+        follow(Search::Panels(4e-4), outcomes)
     }
 
-    fn within(within: f64) -> Option<Attempt> {
-        Some(Attempt::Eased(Tolerances { within, eased: None }))
+    const REST: Option<Attempt> = Some(Attempt::FromRest);
+    const EXACT: Option<Attempt> = Some(Attempt::Exact);
+    const SMOOTHER: [Option<Attempt>; 2] =
+        [Some(Attempt::Smoother(10.0)), Some(Attempt::Smoother(30.0))];
+    const SURFACE: Option<Attempt> = Some(Attempt::OnSurface);
+
+    #[test]
+    fn a_good_shape_ends_the_search() {
+        assert_eq!(press(&[folds(0)]), [(true, None)]);
+        let found = press(&[folds(20), folds(20), folds(0)]);
+        assert_eq!(found, [(true, REST), (false, SMOOTHER[0].clone()), (true, None)]);
     }
 
     #[test]
-    fn what_folds_nothing_is_tried_once() {
-        for first in [outcome(0, 1.0), Outcome { met: false, ..outcome(3, 1.0) }] {
-            let all = follow(Unfolding::Eased(4e-4), true, &[first]);
-            assert_eq!(all, [(true, None)]);
-        }
+    fn what_is_not_met_is_tried_in_all_ways() {
+        // It used to be tried once.
+        let unmet = |misses| Outcome { met: false, misses, ..folds(0) };
+        let all = press(&[unmet(8), unmet(8), unmet(4), unmet(4), folds(0)]);
+        let next: Vec<Option<Attempt>> = all.iter().map(|(_, next)| next.clone()).collect();
+        let [ten, thirty] = SMOOTHER;
+        assert_eq!(next, [REST, ten, thirty, SURFACE, None]);
+        let best: Vec<bool> = all.iter().map(|(is_best, _)| *is_best).collect();
+        assert_eq!(best, [true, false, true, false, true]);
     }
 
     #[test]
     fn a_few_folds_may_go_where_panels_are_exact() {
-        let exact = Some(Attempt::Exact);
-        let all = follow(Unfolding::Eased(4e-4), true, &[outcome(10, 1.0), outcome(0, 1.1)]);
-        assert_eq!(all, [(true, exact.clone()), (true, None)]);
-        // If they still fold, smoother ones come next; with many folds they come at once.
-        let all = follow(Unfolding::Eased(4e-4), true, &[outcome(10, 1.0), outcome(10, 1.1)]);
-        assert_eq!(all, [(true, exact), (false, smoother(10.0))]);
-        let all = follow(Unfolding::Eased(4e-4), true, &[outcome(11, 1.0)]);
-        assert_eq!(all, [(true, smoother(10.0))]);
+        let found = press(&[folds(10), folds(10), folds(0)]);
+        assert_eq!(found, [(true, REST), (false, EXACT), (true, None)]);
     }
 
     #[test]
-    fn smoother_ones_come_first_and_may_not_go_far() {
-        let outcomes = [outcome(20, 1.0), outcome(4, 1.5), outcome(0, 2.5), outcome(0, 0.1)];
-        let all = follow(Unfolding::Eased(4e-4), true, &outcomes);
-        let expected = [
-            (true, smoother(10.0)),
-            (true, smoother(30.0)),
-            (false, within(0.04)),
-            (true, within(0.004)),
-        ];
-        assert_eq!(all, expected);
-        let all = follow(Unfolding::Smoother, true, &outcomes[..3]);
-        assert_eq!(all[2], (false, None));
+    fn a_surface_that_moves_far_may_stay_where_vertices_slide() {
+        let found = press(&[away(0.4), away(0.38), away(0.1)]);
+        assert_eq!(found, [(true, REST), (false, SURFACE), (true, None)]);
+        // Shapes that are alike do not change the choice.
+        let found = press(&[away(0.4), away(0.39), away(0.35)]);
+        assert_eq!(found, [(true, REST), (false, SURFACE), (false, None)]);
+        // A run of a scene keeps its closeness.
+        assert_eq!(follow(Search::Scene, &[away(0.4)]), [(true, None)]);
     }
 
     #[test]
-    fn what_is_rough_may_become_fair_farther_away() {
-        let bent = |bend, moved| Outcome { bend, ..outcome(0, moved) };
-        let all = |outcomes: &[Outcome]| follow(Unfolding::Eased(4e-4), true, outcomes);
-        // Within a quarter and a degree, nothing else is tried.
-        assert_eq!(all(&[bent(5.9, 1.0)]), [(true, None)]);
-        let found = all(&[bent(6.1, 1.0), bent(4.8, 2.9)]);
-        assert_eq!(found, [(true, smoother(10.0)), (true, None)]);
-        // Less rough is better too, but not that far away; and nothing is eased where nothing folds.
-        let found = all(&[bent(12.0, 1.0), bent(9.0, 1.9), bent(5.0, 3.1)]);
-        assert_eq!(found, [(true, smoother(10.0)), (true, smoother(30.0)), (false, None)]);
-        let found = all(&[bent(12.0, 1.0), bent(9.0, 2.1), bent(7.0, 2.1)]);
-        assert_eq!(found, [(true, smoother(10.0)), (false, smoother(30.0)), (false, None)]);
-        // A surface that has become flat is no fair one.
-        assert_eq!(all(&[bent(12.0, 1.0), bent(1.9, 2.1)])[1], (false, smoother(30.0)));
+    fn what_is_rough_may_become_fair_with_more_smoothness() {
+        let [ten, thirty] = SMOOTHER;
+        let found = press(&[bent(12.0), folds(0)]);
+        assert_eq!(found, [(true, ten.clone()), (true, None)]);
+        let found = press(&[bent(12.0), bent(9.0), bent(7.0)]);
+        assert_eq!(found, [(true, ten.clone()), (true, thirty), (true, None)]);
         // If more smoothness hardly helps, even more is not tried.
-        assert_eq!(all(&[bent(12.0, 1.0), bent(11.0, 1.0)])[1], (false, None));
+        assert_eq!(press(&[bent(12.0), bent(11.0)]), [(true, ten), (false, None)]);
+    }
+
+    #[test]
+    fn a_shape_without_folds_may_not_be_too_far_away() {
+        let near = Outcome { measure: away(0.3).measure, ..away(0.3) };
+        let mut folded = near.clone();
+        folded.measure.folded = (0..20).collect();
+        let found = press(&[folded.clone(), folded.clone(), away(1.0)]);
+        assert_eq!(found[2], (false, SMOOTHER[1].clone()));
+        let found = press(&[folded.clone(), folded, away(0.8)]);
+        assert!(found[2].0);
+    }
+
+    #[test]
+    fn tolerances_are_eased_last() {
+        let all = press(&[folds(20), folds(20), folds(20), folds(20), folds(0)]);
+        let within = |within| Some(Attempt::Eased(Tolerances { within, eased: None }));
+        let next: Vec<Option<Attempt>> = all.into_iter().map(|(_, next)| next).collect();
+        let [ten, _] = SMOOTHER;
+        assert_eq!(next, [REST, ten, SURFACE, within(0.04), within(0.004)]);
+        let scene = follow(Search::Scene, &[folds(20), folds(20), folds(20)]);
+        assert_eq!(scene[2], (false, None));
     }
 
     #[test]
     fn where_the_tolerance_is_more_than_needed_the_rest_shape_is_another_start() {
-        let soft = Outcome { work: 0, ..outcome(0, 2.0) };
-        let near = Outcome { energy: 1.0, ..outcome(0, 0.5) };
-        let from_rest = Some(Attempt::FromRest);
-        let all = |second: &Outcome| {
-            follow(Unfolding::Eased(4e-4), true, &[soft.clone(), second.clone()])
-        };
-        assert_eq!(all(&near), [(true, from_rest.clone()), (true, None)]);
+        let soft = Outcome { work: 0, ..folds(0) };
+        let near = Outcome { energy: 1.0, ..folds(0) };
+        assert_eq!(press(&[soft.clone(), near.clone()]), [(true, REST), (true, None)]);
         // It is taken if it costs less, and folds no more.
-        let costly = Outcome { energy: 9.5, ..near.clone() };
-        assert_eq!(all(&costly), [(true, from_rest.clone()), (false, None)]);
-        let folds = Outcome { folded: vec![0], ..near.clone() };
-        assert_eq!(all(&folds), [(true, from_rest.clone()), (false, None)]);
-        // Folds of both are avoided afterwards.
-        let all = follow(
-            Unfolding::Smoother,
-            true,
-            &[Outcome { folded: vec![0, 1], ..soft.clone() }, folds, outcome(0, 0.6)],
-        );
-        assert_eq!(all, [(true, from_rest), (true, smoother(10.0)), (true, None)]);
+        let costly = Outcome { energy: 9.5, ..near };
+        assert_eq!(press(&[soft.clone(), costly]), [(true, REST), (false, None)]);
+        assert_eq!(press(&[soft, folds(1)])[1], (false, None));
+    }
+
+    #[test]
+    fn a_scene_is_run_as_it_was_solved() {
+        let first = |from, search| Attempts::new(search, from, [true; 2], 1000, EDGE).now;
+        let press = Search::Panels(4e-4);
+        assert_eq!(first(AttemptStart::Rest, Search::Scene), Attempt::FromRest);
+        assert_eq!(first(AttemptStart::Exact, Search::Scene), Attempt::Exact);
+        assert_eq!(first(AttemptStart::Rest, Search::Off), Attempt::FromSoft);
+        // The tolerance was eased because the first attempt folded.
+        let mut attempts = Attempts::new(press, AttemptStart::Eased, [true; 2], 1000, EDGE);
+        assert_eq!(attempts.now, Attempt::FromSoft);
+        let next = attempts.after(&folds(3), &|faces| faces.to_vec());
+        assert!(matches!(next, Some(Attempt::Eased(_))), "{next:?}");
     }
 
     #[test]
     fn while_one_drags_nothing_else_is_tried() {
-        assert_eq!(follow(Unfolding::Off, true, &[outcome(10, 1.0)]), [(true, None)]);
+        assert_eq!(follow(Search::Off, &[folds(10)]), [(true, None)]);
     }
 }

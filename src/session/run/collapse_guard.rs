@@ -50,6 +50,11 @@ impl CollapseGuard {
         self.ignores_collapse = ignores_collapse;
     }
 
+    /// Forgets a collapse, because the search for a shape goes on.
+    pub(crate) fn forgive(&mut self) {
+        self.collapse = None;
+    }
+
     /// Makes the next iteration the start, unless the shape has collapsed.
     pub(crate) fn forget_start(&mut self) {
         if self.collapse.is_none() {

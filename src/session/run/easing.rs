@@ -22,7 +22,7 @@ const EASED: f64 = 2.0;
 const MOST_AGAIN: u32 = 12;
 
 /// Maximum of iterations times vertices of all attempts.
-const MOST_WORK: u64 = 16_000_000;
+const MOST_WORK: u64 = 6_000_000;
 
 /// Tolerances of an attempt, in the unit of the mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,7 +91,7 @@ impl Easing {
         around: &dyn Fn(&[u32]) -> Vec<u32>,
     ) -> (bool, bool) {
         self.work += outcome.work;
-        let is_whole = outcome.met && outcome.folded.is_empty();
+        let is_whole = outcome.is_whole();
         let has_time = self.work < MOST_WORK;
         if is_whole {
             return (true, has_time && self.go_on());
@@ -102,15 +102,16 @@ impl Easing {
         }
         self.again += 1;
         let known = self.faces.len();
-        if outcome.folded.is_empty() {
+        let folded = &outcome.measure.folded;
+        if folded.is_empty() {
             self.ease(&self.resisting.clone());
             return (false, self.faces.len() > known);
         }
         let is_new = |face: &&u32| self.faces.binary_search(face).is_err();
-        let new: Vec<u32> = outcome.folded.iter().filter(is_new).copied().collect();
+        let new: Vec<u32> = folded.iter().filter(is_new).copied().collect();
         self.ease(&around(&new));
         // If only eased faces fold, ease more faces around them.
-        let mut more = outcome.folded.clone();
+        let mut more = folded.clone();
         while self.faces.len() == known {
             let before = more.len();
             more = around(&more);
@@ -145,7 +146,7 @@ mod tests {
     use super::*;
 
     fn outcome(folded: &[u32]) -> Outcome {
-        Outcome { met: true, folded: folded.to_vec(), bend: 0.0, energy: 1.0, moved: 1.0, work: 1 }
+        Outcome::of_test(folded)
     }
 
     /// Neighbours of faces in a row.

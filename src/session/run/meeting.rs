@@ -1,16 +1,38 @@
 //! Meeting hard constraints in a run.
 
-use super::attempts::{Attempt, Attempts};
+use super::attempts::{Attempt, Attempts, Tried};
 use super::outcome::Outcome;
 use crate::mesh::Point;
-use crate::solve::{Exact, SolveError, Stage, clock};
+use crate::solve::{Exact, SolveError, Solver, Stage, clock};
 
 /// Interval of showing intermediate positions, in seconds: each time their energies are evaluated.
 const SHOWN_EVERY: f64 = 0.03;
 
+/// What a step of the search leads to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum MeetingStage {
+    /// The attempt goes on.
+    Going,
+    /// Its soft solution is found: the exact solver follows.
+    Softened,
+    /// It has ended.
+    Ended,
+}
+
+/// The soft solution of an attempt with other settings than the scene, on the way.
+struct Softening {
+    solver: Solver,
+    attempt: Attempt,
+    /// Iterations left.
+    left: u32,
+}
+
 /// The current exact solver, the best attempt so far, and the time of the last display.
 pub(crate) struct Meeting {
+    /// The solver of the current attempt; while the soft solution of the next one is found, of the
+    /// last one.
     exact: Exact,
+    softening: Option<Box<Softening>>,
     attempts: Attempts,
     /// The best attempt that has ended.
     best: Option<(Exact, Attempt)>,
@@ -26,9 +48,11 @@ pub(crate) struct MeetingEnd {
     pub(crate) attempt: Attempt,
     /// Whether all attempts have ended.
     pub(crate) is_whole: bool,
-    /// Number of faces folded by the first attempt, and number of attempts.
+    /// Number of faces folded by the first attempt.
     pub(crate) folded_at_first: usize,
-    pub(crate) attempts: u32,
+    /// The attempts that have ended, and the index of the one that found the shape.
+    pub(crate) tried: Vec<Tried>,
+    pub(crate) chosen: Option<usize>,
     /// Whether the iterations before it had converged.
     pub(crate) converged: bool,
 }
@@ -36,19 +60,43 @@ pub(crate) struct MeetingEnd {
 impl Meeting {
     /// Begins at the end of iterations that have `converged` or not.
     pub(crate) fn new(exact: Exact, attempts: Attempts, converged: bool) -> Meeting {
-        Meeting { exact, attempts, best: None, shown: clock::now(), converged }
+        Meeting { exact, softening: None, attempts, best: None, shown: clock::now(), converged }
     }
 
-    /// Runs one iteration or step of the current attempt; returns whether the attempt has ended.
+    /// Runs one iteration or step of the current attempt.
     ///
     /// # Errors
-    /// As [`Exact::step`].
-    pub(crate) fn step(&mut self) -> Result<bool, SolveError> {
-        Ok(self.exact.step()? == Stage::Ended)
+    /// As [`Exact::step`] and [`Solver::step`].
+    pub(crate) fn step(&mut self) -> Result<MeetingStage, SolveError> {
+        let Some(softening) = &mut self.softening else {
+            let ended = self.exact.step()? == Stage::Ended;
+            return Ok(if ended { MeetingStage::Ended } else { MeetingStage::Going });
+        };
+        softening.solver.step()?;
+        softening.left = softening.left.saturating_sub(1);
+        let ended = softening.left == 0 || softening.solver.converged();
+        Ok(if ended { MeetingStage::Softened } else { MeetingStage::Going })
+    }
+
+    /// Begins the next attempt with its soft solution, in at most this number of iterations.
+    pub(crate) fn soften(&mut self, solver: Solver, attempt: Attempt, iterations: u32) {
+        self.softening = Some(Box::new(Softening { solver, attempt, left: iterations }));
+    }
+
+    /// Ends the soft solution; returns the attempt, and its start, `#V by 3`.
+    pub(crate) fn softened(&mut self) -> Option<(Attempt, Vec<Point>)> {
+        let Softening { mut solver, attempt, .. } = *self.softening.take()?;
+        solver.settle();
+        Some((attempt, solver.positions().collect()))
     }
 
     pub(crate) fn exact(&self) -> &Exact {
         &self.exact
+    }
+
+    /// The current attempt.
+    pub(crate) fn attempt(&self) -> &Attempt {
+        self.softening.as_ref().map_or(self.attempts.now(), |softening| &softening.attempt)
     }
 
     /// The energy of the soft terms at the current positions of the attempt.
@@ -86,19 +134,24 @@ impl Meeting {
             return None;
         }
         self.shown = now;
-        Some(self.exact.positions())
+        Some(match &self.softening {
+            Some(softening) => softening.solver.positions().collect(),
+            None => self.exact.positions(),
+        })
     }
 
     /// Stops, and returns the best shape so far.
     pub(crate) fn end(mut self) -> MeetingEnd {
-        let is_whole = self.exact.stage() == Stage::Ended;
+        let is_whole = self.exact.stage() == Stage::Ended && self.softening.is_none();
         self.exact.stop();
-        let (folded_at_first, attempts) = (self.attempts.folded_at_first(), self.attempts.count());
+        let folded_at_first = self.attempts.folded_at_first();
+        let (tried, chosen) = self.attempts.tried();
+        let tried = tried.to_vec();
         let (exact, attempt) = match self.best {
             Some(best) if !self.attempts.is_best() => best,
             _ => (self.exact, self.attempts.now().clone()),
         };
         let converged = self.converged;
-        MeetingEnd { exact, attempt, is_whole, folded_at_first, attempts, converged }
+        MeetingEnd { exact, attempt, is_whole, folded_at_first, tried, chosen, converged }
     }
 }

@@ -1,5 +1,6 @@
 //! How well hard constraints are met, for the report.
 
+use super::attempts::Tried;
 use crate::mesh::Point;
 use crate::scene::Scene;
 use crate::session::state::{SolvedScene, same_problem};
@@ -44,13 +45,16 @@ pub(crate) struct Met {
     /// Whether the iterations before them had converged.
     pub(crate) converged: bool,
     pub(crate) report: ExactReport,
+    /// The attempts that were made, and the index of the one that found the shape.
+    pub(crate) tried: Vec<Tried>,
+    pub(crate) chosen: Option<usize>,
 }
 
 impl Met {
     /// Records a report on the current state of the scene.
     pub(crate) fn new(scene: &SolvedScene, report: ExactReport) -> Met {
         let state = SolvedFor::new(scene);
-        Met { state, is_whole: true, converged: false, report }
+        Met { state, is_whole: true, converged: false, report, tried: Vec::new(), chosen: None }
     }
 
     pub(crate) fn interrupt(&mut self) {

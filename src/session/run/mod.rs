@@ -9,9 +9,10 @@
 //! | `collapse_guard` | the guard against a collapse outside drags |
 //! | `interactive_size` | the largest mesh that can be dragged smoothly |
 //! | `meeting` | meeting hard constraints in a run |
-//! | `attempts` | the sequence of attempts if faces fold |
+//! | `attempts` | the search: the attempts one after another |
 //! | `easing` | a larger tolerance for as few panels as possible |
-//! | `outcome` | the outcome of an attempt |
+//! | `shape_measure` | the measure of a shape against its original |
+//! | `outcome` | the outcome of an attempt, and its level |
 //! | `met` | how well hard constraints were met, and for which shape |
 
 mod attempts;
@@ -24,9 +25,11 @@ mod meeting;
 mod met;
 mod outcome;
 mod progress;
+mod shape_measure;
 mod trace;
 
-pub(crate) use attempts::{Attempt, Attempts, Unfolding};
+pub use attempts::Tried;
+pub(crate) use attempts::{Attempt, Attempts, Search};
 pub(crate) use collapse::Start;
 pub use collapse::{Collapse, CollapseReason};
 pub(crate) use collapse_guard::CollapseGuard;
@@ -34,9 +37,12 @@ pub(crate) use easing::Tolerances;
 pub(crate) use half_step::fitted;
 pub use half_step::{FittedCount, HalfStep, Step};
 pub use interactive_size::max_interactive_faces;
-pub(crate) use meeting::{Meeting, MeetingEnd};
+pub(crate) use meeting::{Meeting, MeetingEnd, MeetingStage};
 pub(crate) use met::Met;
 pub use met::{Eased, ExactReport};
 pub(crate) use outcome::Outcome;
+pub use outcome::{Flaw, Level};
 pub(crate) use progress::Progress;
+pub(crate) use shape_measure::shortest_edge;
+pub use shape_measure::{Bend, BendChange, ShapeMeasure, SurfaceDistance};
 pub use trace::TraceEntry;

@@ -1,17 +1,152 @@
-//! The outcome of an attempt to meet hard constraints.
+//! The outcome of an attempt to meet hard constraints, and its grade: how good the shape is.
+
+use super::shape_measure::{BendChange, ShapeMeasure};
+use serde::Serialize;
+
+/// The level of a shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "lowercase")]
+pub enum Level {
+    /// It can be built as it is, and it is the design.
+    Good,
+    /// It can be built, but the design has changed, or some panels have a larger tolerance.
+    Fair,
+    /// It cannot be built: requirements are not met, or faces are folded.
+    Poor,
+}
+
+/// Why a shape is not good.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
+pub enum Flaw {
+    /// Panels have a larger tolerance than required.
+    Eased,
+    /// Neighbouring faces meet at clearly larger angles.
+    Rougher,
+    /// They meet at less than half the angle.
+    Flatter,
+    /// The surface is far from the original.
+    Away,
+    /// The vertices are far from their rest positions, on a surface that is not.
+    Moved,
+    /// The boundary is far from the original boundary.
+    OffBoundary,
+    /// Edges are short.
+    Short,
+    /// The surface has lost area.
+    Shrunk,
+}
+
+/// Largest distance of the surface from the original, relative to the mean edge,
+const AWAY: f64 = 0.2;
+/// the same of the boundary,
+const OFF_BOUNDARY: f64 = 0.2;
+/// and the mean distance of the vertices from their rest positions: the limits of a good shape.
+const MOVED: f64 = 0.2;
+/// Smallest ratio of an edge to its length at rest.
+const SHORT: f64 = 0.2;
+/// Largest fraction of the area that is lost.
+const SHRUNK: f64 = 0.05;
+
+impl ShapeMeasure {
+    /// The level of a shape whose requirements are met, some within a larger tolerance if `is_eased`,
+    /// and its flaws, the gravest first; `edge` is the mean edge at rest.
+    pub(crate) fn level(&self, is_eased: bool, edge: f64) -> (Level, Vec<Flaw>) {
+        if !self.folded.is_empty() {
+            return (Level::Poor, Vec::new());
+        }
+        let flaws = self.flaws(is_eased, edge);
+        (if flaws.is_empty() { Level::Good } else { Level::Fair }, flaws)
+    }
+
+    /// The flaws of a shape whose requirements are met without folds, the gravest first; `edge` is
+    /// the mean edge at rest.
+    pub(crate) fn flaws(&self, is_eased: bool, edge: f64) -> Vec<Flaw> {
+        let parts = self.parts(edge);
+        let is_far = parts.iter().filter(|(_, part)| *part > 1.0);
+        let mut far: Vec<(Flaw, f64)> = is_far.copied().collect();
+        far.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+        let eased = is_eased.then_some(Flaw::Eased);
+        let bend = self.bend.change.map(|change| match change {
+            BendChange::Rougher => Flaw::Rougher,
+            BendChange::Flatter => Flaw::Flatter,
+        });
+        eased.into_iter().chain(bend).chain(far.into_iter().map(|(flaw, _)| flaw)).collect()
+    }
+
+    /// The measures relative to the limits of a good shape.
+    fn parts(&self, edge: f64) -> [(Flaw, f64); 5] {
+        let relative =
+            |length: f64, limit: f64| if edge > 0.0 { length / (limit * edge) } else { 0.0 };
+        [
+            (Flaw::Away, relative(self.surface.max, AWAY)),
+            (Flaw::Moved, relative(self.moved.mean, MOVED)),
+            (Flaw::OffBoundary, relative(self.boundary, OFF_BOUNDARY)),
+            (Flaw::Short, if self.shortest_edge < SHORT { 2.0 } else { 0.0 }),
+            (Flaw::Shrunk, self.area_lost / SHRUNK),
+        ]
+    }
+
+    /// A number that grows with the change of the design: it is 1 at the limits of a good shape.
+    pub(crate) fn change(&self, edge: f64) -> f64 {
+        let largest = self.parts(edge).iter().map(|(_, part)| *part).fold(0.0, f64::max);
+        largest.max(self.bend.relative())
+    }
+}
 
 /// The outcome of an attempt.
 #[derive(Clone, Debug)]
 pub(crate) struct Outcome {
     pub(crate) met: bool,
-    /// The faces that are folded or dented.
-    pub(crate) folded: Vec<u32>,
-    /// The mean angle in degrees between neighbouring faces.
-    pub(crate) bend: f64,
+    /// Number of constraints that are not met, and the faces that they are on.
+    pub(crate) misses: usize,
+    pub(crate) missed: Vec<u32>,
+    pub(crate) measure: ShapeMeasure,
     /// The energy of the soft terms, without the hard constraints.
     pub(crate) energy: f64,
-    /// The largest displacement of a vertex from its rest position.
-    pub(crate) moved: f64,
     /// Iterations times vertices.
     pub(crate) work: u64,
+}
+
+impl Outcome {
+    /// Whether the requirements are met without a fold.
+    pub(crate) fn is_whole(&self) -> bool {
+        self.met && self.measure.folded.is_empty()
+    }
+
+    /// Number of constraints that are not met and of folded faces.
+    pub(crate) fn faults(&self) -> usize {
+        self.misses + self.measure.folded.len()
+    }
+
+    /// The faces that are folded, or whose constraints are not met.
+    pub(crate) fn resisting(&self) -> Vec<u32> {
+        [&self.measure.folded[..], &self.missed].concat()
+    }
+
+    /// The level of the shape.
+    pub(crate) fn level(&self, is_eased: bool, edge: f64) -> Level {
+        if self.met { self.measure.level(is_eased, edge).0 } else { Level::Poor }
+    }
+}
+
+#[cfg(test)]
+impl Outcome {
+    /// An outcome that is met and folds these faces.
+    pub(super) fn of_test(folded: &[u32]) -> Outcome {
+        use super::shape_measure::{Bend, SurfaceDistance};
+        use crate::solve::Moved;
+        let measure = ShapeMeasure {
+            folded: folded.to_vec(),
+            moved: Moved { max: 0.1, mean: 0.05 },
+            surface: SurfaceDistance { rms: 0.01, max: 0.02 },
+            boundary: 0.0,
+            bend: Bend { rest: 4.0, now: 4.0, change: None },
+            shortest_edge: 0.9,
+            area_lost: 0.0,
+        };
+        Outcome { met: true, misses: 0, missed: Vec::new(), measure, energy: 9.0, work: 1 }
+    }
 }

@@ -3,8 +3,9 @@
 
 use crate::constraint::{Kind, Selector, Set};
 use crate::scene::{
-    BoundaryCloseness, BuildSettings, ClosenessTo, ClosenessWeight, ConstraintSpec, EasedFaces,
-    Goal, Lesson, Pose, Scene, Slide, Smoothness, SolverSettings, Target, Up, Variants, Weights,
+    BoundaryCloseness, BoundaryRequire, BuildSettings, ChosenAttempt, ClosenessTo, ClosenessWeight,
+    ConstraintSpec, EasedFaces, Goal, Lesson, Pose, Scene, Slide, Smoothness, SolverSettings,
+    Target, Up, Variants, Weights,
 };
 use crate::solve::Require;
 use std::mem::{size_of_val, swap};
@@ -42,6 +43,7 @@ pub(crate) struct Settings {
     boundary: Option<BoundaryCloseness>,
     smoothness: Smoothness,
     solver: SolverSettings,
+    attempt: ChosenAttempt,
 }
 
 /// All properties of a row of constraints but its name and its selector.
@@ -84,13 +86,50 @@ impl Settings {
             boundary: scene.closeness.boundary,
             smoothness: scene.smoothness,
             solver: scene.solver,
+            attempt: scene.attempt,
         }
     }
 
-    /// Multiplies the smoothness weight.
+    /// Returns the settings with what an attempt changes, and with its name.
+    pub(crate) fn by_attempt(mut self, chosen: ChosenAttempt) -> Settings {
+        self.weights.smooth *= chosen.smoother;
+        if chosen.on_surface {
+            self = self.on_surface();
+        }
+        self.attempt = ChosenAttempt {
+            from: chosen.from,
+            smoother: self.attempt.smoother * chosen.smoother,
+            on_surface: self.attempt.on_surface || chosen.on_surface,
+        };
+        self
+    }
+
+    /// Returns the settings before a search chose an attempt.
+    pub(crate) fn before_attempt(mut self) -> Settings {
+        let chosen = std::mem::take(&mut self.attempt);
+        self.weights.smooth /= chosen.smoother;
+        if chosen.on_surface {
+            (self.to, self.boundary) = (ClosenessTo::Rest, None);
+        }
+        self
+    }
+
+    /// Returns the settings with another smoothness weight.
     pub(crate) fn smoother(mut self, times: f64) -> Settings {
         self.weights.smooth *= times;
         self
+    }
+
+    /// Returns the settings with closeness to the surface, and to its boundary.
+    pub(crate) fn on_surface(self) -> Settings {
+        let boundary = Some(BoundaryCloseness::default());
+        Settings { to: ClosenessTo::Surface, boundary, ..self }
+    }
+
+    /// Returns the settings with the vertices of the boundary exactly on it.
+    pub(crate) fn on_boundary(self) -> Settings {
+        let exact = BoundaryCloseness { require: BoundaryRequire::Exact, ..Default::default() };
+        Settings { boundary: Some(exact), ..self }
     }
 
     pub(crate) fn with_weights(self, weights: Weights) -> Settings {
@@ -98,7 +137,7 @@ impl Settings {
     }
 
     fn put_in(self, scene: &mut Scene) {
-        let Settings { weights, to, target, pose, boundary, smoothness, solver } = self;
+        let Settings { weights, to, target, pose, boundary, smoothness, solver, attempt } = self;
         scene.weights = weights;
         scene.closeness.to = to;
         scene.closeness.target = target;
@@ -106,6 +145,7 @@ impl Settings {
         scene.closeness.boundary = boundary;
         scene.smoothness = smoothness;
         scene.solver = solver;
+        scene.attempt = attempt;
     }
 }
 

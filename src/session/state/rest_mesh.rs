@@ -2,21 +2,14 @@
 
 use crate::math::{Vec3, key_of_pair, sort_by_number};
 use crate::mesh::{
-    BoundingSphere, Group, Mesh, Point, Topology, folded_faces, mean_dihedral_angle,
+    BoundaryCurve, BoundaryCurves, BoundingSphere, Group, Mesh, Point, Surface, Topology,
+    folded_faces, mean_dihedral_angle, smoothed_area,
 };
 use crate::solve::Moved;
 use std::cell::OnceCell;
-use std::ops::RangeInclusive;
 
-/// A surface is rough if the mean angle between neighbouring faces exceeds this multiple of the
-/// angle at rest,
-const ROUGH: f64 = 1.25;
-
-/// and this many degrees more: less is hardly visible.
-const HARDLY_ROUGH: f64 = 1.0;
-
-/// It has become flat if this angle is below this fraction of the angle at rest.
-const FLAT: f64 = 0.5;
+/// Below every cosine: no vertex of a boundary is a corner.
+const NO_CORNERS: f64 = -2.0;
 
 /// A rest mesh with its topology.
 pub(crate) struct RestMesh {
@@ -25,6 +18,10 @@ pub(crate) struct RestMesh {
     diameter: f64,
     /// See [`RestMesh::bend`].
     bend: OnceCell<f64>,
+    /// See [`RestMesh::surface`], [`RestMesh::boundary`] and [`RestMesh::smoothed_area`].
+    surface: OnceCell<Surface>,
+    boundary: OnceCell<Vec<BoundaryCurve>>,
+    smoothed_area: OnceCell<f64>,
     generation: u32,
     lost: Vec<String>,
 }
@@ -33,8 +30,17 @@ impl RestMesh {
     pub(crate) fn new(mesh: Mesh) -> RestMesh {
         let topology = Topology::new(&mesh);
         let diameter = BoundingSphere::of(&mesh.positions).diameter();
-        let bend = OnceCell::new();
-        RestMesh { diameter, bend, mesh, topology, generation: 0, lost: Vec::new() }
+        RestMesh {
+            mesh,
+            topology,
+            diameter,
+            bend: OnceCell::new(),
+            surface: OnceCell::new(),
+            boundary: OnceCell::new(),
+            smoothed_area: OnceCell::new(),
+            generation: 0,
+            lost: Vec::new(),
+        }
     }
 
     /// Creates a mesh that is derived from this one.
@@ -101,11 +107,27 @@ impl RestMesh {
         *self.bend.get_or_init(|| self.bend_at(self.positions()))
     }
 
-    /// Returns the mean angles between neighbouring faces, in degrees, at which the surface has
-    /// become neither flat nor rough.
-    pub(crate) fn fair_bends(&self) -> RangeInclusive<f64> {
-        let bend = self.bend();
-        FLAT * bend..=ROUGH * bend + HARDLY_ROUGH
+    /// Returns the original surface.
+    pub(crate) fn surface(&self) -> &Surface {
+        self.surface.get_or_init(|| Surface::new(self.positions(), &self.mesh))
+    }
+
+    /// Returns the vertices of each boundary loop, except corners, which are on the curve as well,
+    /// and the loop as a curve.
+    pub(crate) fn boundary(&self) -> &[BoundaryCurve] {
+        self.boundary.get_or_init(|| {
+            BoundaryCurves::new(self.positions(), &self.topology, NO_CORNERS).curves
+        })
+    }
+
+    /// Returns the area of the original without its wrinkles: see [`smoothed_area`].
+    pub(crate) fn smoothed_area(&self) -> f64 {
+        *self.smoothed_area.get_or_init(|| self.smoothed_area_at(self.positions()))
+    }
+
+    /// The same at `now` (`#V by 3`).
+    pub(crate) fn smoothed_area_at(&self, now: &[Point]) -> f64 {
+        smoothed_area(&self.mesh, &self.topology, now)
     }
 
     /// Returns the faces and all that share a vertex with them, ascending.

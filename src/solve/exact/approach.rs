@@ -59,6 +59,9 @@ const MOST: f64 = 1e5;
 /// that end at the same distance.
 const STILL: (u32, u32) = (6, 3);
 
+/// Greatest number of times that a step along curves is halved.
+const SHORTENED: u32 = 8;
+
 /// The iteration of the first stage.
 pub(super) struct Approach {
     accelerator: Acceleration,
@@ -137,6 +140,7 @@ impl Approach {
             self.forget();
             self.step(model)
         };
+        let gains = gains || self.shorten_step(model, before);
         if !gains {
             self.restore(model);
         }
@@ -157,13 +161,17 @@ impl Approach {
             self.rho *= growth;
             model.hard.divide_shifts(growth);
             let scales = model.scales(self.rho);
-            let (fixed, diagonal) = (model.holding.fixed.clone(), &model.holding.diagonal);
+            let (fixed, diagonal) = (model.fixed_in_approach(), &model.holding.diagonal);
             let system = &mut model.parts.system;
             system.set_matrix(Precision::Single, &scales, diagonal, fixed)?;
             system.prepare()?;
         }
         (self.left, self.in_round, self.rounds) = (self.round.most, 0, self.rounds + 1);
         self.forget();
+        // A polish that failed may have left them elsewhere.
+        if let Some(gliding) = &mut model.parts.gliding {
+            gliding.follow(&mut model.x);
+        }
         self.evaluate(model);
         Ok(())
     }
@@ -186,6 +194,9 @@ impl Approach {
 
     /// Steps and evaluates; returns false if the objective did not fall.
     fn step(&mut self, model: &mut Model) -> bool {
+        if let Some(gliding) = &model.parts.gliding {
+            gliding.to_unknowns(&mut model.x, &mut self.gradient);
+        }
         let now = Iterate { x: &model.x, gradient: &self.gradient };
         let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
         let previous = self.has_previous.then_some(previous);
@@ -194,14 +205,36 @@ impl Approach {
         std::mem::swap(&mut self.previous.1, &mut self.gradient);
         std::mem::swap(&mut model.x, &mut self.next);
         self.has_previous = true;
+        if let Some(gliding) = &mut model.parts.gliding {
+            gliding.put_on_curves(&mut model.x);
+        }
         let before = self.merit;
         self.evaluate(model);
         self.merit < before
     }
 
+    /// With vertices on curves, halves a step until the objective falls: even the plain step need not
+    /// lower it. Returns whether it fell.
+    fn shorten_step(&mut self, model: &mut Model, before: f64) -> bool {
+        for _ in 0..SHORTENED {
+            let Some(gliding) = &mut model.parts.gliding else { return false };
+            let (x, gradient) = &self.previous;
+            gliding.shorten((x, gradient), &mut model.x, 0.5);
+            gliding.put_on_curves(&mut model.x);
+            self.evaluate(model);
+            if self.merit < before {
+                return true;
+            }
+        }
+        false
+    }
+
     /// Returns to the positions before the last step.
     fn restore(&mut self, model: &mut Model) {
         model.x.copy_from_slice(&self.previous.0);
+        if let Some(gliding) = &mut model.parts.gliding {
+            gliding.put_on_curves(&mut model.x);
+        }
         self.evaluate(model);
     }
 
@@ -215,6 +248,9 @@ impl Approach {
         let energy = parts.energies.evaluate(x, &mut self.gradient, &mut self.seconds);
         let hard = hard.local_step(x, &mut self.gradient, self.rho);
         parts.system.clear_fixed(&mut self.gradient);
+        if let Some(gliding) = &mut parts.gliding {
+            gliding.constrain(&mut self.gradient);
+        }
         self.merit = energy.total + self.rho * hard;
     }
 }

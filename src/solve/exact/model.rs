@@ -10,6 +10,7 @@ use crate::solve::assemble::Terms;
 use crate::solve::energy::{
     BIG, Constraints, Handle, Hold, PositionalConstraints, extra_unknowns, shape_terms,
 };
+use crate::solve::gliding::Gliding;
 use crate::solve::local_frame::{relative, rest_surface};
 use crate::solve::parts::SetupCache;
 use crate::solve::parts::{Added, Holding, Parts};
@@ -100,8 +101,8 @@ impl Model {
         let mut holding = parts.holding(handles);
         let mut x = parts.to_rows(start);
         if let Some(gliding) = &mut parts.gliding {
-            // Boundary vertices keep their positions on the curves meanwhile.
             gliding.place(&mut x, handles);
+            // The approach moves them along their curves, the polish lets them stay.
             gliding.vertices().for_each(|(_, node)| holding.fixed[node as usize] = true);
         }
         let mut put = start.to_vec();
@@ -141,6 +142,14 @@ impl Model {
             hard.misses(&self.x, |_, miss| met &= miss.excess <= most);
         }
         met
+    }
+
+    /// Whether each node is fixed in the approach, `#nodes`: those on curves move along them.
+    pub(in crate::solve) fn fixed_in_approach(&self) -> Vec<bool> {
+        let mut fixed = self.holding.fixed.clone();
+        let moving = self.parts.gliding.iter().flat_map(Gliding::moving);
+        moving.for_each(|node| fixed[node as usize] = false);
+        fixed
     }
 
     /// The scales of the energies in the normal matrix, with the weight `rho` of the hard

@@ -1,0 +1,168 @@
+//! The measure of a shape against its original: what a builder judges it by. The attempts to meet
+//! hard constraints are compared by it, the verdict is made from it, and the report has it.
+
+use crate::math::Vec3;
+use crate::mesh::{BoundaryCurve, Point, Surface};
+use crate::session::state::RestMesh;
+use crate::solve::Moved;
+use serde::Serialize;
+
+/// A shape against its original. Lengths are in the unit of the mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShapeMeasure {
+    /// The faces, ascending, that are folded or dented and were not at rest: see
+    /// [`folded_faces`](crate::mesh::folded_faces).
+    pub folded: Vec<u32>,
+    /// Distances of the vertices from their rest positions.
+    pub moved: Moved,
+    /// Distances between the surface and its original.
+    pub surface: SurfaceDistance,
+    /// The largest distance of a boundary vertex from the original boundary.
+    pub boundary: f64,
+    /// The angle between neighbouring faces.
+    pub bend: Bend,
+    /// The smallest ratio of an edge length to its rest length; 1 without edges.
+    pub shortest_edge: f64,
+    /// The fraction of the area that is lost, after wrinkles are smoothed away.
+    pub area_lost: f64,
+}
+
+/// Distances between two surfaces: of the vertices of each from the other, in the unit of the mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SurfaceDistance {
+    /// Root mean square.
+    pub rms: f64,
+    /// The maximum.
+    pub max: f64,
+}
+
+/// The mean angle between neighbouring faces of the whole mesh, in degrees.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct Bend {
+    /// At rest.
+    pub rest: f64,
+    /// In the current shape.
+    pub now: f64,
+    /// Whether the difference is a change of the design.
+    pub change: Option<BendChange>,
+}
+
+/// A change of the surface as a whole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
+pub enum BendChange {
+    /// The faces meet at clearly larger angles.
+    Rougher,
+    /// They meet at less than half the angle.
+    Flatter,
+}
+
+impl ShapeMeasure {
+    /// Measures the shape of `rest` with its vertices at `now` (`#V by 3`).
+    pub(crate) fn of(now: &[Point], rest: &RestMesh) -> ShapeMeasure {
+        ShapeMeasure {
+            folded: rest.folded_by(now),
+            moved: rest.moved_by(now),
+            surface: SurfaceDistance::between(now, rest),
+            boundary: boundary_distance(now, rest),
+            bend: Bend::of(now, rest),
+            shortest_edge: shortest_edge(now, rest),
+            area_lost: lost(rest.smoothed_area(), rest.smoothed_area_at(now)),
+        }
+    }
+}
+
+impl SurfaceDistance {
+    /// The distances between the surface at `now` (`#V by 3`) and the original, both ways: a part of
+    /// the original that is cut off is far from the surface, which may be near the original itself.
+    fn between(now: &[Point], rest: &RestMesh) -> SurfaceDistance {
+        if now == rest.positions() {
+            return SurfaceDistance::default();
+        }
+        let neighbours = rest.topology().neighbours();
+        let has_edges = |v: &usize| !neighbours.row(*v).is_empty();
+        let moved = Surface::new(now, rest.mesh());
+        let (mut sum, mut count, mut max) = (0.0, 0.0, 0.0);
+        for (points, surface) in [(now, rest.surface()), (rest.positions(), &moved)] {
+            let mut hint = Surface::NO_HINT;
+            for v in (0..points.len()).filter(has_edges) {
+                let to = surface.closest(points[v], &mut hint);
+                let squared = (Vec3::from(to) - Vec3::from(points[v])).length_squared();
+                sum += squared;
+                count += 1.0;
+                max = f64::max(max, squared);
+            }
+        }
+        SurfaceDistance { rms: (sum / f64::max(count, 1.0)).sqrt(), max: max.sqrt() }
+    }
+}
+
+/// Returns the fraction of an area that is lost.
+fn lost(before: f64, now: f64) -> f64 {
+    if before > 0.0 { (1.0 - now / before).max(0.0) } else { 0.0 }
+}
+
+/// A surface is rough if the mean angle between neighbouring faces exceeds this multiple of the
+/// angle at rest,
+const ROUGH: f64 = 1.25;
+/// and this many degrees more: less is hardly visible.
+const HARDLY_ROUGH: f64 = 1.0;
+/// It has become flat if this angle is below this fraction of the angle at rest.
+const FLAT: f64 = 0.5;
+
+impl Bend {
+    fn of(now: &[Point], rest: &RestMesh) -> Bend {
+        let (rest, now) = (rest.bend(), rest.bend_at(now));
+        let change = match now {
+            _ if now > ROUGH * rest + HARDLY_ROUGH => Some(BendChange::Rougher),
+            _ if now < FLAT * rest => Some(BendChange::Flatter),
+            _ => None,
+        };
+        Bend { rest, now, change }
+    }
+
+    /// Whether the surface is rougher than the original.
+    pub(crate) fn is_rough(&self) -> bool {
+        self.change == Some(BendChange::Rougher)
+    }
+
+    /// The angle relative to that at which the surface is rough, or flat: 1 at the limit.
+    pub(crate) fn relative(&self) -> f64 {
+        let rough = self.now / (ROUGH * self.rest + HARDLY_ROUGH);
+        let flat =
+            if self.rest > 0.0 { FLAT * self.rest / self.now.max(f64::MIN_POSITIVE) } else { 0.0 };
+        rough.max(flat)
+    }
+}
+
+/// Returns the largest distance at `now` (`#V by 3`) of a boundary vertex from the boundary loop that
+/// it is on at rest.
+fn boundary_distance(now: &[Point], rest: &RestMesh) -> f64 {
+    let mut most = 0.0;
+    for BoundaryCurve { polyline, vertices, .. } in rest.boundary() {
+        let mut hint = Surface::NO_HINT;
+        for &v in vertices {
+            let point = now[v as usize];
+            let to = polyline.closest(point, &mut hint);
+            most = f64::max(most, (Vec3::from(to) - Vec3::from(point)).length());
+        }
+    }
+    most
+}
+
+/// Returns the smallest ratio of an edge length at `now` (`#V by 3`) to its rest length. Ignores
+/// edges of zero rest length; 1 without edges.
+pub(crate) fn shortest_edge(now: &[Point], rest: &RestMesh) -> f64 {
+    let squared = |of: &[Point], [a, b]: [u32; 2]| {
+        (Vec3::from(of[a as usize]) - Vec3::from(of[b as usize])).length_squared()
+    };
+    let edges = rest.topology().edges().iter();
+    let ratios = edges.filter_map(|&ends| match squared(rest.positions(), ends) {
+        0.0 => None,
+        before => Some(squared(now, ends) / before),
+    });
+    ratios.reduce(f64::min).map_or(1.0, f64::sqrt)
+}

@@ -1,0 +1,226 @@
+//! The search for a shape that meets the hard constraints: the attempts of a run, as exact solvers.
+
+use super::Session;
+use super::report::ConstraintCoverage;
+use super::requirements::Required;
+use super::run::{Attempt, Attempts, Eased, Meeting, Outcome, Search, ShapeMeasure, Tolerances};
+use super::state::{Part, RowValues, Settings};
+use crate::mesh::Point;
+use crate::scene::{
+    AttemptStart, ClosenessTo, ConstraintSpec, EasedFaces, SmoothnessOf, all_faces,
+};
+use crate::session::Error;
+use crate::solve::{Exact, ExactAnswer, Require, Solver};
+use crate::words;
+
+impl Session {
+    /// Returns the search of a run that is no press for panels: with larger tolerances only if the
+    /// scene says that it was solved so.
+    pub(super) fn search_of_scene(&self) -> Search {
+        let is_eased = self.document().attempt.from == AttemptStart::Eased;
+        let mut rows = self.document().constraints.iter();
+        let asked = rows.find_map(|row| match row.require {
+            Require::Within(length) if is_eased && is_on_panels(row) => Some(length),
+            _ => None,
+        });
+        asked.map_or(Search::Scene, Search::Panels)
+    }
+
+    /// Plans the attempts to meet the hard constraints.
+    pub(super) fn attempts(&self) -> Attempts {
+        let document = self.document();
+        // Only displacements: a smoother surface would be another design.
+        let is_smooth =
+            document.weights.smooth > 0.0 && document.smoothness.of == SmoothnessOf::Displacement;
+        let closeness = &document.closeness;
+        let is_held = closeness.to == ClosenessTo::Rest && closeness.boundary.is_none();
+        let can = [is_smooth, is_held && document.weights.close > 0.0];
+        let (faces, edge) = (self.mesh().faces.len(), self.rest.mean_edge());
+        Attempts::new(self.search, document.attempt.from, can, faces, edge)
+    }
+
+    /// Whether the first attempt of a run does not begin at the soft solution.
+    pub(super) fn needs_no_soft_solution(&self) -> bool {
+        self.search != Search::Off
+            && matches!(self.document().attempt.from, AttemptStart::Rest | AttemptStart::Exact)
+            && self.has_hard_rows()
+    }
+
+    /// Begins the next attempt after one has ended; returns false if there is none.
+    ///
+    /// # Errors
+    /// As [`Session::meeting`].
+    pub(super) fn try_next(&mut self) -> Result<bool, Error> {
+        let Some(meeting) = &mut self.meeting else { return Ok(false) };
+        let positions = meeting.exact().positions();
+        let ExactAnswer { met, unmet, iterations, .. } = meeting.exact().answer();
+        let mut coverage = ConstraintCoverage::new(self.rest.mesh(), self.rest.topology());
+        let missed = unmet.iter().flat_map(|miss| coverage.faces(&miss.vertices).to_vec());
+        let outcome = Outcome {
+            met,
+            misses: unmet.len(),
+            missed: missed.collect(),
+            measure: ShapeMeasure::of(&positions, &self.rest),
+            energy: meeting.energy(),
+            work: u64::from(iterations) * positions.len() as u64,
+        };
+        let rest = &self.rest;
+        let next = meeting.next(&outcome, &|faces| rest.faces_around(faces));
+        let Some((attempt, start)) = next else { return Ok(false) };
+        let start = match start {
+            Some(whole) => self.eased_start(&attempt, whole, &positions),
+            None => self.rest.positions().to_vec(),
+        };
+        if attempt == Attempt::OnSurface {
+            return self.soften(attempt, &start);
+        }
+        self.turn_to(attempt, &start)
+    }
+
+    /// Begins an attempt with its soft solution, from `start` (`#V by 3`).
+    fn soften(&mut self, attempt: Attempt, start: &[Point]) -> Result<bool, Error> {
+        let solver =
+            self.with_requirements(&Required::of, |mut problem, _, handles, _, cache| {
+                attempt.set_in(&mut problem);
+                Solver::new(&problem, cache, handles.to_vec(), start)
+            })?;
+        let solver = solver.transpose()?;
+        let iterations = self.document().solver.iterations;
+        Ok(self.meeting.as_mut().zip(solver).is_some_and(|(meeting, solver)| {
+            meeting.soften(solver, attempt, iterations);
+            true
+        }))
+    }
+
+    /// Goes on from the soft solution of an attempt; returns false if there is none.
+    ///
+    /// # Errors
+    /// As [`Session::meeting`].
+    pub(super) fn go_on_from_soft(&mut self) -> Result<bool, Error> {
+        let softened = self.meeting.as_mut().and_then(Meeting::softened);
+        let Some((attempt, start)) = softened else { return Ok(false) };
+        self.turn_to(attempt, &start)
+    }
+
+    /// Begins an attempt at `start` (`#V by 3`); returns false if there are no hard constraints.
+    fn turn_to(&mut self, attempt: Attempt, start: &[Point]) -> Result<bool, Error> {
+        let next = self.attempt(&attempt, start)?;
+        Ok(self.meeting.as_mut().zip(next).is_some_and(|(meeting, next)| {
+            meeting.turn_to(next, attempt);
+            true
+        }))
+    }
+
+    /// Returns the exact solver of the first attempt; none if there are no hard constraints.
+    ///
+    /// # Errors
+    /// As [`Session::meeting`].
+    pub(super) fn first_attempt(&self, attempts: &Attempts) -> Result<Option<Exact>, Error> {
+        let start = match attempts.now() {
+            Attempt::FromSoft => self.positions(),
+            _ => self.rest.positions().to_vec(),
+        };
+        self.attempt(attempts.now(), &start)
+    }
+
+    /// Returns the exact solver of an attempt that starts at `start` (`#V by 3`).
+    fn attempt(&self, attempt: &Attempt, start: &[Point]) -> Result<Option<Exact>, Error> {
+        let required = |row: &ConstraintSpec| match attempt {
+            Attempt::Exact if is_on_panels(row) => {
+                Required { require: Require::Exact, eased: None }
+            }
+            Attempt::Eased(Tolerances { within, eased }) if self.eases(row) => {
+                Required { require: Require::Within(*within), eased: eased.clone() }
+            }
+            _ => Required::of(row),
+        };
+        self.with_requirements(&required, |mut problem, mut requirements, handles, _, cache| {
+            attempt.set_in(&mut problem);
+            requirements.iterations = attempt.iterations();
+            Exact::new(&problem, &requirements, handles, start, cache)
+        })
+    }
+
+    /// Returns the settings of an attempt, which say that it was chosen.
+    pub(super) fn choice(&self, attempt: &Attempt) -> Part {
+        Part::Settings(Settings::of(self.document()).by_attempt(attempt.chosen()))
+    }
+
+    /// Returns the start of an eased attempt, `#V by 3`: the end of the last one, but with the
+    /// eased faces of the last shape without folds. From that shape alone it would take longer.
+    fn eased_start(&self, attempt: &Attempt, whole: Vec<Point>, last: &[Point]) -> Vec<Point> {
+        let Attempt::Eased(Tolerances { eased: Some(eased), .. }) = attempt else { return whole };
+        let mut start = last.to_vec();
+        for &face in &eased.faces {
+            for &vertex in self.rest.mesh().faces.row(face as usize) {
+                start[vertex as usize] = whole[vertex as usize];
+            }
+        }
+        start
+    }
+
+    /// Whether the search may ease the tolerance of a row: it is that of all panels.
+    pub(super) fn eases(&self, row: &ConstraintSpec) -> bool {
+        matches!(self.search, Search::Panels(asked) if row.require == Require::Within(asked))
+            && is_on_panels(row)
+    }
+
+    /// Returns the changes that ease the rows to `tolerances`, and a report. `folded` faces would
+    /// fold otherwise, and the `farthest` vertex has this distance to its projection. If the panels
+    /// did not reach the required tolerance, all of them are eased.
+    pub(super) fn eased(
+        &self,
+        tolerances: &Tolerances,
+        folded: usize,
+        farthest: f64,
+    ) -> Option<(Vec<Part>, Eased)> {
+        let Search::Panels(asked) = self.search else { return None };
+        let Tolerances { within, eased } = tolerances;
+        let mut eased =
+            eased.clone().unwrap_or_else(|| EasedFaces { within: *within, faces: Vec::new() });
+        if *within > asked {
+            eased.faces = (0..self.mesh().faces.len() as u32).collect();
+        }
+        if eased.faces.is_empty() {
+            return None;
+        }
+        // Use no larger tolerance than needed.
+        eased.within = two_digits_above(farthest).clamp(asked, eased.within);
+        let report = Eased { asked, within: eased.within, panels: eased.faces.len(), folded };
+        Some((self.ease_rows(Some(&eased)), report))
+    }
+
+    /// Returns the changes that give these eased faces to the rows that may have them.
+    pub(super) fn ease_rows(&self, eased: Option<&EasedFaces>) -> Vec<Part> {
+        let rows = self.document().constraints.iter().enumerate();
+        let rows = rows.filter(|(_, row)| self.eases(row) && row.eased.as_ref() != eased);
+        let ease = |(index, row)| {
+            Part::RowValues(index, RowValues { eased: eased.cloned(), ..RowValues::of(row) })
+        };
+        rows.map(ease).collect()
+    }
+}
+
+/// Whether a row constrains all panels within a tolerance.
+fn is_on_panels(row: &ConstraintSpec) -> bool {
+    row.enabled && matches!(row.require, Require::Within(_)) && row.on == all_faces()
+}
+
+/// Rounds up to a number of two digits, at most a ninth larger.
+fn two_digits_above(number: f64) -> f64 {
+    words::rounded(1.06 * number, 2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rounded_number_is_above_and_near() {
+        for k in 0..2000 {
+            let number = 1e-3 * 1.01_f64.powi(k);
+            let above = two_digits_above(number);
+            assert!((1.0..1.112).contains(&(above / number)), "{number}: {above}");
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! Better choices than a press for panels that did not end well. Each is tried on a copy, so that
+//! only those that help are offered, with what they would come to.
+
+use crate::mesh::Mesh;
+use crate::scene::{NamedEnum, Scene, panel_adjective, panel_offers};
+use crate::session::edit::PanelStart;
+use crate::session::run::{Flaw, Level};
+use crate::session::{Error, Session, Verdict};
+use crate::words::{length, limit_like};
+use serde::Serialize;
+
+/// Larger tolerances to try, as multiples of the required one, and the largest relative to the mean
+/// edge.
+const LARGER: [f64; 2] = [10.0, 50.0];
+const LARGEST: f64 = 0.15;
+
+/// A choice of the same level is offered if the surface moves at most this fraction of the distance.
+const NEARER: f64 = 0.6;
+
+/// A press for panels that ends better.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct Suggestion {
+    /// What is different: `tolerance`, `kind`, `surface` or `boundary`.
+    pub id: &'static str,
+    /// The label of its button.
+    pub label: String,
+    /// What it would come to.
+    pub words: String,
+    /// The kind of panels to make,
+    pub kind: &'static str,
+    /// their tolerance, in the unit of the mesh,
+    pub within: f64,
+    /// and the start: see [`PanelStart`].
+    pub from: &'static str,
+    /// The level of its shape.
+    pub level: Level,
+    /// The largest distance of its surface from the original, in the unit of the mesh.
+    pub surface: f64,
+}
+
+/// A press to be tried.
+#[derive(Clone)]
+struct Press {
+    id: &'static str,
+    label: String,
+    kind: &'static str,
+    within: f64,
+    from: PanelStart,
+}
+
+/// The trials, run step by step.
+pub struct Suggestions {
+    scene: Scene,
+    mesh: Mesh,
+    /// The verdict to be bettered.
+    before: Verdict,
+    /// Presses still to be tried, the next one last.
+    untried: Vec<Press>,
+    current: Option<(Press, Box<Session>)>,
+    found: Vec<Suggestion>,
+}
+
+impl Suggestions {
+    /// Prepares the trials for a session whose press for panels within `tolerance` has ended; none if
+    /// its shape is good, or if no panels were made.
+    pub fn new(session: &mut Session, tolerance: f64) -> Option<Suggestions> {
+        let before = session.verdict(tolerance)?;
+        if before.level == Level::Good {
+            return None;
+        }
+        let mut untried = presses(session, &before);
+        untried.reverse();
+        let (scene, mesh) = (session.scene(), session.mesh().clone());
+        Some(Suggestions { scene, mesh, before, untried, current: None, found: Vec::new() })
+    }
+
+    /// Runs one iteration; returns whether there is more to try.
+    ///
+    /// # Errors
+    /// As [`Session::open`]; not expected, because the scene is open.
+    pub fn step(&mut self) -> Result<bool, Error> {
+        let Some((press, session)) = &mut self.current else {
+            return self.begin_next();
+        };
+        // What makes positions non-finite does not help.
+        let ended = session.step().map_or(true, |step| step.ended);
+        if ended {
+            session.end_run();
+            let verdict = session.verdict(press.within);
+            let press = press.clone();
+            self.current = None;
+            self.found.extend(verdict.and_then(|after| self.offer(press, &after)));
+        }
+        Ok(self.current.is_some() || !self.untried.is_empty())
+    }
+
+    /// The suggestions found so far, the most helpful first.
+    pub fn found(&self) -> &[Suggestion] {
+        &self.found
+    }
+
+    /// Begins the next trial.
+    fn begin_next(&mut self) -> Result<bool, Error> {
+        let Some(press) = self.untried.pop() else { return Ok(false) };
+        // A smaller tolerance that helps is enough.
+        if self.found.iter().any(|found| found.id == press.id) {
+            return Ok(!self.untried.is_empty());
+        }
+        let mut session = Session::open(self.scene.clone(), self.mesh.clone())?;
+        session.arm_guard();
+        // A press that is refused does not help.
+        if session.make_panels(press.kind, press.within, press.from).is_ok() {
+            self.current = Some((press, Box::new(session)));
+        }
+        Ok(true)
+    }
+
+    /// Returns the suggestion of a press that ends like `after`, if that is better.
+    fn offer(&self, press: Press, after: &Verdict) -> Option<Suggestion> {
+        let before = &self.before;
+        let is_nearer = after.surface.max <= NEARER * before.surface.max;
+        let is_better = after.level < before.level
+            || (after.level == before.level && is_nearer && after.level != Level::Poor);
+        let Press { id, label, kind, within, from } = press;
+        is_better.then(|| Suggestion {
+            id,
+            words: self.words(id, after),
+            label,
+            kind,
+            within,
+            from: from.word(),
+            level: after.level,
+            surface: after.surface.max,
+        })
+    }
+
+    /// Says what a press comes to.
+    fn words(&self, id: &str, after: &Verdict) -> String {
+        let units = &self.scene.units;
+        let far = length(after.surface.max, units);
+        let instead = length(self.before.surface.max, units);
+        match (id, self.before.level) {
+            ("surface", _) => format!("panels slide, the surface stays within {far}"),
+            (_, Level::Poor) => format!("all panels, no folds; the surface moves by {far}"),
+            _ => format!("the surface moves by {far} instead of {instead}"),
+        }
+    }
+}
+
+/// Returns the presses to try, in order.
+fn presses(session: &Session, before: &Verdict) -> Vec<Press> {
+    let Verdict { kind, tolerance, .. } = *before;
+    let units = session.document().units.clone();
+    let press = |id, label: String, kind, within, from| Press { id, label, kind, within, from };
+    let mut presses = Vec::new();
+    let edge = session.mean_edge();
+    for within in LARGER.map(|times| times * tolerance).into_iter().filter(|w| *w <= LARGEST * edge)
+    {
+        let label = format!("Within {}", limit_like(within, &units, within));
+        presses.push(press("tolerance", label, kind, within, PanelStart::Original));
+    }
+    let is_held = session.document().attempt.on_surface;
+    if !is_held {
+        let label = "Along the surface".to_owned();
+        presses.push(press("surface", label, kind, tolerance, PanelStart::Surface));
+    }
+    if before.flaws.contains(&Flaw::OffBoundary) || before.level == Level::Poor {
+        let label = "Keep the boundary".to_owned();
+        presses.push(press("boundary", label, kind, tolerance, PanelStart::Boundary));
+    }
+    for offer in panel_offers(session.mesh()) {
+        if let Some(adjective) =
+            panel_adjective(offer.kind).filter(|_| offer.reason.is_none() && offer.kind != kind)
+        {
+            let label = format!("Make panels {adjective} instead");
+            presses.push(press("kind", label, offer.kind, tolerance, PanelStart::Original));
+        }
+    }
+    presses
+}
