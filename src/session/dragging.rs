@@ -3,7 +3,8 @@
 use super::Session;
 use super::edit::{Edit, PanelStart, check_lock};
 use super::run::Search;
-use super::undo::{Change, Transaction, check_targets};
+use super::state::check_targets;
+use super::undo::{Change, Transaction};
 use crate::mesh::Point;
 use crate::scene::{Lock, NamedEnum, SceneError};
 use crate::session::Error;

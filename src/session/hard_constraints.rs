@@ -61,6 +61,11 @@ impl Session {
         self.meeting.is_some()
     }
 
+    /// What the current run tries to meet its hard constraints, in words; none before that.
+    pub fn attempt_words(&self) -> Option<&'static str> {
+        self.meeting.as_ref().map(|meeting| meeting.attempt().words())
+    }
+
     /// The result of the exact solver, if it is the current shape.
     pub(super) fn met_here(&self) -> Option<&Met> {
         self.met.as_ref().filter(|met| met.is_of(&self.scene))

@@ -72,10 +72,9 @@ pub use run::{
     Level, Step, SurfaceDistance, TraceEntry, Tried, max_interactive_faces,
 };
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
-pub use state::{Paired, ResolvedRow};
+pub use state::{Paired, ResolvedRow, check_targets};
 pub use trial::{
     Cost, ExactOffer, ExactShape, ExactTrial, Remedies, Remedy, Suggestion, Suggestions,
 };
-pub use undo::check_targets;
 pub use variant_table::VariantRow;
 pub use variations::{Variations, Varied};

@@ -3,8 +3,11 @@
 use super::closeness_weights::{set_closeness_weight, strengthen_closeness};
 use super::constraint_target::ConstraintTarget;
 use super::edit_list::{Edit, NewConstraint, PanelStart};
-use super::iteration_state::{IterationState, back_to_rest, reset};
-use super::{presenting, settings, variants};
+use super::settings;
+use super::shapes::{
+    IterationState, back_to_rest, go_to_variant, keep_variant, remove_variant, renumber_variants,
+    reset, set_steps, show_step,
+};
 use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{Read, read};
 use crate::scene::{
@@ -193,7 +196,7 @@ pub(crate) fn apply(
             draft.put(Part::Lesson(lesson));
             if unsolved {
                 back_to_rest(Variants::default(), draft, state);
-                presenting::renumber_variants(draft, |_| None);
+                renumber_variants(draft, |_| None);
             }
             "Change lesson".to_owned()
         }
@@ -205,13 +208,13 @@ pub(crate) fn apply(
             draft.put(Part::Build(Some(build)));
             "Change build settings".to_owned()
         }
-        Edit::SetSteps { steps } => presenting::set(steps, draft)?,
-        Edit::ShowStep { index } => presenting::show(index, draft, state)?,
-        Edit::KeepVariant { start } => variants::keep(start, draft)?,
-        Edit::GoToVariant { index } => variants::go_to(index, draft)?,
+        Edit::SetSteps { steps } => set_steps(steps, draft)?,
+        Edit::ShowStep { index } => show_step(index, draft, state)?,
+        Edit::KeepVariant { start } => keep_variant(start, draft)?,
+        Edit::GoToVariant { index } => go_to_variant(index, draft)?,
         Edit::RemoveVariant { index } => {
-            let words = variants::remove(index, draft)?;
-            presenting::renumber_variants(draft, |variant| {
+            let words = remove_variant(index, draft)?;
+            renumber_variants(draft, |variant| {
                 (variant != index).then(|| variant - usize::from(variant > index))
             });
             words

@@ -1,6 +1,13 @@
-//! The target of a constraint: a selector, which may refer to a set without a name.
+//! The target of a constraint: a selector, which may refer to a set without a name; its JSON form,
+//! and its shape on the mesh, which determines the usual kind.
 
-use crate::constraint::{Selector, Set, Sets};
+use crate::constraint::{Element, Selector, Set, Sets, TargetShape};
+use crate::json::{Either, from_text, from_value, word_or};
+use crate::math::marked;
+use crate::mesh::{Mesh, Ragged, Topology};
+use crate::scene::SceneError;
+use serde::de::{Deserialize, Deserializer};
+use serde_json::Value;
 
 /// The target of a constraint: a selector, which may refer to a set without a name.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +21,16 @@ pub struct ConstraintTarget {
 impl ConstraintTarget {
     /// The placeholder for `set` in the selector.
     pub const UNNAMED: &str = "";
+
+    /// Reads an array of targets: each is a selector as in a scene file, in which `in` may also be
+    /// a set without a name, `{"faces": ...}` or `{"vertices": ...}`.
+    ///
+    /// # Errors
+    /// As [`Scene::from_json`], with the path within the target.
+    pub fn all_from_json(text: &str) -> Result<Vec<ConstraintTarget>, SceneError> {
+        let targets: Vec<Value> = from_text(text)?;
+        targets.into_iter().map(|target| Ok(from_value(target)?)).collect()
+    }
 
     /// Returns the selector with the name that its set has in `sets`. If it has none, chooses an
     /// unused name and also returns it with the set.
@@ -34,4 +51,100 @@ impl ConstraintTarget {
         let is_new = known.is_none();
         (on, is_new.then_some((name, set)))
     }
+}
+
+/// The name of a set, or a set without a name.
+struct Within(Either<Set>);
+
+impl<'de> Deserialize<'de> for Within {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Within, D::Error> {
+        word_or(from, "the name of a set, or a set").map(Within)
+    }
+}
+
+impl<'de> Deserialize<'de> for ConstraintTarget {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<ConstraintTarget, D::Error> {
+        let mut set = None;
+        let on = Selector::read(from, |Within(within)| match within {
+            Either::Word(name) => name,
+            Either::Object(unnamed) => {
+                set = Some(unnamed);
+                ConstraintTarget::UNNAMED.to_owned()
+            }
+        })?;
+        Ok(ConstraintTarget { on, set })
+    }
+}
+
+/// Returns the shape of the rows of a selector; none if no kind is the usual one for it.
+pub(crate) fn target_shape(
+    on: &Selector,
+    rows: &Ragged,
+    mesh: &Mesh,
+    topology: &Topology,
+) -> Option<TargetShape> {
+    match on {
+        Selector::Each { element: Element::Face, .. } => {
+            let triangles = rows.iter().filter(|row| row.len() == 3).count();
+            let mostly = 2 * triangles > rows.len();
+            Some(if mostly { TargetShape::Triangles } else { TargetShape::Panels })
+        }
+        Selector::Each { element: Element::Edge, .. } => Some(TargetShape::Edges),
+        Selector::Each { element: Element::Boundary, .. } => Some(TargetShape::Loop),
+        Selector::Each { element: Element::Curve, .. } => Some(TargetShape::Chain),
+        Selector::Each { .. } => None,
+        Selector::Set(_) | Selector::Vertices(_) => {
+            rows.iter().next().and_then(|vertices| together(vertices, mesh, topology))
+        }
+    }
+}
+
+/// Returns the shape of distinct vertices that one constraint acts on together.
+fn together(vertices: &[u32], mesh: &Mesh, topology: &Topology) -> Option<TargetShape> {
+    let inside = marked(mesh.positions.len(), vertices);
+    let all_inside = |row: &[u32]| row.iter().all(|&v| inside[v as usize]);
+    let is_boundary_loop =
+        topology.boundary_loops().iter().any(|row| row.len() == vertices.len() && all_inside(row));
+    if is_boundary_loop {
+        return Some(TargetShape::Loop);
+    }
+    let mut faces = mesh.faces.iter().filter(|face| all_inside(face));
+    if let Some(first) = faces.next() {
+        return match faces.next() {
+            None if first.len() == 3 => Some(TargetShape::Triangles),
+            None => Some(TargetShape::Panels),
+            Some(_) if mesh.faces.iter().all(all_inside) => None,
+            Some(_) => Some(TargetShape::Patch),
+        };
+    }
+    let joined = |v: u32| {
+        topology.neighbours().row(v as usize).iter().filter(|&&n| inside[n as usize]).count()
+    };
+    let ends = vertices.iter().filter(|&&v| joined(v) == 1).count();
+    let is_path = vertices.iter().all(|&v| matches!(joined(v), 1 | 2))
+        && reached(vertices[0], &inside, topology) == vertices.len();
+    match (vertices.len(), ends) {
+        (0 | 1, _) => None,
+        (2, 2) => Some(TargetShape::Edges),
+        (_, 0) if is_path => Some(TargetShape::Loop),
+        (_, 2) if is_path => Some(TargetShape::Chain),
+        _ => Some(TargetShape::Points),
+    }
+}
+
+/// Counts the vertices that edges connect to `start` through vertices that are `inside`.
+fn reached(start: u32, inside: &[bool], topology: &Topology) -> usize {
+    let mut left = inside.to_vec();
+    let mut queue = vec![start];
+    left[start as usize] = false;
+    let mut count = 0;
+    while let Some(v) = queue.pop() {
+        count += 1;
+        for &n in topology.neighbours().row(v as usize) {
+            if std::mem::take(&mut left[n as usize]) {
+                queue.push(n);
+            }
+        }
+    }
+    count
 }

@@ -1,10 +1,9 @@
-//! JSON forms of edits, selection requests and constraint targets, as sent by hosts.
+//! JSON forms of edits and selection requests, as sent by hosts.
 
 use super::constraint_target::ConstraintTarget;
 use super::edit_list::{Edit, NewConstraint};
 use super::remeshing::Remeshing;
-use crate::constraint::{Selector, Set};
-use crate::json::{Either, Entries, JsonError, from_text, from_value, word_or};
+use crate::json::{Entries, JsonError, from_text, from_value};
 use crate::scene::{ConstraintSpec, Scene, SceneError, kind_of};
 use crate::session::selection::SelectRequest;
 use crate::solve::Require;
@@ -68,41 +67,6 @@ impl SelectRequest {
     /// As [`Scene::from_json`].
     pub fn from_json(text: &str) -> Result<SelectRequest, SceneError> {
         Ok(from_text(text)?)
-    }
-}
-
-impl ConstraintTarget {
-    /// Reads an array of targets: each is a selector as in a scene file, in which `in` may also be
-    /// a set without a name, `{"faces": ...}` or `{"vertices": ...}`.
-    ///
-    /// # Errors
-    /// As [`Scene::from_json`], with the path within the target.
-    pub fn all_from_json(text: &str) -> Result<Vec<ConstraintTarget>, SceneError> {
-        let targets: Vec<Value> = from_text(text)?;
-        targets.into_iter().map(|target| Ok(from_value(target)?)).collect()
-    }
-}
-
-/// The name of a set, or a set without a name.
-struct Within(Either<Set>);
-
-impl<'de> Deserialize<'de> for Within {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Within, D::Error> {
-        word_or(from, "the name of a set, or a set").map(Within)
-    }
-}
-
-impl<'de> Deserialize<'de> for ConstraintTarget {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<ConstraintTarget, D::Error> {
-        let mut set = None;
-        let on = Selector::read(from, |Within(within)| match within {
-            Either::Word(name) => name,
-            Either::Object(unnamed) => {
-                set = Some(unnamed);
-                ConstraintTarget::UNNAMED.to_owned()
-            }
-        })?;
-        Ok(ConstraintTarget { on, set })
     }
 }
 

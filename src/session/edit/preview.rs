@@ -1,7 +1,6 @@
 //! The effect of adding constraints, for every kind and several targets at once.
 
-use super::constraint_target::ConstraintTarget;
-use super::target_shape::target_shape;
+use super::constraint_target::{ConstraintTarget, target_shape};
 use crate::constraint::{
     Centring, DEFAULT_FOR, Info, KINDS, Selector, Sets, TargetShape, resolve as select,
 };

@@ -83,6 +83,18 @@ impl Attempt {
         }
     }
 
+    /// What the run does meanwhile, in words.
+    pub(crate) fn words(&self) -> &'static str {
+        match self {
+            Attempt::FromSoft => "Meeting the tolerance …",
+            Attempt::FromRest => "Trying from the original shape …",
+            Attempt::Exact => "Trying exact panels …",
+            Attempt::OnSurface => "Trying panels that slide along the surface …",
+            Attempt::Smoother(_) => "Trying smoother panels …",
+            Attempt::Eased(_) => "Trying larger tolerances …",
+        }
+    }
+
     /// The factor of the smoothness weight.
     pub(crate) fn smoother(&self) -> f64 {
         if let Attempt::Smoother(times) = self { *times } else { 1.0 }

@@ -43,6 +43,6 @@ pub use met::{Eased, ExactReport};
 pub(crate) use outcome::Outcome;
 pub use outcome::{Flaw, Level};
 pub(crate) use progress::Progress;
-pub(crate) use shape_measure::shortest_edge;
-pub use shape_measure::{Bend, BendChange, ShapeMeasure, SurfaceDistance};
+pub use shape_measure::{Bend, BendChange, SurfaceDistance};
+pub(crate) use shape_measure::{ShapeMeasure, shortest_edge};
 pub use trace::TraceEntry;

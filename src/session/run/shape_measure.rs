@@ -9,22 +9,22 @@ use serde::Serialize;
 
 /// A shape against its original. Lengths are in the unit of the mesh.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ShapeMeasure {
+pub(crate) struct ShapeMeasure {
     /// The faces, ascending, that are folded or dented and were not at rest: see
     /// [`folded_faces`](crate::mesh::folded_faces).
-    pub folded: Vec<u32>,
+    pub(crate) folded: Vec<u32>,
     /// Distances of the vertices from their rest positions.
-    pub moved: Moved,
+    pub(crate) moved: Moved,
     /// Distances between the surface and its original.
-    pub surface: SurfaceDistance,
+    pub(crate) surface: SurfaceDistance,
     /// The largest distance of a boundary vertex from the original boundary.
-    pub boundary: f64,
+    pub(crate) boundary: f64,
     /// The angle between neighbouring faces.
-    pub bend: Bend,
+    pub(crate) bend: Bend,
     /// The smallest ratio of an edge length to its rest length; 1 without edges.
-    pub shortest_edge: f64,
+    pub(crate) shortest_edge: f64,
     /// The fraction of the area that is lost, after wrinkles are smoothed away.
-    pub area_lost: f64,
+    pub(crate) area_lost: f64,
 }
 
 /// Distances between two surfaces: of the vertices of each from the other, in the unit of the mesh.

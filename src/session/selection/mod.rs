@@ -3,14 +3,12 @@
 //! | file | holds |
 //! |---|---|
 //! | `request` | selections and requests for them |
-//! | `select` | execution of a request |
+//! | `select` | execution of a request; by number of sides, by valence, by error, by name |
 //! | `operation` | the declared selection operations |
 //! | `elements` | vertices, edges and faces as marks: conversion and neighbours |
 //! | `follow` | along the mesh: connected parts, boundary loops, edge loops and rings, strips, flat patches |
-//! | `find` | by number of sides, by valence, by error, by name |
 
 mod elements;
-mod find;
 mod follow;
 mod operation;
 mod request;

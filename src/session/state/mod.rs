@@ -4,13 +4,11 @@
 //! |---|---|
 //! | `rest_mesh` | the rest mesh: as opened, or derived from the opened one |
 //! | `rows` | rows of constraints: selectors resolved, elements that do not fit counted |
-//! | `handles` | handles as listed in a scene, and as stored in the solver |
+//! | `handles` | handles as listed in a scene, and as stored in the solver; the check of their targets |
 //! | `part` | parts of a document, which are exchanged with it |
-//! | `scene_change` | the difference of two states: parts, handles, positions |
-//! | `draft` | a change that an edit is making |
+//! | `scene_change` | the difference of two states: parts, handles, positions; the draft by which an edit makes one |
 //! | `solved_scene` | document, resolved rows and solver, kept in step |
 
-mod draft;
 mod handles;
 mod part;
 mod rest_mesh;
@@ -18,11 +16,11 @@ mod rows;
 mod scene_change;
 mod solved_scene;
 
-pub(crate) use draft::Draft;
+pub use handles::check_targets;
 pub(crate) use handles::{flat, grouped};
 pub(crate) use part::{Part, RowValues, Settings, same_problem};
 pub(crate) use rest_mesh::RestMesh;
 pub use rows::{Paired, ResolvedRow};
 pub(crate) use rows::{edges_among, resolve_row, resolve_rows};
-pub(crate) use scene_change::{SceneChange, same_positions};
+pub(crate) use scene_change::{Draft, SceneChange, same_positions};
 pub(crate) use solved_scene::SolvedScene;

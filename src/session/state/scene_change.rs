@@ -1,9 +1,9 @@
 //! The difference of two states of a solved scene. Exchanging it with the state turns it into its
-//! inverse, so that undo and redo store nothing else.
+//! inverse, so that undo and redo store nothing else. An edit makes one by a draft.
 
-use super::part::{Effect, Part};
-use crate::mesh::Point;
-use crate::scene::Scene;
+use super::part::{Effect, Part, Settings};
+use crate::mesh::{Mesh, Point};
+use crate::scene::{Scene, SceneError};
 use crate::solve::Handle;
 use std::mem::size_of_val;
 use std::rc::Rc;
@@ -53,4 +53,80 @@ pub(crate) fn same_handles(a: &Rc<[Handle]>, b: &Rc<[Handle]>) -> bool {
 pub(crate) fn same_positions(a: &Rc<[Point]>, b: &Rc<[Point]>) -> bool {
     let mut pairs = a.as_flattened().iter().zip(b.as_flattened());
     Rc::ptr_eq(a, b) || (a.len() == b.len() && pairs.all(|(a, b)| a.to_bits() == b.to_bits()))
+}
+
+/// The document under edit, with its new handles and positions. Every change of the document is
+/// recorded, so that it can be undone.
+pub(crate) struct Draft<'a> {
+    pub(super) document: &'a mut Scene,
+    pub(super) mesh: &'a Mesh,
+    pub(super) change: SceneChange,
+}
+
+impl Draft<'_> {
+    pub(crate) fn document(&self) -> &Scene {
+        self.document
+    }
+
+    /// The rest shape.
+    pub(crate) fn mesh(&self) -> &Mesh {
+        self.mesh
+    }
+
+    pub(crate) fn handles(&self) -> &[Handle] {
+        &self.change.handles
+    }
+
+    /// Positions, `#V by 3`.
+    pub(crate) fn positions(&self) -> &[Point] {
+        &self.change.positions
+    }
+
+    pub(crate) fn shared_positions(&self) -> Rc<[Point]> {
+        Rc::clone(&self.change.positions)
+    }
+
+    /// Replaces a part of the document.
+    pub(crate) fn put(&mut self, mut part: Part) {
+        part.exchange(self.document);
+        self.change.parts.push(part);
+    }
+
+    /// Changes settings, and no other part of the document.
+    ///
+    /// # Errors
+    /// Those of `set`, which must then have changed nothing.
+    pub(crate) fn set<T>(
+        &mut self,
+        set: impl FnOnce(&mut Scene) -> Result<T, SceneError>,
+    ) -> Result<T, SceneError> {
+        let before = Settings::of(self.document);
+        let done = set(self.document)?;
+        self.change.parts.push(Part::Settings(before));
+        Ok(done)
+    }
+
+    /// Changes settings and rows of constraints.
+    ///
+    /// # Errors
+    /// Those of `set`, which must then have changed nothing.
+    pub(crate) fn set_rows<T>(
+        &mut self,
+        set: impl FnOnce(&mut Scene, &Mesh) -> Result<T, SceneError>,
+    ) -> Result<T, SceneError> {
+        let rows = self.document.constraints.clone();
+        let mesh = self.mesh;
+        let done = self.set(|document| set(document, mesh))?;
+        self.change.parts.push(Part::Rows(rows));
+        Ok(done)
+    }
+
+    pub(crate) fn put_handles(&mut self, handles: Vec<Handle>) {
+        self.change.handles = handles.into();
+    }
+
+    /// Replaces the positions, `#V by 3`.
+    pub(crate) fn put_positions(&mut self, positions: Rc<[Point]>) {
+        self.change.positions = positions;
+    }
 }

@@ -1,10 +1,9 @@
 //! A scene with its solver: its document, its resolved rows, its positions.
 
-use super::draft::Draft;
 use super::part::Effect;
 use super::rest_mesh::RestMesh;
 use super::rows::{ResolvedRow, resolve_rows};
-use super::scene_change::{SceneChange, same_handles, same_positions};
+use super::scene_change::{Draft, SceneChange, same_handles, same_positions};
 use crate::constraint::Projected;
 use crate::mesh::Point;
 use crate::scene::{Scene, SceneError};

@@ -5,8 +5,7 @@
 //! now: most edits do not change the positions. Numbers are little-endian with all of their bits;
 //! document and handles are a scene file.
 
-use super::change::Change;
-use super::history::{History, NamedStep};
+use super::history::{Change, History, NamedStep};
 use crate::mesh::{Mesh, Point, first_out_of_range};
 use crate::scene::{MeshSource, Scene, SceneError, Variants};
 use crate::session::Error;

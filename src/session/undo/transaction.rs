@@ -1,6 +1,6 @@
 //! A drag or run under way: many changes that become one step of undo.
 
-use super::change::Change;
+use super::history::Change;
 use crate::session::run::ExactReport;
 use crate::session::state::SceneChange;
 use crate::solve::Handle;

@@ -6,8 +6,7 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `model_copy` | the copy, and the forecast of what a press would move |
-//! | `trials` | the cost of exactness, improvements, and edits that may help |
+//! | `model_copy` | the copy, and trials on it: the cost of exactness, improvements, edits that may help |
 //! | `variations` | the search for variations of an exact shape |
 //! | `flat_map` | the conformal map |
 //! | `build` | parts and sheets of a shape |
@@ -17,7 +16,6 @@ pub mod build;
 pub mod curvature;
 mod flat_map;
 mod model_copy;
-mod trials;
 mod variations;
 
 pub use model_copy::ModelCopy;

@@ -1,23 +1,42 @@
-//! A copy of the open model.
+//! A copy of the open model, and trials on it: the forecast of what a press would move, the cost of
+//! exactness, improvements, and edits that may help if constraints are not met.
 
-use crate::session::{ExactTrial, FileReader, OpenedFile, Remedies, Session, Variations};
-use crate::web::plain::plain;
-use crate::web::worker::ForecastWords;
+use crate::scene::{Forecast, MeshRemedy};
+use crate::session::{Error, ExactTrial, FileReader, OpenedFile, Remedies, Session, Variations};
+use crate::solve::clock;
+use crate::web::plain::{flat, plain};
 use crate::web::{log_panics, thrown};
+use js_sys::Float64Array;
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 /// A copy of the open model, and what is tried on it.
 #[wasm_bindgen]
 pub struct ModelCopy {
     pub(super) session: Session,
-    pub(super) trial: Option<Trial>,
+    trial: Option<Trial>,
     pub(super) variations: Option<Variations>,
 }
 
 /// What is being tried.
-pub(super) enum Trial {
+enum Trial {
     Exact(Box<ExactTrial>),
     Remedies(Box<Remedies>),
+}
+
+/// How far making panels of one shape will move the mesh.
+#[derive(Serialize, tsify::Tsify)]
+#[tsify(missing_as_null)]
+struct ForecastWords {
+    words: String,
+    /// A change of the mesh that would reduce the move.
+    remedy: Option<MeshRemedy>,
+}
+
+impl ForecastWords {
+    fn of(forecast: &Forecast) -> ForecastWords {
+        ForecastWords { words: forecast.words(), remedy: forecast.remedy() }
+    }
 }
 
 #[wasm_bindgen]
@@ -40,5 +59,82 @@ impl ModelCopy {
     #[wasm_bindgen(unchecked_return_type = "ForecastWords | null")]
     pub fn forecast(&self) -> Result<JsValue, JsValue> {
         plain(&self.session.forecast().as_ref().map(ForecastWords::of))
+    }
+
+    /// Begins a trial, from the current shape, to meet exactly what is met within a distance.
+    #[wasm_bindgen(js_name = tryExact)]
+    pub fn try_exact(&mut self) -> Result<(), JsValue> {
+        let trial = self.session.exact_trial().map_err(thrown)?;
+        self.trial = trial.map(|trial| Trial::Exact(Box::new(trial)));
+        Ok(())
+    }
+
+    /// Begins to search the shapes that meet the requirements for one of lower energy.
+    #[wasm_bindgen(js_name = tryImprovement)]
+    pub fn try_improvement(&mut self) -> Result<(), JsValue> {
+        let trial = self.session.improvement().map_err(thrown)?;
+        self.trial = trial.map(|trial| Trial::Exact(Box::new(trial)));
+        Ok(())
+    }
+
+    /// Begins to try edits that may help if constraints are not met.
+    #[wasm_bindgen(js_name = tryRemedies)]
+    pub fn try_remedies(&mut self) -> Result<(), JsValue> {
+        let remedies = Remedies::new(&self.session).map_err(thrown)?;
+        self.trial = Some(Trial::Remedies(Box::new(remedies)));
+        Ok(())
+    }
+
+    /// Continues the trial for about the given time; returns whether there is more to do.
+    pub fn advance(&mut self, milliseconds: f64) -> Result<bool, JsValue> {
+        let ModelCopy { session, trial, .. } = self;
+        let step = || -> Result<bool, Error> {
+            match trial {
+                Some(Trial::Exact(trial)) => trial.step(session),
+                Some(Trial::Remedies(remedies)) => remedies.step(),
+                None => Ok(false),
+            }
+        };
+        clock::repeat(1e-3 * milliseconds, step).map_err(thrown)
+    }
+
+    /// Returns the cost of the exact shape found so far; null if there is nothing to make exact.
+    #[wasm_bindgen(unchecked_return_type = "ExactOffer | null")]
+    pub fn offer(&mut self) -> Result<JsValue, JsValue> {
+        let ModelCopy { session, trial, .. } = self;
+        let offer = match trial {
+            Some(Trial::Exact(trial)) => trial.offer(session),
+            _ => None,
+        };
+        plain(&offer)
+    }
+
+    /// Returns that shape for [`crate::web::worker::Solver::make_exact`], without its positions.
+    #[wasm_bindgen(unchecked_return_type = "ExactShape | null")]
+    pub fn shape(&self) -> Result<JsValue, JsValue> {
+        plain(&self.exact().map(ExactTrial::shape))
+    }
+
+    /// Returns the positions of that shape, `#V by 3`; empty without one.
+    pub fn positions(&self) -> Float64Array {
+        flat(&self.exact().map(ExactTrial::positions).unwrap_or_default())
+    }
+
+    /// Returns the edits that help, the most effective first.
+    #[wasm_bindgen(unchecked_return_type = "Remedy[]")]
+    pub fn remedies(&self) -> Result<JsValue, JsValue> {
+        match &self.trial {
+            Some(Trial::Remedies(remedies)) => plain(&remedies.found()),
+            _ => plain(&[(); 0]),
+        }
+    }
+}
+
+impl ModelCopy {
+    fn exact(&self) -> Option<&ExactTrial> {
+        match &self.trial {
+            Some(Trial::Exact(trial)) => Some(trial),
+            _ => None,
+        }
     }
 }

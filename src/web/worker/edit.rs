@@ -1,10 +1,12 @@
-//! Edits from the page, and previews of edits.
+//! Changes of the open model: edits, undo, and what was found on a copy of it by
+//! [`crate::web::jobs`].
 
 use super::solver::Solver;
-use crate::session::Error;
-use crate::session::{ConstraintTarget, Edit, Remeshing};
-use crate::web::plain::{of_word, plain, text, thrown_at};
+use crate::mesh::Point;
+use crate::session::{Edit, Error, ExactShape};
+use crate::web::plain::{of_word, text, thrown_at};
 use crate::web::thrown;
+use serde::de::DeserializeOwned;
 use wasm_bindgen::prelude::*;
 
 /// TypeScript types of values that serde reads by hand, and the form of enums with fields: an
@@ -31,6 +33,16 @@ impl Solver {
         self.open_mut()?.edit(edit).map(|_| ()).map_err(refused)
     }
 
+    /// Makes an edit and begins a run, together one step of undo.
+    #[wasm_bindgen(js_name = editAndRun)]
+    pub fn edit_and_run(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Sent<Edit>")] edit: JsValue,
+    ) -> Result<(), JsValue> {
+        let edit = self.read_edit(&edit)?;
+        self.open_mut()?.edit_and_run(edit).map_err(refused)
+    }
+
     /// Requires one shape of all panels, within `tolerance`, and begins a run: see
     /// [`crate::session::Session::make_panels`].
     #[wasm_bindgen(js_name = makePanels)]
@@ -44,53 +56,60 @@ impl Solver {
         self.open_mut()?.make_panels(kind, tolerance, from).map_err(refused)
     }
 
-    /// Makes an edit and begins a run, together one step of undo.
-    #[wasm_bindgen(js_name = editAndRun)]
-    pub fn edit_and_run(
+    /// Undoes the last step; returns its name, or undefined.
+    pub fn undo(&mut self) -> Result<Option<String>, JsValue> {
+        self.open_mut()?.undo().map_err(thrown)
+    }
+
+    /// Repeats the step that was last undone; returns its name, or undefined.
+    pub fn redo(&mut self) -> Result<Option<String>, JsValue> {
+        self.open_mut()?.redo().map_err(thrown)
+    }
+
+    /// See [`crate::session::Session::make_exact`]; `positions` are `#V by 3`.
+    #[wasm_bindgen(js_name = makeExact)]
+    pub fn make_exact(
         &mut self,
-        #[wasm_bindgen(unchecked_param_type = "Sent<Edit>")] edit: JsValue,
-    ) -> Result<(), JsValue> {
-        let edit = self.read_edit(&edit)?;
-        self.open_mut()?.edit_and_run(edit).map_err(refused)
+        #[wasm_bindgen(unchecked_param_type = "ExactShape")] shape: JsValue,
+        positions: &[f64],
+        joins: bool,
+    ) -> Result<bool, JsValue> {
+        let shape: ExactShape = value(shape)?;
+        self.open_mut()?.make_exact(shape, points(positions), joins).map_err(thrown)
     }
 
-    /// Returns the operations on the mesh, with sizes that suit it.
-    #[wasm_bindgen(js_name = meshOperations, unchecked_return_type = "OfferedOperation[]")]
-    pub fn mesh_operations(&self) -> Result<JsValue, JsValue> {
-        plain(&self.open()?.operations())
+    /// Shows `positions`, `#V by 3`, of a variation of the shape with this generation, with a report
+    /// if they were brought back onto the constraints: see
+    /// [`crate::session::Session::show_variation`].
+    #[wasm_bindgen(js_name = showVariation)]
+    pub fn show_variation(
+        &mut self,
+        generation: u32,
+        positions: &[f64],
+        #[wasm_bindgen(unchecked_param_type = "ExactReport | null")] report: JsValue,
+    ) -> Result<bool, JsValue> {
+        Ok(self.open_mut()?.show_variation(generation, points(positions), value(report)?))
     }
 
-    /// Returns a preview of an operation on the mesh.
-    #[wasm_bindgen(unchecked_return_type = "RemeshingPreview")]
-    pub fn remeshing(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "Remeshing")] asked: JsValue,
-    ) -> Result<JsValue, JsValue> {
-        let asked = Remeshing::from_json(&text(&asked)?).map_err(|error| thrown_at(&error))?;
-        plain(&self.open()?.remeshing(&asked).map_err(refused)?)
+    /// See [`crate::session::Session::keep_variation`].
+    #[wasm_bindgen(js_name = keepVariation)]
+    pub fn keep_variation(&mut self) -> Result<bool, JsValue> {
+        self.open_mut()?.keep_variation().map_err(thrown)
     }
 
-    /// Returns the mesh sizes after refining by a scheme once, twice and so on. Edges at which the
-    /// surface turns by more than `keep` degrees stay sharp.
-    ///
-    /// # Errors
-    /// The mesh cannot be refined by this scheme.
-    #[wasm_bindgen(unchecked_return_type = "Refinement[]")]
-    pub fn refinements(&self, scheme: &str, keep: f64) -> Result<JsValue, JsValue> {
-        let scheme = of_word("scheme", scheme)?;
-        plain(&self.open()?.refinements(scheme, keep).map_err(refused)?)
+    /// Restores the shape from before a variation that is shown but not kept.
+    #[wasm_bindgen(js_name = leaveVariation)]
+    pub fn leave_variation(&mut self) -> Result<(), JsValue> {
+        self.open_mut()?.leave_variation();
+        Ok(())
     }
 
-    /// Returns the number of constraints that a row of each kind would have on each of `places`,
-    /// which are selectors as in an edit: `#kinds by #places`, null if no element fits.
-    #[wasm_bindgen(unchecked_return_type = "(Preview | null)[][]")]
-    pub fn previews(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "Selector[]")] places: JsValue,
-    ) -> Result<JsValue, JsValue> {
-        let places =
-            ConstraintTarget::all_from_json(&text(&places)?).map_err(|error| thrown_at(&error))?;
-        plain(&self.open()?.previews(&places).map_err(|error| thrown_at(&error))?)
+    /// Stores numbers of the build of the current shape: `ids` and as many `values`.
+    #[wasm_bindgen(js_name = setBuildNumbers)]
+    pub fn set_build_numbers(&mut self, ids: Vec<String>, values: &[f64]) -> Result<(), JsValue> {
+        let numbers = ids.into_iter().zip(values.iter().copied()).collect();
+        self.open_mut()?.set_build_numbers(numbers);
+        Ok(())
     }
 }
 
@@ -101,9 +120,17 @@ impl Solver {
     }
 }
 
-fn refused(error: Error) -> JsValue {
+pub(super) fn refused(error: Error) -> JsValue {
     match error {
         Error::Scene(error) => thrown_at(&error),
         error => thrown(error),
     }
+}
+
+fn points(positions: &[f64]) -> &[Point] {
+    positions.as_chunks().0
+}
+
+fn value<T: DeserializeOwned>(value: JsValue) -> Result<T, JsValue> {
+    serde_wasm_bindgen::from_value(value).map_err(thrown)
 }

@@ -1,28 +1,23 @@
 //! The interface of the solver in the worker.
 //!
-//! | file or folder | holds |
+//! | file | holds |
 //! |---|---|
-//! | `solver` | the open model, its state and its numbers |
-//! | `reading`, `edit`, `drag` | files to open; edits and previews; dragged handles |
-//! | `shown`, `original` | arrays to draw, of the current shape and of the original |
-//! | `report` | reports on the session |
-//! | `selecting`, `lists` | selections and settings, lists of elements |
-//! | `saved` | undo history and unfinished work as bytes, for a restart; a student's results |
-//! | `accepting` | what was found on a copy of the model, and variants |
-//! | `measure` | timings for benchmarks |
+//! | `solver` | the open model, its iterations, runs and drags |
+//! | `files`, `loaded` | files, opened, restored and written; the summary of one that was opened |
+//! | `edit` | changes of the model, and the acceptance of what was found on a copy of it |
+//! | `document`, `frame` | the current document; the numbers of one state of the iteration |
+//! | `shown` | arrays to draw |
+//! | `questions` | reports, verdicts, lists of elements, selections, previews |
+//! | `vocabulary` | what is declared: kinds, measures, operations, settings |
 
-mod accepting;
-mod drag;
+mod document;
 mod edit;
-mod lists;
-mod measure;
-mod original;
-mod reading;
-mod report;
-mod saved;
-mod selecting;
+mod files;
+mod frame;
+mod loaded;
+mod questions;
 mod shown;
 mod solver;
+mod vocabulary;
 
-pub(crate) use report::ForecastWords;
 pub use solver::Solver;

@@ -1,12 +1,12 @@
-//! Arrays of the session that the view draws: values of faces and vertices, fitted shapes,
-//! projections, and the elements of each row of constraints.
+//! Arrays of the open model that the view draws: the mesh, positions, values of faces and vertices,
+//! fitted shapes, projections, and the colours of the rows of constraints.
 
 use super::solver::Solver;
 use crate::constraint::Fitted;
 use crate::session::{RowPalette, Shape};
 use crate::web::plain::{indices, narrow, object};
 use crate::web::thrown;
-use js_sys::{Float32Array, Float64Array, Uint8Array};
+use js_sys::{Float32Array, Float64Array, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -39,11 +39,76 @@ export interface RowColours {
 
 #[wasm_bindgen]
 impl Solver {
+    /// Returns where the corners of each face start, `#F + 1`.
+    #[wasm_bindgen(js_name = faceOffsets)]
+    pub fn face_offsets(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(self.open()?.mesh().faces.offsets()))
+    }
+
+    /// Returns the corners of all faces.
+    #[wasm_bindgen(js_name = faceIndices)]
+    pub fn face_indices(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(self.open()?.mesh().faces.indices()))
+    }
+
+    /// Returns where the vertices of each polyline start, `#curves + 1`.
+    #[wasm_bindgen(js_name = curveOffsets)]
+    pub fn curve_offsets(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(self.open()?.mesh().curves.offsets()))
+    }
+
+    /// Returns the vertices of all polylines.
+    #[wasm_bindgen(js_name = curveIndices)]
+    pub fn curve_indices(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(self.open()?.mesh().curves.indices()))
+    }
+
+    /// Returns the edges of the mesh: `#E by 2` vertices, in the numbering that selections use.
+    pub fn edges(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(self.open()?.topology().edges().as_flattened()))
+    }
+
+    /// Writes the current positions, `#V by 3`.
+    #[wasm_bindgen(js_name = writePositions)]
+    pub fn write_positions(&self, out: &Float64Array) -> Result<(), JsValue> {
+        out.copy_from(self.open()?.positions().as_flattened());
+        Ok(())
+    }
+
+    /// Returns the positions of the original, `#V by 3`.
+    #[wasm_bindgen(js_name = originalPositions)]
+    pub fn original_positions(&self) -> Result<Float64Array, JsValue> {
+        Ok(Float64Array::from(self.open()?.mesh().positions.as_flattened()))
+    }
+
+    /// Returns the positions of a variant, `#V by 3`.
+    #[wasm_bindgen(js_name = variantPositions)]
+    pub fn variant_positions(&self, index: usize) -> Result<Float64Array, JsValue> {
+        let kept = &self.open()?.document().variants.kept;
+        let variant = kept.get(index).ok_or_else(|| thrown("there is no such variant"))?;
+        Ok(Float64Array::from(variant.positions.as_flattened()))
+    }
+
     /// Returns the values of a measure of faces, `#F`, in its unit.
     #[wasm_bindgen(js_name = faceValues)]
     pub fn face_values(&mut self, measure: &str) -> Result<Float32Array, JsValue> {
         let values = self.open_mut()?.face_values(measure);
         values.map(|values| narrow(&values)).ok_or_else(|| unknown(measure))
+    }
+
+    /// Returns the values of a measure on the faces of the original, `#F`, in its unit.
+    #[wasm_bindgen(js_name = originalValues)]
+    pub fn original_values(&mut self, measure: &str) -> Result<Float32Array, JsValue> {
+        let values = self.open_mut()?.face_values_of(measure, Shape::Original);
+        values.map(|values| narrow(&values)).ok_or_else(|| unknown(measure))
+    }
+
+    /// Returns the values of the vertices, `#V`, of which each face has the largest as its value;
+    /// undefined if the measure has no vertex values.
+    #[wasm_bindgen(js_name = cornerValues)]
+    pub fn corner_values(&self, measure: &str) -> Result<Option<Float32Array>, JsValue> {
+        let values = self.open()?.corner_values(measure);
+        Ok(values.map(|values| narrow(&values)))
     }
 
     /// Returns the fitted shapes to be drawn, eight numbers each: [`Fitted::numbers`]. The centres
@@ -70,13 +135,6 @@ impl Solver {
         ])
     }
 
-    /// Returns the faces and vertices on which row `constraint` acts.
-    #[wasm_bindgen(unchecked_return_type = "Members")]
-    pub fn members(&self, constraint: usize) -> Result<JsValue, JsValue> {
-        let [faces, vertices] = self.open()?.members(constraint);
-        object([("faces", indices(&faces)), ("vertices", indices(&vertices))])
-    }
-
     /// Returns the colour of the row of constraints that acts on each face and each vertex.
     #[wasm_bindgen(js_name = rowColours, unchecked_return_type = "RowColours")]
     pub fn row_colours(&self) -> Result<JsValue, JsValue> {
@@ -93,21 +151,6 @@ impl Solver {
             ("vertices", of_rows(&acting.vertices)),
             ("palette", palette(&row_palette)),
         ])
-    }
-
-    /// Returns the values of a measure on the faces of the original, `#F`, in its unit.
-    #[wasm_bindgen(js_name = originalValues)]
-    pub fn original_values(&mut self, measure: &str) -> Result<Float32Array, JsValue> {
-        let values = self.open_mut()?.face_values_of(measure, Shape::Original);
-        values.map(|values| narrow(&values)).ok_or_else(|| unknown(measure))
-    }
-
-    /// Returns the values of the vertices, `#V`, of which each face has the largest as its value;
-    /// undefined if the measure has no vertex values.
-    #[wasm_bindgen(js_name = cornerValues)]
-    pub fn corner_values(&self, measure: &str) -> Result<Option<Float32Array>, JsValue> {
-        let values = self.open()?.corner_values(measure);
-        Ok(values.map(|values| narrow(&values)))
     }
 }
 

@@ -1,12 +1,12 @@
-//! The interface of the solver in the worker.
+//! The solver in the worker: the open model, its iterations, its runs and drags.
 
-use super::report::{self, Document, elements, kinds};
 use crate::mesh::Weld;
-use crate::session::{FACE_MEASURES, FileReader, Session};
+use crate::scene::NamedEnum;
+use crate::session::{DragPhase, FileReader, Session};
 use crate::solve::clock;
 use crate::web::plain::plain;
 use crate::web::{log_panics, thrown};
-use js_sys::{Float64Array, Uint32Array};
+use js_sys::Float64Array;
 use wasm_bindgen::prelude::*;
 
 /// The interface of the worker to the one model that is open.
@@ -31,40 +31,6 @@ impl Solver {
         Solver::default()
     }
 
-    /// Returns all kinds of constraints.
-    #[wasm_bindgen(unchecked_return_type = "KindWords[]")]
-    pub fn kinds(&self) -> Result<JsValue, JsValue> {
-        plain(&kinds())
-    }
-
-    /// Returns the elements on which constraints can act, one constraint per element.
-    #[wasm_bindgen(unchecked_return_type = "ElementWords[]")]
-    pub fn elements(&self) -> Result<JsValue, JsValue> {
-        plain(&elements())
-    }
-
-    /// Returns the measures of faces.
-    #[wasm_bindgen(unchecked_return_type = "FaceMeasure[]")]
-    pub fn measures(&self) -> Result<JsValue, JsValue> {
-        plain(&FACE_MEASURES)
-    }
-
-    /// Returns the document: constraints, handles, weights, undo and redo.
-    #[wasm_bindgen(unchecked_return_type = "Document")]
-    pub fn document(&self) -> Result<JsValue, JsValue> {
-        plain(&Document::new(self.open()?))
-    }
-
-    /// Undoes the last step; returns its name, or undefined.
-    pub fn undo(&mut self) -> Result<Option<String>, JsValue> {
-        self.open_mut()?.undo().map_err(thrown)
-    }
-
-    /// Repeats the step that was last undone; returns its name, or undefined.
-    pub fn redo(&mut self) -> Result<Option<String>, JsValue> {
-        self.open_mut()?.redo().map_err(thrown)
-    }
-
     /// Does one iteration; returns true when the run has ended.
     pub fn step(&mut self) -> Result<bool, JsValue> {
         let started = clock::now();
@@ -79,16 +45,11 @@ impl Solver {
         Ok(self.open_mut()?.single_step().map_err(thrown)?.ended)
     }
 
-    /// Describes how the shape has collapsed, as the end of a sentence, or returns undefined.
-    pub fn collapse(&self) -> Result<Option<String>, JsValue> {
-        Ok(self.open()?.collapse().map(|collapse| collapse.to_string()))
-    }
-
-    /// Lets the current run continue although the shape has collapsed.
-    #[wasm_bindgen(js_name = ignoreCollapse)]
-    pub fn ignore_collapse(&mut self) -> Result<(), JsValue> {
-        self.open_mut()?.ignore_collapse();
-        Ok(())
+    /// Does the next half of an iteration; returns what was fitted, or how the vertices moved.
+    #[wasm_bindgen(js_name = halfStep, unchecked_return_type = "HalfStep")]
+    pub fn half_step(&mut self) -> Result<JsValue, JsValue> {
+        let half = self.open_mut()?.half_step().map_err(thrown)?;
+        plain(&half)
     }
 
     /// Begins a run: all iterations until [`Solver::end_run`] become one step of undo.
@@ -117,6 +78,37 @@ impl Solver {
         Ok(self.open()?.is_meeting())
     }
 
+    /// Lets the current run continue although the shape has collapsed.
+    #[wasm_bindgen(js_name = ignoreCollapse)]
+    pub fn ignore_collapse(&mut self) -> Result<(), JsValue> {
+        self.open_mut()?.ignore_collapse();
+        Ok(())
+    }
+
+    /// Describes how the shape has collapsed, as the end of a sentence, or returns undefined.
+    pub fn collapse(&self) -> Result<Option<String>, JsValue> {
+        Ok(self.open()?.collapse().map(|collapse| collapse.to_string()))
+    }
+
+    /// Drags handles. `phase` is "start", or "make" to turn the vertices into handles first; then
+    /// "move", "end" or "cancel". `targets` is `#vertices by 3`, or empty if none moves.
+    ///
+    /// # Errors
+    /// An unknown phase, or targets that are not one per vertex, not finite or too far out. Nothing
+    /// moves then, and an "end" keeps the last move.
+    pub fn drag(&mut self, vertices: &[u32], targets: &[f64], phase: &str) -> Result<(), JsValue> {
+        let session = self.open_mut()?;
+        let (targets, rest) = targets.as_chunks::<3>();
+        if !rest.is_empty() {
+            let numbers = 3 * targets.len() + rest.len();
+            return Err(thrown(format!("found {numbers} coordinates, expected three per target")));
+        }
+        let phase = DragPhase::of_word(phase).ok_or_else(|| {
+            thrown(format!("found the phase {phase:?}, expected {}", DragPhase::list(", ")))
+        })?;
+        session.drag_through(phase, vertices, targets).map_err(thrown)
+    }
+
     /// See [`crate::session::Session::generation`].
     pub fn generation(&self) -> Result<u32, JsValue> {
         Ok(self.open()?.generation())
@@ -137,96 +129,16 @@ impl Solver {
         Ok(Float64Array::from(entries.collect::<Vec<_>>().as_flattened()))
     }
 
-    /// Returns the numbers of the current state. While `iterating`, planarity and circularity may
-    /// be half a second old.
-    #[wasm_bindgen(unchecked_return_type = "Frame")]
-    pub fn frame(&mut self, iterating: bool) -> Result<JsValue, JsValue> {
-        let step_ms = self.step_ms;
-        plain(&report::Frame::new(self.open_mut()?, step_ms, iterating))
+    /// Returns the seconds spent in all iterations so far, by part: projections, closeness,
+    /// smoothness and handles, and the global step.
+    #[wasm_bindgen(js_name = iterateSeconds)]
+    pub fn iterate_seconds(&self) -> Result<Vec<f64>, JsValue> {
+        let seconds = self.open()?.solver().iterate_seconds();
+        Ok(vec![seconds.shape, seconds.close, seconds.smooth, seconds.global])
     }
+}
 
-    /// Writes the current positions, `#V by 3`.
-    #[wasm_bindgen(js_name = writePositions)]
-    pub fn write_positions(&self, out: &Float64Array) -> Result<(), JsValue> {
-        out.copy_from(self.open()?.positions().as_flattened());
-        Ok(())
-    }
-
-    /// Returns the report, in the words and units of the command line.
-    pub fn report(&self) -> Result<JsValue, JsValue> {
-        plain(&self.open()?.report())
-    }
-
-    /// Returns the scene file with the mesh inline.
-    pub fn scene(&self) -> Result<String, JsValue> {
-        Ok(self.open()?.scene_with_mesh())
-    }
-
-    /// Returns the current shape as OBJ.
-    pub fn obj(&self) -> Result<String, JsValue> {
-        Ok(self.open()?.obj())
-    }
-
-    /// Returns the current shape as OBJ with the vertices and faces of the file before welding.
-    #[wasm_bindgen(js_name = objUnwelded)]
-    pub fn obj_unwelded(&self) -> Result<String, JsValue> {
-        let session = self.open()?;
-        let weld = self.weld.as_ref().filter(|_| session.mesh_generation() == 0);
-        Ok(weld.map_or_else(|| session.obj(), |weld| session.obj_unwelded(weld)))
-    }
-
-    /// The current shape as OBJ with the texture coordinates `uv` (`#V by 2`) of each vertex.
-    ///
-    /// # Errors
-    /// The number of coordinates is wrong.
-    #[wasm_bindgen(js_name = objWithUv)]
-    pub fn obj_with_uv(&self, uv: &[f64]) -> Result<String, JsValue> {
-        let session = self.open()?;
-        let (pairs, rest) = uv.as_chunks::<2>();
-        if !rest.is_empty() {
-            let numbers = uv.len();
-            return Err(thrown(format!(
-                "found {numbers} numbers, expected two texture coordinates per vertex"
-            )));
-        }
-        session.obj_with_uv(pairs).map_err(thrown)
-    }
-
-    /// Returns a table as CSV: `errors` of faces, energies (`convergence`), or `angles`.
-    pub fn table(&mut self, what: &str) -> Result<String, JsValue> {
-        let session = self.open_mut()?;
-        match what {
-            "errors" => Ok(session.errors_csv()),
-            "convergence" => Ok(session.convergence_csv()),
-            "angles" => Ok(session.angles_csv()),
-            _ => Err(thrown(format!("unknown table {what:?}"))),
-        }
-    }
-
-    /// Returns where the corners of each face start, `#F + 1`.
-    #[wasm_bindgen(js_name = faceOffsets)]
-    pub fn face_offsets(&self) -> Result<Uint32Array, JsValue> {
-        Ok(Uint32Array::from(self.open()?.mesh().faces.offsets()))
-    }
-
-    /// Returns the corners of all faces.
-    #[wasm_bindgen(js_name = faceIndices)]
-    pub fn face_indices(&self) -> Result<Uint32Array, JsValue> {
-        Ok(Uint32Array::from(self.open()?.mesh().faces.indices()))
-    }
-
-    /// Returns where the vertices of each polyline start, `#curves + 1`.
-    #[wasm_bindgen(js_name = curveOffsets)]
-    pub fn curve_offsets(&self) -> Result<Uint32Array, JsValue> {
-        Ok(Uint32Array::from(self.open()?.mesh().curves.offsets()))
-    }
-
-    /// Returns the vertices of all polylines.
-    #[wasm_bindgen(js_name = curveIndices)]
-    pub fn curve_indices(&self) -> Result<Uint32Array, JsValue> {
-        Ok(Uint32Array::from(self.open()?.mesh().curves.indices()))
-    }
-
+impl Solver {
     pub(super) fn open(&self) -> Result<&Session, JsValue> {
         self.session.as_ref().ok_or_else(nothing_open)
     }

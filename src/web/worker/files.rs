@@ -1,6 +1,6 @@
-//! Opens files: meshes, and scenes with the mesh files that they name.
+//! Files of the open model: opened, restored after a restart, written.
 
-use super::report::Loaded;
+use super::loaded::Loaded;
 use super::solver::Solver;
 use crate::mesh::{Mesh, Read, diagnose};
 use crate::scene::UnitsAndUp;
@@ -83,5 +83,77 @@ impl Solver {
     pub fn restore_iteration(&mut self, iteration: u32) -> Result<(), JsValue> {
         self.open_mut()?.restore_iteration(iteration);
         Ok(())
+    }
+
+    /// Restores the saved history and progress of the scene that was just opened; either may be
+    /// empty. Restores as much as it can, even if it returns an error.
+    pub fn restore(&mut self, history: &[u8], progress: &[u8]) -> Result<(), JsValue> {
+        self.open_mut()?.restore(history, progress).map_err(thrown)
+    }
+
+    /// Returns the steps of undo and redo, which belong to the current scene or, during a run or
+    /// drag, to the scene before it.
+    #[wasm_bindgen(js_name = savedHistory)]
+    pub fn saved_history(&self) -> Result<Vec<u8>, JsValue> {
+        Ok(self.open()?.saved_history())
+    }
+
+    /// Returns the progress of the current run or drag.
+    #[wasm_bindgen(js_name = savedProgress)]
+    pub fn saved_progress(&self) -> Result<Vec<u8>, JsValue> {
+        Ok(self.open()?.saved_progress())
+    }
+
+    /// Returns the scene file with the mesh inline.
+    pub fn scene(&self) -> Result<String, JsValue> {
+        Ok(self.open()?.scene_with_mesh())
+    }
+
+    /// Returns the current shape as OBJ.
+    pub fn obj(&self) -> Result<String, JsValue> {
+        Ok(self.open()?.obj())
+    }
+
+    /// Returns the current shape as OBJ with the vertices and faces of the file before welding.
+    #[wasm_bindgen(js_name = objUnwelded)]
+    pub fn obj_unwelded(&self) -> Result<String, JsValue> {
+        let session = self.open()?;
+        let weld = self.weld.as_ref().filter(|_| session.mesh_generation() == 0);
+        Ok(weld.map_or_else(|| session.obj(), |weld| session.obj_unwelded(weld)))
+    }
+
+    /// The current shape as OBJ with the texture coordinates `uv` (`#V by 2`) of each vertex.
+    ///
+    /// # Errors
+    /// The number of coordinates is wrong.
+    #[wasm_bindgen(js_name = objWithUv)]
+    pub fn obj_with_uv(&self, uv: &[f64]) -> Result<String, JsValue> {
+        let session = self.open()?;
+        let (pairs, rest) = uv.as_chunks::<2>();
+        if !rest.is_empty() {
+            let numbers = uv.len();
+            return Err(thrown(format!(
+                "found {numbers} numbers, expected two texture coordinates per vertex"
+            )));
+        }
+        session.obj_with_uv(pairs).map_err(thrown)
+    }
+
+    /// Returns a table as CSV: `errors` of faces, energies (`convergence`), or `angles`.
+    pub fn table(&mut self, what: &str) -> Result<String, JsValue> {
+        let session = self.open_mut()?;
+        match what {
+            "errors" => Ok(session.errors_csv()),
+            "convergence" => Ok(session.convergence_csv()),
+            "angles" => Ok(session.angles_csv()),
+            _ => Err(thrown(format!("unknown table {what:?}"))),
+        }
+    }
+
+    /// Returns the file that `student` hands in.
+    pub fn results(&mut self, student: &str, time: &str) -> Result<String, JsValue> {
+        let results = self.open_mut()?.results(student, time);
+        let results = results.ok_or_else(|| thrown("the scene has no lesson"))?;
+        Ok(results.to_json())
     }
 }

@@ -1,12 +1,14 @@
 //! The document as the page shows it.
 
-use super::lesson::LessonWords;
+use super::solver::Solver;
 use crate::constraint::describe;
-use crate::scene::{Hold, NamedEnum, PRESETS, Preset, PresetOffer, Slide};
-use crate::session::{EasedPanels, Paired, Session, settings_of};
+use crate::scene::{Hold, Lesson, Lock, NamedEnum, PRESETS, Preset, PresetOffer, Slide};
+use crate::session::{EasedPanels, GoalWords, Paired, Session, goals_in_words, settings_of};
 use crate::solve::Require;
+use crate::web::plain::plain;
 use serde::Serialize;
 use serde_json::{Value, json};
+use wasm_bindgen::prelude::*;
 
 /// The current document.
 #[derive(Serialize)]
@@ -127,6 +129,26 @@ struct SmoothnessWords {
     weighting: &'static str,
 }
 
+/// The exercise of the scene.
+#[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+struct LessonWords<'a> {
+    text: &'a str,
+    goals: Vec<GoalWords<'a>>,
+    /// The locked parts.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "(\"weights\" | \"constraints\" | \"handles\" | \"mesh\")[]")
+    )]
+    lock: &'a [Lock],
+}
+
+impl<'a> LessonWords<'a> {
+    fn new(lesson: &'a Lesson) -> Self {
+        LessonWords { text: &lesson.text, goals: goals_in_words(lesson), lock: &lesson.lock }
+    }
+}
+
 /// Returns the form of a requirement in the scene file.
 fn require(require: Require) -> Value {
     match require {
@@ -221,5 +243,14 @@ impl<'a> Document<'a> {
             unpaired: session.unpaired_words(),
             build: scene.build.as_deref().and_then(|build| serde_json::to_value(build).ok()),
         }
+    }
+}
+
+#[wasm_bindgen]
+impl Solver {
+    /// Returns the document: constraints, handles, weights, undo and redo.
+    #[wasm_bindgen(unchecked_return_type = "Document")]
+    pub fn document(&self) -> Result<JsValue, JsValue> {
+        plain(&Document::new(self.open()?))
     }
 }

@@ -1,11 +1,13 @@
 //! The numbers of one state of the iteration.
 
-use super::lesson::GoalNumbers;
+use super::solver::Solver;
 use crate::constraint::LocalStep;
 use crate::mesh::{Circularity, Planarity};
 use crate::session::{EndWords, ExactReport, Moved, Session};
 use crate::solve::Energy;
+use crate::web::plain::plain;
 use serde::Serialize;
+use wasm_bindgen::prelude::*;
 
 /// The numbers of one state of the iteration.
 #[derive(Serialize)]
@@ -76,5 +78,31 @@ impl Frame {
             exact: exact(session),
             step_ms,
         }
+    }
+}
+
+/// The value of a goal on the current shape.
+#[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+struct GoalNumbers {
+    value: Option<f64>,
+    met: bool,
+}
+
+impl GoalNumbers {
+    fn of(session: &mut Session) -> Vec<GoalNumbers> {
+        let goals = session.goals().into_iter();
+        goals.map(|goal| GoalNumbers { value: goal.value, met: goal.met }).collect()
+    }
+}
+
+#[wasm_bindgen]
+impl Solver {
+    /// Returns the numbers of the current state. While `iterating`, planarity and circularity may
+    /// be half a second old.
+    #[wasm_bindgen(unchecked_return_type = "Frame")]
+    pub fn frame(&mut self, iterating: bool) -> Result<JsValue, JsValue> {
+        let step_ms = self.step_ms;
+        plain(&Frame::new(self.open_mut()?, step_ms, iterating))
     }
 }
