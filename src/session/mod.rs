@@ -64,8 +64,8 @@ pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
 pub use report::{
     ConstraintMap, EasedPanels, EndWords, EnergyReport, ExactWords, FACE_MEASURES, FOLDED_FACES,
     FaceMeasure, GoalWords, MeasureUnit, Projections, Report, RowPalette, RunVerdict, Seconds,
-    Shape, TrialWords, Unpaired, Verdict, VerdictReport, VerdictWords, WeakerRequirement,
-    WorstElement, ZERO_SIZE_FACES, flaw_of, goals_in_words, tolerance_of,
+    Shape, TrialWords, Unpaired, Verdict, VerdictWords, WeakerRequirement, WorstElement,
+    ZERO_SIZE_FACES, flaw_of, goals_in_words, tolerance_of,
 };
 pub use run::{
     Bend, BendChange, Collapse, CollapseReason, Eased, ExactReport, FittedCount, Flaw, HalfStep,
@@ -74,7 +74,8 @@ pub use run::{
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
 pub use state::{Paired, ResolvedRow, check_targets};
 pub use trial::{
-    Cost, ExactOffer, ExactShape, ExactTrial, Remedies, Remedy, Suggestion, Suggestions,
+    BetterPress, BetterPresses, Cost, ExactOffer, ExactShape, ExactTrial, Remedies, Remedy,
+    VerdictReport,
 };
 pub use variant_table::VariantRow;
 pub use variations::{Variations, Varied};

@@ -4,11 +4,11 @@ use super::Session;
 use super::edit::{ConstraintTarget, Preview, previews};
 use super::report::{
     self, ConstraintMap, ExactWords, Measuring, Projections, Report, RowPalette, RunVerdict, Shape,
-    Verdict, VerdictReport, VerdictWords, WorstElement,
+    Verdict, VerdictWords, WorstElement,
 };
 use super::run::shortest_edge;
 use super::selection::{SelectRequest, Selection, select};
-use super::trial::Suggestions;
+use super::trial::{BetterPresses, VerdictReport};
 use crate::mesh::{ElementsWithProblem, Measures, Mesh};
 use crate::scene::{Forecast, GoalResult, SceneError};
 use crate::session::Error;
@@ -117,20 +117,25 @@ impl Session {
         Verdict::of(&mut Measuring { rest, scene, cache }, tolerance, met)
     }
 
-    /// Returns the verdict for the report, with better choices if the shape is not good; none if
-    /// [`Session::verdict`] has none.
+    /// Returns the verdict for the report; if `tries`, with better choices if the shape is not good.
+    /// None if [`Session::verdict`] has none.
     ///
     /// # Errors
-    /// As [`Suggestions::step`].
-    pub fn verdict_report(&mut self, tolerance: f64) -> Result<Option<VerdictReport>, Error> {
+    /// As [`BetterPresses::step`].
+    pub fn verdict_report(
+        &mut self,
+        tolerance: f64,
+        tries: bool,
+    ) -> Result<Option<VerdictReport>, Error> {
         let Some(numbers) = self.verdict(tolerance) else { return Ok(None) };
         let words = self.verdict_words(&numbers).full;
         let mut suggestions = Vec::new();
-        if let Some(mut trials) = Suggestions::new(self, tolerance) {
+        let trials = if tries { BetterPresses::new(self, tolerance) } else { None };
+        if let Some(mut trials) = trials {
             while trials.step()? {}
             suggestions = trials.found().to_vec();
         }
-        Ok(Some(VerdictReport { numbers, words, suggestions }))
+        Ok(Some(VerdictReport::new(numbers, words, suggestions)))
     }
 
     /// Returns a verdict on this shape in words.

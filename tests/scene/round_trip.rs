@@ -5,10 +5,10 @@ use proptest::prelude::*;
 use shape_up::constraint::{Element, KINDS, Selector, Set};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{
-    Accelerator, BoundaryCloseness, BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight,
-    ConstraintSpec, EasedFaces, Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, Lock,
-    MeshSource, NamedEnum, Pose, Require, Scene, Slide, Smoothness, SmoothnessOf, SolverSettings,
-    Up, Variant, Variants, Weighting, Weights,
+    Accelerator, AttemptStart, BoundaryCloseness, BoundaryRequire, ChosenAttempt, Closeness,
+    ClosenessTo, ClosenessWeight, ConstraintSpec, EasedFaces, Factorization, Goal, GoalOf,
+    HandleSpec, Hold, Lesson, Lock, MeshSource, NamedEnum, Pose, Require, Scene, Slide, Smoothness,
+    SmoothnessOf, SolverSettings, Up, Variant, Variants, Weighting, Weights,
 };
 use shape_up::scene::{BuildSettings, CheckLimits, Dxf, OffsetKind};
 
@@ -98,6 +98,7 @@ prop_compose! {
         held in prop::collection::vec((selector(), not_negative()), 0..3),
         corners in prop::option::of(0.0..=180.0f64),
         choices in (0..3usize, 0..2usize, 0..3usize, 0..3usize),
+        attempt in (0..4usize, 1e-3..1e3f64, any::<bool>()),
         solver in (any::<u32>(), not_negative(), 0..=50u32, any::<bool>(), any::<bool>(),
             prop::option::of(0.0..=1.0f64)),
         lesson in prop::option::of((".{0,9}",
@@ -114,6 +115,11 @@ prop_compose! {
                 kept: kept.into_iter()
                     .map(|(name, positions)| Variant { name, positions: positions.into() })
                     .collect(),
+            },
+            attempt: ChosenAttempt {
+                from: [AttemptStart::Soft, AttemptStart::Rest, AttemptStart::Exact, AttemptStart::Eased][attempt.0],
+                smoother: attempt.1,
+                on_surface: attempt.2,
             },
             title: texts.0,
             units: texts.1,

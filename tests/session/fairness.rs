@@ -42,7 +42,7 @@ fn a_press_that_would_leave_bumps_ends_with_a_fair_surface_and_the_weights_that_
     let before = session.scene();
     let verdict = press(&mut session, "circle", PanelStart::Now);
     // With the smoothness of an opened mesh, neighbours met at 16 degrees instead of 9.
-    assert_eq!((verdict.within, verdict.folded), (verdict.panels, 0), "{verdict:?}");
+    assert_eq!((verdict.within, verdict.folded), (verdict.of, 0), "{verdict:?}");
     assert_eq!(verdict.bend.change, None, "{:?}", verdict.bend);
     assert!((8.0..11.0).contains(&verdict.bend.rest), "{:?}", verdict.bend);
     let smooth = session.document().weights.smooth;
@@ -61,7 +61,7 @@ fn a_press_that_would_leave_bumps_ends_with_a_fair_surface_and_the_weights_that_
 fn a_surface_that_becomes_flat_is_said_to() {
     let mut session = opened(hypar());
     let verdict = press(&mut session, "plane", PanelStart::Now);
-    assert_eq!(verdict.within, verdict.panels);
+    assert_eq!(verdict.within, verdict.of);
     assert_eq!(verdict.bend.change, Some(BendChange::Flatter), "{:?}", verdict.bend);
 }
 

@@ -71,7 +71,7 @@ fn a_press_brings_panels_of_real_meshes_within_the_tolerance_but_those_that_woul
             let mut session = session(mesh, "");
             session.make_panels(kind, session.tolerance(), PanelStart::Now).expect("it has quads");
             let iterations = run(&mut session);
-            let Verdict { panels, within, eased, worst, moved, .. } = verdict(&mut session);
+            let Verdict { of: panels, within, eased, worst, moved, .. } = verdict(&mut session);
             println!(
                 "{file} {kind}: {within} of {panels}, worst {worst:.2e}, moved {:.3} (soft {:.3}), mean {:.3} (soft {:.3}), {iterations} iterations",
                 moved.max, cheaper.max, moved.mean, cheaper.mean
@@ -191,11 +191,11 @@ fn a_press_that_would_fold_eases_the_panels_that_would_and_no_others() {
         let row = &session.document().constraints[0];
         assert_eq!(row.require, Require::Within(asked));
         let Some(eased) = verdict.eased else {
-            assert!(verdict.within == verdict.panels && row.eased.is_none());
+            assert!(verdict.within == verdict.of && row.eased.is_none());
             continue;
         };
-        assert!(verdict.within >= verdict.panels - eased.panels, "{verdict:?}");
-        assert!(2 * eased.panels < verdict.panels, "{verdict:?}");
+        assert!(verdict.within >= verdict.of - eased.panels, "{verdict:?}");
+        assert!(2 * eased.panels < verdict.of, "{verdict:?}");
         assert!(verdict.worst > asked && verdict.worst <= eased.within, "{verdict:?}");
         assert!(exact.eased.is_some_and(|it| it.folded > 0 && it.panels == eased.panels));
         // Another run changes nothing and is one step of undo.
@@ -262,7 +262,7 @@ fn a_press_that_would_fold_a_few_panels_may_end_exactly() {
     session.make_panels("circle", asked, PanelStart::Now).expect("it has quads");
     run(&mut session);
     let (verdict, exact) = (verdict(&mut session), session.exact().expect("it was met"));
-    assert_eq!((verdict.within, verdict.folded, verdict.eased), (verdict.panels, 0, None));
+    assert_eq!((verdict.within, verdict.folded, verdict.eased), (verdict.of, 0, None));
     assert!(exact.met && exact.attempts == 2 && exact.max_distance < 1e-6 * asked, "{exact:?}");
     // The requirement keeps the requested tolerance.
     assert_eq!(exact.tolerance, asked);
@@ -334,7 +334,7 @@ fn a_tolerance_beyond_what_is_needed_is_used_to_stay_near_the_original() {
         session.make_panels("plane", within, PanelStart::Now).expect("it has quads");
         run(&mut session);
         let verdict = session.verdict(within).expect("all panels are asked for a shape");
-        assert_eq!(verdict.within, verdict.panels, "{within}");
+        assert_eq!(verdict.within, verdict.of, "{within}");
         verdict.moved.mean
     };
     // The panels of the original are flat within 0.2.

@@ -53,7 +53,7 @@ fn real_meshes_stay_whole_while_their_panels_become_circular_or_flat() {
             let mut session = pressed(mesh.clone(), kind);
             session.solve(false).unwrap();
             let verdict = session.verdict(1e-3 * size).unwrap();
-            assert_eq!((verdict.kind, verdict.panels), (kind, mesh.faces.len()), "{file}");
+            assert_eq!((verdict.kind, verdict.of), (kind, mesh.faces.len()), "{file}");
             let found = [100.0 * verdict.moved.max, 100.0 * verdict.moved.mean, verdict.worst]
                 .map(|length| length / size);
             let limits = [1.05 * max + 0.02, 1.05 * mean + 0.02, 1.05 * worst];
@@ -164,9 +164,9 @@ fn a_verdict_counts_panels_within_the_tolerance() {
     let mut session = pressed(crate::support::grid::bumpy(4), "plane");
     session.solve(false).unwrap();
     let all = session.verdict(f64::INFINITY).unwrap();
-    assert_eq!((all.panels, all.within), (16, 16));
+    assert_eq!((all.of, all.within), (16, 16));
     let none = session.verdict(0.5 * all.worst).unwrap();
-    assert!(none.within < all.panels && none.within > 0, "{none:?}");
+    assert!(none.within < all.of && none.within > 0, "{none:?}");
     let worst = session.worst_faces("planarity", 1).unwrap();
     assert_eq!((worst[0].value, &*worst[0].faces), (all.worst, &[all.worst_face][..]));
     assert_eq!(session.report().moved, all.moved);

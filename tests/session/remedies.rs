@@ -122,5 +122,5 @@ fn weighing_constraints_more_brings_all_panels_within_the_tolerance() {
     session.edit(Edit::from_json(&edit, session.document()).expect("it is an edit")).expect("fits");
     run(&mut session, 3000);
     let verdict = session.verdict(session.tolerance()).expect("all panels are asked to be circles");
-    assert_eq!(verdict.within, verdict.panels, "worst {:e}", verdict.worst);
+    assert_eq!(verdict.within, verdict.of, "worst {:e}", verdict.worst);
 }

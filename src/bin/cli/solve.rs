@@ -2,9 +2,10 @@
 
 use super::arguments::{Required, Solve};
 use super::{Failure, input, output};
+use serde::Serialize;
 use shape_up::constraint::describe;
 use shape_up::session::Error;
-use shape_up::session::{EndWords, ExactReport, Report, Session, tolerance_of};
+use shape_up::session::{EndWords, ExactReport, Report, Session, VerdictReport, tolerance_of};
 use shape_up::solve::{Improved, Require};
 use shape_up::words;
 use std::fmt::Write;
@@ -63,10 +64,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         session.solve(command.trace).map_err(at_input)?;
     }
     let tolerance = tolerance(&session);
-    let (mut report, verdict) = (session.report(), verdict(&mut session, tolerance));
-    if command.report.is_some() {
-        report.verdict = session.verdict_report(tolerance).map_err(at_input)?;
-    }
+    let (report, verdict) = (session.report(), verdict(&mut session, tolerance));
     if command.improve && report.exact.as_ref().is_none_or(|exact| exact.improved.is_none()) {
         let why = "--improve did nothing: it needs exact or within constraints, all of them met";
         remarks.push(why.to_owned());
@@ -87,7 +85,12 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         remarks.extend(output::left_out(path, session.mesh()));
     }
     if let Some(path) = &command.report {
-        files.push((path, output::json(&report)));
+        let is_asked = command.panels.is_some() || press.is_some();
+        let verdict = match is_asked {
+            true => session.verdict_report(tolerance, press.is_some()).map_err(at_input)?,
+            false => None,
+        };
+        files.push((path, output::json(&ReportFile { report: &report, verdict })));
     }
     output::write(&files)?;
     let told = Told { units, tolerance, verdict, remarks };
@@ -107,6 +110,16 @@ fn misfits(session: &Session) -> impl Iterator<Item = String> {
             info.arity_in_words()
         )
     })
+}
+
+/// The contents of a report file.
+#[derive(Serialize)]
+struct ReportFile<'a> {
+    #[serde(flatten)]
+    report: &'a Report,
+    /// What became of panels that were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    verdict: Option<VerdictReport>,
 }
 
 /// What the summary says besides the numbers of the report.

@@ -60,7 +60,7 @@ pub use run_report::{EnergyReport, Report, Seconds, Unpaired};
 pub use run_verdict::{EndWords, RunVerdict};
 pub(crate) use tables::{convergence_csv, errors_csv};
 pub(crate) use verdict::tolerance;
-pub use verdict::{EasedPanels, Verdict, VerdictReport, tolerance_of};
+pub use verdict::{EasedPanels, Verdict, tolerance_of};
 pub use verdict_words::VerdictWords;
 pub use worst::WorstElement;
 pub(crate) use worst::{worst_constraints, worst_faces};

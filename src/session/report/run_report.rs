@@ -1,7 +1,6 @@
 //! The report of a solved scene.
 
 use super::moved::moved;
-use super::verdict::VerdictReport;
 use crate::constraint::describe;
 use crate::mesh::{Circularity, Measures, Planarity};
 use crate::scene::{Accelerator, ConstraintSpec, NamedEnum};
@@ -55,9 +54,6 @@ pub struct Report {
     /// How well hard constraints are met, if there are any and they were met.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<ExactReport>,
-    /// What became of panels that were asked for, if it was asked for too.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub verdict: Option<VerdictReport>,
     /// Time by stage.
     pub seconds: Seconds,
     /// Every iteration, if a trace was requested.
@@ -176,7 +172,6 @@ impl Report {
             shortest_edge: shortest_edge(scene.positions(), rest),
             folded: NonZeroUsize::new(rest.folded_by(scene.positions()).len()),
             exact,
-            verdict: None,
             seconds: Seconds {
                 load: progress.load_seconds(),
                 assemble: set_up.assemble,

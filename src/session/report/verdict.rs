@@ -6,7 +6,6 @@ use super::inspect::{members, required_measure};
 use super::measuring::{Measuring, Shape};
 use crate::mesh::{BoundingSphere, Mesh, Topology};
 use crate::session::run::{Bend, Flaw, Level, Met, SurfaceDistance, Tried};
-use crate::session::trial::Suggestion;
 use crate::solve::Moved;
 use serde::Serialize;
 
@@ -37,6 +36,7 @@ pub struct Verdict {
     /// Number of faces of the mesh that are folded or dented but were not at rest.
     pub folded: usize,
     /// The panels within a larger tolerance only, because they would fold within this one.
+    #[serde(skip)]
     pub eased: Option<EasedPanels>,
     /// Distances of the vertices from their rest positions.
     pub moved: Moved,
@@ -52,13 +52,12 @@ pub struct Verdict {
     pub area_lost: f64,
     /// The attempts of the search that led to the shape; empty if none did.
     pub attempts: Vec<Tried>,
-    /// The name of the attempt that found it.
-    pub chosen: Option<String>,
+    /// The name of the attempt that found it; empty if none did.
+    pub chosen: String,
 }
 
 /// Panels with a larger tolerance.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EasedPanels {
     /// Number of panels.
     pub panels: usize,
@@ -102,6 +101,7 @@ impl Verdict {
             true => measure.level(eased.is_some(), model.rest.mean_edge()),
             false => (Level::Poor, Vec::new()),
         };
+        let chosen = search.and_then(|met| met.tried.get(met.chosen?));
         Some(Verdict {
             kind: info.id,
             adjective,
@@ -121,21 +121,9 @@ impl Verdict {
             shortest_edge: measure.shortest_edge,
             area_lost: measure.area_lost,
             attempts: search.map_or_else(Vec::new, |met| met.tried.clone()),
-            chosen: search.and_then(|met| Some(met.tried.get(met.chosen?)?.name.clone())),
+            chosen: chosen.map_or_else(String::new, |tried| tried.name.clone()),
         })
     }
-}
-
-/// The verdict in the report, with its words, and with what would end better.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct VerdictReport {
-    /// The numbers.
-    #[serde(flatten)]
-    pub numbers: Verdict,
-    /// All of it in words.
-    pub words: String,
-    /// Better choices, the most helpful first; empty if the shape is good.
-    pub suggestions: Vec<Suggestion>,
 }
 
 /// Returns a tolerance for distances on a mesh: about a thousandth of the mean edge, rounded to 1,

@@ -180,7 +180,7 @@ mod tests {
             shortest_edge: 0.8,
             area_lost: 0.0,
             attempts: Vec::new(),
-            chosen: None,
+            chosen: String::new(),
         }
     }
 

@@ -193,8 +193,8 @@ impl Attempts {
             others.extend((asked.is_some() && can_slide).then_some(Attempt::OnSurface));
             let smoother = SMOOTHER.iter().rev().map(|&times| Attempt::Smoother(times));
             others.extend(smoother.filter(|_| can_be_smoother));
-            others.extend(asked.is_some().then_some(Attempt::Exact));
             others.push(Attempt::FromRest);
+            others.extend(asked.is_some().then_some(Attempt::Exact));
             others.retain(|other| *other != now);
         }
         Attempts {
@@ -224,9 +224,10 @@ impl Attempts {
         self.record(outcome);
         if matches!(self.now, Attempt::Eased(_)) {
             let easing = self.easing.as_mut()?;
-            let (is_best, goes_on) = easing.take(outcome, around);
+            let (is_whole, goes_on) = easing.take(outcome, around);
             let next = goes_on.then(|| Attempt::Eased(easing.tolerances()));
-            self.keep(outcome, is_best);
+            let was_whole = self.best.as_ref().is_some_and(|(_, best)| best.is_whole());
+            self.keep(outcome, is_whole && (outcome.keeps_design() || !was_whole));
             return next;
         }
         let is_better = self.is_better(outcome);
@@ -243,8 +244,8 @@ impl Attempts {
                 return Some(other);
             }
         }
-        let is_whole = self.best.as_ref().is_some_and(|(_, best)| best.is_whole());
-        let easing = self.easing.as_ref().filter(|_| !is_whole)?;
+        let keeps_design = self.best.as_ref().is_some_and(|(_, best)| best.keeps_design());
+        let easing = self.easing.as_ref().filter(|_| !keeps_design)?;
         Some(Attempt::Eased(easing.tolerances()))
     }
 
@@ -258,8 +259,8 @@ impl Attempts {
     fn record(&mut self, outcome: &Outcome) {
         let is_eased = matches!(self.now, Attempt::Eased(_));
         let name = self.now.name();
-        if is_eased {
-            self.tried.retain(|tried| tried.name != name);
+        if is_eased && self.tried.last().is_some_and(|last| last.name == name) {
+            self.tried.pop();
         }
         self.tried.push(Tried {
             name,
@@ -289,10 +290,10 @@ impl Attempts {
             (true, true) if first.work == 0 && self.now == Attempt::FromRest => {
                 new.energy < best.energy
             }
-            // A rough surface is another design, however near it is.
-            (true, true) => match [new, best].map(|of| of.measure.bend.is_rough()) {
-                [false, true] => change(new) <= FAR * change(first),
-                [true, false] => false,
+            // A rough or flat surface is another design, however near it is.
+            (true, true) => match [new, best].map(Outcome::keeps_design) {
+                [true, false] => change(new) <= FAR * change(first),
+                [false, true] => false,
                 _ => change(new) <= BETTER * change(best),
             },
         }
@@ -315,22 +316,22 @@ impl Attempts {
             return false;
         }
         let flaws = best.measure.flaws(false, self.edge);
-        let is_whole = best.is_whole();
+        let is_design = best.keeps_design();
         let is_far = || flaws.iter().any(|flaw| matches!(flaw, Flaw::Away | Flaw::Moved));
         match next {
             Attempt::FromRest => {
                 let is_nearer = first.work == 0 && first.met && self.tried.len() == 1;
-                !is_whole || is_nearer || (self.search != Search::Scene && is_far())
+                !is_design || is_nearer || (self.search != Search::Scene && is_far())
             }
             Attempt::Exact => {
                 let folded = first.measure.folded.len();
-                !is_whole && first.met && folded as f64 <= FEW * self.faces as f64
+                !best.is_whole() && first.met && folded as f64 <= FEW * self.faces as f64
             }
             Attempt::Smoother(times) => {
                 let is_next = *times == SMOOTHER[0] || self.smoothness_helps;
-                is_next && (!is_whole || flaws.contains(&Flaw::Rougher))
+                is_next && (!best.is_whole() || flaws.contains(&Flaw::Rougher))
             }
-            Attempt::OnSurface => !is_whole || is_far(),
+            Attempt::OnSurface => !is_design || is_far(),
             Attempt::FromSoft | Attempt::Eased(_) => true,
         }
     }
@@ -425,8 +426,8 @@ mod tests {
 
     #[test]
     fn a_few_folds_may_go_where_panels_are_exact() {
-        let found = press(&[folds(10), folds(10), folds(0)]);
-        assert_eq!(found, [(true, REST), (false, EXACT), (true, None)]);
+        let found = press(&[folds(10), folds(0)]);
+        assert_eq!(found, [(true, EXACT), (true, None)]);
     }
 
     #[test]

@@ -22,7 +22,7 @@ const EASED: f64 = 2.0;
 const MOST_AGAIN: u32 = 12;
 
 /// Maximum of iterations times vertices of all attempts.
-const MOST_WORK: u64 = 6_000_000;
+const MOST_WORK: u64 = 16_000_000;
 
 /// Tolerances of an attempt, in the unit of the mesh.
 #[derive(Clone, Debug, PartialEq)]

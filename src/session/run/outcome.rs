@@ -126,6 +126,11 @@ impl Outcome {
         [&self.measure.folded[..], &self.missed].concat()
     }
 
+    /// Whether that is so, and the surface is still that design: neither rougher nor flatter.
+    pub(crate) fn keeps_design(&self) -> bool {
+        self.is_whole() && self.measure.bend.change.is_none()
+    }
+
     /// The level of the shape.
     pub(crate) fn level(&self, is_eased: bool, edge: f64) -> Level {
         if self.met { self.measure.level(is_eased, edge).0 } else { Level::Poor }

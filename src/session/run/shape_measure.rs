@@ -46,6 +46,7 @@ pub struct Bend {
     /// In the current shape.
     pub now: f64,
     /// Whether the difference is a change of the design.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub change: Option<BendChange>,
 }
 
@@ -122,11 +123,6 @@ impl Bend {
             _ => None,
         };
         Bend { rest, now, change }
-    }
-
-    /// Whether the surface is rougher than the original.
-    pub(crate) fn is_rough(&self) -> bool {
-        self.change == Some(BendChange::Rougher)
     }
 
     /// The angle relative to that at which the surface is rough, or flat: 1 at the limit.

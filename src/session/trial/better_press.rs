@@ -20,7 +20,7 @@ const NEARER: f64 = 0.6;
 /// A press for panels that ends better.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub struct Suggestion {
+pub struct BetterPress {
     /// What is different: `tolerance`, `kind`, `surface` or `boundary`.
     pub id: &'static str,
     /// The label of its button.
@@ -49,8 +49,39 @@ struct Press {
     from: PanelStart,
 }
 
+/// The verdict in a report, with its words, and with what would end better.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct VerdictReport {
+    /// The numbers.
+    #[serde(flatten)]
+    pub numbers: Verdict,
+    /// Number of panels within a larger tolerance only, because they would fold within the required
+    /// one.
+    pub eased: usize,
+    /// That tolerance, in the unit of the mesh.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub eased_within: Option<f64>,
+    /// All of it in words.
+    pub words: String,
+    /// Better choices, in the order of the trials; empty if the shape is good.
+    pub suggestions: Vec<BetterPress>,
+}
+
+impl VerdictReport {
+    pub(crate) fn new(numbers: Verdict, words: String, suggestions: Vec<BetterPress>) -> Self {
+        let eased = numbers.eased;
+        VerdictReport {
+            numbers,
+            eased: eased.map_or(0, |eased| eased.panels),
+            eased_within: eased.map(|eased| eased.within),
+            words,
+            suggestions,
+        }
+    }
+}
+
 /// The trials, run step by step.
-pub struct Suggestions {
+pub struct BetterPresses {
     scene: Scene,
     mesh: Mesh,
     /// The verdict to be bettered.
@@ -58,13 +89,13 @@ pub struct Suggestions {
     /// Presses still to be tried, the next one last.
     untried: Vec<Press>,
     current: Option<(Press, Box<Session>)>,
-    found: Vec<Suggestion>,
+    found: Vec<BetterPress>,
 }
 
-impl Suggestions {
+impl BetterPresses {
     /// Prepares the trials for a session whose press for panels within `tolerance` has ended; none if
     /// its shape is good, or if no panels were made.
-    pub fn new(session: &mut Session, tolerance: f64) -> Option<Suggestions> {
+    pub fn new(session: &mut Session, tolerance: f64) -> Option<BetterPresses> {
         let before = session.verdict(tolerance)?;
         if before.level == Level::Good {
             return None;
@@ -72,7 +103,7 @@ impl Suggestions {
         let mut untried = presses(session, &before);
         untried.reverse();
         let (scene, mesh) = (session.scene(), session.mesh().clone());
-        Some(Suggestions { scene, mesh, before, untried, current: None, found: Vec::new() })
+        Some(BetterPresses { scene, mesh, before, untried, current: None, found: Vec::new() })
     }
 
     /// Runs one iteration; returns whether there is more to try.
@@ -95,8 +126,8 @@ impl Suggestions {
         Ok(self.current.is_some() || !self.untried.is_empty())
     }
 
-    /// The suggestions found so far, the most helpful first.
-    pub fn found(&self) -> &[Suggestion] {
+    /// The presses that end better, as far as they were tried.
+    pub fn found(&self) -> &[BetterPress] {
         &self.found
     }
 
@@ -117,13 +148,13 @@ impl Suggestions {
     }
 
     /// Returns the suggestion of a press that ends like `after`, if that is better.
-    fn offer(&self, press: Press, after: &Verdict) -> Option<Suggestion> {
+    fn offer(&self, press: Press, after: &Verdict) -> Option<BetterPress> {
         let before = &self.before;
         let is_nearer = after.surface.max <= NEARER * before.surface.max;
         let is_better = after.level < before.level
             || (after.level == before.level && is_nearer && after.level != Level::Poor);
         let Press { id, label, kind, within, from } = press;
-        is_better.then(|| Suggestion {
+        is_better.then(|| BetterPress {
             id,
             words: self.words(id, after),
             label,
