@@ -203,7 +203,9 @@ fn where_each_level_is_the_original_of_the_next_it_is_smoother_and_folds_nowhere
         session.solve(false).expect("it can be solved");
         assert!(session.exact().is_some_and(|report| report.met));
         let tolerance = session.tolerance();
-        let folded = session.verdict(tolerance).expect("panels are asked").folded;
+        let verdict = session.verdict(tolerance).expect("panels are asked");
+        println!("{:?}", verdict.attempts);
+        let folded = verdict.folded;
         (session.solver().energy().smooth, folded)
     };
     let (at_once, by_levels) = (flat(3, false), flat(3, true));

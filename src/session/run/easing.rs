@@ -77,6 +77,11 @@ impl Easing {
         self.resisting = resisting;
     }
 
+    /// Whether the current tolerance of all panels is larger than required.
+    pub(crate) fn eases_all(&self) -> bool {
+        !self.steps.is_empty()
+    }
+
     pub(crate) fn tolerances(&self) -> Tolerances {
         let eased = (!self.faces.is_empty())
             .then(|| EasedFaces { within: self.of_eased, faces: self.faces.clone() });

@@ -89,10 +89,14 @@ impl ShapeMeasure {
         ]
     }
 
-    /// A number that grows with the change of the design: it is 1 at the limits of a good shape.
+    /// A number that grows with the distance from the design: it is 1 at the limits of a good shape.
+    pub(crate) fn distance(&self, edge: f64) -> f64 {
+        self.parts(edge).iter().map(|(_, part)| *part).fold(0.0, f64::max)
+    }
+
+    /// The same, for the distance and the bend.
     pub(crate) fn change(&self, edge: f64) -> f64 {
-        let largest = self.parts(edge).iter().map(|(_, part)| *part).fold(0.0, f64::max);
-        largest.max(self.bend.relative())
+        self.distance(edge).max(self.bend.relative())
     }
 }
 
