@@ -3,11 +3,10 @@
  * is dragged, and which updates are due for the page.
  */
 
-import { messageOf } from '../solver/errors.ts';
+import { isTrap, messageOf } from '../solver/errors.ts';
 import type { FromWorker } from '../solver/events.ts';
 import type { Drag, Loaded, Half } from '../solver/types.ts';
 import { Frames } from './frames.ts';
-import { isTrap } from './wasm-errors.ts';
 import type { Solver } from '../pkg/engine/shape_up.js';
 
 /** Duration of a slice of iterations between messages, in milliseconds. */

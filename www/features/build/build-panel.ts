@@ -155,7 +155,7 @@ async function buildPanel(app: AppContext) {
   async function saveForRhino() {
     const { askRhino } = await import('../../documents/rhino/rhino-client.ts');
     const [parts, { symbol }] = [await live.spatialParts(), live.unit()];
-    const bytes = await askRhino({ type: 'writeParts', parts, symbol });
+    const bytes = await askRhino((rhino) => rhino.writeParts(parts, symbol));
     files.save('-parts.3dm', bytes, 'model/vnd.3dm');
   }
 
