@@ -6,11 +6,14 @@ use super::run::Search;
 use super::state::check_targets;
 use super::undo::{Change, Transaction};
 use crate::mesh::Point;
-use crate::scene::{Lock, NamedEnum, SceneError};
+use crate::scene::{Lock, SceneError};
 use crate::session::Error;
+use serde::Deserialize;
 
 /// The phases of a drag.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
 pub enum DragPhase {
     /// Begins a drag of vertices that become handles first.
     Make,
@@ -22,16 +25,6 @@ pub enum DragPhase {
     End,
     /// Ends the drag and restores the state before it.
     Cancel,
-}
-
-impl NamedEnum for DragPhase {
-    const WORDS: &'static [(&'static str, DragPhase)] = &[
-        ("make", DragPhase::Make),
-        ("start", DragPhase::Start),
-        ("move", DragPhase::Move),
-        ("end", DragPhase::End),
-        ("cancel", DragPhase::Cancel),
-    ];
 }
 
 impl Session {

@@ -133,7 +133,7 @@ async function buildPanel(app: AppContext) {
 
   function change(own: Partial<BuildSettings>) {
     const build = { ...store.get().document?.build, ...own };
-    void actions.edit({ type: 'setBuild', build });
+    void actions.edit({ setBuild: { build } });
   }
 
   function showWorst(worst: CheckRow['worst']) {
