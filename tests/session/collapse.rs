@@ -29,7 +29,8 @@ fn run(session: &mut Session, iterations: u32, goes_on: bool) -> bool {
         session.ignore_collapse();
     }
     let ended = (0..iterations).any(|_| session.step().unwrap().ended);
-    session.end_run();
+    let told = session.end_run();
+    assert_eq!(told, session.collapse().filter(|_| !goes_on));
     ended
 }
 

@@ -58,11 +58,11 @@ impl Solver {
         Ok(())
     }
 
-    /// Ends a run.
+    /// Ends a run; describes how the shape has collapsed, as the end of a sentence, unless that was to
+    /// be ignored.
     #[wasm_bindgen(js_name = endRun)]
-    pub fn end_run(&mut self) -> Result<(), JsValue> {
-        self.open_mut()?.end_run();
-        Ok(())
+    pub fn end_run(&mut self) -> Result<Option<String>, JsValue> {
+        Ok(self.open_mut()?.end_run().map(|collapse| collapse.to_string()))
     }
 
     /// Returns whether a run is in progress; the end of a drag may begin one.
