@@ -83,6 +83,9 @@
 //!   types wasm-bindgen writes; and its use in the page, `ask.verdict(tolerance)` of
 //!   `www/solver/solver-client.ts`. What takes long is a method in `web/jobs`, for the second worker
 //!   (`www/solver/jobs-client.ts`).
+//! - An edit of the page: a variant of [`session::Edit`], whose TypeScript type is generated, and its
+//!   effect in `session/edit/apply`. The page calls `actions.edit({ removeSet: { name } })`;
+//!   `web/values` reads the object, and refuses fields that the variant does not have.
 //! - A setting of the solver: a declaration in [`session::SETTINGS`]. Hosts build their controls from
 //!   that list.
 //! - An operator: a file in `constraint/kinds`, and a line in the list there. See [`constraint`].

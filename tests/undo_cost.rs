@@ -58,7 +58,7 @@ fn edits_and_undo_leave_the_rest_of_the_scene_where_it_is() {
     let edits = [
         rename("roof"),
         fixed,
-        Edit::SetWeights(Weights { shape: 3.0, close: 0.1, smooth: 0.1 }),
+        Edit::SetWeights(Weights { shape: 3.0, close: 0.1, smooth: 0.1 }.into()),
         Edit::SetConstraint {
             index: 0,
             weight: Some(2.0),

@@ -21,8 +21,13 @@ wasm_bindgen_test_configure!(run_in_dedicated_worker);
 const OBJ: &str =
     "v 0 0 0\nv 1 0 0.2\nv 1 1 0\nv 0 1 0.2\nv 2 0 0\nv 2 1 0.3\nf 1 2 3 4\nf 2 5 6 3\n";
 
-fn object(json: &str) -> JsValue {
-    JSON::parse(json).expect("it is JSON")
+/// The value as a type of the interface, whether it is one or not.
+fn object<T: JsCast>(json: &str) -> T {
+    JSON::parse(json).expect("it is JSON").unchecked_into()
+}
+
+fn word<T: JsCast>(word: &str) -> T {
+    JsValue::from_str(word).unchecked_into()
 }
 
 /// The value at a path such as `energy.total`.
@@ -57,7 +62,7 @@ fn copy(solver: &Solver) -> ModelCopy {
 }
 
 const ADD: &str =
-    r#"{ "type": "addConstraint", "kind": "circle", "params": {}, "on": "faces", "weight": 2 }"#;
+    r#"{ "addConstraint": { "kind": "circle", "params": {}, "on": "faces", "weight": 2 } }"#;
 
 #[wasm_bindgen_test]
 fn thirty_steps_give_the_same_bits_in_a_browser() {
@@ -107,21 +112,21 @@ fn a_mesh_is_opened_constrained_run_and_undone() {
 fn what_the_second_worker_finds_on_a_copy_is_accepted_for_that_shape_only() {
     let mut solver = loaded();
     let planes =
-        r#"{ "type": "addConstraint", "kind": "plane", "params": {}, "on": "faces", "weight": 1 }"#;
+        r#"{ "addConstraint": { "kind": "plane", "params": {}, "on": "faces", "weight": 1 } }"#;
     solver.edit(object(planes)).expect("planes fit quads");
-    let within = r#"{ "type": "setConstraint", "index": 0, "require": { "within": 0.01 } }"#;
+    let within = r#"{ "setConstraint": { "index": 0, "require": { "within": 0.01 } } }"#;
     solver.edit(object(within)).expect("the row is there");
     solver.begin_run().expect("a model is open");
     while !solver.step().expect("positions stay finite") {}
     solver.end_run().expect("a model is open");
 
     let mut copied = copy(&solver);
-    assert!(copied.offer().expect("it can be asked").is_null(), "nothing is tried yet");
+    assert!(copied.offer().expect("it can be asked").is_none(), "nothing is tried yet");
     copied.try_exact().expect("regular");
     while copied.advance(10.0).expect("regular") {}
-    let offer = copied.offer().expect("it can be asked");
+    let offer = copied.offer().expect("it can be asked").expect("it is found");
     assert!(get(&offer, "met").is_truthy() && number(&offer, "maxDistance") < 1e-9);
-    let shape = || copied.shape().expect("it can be asked");
+    let shape = || copied.shape().expect("it can be asked").expect("it is found");
     let positions = copied.positions().to_vec();
     assert!(solver.make_exact(shape(), &positions, false).expect("regular"));
     let now = Float64Array::new_with_length(18);
@@ -137,14 +142,14 @@ fn what_the_second_worker_finds_on_a_copy_is_accepted_for_that_shape_only() {
     assert!(copied.find_variations().expect("regular"));
     while get(&copied.advance_variations(10.0).expect("regular"), "more").is_truthy() {}
     let towards = copied.towards(&[0.02]).expect("there is one").to_vec();
-    assert!(solver.show_variation(of, &towards, JsValue::NULL).expect("a model is open"));
+    assert!(solver.show_variation(of, &towards, None).expect("a model is open"));
     assert!(!solver.keep_variation().expect("nothing is wrong"), "it is not brought back");
     let varied = copied.go(&[0.02]).expect("regular");
     let reached = Float64Array::from(get(&varied, "positions")).to_vec();
-    let shown = solver.show_variation(of, &reached, get(&varied, "report"));
+    let shown = solver.show_variation(of, &reached, Some(get(&varied, "report").unchecked_into()));
     assert!(shown.expect("a model is open"));
     assert!(solver.keep_variation().expect("there is room"));
-    assert!(!solver.show_variation(of, &towards, JsValue::NULL).expect("a model is open"));
+    assert!(!solver.show_variation(of, &towards, None).expect("a model is open"));
 }
 
 #[wasm_bindgen_test]
@@ -152,13 +157,13 @@ fn a_handle_is_dragged() {
     let mut solver = loaded();
     solver.edit(object(ADD)).expect("circles fit quads");
     solver
-        .edit(object(r#"{ "type": "addHandles", "vertices": [0, 4], "fixed": true }"#))
+        .edit(object(r#"{ "addHandles": { "vertices": [0, 4], "fixed": true } }"#))
         .expect("the vertices are there");
-    solver.drag(&[4], &[2.0, 0.0, 1.0], "start").expect("it is a handle");
+    solver.drag(&[4], &[2.0, 0.0, 1.0], word("start")).expect("it is a handle");
     solver.step().expect("positions stay finite");
-    solver.drag(&[4], &[2.0, 0.0, 1.5], "move").expect("it is a handle");
+    solver.drag(&[4], &[2.0, 0.0, 1.5], word("move")).expect("it is a handle");
     solver.step().expect("positions stay finite");
-    solver.drag(&[4], &[2.0, 0.0, 1.5], "end").expect("it is a handle");
+    solver.drag(&[4], &[2.0, 0.0, 1.5], word("end")).expect("it is a handle");
     let positions = Float64Array::new_with_length(18);
     solver.write_positions(&positions).expect("a model is open");
     assert_eq!(positions.get_index(14), 1.5);
@@ -172,18 +177,18 @@ fn a_drag_that_makes_no_sense_is_refused_and_moves_nothing() {
     // Any unknown phase was taken for a move, and for arrays of unequal length the rest was
     // ignored.
     let mut solver = loaded();
-    solver.drag(&[4], &[2.0, 0.0, 1.0], "make").expect("the vertex is there");
+    solver.drag(&[4], &[2.0, 0.0, 1.0], word("make")).expect("the vertex is there");
     let target = |solver: &Solver| {
         number(&solver.document().expect("a model is open"), "handles.0.target.2")
     };
     for (vertices, targets, phase, words) in [
-        (&[4][..], &[2.0, 0.0, 9.0][..], "shove", "found the phase \"shove\", expected make"),
+        (&[4][..], &[2.0, 0.0, 9.0][..], "shove", "found \"shove\", expected one of \"make\""),
         (&[4], &[2.0, 0.0, 9.0, 1.0], "move", "found 4 coordinates, expected three per target"),
         (&[4, 5], &[2.0, 0.0, 9.0], "move", "found 1 targets, expected one for each of the 2"),
         (&[4], &[2.0, 0.0, f64::NAN], "move", "the target of vertex 4 is not finite"),
         (&[4], &[2.0, 0.0, 1e51], "end", "the target of vertex 4 is not finite or too far out"),
     ] {
-        let error = solver.drag(vertices, targets, phase).expect_err("it makes no sense");
+        let error = solver.drag(vertices, targets, word(phase)).expect_err("it makes no sense");
         let error = message(error);
         assert!(error.contains(words), "{error}");
         assert_eq!(target(&solver), 1.0);
@@ -193,9 +198,9 @@ fn a_drag_that_makes_no_sense_is_refused_and_moves_nothing() {
 #[wasm_bindgen_test]
 fn a_handle_is_made_where_its_vertex_is_before_it_is_moved() {
     let mut solver = loaded();
-    solver.drag(&[4], &[], "make").expect("the vertex is there");
+    solver.drag(&[4], &[], word("make")).expect("the vertex is there");
     assert_eq!(number(&solver.document().expect("a model is open"), "handles.0.vertex"), 4.0);
-    solver.drag(&[4], &[], "cancel").expect("it is dragged");
+    solver.drag(&[4], &[], word("cancel")).expect("it is dragged");
     let document = solver.document().expect("a model is open");
     assert_eq!(number(&document, "handles.length"), 0.0);
 }
@@ -205,8 +210,8 @@ fn a_selection_becomes_a_set_of_the_scene() {
     let mut solver = loaded();
     let on = r#"{ "each": "face", "in": { "faces": [1] } }"#;
     let kinds = solver.kinds().expect("there are kinds");
-    let previews = solver.previews(object(&format!("[{on}]"))).expect("the face is there");
-    assert_eq!(number(&previews, "length"), number(&kinds, "length"));
+    let previews = solver.previews(vec![object(on)]).expect("the face is there");
+    assert_eq!(number(&previews, "length"), kinds.len() as f64);
     let plane = (0..KINDS.len()).find(|&i| KINDS[i].id == "plane").expect("there is a plane");
     assert_eq!(number(&previews, &format!("{plane}.0.constraints")), 1.0);
     assert_eq!(number(&previews, &format!("{plane}.0.vertices")), 4.0);
@@ -214,7 +219,7 @@ fn a_selection_becomes_a_set_of_the_scene() {
     let segment = segment.expect("some kind takes two vertices");
     assert!(get(&previews, &format!("{segment}.0")).is_null(), "a quad is no edge");
     let add = format!(
-        r#"{{ "type": "addConstraint", "kind": "plane", "params": {{}}, "on": {on}, "weight": 1 }}"#
+        r#"{{ "addConstraint": {{ "kind": "plane", "params": {{}}, "on": {on}, "weight": 1 }} }}"#
     );
     solver.edit(object(&add)).expect("a plane fits a quad");
     let members = solver.members(0).expect("the row is there");
@@ -242,27 +247,33 @@ fn a_selection_becomes_a_set_of_the_scene() {
 fn kinds_come_with_parameters_and_a_drawing() {
     let kinds = Solver::new().kinds().expect("there are kinds");
     for (i, info) in KINDS.iter().enumerate() {
-        assert_eq!(get(&kinds, &format!("{i}.id")).as_string().as_deref(), Some(info.id));
+        assert_eq!(get(&kinds[i], "id").as_string().as_deref(), Some(info.id));
         for (k, param) in info.params.iter().enumerate() {
-            let path = format!("{i}.params.{k}");
-            assert_eq!(get(&kinds, &format!("{path}.id")).as_string().as_deref(), Some(param.id));
-            assert_eq!(number(&kinds, &format!("{path}.forms.length")), param.forms.len() as f64);
-            assert!(!get(&kinds, &format!("{path}.default")).is_undefined());
+            let path = format!("params.{k}");
+            assert_eq!(
+                get(&kinds[i], &format!("{path}.id")).as_string().as_deref(),
+                Some(param.id)
+            );
+            assert_eq!(
+                number(&kinds[i], &format!("{path}.forms.length")),
+                param.forms.len() as f64
+            );
+            assert!(!get(&kinds[i], &format!("{path}.default")).is_undefined());
         }
-        assert!(number(&kinds, &format!("{i}.sketch.points.length")) >= 2.0);
-        assert!(number(&kinds, &format!("{i}.sketch.projected.0.0")) <= 1.0);
+        assert!(number(&kinds[i], "sketch.points.length") >= 2.0);
+        assert!(number(&kinds[i], "sketch.projected.0.0") <= 1.0);
     }
 }
 
 #[wasm_bindgen_test]
 fn a_parameter_is_changed_and_a_wrong_one_is_told_with_its_place() {
     let mut solver = loaded();
-    let add = r#"{ "type": "addConstraint", "kind": "line-segment", "params": { "length": [0.5, null] },
-                   "on": "edges", "weight": 1 }"#;
+    let add = r#"{ "addConstraint": { "kind": "line-segment", "params": { "length": [0.5, null] },
+                   "on": "edges", "weight": 1 } }"#;
     solver.edit(object(add)).expect("segments fit edges");
     let set = |length: &str| {
         object(&format!(
-            r#"{{ "type": "setConstraint", "index": 0, "params": {{ "length": {length} }} }}"#
+            r#"{{ "setConstraint": {{ "index": 0, "params": {{ "length": {length} }} }} }}"#
         ))
     };
     let length = |solver: &Solver| {
@@ -281,16 +292,34 @@ fn a_parameter_is_changed_and_a_wrong_one_is_told_with_its_place() {
 }
 
 #[wasm_bindgen_test]
+fn a_field_that_an_edit_does_not_have_is_refused_and_nothing_is_done() {
+    // serde-wasm-bindgen asks an object for known fields only.
+    let mut solver = loaded();
+    let exact = r#"{ "addConstraint": { "kind": "plane", "on": "faces", "weight": 1, "require": "exact" } }"#;
+    let error = message(solver.edit(object(exact)).expect_err("there is no such field"));
+    assert!(error.contains("unknown key `require`, known here: kind, on"), "{error}");
+    let named = r#"{ "setLesson": { "lesson": { "text": "", "goals": [], "hint": "" } } }"#;
+    let error = solver.edit(object(named)).expect_err("there is no such field");
+    assert_eq!(get(&error, "path").as_string().as_deref(), Some("lesson"));
+    let request = r#"{ "operation": "grow", "mode": "faces", "surplus": 1 }"#;
+    let error = message(solver.select(object(request)).err().expect("there is no such field"));
+    assert!(error.contains("unknown key `surplus`"), "{error}");
+    let document = solver.document().expect("a model is open");
+    assert_eq!(number(&document, "constraints.length"), 0.0);
+    assert!(get(&document, "undo").is_null());
+}
+
+#[wasm_bindgen_test]
 fn what_is_wrong_is_said_in_one_line_and_the_old_model_stays() {
     let mut solver = loaded();
-    let error = message(solver.load("broken.obj", b"").expect_err("the file is empty"));
+    let error = message(solver.load("broken.obj", b"").err().expect("the file is empty"));
     assert_eq!(error, "broken.obj: the file is empty");
     let scene = br#"{ "format": "shape-up-scene", "version": 9 }"#;
-    let error = message(solver.load("later.json", scene).expect_err("it is of a later version"));
+    let error = message(solver.load("later.json", scene).err().expect("it is of a later version"));
     assert!(error.starts_with("later.json: version: ") && !error.contains('\n'), "{error}");
     let error = message(
         solver
-            .edit(object(r#"{ "type": "removeConstraint", "index": 3 }"#))
+            .edit(object(r#"{ "removeConstraint": { "index": 3 } }"#))
             .expect_err("there is no row"),
     );
     assert!(error.contains("constraints[3]"), "{error}");
@@ -301,7 +330,7 @@ fn what_is_wrong_is_said_in_one_line_and_the_old_model_stays() {
 fn a_model_is_flattened_and_exported_with_its_map() {
     let solver = loaded();
     let copied = copy(&solver);
-    let map = copied.parametrize("inverse-area", "boundary").expect("it is a surface");
+    let map = copied.parametrize(word("inverse-area"), word("boundary")).expect("it is a surface");
     let uv = get(&map, "uv").unchecked_into::<Float64Array>().to_vec();
     let errors = get(&map, "faceErrors").unchecked_into::<Float32Array>().to_vec();
     assert_eq!((uv.len(), errors.len()), (12, 2));
@@ -310,8 +339,9 @@ fn a_model_is_flattened_and_exported_with_its_map() {
     assert!(errors.iter().any(|&error| (f64::from(error) - max).abs() < 1e-6));
     assert_eq!([number(&map, "parts"), number(&map, "closedParts")], [1.0, 0.0]);
     assert_eq!(number(&map, "flipped"), 0.0);
-    assert!(copied.fewer_flips(0).expect("there is a model").is_null());
-    assert_eq!(number(&copied.fewer_flips(1).expect("there is a model"), "flipped"), 0.0);
+    assert!(copied.fewer_flips(0).expect("there is a model").is_none());
+    let fewer = copied.fewer_flips(1).expect("there is a model").expect("one flips none");
+    assert_eq!(number(&fewer, "flipped"), 0.0);
     let histogram = get(&map, "histogram").unchecked_into::<Uint32Array>().to_vec();
     assert_eq!(histogram.iter().sum::<u32>(), 2);
     assert!(number(&map, "seconds") >= number(&map, "secondsOf.factor"));
@@ -326,18 +356,18 @@ fn a_model_is_flattened_and_exported_with_its_map() {
 fn what_cannot_be_flattened_is_told() {
     let mut solver = Solver::new();
     let refused = |solver: &Solver, weights: &str| {
-        let flattened = copy(solver).parametrize(weights, "vertices");
-        message(flattened.expect_err("it cannot be flattened"))
+        let flattened = copy(solver).parametrize(word(weights), word("vertices"));
+        message(flattened.err().expect("it cannot be flattened"))
     };
     assert_eq!(
         refused(&loaded(), "two"),
-        "weights \"two\", expected one of inverse-area, one, lscm"
+        "found \"two\", expected \"inverse-area\" or \"one\" or \"lscm\""
     );
     solver.load("line.obj", b"v 0 0 0\nv 1 0 0\nl 1 2\n").expect("it is a curve");
     assert_eq!(refused(&solver, "one"), "the mesh has no faces, expected a surface");
     let tetrahedron = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
     solver.load("closed.obj", tetrahedron).expect("it is a surface");
-    let map = copy(&solver).parametrize("one", "boundary").expect("it is folded");
+    let map = copy(&solver).parametrize(word("one"), word("boundary")).expect("it is folded");
     assert_eq!(number(&map, "closedParts"), 1.0);
 }
 
@@ -360,9 +390,9 @@ const CIRCLES: &str = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "
     "constraints": [ { "kind": "circle", "on": "faces" } ],
     "weights": { "shape": 5, "close": 10, "smooth": 2 } }"#;
 
-fn open_grid(solver: &mut Solver, scene: &str, obj: &str) -> Result<JsValue, JsValue> {
+fn open_grid(solver: &mut Solver, scene: &str, obj: &str) -> Result<(), JsValue> {
     solver.add_file("grid.obj", obj.as_bytes().to_vec());
-    solver.load("a.shapeup.json", scene.as_bytes())
+    solver.load("a.shapeup.json", scene.as_bytes()).map(|_| ())
 }
 
 #[wasm_bindgen_test]

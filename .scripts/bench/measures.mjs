@@ -62,7 +62,7 @@ export function iterations({ problem, least, edits }) {
   const opened = median(Array.from({ length: edits && 3 }, opening));
   const steps = [];
   for (let [round, spent] = [0, 0]; round < 4 || spent < least; round++) {
-    solver.edit({ type: 'reset' });
+    solver.edit('reset');
     const all = Array.from({ length: STEPS }, () => step(solver));
     // The first run compiles code, too.
     if (round > 0) steps.push(...all.slice(UNCOUNTED));
@@ -72,8 +72,8 @@ export function iterations({ problem, least, edits }) {
   const change = [];
   for (let k = 0; k < edits; k++) {
     const vertices = [problem.spare[k % problem.spare.length]];
-    handle.push(timed(() => solver.edit({ type: 'addHandles', vertices, fixed: false }))[1]);
-    solver.edit({ type: 'removeHandles', vertices });
+    handle.push(timed(() => solver.edit({ addHandles: { vertices, fixed: false } }))[1]);
+    solver.edit({ removeHandles: { vertices } });
   }
   for (let k = 0; k < edits; k++) change.push(changed(solver, k));
   return { ...medians(steps), opened, change: median(change), handle: median(handle) };
@@ -81,7 +81,7 @@ export function iterations({ problem, least, edits }) {
 
 /** Milliseconds from changed constraints to the end of the first iteration. */
 function changed(solver, k) {
-  const edit = { type: 'setConstraint', index: 0, weight: 1.5 + 0.5 * k };
+  const edit = { setConstraint: { index: 0, weight: 1.5 + 0.5 * k } };
   return timed(() => (solver.edit(edit), solver.step()))[1];
 }
 
@@ -172,8 +172,8 @@ export function folds({ problem: { name, text, kind, way } }) {
       solver.makePanels(kind, tolerance, 'now');
     } else {
       const require = way === 'exact' ? way : { within: tolerance };
-      solver.edit({ type: 'addConstraint', kind, params: {}, on: 'faces', weight: 1 });
-      solver.edit({ type: 'setConstraint', index: 0, require });
+      solver.edit({ addConstraint: { kind, params: {}, on: 'faces', weight: 1 } });
+      solver.edit({ setConstraint: { index: 0, require } });
     }
     run(solver);
   });

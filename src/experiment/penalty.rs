@@ -122,7 +122,7 @@ impl Method for Fitted {
         if self.continuation.weight != weight {
             let weights = self.session.document().weights;
             let weights = Weights { shape: self.continuation.weight, ..weights };
-            self.session.edit(Edit::SetWeights(weights))?;
+            self.session.edit(Edit::SetWeights(weights.into()))?;
         }
         Ok(Step::Going)
     }

@@ -129,6 +129,10 @@ fn of_data(text: &str) -> JsonError {
         // Every second piece between backquotes is the name of a key.
         let known: Vec<&str> = known.split('`').skip(1).step_by(2).collect();
         return JsonError::unknown_key(key, &known);
+    } else if let Some((word, known)) =
+        after("unknown variant `").and_then(|rest| rest.split_once("`, expected "))
+    {
+        format!("found {}, expected {}", shortened(&format!("{word:?}")), known.replace('`', "\""))
     } else if let Some(rest) = after("missing field `") {
         return JsonError::missing_key(rest.trim_end_matches('`'));
     } else if let Some(rest) = after("duplicate field `") {
@@ -180,6 +184,7 @@ fn plain(expected: &str) -> &str {
         "a boolean" => "true or false",
         "a sequence" => "an array",
         "a map" => "an object",
+        "map with a single key" => "an object with one key",
         "string or map" => "a word",
         _ if expected.starts_with("struct ") => "an object",
         _ => expected,

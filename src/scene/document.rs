@@ -163,6 +163,7 @@ fn changed_build<S: Serializer>(
 
 /// The axis that points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "kebab-case"))]
 pub enum Up {
     /// y, as in most viewers.
     Y,

@@ -54,6 +54,7 @@ fn some_goals<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Goal>, D::Error>
 
 /// A part of a scene that a lesson locks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "kebab-case"))]
 pub enum Lock {
     /// The weights of energies and constraints, and the closeness and smoothness settings.
     Weights,

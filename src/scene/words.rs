@@ -57,7 +57,9 @@ by_word!(
     Factorization,
     GroupKeyword,
     Scheme,
-    Lock
+    Lock,
+    ConformalWeights,
+    ConformalNorm
 );
 
 impl NamedEnum for Scheme {

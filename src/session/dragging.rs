@@ -2,15 +2,18 @@
 
 use super::Session;
 use super::edit::{Edit, PanelStart, check_lock};
-use super::run::Search;
+use super::run::{Collapse, Search};
 use super::state::check_targets;
 use super::undo::{Change, Transaction};
 use crate::mesh::Point;
-use crate::scene::{Lock, NamedEnum, SceneError};
+use crate::scene::{Lock, SceneError};
 use crate::session::Error;
+use serde::Deserialize;
 
 /// The phases of a drag.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
 pub enum DragPhase {
     /// Begins a drag of vertices that become handles first.
     Make,
@@ -22,16 +25,6 @@ pub enum DragPhase {
     End,
     /// Ends the drag and restores the state before it.
     Cancel,
-}
-
-impl NamedEnum for DragPhase {
-    const WORDS: &'static [(&'static str, DragPhase)] = &[
-        ("make", DragPhase::Make),
-        ("start", DragPhase::Start),
-        ("move", DragPhase::Move),
-        ("end", DragPhase::End),
-        ("cancel", DragPhase::Cancel),
-    ];
 }
 
 impl Session {
@@ -203,10 +196,11 @@ impl Session {
         self.transaction.as_ref().is_some_and(Transaction::is_run)
     }
 
-    /// Ends a run, at its lowest total or at the best shape for its hard constraints.
-    pub fn end_run(&mut self) {
+    /// Ends a run, at its lowest total or at the best shape for its hard constraints. Returns how the
+    /// shape has collapsed, unless that was to be ignored.
+    pub fn end_run(&mut self) -> Option<Collapse> {
         let met = self.end_meeting(false).expect("the state was solvable before");
-        let Some(transaction) = self.transaction.take_if(|t| t.is_run()) else { return };
+        let transaction = self.transaction.take_if(|t| t.is_run())?;
         if self.is_met() {
             self.search = self.search_of_scene();
         } else if !met {
@@ -220,6 +214,7 @@ impl Session {
             Some(name) => self.history.push(name, transaction.into_back()),
             None => {}
         }
+        self.guard.collapse_to_tell()
     }
 
     fn move_handles(&mut self, vertices: &[u32], targets: &[Point]) {

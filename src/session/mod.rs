@@ -56,7 +56,7 @@ pub use composition::Session;
 pub use dragging::DragPhase;
 pub use edit::{
     ConstraintTarget, Edit, NewConstraint, OfferedOperation, PanelStart, Preview, Refinement,
-    Remeshing, RemeshingPreview, SETTINGS, Setting, settings_of,
+    Remeshing, RemeshingPreview, SETTINGS, Setting, SomeWeights, settings_of,
 };
 pub use error::Error;
 pub use handed_in::{Checked, check_results};

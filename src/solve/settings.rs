@@ -33,6 +33,7 @@ pub struct Smoothness {
 
 /// `l_i` of Eq. 12.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "kebab-case"))]
 pub enum SmoothnessOf {
     /// The positions: `l = v`.
     #[default]
@@ -112,6 +113,7 @@ pub enum Accelerator {
 
 /// `c(v)`: the point that a vertex is kept close to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "kebab-case"))]
 pub enum ClosenessTo {
     /// The closest point of the rest surface; of the curves if there are no faces, of the points if
     /// there are no curves either.

@@ -1,17 +1,19 @@
 //! New meshes for the page, and the files of the examples: the page makes them when they are opened,
 //! so that a visit neither fetches nor keeps them, and its build writes them all.
 
-use super::{log_panics, mesh_of, plain_object as plain, rows_of, thrown};
+use super::values::{Js, plain, plains, read};
+use super::{log_panics, mesh_of, rows_of, thrown};
 use crate::generate::{
-    NEW_KINDS, NewKind, Plan, PlanError, SpanCurve, SpanError, example, fill, loft,
+    CurveLabel, NEW_KINDS, NewKind, Plan, PlanError, SpanCurve, SpanError, example, fill, loft,
 };
 use crate::mesh::{Mesh, write_obj};
 use serde::Serialize;
+use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
 /// The surface over a drawn plan.
-#[derive(Serialize, tsify::Tsify)]
-struct NewPlan {
+#[derive(Serialize, Tsify)]
+pub struct NewPlan {
     /// The text of an OBJ file.
     text: String,
     /// The vertices that the surface stands on, if those are only its corners; else empty.
@@ -19,10 +21,10 @@ struct NewPlan {
 }
 
 /// Returns the kinds of new meshes.
-#[wasm_bindgen(js_name = newKinds, unchecked_return_type = "NewKind[]")]
-pub fn new_kinds() -> Result<JsValue, JsValue> {
+#[wasm_bindgen(js_name = newKinds)]
+pub fn new_kinds() -> Result<Vec<Js<NewKind>>, JsValue> {
     log_panics();
-    plain(&NEW_KINDS)
+    plains(NEW_KINDS)
 }
 
 /// Returns a mesh of a kind as OBJ text; `sizes` are in the order in which the kind declares them.
@@ -40,13 +42,9 @@ pub fn new_mesh(kind: &str, sizes: &[f64], units: &str) -> Result<String, JsValu
 /// # Errors
 /// The fault of the plan, in one sentence. If two sides cross, the error has `sides`: for each, its
 /// loop and the point where it begins; the outline is loop 0.
-#[wasm_bindgen(js_name = newPlan, unchecked_return_type = "NewPlan")]
-pub fn new_plan(
-    #[wasm_bindgen(unchecked_param_type = "Plan")] plan: JsValue,
-    units: &str,
-) -> Result<JsValue, JsValue> {
-    let plan: Plan = serde_wasm_bindgen::from_value(plan).map_err(thrown)?;
-    let surface = plan.surface().map_err(|why| refused(&why))?;
+#[wasm_bindgen(js_name = newPlan)]
+pub fn new_plan(plan: Js<Plan>, units: &str) -> Result<Js<NewPlan>, JsValue> {
+    let surface = read::<Plan>(plan)?.surface().map_err(|why| refused(&why))?;
     plain(&NewPlan { text: obj(&surface.mesh, units, "z"), supports: surface.feet })
 }
 
@@ -90,9 +88,8 @@ impl NewSpans {
     }
 
     /// Returns the polylines of the mesh, then the boundaries of its faces.
-    #[wasm_bindgen(unchecked_return_type = "CurveLabel[]")]
-    pub fn curves(&self) -> Result<JsValue, JsValue> {
-        plain(&SpanCurve::labels(&self.curves))
+    pub fn curves(&self) -> Result<Vec<Js<CurveLabel>>, JsValue> {
+        plains(&SpanCurve::labels(&self.curves))
     }
 
     /// Returns the surface between two curves, or inside the first if there is no second, with
@@ -130,11 +127,15 @@ pub fn example_file(name: &str) -> Result<Vec<u8>, JsValue> {
     Ok(text.ok_or_else(|| thrown(format!("there is no example file {name:?}")))?.into_bytes())
 }
 
-/// Returns the names and texts of the files of all examples.
+/// The names and texts of some files.
+#[derive(Serialize, Tsify)]
+pub struct NamedTexts(Vec<(String, String)>);
+
+/// Returns the files of all examples.
 ///
 /// # Errors
 /// None: the texts are plain strings.
-#[wasm_bindgen(js_name = exampleFiles, unchecked_return_type = "[string, string][]")]
-pub fn example_files() -> Result<JsValue, JsValue> {
-    serde_wasm_bindgen::to_value(&example::example_files()).map_err(thrown)
+#[wasm_bindgen(js_name = exampleFiles)]
+pub fn example_files() -> Result<Js<NamedTexts>, JsValue> {
+    plain(&NamedTexts(example::example_files()))
 }

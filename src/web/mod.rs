@@ -7,7 +7,7 @@
 //! | `jobs` | the interface of what takes long, for the second worker |
 //! | `page` | the interface of the view |
 //! | `generate` | the interface of new meshes, and the files of the examples |
-//! | `plain` | conversions between Rust and JavaScript |
+//! | `values` | values of Rust as those of JavaScript, with their TypeScript types, and back |
 //! | `warm_up` | iterations that make V8 optimise the solver |
 
 #[cfg(feature = "engine")]
@@ -17,7 +17,7 @@ pub mod jobs;
 #[cfg(feature = "view")]
 pub mod page;
 #[cfg(feature = "engine")]
-mod plain;
+mod values;
 #[cfg(feature = "engine")]
 pub mod warm_up;
 #[cfg(feature = "engine")]
@@ -28,13 +28,6 @@ use wasm_bindgen::JsValue;
 /// Returns the JavaScript `Error` for an error, whose message is one complete line.
 fn thrown(error: impl std::fmt::Display) -> JsValue {
     js_sys::Error::new(&error.to_string()).into()
-}
-
-/// Converts to a plain object: maps become objects, absent values null.
-#[cfg(feature = "engine")]
-fn plain_object(value: &impl serde::Serialize) -> Result<JsValue, JsValue> {
-    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
-    value.serialize(&serializer).map_err(thrown)
 }
 
 /// Creates the mesh of `positions`, `#V by 3`, and faces: face `f` has the corners from

@@ -33,7 +33,7 @@ fn the_glass_roof_pulls_both_ways_and_can_be_met() {
     assert!(flat > 0.001 && (0.05..0.06).contains(&near), "{flat} {near}");
 
     // Flatter panels alone are farther from the drawn shape.
-    let weights = |shape, close| Edit::SetWeights(Weights { shape, close, smooth: 0.5 });
+    let weights = |shape, close| Edit::SetWeights(Weights { shape, close, smooth: 0.5 }.into());
     session.edit(weights(1e4, 10.0)).expect("weights can be changed");
     let [flat, near] = run(&mut session)[..] else { panic!("it has two goals") };
     assert!(flat < 0.001 && near > 0.05, "{flat} {near}");
@@ -74,7 +74,7 @@ fn required(id: &str, require: Require, runs_first: bool) -> Vec<bool> {
     session.edit(edit).expect("it is not locked");
     session.solve(false).expect("positions stay finite");
     let weights = Weights { shape: 1e5, close: 0.0, smooth: 0.0 };
-    session.edit(Edit::SetWeights(weights)).expect_err("it is locked");
+    session.edit(Edit::SetWeights(weights.into())).expect_err("it is locked");
     met(&mut session)
 }
 

@@ -18,7 +18,7 @@ fn with_weights_of_fig_5(mesh: Mesh) -> Session {
     session
         .edit(Edit::MakePanels { kind: "circle".to_owned(), within: None, from: PanelStart::Now })
         .unwrap();
-    session.edit(Edit::SetWeights(FIG_5)).unwrap();
+    session.edit(Edit::SetWeights(FIG_5.into())).unwrap();
     session
 }
 
@@ -29,7 +29,8 @@ fn run(session: &mut Session, iterations: u32, goes_on: bool) -> bool {
         session.ignore_collapse();
     }
     let ended = (0..iterations).any(|_| session.step().unwrap().ended);
-    session.end_run();
+    let told = session.end_run();
+    assert_eq!(told, session.collapse().filter(|_| !goes_on));
     ended
 }
 
@@ -103,7 +104,7 @@ fn a_mesh_that_is_dragged_across_the_scene_has_not_collapsed() {
     session
         .edit(Edit::MakePanels { kind: "plane".to_owned(), within: None, from: PanelStart::Now })
         .unwrap();
-    session.edit(Edit::SetWeights(Weights::default())).unwrap();
+    session.edit(Edit::SetWeights(Weights::default().into())).unwrap();
     session.edit(Edit::AddHandles { vertices: vec![0], fixed: true }).unwrap();
     session.begin_drag();
     session.drag([(0, [100.0, 0.0, 0.0])]).unwrap();
@@ -140,7 +141,7 @@ fn a_scene_that_was_edited_is_watched_over_after_a_reload_too() {
     });
     let mut session = with_weights_of_fig_5(mesh.clone());
     let smooth = Weights { shape: 1.0, close: 0.0, smooth: 10.0 };
-    session.edit(Edit::SetWeights(smooth)).unwrap();
+    session.edit(Edit::SetWeights(smooth.into())).unwrap();
     let mut opened = Session::open(session.scene(), mesh).unwrap();
     opened.restore(&session.saved_history(), &[]).unwrap();
     assert!(run(&mut session, 5000, false) && session.collapse().is_some());

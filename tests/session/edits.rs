@@ -56,7 +56,7 @@ fn only_what_changes_the_problem_or_the_shape_is_another_generation() {
     }
     let weights = Weights { shape: 7.0, close: 1.0, smooth: 0.0 };
     for edit in [
-        Edit::SetWeights(weights),
+        Edit::SetWeights(weights.into()),
         Edit::AddHandles { vertices: vec![3], fixed: false },
         Edit::RemoveConstraint { index: 0 },
     ] {

@@ -31,7 +31,7 @@ fn run(session: &mut Session) {
 }
 
 fn edit(session: &mut Session, text: &serde_json::Value) {
-    let edit = Edit::from_json(&text.to_string(), session.document()).expect("it is an edit");
+    let edit = Edit::from_json(&text.to_string()).expect("it is an edit");
     session.edit(edit).expect("regular");
 }
 
@@ -64,15 +64,14 @@ fn an_improvement_is_one_step_of_undo_and_as_exact() {
 #[test]
 fn an_improvement_is_not_applied_to_constraints_that_changed_since_it_began() {
     let mut session = rough();
-    let circles = json!({ "type": "addConstraint", "kind": "circle", "on": "faces", "weight": 1 });
+    let circles = json!({ "addConstraint": { "kind": "circle", "on": "faces", "weight": 1 } });
     edit(&mut session, &circles);
-    edit(&mut session, &json!({ "type": "setConstraint", "index": 1, "enabled": false }));
+    edit(&mut session, &json!({ "setConstraint": { "index": 1, "enabled": false } }));
     run(&mut session);
     let begin = |session: &Session| session.improvement().expect("regular").expect("all is met");
     let mut trial = begin(&session);
     trial.step(&session).expect("regular");
-    let circular =
-        json!({ "type": "setConstraint", "index": 1, "enabled": true, "require": "exact" });
+    let circular = json!({ "setConstraint": { "index": 1, "enabled": true, "require": "exact" } });
     edit(&mut session, &circular);
     assert_eq!(trial.offer(&session), None);
     let before = session.positions();
@@ -119,7 +118,7 @@ fn a_trial_on_a_copy_is_accepted_unless_the_shape_has_changed() {
 fn what_is_found_during_a_drag_is_not_applied_and_does_not_end_the_drag() {
     // A drag became a step of undo when a trial that had begun before it was accepted.
     let mut session = rough();
-    edit(&mut session, &json!({ "type": "addHandles", "vertices": [14], "fixed": false }));
+    edit(&mut session, &json!({ "addHandles": { "vertices": [14], "fixed": false } }));
     run(&mut session);
     let mut trial = session.improvement().expect("regular").expect("all is met");
     while trial.step(&session).expect("regular") {}

@@ -5,23 +5,23 @@ use shape_up::scene::{Lock, NamedEnum, Results, Scene};
 use shape_up::session::Error;
 use shape_up::session::{DragPhase, Edit, PanelStart, Session, check_results};
 
-const VARIANT: &str = r#"{ "type": "goToVariant", "index": 0 }"#;
+const VARIANT: &str = r#"{ "goToVariant": { "index": 0 } }"#;
 
 /// Edits of each locked part.
 const EDITS: &[(Lock, &str)] = &[
-    (Lock::Weights, r#"{ "type": "setWeights", "close": 3 }"#),
-    (Lock::Weights, r#"{ "type": "set", "id": "closeness", "value": "rest" }"#),
-    (Lock::Weights, r#"{ "type": "setConstraint", "index": 0, "weight": 3 }"#),
-    (Lock::Weights, r#"{ "type": "holdClose", "weight": 3, "vertices": [1] }"#),
+    (Lock::Weights, r#"{ "setWeights": { "close": 3 } }"#),
+    (Lock::Weights, r#"{ "set": { "id": "closeness", "value": "rest" } }"#),
+    (Lock::Weights, r#"{ "setConstraint": { "index": 0, "weight": 3 } }"#),
+    (Lock::Weights, r#"{ "holdClose": { "weight": 3, "vertices": [1] } }"#),
     (Lock::Weights, VARIANT),
-    (Lock::Constraints, r#"{ "type": "setConstraint", "index": 0, "require": "exact" }"#),
-    (Lock::Constraints, r#"{ "type": "setConstraint", "index": 0, "enabled": false }"#),
-    (Lock::Constraints, r#"{ "type": "duplicateConstraint", "index": 0 }"#),
-    (Lock::Handles, r#"{ "type": "addHandles", "vertices": [3], "fixed": true }"#),
-    (Lock::Handles, r#"{ "type": "removeHandles", "vertices": [0] }"#),
+    (Lock::Constraints, r#"{ "setConstraint": { "index": 0, "require": "exact" } }"#),
+    (Lock::Constraints, r#"{ "setConstraint": { "index": 0, "enabled": false } }"#),
+    (Lock::Constraints, r#"{ "duplicateConstraint": { "index": 0 } }"#),
+    (Lock::Handles, r#"{ "addHandles": { "vertices": [3], "fixed": true } }"#),
+    (Lock::Handles, r#"{ "removeHandles": { "vertices": [0] } }"#),
     (Lock::Handles, VARIANT),
-    (Lock::Mesh, r#"{ "type": "refine", "scheme": "linear", "levels": 1 }"#),
-    (Lock::Mesh, r#"{ "type": "setUnits", "units": "km" }"#),
+    (Lock::Mesh, r#"{ "refine": { "scheme": "linear", "levels": 1 } }"#),
+    (Lock::Mesh, r#"{ "setUnits": { "units": "km" } }"#),
 ];
 
 fn scene(lock: &str) -> Scene {
@@ -59,7 +59,7 @@ fn each_lock_refuses_the_edits_of_its_part_and_no_other() {
         for (part, edit) in EDITS.iter().filter(|(_, edit)| *edit != VARIANT) {
             let mut session = session(&format!("[\"{}\"]", lock.0));
             let before = session.scene();
-            let edit = Edit::from_json(edit, session.document()).expect("it is an edit");
+            let edit = Edit::from_json(edit).expect("it is an edit");
             let outcome = session.edit(edit.clone());
             // The weight of a constraint belongs to both locks, weights and constraints.
             let of_both = matches!(edit, Edit::SetConstraint { weight: Some(_), .. });
@@ -85,7 +85,7 @@ fn a_lesson_with_locks_is_given_on_again_as_it_is() {
 fn nothing_gets_round_a_lock() {
     for (part, edit) in EDITS {
         let mut session = session(r#"["weights", "constraints", "handles", "mesh"]"#);
-        let edit = Edit::from_json(edit, session.document()).expect("it is an edit");
+        let edit = Edit::from_json(edit).expect("it is an edit");
         let before = session.scene();
         assert!(refused(session.edit(edit.clone())), "{part:?} {edit:?}");
         assert!(refused(session.edit_and_run(edit).map(|()| true)), "{part:?}");
@@ -100,8 +100,8 @@ fn nothing_gets_round_a_lock() {
         assert!(refused(session.drag([(0, [9.0; 3])]).map_err(Error::from).map(|()| true)));
         assert_eq!(session.scene(), before);
         // Solving, undo and solver settings remain available to the student.
-        let solver = r#"{ "type": "set", "id": "window", "value": 3 }"#;
-        let solver = Edit::from_json(solver, session.document()).expect("it is an edit");
+        let solver = r#"{ "set": { "id": "window", "value": 3 } }"#;
+        let solver = Edit::from_json(solver).expect("it is an edit");
         session.edit(solver).expect("it is not locked");
         session.solve(false).expect("positions stay finite");
         session.edit(Edit::Reset).expect("it is not locked");
@@ -138,8 +138,8 @@ fn panels_beyond_a_value_are_counted() {
 #[test]
 fn results_tell_what_was_done() {
     let mut session = session("[]");
-    let edit = r#"{ "type": "setWeights", "shape": 100 }"#;
-    let edit = Edit::from_json(edit, session.document()).expect("it is an edit");
+    let edit = r#"{ "setWeights": { "shape": 100 } }"#;
+    let edit = Edit::from_json(edit).expect("it is an edit");
     session.edit(edit).expect("nothing is locked");
     session.begin_run();
     session.step().expect("positions stay finite");
@@ -158,7 +158,7 @@ fn what_was_altered_is_found_by_the_part_that_is_locked() {
     let handed_in = |lock: &str| {
         let mut session = session("[]");
         for (part, edit) in EDITS.iter().filter(|(_, edit)| *edit != VARIANT) {
-            let edit = Edit::from_json(edit, session.document()).expect("it is an edit");
+            let edit = Edit::from_json(edit).expect("it is an edit");
             if *part != Lock::Mesh {
                 session.edit(edit).expect("nothing is locked");
             }

@@ -61,8 +61,8 @@ fn steps_are_written_set_and_undone() {
     let text = session.document().to_json(session.mesh());
     assert_eq!(Scene::from_json(&text).expect("it reads back").steps, before);
 
-    let edit = json!({ "type": "setSteps", "steps": [{ "title": "Only one" }] }).to_string();
-    let edit = Edit::from_json(&edit, session.document()).expect("it is an edit");
+    let edit = json!({ "setSteps": { "steps": [{ "title": "Only one" }] } }).to_string();
+    let edit = Edit::from_json(&edit).expect("it is an edit");
     assert!(session.edit(edit).expect("they fit"));
     let only = Slide { title: "Only one".to_owned(), ..Slide::default() };
     assert_eq!(session.document().steps, [only]);
@@ -110,9 +110,9 @@ fn steps_that_cannot_be_are_refused_with_their_path() {
         let one = json!([step(more)]);
         let error = Session::open(scene_with(&one), bumpy(3)).err().expect(path);
         assert!(error.to_string().contains(path), "{error}");
-        let edit = json!({ "type": "setSteps", "steps": one }).to_string();
+        let edit = json!({ "setSteps": { "steps": one } }).to_string();
         let mut session = session();
-        let edit = Edit::from_json(&edit, session.document()).expect("its form is right");
+        let edit = Edit::from_json(&edit).expect("its form is right");
         let error = session.edit(edit).expect_err(path);
         assert!(error.to_string().contains(path), "{error}");
         assert_eq!(session.document().steps.len(), 2, "nothing has changed");

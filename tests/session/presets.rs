@@ -21,7 +21,7 @@ fn a_preset_is_one_step_and_known_by_its_settings() {
     session.edit(Edit::Preset { id: "fig-5".to_owned() }).unwrap();
     let weights = session.document().weights;
     session.edit(Edit::Preset { id: "opened".to_owned() }).unwrap();
-    session.edit(Edit::SetWeights(weights)).unwrap();
+    session.edit(Edit::SetWeights(weights.into())).unwrap();
     assert_eq!(Preset::of(session.document()), None);
     session.undo().unwrap();
     session.undo().unwrap();
@@ -97,8 +97,8 @@ fn points_and_curves_stay_near_what_they_are_without_a_surface() {
         for id in ["opened", "fig-7"] {
             let mut session = opened(mesh.clone());
             session.edit(Edit::Preset { id: id.to_owned() }).unwrap();
-            let row = r#"{ "type": "addConstraint", "kind": "sphere", "on": { "vertices": "0-39" }, "weight": 1 }"#;
-            let row = Edit::from_json(row, session.document()).unwrap();
+            let row = r#"{ "addConstraint": { "kind": "sphere", "on": { "vertices": "0-39" }, "weight": 1 } }"#;
+            let row = Edit::from_json(row).unwrap();
             session.edit(row).unwrap();
             let before = session.solver().energy().shape;
             session.solve(false).unwrap();

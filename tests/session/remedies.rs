@@ -34,7 +34,7 @@ fn remedies(session: &Session) -> Vec<Remedy> {
 fn each_helps(session: &mut Session, remedies: &[Remedy]) {
     let before = session.worst_distance();
     for Remedy { label, edit, worst } in remedies {
-        let edit = Edit::from_json(&edit.to_string(), session.document()).expect("it is an edit");
+        let edit = Edit::from_json(&edit.to_string()).expect("it is an edit");
         session.edit(edit).expect("it was tried");
         // Convergence takes long; 250 iterations already lower the error.
         run(session, 250);
@@ -119,7 +119,7 @@ fn weighing_constraints_more_brings_all_panels_within_the_tolerance() {
     let remedies = remedies(&session);
     let more = remedies.iter().find(|remedy| remedy.label == "Weigh constraints more");
     let edit = more.expect("it helps").edit.to_string();
-    session.edit(Edit::from_json(&edit, session.document()).expect("it is an edit")).expect("fits");
+    session.edit(Edit::from_json(&edit).expect("it is an edit")).expect("fits");
     run(&mut session, 3000);
     let verdict = session.verdict(session.tolerance()).expect("all panels are asked to be circles");
     assert_eq!(verdict.within, verdict.of, "worst {:e}", verdict.worst);

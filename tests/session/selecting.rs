@@ -231,8 +231,8 @@ fn a_boundary_loop_is_that_of_the_selection() {
 #[test]
 fn vertices_that_nothing_acts_on_are_found() {
     let mut session = session(wavy(5, 5));
-    let plane = r#"{ "type": "addConstraint", "kind": "plane", "on": { "vertices": [0, 1, 6, 7] }, "weight": 1 }"#;
-    let plane = Edit::from_json(plane, session.document()).expect("it is an edit");
+    let plane = r#"{ "addConstraint": { "kind": "plane", "on": { "vertices": [0, 1, 6, 7] }, "weight": 1 } }"#;
+    let plane = Edit::from_json(plane).expect("it is an edit");
     let find = |session: &mut Session| {
         let found = ask(session, "free", Mode::Faces, &Selection::default(), json!({}));
         found.expect("it takes no parameters").vertices.len()

@@ -94,7 +94,7 @@ fn every_edit_is_undone_and_redone() {
         },
         Edit::AddHandles { vertices: vec![0, 4], fixed: true },
         Edit::AddHandles { vertices: vec![24, 4], fixed: false },
-        Edit::SetWeights(Weights { shape: 5.0, close: 1.0, smooth: 0.5 }),
+        Edit::SetWeights(Weights { shape: 5.0, close: 1.0, smooth: 0.5 }.into()),
         Edit::SetConstraint {
             index: 0,
             weight: None,
@@ -183,7 +183,10 @@ fn a_refused_edit_leaves_everything_as_it_was() {
             },
             "weight",
         ),
-        (Edit::SetWeights(Weights { shape: f64::NAN, close: 0.0, smooth: 0.0 }), "weights.shape"),
+        (
+            Edit::SetWeights(Weights { shape: f64::NAN, close: 0.0, smooth: 0.0 }.into()),
+            "weights.shape",
+        ),
     ];
     for (edit, names) in refused {
         let error = session.edit(edit).expect_err("the edit does not fit").to_string();

@@ -80,8 +80,9 @@ fn deed() -> impl Strategy<Value = Deed> {
             let params = params.expect("it is an object");
             Edit::SetConstraint { index, weight: None, require: None, enabled: None, params }
         }),
-        (0.1..9.0, 0.1..9.0, 0.0..9.0)
-            .prop_map(|(shape, close, smooth)| Edit::SetWeights(Weights { shape, close, smooth })),
+        (0.1..9.0, 0.1..9.0, 0.0..9.0).prop_map(|(shape, close, smooth)| Edit::SetWeights(
+            Weights { shape, close, smooth }.into()
+        )),
         (proptest::collection::vec(0..VERTICES + 2, 0..4), 0.0..9.0)
             .prop_map(|(vertices, weight)| Edit::WeighHandles { vertices, weight }),
         (proptest::option::of(vertices()), 0.0..9.0)
@@ -203,7 +204,7 @@ fn an_edit_that_changes_nothing_is_no_step() {
         Edit::Reset,
         same(Some(1.0)),
         same(None),
-        Edit::SetWeights(document.weights),
+        Edit::SetWeights(document.weights.into()),
         Edit::SetUnits { units: document.units },
         Edit::SetUp { up: document.up },
         Edit::SetLesson { lesson: None, unsolved: false },

@@ -115,9 +115,12 @@ fn edits_end_where_the_edited_scene_begins() {
                 ("fix all", Edit::AddHandles { vertices: (0..144).collect(), fixed: true }),
                 ("hold all", Edit::AddHandles { vertices: (0..144).collect(), fixed: false }),
                 ("release all but two", Edit::RemoveHandles { vertices: (2..144).collect() }),
-                ("reweigh", Edit::SetWeights(Weights { shape: 3.0, ..scene.weights })),
+                ("reweigh", Edit::SetWeights(Weights { shape: 3.0, ..scene.weights }.into())),
                 ("hold after that", Edit::AddHandles { vertices: vec![66], fixed: false }),
-                ("add smoothness", Edit::SetWeights(Weights { smooth: 0.7, ..scene.weights })),
+                (
+                    "add smoothness",
+                    Edit::SetWeights(Weights { smooth: 0.7, ..scene.weights }.into()),
+                ),
             ];
             for (what, edit) in edits {
                 session.edit(edit).expect("the system stays regular");
@@ -166,7 +169,7 @@ fn a_refused_weight_leaves_everything_as_it_was() {
     run(&mut session, 2);
     let before = (session.positions(), session.solver().energy(), session.document().clone());
     let weights = Weights { shape: -1.0, ..session.document().weights };
-    session.edit(Edit::SetWeights(weights)).expect_err("weights are not negative");
+    session.edit(Edit::SetWeights(weights.into())).expect_err("weights are not negative");
     assert_eq!(
         before,
         (session.positions(), session.solver().energy(), session.document().clone())

@@ -22,7 +22,7 @@ export function reportCollapse({ store, alerts, actions }: AppContext, collapse:
       label: 'Increase closeness',
       action: async () => {
         await actions.undo();
-        if ((await actions.edit({ type: 'holdCloser' })) !== undefined) actions.run();
+        if ((await actions.edit('holdCloser')) !== undefined) actions.run();
       },
     },
     { label: 'Continue anyway', action: () => actions.run(true) },

@@ -252,5 +252,5 @@ const askToExport = oneAtATime((collapse: string) =>
 async function asMesh(file: NamedBytes, cancelled?: AbortSignal): Promise<NamedBytes> {
   if (!IS_RHINO.test(file.name)) return file;
   const { askRhino } = await import('./rhino/rhino-client.ts');
-  return askRhino({ type: 'read', file }, cancelled);
+  return askRhino((rhino) => rhino.read(file), cancelled);
 }

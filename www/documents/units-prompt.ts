@@ -48,8 +48,8 @@ function changes(store: Store, actions: Actions): (part: Partial<Frame>) => Prom
     const { model, document } = store.get();
     if (!model || !document) return;
     const { units = document.units, up = document.up } = part;
-    if (units !== document.units) await actions.edit({ type: 'setUnits', units });
-    if (up !== document.up) await actions.edit({ type: 'setUp', up });
+    if (units !== document.units) await actions.edit({ setUnits: { units } });
+    if (up !== document.up) await actions.edit({ setUp: { up } });
     rememberFrame(model.name, { units, up });
   };
 }

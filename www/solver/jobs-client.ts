@@ -5,8 +5,8 @@
 
 import { Emitter } from './emitter.ts';
 import { Cancelled } from './errors.ts';
-import { calling, Waiting, type Call, type Remote } from './remote.ts';
-import type { JobAnswer, Jobs } from '../worker/jobs-worker.ts';
+import { calling, Waiting, type Answer, type Remote } from './remote.ts';
+import type { Jobs } from '../worker/jobs-worker.ts';
 
 /** Time after which the user may want to cancel a job, in milliseconds. */
 const LONG_MS = 1500;
@@ -40,7 +40,7 @@ export class JobsClient extends Emitter<{ busy: { busy: boolean } }> {
     const started = (this.#worker ??= this.#start());
     const worker = await started;
     if (this.#worker !== started) throw new Cancelled();
-    const answer = this.#waiting.call(name, given, (call: Call) => worker.postMessage(call));
+    const answer = this.#waiting.call(name, given, (call) => worker.postMessage(call));
     if (this.#waiting.size === 1) this.#follow();
     return answer;
   }
@@ -51,7 +51,7 @@ export class JobsClient extends Emitter<{ busy: { busy: boolean } }> {
       type: 'module',
       name: 'jobs',
     });
-    worker.onmessage = ({ data }: MessageEvent<JobAnswer>) => this.#receive(data);
+    worker.onmessage = ({ data }: MessageEvent<Answer>) => this.#receive(data);
     worker.onerror = (event) => {
       event.preventDefault();
       this.#end(new Error('A part of the page could not be fetched. Check the network.'));
@@ -60,15 +60,11 @@ export class JobsClient extends Emitter<{ busy: { busy: boolean } }> {
     return worker;
   }
 
-  #receive(answer: JobAnswer) {
-    if ('refused' in answer) {
-      this.#waiting.settle(answer.id, null, new Error(answer.refused));
-      // What the engine had is lost; the next call starts another worker.
-      if (answer.isDead) return this.#end(new Error(answer.refused));
-    } else {
-      this.#waiting.settle(answer.id, answer.value, null);
-    }
-    this.#follow();
+  #receive(answer: Answer) {
+    this.#waiting.receive(answer);
+    // What the engine had is lost; the next call starts another worker.
+    if ('refused' in answer && answer.isDead) this.#end(new Error(answer.refused));
+    else this.#follow();
   }
 
   /** Ends the worker; its calls fail with the error. */

@@ -3,6 +3,8 @@
  * is an error of the compiler, since the types are those of the methods themselves.
  */
 
+import { isTrap, messageOf } from './errors.ts';
+
 type Method = (...given: never[]) => unknown;
 type Methods<Host> = {
   [
@@ -29,6 +31,20 @@ export interface Call {
   id?: number;
   name: string;
   given: unknown[];
+}
+
+/** An answer, as it is sent back. After a trap, the engine in the worker is of no use. */
+export type Answer =
+  { id: number; value: unknown } | { id: number; refused: string; isDead: boolean };
+
+/** Calls one of the methods of a worker. */
+export async function answerTo(methods: object, { id = 0, name, given }: Call): Promise<Answer> {
+  try {
+    const method = (methods as Record<string, (...given: unknown[]) => unknown>)[name];
+    return { id, value: await method(...given) };
+  } catch (thrown) {
+    return { id, refused: messageOf(thrown), isDead: isTrap(thrown) };
+  }
 }
 
 /** Returns an object whose methods are passed on to `call`. */
@@ -82,6 +98,12 @@ export class Waiting {
     if (error) waiting?.reject(error);
     else waiting?.resolve(value);
     return waiting?.name;
+  }
+
+  /** Settles the call that is answered. */
+  receive(answer: Answer) {
+    if ('refused' in answer) this.settle(answer.id, null, new Error(answer.refused));
+    else this.settle(answer.id, answer.value, null);
   }
 
   /** Settles all calls with an error. */

@@ -1,7 +1,5 @@
 /** Types of what crosses between the page and the engine: those of Rust under the page's names, and more. */
 
-import type { Sent } from '../pkg/engine/shape_up.js';
-
 // Declared by Rust: a changed field becomes a type error here.
 export type {
   BuildCard,
@@ -12,8 +10,13 @@ export type {
   BuildReport,
   CheckRow,
   CheckWords,
+  ConformalNorm as MapNorm,
+  ConformalWeights as MapWeights,
   ConstraintRow,
+  ConstraintTarget as Selector,
   Document as SceneDocument,
+  DrawnProjections as Projections,
+  Edit,
   Elements,
   ElementWords as ElementInfo,
   Energy,
@@ -22,28 +25,24 @@ export type {
   ExactWords,
   FaceMeasure,
   FewerFlips,
+  FlatMap as Parametrization,
   Form,
   Frame as Numbers,
   HalfStep as Half,
   HandleRow as Handle,
   KindWords as KindInfo,
   LessonWords,
-  MapNorm,
-  MapWeights,
   Members,
   Operation,
   PanelStart,
   PanelVerdict,
   Param as ParamInfo,
-  Parametrization,
   ParamValue,
   PresetOffer as Preset,
   Preview,
-  Projections,
   Remedy,
   Require,
   RowColours,
-  Selector,
   SelectRequest,
   Setting as SettingInfo,
   SheetPicture,
@@ -71,9 +70,6 @@ export type Loaded = import('../pkg/engine/shape_up.js').Loaded & {
 
 /** The id of a {@link FaceMeasure}. */
 export type Measure = string;
-
-/** An edit of the document, which is one step of undo. */
-export type Edit = Sent<import('../pkg/engine/shape_up.js').Edit>;
 
 /** The connectivity of the mesh, sent once. */
 export interface Connectivity {
@@ -111,7 +107,7 @@ export type Drag = {
   vertices: Uint32Array;
   targets: Float64Array;
   time?: number;
-  phase: 'make' | 'start' | 'move' | 'end' | 'cancel';
+  phase: import('../pkg/engine/shape_up.js').DragPhase;
 };
 
 /** All build settings; a scene contains only those that differ from the default. */

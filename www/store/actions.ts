@@ -91,7 +91,7 @@ export function createActions(
 
   async function addHandles(vertices: number[], fixed: boolean) {
     if (vertices.length === 0) return setStatus('Select a vertex first, then press H.');
-    if ((await edit({ type: 'addHandles', vertices, fixed })) === undefined) return;
+    if ((await edit({ addHandles: { vertices, fixed } })) === undefined) return;
     setStatus(`${count(vertices.length, 'handle')} ${fixed ? 'fixed' : 'added'}`);
   }
 
@@ -111,7 +111,7 @@ export function createActions(
     const handles = new Set(store.get().document?.handles.map((handle) => handle.vertex));
     const held = vertices.filter((vertex) => handles.has(vertex));
     if (held.length === 0) return setStatus('No handle is selected.');
-    if ((await edit({ type: 'removeHandles', vertices: held })) === undefined) return;
+    if ((await edit({ removeHandles: { vertices: held } })) === undefined) return;
     setStatus(`${count(held.length, 'handle')} removed`);
   }
 
@@ -191,7 +191,7 @@ export function createActions(
     },
 
     async reset() {
-      if ((await edit({ type: 'reset' })) !== undefined) setStatus('Back to the original');
+      if ((await edit('reset')) !== undefined) setStatus('Back to the original');
     },
 
     async undo() {

@@ -55,7 +55,7 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
     open: (given: Opening) => open(solver, scheduler, given),
     /** Edits the document, as one step of undo. */
     edit(edit: Edit) {
-      if (edit.type === 'reset') scheduler.pause();
+      if (edit === 'reset') scheduler.pause();
       scheduler.betweenRuns(() => solver.edit(edit));
       return null;
     },

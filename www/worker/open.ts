@@ -1,8 +1,7 @@
 /** Opens the files of a model in the worker. */
 
-import { messageOf } from '../solver/errors.ts';
+import { isTrap, messageOf } from '../solver/errors.ts';
 import { filesNamed, mainOf } from '../solver/opened-files.ts';
-import { isTrap } from './wasm-errors.ts';
 import type { Solver } from '../pkg/engine/shape_up.js';
 import type { Loaded, NamedBytes, Saved } from '../solver/types.ts';
 import type { Scheduler } from './scheduler.ts';

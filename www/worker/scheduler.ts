@@ -3,11 +3,10 @@
  * is dragged, and which updates are due for the page.
  */
 
-import { messageOf } from '../solver/errors.ts';
+import { isTrap, messageOf } from '../solver/errors.ts';
 import type { FromWorker } from '../solver/events.ts';
 import type { Drag, Loaded, Half } from '../solver/types.ts';
 import { Frames } from './frames.ts';
-import { isTrap } from './wasm-errors.ts';
 import type { Solver } from '../pkg/engine/shape_up.js';
 
 /** Duration of a slice of iterations between messages, in milliseconds. */
@@ -29,8 +28,6 @@ export class Scheduler {
   #isLoaded = false;
   /** Run was pressed, and the iteration has not converged since. */
   #isRunning = false;
-  /** Whether the run continues even if the shape collapses. */
-  #ignoresCollapse = false;
   #isDragging = false;
   /** While iterating, no frame is sent before this time. */
   #nextFrame = 0;
@@ -107,7 +104,6 @@ export class Scheduler {
     if (!this.#isLoaded || this.#isRunning) return;
     this.#post({ type: 'working' });
     this.#solver.beginRun();
-    this.#ignoresCollapse = ignoreCollapse;
     if (ignoreCollapse) this.#solver.ignoreCollapse();
     this.#isRunning = true;
     this.#isSettled = false;
@@ -175,7 +171,7 @@ export class Scheduler {
   runFor(ask: () => void) {
     ask();
     this.#isRunning = true;
-    this.#ignoresCollapse = this.#isSettled = false;
+    this.#isSettled = false;
     this.#activityDue = true;
     this.changed();
     this.#sliceIsNew = true;
@@ -311,11 +307,14 @@ export class Scheduler {
     }
   }
 
-  /** Ends the run and its step of undo. */
+  /**
+   * Ends the run and its step of undo.
+   * @returns how the shape has collapsed, unless that is to be ignored
+   */
   #endRun() {
     this.#isRunning = false;
-    this.#solver.endRun();
     this.#activityDue = true;
+    return this.#solver.endRun();
   }
 
   #queueSlice() {
@@ -357,9 +356,8 @@ export class Scheduler {
       this.frames.due = true;
     }
     if (this.#isSettled && this.#isRunning && !this.#isDragging) {
-      this.#endRun();
+      collapse = this.#endRun();
       this.changed();
-      if (!this.#ignoresCollapse) collapse = this.#solver.collapse();
     } else if (this.frames.due) {
       this.#progressTimer ||= setTimeout(() => this.#sendProgress(), this.#progressEvery);
     }

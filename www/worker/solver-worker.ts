@@ -1,12 +1,11 @@
 /** The worker: owns the Solver and answers the calls of the page. The page decides. */
 
 import init, { Solver } from '../pkg/engine/shape_up.js';
-import { messageOf } from '../solver/errors.ts';
+import { isTrap, messageOf } from '../solver/errors.ts';
 import { fetchModule } from './fetch-wasm.ts';
 import { changesOf, commandsOf, questionsOf } from './interface.ts';
 import { Scheduler } from './scheduler.ts';
 import { resetIdle } from './warm-up.ts';
-import { isTrap } from './wasm-errors.ts';
 import type { FromWorker } from '../solver/events.ts';
 import type { Call } from '../solver/remote.ts';
 

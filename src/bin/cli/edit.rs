@@ -75,10 +75,9 @@ pub(in crate::cli) fn edit(command: &Remesh) -> Result<(), Failure> {
     let sizes = command.sizes.iter().zip(defaults);
     let sizes: Vec<f64> = sizes.map(|(given, default)| given.unwrap_or(default)).collect();
     let mut asked = command.picked.clone();
-    asked.insert("type".to_owned(), "remesh".into());
     asked.insert("operation".to_owned(), command.operation.into());
     asked.insert("sizes".to_owned(), json!(sizes));
-    let asked = Edit::from_json(&Value::Object(asked).to_string(), session.document());
+    let asked = Edit::from_json(&json!({ "remesh": asked }).to_string());
     let before = session.mesh().faces.len();
     session.edit(asked.map_err(|error| at_input(error.into()))?).map_err(at_input)?;
 

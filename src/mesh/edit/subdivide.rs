@@ -17,6 +17,7 @@ const MOST_VERTICES: usize = 4_000_000;
 
 /// Subdivision scheme.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "kebab-case"))]
 pub enum Scheme {
     /// Smooth; quads from polygons.
     #[default]

@@ -168,7 +168,7 @@ pub(crate) fn apply(
         }
         Edit::SetWeights(weights) => {
             draft.set(|document| {
-                document.weights = weights;
+                weights.put_into(&mut document.weights);
                 Ok(())
             })?;
             "Change weights".to_owned()

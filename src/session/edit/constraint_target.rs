@@ -2,15 +2,22 @@
 //! and its shape on the mesh, which determines the usual kind.
 
 use crate::constraint::{Element, Selector, Set, Sets, TargetShape};
-use crate::json::{Either, from_text, from_value, word_or};
+use crate::json::{Either, word_or};
 use crate::math::marked;
 use crate::mesh::{Mesh, Ragged, Topology};
-use crate::scene::SceneError;
 use serde::de::{Deserialize, Deserializer};
-use serde_json::Value;
 
-/// The target of a constraint: a selector, which may refer to a set without a name.
+/// The target of a constraint: a selector, which may refer to a set without a name. As JSON it is a
+/// selector as in a scene file, in which `in` may also be a set, `{"faces": ...}` or
+/// `{"vertices": ...}`.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    target_arch = "wasm32",
+    derive(tsify::Tsify),
+    tsify(
+        type = "{ each: string; in?: string | { faces: number[] } | { vertices: number[] } } | { vertices: number[] }"
+    )
+)]
 pub struct ConstraintTarget {
     /// The selector.
     pub on: Selector,
@@ -21,16 +28,6 @@ pub struct ConstraintTarget {
 impl ConstraintTarget {
     /// The placeholder for `set` in the selector.
     pub const UNNAMED: &str = "";
-
-    /// Reads an array of targets: each is a selector as in a scene file, in which `in` may also be
-    /// a set without a name, `{"faces": ...}` or `{"vertices": ...}`.
-    ///
-    /// # Errors
-    /// As [`Scene::from_json`], with the path within the target.
-    pub fn all_from_json(text: &str) -> Result<Vec<ConstraintTarget>, SceneError> {
-        let targets: Vec<Value> = from_text(text)?;
-        targets.into_iter().map(|target| Ok(from_value(target)?)).collect()
-    }
 
     /// Returns the selector with the name that its set has in `sets`. If it has none, chooses an
     /// unused name and also returns it with the set.

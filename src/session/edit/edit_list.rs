@@ -1,21 +1,22 @@
 //! The edits of the document: each is one step of undo.
 
+use super::constraint_target::ConstraintTarget;
 use super::remeshing::Remeshing;
 use crate::constraint::Set;
 use crate::json::indices::{self, Indices};
-use crate::json::{object, objects};
+use crate::json::{JsonError, from_text, object, objects};
 use crate::mesh::{KEPT_TURN, Point, Scheme};
 use crate::scene::BuildSettings;
-use crate::scene::{ConstraintSpec, Lesson, NamedEnum, Slide, Up, Weights};
+use crate::scene::{ConstraintSpec, Lesson, SceneError, Slide, Up, Weights, kind_of};
 use crate::solve::Require;
-use serde::de::IgnoredAny;
-use serde::{Deserialize, Deserializer};
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 use std::rc::Rc;
 
-/// An edit of the document; see [`Edit::from_json`].
+/// An edit of the document. As JSON it is an object with one key, the name of the variant in camel
+/// case, and its fields as the value; or that name alone if it has none.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(rename_all = "camelCase")]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub enum Edit {
     /// Appends a row of constraints.
@@ -49,7 +50,6 @@ pub enum Edit {
         enabled: Option<bool>,
         /// Whether it is soft or hard, as in scene files.
         #[serde(default)]
-        #[cfg_attr(target_arch = "wasm32", tsify(type = "Require"))]
         require: Option<Require>,
         /// New values of parameters, as in scene files; all others stay.
         #[serde(default)]
@@ -102,7 +102,6 @@ pub enum Edit {
     },
     /// Goes back to where iterating began, if the shape has collapsed since, and holds all vertices
     /// closer to their rest positions.
-    #[serde(deserialize_with = "nothing")]
     HoldCloser,
     /// Keeps vertices close to the surface of a mesh file instead of the original.
     FitTo {
@@ -119,7 +118,6 @@ pub enum Edit {
         text: String,
     },
     /// Uses the mesh itself as the rest shape again.
-    #[serde(deserialize_with = "nothing")]
     LeavePose,
     /// Makes handles soft, with a weight.
     WeighHandles {
@@ -129,8 +127,8 @@ pub enum Edit {
         /// The weight, positive.
         weight: f64,
     },
-    /// Replaces the weights of Eq. 13.
-    SetWeights(#[cfg_attr(target_arch = "wasm32", tsify(type = "Partial<Weights>"))] Weights),
+    /// Replaces weights of Eq. 13.
+    SetWeights(SomeWeights),
     /// Applies a preset: see [`crate::scene::PRESETS`].
     Preset {
         /// The id of a preset.
@@ -144,7 +142,6 @@ pub enum Edit {
     /// Sets the vertical axis; the coordinates do not change.
     SetUp {
         /// The axis.
-        #[cfg_attr(target_arch = "wasm32", tsify(type = "\"y\" | \"z\""))]
         up: Up,
     },
     /// Makes the scene an exercise, or ends that.
@@ -207,10 +204,6 @@ pub enum Edit {
     /// Subdivides each face: see [`crate::mesh::Subdivision`]. The scene is carried over.
     Refine {
         /// The scheme.
-        #[cfg_attr(
-            target_arch = "wasm32",
-            tsify(type = "\"catmull-clark\" | \"linear\" | \"loop\"")
-        )]
         scheme: Scheme,
         /// Number of levels, at least 1.
         levels: u32,
@@ -224,13 +217,17 @@ pub enum Edit {
     /// Changes the mesh by one of the [`crate::mesh::MESH_OPERATIONS`]. The scene is carried over.
     Remesh(Remeshing),
     /// Goes back to the rest shape; constraints, handles and weights stay.
-    #[serde(deserialize_with = "nothing")]
     Reset,
 }
 
-/// Reads the object of an edit that has no fields.
-fn nothing<'de, D: Deserializer<'de>>(from: D) -> Result<(), D::Error> {
-    IgnoredAny::deserialize(from).map(|_| ())
+impl Edit {
+    /// Reads an edit.
+    ///
+    /// # Errors
+    /// As [`crate::scene::Scene::from_json`].
+    pub fn from_json(text: &str) -> Result<Edit, SceneError> {
+        Ok(from_text(text)?)
+    }
 }
 
 fn kept_turn() -> f64 {
@@ -241,17 +238,75 @@ fn list_or_none<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<u32>>, 
     Option::<Indices>::deserialize(from).map(|list| list.map(|Indices(list)| list))
 }
 
-/// A new row of constraints.
-#[derive(Clone, Debug, PartialEq)]
+/// A new row of constraints. As JSON it has the keys of a scene file, but its parameters in `params`
+/// and `on` as a [`ConstraintTarget`].
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(try_from = "ConstraintEntry")]
 pub struct NewConstraint {
     /// The row.
     pub spec: ConstraintSpec,
-    /// The set that [`super::ConstraintTarget::UNNAMED`] stands for in the selector.
+    /// The set that [`ConstraintTarget::UNNAMED`] stands for in the selector.
     pub set: Option<Set>,
 }
 
+/// A row to be added, in JSON.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+struct ConstraintEntry {
+    kind: String,
+    on: ConstraintTarget,
+    weight: f64,
+    #[serde(default)]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
+    params: Map<String, Value>,
+}
+
+impl TryFrom<ConstraintEntry> for NewConstraint {
+    type Error = JsonError;
+
+    fn try_from(entry: ConstraintEntry) -> Result<NewConstraint, JsonError> {
+        let ConstraintEntry { kind, on: ConstraintTarget { on, set }, weight, params } = entry;
+        let kind = kind_of(&kind, params)?;
+        let (name, require, eased) = (String::new(), Require::Soft, None);
+        let spec = ConstraintSpec { kind, on, weight, enabled: true, name, require, eased };
+        Ok(NewConstraint { spec, set })
+    }
+}
+
+/// New values of some of the weights; the others stay.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SomeWeights {
+    /// Of all constraints.
+    pub shape: Option<f64>,
+    /// Of closeness.
+    pub close: Option<f64>,
+    /// Of smoothness.
+    pub smooth: Option<f64>,
+}
+
+impl SomeWeights {
+    /// Replaces these weights in `weights`.
+    pub(super) fn put_into(self, weights: &mut Weights) {
+        let Weights { shape, close, smooth } = weights;
+        for (new, weight) in [(self.shape, shape), (self.close, close), (self.smooth, smooth)] {
+            *weight = new.unwrap_or(*weight);
+        }
+    }
+}
+
+impl From<Weights> for SomeWeights {
+    fn from(Weights { shape, close, smooth }: Weights) -> SomeWeights {
+        SomeWeights { shape: Some(shape), close: Some(close), smooth: Some(smooth) }
+    }
+}
+
 /// The start of a run that makes all panels one shape.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
 pub enum PanelStart {
     /// The current shape.
     Now,
@@ -269,14 +324,4 @@ pub enum PanelStart {
 impl PanelStart {
     /// The factor of the smoothness weight.
     pub(super) const SMOOTHER: f64 = 10.0;
-}
-
-impl NamedEnum for PanelStart {
-    const WORDS: &'static [(&'static str, PanelStart)] = &[
-        ("now", PanelStart::Now),
-        ("original", PanelStart::Original),
-        ("smoother", PanelStart::Smoother),
-        ("surface", PanelStart::Surface),
-        ("boundary", PanelStart::Boundary),
-    ];
 }

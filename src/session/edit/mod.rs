@@ -2,9 +2,8 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `edit_list` | the edits |
+//! | `edit_list` | the edits, as JSON too |
 //! | `apply` | the effect of each edit on a draft |
-//! | `edit_json` | edits and selections from JSON |
 //! | `constraint_target` | the target of a constraint, and its shape on the mesh, which determines the usual kind |
 //! | `preview` | the number of constraints that a new row would have |
 //! | `closeness_weights` | factors of closeness for single vertices |
@@ -18,7 +17,6 @@ mod apply;
 mod carry;
 mod closeness_weights;
 mod constraint_target;
-mod edit_json;
 mod edit_list;
 mod locks;
 mod preview;
@@ -29,7 +27,7 @@ mod shapes;
 pub(crate) use apply::apply;
 pub(crate) use carry::{Carried, carry};
 pub use constraint_target::ConstraintTarget;
-pub use edit_list::{Edit, NewConstraint, PanelStart};
+pub use edit_list::{Edit, NewConstraint, PanelStart, SomeWeights};
 pub(crate) use locks::{check_lock, check_locks};
 pub use preview::Preview;
 pub(crate) use preview::previews;

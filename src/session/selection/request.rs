@@ -25,7 +25,7 @@ impl NamedEnum for Mode {
 
 /// Some vertices, edges and faces.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Selection {
     /// Indices of vertices.
@@ -41,6 +41,7 @@ pub struct Selection {
 
 /// A selection operation, applied to a selection.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct SelectRequest {
     /// The id of an [`Operation`](super::Operation).

@@ -2,7 +2,7 @@
 //! only those that help are offered, with what they would come to.
 
 use crate::mesh::Mesh;
-use crate::scene::{NamedEnum, Scene, panel_adjective, panel_offers};
+use crate::scene::{Scene, panel_adjective, panel_offers};
 use crate::session::edit::PanelStart;
 use crate::session::run::{Flaw, Level};
 use crate::session::{Error, Session, Verdict};
@@ -31,8 +31,8 @@ pub struct BetterPress {
     pub kind: &'static str,
     /// their tolerance, in the unit of the mesh,
     pub within: f64,
-    /// and the start: see [`PanelStart`].
-    pub from: &'static str,
+    /// and the start.
+    pub from: PanelStart,
     /// The level of its shape.
     pub level: Level,
     /// The largest distance of its surface from the original, in the unit of the mesh.
@@ -160,7 +160,7 @@ impl BetterPresses {
             label,
             kind,
             within,
-            from: from.word(),
+            from,
             level: after.level,
             surface: after.surface.max,
         })

@@ -27,7 +27,7 @@ pub struct Remedy {
     /// The label of the edit.
     pub label: String,
     /// The edit in JSON, for [`Edit::from_json`].
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "Sent<Edit>"))]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Edit"))]
     pub edit: Value,
     /// The worst distance of a vertex to its projection after the trial, in the unit of the mesh.
     pub worst: f64,
@@ -87,7 +87,7 @@ impl Remedies {
 
     fn begin_next(&mut self) -> Result<bool, Error> {
         let Some((label, edit)) = self.untried.pop() else { return Ok(false) };
-        let read = Edit::from_json(&edit.to_string(), self.session.document())?;
+        let read = Edit::from_json(&edit.to_string())?;
         // An edit that is refused, for example because nothing would hold the mesh, does not help.
         if self.session.edit(read).is_ok() {
             self.current = Some(Trial { label, edit, iterations: 0 });
@@ -129,26 +129,23 @@ fn candidates(session: &Session) -> Vec<(String, Value)> {
     let mut offer = |label: &str, edit: Value| candidates.push((label.to_owned(), edit));
     let is_close = weights.close > 0.0 && document.closeness.to != ClosenessTo::None;
     if is_close {
-        offer(
-            "Weigh closeness less",
-            json!({ "type": "setWeights", "close": weights.close / FACTOR }),
-        );
+        offer("Weigh closeness less", json!({ "setWeights": { "close": weights.close / FACTOR } }));
     }
     if weights.smooth > 0.0 {
-        offer("Smooth less", json!({ "type": "setWeights", "smooth": weights.smooth / FACTOR }));
+        offer("Smooth less", json!({ "setWeights": { "smooth": weights.smooth / FACTOR } }));
     }
     offer(
         "Weigh constraints more",
-        json!({ "type": "setWeights", "shape": weights.shape * sufficient_factor(session) }),
+        json!({ "setWeights": { "shape": weights.shape * sufficient_factor(session) } }),
     );
     let handles: Vec<u32> = session.solver().handles().iter().map(|handle| handle.vertex).collect();
     if !handles.is_empty() {
-        offer("Release the handles", json!({ "type": "removeHandles", "vertices": handles }));
+        offer("Release the handles", json!({ "removeHandles": { "vertices": handles } }));
     }
     if is_close && document.closeness.to == ClosenessTo::Rest {
         offer(
             "Let it slide along the original",
-            json!({ "type": "set", "id": "closeness", "value": "surface" }),
+            json!({ "set": { "id": "closeness", "value": "surface" } }),
         );
     }
     let enabled = session.rows().iter().filter(|row| row.enabled).count();
@@ -161,12 +158,12 @@ fn candidates(session: &Session) -> Vec<(String, Value)> {
         let label = format!("Weigh {} more", spec.label());
         offer(
             &label,
-            json!({ "type": "setConstraint", "index": index, "weight": spec.weight * FACTOR }),
+            json!({ "setConstraint": { "index": index, "weight": spec.weight * FACTOR } }),
         );
     }
     if document.solver.tolerance > 0.0 {
         let value = document.solver.tolerance / 1000.0;
-        offer("Iterate longer", json!({ "type": "set", "id": "tolerance", "value": value }));
+        offer("Iterate longer", json!({ "set": { "id": "tolerance", "value": value } }));
     }
     candidates
 }

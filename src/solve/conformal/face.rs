@@ -7,6 +7,7 @@ use crate::mesh::Point;
 
 /// The weights `w_i` of Eq. 14.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "kebab-case"))]
 pub enum ConformalWeights {
     /// The inverse area of the polygon, so that the map does not depend on the meshing.
     #[default]

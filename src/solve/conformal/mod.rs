@@ -28,6 +28,7 @@ use subspace::{VECTORS, smallest};
 
 /// The norm `u* B u` that is fixed to one, without which the map would shrink to a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "kebab-case"))]
 pub enum ConformalNorm {
     /// The sum of squares over the boundary vertices is one. A part without a boundary uses all its
     /// vertices.
@@ -62,6 +63,7 @@ pub struct Parametrization {
 
 /// Times of a parametrisation in seconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct ConformalSeconds {
     /// Terms and values of the matrix.
     pub assemble: f64,
@@ -295,7 +297,8 @@ impl Part {
 }
 
 /// The settings of a map that flips fewer faces.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct FewerFlips {
     /// The weights of the faces.
     pub weights: ConformalWeights,

@@ -12,6 +12,7 @@ use std::collections::BTreeSet;
 
 /// The requirement on a row of constraints.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "camelCase"))]
 pub enum Require {
     /// It is weighed against all other energies.
     #[default]

@@ -1,18 +1,20 @@
 //! Sheets and the build check for the page.
 
-use crate::fabricate::file::picture;
+use crate::fabricate::file::{SheetPicture, picture};
 use crate::fabricate::{
     BUILD_NUMBERS, Build, BuildCard, BuildReport, BuildWords, CardWords, Choice, LengthInMetres,
-    ReportView,
+    ReportView, SpatialPart,
 };
 use crate::scene::{BUILD_PRESETS, BuildPreset, BuildSettings};
-use crate::web::{log_panics, mesh_of, plain_object as plain, thrown};
+use crate::web::values::{Js, plain, plains, read};
+use crate::web::{log_panics, mesh_of, thrown};
 use serde::Serialize;
+use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
 /// The choices and presets of the settings form.
-#[derive(Serialize, tsify::Tsify)]
-struct BuildOffers {
+#[derive(Serialize, Tsify)]
+pub struct BuildOffers {
     presets: &'static [BuildPreset],
     /// All of them.
     #[tsify(type = "Required<BuildSettings>")]
@@ -20,37 +22,41 @@ struct BuildOffers {
 }
 
 /// The report, with its words.
-#[derive(Serialize, tsify::Tsify)]
-struct WordedReport {
+#[derive(Serialize, Tsify)]
+pub struct WordedReport {
     report: BuildReport,
     words: BuildWords,
 }
 
 /// The card, with its words.
-#[derive(Serialize, tsify::Tsify)]
-struct WordedCard {
+#[derive(Serialize, Tsify)]
+pub struct WordedCard {
     report: BuildCard,
     words: CardWords,
 }
 
 /// The errors of a kind of offset, with their words.
-#[derive(Serialize, tsify::Tsify)]
-struct WordedChoice {
+#[derive(Serialize, Tsify)]
+pub struct WordedChoice {
     #[serde(flatten)]
     choice: Choice,
     words: String,
 }
 
+/// Pairs of id and value.
+#[derive(Serialize, Tsify)]
+pub struct NumbersById(Vec<(&'static str, f64)>);
+
 /// A file to be saved by the page.
-#[derive(Serialize, tsify::Tsify)]
-struct BuildFile {
+#[derive(Serialize, Tsify)]
+pub struct BuildFile {
     name: String,
     text: String,
 }
 
 /// Returns the presets and the defaults.
-#[wasm_bindgen(js_name = buildOffers, unchecked_return_type = "BuildOffers")]
-pub fn build_offers() -> Result<JsValue, JsValue> {
+#[wasm_bindgen(js_name = buildOffers)]
+pub fn build_offers() -> Result<Js<BuildOffers>, JsValue> {
     log_panics();
     plain(&BuildOffers { presets: &BUILD_PRESETS, defaults: BuildSettings::default() })
 }
@@ -74,45 +80,42 @@ impl Builder {
         positions: &[f64],
         offsets: &[u32],
         indices: &[u32],
-        settings: JsValue,
+        settings: Js<BuildSettings>,
         symbol: String,
         metres: f64,
     ) -> Result<Builder, JsValue> {
-        let settings: BuildSettings = serde_wasm_bindgen::from_value(settings).map_err(thrown)?;
+        let settings: BuildSettings = read(settings)?;
         let mesh = mesh_of(positions, offsets, indices);
         let build = Build::new(&mesh, &settings, LengthInMetres { symbol, metres });
         Ok(Builder { build: build.map_err(thrown)? })
     }
 
     /// Returns all numbers, as in the report of the command line, and their words.
-    #[wasm_bindgen(unchecked_return_type = "WordedReport")]
-    pub fn report(&self) -> Result<JsValue, JsValue> {
+    pub fn report(&self) -> Result<Js<WordedReport>, JsValue> {
         let report = self.build.report();
         plain(&WordedReport { words: self.build.words(&report), report })
     }
 
     /// Returns the numbers and words of the card, which is updated while the shape moves.
-    #[wasm_bindgen(unchecked_return_type = "WordedCard")]
-    pub fn card(&self) -> Result<JsValue, JsValue> {
+    pub fn card(&self) -> Result<Js<WordedCard>, JsValue> {
         let report = self.build.card();
         plain(&WordedCard { words: self.build.card_words(&report), report })
     }
 
     /// Returns at most `count` sheets as pictures, starting with sheet `first`.
-    #[wasm_bindgen(unchecked_return_type = "SheetPicture[]")]
-    pub fn sheets(&self, first: usize, count: usize) -> Result<JsValue, JsValue> {
+    pub fn sheets(&self, first: usize, count: usize) -> Result<Vec<Js<SheetPicture>>, JsValue> {
         let drawings = self.build.drawings();
         let failed = self.build.failed_sides(&self.build.failed());
         let shown = drawings.iter().zip(&failed).skip(first).take(count);
-        plain(&shown.map(|(drawing, failed)| picture(drawing, failed)).collect::<Vec<_>>())
+        plains(&shown.map(|(drawing, failed)| picture(drawing, failed)).collect::<Vec<_>>())
     }
 
     /// Returns the numbers that a lesson may bound, as pairs of id and value, lengths in the unit
     /// of the mesh. Numbers that do not apply are left out.
-    #[wasm_bindgen(unchecked_return_type = "[string, number][]")]
-    pub fn numbers(&self) -> Result<JsValue, JsValue> {
+    pub fn numbers(&self) -> Result<Js<NumbersById>, JsValue> {
         let known = BUILD_NUMBERS.iter().zip(self.build.numbers());
-        plain(&known.filter_map(|(number, value)| Some((number.id, value?))).collect::<Vec<_>>())
+        let known = known.filter_map(|(number, value)| Some((number.id, value?)));
+        plain(&NumbersById(known.collect()))
     }
 
     /// Returns the vertices of the offset, `#V by 3`; undefined if no offset is offered.
@@ -151,11 +154,10 @@ impl Builder {
     }
 
     /// Returns the errors of each kind of offset.
-    #[wasm_bindgen(unchecked_return_type = "WordedChoice[]")]
-    pub fn choices(&self) -> Result<JsValue, JsValue> {
+    pub fn choices(&self) -> Result<Vec<Js<WordedChoice>>, JsValue> {
         let choices = self.build.choices().into_iter();
         let worded = choices.map(|choice| WordedChoice { words: choice.words(), choice });
-        plain(&worded.collect::<Vec<_>>())
+        plains(&worded.collect::<Vec<_>>())
     }
 
     /// Returns shape, offset and beams as binary glTF; `z_up` if the up axis is z, else y.
@@ -164,9 +166,9 @@ impl Builder {
     }
 
     /// Returns the build as objects on layers, for CAD programs; the up axis is z or y.
-    #[wasm_bindgen(js_name = spatialParts, unchecked_return_type = "SpatialPart[]")]
-    pub fn spatial_parts(&self, z_up: bool) -> Result<JsValue, JsValue> {
-        plain(&self.build.spatial_parts(z_up))
+    #[wasm_bindgen(js_name = spatialParts)]
+    pub fn spatial_parts(&self, z_up: bool) -> Result<Vec<Js<SpatialPart>>, JsValue> {
+        plains(&self.build.spatial_parts(z_up))
     }
 
     /// Returns the report as an HTML document. `camera` has its turn about the up axis (z or y) and
@@ -184,9 +186,10 @@ impl Builder {
     }
 
     /// Returns all files: `name` and `text`; `z_up` if the up axis is z, else y.
-    #[wasm_bindgen(unchecked_return_type = "BuildFile[]")]
-    pub fn files(&self, z_up: bool) -> Result<JsValue, JsValue> {
+    pub fn files(&self, z_up: bool) -> Result<Vec<Js<BuildFile>>, JsValue> {
         let files = self.build.files(z_up).into_iter();
-        plain(&files.map(|file| BuildFile { name: file.name, text: file.text }).collect::<Vec<_>>())
+        plains(
+            &files.map(|file| BuildFile { name: file.name, text: file.text }).collect::<Vec<_>>(),
+        )
     }
 }

@@ -2,12 +2,16 @@
 //! exactness, improvements, and edits that may help if constraints are not met.
 
 use crate::scene::{Forecast, MeshRemedy};
-use crate::session::{Error, ExactTrial, FileReader, OpenedFile, Remedies, Session, Variations};
+use crate::session::{
+    Error, ExactOffer, ExactShape, ExactTrial, FileReader, OpenedFile, Remedies, Remedy, Session,
+    Variations,
+};
 use crate::solve::clock;
-use crate::web::plain::{flat, plain};
+use crate::web::values::{Js, flat, plain, plains};
 use crate::web::{log_panics, thrown};
 use js_sys::Float64Array;
 use serde::Serialize;
+use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
 /// A copy of the open model, and what is tried on it.
@@ -25,9 +29,9 @@ enum Trial {
 }
 
 /// How far making panels of one shape will move the mesh.
-#[derive(Serialize, tsify::Tsify)]
+#[derive(Serialize, Tsify)]
 #[tsify(missing_as_null)]
-struct ForecastWords {
+pub struct ForecastWords {
     words: String,
     /// A change of the mesh that would reduce the move.
     remedy: Option<MeshRemedy>,
@@ -55,10 +59,9 @@ impl ModelCopy {
     }
 
     /// Returns in words how far making panels of one shape will move the mesh, and a change of the
-    /// mesh that would reduce it; null if no shape is offered.
-    #[wasm_bindgen(unchecked_return_type = "ForecastWords | null")]
-    pub fn forecast(&self) -> Result<JsValue, JsValue> {
-        plain(&self.session.forecast().as_ref().map(ForecastWords::of))
+    /// mesh that would reduce it; undefined if no shape is offered.
+    pub fn forecast(&self) -> Result<Option<Js<ForecastWords>>, JsValue> {
+        self.session.forecast().map(|forecast| plain(&ForecastWords::of(&forecast))).transpose()
     }
 
     /// Begins a trial, from the current shape, to meet exactly what is met within a distance.
@@ -98,21 +101,19 @@ impl ModelCopy {
         clock::repeat(1e-3 * milliseconds, step).map_err(thrown)
     }
 
-    /// Returns the cost of the exact shape found so far; null if there is nothing to make exact.
-    #[wasm_bindgen(unchecked_return_type = "ExactOffer | null")]
-    pub fn offer(&mut self) -> Result<JsValue, JsValue> {
+    /// Returns the cost of the exact shape found so far; undefined if there is nothing to make exact.
+    pub fn offer(&mut self) -> Result<Option<Js<ExactOffer>>, JsValue> {
         let ModelCopy { session, trial, .. } = self;
         let offer = match trial {
             Some(Trial::Exact(trial)) => trial.offer(session),
             _ => None,
         };
-        plain(&offer)
+        offer.as_ref().map(plain).transpose()
     }
 
     /// Returns that shape for [`crate::web::worker::Solver::make_exact`], without its positions.
-    #[wasm_bindgen(unchecked_return_type = "ExactShape | null")]
-    pub fn shape(&self) -> Result<JsValue, JsValue> {
-        plain(&self.exact().map(ExactTrial::shape))
+    pub fn shape(&self) -> Result<Option<Js<ExactShape>>, JsValue> {
+        self.exact().map(|trial| plain(&trial.shape())).transpose()
     }
 
     /// Returns the positions of that shape, `#V by 3`; empty without one.
@@ -121,11 +122,10 @@ impl ModelCopy {
     }
 
     /// Returns the edits that help, the most effective first.
-    #[wasm_bindgen(unchecked_return_type = "Remedy[]")]
-    pub fn remedies(&self) -> Result<JsValue, JsValue> {
+    pub fn remedies(&self) -> Result<Vec<Js<Remedy>>, JsValue> {
         match &self.trial {
-            Some(Trial::Remedies(remedies)) => plain(&remedies.found()),
-            _ => plain(&[(); 0]),
+            Some(Trial::Remedies(remedies)) => plains(remedies.found()),
+            _ => Ok(Vec::new()),
         }
     }
 }

@@ -2,18 +2,19 @@
 //! [`crate::web::worker::Solver::show_variation`].
 
 use super::model_copy::ModelCopy;
-use crate::session::Variations;
+use crate::session::{ExactReport, Variations};
 use crate::solve::{SLIDE, clock};
-use crate::web::plain::{flat, narrow, object, plain};
 use crate::web::thrown;
+use crate::web::values::{AsIs, Js, flat, narrow, plain};
 use js_sys::{Float32Array, Float64Array};
 use serde::Serialize;
+use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
 /// The progress of the search for variations.
-#[derive(Serialize, tsify::Tsify)]
+#[derive(Serialize, Tsify)]
 #[tsify(missing_as_null)]
-struct VariationProgress {
+pub struct VariationProgress {
     /// The number of variations; none until the search has found them.
     found: Option<usize>,
     /// The least and greatest possible coefficient of each variation, if known.
@@ -22,6 +23,16 @@ struct VariationProgress {
     slide: f64,
     /// Whether the search continues.
     more: bool,
+}
+
+/// A varied shape that was brought back onto the constraints.
+#[derive(Serialize, Tsify)]
+pub struct VariedShape {
+    /// `#V by 3`.
+    positions: AsIs<Float64Array>,
+    /// See [`crate::session::Varied::part`].
+    part: f64,
+    report: ExactReport,
 }
 
 #[wasm_bindgen]
@@ -34,8 +45,11 @@ impl ModelCopy {
     }
 
     /// Continues the search for about the given time.
-    #[wasm_bindgen(js_name = advanceVariations, unchecked_return_type = "VariationProgress")]
-    pub fn advance_variations(&mut self, milliseconds: f64) -> Result<JsValue, JsValue> {
+    #[wasm_bindgen(js_name = advanceVariations)]
+    pub fn advance_variations(
+        &mut self,
+        milliseconds: f64,
+    ) -> Result<Js<VariationProgress>, JsValue> {
         let variations = self.varied()?;
         let more = clock::repeat(1e-3 * milliseconds, || variations.step()).map_err(thrown)?;
         plain(&VariationProgress {
@@ -59,16 +73,10 @@ impl ModelCopy {
     }
 
     /// See [`Variations::go`]; the positions are `#V by 3`.
-    #[wasm_bindgen(
-        unchecked_return_type = "{ positions: Float64Array; part: number; report: ExactReport }"
-    )]
-    pub fn go(&mut self, coefficients: &[f64]) -> Result<JsValue, JsValue> {
+    pub fn go(&mut self, coefficients: &[f64]) -> Result<Js<VariedShape>, JsValue> {
         let varied = self.varied()?.go(coefficients).map_err(thrown)?;
-        object([
-            ("positions", flat(&varied.positions).into()),
-            ("part", varied.part.into()),
-            ("report", plain(&varied.report)?),
-        ])
+        let positions = AsIs(flat(&varied.positions));
+        plain(&VariedShape { positions, part: varied.part, report: varied.report })
     }
 }
 

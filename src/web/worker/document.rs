@@ -2,35 +2,34 @@
 
 use super::solver::Solver;
 use crate::constraint::describe;
-use crate::scene::{Hold, Lesson, Lock, NamedEnum, PRESETS, Preset, PresetOffer, Slide};
+use crate::scene::{
+    ClosenessTo, Hold, Lesson, Lock, NamedEnum, PRESETS, Preset, PresetOffer, Slide, SmoothnessOf,
+    Up,
+};
 use crate::session::{EasedPanels, GoalWords, Paired, Session, goals_in_words, settings_of};
 use crate::solve::Require;
-use crate::web::plain::plain;
+use crate::web::values::{Js, plain};
 use serde::Serialize;
-use serde_json::{Value, json};
+use serde_json::Value;
+use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
 /// The current document.
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub(crate) struct Document<'a> {
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
+pub struct Document<'a> {
     title: &'a str,
     units: &'a str,
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"y\" | \"z\""))]
-    up: &'static str,
+    up: Up,
     constraints: Vec<ConstraintRow<'a>>,
     handles: Vec<HandleRow>,
     weights: Weights,
-    #[cfg_attr(
-        target_arch = "wasm32",
-        tsify(type = "\"surface\" | \"rest\" | \"none\" | \"target\"")
-    )]
-    closeness: &'static str,
+    closeness: ClosenessTo,
     /// Whether the target shapes are taken from another pose.
     pose: bool,
     smoothness: SmoothnessWords,
     /// The value of each declared setting.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
+    #[tsify(type = "Record<string, ParamValue>")]
     settings: serde_json::Map<String, Value>,
     /// The id of the preset that has the same settings.
     preset: Option<&'static str>,
@@ -53,7 +52,7 @@ pub(crate) struct Document<'a> {
     /// A sentence for each constraint on pairs of vertices, some of which have no partner.
     unpaired: Vec<String>,
     /// The settings for building the shape.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "Required<BuildSettings> | null"))]
+    #[tsify(type = "Required<BuildSettings> | null")]
     build: Option<Value>,
     /// The names of the variants that were kept.
     variants: Vec<&'a str>,
@@ -64,16 +63,16 @@ pub(crate) struct Document<'a> {
     too_large_for_exact: bool,
 }
 
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 struct NamedSet<'a> {
     name: &'a str,
     vertices: usize,
     faces: usize,
 }
 
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 struct ConstraintRow<'a> {
     index: usize,
     kind: &'static str,
@@ -94,18 +93,17 @@ struct ConstraintRow<'a> {
     weight: f64,
     enabled: bool,
     /// In the form of the scene file.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "Require"))]
-    require: Value,
+    require: Require,
     /// The panels with a weaker requirement.
     eased: Option<EasedPanels>,
     /// The id of the measure of single faces that the row minimises, if it acts on faces.
     measure: Option<&'static str>,
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
+    #[tsify(type = "Record<string, ParamValue>")]
     params: Value,
 }
 
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 struct HandleRow {
     vertex: u32,
     target: [f64; 3],
@@ -113,33 +111,28 @@ struct HandleRow {
     fixed: bool,
 }
 
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 struct Weights {
     shape: f64,
     close: f64,
     smooth: f64,
 }
 
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 struct SmoothnessWords {
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"surface\" | \"displacement\""))]
-    of: &'static str,
+    of: SmoothnessOf,
     weighting: &'static str,
 }
 
 /// The exercise of the scene.
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 struct LessonWords<'a> {
     text: &'a str,
     goals: Vec<GoalWords<'a>>,
     /// The locked parts.
-    #[cfg_attr(
-        target_arch = "wasm32",
-        tsify(type = "(\"weights\" | \"constraints\" | \"handles\" | \"mesh\")[]")
-    )]
     lock: &'a [Lock],
 }
 
@@ -149,18 +142,9 @@ impl<'a> LessonWords<'a> {
     }
 }
 
-/// Returns the form of a requirement in the scene file.
-fn require(require: Require) -> Value {
-    match require {
-        Require::Soft => "soft".into(),
-        Require::Exact => "exact".into(),
-        Require::Within(length) => json!({ "within": length }),
-    }
-}
-
 impl<'a> Document<'a> {
     /// Creates the document of `session`.
-    pub(crate) fn new(session: &'a Session) -> Self {
+    fn new(session: &'a Session) -> Self {
         let scene = session.document();
         let specs = scene.constraints.iter();
         let constraints = specs
@@ -180,7 +164,7 @@ impl<'a> Document<'a> {
                     paired: row.paired,
                     weight: spec.weight,
                     enabled: spec.enabled,
-                    require: require(spec.require),
+                    require: spec.require,
                     eased: spec.eased.as_ref().map(|eased| EasedPanels {
                         panels: eased.faces.len(),
                         within: eased.within,
@@ -205,14 +189,14 @@ impl<'a> Document<'a> {
         Document {
             title: &scene.title,
             units: &scene.units,
-            up: scene.up.word(),
+            up: scene.up,
             constraints,
             handles,
             weights: Weights { shape, close, smooth },
-            closeness: scene.closeness.to.word(),
+            closeness: scene.closeness.to,
             pose: scene.pose.is_some(),
             smoothness: SmoothnessWords {
-                of: scene.smoothness.of.word(),
+                of: scene.smoothness.of,
                 weighting: scene.smoothness.weighting.word(),
             },
             settings: settings_of(scene),
@@ -249,8 +233,7 @@ impl<'a> Document<'a> {
 #[wasm_bindgen]
 impl Solver {
     /// Returns the document: constraints, handles, weights, undo and redo.
-    #[wasm_bindgen(unchecked_return_type = "Document")]
-    pub fn document(&self) -> Result<JsValue, JsValue> {
+    pub fn document(&self) -> Result<Js<Document<'static>>, JsValue> {
         plain(&Document::new(self.open()?))
     }
 }

@@ -3,43 +3,23 @@
 
 use super::solver::Solver;
 use crate::mesh::Point;
-use crate::session::{Edit, Error, ExactShape};
-use crate::web::plain::{of_word, text, thrown_at};
+use crate::session::{Edit, ExactReport, ExactShape, PanelStart};
 use crate::web::thrown;
-use serde::de::DeserializeOwned;
+use crate::web::values::{Js, read, refused};
 use wasm_bindgen::prelude::*;
-
-/// TypeScript types of values that serde reads by hand, and the form of enums with fields: an
-/// object whose `type` names the variant.
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-export type Sent<E> = E extends string ? { type: E } : { [K in keyof E]: { type: K } & E[K] }[keyof E];
-export type PanelStart = "now" | "original" | "smoother";
-export type Require = "soft" | "exact" | { within: number };
-export type Within = string | { faces: number[] } | { vertices: number[] };
-export type Selector = { each: string; in?: Within } | { vertices: number[] };
-/** Elements of the mesh, ascending; edges as in `edges()`. */
-export interface Elements { vertices: Uint32Array; edges: Uint32Array; faces: Uint32Array }
-"#;
 
 #[wasm_bindgen]
 impl Solver {
     /// Makes an edit, as one step of undo.
-    pub fn edit(
-        &mut self,
-        #[wasm_bindgen(unchecked_param_type = "Sent<Edit>")] edit: JsValue,
-    ) -> Result<(), JsValue> {
-        let edit = self.read_edit(&edit)?;
+    pub fn edit(&mut self, edit: Js<Edit>) -> Result<(), JsValue> {
+        let edit = read(edit)?;
         self.open_mut()?.edit(edit).map(|_| ()).map_err(refused)
     }
 
     /// Makes an edit and begins a run, together one step of undo.
     #[wasm_bindgen(js_name = editAndRun)]
-    pub fn edit_and_run(
-        &mut self,
-        #[wasm_bindgen(unchecked_param_type = "Sent<Edit>")] edit: JsValue,
-    ) -> Result<(), JsValue> {
-        let edit = self.read_edit(&edit)?;
+    pub fn edit_and_run(&mut self, edit: Js<Edit>) -> Result<(), JsValue> {
+        let edit = read(edit)?;
         self.open_mut()?.edit_and_run(edit).map_err(refused)
     }
 
@@ -50,9 +30,9 @@ impl Solver {
         &mut self,
         kind: &str,
         tolerance: f64,
-        #[wasm_bindgen(unchecked_param_type = "PanelStart")] from: &str,
+        from: Js<PanelStart>,
     ) -> Result<(), JsValue> {
-        let from = of_word("start", from)?;
+        let from = read(from)?;
         self.open_mut()?.make_panels(kind, tolerance, from).map_err(refused)
     }
 
@@ -70,11 +50,11 @@ impl Solver {
     #[wasm_bindgen(js_name = makeExact)]
     pub fn make_exact(
         &mut self,
-        #[wasm_bindgen(unchecked_param_type = "ExactShape")] shape: JsValue,
+        shape: Js<ExactShape>,
         positions: &[f64],
         joins: bool,
     ) -> Result<bool, JsValue> {
-        let shape: ExactShape = value(shape)?;
+        let shape: ExactShape = read(shape)?;
         self.open_mut()?.make_exact(shape, points(positions), joins).map_err(thrown)
     }
 
@@ -86,9 +66,10 @@ impl Solver {
         &mut self,
         generation: u32,
         positions: &[f64],
-        #[wasm_bindgen(unchecked_param_type = "ExactReport | null")] report: JsValue,
+        report: Option<Js<ExactReport>>,
     ) -> Result<bool, JsValue> {
-        Ok(self.open_mut()?.show_variation(generation, points(positions), value(report)?))
+        let report = report.map(read).transpose()?;
+        Ok(self.open_mut()?.show_variation(generation, points(positions), report))
     }
 
     /// See [`crate::session::Session::keep_variation`].
@@ -113,24 +94,6 @@ impl Solver {
     }
 }
 
-impl Solver {
-    fn read_edit(&self, edit: &JsValue) -> Result<Edit, JsValue> {
-        let edit = Edit::from_json(&text(edit)?, self.open()?.document());
-        edit.map_err(|error| thrown_at(&error))
-    }
-}
-
-pub(super) fn refused(error: Error) -> JsValue {
-    match error {
-        Error::Scene(error) => thrown_at(&error),
-        error => thrown(error),
-    }
-}
-
 fn points(positions: &[f64]) -> &[Point] {
     positions.as_chunks().0
-}
-
-fn value<T: DeserializeOwned>(value: JsValue) -> Result<T, JsValue> {
-    serde_wasm_bindgen::from_value(value).map_err(thrown)
 }

@@ -6,8 +6,8 @@ use crate::mesh::{Mesh, Read, diagnose};
 use crate::scene::UnitsAndUp;
 use crate::session::{Guessed, OpenedFile, Session, is_scene, named_files};
 use crate::solve::clock;
-use crate::web::plain::plain;
 use crate::web::thrown;
+use crate::web::values::{Js, plain};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -41,8 +41,7 @@ impl Solver {
 
     /// Opens a mesh, or a scene with the files that [`Solver::add_file`] supplied. If this one is
     /// refused, the model that is open stays.
-    #[wasm_bindgen(unchecked_return_type = "Loaded")]
-    pub fn load(&mut self, name: &str, bytes: &[u8]) -> Result<JsValue, JsValue> {
+    pub fn load(&mut self, name: &str, bytes: &[u8]) -> Result<Js<Loaded>, JsValue> {
         let started = clock::now();
         let file = self.files.read(name, bytes).map_err(thrown)?;
         let OpenedFile { scene, mesh, weld, diagnostics, guessed } = file;
@@ -60,12 +59,11 @@ impl Solver {
 
     /// Returns the summary of the current mesh, without a name, if it is not the mesh of the last
     /// summary; else undefined.
-    #[wasm_bindgen(unchecked_return_type = "Loaded | undefined")]
-    pub fn remeshed(&mut self) -> Result<JsValue, JsValue> {
+    pub fn remeshed(&mut self) -> Result<Option<Js<Loaded>>, JsValue> {
         let session = self.open()?;
         let generation = session.mesh_generation();
         if generation == self.mesh_generation {
-            return Ok(JsValue::UNDEFINED);
+            return Ok(None);
         }
         let diagnostics = Read {
             problems: diagnose(session.mesh()),
@@ -75,7 +73,7 @@ impl Solver {
         let weld = self.weld.as_ref().filter(|_| generation == 0);
         let loaded = plain(&Loaded::new("", session, &diagnostics, Guessed::default(), weld));
         self.mesh_generation = generation;
-        loaded
+        loaded.map(Some)
     }
 
     /// Continues counting from `iteration`, the saved iteration of the scene that was just opened.

@@ -5,15 +5,16 @@ use crate::constraint::LocalStep;
 use crate::mesh::{Circularity, Planarity};
 use crate::session::{EndWords, ExactReport, Moved, Session};
 use crate::solve::Energy;
-use crate::web::plain::plain;
+use crate::web::values::{Js, plain};
 use serde::Serialize;
+use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
 /// The numbers of one state of the iteration.
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 #[serde(rename_all = "camelCase")]
-pub(crate) struct Frame {
+pub struct Frame {
     iteration: u32,
     converged: bool,
     /// How the run is described if it ends here.
@@ -52,7 +53,7 @@ fn exact(session: &Session) -> Option<ExactReport> {
 
 impl Frame {
     /// Creates the frame of `session`, after a step of `step_ms`; see [`Session::recent_measures`].
-    pub(crate) fn new(session: &mut Session, step_ms: f64, iterating: bool) -> Self {
+    fn new(session: &mut Session, step_ms: f64, iterating: bool) -> Self {
         let goals = GoalNumbers::of(session);
         let measures = session.recent_measures(if iterating { RENEWED } else { 0.0 });
         let mut found = session.solver().found();
@@ -82,8 +83,8 @@ impl Frame {
 }
 
 /// The value of a goal on the current shape.
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 struct GoalNumbers {
     value: Option<f64>,
     met: bool,
@@ -100,8 +101,7 @@ impl GoalNumbers {
 impl Solver {
     /// Returns the numbers of the current state. While `iterating`, planarity and circularity may
     /// be half a second old.
-    #[wasm_bindgen(unchecked_return_type = "Frame")]
-    pub fn frame(&mut self, iterating: bool) -> Result<JsValue, JsValue> {
+    pub fn frame(&mut self, iterating: bool) -> Result<Js<Frame>, JsValue> {
         let step_ms = self.step_ms;
         plain(&Frame::new(self.open_mut()?, step_ms, iterating))
     }

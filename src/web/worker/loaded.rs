@@ -1,14 +1,15 @@
 //! The summary of a file that was opened.
 
 use crate::mesh::{Read, Weld};
-use crate::scene::{MeshRemedy, NamedEnum, PanelOffer, panel_offers, panel_remedy};
+use crate::scene::{MeshRemedy, PanelOffer, Up, panel_offers, panel_remedy};
 use crate::session::{Guessed, Session, flaw_of};
 use serde::Serialize;
+use tsify::Tsify;
 
 /// The summary of a file that was opened.
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub(crate) struct Loaded {
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
+pub struct Loaded {
     name: String,
     title: String,
     vertices: usize,
@@ -17,8 +18,7 @@ pub(crate) struct Loaded {
     tets: usize,
     groups: Vec<Group>,
     units: String,
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"y\" | \"z\""))]
-    up: &'static str,
+    up: Up,
     /// Which of unit and up axis were guessed because the file does not state them.
     guessed: Guessed,
     /// Mean edge length at rest; zero without edges.
@@ -38,24 +38,24 @@ pub(crate) struct Loaded {
 }
 
 /// The vertex counts of file and mesh, and the distance within which vertices were merged.
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 struct Welded {
     before: usize,
     after: usize,
     tolerance: f64,
 }
 
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 struct Group {
     name: String,
     faces: usize,
 }
 
 /// A recoverable problem of a file.
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 struct Problem {
     /// One sentence: how often it occurs, and where first.
     message: String,
@@ -68,7 +68,7 @@ struct Problem {
 
 impl Loaded {
     /// Creates the summary of the file `name`, opened as `session`; `read` has its messages.
-    pub(crate) fn new(
+    pub(super) fn new(
         name: &str,
         session: &Session,
         read: &Read,
@@ -89,7 +89,7 @@ impl Loaded {
                 .map(|group| Group { name: group.name.clone(), faces: group.faces.len() })
                 .collect(),
             units: session.document().units.clone(),
-            up: session.document().up.word(),
+            up: session.document().up,
             guessed,
             mean_edge: session.mean_edge(),
             tolerance: session.tolerance(),

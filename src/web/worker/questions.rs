@@ -1,19 +1,28 @@
 //! Questions about the open model: its report, verdicts in words, lists of elements, selections, and
 //! previews of edits.
 
-use super::edit::refused;
 use super::solver::Solver;
+use crate::mesh::Scheme;
 use crate::session::{
-    ConstraintTarget, Remeshing, SelectRequest, Session, Shape, Verdict, VerdictWords,
+    ConstraintTarget, ExactWords, OfferedOperation, Preview, Refinement, Remeshing,
+    RemeshingPreview, Report, RunVerdict, SelectRequest, Session, Shape, VariantRow, Verdict,
+    VerdictWords, WorstElement,
 };
-use crate::web::plain::{indices, object, of_word, plain, selection, text, thrown_at};
 use crate::web::thrown;
+use crate::web::values::{AsIs, Js, indices, plain, plains, read, refused, thrown_at};
+use js_sys::Uint32Array;
 use serde::Serialize;
+use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
+/// The report of the command line. Only the benchmark reads it, which has no types.
+#[derive(Serialize, Tsify)]
+#[tsify(type = "any")]
+pub struct WholeReport(Report);
+
 /// The verdict on the panels, in numbers and in words.
-#[derive(Serialize, tsify::Tsify)]
-struct PanelVerdict {
+#[derive(Serialize, Tsify)]
+pub struct PanelVerdict {
     #[serde(flatten)]
     numbers: Verdict,
     words: VerdictWords,
@@ -27,112 +36,133 @@ impl PanelVerdict {
 }
 
 /// Histograms of the corner angles of the faces, in bins of equal width from 0 to 180 degrees.
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-struct Angles {
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
+pub struct Angles {
     original: Vec<u32>,
     now: Vec<u32>,
 }
 
+/// Elements of the mesh, ascending; edges as in `edges()`.
+#[derive(Serialize, Tsify)]
+pub struct Elements {
+    vertices: AsIs<Uint32Array>,
+    edges: AsIs<Uint32Array>,
+    faces: AsIs<Uint32Array>,
+}
+
+/// The faces and vertices on which a row of constraints acts.
+#[derive(Serialize, Tsify)]
+pub struct Members {
+    faces: AsIs<Uint32Array>,
+    vertices: AsIs<Uint32Array>,
+}
+
+/// For each kind and each place, the constraints that a row would have.
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
+pub struct Previews(Vec<Vec<Option<Preview>>>);
+
 #[wasm_bindgen]
 impl Solver {
     /// Returns the report, in the words and units of the command line.
-    pub fn report(&self) -> Result<JsValue, JsValue> {
-        plain(&self.open()?.report())
+    pub fn report(&self) -> Result<Js<WholeReport>, JsValue> {
+        plain(&WholeReport(self.open()?.report()))
     }
 
-    /// Returns how many panels meet their requirement within a tolerance (units of the mesh); null
+    /// Returns how many panels meet their requirement within a tolerance (units of the mesh); undefined
     /// if no row requires a shape of the panels.
-    #[wasm_bindgen(unchecked_return_type = "PanelVerdict | null")]
-    pub fn verdict(&mut self, tolerance: f64) -> Result<JsValue, JsValue> {
+    pub fn verdict(&mut self, tolerance: f64) -> Result<Option<Js<PanelVerdict>>, JsValue> {
         let session = self.open_mut()?;
         let verdict = session.verdict(tolerance);
-        plain(&verdict.map(|verdict| PanelVerdict::of(session, verdict)))
+        verdict.map(|verdict| plain(&PanelVerdict::of(session, verdict))).transpose()
     }
 
     /// Returns whether the constraints are met within a tolerance (units of the mesh), after a run
-    /// without hard constraints; null if no constraint has a weight.
-    #[wasm_bindgen(js_name = runVerdict, unchecked_return_type = "RunVerdict | null")]
-    pub fn run_verdict(&mut self, tolerance: f64) -> Result<JsValue, JsValue> {
-        plain(&self.open_mut()?.run_verdict(tolerance))
+    /// without hard constraints; undefined if no constraint has a weight.
+    #[wasm_bindgen(js_name = runVerdict)]
+    pub fn run_verdict(&mut self, tolerance: f64) -> Result<Option<Js<RunVerdict>>, JsValue> {
+        self.open_mut()?.run_verdict(tolerance).as_ref().map(plain).transpose()
     }
 
-    /// Returns how well the hard constraints are met; null if they have not been met for the
+    /// Returns how well the hard constraints are met; undefined if they have not been met for the
     /// current shape.
-    #[wasm_bindgen(js_name = exactWords, unchecked_return_type = "ExactWords | null")]
-    pub fn exact_words(&self) -> Result<JsValue, JsValue> {
-        plain(&self.open()?.exact_words())
+    #[wasm_bindgen(js_name = exactWords)]
+    pub fn exact_words(&self) -> Result<Option<Js<ExactWords>>, JsValue> {
+        self.open()?.exact_words().as_ref().map(plain).transpose()
     }
 
     /// Returns the numbers of the variants that were kept.
-    #[wasm_bindgen(js_name = variantTable, unchecked_return_type = "VariantRow[]")]
-    pub fn variant_table(&mut self, tolerance: f64) -> Result<JsValue, JsValue> {
-        plain(&self.open_mut()?.variant_table(tolerance).map_err(thrown)?)
+    #[wasm_bindgen(js_name = variantTable)]
+    pub fn variant_table(&mut self, tolerance: f64) -> Result<Vec<Js<VariantRow>>, JsValue> {
+        plains(&self.open_mut()?.variant_table(tolerance).map_err(thrown)?)
     }
 
     /// Returns the histograms of the corner angles, of the original and of the current shape.
-    #[wasm_bindgen(unchecked_return_type = "Angles")]
-    pub fn angles(&self) -> Result<JsValue, JsValue> {
+    pub fn angles(&self) -> Result<Js<Angles>, JsValue> {
         let session = self.open()?;
         let [original, now] = [Shape::Original, Shape::Now].map(|shape| session.angles(shape));
         plain(&Angles { original, now })
     }
 
     /// Returns the `count` worst faces by a measure.
-    #[wasm_bindgen(js_name = worstFaces, unchecked_return_type = "WorstElement[]")]
-    pub fn worst_faces(&mut self, measure: &str, count: usize) -> Result<JsValue, JsValue> {
+    #[wasm_bindgen(js_name = worstFaces)]
+    pub fn worst_faces(
+        &mut self,
+        measure: &str,
+        count: usize,
+    ) -> Result<Vec<Js<WorstElement>>, JsValue> {
         let worst = self.open_mut()?.worst_faces(measure, count);
-        plain(&worst.ok_or_else(|| thrown(format!("unknown measure {measure:?}")))?)
+        plains(&worst.ok_or_else(|| thrown(format!("unknown measure {measure:?}")))?)
     }
 
     /// Returns the `count` worst constraints of a row.
-    #[wasm_bindgen(js_name = worstConstraints, unchecked_return_type = "WorstElement[]")]
-    pub fn worst_constraints(&mut self, row: usize, count: usize) -> Result<JsValue, JsValue> {
-        plain(&self.open_mut()?.worst_constraints(row, count))
+    #[wasm_bindgen(js_name = worstConstraints)]
+    pub fn worst_constraints(
+        &mut self,
+        row: usize,
+        count: usize,
+    ) -> Result<Vec<Js<WorstElement>>, JsValue> {
+        plains(&self.open_mut()?.worst_constraints(row, count))
     }
 
     /// Returns the vertices, edges and faces with a flaw, as a selection.
-    #[wasm_bindgen(unchecked_return_type = "Elements")]
-    pub fn flawed(&self, name: &str) -> Result<JsValue, JsValue> {
+    pub fn flawed(&self, name: &str) -> Result<Js<Elements>, JsValue> {
         let session = self.open()?;
         let found = session.elements_with_problem(name);
         let found = found.ok_or_else(|| thrown(format!("unknown flaw {name:?}")))?;
-        selection(&found.vertices, &session.edges_between(&found.edges), &found.faces)
+        plain(&Elements {
+            vertices: indices(&found.vertices),
+            edges: indices(&session.edges_between(&found.edges)),
+            faces: indices(&found.faces),
+        })
     }
 
     /// Returns the selection after an operation.
-    #[wasm_bindgen(unchecked_return_type = "Elements")]
-    pub fn select(
-        &mut self,
-        #[wasm_bindgen(unchecked_param_type = "SelectRequest")] request: JsValue,
-    ) -> Result<JsValue, JsValue> {
-        let request =
-            SelectRequest::from_json(&text(&request)?).map_err(|error| thrown_at(&error))?;
-        let found = self.open_mut()?.select(&request).map_err(|error| thrown_at(&error))?;
-        selection(&found.vertices, &found.edges, &found.faces)
+    pub fn select(&mut self, request: Js<SelectRequest>) -> Result<Js<Elements>, JsValue> {
+        let found = self.open_mut()?.select(&read(request)?).map_err(|error| thrown_at(&error))?;
+        plain(&Elements {
+            vertices: indices(&found.vertices),
+            edges: indices(&found.edges),
+            faces: indices(&found.faces),
+        })
     }
 
     /// Returns the faces and vertices on which row `constraint` acts.
-    #[wasm_bindgen(unchecked_return_type = "Members")]
-    pub fn members(&self, constraint: usize) -> Result<JsValue, JsValue> {
+    pub fn members(&self, constraint: usize) -> Result<Js<Members>, JsValue> {
         let [faces, vertices] = self.open()?.members(constraint);
-        object([("faces", indices(&faces)), ("vertices", indices(&vertices))])
+        plain(&Members { faces: indices(&faces), vertices: indices(&vertices) })
     }
 
     /// Returns the operations on the mesh, with sizes that suit it.
-    #[wasm_bindgen(js_name = meshOperations, unchecked_return_type = "OfferedOperation[]")]
-    pub fn mesh_operations(&self) -> Result<JsValue, JsValue> {
-        plain(&self.open()?.operations())
+    #[wasm_bindgen(js_name = meshOperations)]
+    pub fn mesh_operations(&self) -> Result<Vec<Js<OfferedOperation>>, JsValue> {
+        plains(&self.open()?.operations())
     }
 
     /// Returns a preview of an operation on the mesh.
-    #[wasm_bindgen(unchecked_return_type = "RemeshingPreview")]
-    pub fn remeshing(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "Remeshing")] asked: JsValue,
-    ) -> Result<JsValue, JsValue> {
-        let asked = Remeshing::from_json(&text(&asked)?).map_err(|error| thrown_at(&error))?;
-        plain(&self.open()?.remeshing(&asked).map_err(refused)?)
+    pub fn remeshing(&self, asked: Js<Remeshing>) -> Result<Js<RemeshingPreview>, JsValue> {
+        plain(&self.open()?.remeshing(&read(asked)?).map_err(refused)?)
     }
 
     /// Returns the mesh sizes after refining by a scheme once, twice and so on. Edges at which the
@@ -140,21 +170,18 @@ impl Solver {
     ///
     /// # Errors
     /// The mesh cannot be refined by this scheme.
-    #[wasm_bindgen(unchecked_return_type = "Refinement[]")]
-    pub fn refinements(&self, scheme: &str, keep: f64) -> Result<JsValue, JsValue> {
-        let scheme = of_word("scheme", scheme)?;
-        plain(&self.open()?.refinements(scheme, keep).map_err(refused)?)
+    pub fn refinements(
+        &self,
+        scheme: Js<Scheme>,
+        keep: f64,
+    ) -> Result<Vec<Js<Refinement>>, JsValue> {
+        plains(&self.open()?.refinements(read(scheme)?, keep).map_err(refused)?)
     }
 
     /// Returns the number of constraints that a row of each kind would have on each of `places`,
     /// which are selectors as in an edit: `#kinds by #places`, null if no element fits.
-    #[wasm_bindgen(unchecked_return_type = "(Preview | null)[][]")]
-    pub fn previews(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "Selector[]")] places: JsValue,
-    ) -> Result<JsValue, JsValue> {
-        let places =
-            ConstraintTarget::all_from_json(&text(&places)?).map_err(|error| thrown_at(&error))?;
-        plain(&self.open()?.previews(&places).map_err(|error| thrown_at(&error))?)
+    pub fn previews(&self, places: Vec<Js<ConstraintTarget>>) -> Result<Js<Previews>, JsValue> {
+        let places: Vec<_> = places.into_iter().map(read).collect::<Result<_, _>>()?;
+        plain(&Previews(self.open()?.previews(&places).map_err(|error| thrown_at(&error))?))
     }
 }

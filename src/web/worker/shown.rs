@@ -4,38 +4,38 @@
 use super::solver::Solver;
 use crate::constraint::Fitted;
 use crate::session::{RowPalette, Shape};
-use crate::web::plain::{indices, narrow, object};
 use crate::web::thrown;
+use crate::web::values::{AsIs, Js, indices, narrow, plain};
 use js_sys::{Float32Array, Float64Array, Uint8Array, Uint32Array};
+use serde::Serialize;
+use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** The projected points of all enabled constraints. */
-export interface Projections {
-    /** `#points`: the vertex of each point. */
-    vertices: Uint32Array;
-    /** `#points by 3`: from the vertex to the point, in the unit of the mesh. */
-    displacements: Float32Array;
-    /** `#points`: an index in `palette` plus one. */
-    colours: Uint8Array;
-    /** Pairs of points. */
-    outlines: Uint32Array;
-    /** Three components from 0 to 1 per colour. */
-    palette: Float32Array;
+/// The projected points of all enabled constraints.
+#[derive(Serialize, Tsify)]
+pub struct DrawnProjections {
+    /// `#points`: the vertex of each point.
+    vertices: AsIs<Uint32Array>,
+    /// `#points by 3`: from the vertex to the point, in the unit of the mesh.
+    displacements: AsIs<Float32Array>,
+    /// `#points`: an index in `palette` plus one.
+    colours: AsIs<Uint8Array>,
+    /// Pairs of points.
+    outlines: AsIs<Uint32Array>,
+    /// Three components from 0 to 1 per colour.
+    palette: AsIs<Float32Array>,
 }
-/** The faces and vertices on which a row of constraints acts. */
-export interface Members { faces: Uint32Array; vertices: Uint32Array }
-/** The colour of the row of constraints that acts on each face and each vertex. */
-export interface RowColours {
-    /** `#F`: 0 for none, else an index in `palette` plus one. */
-    faces: Uint8Array;
-    /** `#V`: the same for constraints that cover no whole face. */
-    vertices: Uint8Array;
-    /** Three components from 0 to 1 per colour. */
-    palette: Float32Array;
+
+/// The colour of the row of constraints that acts on each face and each vertex.
+#[derive(Serialize, Tsify)]
+pub struct RowColours {
+    /// `#F`: 0 for none, else an index in `palette` plus one.
+    faces: AsIs<Uint8Array>,
+    /// `#V`: the same for constraints that cover no whole face.
+    vertices: AsIs<Uint8Array>,
+    /// Three components from 0 to 1 per colour.
+    palette: AsIs<Float32Array>,
 }
-"#;
 
 #[wasm_bindgen]
 impl Solver {
@@ -119,38 +119,37 @@ impl Solver {
     }
 
     /// Returns the projections of the constraints at the current positions.
-    #[wasm_bindgen(unchecked_return_type = "Projections")]
-    pub fn projections(&mut self) -> Result<JsValue, JsValue> {
+    pub fn projections(&mut self) -> Result<Js<DrawnProjections>, JsValue> {
         let session = self.open_mut()?;
         let row_palette = session.row_palette();
         let found = session.projections();
         let colours: Vec<u8> =
             found.rows.iter().map(|&row| row_palette.of_row[row as usize]).collect();
-        object([
-            ("vertices", indices(&found.vertices)),
-            ("displacements", narrow(found.displacements.as_flattened()).into()),
-            ("colours", Uint8Array::from(&colours[..]).into()),
-            ("outlines", indices(found.outlines.as_flattened())),
-            ("palette", palette(&row_palette)),
-        ])
+        plain(&DrawnProjections {
+            vertices: indices(&found.vertices),
+            displacements: AsIs(narrow(found.displacements.as_flattened())),
+            colours: AsIs(Uint8Array::from(&colours[..])),
+            outlines: indices(found.outlines.as_flattened()),
+            palette: palette(&row_palette),
+        })
     }
 
     /// Returns the colour of the row of constraints that acts on each face and each vertex.
-    #[wasm_bindgen(js_name = rowColours, unchecked_return_type = "RowColours")]
-    pub fn row_colours(&self) -> Result<JsValue, JsValue> {
+    #[wasm_bindgen(js_name = rowColours)]
+    pub fn row_colours(&self) -> Result<Js<RowColours>, JsValue> {
         let session = self.open()?;
         let acting = session.acting_rows();
         let row_palette = session.row_palette();
         let of_rows = |of: &[Option<u32>]| {
             let colours =
                 of.iter().map(|row| row.map_or(0, |row| row_palette.of_row[row as usize]));
-            JsValue::from(Uint8Array::from(&colours.collect::<Vec<u8>>()[..]))
+            AsIs(Uint8Array::from(&colours.collect::<Vec<u8>>()[..]))
         };
-        object([
-            ("faces", of_rows(&acting.faces)),
-            ("vertices", of_rows(&acting.vertices)),
-            ("palette", palette(&row_palette)),
-        ])
+        plain(&RowColours {
+            faces: of_rows(&acting.faces),
+            vertices: of_rows(&acting.vertices),
+            palette: palette(&row_palette),
+        })
     }
 }
 
@@ -159,8 +158,8 @@ fn unknown(measure: &str) -> JsValue {
 }
 
 /// Returns the palette as three components from 0 to 1 per colour.
-fn palette(rows: &RowPalette) -> JsValue {
+fn palette(rows: &RowPalette) -> AsIs<Float32Array> {
     let parts = rows.colours.as_flattened().iter();
     let parts: Vec<f32> = parts.map(|&part| f32::from(part) / 255.0).collect();
-    Float32Array::from(&parts[..]).into()
+    AsIs(Float32Array::from(&parts[..]))
 }

@@ -1,10 +1,9 @@
 //! The solver in the worker: the open model, its iterations, its runs and drags.
 
 use crate::mesh::Weld;
-use crate::scene::NamedEnum;
-use crate::session::{DragPhase, FileReader, Session};
+use crate::session::{DragPhase, FileReader, HalfStep, Session};
 use crate::solve::clock;
-use crate::web::plain::plain;
+use crate::web::values::{Js, plain, read};
 use crate::web::{log_panics, thrown};
 use js_sys::Float64Array;
 use wasm_bindgen::prelude::*;
@@ -46,8 +45,8 @@ impl Solver {
     }
 
     /// Does the next half of an iteration; returns what was fitted, or how the vertices moved.
-    #[wasm_bindgen(js_name = halfStep, unchecked_return_type = "HalfStep")]
-    pub fn half_step(&mut self) -> Result<JsValue, JsValue> {
+    #[wasm_bindgen(js_name = halfStep)]
+    pub fn half_step(&mut self) -> Result<Js<HalfStep>, JsValue> {
         let half = self.open_mut()?.half_step().map_err(thrown)?;
         plain(&half)
     }
@@ -59,11 +58,11 @@ impl Solver {
         Ok(())
     }
 
-    /// Ends a run.
+    /// Ends a run; describes how the shape has collapsed, as the end of a sentence, unless that was to
+    /// be ignored.
     #[wasm_bindgen(js_name = endRun)]
-    pub fn end_run(&mut self) -> Result<(), JsValue> {
-        self.open_mut()?.end_run();
-        Ok(())
+    pub fn end_run(&mut self) -> Result<Option<String>, JsValue> {
+        Ok(self.open_mut()?.end_run().map(|collapse| collapse.to_string()))
     }
 
     /// Returns whether a run is in progress; the end of a drag may begin one.
@@ -90,23 +89,23 @@ impl Solver {
         Ok(self.open()?.collapse().map(|collapse| collapse.to_string()))
     }
 
-    /// Drags handles. `phase` is "start", or "make" to turn the vertices into handles first; then
-    /// "move", "end" or "cancel". `targets` is `#vertices by 3`, or empty if none moves.
+    /// Drags handles. `targets` is `#vertices by 3`, or empty if none moves.
     ///
     /// # Errors
     /// An unknown phase, or targets that are not one per vertex, not finite or too far out. Nothing
     /// moves then, and an "end" keeps the last move.
-    pub fn drag(&mut self, vertices: &[u32], targets: &[f64], phase: &str) -> Result<(), JsValue> {
-        let session = self.open_mut()?;
+    pub fn drag(
+        &mut self,
+        vertices: &[u32],
+        targets: &[f64],
+        phase: Js<DragPhase>,
+    ) -> Result<(), JsValue> {
         let (targets, rest) = targets.as_chunks::<3>();
         if !rest.is_empty() {
             let numbers = 3 * targets.len() + rest.len();
             return Err(thrown(format!("found {numbers} coordinates, expected three per target")));
         }
-        let phase = DragPhase::of_word(phase).ok_or_else(|| {
-            thrown(format!("found the phase {phase:?}, expected {}", DragPhase::list(", ")))
-        })?;
-        session.drag_through(phase, vertices, targets).map_err(thrown)
+        self.open_mut()?.drag_through(read(phase)?, vertices, targets).map_err(thrown)
     }
 
     /// See [`crate::session::Session::generation`].

@@ -3,19 +3,20 @@
 
 use super::solver::Solver;
 use crate::constraint::{Element, Info, KINDS, Kind, Sketch};
-use crate::fabricate::BUILD_NUMBERS;
-use crate::session::{FACE_MEASURES, OPERATIONS, SETTINGS};
-use crate::web::plain::plain;
+use crate::fabricate::{BUILD_NUMBERS, BuildNumber};
+use crate::session::{FACE_MEASURES, FaceMeasure, OPERATIONS, Operation, SETTINGS, Setting};
+use crate::web::values::{Js, plains};
 use serde::Serialize;
 use serde_json::Value;
+use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
 /// A type of element on which constraints can act, one constraint per element.
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 #[serde(rename_all = "camelCase")]
-struct ElementWords {
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "Element"))]
+pub struct ElementWords {
+    #[tsify(type = "Element")]
     id: &'static str,
     label: &'static str,
     face_based: bool,
@@ -32,9 +33,9 @@ fn elements() -> Vec<ElementWords> {
 }
 
 /// A kind of constraint with its sketch.
-#[derive(Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-struct KindWords {
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
+pub struct KindWords {
     #[serde(flatten)]
     info: &'static Info,
     /// The number of vertices or edges that it takes, in words.
@@ -55,38 +56,33 @@ fn kinds() -> Vec<KindWords> {
 #[wasm_bindgen]
 impl Solver {
     /// Returns all kinds of constraints.
-    #[wasm_bindgen(unchecked_return_type = "KindWords[]")]
-    pub fn kinds(&self) -> Result<JsValue, JsValue> {
-        plain(&kinds())
+    pub fn kinds(&self) -> Result<Vec<Js<KindWords>>, JsValue> {
+        plains(&kinds())
     }
 
     /// Returns the elements on which constraints can act, one constraint per element.
-    #[wasm_bindgen(unchecked_return_type = "ElementWords[]")]
-    pub fn elements(&self) -> Result<JsValue, JsValue> {
-        plain(&elements())
+    pub fn elements(&self) -> Result<Vec<Js<ElementWords>>, JsValue> {
+        plains(&elements())
     }
 
     /// Returns the measures of faces.
-    #[wasm_bindgen(unchecked_return_type = "FaceMeasure[]")]
-    pub fn measures(&self) -> Result<JsValue, JsValue> {
-        plain(&FACE_MEASURES)
+    pub fn measures(&self) -> Result<Vec<Js<FaceMeasure>>, JsValue> {
+        plains(FACE_MEASURES)
     }
 
     /// Returns the declared selection operations.
-    #[wasm_bindgen(unchecked_return_type = "Operation[]")]
-    pub fn operations(&self) -> Result<JsValue, JsValue> {
-        plain(&OPERATIONS)
+    pub fn operations(&self) -> Result<Vec<Js<Operation>>, JsValue> {
+        plains(OPERATIONS)
     }
 
     /// Returns the declared settings of a scene.
-    #[wasm_bindgen(unchecked_return_type = "Setting[]")]
-    pub fn settings(&self) -> Result<JsValue, JsValue> {
-        plain(&SETTINGS)
+    pub fn settings(&self) -> Result<Vec<Js<Setting>>, JsValue> {
+        plains(SETTINGS)
     }
 
     /// Returns the numbers of the build that a lesson may bound.
-    #[wasm_bindgen(js_name = buildNumbers, unchecked_return_type = "BuildNumber[]")]
-    pub fn build_numbers(&self) -> Result<JsValue, JsValue> {
-        plain(&BUILD_NUMBERS)
+    #[wasm_bindgen(js_name = buildNumbers)]
+    pub fn build_numbers(&self) -> Result<Vec<Js<BuildNumber>>, JsValue> {
+        plains(&BUILD_NUMBERS)
     }
 }

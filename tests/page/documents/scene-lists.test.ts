@@ -2,9 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { indices } from '../../../www/documents/rhino/index-list.ts';
-import { byLayer } from '../../../www/documents/rhino/rhino-layers.ts';
-import { pointsOf } from '../../../www/documents/rhino/rhino-points.ts';
+import { byLayer, indices, pointsOf } from '../../../www/documents/rhino/scene-lists.ts';
 
 test('ranges include both ends, and an empty list has no index', () => {
   assert.deepEqual(indices('0-3,7'), [0, 1, 2, 3, 7]);

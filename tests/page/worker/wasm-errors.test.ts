@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { isTrap } from '../../../www/worker/wasm-errors.ts';
+import { isTrap } from '../../../www/solver/errors.ts';
 
 /** A module whose only function, f, calls itself. */
 const recursive = new Uint8Array([

@@ -8,5 +8,5 @@ import type { Actions } from '../../store/actions.ts';
  */
 export async function fitTo(file: File, actions: Actions) {
   const text = await file.text();
-  await actions.edit({ type: 'fitTo', name: file.name, text });
+  await actions.edit({ fitTo: { name: file.name, text } });
 }

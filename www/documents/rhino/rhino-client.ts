@@ -1,27 +1,32 @@
 /** Page side of the Rhino worker: one worker per file, terminated after the answer. */
 
-import type { RhinoReplies, RhinoRequest } from './rhino-worker.ts';
+import { Cancelled } from '../../solver/errors.ts';
+import { calling, Waiting, type Remote } from '../../solver/remote.ts';
+import type { Rhino } from './rhino-worker.ts';
 
-/** @returns rejects with the error in the file, or when cancelled */
-export async function askRhino<Type extends keyof RhinoReplies>(
-  request: Extract<RhinoRequest, { type: Type }>,
+/**
+ * @param ask calls a method of the worker
+ * @returns rejects with the error in the file, or when cancelled
+ */
+export async function askRhino<Answer>(
+  ask: (rhino: Remote<Rhino>) => Promise<Answer>,
   cancelled?: AbortSignal,
-): Promise<RhinoReplies[Type]> {
+): Promise<Answer> {
   const worker = new Worker(new URL('./rhino-worker.ts', import.meta.url), {
     type: 'module',
     name: 'rhino',
   });
+  const waiting = new Waiting();
+  worker.onmessage = ({ data }) => waiting.receive(data);
+  worker.onerror = (event) => {
+    event.preventDefault();
+    waiting.fail(new Error('The .3dm converter could not be loaded. Check the network.'));
+  };
+  cancelled?.addEventListener('abort', () => waiting.fail(new Cancelled()));
   try {
-    return await new Promise((resolve, reject) => {
-      worker.onmessage = ({ data }) =>
-        'refused' in data ? reject(new Error(data.refused)) : resolve(data.value);
-      worker.onerror = (event) => {
-        event.preventDefault();
-        reject(new Error('The .3dm converter could not be loaded. Check the network.'));
-      };
-      cancelled?.addEventListener('abort', () => reject(new Error('Cancelled.')));
-      worker.postMessage(request);
-    });
+    return await ask(
+      calling((name, given) => waiting.call(name, given, (call) => worker.postMessage(call))),
+    );
   } finally {
     worker.terminate();
   }

@@ -2,13 +2,22 @@
  * Writes a scene as a Rhino file, in full precision. Each group of faces becomes a layer. Triangles
  * and quads form a mesh on it; panels with more corners, which rhino3dm cannot write into a mesh,
  * become closed polylines. The user text gives the planarity distance of a panel, or the largest
- * one of a mesh. Rhino's vertical axis is z: a scene with y up is rotated.
+ * one of a mesh. Rhino's vertical axis is z: a scene with y up is rotated. Also writes the parts to be
+ * built: named objects on coloured layers.
  */
 
-import { NAMES, ROLE, rhino } from './rhino.ts';
-import { byLayer } from './rhino-layers.ts';
-import { addLayer, addMesh, addPolyline, attributesOf, type Point } from './rhino-objects.ts';
-import { pointsOf } from './rhino-points.ts';
+import {
+  addLayer,
+  addMesh,
+  addPolyline,
+  attributesOf,
+  NAMES,
+  rhino,
+  ROLE,
+  type Point,
+} from './rhino.ts';
+import { byLayer, pointsOf } from './scene-lists.ts';
+import type { SpatialPart } from '../../solver/types.ts';
 
 const PLANARITY = 'shape-up:planarity';
 const CURVES = 'Curves';
@@ -86,4 +95,31 @@ function addPanels(
   const worst = flat.reduce((most, face) => Math.max(most, distances[face]), 0);
   const text = { [PLANARITY]: planarity(worst) };
   addMesh(api, file, { points: own, faces: corners }, attributesOf(api, layer, text));
+}
+
+/**
+ * Writes the parts to be built.
+ * @param symbol unit of their coordinates
+ */
+export async function rhinoParts(
+  parts: SpatialPart[],
+  symbol: string,
+): Promise<Uint8Array<ArrayBuffer>> {
+  const api = await rhino();
+  const file = new api.File3dm();
+  const layers: Map<string, number> = new Map();
+  try {
+    file.settings().modelUnitSystem = api.UnitSystem[NAMES[symbol] ?? 'None'];
+    file.applicationName = 'Shape-Up';
+    for (const { layer, colour, name, points, faces, closed } of parts) {
+      const index = layers.get(layer) ?? addLayer(api, file, layer, colour);
+      layers.set(layer, index);
+      const attributes = attributesOf(api, index, {}, name);
+      if (faces.length > 0) addMesh(api, file, { points, faces }, attributes);
+      else addPolyline(api, file, closed ? [...points, points[0]] : points, attributes);
+    }
+    return file.toByteArray();
+  } finally {
+    file.delete();
+  }
 }

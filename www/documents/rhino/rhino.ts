@@ -1,6 +1,7 @@
 /**
- * Loads rhino3dm, McNeel's reader and writer of Rhino files. It is larger than the rest of the
- * page, so its own worker (`rhino-worker.ts`) loads it when a Rhino file is read or written.
+ * rhino3dm, McNeel's reader and writer of Rhino files, and the objects that it adds to them: layers,
+ * polylines, meshes. It is larger than the rest of the page, so its own worker (`rhino-worker.ts`)
+ * loads it when a Rhino file is read or written.
  */
 
 import open from 'rhino3dm/rhino3dm.module.min.js';
@@ -22,3 +23,68 @@ export const ROLE = 'shape-up';
 export const NAMES: Record<string, string> = Object.fromEntries(
   UNITS.map(({ symbol, rhino }) => [symbol, rhino]),
 );
+
+export type Point = [number, number, number];
+
+/**
+ * @param colour red, green, blue
+ * @returns index of the layer
+ */
+export function addLayer(
+  api: any,
+  file: any,
+  name: string,
+  colour?: [number, number, number],
+): number {
+  const layer = new api.Layer();
+  layer.name = name;
+  if (colour) {
+    const [r, g, b] = colour;
+    layer.color = { r, g, b, a: 255 };
+  }
+  const index = file.layers().add(layer);
+  layer.delete();
+  return index;
+}
+
+/**
+ * Creates attributes: layer, user text and name. They are deleted when added with an object.
+ * @param text user text
+ */
+export function attributesOf(api: any, layer: number, text: Record<string, string>, name?: string) {
+  const attributes = new api.ObjectAttributes();
+  attributes.layerIndex = layer;
+  if (name) attributes.name = name;
+  for (const [key, value] of Object.entries(text)) attributes.setUserString(key, value);
+  return attributes;
+}
+
+export function addPolyline(api: any, file: any, points: Point[], attributes: any) {
+  const list = new api.Point3dList(points.length);
+  for (const point of points) list.add(...point);
+  file.objects().addPolyline(list, attributes);
+  attributes.delete();
+  list.delete();
+}
+
+/**
+ * Adds a mesh; rhino3dm has no n-gons, so convex polygons of more than four corners become fans.
+ */
+export function addMesh(
+  api: any,
+  file: any,
+  { points, faces }: { points: Point[]; faces: number[][] },
+  attributes: any,
+) {
+  const mesh = new api.Mesh();
+  for (const point of points) mesh.vertices().addPoint3d(...point);
+  for (const face of faces) {
+    if (face.length === 4) mesh.faces().addQuadFace(...face);
+    else
+      for (let k = 2; k < face.length; k++) mesh.faces().addTriFace(face[0], face[k - 1], face[k]);
+  }
+  mesh.normals().computeNormals();
+  file.objects().addMesh(mesh, attributes);
+  attributes.delete();
+  mesh.delete();
+}

@@ -317,7 +317,7 @@ class AddConstraintDialog {
       return;
     const weight = this.#weight.value === '' ? 1 : this.#weight.valueAsNumber;
     const added = await this.#actions.edit(
-      { type: 'addConstraint', kind, params, on: offer.place.on, weight },
+      { addConstraint: { kind, params, on: offer.place.on, weight } },
       (error) => this.#parameters.refuse(error),
     );
     if (added === undefined) return;

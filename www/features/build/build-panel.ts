@@ -133,7 +133,7 @@ async function buildPanel(app: AppContext) {
 
   function change(own: Partial<BuildSettings>) {
     const build = { ...store.get().document?.build, ...own };
-    void actions.edit({ type: 'setBuild', build });
+    void actions.edit({ setBuild: { build } });
   }
 
   function showWorst(worst: CheckRow['worst']) {
@@ -155,7 +155,7 @@ async function buildPanel(app: AppContext) {
   async function saveForRhino() {
     const { askRhino } = await import('../../documents/rhino/rhino-client.ts');
     const [parts, { symbol }] = [await live.spatialParts(), live.unit()];
-    const bytes = await askRhino({ type: 'writeParts', parts, symbol });
+    const bytes = await askRhino((rhino) => rhino.writeParts(parts, symbol));
     files.save('-parts.3dm', bytes, 'model/vnd.3dm');
   }
 

@@ -151,7 +151,7 @@ async function saveForRhino({ actions, files }: AppContext) {
   const { askRhino } = await import('../../documents/rhino/rhino-client.ts');
   const scene = await actions.ask.scene();
   const errors = await actions.ask.table('errors');
-  files.save('.3dm', await askRhino({ type: 'write', scene, errors }), 'model/vnd.3dm');
+  files.save('.3dm', await askRhino((rhino) => rhino.write(scene, errors)), 'model/vnd.3dm');
 }
 
 function section(title: string, ...rows: Child[]) {

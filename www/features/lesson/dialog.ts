@@ -10,7 +10,7 @@ import { messageOf } from '../../solver/errors.ts';
 import { LOCKS } from './locks.ts';
 import type { AppContext } from '../../app/context.ts';
 
-const ERROR_AT = /^goals\[(\d+)\]/;
+const ERROR_AT = /^lesson\.goals\[(\d+)\]/;
 
 export async function write(app: AppContext) {
   const { store, files, actions } = app;
@@ -148,11 +148,7 @@ export async function write(app: AppContext) {
       }),
       lock: locks.filter(({ box }) => box.checked).map(({ id }) => id),
     };
-    const edit = {
-      type: 'setLesson',
-      lesson,
-      unsolved: unsolved.box.checked,
-    } as const;
+    const edit = { setLesson: { lesson, unsolved: unsolved.box.checked } };
     const kept = await actions.edit(edit, (refused) => {
       const path = refused instanceof Error && 'path' in refused ? String(refused.path) : '';
       setText(error, messageOf(refused));
@@ -172,7 +168,7 @@ export async function write(app: AppContext) {
 
   async function forget() {
     dialog.close();
-    if ((await actions.edit({ type: 'setLesson', lesson: null })) !== undefined)
+    if ((await actions.edit({ setLesson: { lesson: null } })) !== undefined)
       actions.setStatus('Lesson removed');
   }
 

@@ -65,7 +65,7 @@ export function keptStrip({ store, solver, actions }: AppContext) {
   async function remove(index: number, scene: SceneDocument) {
     if (isRemoving || scene !== store.get().document) return;
     isRemoving = true;
-    await actions.edit({ type: 'removeVariant', index });
+    await actions.edit({ removeVariant: { index } });
     isRemoving = false;
   }
 
@@ -75,7 +75,7 @@ export function keptStrip({ store, solver, actions }: AppContext) {
       'button.kept-picture',
       {
         title: isCurrent ? 'This shape is open' : `Go to ${name}`,
-        onclick: () => actions.edit({ type: 'goToVariant', index }),
+        onclick: () => actions.edit({ goToVariant: { index } }),
       },
       canvas,
       element('span', name),

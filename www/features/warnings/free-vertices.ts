@@ -61,7 +61,7 @@ export function watchFreeVertices({ store, actions }: AppContext) {
       'div.message.notice',
       { role: 'group', 'aria-label': 'Vertices that stand still' },
       element('p', `${count(free, stand, stand)}`),
-      button('Let them follow', () => actions.edit({ type: 'preset', id: 'opened' }), SMALL),
+      button('Let them follow', () => actions.edit({ preset: { id: 'opened' } }), SMALL),
       button('Fix them', () => actions.addHandles(vertices, true), SMALL),
       button('Select', () => actions.select({ vertices, faces: [] }), SMALL),
       closeButton('Close', clear),

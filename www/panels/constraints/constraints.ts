@@ -52,7 +52,7 @@ export function constraintsPanel(place: HTMLElement, { store, actions, solver }:
   function rowOf(row: ConstraintRow, key: string) {
     const { kinds, document } = store.get();
     const set = (change: { weight?: number; enabled?: boolean }) =>
-      actions.edit({ type: 'setConstraint', index: row.index, ...change });
+      actions.edit({ setConstraint: { index: row.index, ...change } });
     const name = `${row.label} on ${row.on}`;
     const kind = kinds.find(({ id }) => id === row.kind);
     const toggle = element('input', {
@@ -67,7 +67,7 @@ export function constraintsPanel(place: HTMLElement, { store, actions, solver }:
     weight.show(row.weight);
     const remove = () => {
       untint();
-      void actions.edit({ type: 'removeConstraint', index: row.index });
+      void actions.edit({ removeConstraint: { index: row.index } });
     };
     const worst = element('span.worst.figure', {
       title: 'The largest distance of a vertex from the shape of this constraint',
@@ -103,7 +103,7 @@ export function constraintsPanel(place: HTMLElement, { store, actions, solver }:
       const { editName } = await renaming();
       editName(opener, row.name, kind?.label ?? '', (name) => {
         renamed = row.index;
-        void actions.edit({ type: 'renameConstraint', index: row.index, name });
+        void actions.edit({ renameConstraint: { index: row.index, name } });
       });
     };
     const rename = () => actions.reportErrors(openRename());

@@ -26,15 +26,12 @@ export function detailsOf(
   const parameters = new Parameters(kind.params, row.params, model, {
     name,
     changed: (id, value) =>
-      actions.edit(
-        { type: 'setConstraint', index: row.index, params: { [id]: value } },
-        (error) => {
-          parameters.restore(row.params);
-          return parameters.refuse(error);
-        },
-      ),
+      actions.edit({ setConstraint: { index: row.index, params: { [id]: value } } }, (error) => {
+        parameters.restore(row.params);
+        return parameters.refuse(error);
+      }),
   });
-  const duplicate = () => actions.edit({ type: 'duplicateConstraint', index: row.index });
+  const duplicate = () => actions.edit({ duplicateConstraint: { index: row.index } });
   return [
     sketch(kind.sketch),
     element('p.quiet', kind.summary),

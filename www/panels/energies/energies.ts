@@ -90,7 +90,7 @@ function moreSettings(store: Store, actions: Actions) {
 }
 
 function termRow({ id, label, words }: (typeof TERMS)[number], actions: Actions) {
-  const send = (weight: number) => actions.edit({ type: 'setWeights', [id]: weight });
+  const send = (weight: number) => actions.edit({ setWeights: { [id]: weight } });
   const weight = amountField(`${label} weight`, send);
   const { field } = weight;
   const slider = element('input', {

@@ -8,19 +8,19 @@ import { Parameters } from '../../ui/kinds/parameters.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
 import type { Store } from '../../store/state.ts';
 import type { Actions } from '../../store/actions.ts';
-import type { ParamValue, SettingInfo } from '../../solver/types.ts';
+import type { Edit, ParamValue, SettingInfo } from '../../solver/types.ts';
 
 /** Fitting to another surface. */
 const FIT = {
   label: 'Fit to another surface',
-  type: 'fitTo' as const,
+  edit: (name: string, text: string): Edit => ({ fitTo: { name, text } }),
   words: 'A second file in the same coordinates: the vertices are pulled onto its surface.',
   done: (name: string) => `Vertices stay near ${name}`,
 };
 /** Rest shapes from another pose. */
 const POSE = {
   label: 'Take the pose of another file',
-  type: 'takePose' as const,
+  edit: (name: string, text: string): Edit => ({ takePose: { name, text } }),
   words:
     'A second file with the same faces: rigid and similar constraints keep the shapes in that file.',
   done: (name: string) => `Shapes are taken from ${name}`,
@@ -62,7 +62,7 @@ function settingRow(setting: SettingInfo, store: Store, actions: Actions) {
   const { document, model } = store.get();
   const parameters = new Parameters([setting], document?.settings ?? {}, model, {
     changed: (id, value) =>
-      actions.edit({ type: 'set', id, value }, (error) => {
+      actions.edit({ set: { id, value } }, (error) => {
         const now = store.get().document?.settings;
         if (now) parameters.restore(now);
         return parameters.refuse(error);
@@ -80,19 +80,14 @@ function settingRow(setting: SettingInfo, store: Store, actions: Actions) {
  * @param more elements beside the button
  */
 function fileRow(
-  {
-    label,
-    type,
-    words,
-    done,
-  }: { label: string; type: 'fitTo' | 'takePose'; words: string; done: (name: string) => string },
+  { label, edit, words, done }: typeof FIT,
   actions: Actions,
   ...more: HTMLElement[]
 ) {
   const read = async (file: File) => {
     const text = await file.text();
     input.value = '';
-    const edited = await actions.edit({ type, name: file.name, text });
+    const edited = await actions.edit(edit(file.name, text));
     if (edited !== undefined) actions.setStatus(done(file.name));
   };
   const input = element('input', {
@@ -114,7 +109,7 @@ function fileRow(
 
 /** The row for rest shapes from another pose of the mesh. */
 function poseRow(store: Store, actions: Actions) {
-  const leave = button('Leave the other pose', () => actions.edit({ type: 'leavePose' }));
+  const leave = button('Leave the other pose', () => actions.edit('leavePose'));
   store.subscribe(['document'], ({ document }) => (leave.hidden = !document?.pose));
   return fileRow(POSE, actions, leave);
 }
@@ -125,7 +120,7 @@ function holdRow(store: Store, actions: Actions) {
   const hold = async ({ label, weight }: (typeof HOLDS)[number]) => {
     await actions.settled();
     const vertices = actions.selectedVertices();
-    if ((await actions.edit({ type: 'holdClose', vertices, weight })) === undefined) return;
+    if ((await actions.edit({ holdClose: { vertices, weight } })) === undefined) return;
     const whose = count(vertices.length, 'vertex', 'vertices');
     actions.setStatus(`Closeness of ${whose}: ${label.toLowerCase()}`);
   };
@@ -136,7 +131,7 @@ function holdRow(store: Store, actions: Actions) {
     }),
   );
   const all = button('Same for all', () =>
-    actions.edit({ type: 'holdClose', vertices: null, weight: 1 }),
+    actions.edit({ holdClose: { vertices: null, weight: 1 } }),
   );
   store.subscribe(['selection', 'document'], ({ selection, document }) => {
     const none = sizeOfSelection(selection) === 0;

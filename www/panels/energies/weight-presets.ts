@@ -24,7 +24,7 @@ export function weightPresets(actions: Actions): {
     'aria-labelledby': 'preset-warning',
     hidden: true,
   });
-  const apply = ({ id }: Preset) => actions.edit({ type: 'preset', id });
+  const apply = ({ id }: Preset) => actions.edit({ preset: { id } });
 
   function choose(chosen: string) {
     const preset = presets.find(({ id }) => id === chosen);

@@ -114,9 +114,7 @@ export function handleDetails(store: Store, actions: Actions) {
       const value = weight.valueAsNumber;
       if (!(value > 0)) return show();
       void actions.edit({
-        type: 'weighHandles',
-        vertices: vertices((handle) => !handle.fixed),
-        weight: value,
+        weighHandles: { vertices: vertices((handle) => !handle.fixed), weight: value },
       });
     },
   });

@@ -90,7 +90,7 @@ export function fillSelectMenu(
     };
     const remove = (name: string) => {
       close();
-      void actions.edit({ type: 'removeSet', name });
+      void actions.edit({ removeSet: { name } });
     };
     const sets = (state.document?.sets ?? []).map(({ name, vertices, faces }) => {
       const size = faces > 0 ? count(faces, 'face') : count(vertices, 'vertex', 'vertices');
@@ -138,10 +138,11 @@ export function fillSelectMenu(
       // Sets have only vertices and faces, so edges are stored by their ends.
       const ends = edgeEnds(edges);
       const edit = {
-        type: 'nameSet' as const,
-        name: words,
-        vertices: [...new Set([...vertices, ...ends])].sort((a, b) => a - b),
-        faces: [...faces].sort((a, b) => a - b),
+        nameSet: {
+          name: words,
+          vertices: [...new Set([...vertices, ...ends])].sort((a, b) => a - b),
+          faces: [...faces].sort((a, b) => a - b),
+        },
       };
       if ((await actions.edit(edit)) !== undefined) actions.setStatus(`Saved as the set ${words}`);
     };

@@ -7,7 +7,7 @@ import type { Actions } from '../actions.ts';
 export const exactActions = (solver: SolverClient, { reportErrors }: Actions) => ({
   /** Sets the hardness of a row and runs, as one step of undo. */
   require: (index: number, require: Require) =>
-    reportErrors(solver.change.editAndRun({ type: 'setConstraint', index, require })),
+    reportErrors(solver.change.editAndRun({ setConstraint: { index, require } })),
 
   /**
    * Applies a shape that was found, if it belongs to the current one.

@@ -7,7 +7,7 @@ import type { Store } from '../state.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
 import type { Actions } from '../actions.ts';
 
-type Refinement = Omit<Extract<Edit, { type: 'refine' }>, 'type'>;
+type Refinement = Extract<Edit, { refine: unknown }>['refine'];
 
 export function meshActions(store: Store, solver: SolverClient, actions: Actions) {
   /** Runs to the end; false if stopped before convergence. */
@@ -46,7 +46,7 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
      */
     async remesh(asked: Remeshing, label: string): Promise<string[]> {
       const { faces: before = 0 } = store.get().model ?? {};
-      await solver.change.edit({ type: 'remesh', ...asked });
+      await solver.change.edit({ remesh: asked });
       const { model } = store.get();
       actions.setStatus(
         `${label}: ${count(before, 'face')} became ${count(model?.faces ?? 0, 'face')}`,
@@ -66,11 +66,11 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
         return `Refined to ${count(model?.faces ?? 0, 'face')}`;
       };
       if (!solves) {
-        await solver.change.edit({ type: 'refine', ...how });
+        await solver.change.edit({ refine: how });
         actions.setStatus(refined());
         return lost;
       }
-      const once: Edit = { type: 'refine', ...how, levels: 1 };
+      const once: Edit = { refine: { ...how, levels: 1 } };
       store.set({ refining: true });
       try {
         let goesOn = store.get().converged || (await untilEnd(() => solver.tell.run()));

@@ -21,7 +21,7 @@ export function presentActions(store: Store, actions: Actions) {
       return step;
     },
 
-    setSteps: (steps: Slide[]) => actions.edit({ type: 'setSteps', steps }),
+    setSteps: (steps: Slide[]) => actions.edit({ setSteps: { steps } }),
 
     /** Shows a step; a change of shape or weights is one step of undo. */
     async showStep(index: number) {
@@ -31,7 +31,7 @@ export function presentActions(store: Store, actions: Actions) {
       const { camera, measure, parallel = false, original, variant, weights, run } = step;
       if (running && !run) actions.runOrPause();
       const isSet = original || weights || variant !== undefined;
-      const set = isSet ? actions.edit({ type: 'showStep', index }) : null;
+      const set = isSet ? actions.edit({ showStep: { index } }) : null;
       // Null also if it is refused: the remaining parts apply even then.
       if ((await newest(Promise.resolve(set).then(() => null))) === undefined) return;
       actions.look({ parallel, measure: measure ?? null, measureChosen: true });

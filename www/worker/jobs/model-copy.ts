@@ -30,8 +30,8 @@ function current(): ModelCopy {
 }
 
 export const onCopy = {
-  /** How far making panels of one shape will move the mesh, in words. */
-  forecast: (model: Snapshot) => copyOf(model).forecast(),
+  /** How far making panels of one shape will move the mesh, in words; null if none is offered. */
+  forecast: (model: Snapshot) => copyOf(model).forecast() ?? null,
   /** A flat map of the shape. */
   parametrize: (model: Snapshot, weights: MapWeights, norm: MapNorm) =>
     copyOf(model).parametrize(weights, norm),
@@ -53,7 +53,7 @@ export const onCopy = {
   found() {
     const copy = current();
     const [offer, shape] = [copy.offer(), copy.shape()];
-    return offer && shape && { offer, shape, positions: copy.positions() };
+    return offer && shape ? { offer, shape, positions: copy.positions() } : null;
   },
   /** The changes found so far, most effective first. */
   remedies: () => current().remedies(),

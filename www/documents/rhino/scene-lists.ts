@@ -1,0 +1,52 @@
+/** What of a scene goes into a Rhino file: the vertices as they are there, and one layer per group. */
+
+import type { Point } from './rhino.ts';
+
+/**
+ * Returns the current shape of a scene with its mesh, with z up. A scene saved at its design has
+ * no other positions than those of that variant.
+ */
+export function pointsOf({ mesh, variants, current, up }: any): Point[] {
+  const points = current ?? variants?.kept[variants.design]?.positions ?? mesh.positions;
+  return up === 'y' ? points.map(rotated) : points;
+}
+
+/** Rotates from y up to z up. */
+const rotated = ([x, y, z]: Point): Point => [x, -z, y];
+
+type Group = { faces?: number[] | string };
+
+/** Layer of the faces that are in no group. */
+const REST = 'Panels';
+
+/**
+ * Returns the faces on each layer; a face in several groups is on the layer of the first.
+ * @param count number of faces
+ * @param groups of a scene; an array if several share a name
+ */
+export function byLayer(count: number, groups: Record<string, Group | Group[]>) {
+  const layerOf: (string | null)[] = new Array(count).fill(null);
+  for (const [name, sameName] of Object.entries(groups)) {
+    for (const group of [sameName].flat()) {
+      for (const face of indices(group.faces ?? [])) layerOf[face] ??= name;
+    }
+  }
+  const layers: Map<string, number[]> = new Map();
+  layerOf.forEach((name, face) => {
+    const key = name ?? REST;
+    const members = layers.get(key);
+    if (members) members.push(face);
+    else layers.set(key, [face]);
+  });
+  return layers;
+}
+
+/** Expands an index list of a scene file: an array, or ranges such as "0-3,7". */
+export function indices(list: number[] | string): number[] {
+  if (typeof list !== 'string') return list;
+  if (list.trim() === '') return [];
+  return list.split(',').flatMap((range) => {
+    const [first, last = first] = range.split('-').map(Number);
+    return Array.from({ length: last - first + 1 }, (_, i) => first + i);
+  });
+}
