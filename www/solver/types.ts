@@ -10,6 +10,7 @@ export type {
   BuildNumber,
   BuildPreset,
   BuildReport,
+  BuildSetting,
   CheckRow,
   CheckWords,
   ConstraintRow,

@@ -5,15 +5,16 @@ use crate::fabricate::{
     BUILD_NUMBERS, Build, BuildCard, BuildReport, BuildWords, CardWords, Choice, LengthInMetres,
     ReportView,
 };
-use crate::scene::{BUILD_PRESETS, BuildPreset, BuildSettings};
+use crate::scene::{BUILD_PRESETS, BUILD_SETTINGS, BuildPreset, BuildSetting, BuildSettings};
 use crate::web::{log_panics, mesh_of, plain_object as plain, thrown};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// The choices and presets of the settings form.
+/// The presets, the declared settings and their defaults.
 #[derive(Serialize, tsify::Tsify)]
 struct BuildOffers {
     presets: &'static [BuildPreset],
+    settings: &'static [BuildSetting],
     /// All of them.
     #[tsify(type = "Required<BuildSettings>")]
     defaults: BuildSettings,
@@ -48,11 +49,12 @@ struct BuildFile {
     text: String,
 }
 
-/// Returns the presets and the defaults.
+/// Returns the presets, the declared settings and their defaults.
 #[wasm_bindgen(js_name = buildOffers, unchecked_return_type = "BuildOffers")]
 pub fn build_offers() -> Result<JsValue, JsValue> {
     log_panics();
-    plain(&BuildOffers { presets: &BUILD_PRESETS, defaults: BuildSettings::default() })
+    let defaults = BuildSettings::default();
+    plain(&BuildOffers { presets: &BUILD_PRESETS, settings: BUILD_SETTINGS, defaults })
 }
 
 /// The parts of a shape.
