@@ -76,9 +76,10 @@
 //! - The text of a scene: `Scene::from_json` (`scene/json/file`) gives the typed [`scene::Scene`],
 //!   `Scene::validate` (`scene/validate`) checks it against the mesh, and `scene/problem` makes the
 //!   [`solve::Problem`] of it.
-//! - A setting of Build: a field of [`scene::BuildSettings`] and its control in
-//!   `www/features/build/settings-form.ts`. The edit `SetBuild` stores it in the scene; the page's
-//!   second worker passes it to `web::jobs::build`, which calls [`fabricate::Build::new`].
+//! - A setting of Build: a field of [`scene::BuildSettings`] and its declaration in
+//!   [`scene::BUILD_SETTINGS`], of which hosts make their forms and options. The edit `SetBuild`
+//!   stores it in the scene; the page's second worker passes it to `web::jobs::build`, which calls
+//!   [`fabricate::Build::new`].
 //! - A question of the page: a method in `web/worker`, such as `verdict` in `web/worker/questions`, whose
 //!   types wasm-bindgen writes; and its use in the page, `ask.verdict(tolerance)` of
 //!   `www/solver/solver-client.ts`. What takes long is a method in `web/jobs`, for the second worker

@@ -43,8 +43,8 @@ pub use crate::solve::{
 pub use crate::sparse::Factorization;
 pub(crate) use build::page_counts;
 pub use build::{
-    BUILD_PRESETS, BuildPreset, BuildSettings, CheckLimits, Dxf, Names, OffsetKind, Order, Page,
-    Pieces, Product,
+    BUILD_PRESETS, BUILD_SETTINGS, BuildForm, BuildGroup, BuildOption, BuildPreset, BuildSetting,
+    BuildSettings, BuildUnit, CheckLimits, Dxf, Names, OffsetKind, Order, Page, Pieces, Product,
 };
 pub use closeness::{Closeness, ClosenessWeight, Target};
 pub use document::{

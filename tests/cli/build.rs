@@ -1,6 +1,7 @@
 //! `shape-up build`.
 
 use crate::cli::folder::{Folder, ROOF};
+use shape_up::scene::{BUILD_SETTINGS, BuildForm};
 
 #[test]
 fn sheets_tables_and_a_report_are_written_whole() {
@@ -198,6 +199,63 @@ fn what_cannot_be_built_or_asked_is_refused_in_one_line() {
         assert_eq!(ended.code, Some(2), "{ended:?}");
         assert!(ended.err.contains(asked[0]), "{ended:?}");
     }
+}
+
+#[test]
+fn every_setting_of_a_scene_is_an_option() {
+    let folder = Folder::new("build-settings");
+    folder.write("roof.obj", ROOF);
+    for setting in BUILD_SETTINGS {
+        let Some(option) = setting.option() else { continue };
+        let value = match setting.form {
+            BuildForm::Number { .. } if option == "--scale" => "20".to_owned(),
+            BuildForm::Number { .. } => "0.25".to_owned(),
+            BuildForm::Choice { options } => options[options.len() - 1].word.to_owned(),
+            BuildForm::Switch => "on".to_owned(),
+            BuildForm::Text => "oak".to_owned(),
+        };
+        folder.run(&["build", "roof.obj", &option, &value]).done();
+        if !setting.absent.is_empty() {
+            folder.run(&["build", "roof.obj", &option, "auto"]).done();
+        }
+        let wrong = match setting.form {
+            BuildForm::Number { .. } => "much",
+            BuildForm::Choice { .. } => "none",
+            BuildForm::Switch => continue,
+            BuildForm::Text => "",
+        };
+        let refused = folder.run(&["build", "roof.obj", &option, wrong]);
+        refused.misused(&option);
+    }
+}
+
+#[test]
+fn settings_of_the_workshop_are_used_and_listed_in_the_summary() {
+    let folder = Folder::new("build-workshop");
+    folder.write("roof.obj", ROOF);
+    let asked = ["build", "roof.obj", "--units=m", "--scale", "1:20", "--sheet=1200x600"];
+    let own = ["--kerf=0.2", "--gap", "4", "--margin=7", "--dxf=r12", "--outlines-only"];
+    let more =
+        ["--limits-warp=2", "--alike_deg", "1", "--mirror", "off", "--distance=0.1", "--out=parts"];
+    folder.run(&[&asked[..], &own, &more].concat()).done();
+    let summary = folder.read("parts/summary.csv");
+    for line in [
+        "Scale 1 : (scale),20,",
+        "Sheet width (sheet[0]),1200,mm",
+        "Kerf (kerf),0.2,mm",
+        "Gap (gap),4,mm",
+        "Margin (margin),7,mm",
+        "Thickness (thickness),0.5,mm",
+        "Joint (joint),0,m",
+        "Distance (distance),0.1,m",
+        "Drawings (dxf),r12,",
+        "\"Outlines only, without names (outlines_only)\",on,",
+        "Mirror images are alike (mirror),off,",
+        "Beam warp (limits.warp),2,mm",
+    ] {
+        assert!(summary.contains(&format!("\r\n{line}\r\n")), "{line}: {summary}");
+    }
+    assert!(folder.read("parts/sheet-01.dxf").contains("AC1009"));
 }
 
 #[test]

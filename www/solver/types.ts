@@ -8,6 +8,7 @@ export type {
   BuildNumber,
   BuildPreset,
   BuildReport,
+  BuildSetting,
   CheckRow,
   CheckWords,
   ConformalNorm as MapNorm,

@@ -4,9 +4,9 @@ use super::edit::Remesh;
 use super::new_mesh::New;
 use super::words::{Word, Words};
 use crate::cli::{edit, new_mesh};
+use serde_json::Value;
 use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
-use shape_up::scene::{Accelerator, BoundaryCloseness, UNITS};
-use shape_up::scene::{OffsetKind, Page, Pieces, Product};
+use shape_up::scene::{Accelerator, BUILD_SETTINGS, BoundaryCloseness, BuildSetting, UNITS};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -75,24 +75,15 @@ pub(super) struct Solve {
     pub(super) trace: bool,
 }
 
-/// `shape-up build`: absent options are as in the scene.
+/// `shape-up build`.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Build {
     /// A scene or a mesh.
     pub(super) input: PathBuf,
-    pub(super) product: Option<Product>,
-    pub(super) pieces: Option<Pieces>,
-    pub(super) page: Option<Page>,
-    pub(super) material: Option<String>,
-    pub(super) thickness: Option<f64>,
-    pub(super) hole: Option<f64>,
-    pub(super) kind: Option<OffsetKind>,
-    pub(super) distance: Option<f64>,
-    pub(super) joint: Option<f64>,
-    pub(super) scale: Option<f64>,
+    /// The ids of declared settings, with values as in a scene; the others are those of the scene.
+    pub(super) settings: Vec<(&'static str, Value)>,
     /// The symbol of the unit of the mesh.
     pub(super) units: Option<&'static str>,
-    pub(super) sheet: Option<[f64; 2]>,
     /// A folder.
     pub(super) out: Option<PathBuf>,
     pub(super) report: Option<PathBuf>,
@@ -265,30 +256,26 @@ fn build(mut words: Words) -> Result<Command, String> {
     let (mut build, mut input) = (Build::default(), None);
     while let Some(name) = words.option(&mut input)? {
         match name.as_str() {
-            "--product" => {
-                build.product = Some(words.word_of(&name, Product::ALL, Product::id)?);
-            }
-            "--pieces" => build.pieces = Some(words.word_of(&name, Pieces::ALL, Pieces::id)?),
-            "--page" => build.page = Some(words.word_of(&name, Page::ALL, Page::id)?),
-            "--material" => build.material = Some(words.text(&name)?),
-            "--thickness" => build.thickness = Some(words.not_negative(&name)?),
-            "--hole" => build.hole = Some(words.not_negative(&name)?),
-            "--kind" => {
-                build.kind = Some(words.word_of(&name, OffsetKind::ALL, OffsetKind::id)?);
-            }
-            "--distance" => build.distance = Some(words.distance(&name)?),
-            "--joint" => build.joint = Some(words.not_negative(&name)?),
-            "--scale" => build.scale = Some(words.positive(&name)?),
             "--units" => {
                 let symbols = UNITS.map(|unit| unit.symbol);
                 build.units = Some(words.word_of(&name, symbols, |symbol| symbol)?);
             }
-            "--sheet" => build.sheet = Some(words.sheet(&name)?),
+            "--sheet" => {
+                let [width, height] = words.sheet(&name)?;
+                build.settings.extend([("sheet[0]", width.into()), ("sheet[1]", height.into())]);
+            }
             "--out" => build.out = Some(words.file(&name)?),
             "--report" => build.report = Some(words.file(&name)?),
             "--report-page" => build.report_page = Some(words.page(&name)?),
             "--link" => build.link = Some(words.text(&name)?),
-            _ => return Err(unknown(&Word::Option(name), "build")),
+            _ => {
+                let dashed = name.replace('_', "-");
+                let is_named = |one: &&BuildSetting| one.option().as_ref() == Some(&dashed);
+                let Some(setting) = BUILD_SETTINGS.iter().find(is_named) else {
+                    return Err(unknown(&Word::Option(name), "build"));
+                };
+                build.settings.push((setting.id, words.setting(&name, setting)?));
+            }
         }
     }
     build.input = input.ok_or("build needs a scene or a mesh file")?;

@@ -7,7 +7,7 @@ use shape_up::fabricate::{
     LengthInMetres, PRESENTATION, PaperReport, ReportView,
 };
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BuildSettings, Scene, UNITS, Up};
+use shape_up::scene::{BUILD_SETTINGS, BuildSettings, Scene, UNITS, Up};
 use shape_up::words;
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     scene.units = asked.units.map_or(scene.units, str::to_owned);
     let at = |message: String| Failure::Input(format!("{}: {message}", asked.input.display()));
     scene.validate(&mesh).map_err(|error| at(error.to_string()))?;
-    let settings = settings(asked, &scene);
+    let settings = settings(asked, &scene).map_err(at)?;
     let mesh = Mesh { positions: scene.start(&mesh).to_vec(), ..mesh };
     let unit = UNITS.iter().find(|unit| unit.symbol == scene.units).unwrap_or_else(|| {
         let what = match &*scene.units {
@@ -73,22 +73,15 @@ fn left_over(folder: &Path, written: &[(PathBuf, Vec<u8>)]) -> Option<String> {
 }
 
 /// Returns the settings of the scene, overridden by the options.
-fn settings(asked: &arguments::Build, scene: &Scene) -> BuildSettings {
+fn settings(asked: &arguments::Build, scene: &Scene) -> Result<BuildSettings, String> {
     let own = scene.build.as_deref().cloned().unwrap_or_default();
-    BuildSettings {
-        product: asked.product.unwrap_or(own.product),
-        pieces: asked.pieces.unwrap_or(own.pieces),
-        page: asked.page.unwrap_or(own.page),
-        material: asked.material.clone().unwrap_or(own.material),
-        thickness: asked.thickness.unwrap_or(own.thickness),
-        hole: asked.hole.unwrap_or(own.hole),
-        kind: asked.kind.or(own.kind),
-        distance: asked.distance.or(own.distance),
-        joint: asked.joint.unwrap_or(own.joint),
-        scale: asked.scale.unwrap_or(own.scale),
-        sheet: asked.sheet.unwrap_or(own.sheet),
-        ..own
-    }
+    let declared = |id: &str| BUILD_SETTINGS.iter().find(|setting| setting.id == id);
+    asked.settings.iter().try_fold(own, |own, (id, value)| match declared(id) {
+        Some(setting) => {
+            own.with(setting, value.clone()).map_err(|fault| format!("build.{id}: {fault}"))
+        }
+        None => Ok(own),
+    })
 }
 
 fn words(report: &BuildReport, said: &BuildWords, remarks: &[String]) -> String {

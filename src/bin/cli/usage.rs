@@ -3,8 +3,9 @@
 use shape_up::constraint::KINDS;
 use shape_up::generate::NEW_KINDS;
 use shape_up::mesh::{MESH_OPERATIONS, Scheme, Size};
-use shape_up::scene::{Accelerator, NamedEnum, UNITS};
-use shape_up::scene::{OffsetKind, Page, Pieces, Product};
+use shape_up::scene::{
+    Accelerator, BUILD_SETTINGS, BuildForm, BuildSetting, BuildUnit, NamedEnum, UNITS,
+};
 use shape_up::solve::{ConformalNorm, ConformalWeights};
 
 /// Returns the usage text.
@@ -15,11 +16,8 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH|auto
                 [--improve] [--boundary exact|WEIGHT] [--iterations N] [--tolerance T]
                 [--accelerator {}]
                 [--out FILE.obj|FILE.mesh] [--report FILE.json] [--trace]
-       shape-up build SCENE|MESH [--product {}] [--kind {}]
-                [--distance D] [--joint J] [--scale S] [--material NAME]
-                [--thickness T] [--sheet WxH] [--hole D] [--pieces {}]
-                [--page {}] [--units {}] [--out DIR] [--report FILE.json]
-                [--report-page FILE.html [--link URL]]
+       shape-up build SCENE|MESH [--SETTING VALUE ...] [--sheet WxH] [--units {}]
+                [--out DIR] [--report FILE.json] [--report-page FILE.html [--link URL]]
        shape-up refine SCENE|MESH [--scheme {}] [--levels N]
                 [--keep DEGREES] [--panels KIND] [--adopt]
                 [--out FILE.obj|FILE.mesh|FILE.json] [--report FILE.json]
@@ -55,12 +53,12 @@ A MESH is solved with settings that preserve its shape, a scene with its own.
 --trace records the energies of every iteration, in the report and on standard output.
 build lays panels, fins along the edges, or a paper model of strips or nets flat on sheets, and checks
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
-tables (CSV) and, with fins, the beams as solids (OBJ). The distance D, negative inwards, and the joint J
-between panels are lengths in the unit of the mesh (--units; else that of the file, or guessed from its
-size); the model is 1:S; the material is T mm thick, a sheet W by H mm; holes of --hole mm for dowels or
-ties are drilled along edges and at the ends of fins; the PDF is tiled to a --page. Options not given are
-taken from `build` of the scene. --report-page writes a report as a web page that prints on A4: picture,
-plan, build check, bill of materials, and the --link.
+tables (CSV) and, with fins, the beams as solids (OBJ). Settings that are not given are those of `build` in
+the scene. Lengths are in MM on the sheet or, where it says so, at full size; a LENGTH is in the unit of the
+mesh (--units; else that of the file, or guessed from its size). Settings of build:
+{}
+--sheet is the width and height of a sheet in mm. --report-page writes a report as a web page that prints
+on A4: picture, plan, build check, bill of materials, and the --link.
 refine divides each face into several, N times; the boundary is refined as a curve of its own, and
 creases and corners that turn by more than DEGREES (75) stay sharp. With --panels it solves before the
 first level and after each; with --adopt the shape of each level is the original of the next, which stays
@@ -88,18 +86,40 @@ experiment solves a scene by several methods, and prints how far each came; --cs
 per method.
 Exit code: 0 done, 1 error in the input, 2 usage error, 3 internal error.",
         Accelerator::list("|"),
-        Product::ALL.map(Product::id).join("|"),
-        OffsetKind::ALL.map(OffsetKind::id).join("|"),
-        Pieces::ALL.map(Pieces::id).join("|"),
-        Page::ALL.map(Page::id).join("|"),
         UNITS.map(|unit| unit.symbol).join("|"),
         Scheme::list("|"),
         ConformalWeights::list("|"),
         ConformalNorm::list("|"),
         kinds(),
+        build_settings(),
         operations(),
         new_kinds(),
     )
+}
+
+/// Lists the settings of Build with their values and summaries, one per line.
+fn build_settings() -> String {
+    let line = |setting: &BuildSetting| {
+        let option = format!("{} {}", setting.option()?, value_of(setting));
+        Some(format!(" {:<34} {}", option.trim_end(), setting.summary))
+    };
+    BUILD_SETTINGS.iter().filter_map(line).collect::<Vec<_>>().join("\n")
+}
+
+/// The kind of value of a setting: `MM`, `LENGTH|auto`, `nets|strips|across`; empty for a switch.
+fn value_of(setting: &BuildSetting) -> String {
+    let value = match setting.form {
+        BuildForm::Number { unit: BuildUnit::Plain, .. } => "N".to_owned(),
+        BuildForm::Number { unit: BuildUnit::Mesh, .. } => "LENGTH".to_owned(),
+        BuildForm::Number { unit: BuildUnit::Mm, .. } => "MM".to_owned(),
+        BuildForm::Number { unit: BuildUnit::Degrees, .. } => "DEGREES".to_owned(),
+        BuildForm::Choice { options } => {
+            options.iter().map(|option| option.word).collect::<Vec<_>>().join("|")
+        }
+        BuildForm::Switch => String::new(),
+        BuildForm::Text => "TEXT".to_owned(),
+    };
+    if setting.absent.is_empty() { value } else { value + "|auto" }
 }
 
 /// Lists the operations on meshes with their sizes, one per line.

@@ -1,10 +1,14 @@
 //! Lexer of the command line: files, options, and the typed values of options.
 
 use lexopt::Arg;
+use serde_json::Value;
 use shape_up::constraint::KINDS;
-use shape_up::scene::{BoundaryCloseness, BoundaryRequire, NamedEnum};
+use shape_up::scene::{BoundaryCloseness, BoundaryRequire, BuildForm, BuildSetting, NamedEnum};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
+
+/// The word for the absent value of a setting.
+const AUTO: &str = "auto";
 
 /// The remaining arguments of a command.
 pub(super) struct Words {
@@ -155,11 +159,6 @@ impl Words {
             .ok_or_else(|| format!("{name} takes a number above 0, or `auto`, found `{value}`"))
     }
 
-    /// Returns the value of an option that takes a non-zero length of either sign.
-    pub(super) fn distance(&mut self, name: &str) -> Result<f64, String> {
-        self.number_that(name, "a number that is not 0", |number| number != 0.0)
-    }
-
     /// Returns the value of an option that takes a width and a height.
     pub(super) fn sheet(&mut self, name: &str) -> Result<[f64; 2], String> {
         let value = self.text(name)?;
@@ -170,6 +169,52 @@ impl Words {
         sides.ok_or_else(|| {
             format!("{name} takes a width and a height in mm, such as 1200x600, found `{value}`")
         })
+    }
+
+    /// Returns the value of the option of a declared setting of Build, as in a scene: `auto` for
+    /// one that may be absent; `1:50` or `50` for the scale.
+    pub(super) fn setting(&mut self, name: &str, setting: &BuildSetting) -> Result<Value, String> {
+        if matches!(setting.form, BuildForm::Switch) {
+            return Ok(self.switch(name)?.into());
+        }
+        let text = self.text(name)?;
+        let may_be_absent = !setting.absent.is_empty();
+        if may_be_absent && text == AUTO {
+            return Ok(Value::Null);
+        }
+        let value = match setting.form {
+            BuildForm::Number { .. } => {
+                let digits = text.strip_prefix("1:").filter(|_| setting.id == "scale");
+                finite(digits.unwrap_or(&text)).map(Value::from)
+            }
+            BuildForm::Choice { options } => {
+                options.iter().find(|one| one.word == text).map(|one| one.word.into())
+            }
+            BuildForm::Switch | BuildForm::Text => Some(text.clone().into()),
+        };
+        let or_auto = if may_be_absent { format!(" or {AUTO}") } else { String::new() };
+        let expected = || format!("{name} takes {}{or_auto}, found `{text}`", setting.expected());
+        let value = value.ok_or_else(expected)?;
+        match value.as_f64().and_then(|number| setting.fault(number)) {
+            Some(fault) => Err(format!("{name}: {fault}")),
+            None => Ok(value),
+        }
+    }
+
+    /// Returns the value of an option that is on, or followed by on or off.
+    fn switch(&mut self, name: &str) -> Result<bool, String> {
+        let known = |value: &OsStr| match value.to_str() {
+            Some("on" | "true") => Some(true),
+            Some("off" | "false") => Some(false),
+            _ => None,
+        };
+        if let Some(value) = self.parser.optional_value() {
+            let found = value.to_string_lossy();
+            return known(&value).ok_or_else(|| format!("{name} takes on or off, found `{found}`"));
+        }
+        let next = self.parser.try_raw_args();
+        let next = next.and_then(|mut next| next.next_if(|value| known(value).is_some()));
+        Ok(next.and_then(|value| known(&value)).unwrap_or(true))
     }
 
     /// Returns the value of an option that takes the `word` of one of `all`.

@@ -8,7 +8,8 @@ mod shape;
 
 use super::build::Build;
 use super::file::{Cell, Table};
-use crate::scene::Product;
+use crate::scene::{BUILD_SETTINGS, BuildForm, BuildSetting, BuildSettings, BuildUnit, Product};
+use serde_json::Value;
 
 /// The names of the files of all tables of all products.
 pub(super) const NAMES: [&str; 11] = [
@@ -50,23 +51,47 @@ fn summary(build: &Build) -> String {
         table.row([Cell::from(what), value, Cell::from(unit)]);
     };
     row("program", Cell::from(concat!("shape-up ", env!("CARGO_PKG_VERSION"))), "");
-    row("scale, 1 to", Cell::from(build.settings.scale), "");
     row("unit of the model", Cell::from(&*build.unit.symbol), "");
     row("panels", Cell::from(report.panels), "");
     row("product", Cell::from(report.product.id()), "");
     row("parts on sheets", Cell::from(report.placed), "");
     row("parts without room for their name", Cell::from(report.unnamed.len()), "");
     row("sheets", Cell::from(report.sheets), "");
-    row("sheet width", Cell::from(build.settings.sheet[0]), "mm");
-    row("sheet height", Cell::from(build.settings.sheet[1]), "mm");
     row("area of parts", Cell::from(report.cut_area_mm2), "mm2");
     row("length of cuts", Cell::from(report.cut_length_mm), "mm");
     row("joint on the sheet", Cell::from(build.settings.joint * build.mm_of_sheet()), "mm");
     row("types of panels", Cell::from(report.types), "");
-    row("types alike within, building", Cell::from(build.settings.alike), "mm");
     for check in &report.check {
         row(check.label, Cell::from(check.value), check.unit);
         row(&format!("{}, limit", check.label), Cell::from(check.limit), check.unit);
     }
+    let settings = used_settings(build);
+    let is_used = |setting: &&BuildSetting| setting.products.contains(&report.product);
+    for setting in BUILD_SETTINGS.iter().filter(is_used) {
+        let unit = match setting.form {
+            BuildForm::Number { unit: BuildUnit::Mesh, .. } => &*build.unit.symbol,
+            BuildForm::Number { unit: BuildUnit::Mm, .. } => "mm",
+            BuildForm::Number { unit: BuildUnit::Degrees, .. } => "deg",
+            _ => "",
+        };
+        let value = settings.value(setting);
+        let cell = match &value {
+            Value::Number(number) => Cell::from(number.as_f64()),
+            Value::String(text) => Cell::from(&**text),
+            Value::Bool(is_on) => Cell::from(if *is_on { "on" } else { "off" }),
+            _ => Cell::None,
+        };
+        row(&format!("{} ({})", setting.label, setting.id), cell, unit);
+    }
     table.into_text()
+}
+
+/// The settings of a build, with the values that were computed for those that are absent.
+fn used_settings(build: &Build) -> BuildSettings {
+    BuildSettings {
+        kind: build.offset.as_ref().map(|(axes, _)| axes.kind),
+        distance: Some(build.distance()),
+        beam_width: Some(build.beam_width()),
+        ..build.settings.clone()
+    }
 }

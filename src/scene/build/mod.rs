@@ -4,10 +4,16 @@
 //! |---|---|
 //! | `settings` | scale, sheet, joint, distance; their checks and presets |
 //! | `choice` | the choices among them, such as products and kinds of offsets |
+//! | `declarations` | the declaration of every setting: name, unit, range, products |
+//! | `declared` | what is declared of a setting, and the checks that follow from it |
 
 mod choice;
+mod declarations;
+mod declared;
 mod settings;
 
 pub(crate) use choice::page_counts;
 pub use choice::{Dxf, Names, OffsetKind, Order, Page, Pieces, Product};
+pub use declarations::BUILD_SETTINGS;
+pub use declared::{BuildForm, BuildGroup, BuildOption, BuildSetting, BuildUnit};
 pub use settings::{BUILD_PRESETS, BuildPreset, BuildSettings, CheckLimits};

@@ -195,55 +195,7 @@ impl BuildSettings {
     /// # Errors
     /// The key of the first invalid setting, and a message.
     pub fn check(&self) -> Result<(), (&'static str, String)> {
-        /// Largest length on the sheet or of the material in mm: larger ones are typing errors, at
-        /// which files would become too large.
-        const LONGEST: f64 = 1e5;
-        /// Largest other number.
-        const LARGEST: f64 = 1e9;
-        /// Smallest denominator of the scale.
-        const LEAST_SCALE: f64 = 1e-3;
-        let numbers = [
-            ("follow", self.follow, true, LARGEST),
-            ("scale", self.scale, true, LARGEST),
-            ("sheet[0]", self.sheet[0], true, LONGEST),
-            ("sheet[1]", self.sheet[1], true, LONGEST),
-            ("joint", self.joint, false, LARGEST),
-            ("thickness", self.thickness, false, LONGEST),
-            ("margin", self.margin, false, LONGEST),
-            ("gap", self.gap, false, LONGEST),
-            ("kerf", self.kerf, false, LONGEST),
-            ("hole", self.hole, false, LONGEST),
-            ("alike", self.alike, false, LARGEST),
-            ("tab", self.tab, false, LONGEST),
-            ("alike_deg", self.alike_deg, false, LARGEST),
-            ("beam_width", self.beam_width.unwrap_or(1.0), true, LARGEST),
-            ("limits.warp", self.limits.warp, false, LARGEST),
-            ("limits.distance", self.limits.distance, false, LARGEST),
-            ("limits.lean", self.limits.lean, false, LARGEST),
-            ("limits.flatness", self.limits.flatness, false, LARGEST),
-        ];
-        for (key, value, is_positive, most) in numbers {
-            if is_positive && !(value > 0.0 && value.is_finite()) {
-                return Err((key, format!("found {value}, expected a number above 0")));
-            }
-            if !(value >= 0.0 && value.is_finite()) {
-                return Err((key, format!("found {value}, expected a number from 0")));
-            }
-            if value > most {
-                return Err((key, format!("found {value}, expected at most {most}")));
-            }
-        }
-        if self.scale < LEAST_SCALE {
-            let message = format!("found {}, expected at least {LEAST_SCALE}", self.scale);
-            return Err(("scale", message));
-        }
-        if let Some(distance) = self.distance
-            && !(distance != 0.0 && distance.abs() <= LARGEST)
-        {
-            let message =
-                format!("found {distance}, expected a length that is not 0 and at most {LARGEST}");
-            return Err(("distance", message));
-        }
+        self.check_numbers()?;
         if self.sheet.iter().any(|size| *size <= 2.0 * self.margin) {
             let [width, height] = self.sheet;
             let margin = self.margin;

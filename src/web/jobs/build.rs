@@ -5,17 +5,18 @@ use crate::fabricate::{
     BUILD_NUMBERS, Build, BuildCard, BuildReport, BuildWords, CardWords, Choice, LengthInMetres,
     ReportView, SpatialPart,
 };
-use crate::scene::{BUILD_PRESETS, BuildPreset, BuildSettings};
+use crate::scene::{BUILD_PRESETS, BUILD_SETTINGS, BuildPreset, BuildSetting, BuildSettings};
 use crate::web::values::{Js, plain, plains, read};
 use crate::web::{log_panics, mesh_of, thrown};
 use serde::Serialize;
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
-/// The choices and presets of the settings form.
+/// The presets, the declared settings and their defaults.
 #[derive(Serialize, Tsify)]
 pub struct BuildOffers {
     presets: &'static [BuildPreset],
+    settings: &'static [BuildSetting],
     /// All of them.
     #[tsify(type = "Required<BuildSettings>")]
     defaults: BuildSettings,
@@ -54,11 +55,12 @@ pub struct BuildFile {
     text: String,
 }
 
-/// Returns the presets and the defaults.
+/// Returns the presets, the declared settings and their defaults.
 #[wasm_bindgen(js_name = buildOffers)]
 pub fn build_offers() -> Result<Js<BuildOffers>, JsValue> {
     log_panics();
-    plain(&BuildOffers { presets: &BUILD_PRESETS, defaults: BuildSettings::default() })
+    let defaults = BuildSettings::default();
+    plain(&BuildOffers { presets: &BUILD_PRESETS, settings: BUILD_SETTINGS, defaults })
 }
 
 /// The parts of a shape.

@@ -36,7 +36,7 @@ async function buildPanel(app: AppContext) {
   const offers = await live.offers();
   const form = settingsForm(offers, change);
   const check = checkCard(showWorst, tighten);
-  const thickness = thicknessForm({
+  const thickness = thicknessForm(offers.settings, {
     tryDistance: (distance) => tried.ask(distance),
     restore: () => tried.ask(null),
     change,
@@ -133,7 +133,10 @@ async function buildPanel(app: AppContext) {
 
   function change(own: Partial<BuildSettings>) {
     const build = { ...store.get().document?.build, ...own };
-    void actions.edit({ setBuild: { build } });
+    void actions.edit({ setBuild: { build } }).then((edited) => {
+      // What was refused is shown no longer.
+      if (edited === undefined) form.show(live.settings(), live.unit().symbol);
+    });
   }
 
   function showWorst(worst: CheckRow['worst']) {

@@ -51,7 +51,7 @@ export class LiveBuild {
     this.#refuse = refuse;
   }
 
-  /** Returns the presets and the defaults. */
+  /** Returns the presets, the declared settings and their defaults. */
   async offers() {
     const offers = await this.#app.jobs.ask.buildOffers();
     this.#defaults = offers.defaults;

@@ -4,17 +4,14 @@
  */
 
 import { element, setText } from '../../ui/dom.ts';
-import type { BuildCard, BuildChoice, BuildSettings, CardWords } from '../../solver/types.ts';
+import type {
+  BuildCard,
+  BuildChoice,
+  BuildSetting,
+  BuildSettings,
+  CardWords,
+} from '../../solver/types.ts';
 
-const KINDS: { kind: BuildChoice['kind']; label: string; title: string }[] = [
-  {
-    kind: 'corner',
-    label: 'Corners',
-    title: 'Nodes keep their distance: exact on circular panels',
-  },
-  { kind: 'face', label: 'Panels', title: 'Planes of panels keep their distance: one thickness' },
-  { kind: 'edge', label: 'Beams', title: 'All beams are equally high' },
-];
 /** Range of the slider in mean edge lengths, if nothing else limits it. */
 const FAR = 2;
 /** Fraction of the distance at which an edge would have no length. */
@@ -23,18 +20,25 @@ const INSIDE = 0.99;
 const LEAST_FOLLOW = -5;
 
 /**
+ * @param declared all settings of Build
  * @param on.tryDistance called during a drag, in the unit of the mesh
  * @param on.restore called for a distance of 0, which parts cannot have
  */
-export function thicknessForm({
-  tryDistance,
-  restore,
-  change,
-}: {
-  tryDistance: (distance: number) => void;
-  restore: () => void;
-  change: (change: Partial<BuildSettings>) => void;
-}) {
+export function thicknessForm(
+  declared: BuildSetting[],
+  {
+    tryDistance,
+    restore,
+    change,
+  }: {
+    tryDistance: (distance: number) => void;
+    restore: () => void;
+    change: (change: Partial<BuildSettings>) => void;
+  },
+) {
+  const [distanceWords, kindWords, followWords] = ['distance', 'kind', 'follow'].map((id) =>
+    declared.find((setting) => setting.id === id),
+  );
   /** Millimetres of the building per unit of the mesh. */
   let scale = 1000;
   const slider = element('input', {
@@ -49,7 +53,9 @@ export function thicknessForm({
   });
   const figure = element('output', { for: 'parts-distance' });
   const ends = element('p.quiet');
-  const buttons = KINDS.map(({ kind, label, title }) => {
+  const kinds = kindWords?.form.type === 'choice' ? kindWords.form.options : [];
+  const buttons = kinds.map(({ word, label, summary: title }) => {
+    const kind = word as BuildChoice['kind'];
     const error = element('span.quiet');
     const one = element(
       'button.bordered',
@@ -61,21 +67,25 @@ export function thicknessForm({
   });
   const follow = element('input', {
     ...{ type: 'range', id: 'parts-follow', min: String(LEAST_FOLLOW), max: '0', step: '0.5' },
-    title: 'More: axes are more upright. Less: beams are flatter.',
+    title: followWords?.summary ?? '',
     onchange: () => change({ follow: Number((10 ** follow.valueAsNumber).toPrecision(2)) }),
   });
   const followRow = element(
     'div.field-row',
-    element('label', { for: 'parts-follow' }, 'Follow the surface'),
+    element('label', { for: 'parts-follow' }, followWords?.label ?? ''),
     follow,
   );
   const keepsId = 'parts-keeps';
   const place = element(
     'div.thickness',
-    element('div.heading', element('label', { for: 'parts-distance' }, 'Distance'), figure),
+    element(
+      'div.heading',
+      element('label', { for: 'parts-distance' }, distanceWords?.label ?? ''),
+      figure,
+    ),
     slider,
     ends,
-    element('span', { id: keepsId }, 'Kept by'),
+    element('span', { id: keepsId }, kindWords?.label ?? ''),
     element(
       'div.kinds',
       { role: 'group', 'aria-labelledby': keepsId },

@@ -45,11 +45,15 @@ export function setOptions(select: HTMLSelectElement, options: Option[]) {
   if (options.some(([value]) => value === before)) select.value = before;
 }
 
-/** Makes a field for a non-negative number, reported on change. Invalid input is reverted. */
+/**
+ * Makes a field for a non-negative number, reported on change. Invalid input is reverted.
+ * @param onempty called for a field that is emptied; without it, this is invalid too
+ */
 export function amountField(
   name: string,
   onchange: (value: number) => unknown,
   attributes: Attributes = {},
+  onempty?: () => unknown,
 ) {
   const field = element('input', {
     ...{ type: 'number', min: '0', step: 'any', 'aria-label': name, ...attributes },
@@ -57,7 +61,9 @@ export function amountField(
       typed = true;
     },
     onchange: () => {
-      if (field.validity.valid && field.value !== '') onchange(field.valueAsNumber);
+      if (!field.validity.valid) field.value = shown;
+      else if (field.value !== '') onchange(field.valueAsNumber);
+      else if (onempty) onempty();
       else field.value = shown;
       typed = false;
     },
@@ -71,9 +77,9 @@ export function amountField(
   let shown = field.value;
   return {
     field,
-    /** Shows a value, unless it is being typed. */
-    show(value: number) {
-      shown = String(value);
+    /** Shows a value, null for none, unless it is being typed. */
+    show(value: number | null) {
+      shown = value === null ? '' : String(value);
       if (!typed) field.value = shown;
     },
   };

@@ -65,7 +65,7 @@ const layerOf = (builder: Builder): OffsetLayer => ({
 
 /** All but `buildOffers` and `build` are about the last build of who asks. */
 export const builds = {
-  /** The presets and the defaults. */
+  /** The presets, the declared settings and their defaults. */
   buildOffers: () => buildOffers(),
   /** Makes the parts of a shape, and draws at most `sheets` sheets. */
   build(asker: Asker, shape: Shape, sheets: number) {

@@ -1,0 +1,372 @@
+//! The declaration of every setting of Build. Forms, options of the command line, ranges, and the
+//! list in `summary.csv` follow from this table: a new setting is a line here, its field in
+//! [`BuildSettings`], and its use.
+
+use super::choice::Product::{self, Fins, Panels, Paper};
+use super::declared::{ABOVE_0, BuildForm, BuildGroup, BuildOption, BuildSetting, BuildUnit};
+use super::settings::BuildSettings;
+use BuildGroup::{Cutting, Files, Limits, Offset, Parts, Types};
+use BuildUnit::{Degrees, Mesh, Mm, Plain};
+
+/// Largest length on the sheet or of the material in mm: larger ones are typing errors, at which
+/// files would become too large.
+const LONGEST: f64 = 1e5;
+/// Largest other number.
+const LARGEST: f64 = 1e9;
+/// Smallest denominator of the scale.
+const LEAST_SCALE: f64 = 1e-3;
+
+const FROM_0: [f64; 2] = [0.0, LARGEST];
+const POSITIVE: [f64; 2] = [ABOVE_0, LARGEST];
+const ON_SHEET: [f64; 2] = [0.0, LONGEST];
+
+const FLAT: &[Product] = &[Panels, Fins];
+
+/// A setting of all products that has a value in every scene.
+const fn setting(
+    group: BuildGroup,
+    id: &'static str,
+    label: &'static str,
+    form: BuildForm,
+    summary: &'static str,
+) -> BuildSetting {
+    BuildSetting { id, label, summary, group, products: &Product::ALL, form, absent: "" }
+}
+
+const fn number(
+    unit: BuildUnit,
+    range: [f64; 2],
+    value: fn(&BuildSettings) -> Option<f64>,
+) -> BuildForm {
+    BuildForm::Number { unit, range, value }
+}
+
+const fn choice(options: &'static [BuildOption]) -> BuildForm {
+    BuildForm::Choice { options }
+}
+
+const fn option(word: &'static str, label: &'static str, summary: &'static str) -> BuildOption {
+    BuildOption { word, label, summary }
+}
+
+impl BuildSetting {
+    /// The setting, of these products only.
+    const fn of(self, products: &'static [Product]) -> BuildSetting {
+        BuildSetting { products, ..self }
+    }
+
+    /// The setting, which may be absent and then stands for this.
+    const fn or(self, absent: &'static str) -> BuildSetting {
+        BuildSetting { absent, ..self }
+    }
+}
+
+const PRODUCTS: BuildForm = choice(&[
+    option("panels", "Panels", ""),
+    option("fins", "Fins along the edges", ""),
+    option("paper", "Paper model", ""),
+]);
+const PIECES: BuildForm = choice(&[
+    option("nets", "Nets", ""),
+    option("strips", "Strips", ""),
+    option("across", "Strips, other way", ""),
+]);
+const KINDS: BuildForm = choice(&[
+    option("corner", "Corners", "Nodes keep their distance: exact on circular panels"),
+    option("face", "Panels", "Planes of panels keep their distance: one thickness"),
+    option("edge", "Beams", "All beams are equally high"),
+]);
+const ORDERS: BuildForm =
+    choice(&[option("size", "Fewest sheets", ""), option("names", "By name", "")]);
+const NAMES: BuildForm =
+    choice(&[option("index", "P0, P1, P2 ...", ""), option("rows", "Rows and columns", "")]);
+const DXF: BuildForm =
+    choice(&[option("r2000", "DXF 2000", ""), option("r12", "DXF R12, for old machines", "")]);
+const PAGES: BuildForm =
+    choice(&[option("sheet", "Sheet size", ""), option("a4", "A4", ""), option("a3", "A3", "")]);
+
+/// All settings of Build, in the order in which hosts list them.
+pub const BUILD_SETTINGS: &[BuildSetting] = &[
+    setting(Parts, "product", "Make", PRODUCTS, "What is made of the shape."),
+    setting(Parts, "pieces", "Pieces", PIECES, "Nets, or strips of quads in one direction.")
+        .of(&[Paper]),
+    setting(
+        Parts,
+        "tab",
+        "Tabs",
+        number(Mm, ON_SHEET, |own| Some(own.tab)),
+        "Height of the tabs for glue; 0 for none.",
+    )
+    .of(&[Paper]),
+    setting(
+        Parts,
+        "print_inside",
+        "Print on the inside",
+        BuildForm::Switch,
+        "Prints the side that will be inside: mirrored, with readable names.",
+    )
+    .of(&[Paper]),
+    setting(
+        Parts,
+        "scale",
+        "Scale 1 :",
+        number(Plain, [LEAST_SCALE, LARGEST], |own| Some(own.scale)),
+        "The building is this many times as large as the model.",
+    ),
+    setting(
+        Parts,
+        "thickness",
+        "Thickness",
+        number(Mm, ON_SHEET, |own| Some(own.thickness)),
+        "Thickness of the material.",
+    ),
+    setting(
+        Parts,
+        "sheet[0]",
+        "Sheet width",
+        number(Mm, [ABOVE_0, LONGEST], |own| Some(own.sheet[0])),
+        "Width of a sheet of the material.",
+    ),
+    setting(
+        Parts,
+        "sheet[1]",
+        "Sheet height",
+        number(Mm, [ABOVE_0, LONGEST], |own| Some(own.sheet[1])),
+        "Height of a sheet of the material.",
+    ),
+    setting(
+        Parts,
+        "joint",
+        "Joint",
+        number(Mesh, FROM_0, |own| Some(own.joint)),
+        "Gap between neighbouring panels of the building.",
+    )
+    .of(&[Panels]),
+    setting(
+        Parts,
+        "hole",
+        "Holes",
+        number(Mm, ON_SHEET, |own| Some(own.hole)),
+        "Diameter of holes along edges and at the ends of fins; 0 for none.",
+    )
+    .of(FLAT),
+    setting(
+        Offset,
+        "kind",
+        "Keep the distance of",
+        KINDS,
+        "What keeps its distance in the offset.",
+    )
+    .or("the kind with the smallest errors"),
+    setting(
+        Offset,
+        "distance",
+        "Distance",
+        number(Mesh, [-LARGEST, LARGEST], |own| own.distance),
+        "Distance of the offset and depth of beams, negative inwards.",
+    )
+    .or("a fifth of the mean edge"),
+    setting(
+        Offset,
+        "follow",
+        "Upright axes",
+        number(Plain, POSITIVE, |own| Some(own.follow)),
+        "More: axes are more upright. Less: beams are flatter.",
+    ),
+    setting(
+        Cutting,
+        "kerf",
+        "Kerf",
+        number(Mm, ON_SHEET, |own| Some(own.kerf)),
+        "Width of the cut: outlines are moved outwards by half of it.",
+    )
+    .of(FLAT),
+    setting(
+        Cutting,
+        "gap",
+        "Gap",
+        number(Mm, ON_SHEET, |own| Some(own.gap)),
+        "Least gap between parts on a sheet.",
+    ),
+    setting(
+        Cutting,
+        "margin",
+        "Margin",
+        number(Mm, ON_SHEET, |own| Some(own.margin)),
+        "Margin without parts at the edges of a sheet.",
+    ),
+    setting(Cutting, "order", "Order", ORDERS, "The order of parts on the sheets."),
+    setting(
+        Cutting,
+        "beam_width",
+        "Beam width",
+        number(Mesh, POSITIVE, |own| own.beam_width),
+        "Width of the beams as solids, for 3D programs.",
+    )
+    .of(&[Fins])
+    .or("a twentieth of the mean edge"),
+    setting(
+        Types,
+        "alike",
+        "Lengths within",
+        number(Mm, FROM_0, |own| Some(own.alike)),
+        "Panels and edges of one type differ by at most this, at full size.",
+    )
+    .of(FLAT),
+    setting(
+        Types,
+        "alike_deg",
+        "Angles within",
+        number(Degrees, FROM_0, |own| Some(own.alike_deg)),
+        "Nodes of one type differ by at most this.",
+    )
+    .of(&[Fins]),
+    setting(
+        Types,
+        "mirror",
+        "Mirror images are alike",
+        BuildForm::Switch,
+        "Parts that are mirror images have one type: turn the sheet over.",
+    )
+    .of(FLAT),
+    setting(
+        Files,
+        "material",
+        "Written on sheets",
+        BuildForm::Text,
+        "The name of the material, in the title of the sheets.",
+    ),
+    setting(Files, "names", "Names", NAMES, "Rows and columns: if the mesh is one grid of quads."),
+    setting(Files, "dxf", "Drawings", DXF, "The version of the DXF files."),
+    setting(
+        Files,
+        "page",
+        "Pages of the PDF",
+        PAGES,
+        "Larger sheets are printed on several pages.",
+    ),
+    setting(
+        Files,
+        "outlines_only",
+        "Outlines only, without names",
+        BuildForm::Switch,
+        "Writes only outlines, on layer 0, as some workshops ask.",
+    ),
+    setting(
+        Limits,
+        "limits.warp",
+        "Beam warp",
+        number(Mm, FROM_0, |own| Some(own.limits.warp)),
+        "Corners of a beam from its plane, at full size.",
+    ),
+    setting(
+        Limits,
+        "limits.distance",
+        "Offset error",
+        number(Mm, FROM_0, |own| Some(own.limits.distance)),
+        "Offset from its distance, at full size.",
+    ),
+    setting(
+        Limits,
+        "limits.lean",
+        "Lean",
+        number(Degrees, FROM_0, |own| Some(own.limits.lean)),
+        "Axis of a node from the normal of the surface.",
+    ),
+    setting(
+        Limits,
+        "limits.flatness",
+        "Flatness",
+        number(Mm, FROM_0, |own| Some(own.limits.flatness)),
+        "Corners of a panel from its plane, at full size.",
+    ),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::{Value, json};
+
+    /// A value of a setting other than its default.
+    fn other(setting: &BuildSetting) -> Value {
+        let now = BuildSettings::default().value(setting);
+        match setting.form {
+            BuildForm::Number { .. } => json!(now.as_f64().unwrap_or(0.0) + 2.0),
+            BuildForm::Choice { options } => json!(options[options.len() - 1].word),
+            BuildForm::Switch => json!(now != json!(true)),
+            BuildForm::Text => json!("oak"),
+        }
+    }
+
+    /// The paths of all values of a scene's settings.
+    fn paths(value: &Value, path: &str, found: &mut Vec<String>) {
+        match value {
+            Value::Object(entries) => {
+                for (key, value) in entries {
+                    let dot = if path.is_empty() { "" } else { "." };
+                    paths(value, &format!("{path}{dot}{key}"), found);
+                }
+            }
+            Value::Array(values) => {
+                for (k, value) in values.iter().enumerate() {
+                    paths(value, &format!("{path}[{k}]"), found);
+                }
+            }
+            _ => found.push(path.to_owned()),
+        }
+    }
+
+    #[test]
+    fn every_key_of_a_scene_is_declared_once() {
+        let all = serde_json::to_value(BuildSettings::default()).expect("it is plain");
+        let mut known = Vec::new();
+        paths(&all, "", &mut known);
+        let mut declared: Vec<_> = BUILD_SETTINGS.iter().map(|one| one.id.to_owned()).collect();
+        known.sort();
+        declared.sort();
+        assert_eq!(known, declared);
+    }
+
+    #[test]
+    fn every_setting_can_be_changed_and_is_read_back() {
+        for setting in BUILD_SETTINGS {
+            let value = other(setting);
+            let changed = BuildSettings::default().with(setting, value.clone()).expect(setting.id);
+            assert_ne!(changed, BuildSettings::default(), "{}", setting.id);
+            let read = changed.value(setting);
+            assert_eq!((read.as_f64(), read.as_str()), (value.as_f64(), value.as_str()));
+            if let BuildForm::Number { value: own, .. } = setting.form {
+                assert_eq!(own(&changed), value.as_f64(), "{}", setting.id);
+            }
+            let text = serde_json::to_string(&changed).expect("it is plain");
+            assert_eq!(serde_json::from_str::<BuildSettings>(&text).expect("it is ours"), changed);
+        }
+    }
+
+    #[test]
+    fn every_word_is_one_of_the_scene_and_only_some_settings_may_be_absent() {
+        for setting in BUILD_SETTINGS {
+            if let BuildForm::Choice { options } = setting.form {
+                for option in options {
+                    let changed = BuildSettings::default().with(setting, json!(option.word));
+                    assert_eq!(changed.expect("it is known").value(setting), json!(option.word));
+                }
+            }
+            let absent = BuildSettings::default().with(setting, Value::Null);
+            assert_eq!(absent.is_ok(), !setting.absent.is_empty(), "{}", setting.id);
+        }
+    }
+
+    #[test]
+    fn numbers_out_of_range_are_refused_at_their_place() {
+        for setting in BUILD_SETTINGS {
+            let BuildForm::Number { range: [least, most], .. } = setting.form else { continue };
+            for wrong in [2.0 * most, if least < 0.0 { 0.0 } else { least - 1.0 }] {
+                let refused = BuildSettings::default().with(setting, json!(wrong));
+                let words = refused.expect_err(setting.id);
+                assert!(words.starts_with("found ") && words.contains("expected "), "{words}");
+            }
+            assert!(setting.fault(f64::NAN).is_some() && setting.fault(most).is_none());
+        }
+    }
+}

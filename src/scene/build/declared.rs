@@ -1,0 +1,191 @@
+//! What is declared of a setting of Build, and the checks that follow from it.
+
+use super::choice::Product;
+use super::settings::BuildSettings;
+use crate::json::from_value;
+use serde::Serialize;
+use serde_json::Value;
+
+/// A declared setting of Build. Hosts make their forms, options and lists of them.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct BuildSetting {
+    /// Its path in [`BuildSettings`], such as `kerf`, `sheet[0]` or `limits.warp`.
+    pub id: &'static str,
+    /// Its name, without a unit.
+    pub label: &'static str,
+    /// What it does, in one sentence.
+    pub summary: &'static str,
+    /// The heading under which hosts list it.
+    pub group: BuildGroup,
+    /// The products that it concerns.
+    pub products: &'static [Product],
+    /// The values that it may have.
+    pub form: BuildForm,
+    /// What an absent value (null) stands for; empty if it may not be absent.
+    pub absent: &'static str,
+}
+
+/// The heading of a group of settings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub enum BuildGroup {
+    /// What everybody sets.
+    #[serde(rename = "Parts")]
+    Parts,
+    /// The offset, which has controls of its own on the page.
+    #[serde(rename = "Offset")]
+    Offset,
+    /// Cutting and the room on sheets.
+    #[serde(rename = "Cutting")]
+    Cutting,
+    /// What makes two parts of one type.
+    #[serde(rename = "Types of parts")]
+    Types,
+    /// Names and files.
+    #[serde(rename = "Names and files")]
+    Files,
+    /// Limits of the build check.
+    #[serde(rename = "Limits of the check")]
+    Limits,
+}
+
+/// The values that a setting may have.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[serde(tag = "type", rename_all = "lowercase")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub enum BuildForm {
+    /// A number.
+    Number {
+        /// Its unit.
+        unit: BuildUnit,
+        /// The least and the greatest; a range on both sides of 0 excludes 0.
+        range: [f64; 2],
+        /// Returns it; none if it is absent.
+        #[serde(skip)]
+        value: fn(&BuildSettings) -> Option<f64>,
+    },
+    /// One of several words.
+    Choice {
+        /// The words.
+        options: &'static [BuildOption],
+    },
+    /// True or false.
+    Switch,
+    /// Any text.
+    Text,
+}
+
+/// The unit of a declared number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub enum BuildUnit {
+    /// None.
+    #[serde(rename = "")]
+    Plain,
+    /// That of the mesh.
+    Mesh,
+    /// Millimetres of the sheet, the material or, where the setting says so, the building.
+    Mm,
+    /// Degrees.
+    Degrees,
+}
+
+/// A word that a setting may have.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct BuildOption {
+    /// The word in files and on the command line.
+    pub word: &'static str,
+    /// Its name.
+    pub label: &'static str,
+    /// What it does, if its name does not say it; else empty.
+    pub summary: &'static str,
+}
+
+/// The least of a number that must be positive.
+pub(super) const ABOVE_0: f64 = f64::MIN_POSITIVE;
+
+impl BuildSetting {
+    /// Its name among the options of the command line; none for a part of an option.
+    pub fn option(&self) -> Option<String> {
+        (!self.id.contains('[')).then(|| format!("--{}", self.id.replace(['.', '_'], "-")))
+    }
+
+    /// What it accepts, in words: `a number from 0`, `corner or face or edge`.
+    pub fn expected(&self) -> String {
+        match self.form {
+            BuildForm::Number { range: [least, _], .. } if least < 0.0 => {
+                "a number that is not 0".to_owned()
+            }
+            BuildForm::Number { range: [least, _], .. } if least > 0.0 => {
+                "a number above 0".to_owned()
+            }
+            BuildForm::Number { .. } => "a number from 0".to_owned(),
+            BuildForm::Choice { options } => {
+                options.iter().map(|option| option.word).collect::<Vec<_>>().join(" or ")
+            }
+            BuildForm::Switch => "on or off".to_owned(),
+            BuildForm::Text => "a text".to_owned(),
+        }
+    }
+
+    /// Says what is wrong with a number; none if it is in the range.
+    pub fn fault(&self, number: f64) -> Option<String> {
+        let BuildForm::Number { range: [least, most], .. } = self.form else { return None };
+        let is_on_other_side = match least < 0.0 {
+            true => number == 0.0,
+            false => number < 0.0 || (least > 0.0 && number == 0.0),
+        };
+        let expected = if is_on_other_side || !number.is_finite() {
+            self.expected()
+        } else if number.abs() > most {
+            format!("at most {most}")
+        } else if number < least {
+            format!("at least {least}")
+        } else {
+            return None;
+        };
+        Some(format!("found {number}, expected {expected}"))
+    }
+}
+
+impl BuildSettings {
+    /// Checks that every number is finite and in its declared range.
+    pub(super) fn check_numbers(&self) -> Result<(), (&'static str, String)> {
+        for setting in super::BUILD_SETTINGS {
+            let BuildForm::Number { value, .. } = setting.form else { continue };
+            if let Some(fault) = value(self).and_then(|number| setting.fault(number)) {
+                return Err((setting.id, fault));
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the value of a setting, as in a scene.
+    pub fn value(&self, setting: &BuildSetting) -> Value {
+        let own = serde_json::to_value(self).unwrap_or_default();
+        own.pointer(&pointer(setting.id)).cloned().unwrap_or_default()
+    }
+
+    /// Returns the settings with another value of one, as in a scene.
+    ///
+    /// # Errors
+    /// If the value does not fit, or a number is out of its range: what was found and expected.
+    pub fn with(&self, setting: &BuildSetting, value: Value) -> Result<BuildSettings, String> {
+        if let Some(fault) = value.as_f64().and_then(|number| setting.fault(number)) {
+            return Err(fault);
+        }
+        let mut own = serde_json::to_value(self).map_err(|error| error.to_string())?;
+        if let Some(place) = own.pointer_mut(&pointer(setting.id)) {
+            *place = value;
+        }
+        from_value(own).map_err(|error| error.message)
+    }
+}
+
+/// The JSON pointer of a path such as `sheet[0]` or `limits.warp`.
+fn pointer(path: &str) -> String {
+    format!("/{}", path.replace(['.', '['], "/").replace(']', ""))
+}
