@@ -1,6 +1,6 @@
 //! Lengths with their units.
 
-use super::number::{brief, decimal, number, signed};
+use super::number::{brief, decimal, number, rounded, signed};
 
 /// Lengths below this many mm are 0: they are irrelevant for buildings.
 const LEAST_MM: f64 = 0.001;
@@ -27,6 +27,13 @@ pub fn length_like(value: f64, units: &str, like: f64) -> String {
         ("m" | "mm", Some(size)) if size < 1.0 => signed(value, &decimal(size, 3)) + " mm",
         _ => with_unit(&number(value * factor), unit),
     }
+}
+
+/// Formats an estimated length with one or two digits: `0.3 m`, `20 mm`, `15 mm`.
+pub fn rough_length(value: f64, units: &str) -> String {
+    let first = rounded(value, 1);
+    let digits = if first > 0.0 && format!("{first:e}").starts_with('1') { 2 } else { 1 };
+    limit(rounded(value, digits), units)
 }
 
 /// Formats a length that was entered, such as a tolerance: `5 mm`. As [`length`] otherwise.

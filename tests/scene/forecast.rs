@@ -41,7 +41,7 @@ fn what_is_as_asked_does_not_move() {
         assert_eq!(kind.how_far, HowFar::Nothing, "{kind:?}");
     }
     assert_eq!(
-        forecast(&vault(0.0)).words(),
+        forecast(&vault(0.0)).words("m"),
         "This mesh will not move at all for flat or circular panels."
     );
     let triangle = Mesh {
@@ -126,13 +126,13 @@ fn flat_panels_of_six_corners_on_a_saddle_are_said_to_be_impossible() {
     let [saddle, bowl] = [-1.0, 1.0].map(|saddle| forecast(&bricks(saddle)));
     let [on_saddles, all] = saddle.saddles.unwrap();
     assert!(on_saddles > 90 && 10 * on_saddles > 8 * all, "{on_saddles} of {all}");
-    let words = saddle.words();
+    let words = saddle.words("m");
     let sentence = format!(
         "{on_saddles} of {all} faces with more than four corners are where the surface is a saddle: flat panels cannot be \
          convex there."
     );
     assert!(words.contains(&sentence), "{words}");
-    assert!(bowl.saddles.unwrap()[0] == 0 && !bowl.words().contains("convex"));
+    assert!(bowl.saddles.unwrap()[0] == 0 && !bowl.words("m").contains("convex"));
     // Only the edges of quad meshes are compared with the lines of curvature.
     assert_eq!(saddle.off_curvature_lines, None);
 }
@@ -149,8 +149,8 @@ fn hypar() -> Mesh {
 fn diagonal_quads_are_named_where_they_follow_the_lines_of_curvature() {
     let found = forecast(&hypar());
     assert_eq!(
-        found.words(),
-        "This mesh will move a lot for flat or circular panels: its edges are 44° off the lines of curvature on \
+        found.words("m"),
+        "This mesh will move a lot for flat or circular panels (about X): its edges are 44° off the lines of curvature on \
          average. Diagonal quads follow them: the mesh will then move a little for circular panels and not at all \
          for flat ones."
     );
@@ -183,7 +183,9 @@ fn diagonal_quads_are_not_named_where_they_would_move_as_far() {
     let found = forecast(&wave);
     assert!(found.off_curvature_lines.unwrap() > 22.5, "{found:?}");
     assert_eq!((found.remedy(), &found.diagonal), (None, &None));
-    assert!(found.words().ends_with("Edges along them, or a larger tolerance, would reduce this."));
+    assert!(
+        found.words("m").ends_with("Edges along them, or a larger tolerance, would reduce this.")
+    );
     // Nor where the edges follow them.
     assert_eq!(forecast(&vault(0.1)).remedy(), None);
 }
@@ -224,7 +226,7 @@ fn what_is_said_of_real_meshes_is_what_becomes_of_them() {
             assert!(moved < 1e-4 || near.contains(&ratio), "{file} {kind}: {least_move} {moved}");
             let is_diagonal = ["cmc1.obj", "compas_hypar.obj", "pillow_1.obj"].contains(&file);
             assert_eq!(forecast.remedy().is_some(), is_diagonal, "{file}");
-            let words = forecast.words();
+            let words = forecast.words("m");
             let named = words.contains("off the lines of curvature");
             let far = forecast.kinds.iter().any(|kind| kind.how_far == HowFar::Lot);
             assert_eq!(named, far && angle.is_some_and(|angle| angle >= 10.0), "{file}: {words}");

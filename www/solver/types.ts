@@ -41,6 +41,7 @@ export type {
   ParamValue,
   PresetOffer as Preset,
   Preview,
+  BetterPress,
   Remedy,
   Require,
   RowColours,

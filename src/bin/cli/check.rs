@@ -156,7 +156,7 @@ fn words(path: &Path, check: &Check) -> String {
     lines.extend(words_of(&check.strips));
     lines.extend(curvature(&check.curvature));
     lines.extend(
-        check.forecast.as_ref().map(|forecast| format!("panels      {}", forecast.words())),
+        check.forecast.as_ref().map(|forecast| format!("panels      {}", forecast.words(""))),
     );
     lines.extend(check.problems.iter().map(|problem| format!("problem: {}", problem.message)));
     lines.extend(check.notes.iter().map(|note| format!("note: {note}")));

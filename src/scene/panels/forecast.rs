@@ -67,6 +67,9 @@ pub struct ForecastOfKind {
 pub struct Forecast {
     /// In the order of [`KINDS`].
     pub kinds: Vec<ForecastOfKind>,
+    /// The mean edge, in the unit of the mesh.
+    #[serde(skip)]
+    edge: f64,
     /// Mean angle between the edges and the lines of curvature, in degrees. `None` if the surface
     /// has no lines of curvature, or if the mesh is not quad-dominant: the edges of other faces
     /// need not follow them.
@@ -98,6 +101,7 @@ impl Forecast {
         Some(Forecast {
             diagonal: is_diagonal.then(|| diagonal(mesh, topology, &kinds)).flatten(),
             kinds,
+            edge: topology.mean_edge(&mesh.positions),
             off_curvature_lines,
             saddles: has_large_faces(&mesh.faces).then(|| saddles(mesh, topology)),
         })
@@ -108,7 +112,9 @@ impl Forecast {
         let kinds = self.diagonal.as_ref()?;
         let is_near = kinds.iter().any(|kind| kind.how_far != HowFar::Lot);
         let words = match is_near {
-            true => format!("Diagonal quads follow them: the mesh will then {}.", moves(kinds)),
+            true => {
+                format!("Diagonal quads follow them: the mesh will then {}.", moves(kinds, None))
+            }
             false => {
                 "Diagonal quads are nearer to them: the mesh will then move half as far or less."
                     .to_owned()
@@ -117,9 +123,20 @@ impl Forecast {
         MeshRemedy::new("diagonal", words)
     }
 
+    /// Returns the id of the kind to recommend: the strongest one for which the mesh does not move a
+    /// lot, or the one for which it moves least.
+    pub fn recommended(&self) -> &'static str {
+        let mut strongest_first = self.kinds.iter().rev();
+        let near = strongest_first.find(|kind| kind.how_far != HowFar::Lot);
+        let least = || self.kinds.iter().min_by(|a, b| a.least_move.total_cmp(&b.least_move));
+        near.or_else(least).map_or("", |kind| kind.kind)
+    }
+
     /// Describes the forecast in a few sentences: the move for each kind, its cause, and a remedy.
-    pub fn words(&self) -> String {
-        let mut words = format!("This mesh will {}", moves(&self.kinds));
+    /// `units` is the symbol of the unit of the mesh, empty if not known.
+    pub fn words(&self, units: &str) -> String {
+        let far = |kind: &ForecastOfKind| words::rough_length(kind.least_move * self.edge, units);
+        let mut words = format!("This mesh will {}", moves(&self.kinds, Some(&far)));
         let is_far = self.kinds.iter().any(|kind| kind.how_far == HowFar::Lot);
         words += &match self.off_curvature_lines.filter(|&angle| angle >= OFF) {
             Some(angle) if is_far => {
@@ -224,12 +241,13 @@ fn diagonal(
     (kinds.len() == own.len() && own.iter().zip(&kinds).all(is_nearer)).then_some(kinds)
 }
 
-/// Describes the moves for these kinds: "move a lot for flat panels and a little for round ones".
-fn moves(kinds: &[ForecastOfKind]) -> String {
+/// Describes the moves for these kinds, with their mean lengths if `far` gives them: "move a lot for
+/// circular panels (about 0.3 m) and a little for flat ones (about 20 mm)".
+fn moves(kinds: &[ForecastOfKind], far: Option<&dyn Fn(&ForecastOfKind) -> String>) -> String {
     let mut words = String::new();
     for how_far in HowFar::FARTHEST_FIRST {
-        let kinds = kinds.iter().filter(|kind| kind.how_far == how_far);
-        let adjectives: Vec<&str> = kinds.map(|kind| kind.adjective).collect();
+        let kinds: Vec<_> = kinds.iter().filter(|kind| kind.how_far == how_far).collect();
+        let adjectives: Vec<&str> = kinds.iter().map(|kind| kind.adjective).collect();
         if adjectives.is_empty() {
             continue;
         }
@@ -238,6 +256,10 @@ fn moves(kinds: &[ForecastOfKind]) -> String {
             false => (" and ", how_far.words(), "ones"),
         };
         words += &[joint, words_of, " for ", &adjectives.join(" or "), " ", panels].concat();
+        if let Some(far) = far.filter(|_| how_far != HowFar::Nothing) {
+            let lengths: Vec<String> = kinds.iter().map(|kind| far(kind)).collect();
+            words += &format!(" (about {})", lengths.join(" or "));
+        }
     }
     words
 }

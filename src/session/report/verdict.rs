@@ -6,7 +6,7 @@ use super::inspect::{members, required_measure};
 use super::measuring::{Measuring, Shape};
 use crate::mesh::{BoundingSphere, Mesh, Topology};
 use crate::session::run::{Bend, Flaw, Level, Met, SurfaceDistance, Tried};
-use crate::solve::Moved;
+use crate::solve::{Moved, Require};
 use serde::Serialize;
 
 /// How many panels have the required shape, and what became of the design. Lengths are in the unit of
@@ -29,6 +29,9 @@ pub struct Verdict {
     pub of: usize,
     /// The tolerance.
     pub tolerance: f64,
+    /// The tolerance that they were made within, if that was one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub required: Option<f64>,
     /// The distance of the worst vertex.
     pub worst: f64,
     /// The face that it belongs to.
@@ -57,7 +60,8 @@ pub struct Verdict {
 }
 
 /// Panels with a larger tolerance.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct EasedPanels {
     /// Number of panels.
     pub panels: usize,
@@ -84,6 +88,10 @@ impl Verdict {
         })?;
         let [faces, _] = members(model.scene.rows().get(row), model.rest);
         let eased = document.constraints[row].eased.clone();
+        let required = match document.constraints[row].require {
+            Require::Within(length) => Some(length),
+            Require::Soft | Require::Exact => None,
+        };
         let distances = face_values(model, info.measure?, Shape::Now)?;
         let distance = |face: u32| distances[face as usize];
         let worst_face =
@@ -110,6 +118,7 @@ impl Verdict {
             within,
             of: faces.len(),
             tolerance,
+            required,
             worst: distance(worst_face),
             worst_face,
             folded: measure.folded.len(),

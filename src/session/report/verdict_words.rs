@@ -10,14 +10,20 @@ use serde::Serialize;
 /// From this part of the tolerance on, the distance of the worst panel says no more than it.
 const SAYS_NO_MORE: f64 = 0.99;
 
+/// Vertices slide if one moved by more than this multiple of the move of the surface.
+const SLIDES: f64 = 1.2;
+
 /// The verdict in words.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct VerdictWords {
     /// The number of panels within the tolerance, for a run that goes on.
     pub progress: String,
     /// All of it, with the worst panel and how far the mesh moved.
     pub full: String,
+    /// The label of a button that makes the panels again, within the tolerance of the verdict, if they
+    /// were made within another one.
+    pub again: Option<String>,
 }
 
 /// The quantities of the design: the symbol of the unit of the mesh, empty if not known; the size of
@@ -49,13 +55,22 @@ impl Verdict {
             after,
             if is_told { String::new() } else { format!("Worst {worst}.") },
             match moved(self.moved.max, self.moved.mean, units, scale.size) {
+                _ if self.flaws.first() == Some(&Flaw::Away) && !self.slides() => String::new(),
                 Some(far) => format!("Your mesh moved by {far}."),
                 None => "Your mesh did not move.".to_owned(),
             },
         ];
         let told: Vec<String> = sentences.into_iter().filter(|words| !words.is_empty()).collect();
         let progress = self.met(self.within, self.tolerance, units);
-        VerdictWords { progress, full: told.join(" ") }
+        let again = self.required.filter(|&required| required != self.tolerance);
+        let label =
+            |_| format!("Solve again within {}", limit_like(self.tolerance, units, self.tolerance));
+        VerdictWords { progress, full: told.join(" "), again: again.map(label) }
+    }
+
+    /// Whether vertices moved clearly farther than the surface did.
+    fn slides(&self) -> bool {
+        self.moved.max > SLIDES * self.surface.max
     }
 
     /// Says what is not good about the shape; empty if the rest of the verdict says it.
@@ -169,6 +184,7 @@ mod tests {
             within: 800,
             of: 800,
             tolerance: 0.001,
+            required: Some(0.001),
             worst: 0.00088,
             worst_face: 3,
             folded: 0,
@@ -219,6 +235,15 @@ mod tests {
         let rough = full(&Verdict { bend, flaws: vec![Flaw::Rougher], ..verdict() });
         let words = "The surface became rougher: neighbours meet at 49° on average instead of 3.6°. All 800 ";
         assert!(rough.starts_with(words), "{rough}");
+    }
+
+    #[test]
+    fn another_tolerance_than_the_required_one_can_be_solved_for() {
+        let again = |verdict: Verdict| verdict.words("m", 10.0, 0.5).again;
+        assert_eq!(again(verdict()), None);
+        let wider = Verdict { tolerance: 0.025, ..verdict() };
+        assert_eq!(again(wider).as_deref(), Some("Solve again within 25 mm"));
+        assert_eq!(again(Verdict { required: None, ..verdict() }), None);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 use crate::mesh::Mesh;
 use crate::scene::{Scene, panel_adjective, panel_offers};
 use crate::session::edit::PanelStart;
-use crate::session::run::{Flaw, Level};
+use crate::session::run::{BendChange, Flaw, Level};
 use crate::session::{Error, Session, Verdict};
 use crate::words::{length, limit_like};
 use serde::Serialize;
@@ -21,7 +21,7 @@ const NEARER: f64 = 0.6;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct BetterPress {
-    /// What is different: `tolerance`, `kind`, `surface` or `boundary`.
+    /// What is different: `tolerance`, `smoother`, `surface`, `boundary` or `kind`.
     pub id: &'static str,
     /// The label of its button.
     pub label: String,
@@ -173,7 +173,7 @@ impl BetterPresses {
         let instead = length(self.before.surface.max, units);
         match (id, self.before.level) {
             ("surface", _) => format!("panels slide, the surface stays within {far}"),
-            (_, Level::Poor) => format!("all panels, no folds; the surface moves by {far}"),
+            (_, Level::Poor) => format!("all panels without folds, the surface moves by {far}"),
             _ => format!("the surface moves by {far} instead of {instead}"),
         }
     }
@@ -190,6 +190,10 @@ fn presses(session: &Session, before: &Verdict) -> Vec<Press> {
     {
         let label = format!("Within {}", limit_like(within, &units, within));
         presses.push(press("tolerance", label, kind, within, PanelStart::Original));
+    }
+    if before.bend.change == Some(BendChange::Rougher) {
+        let label = "Smoother".to_owned();
+        presses.push(press("smoother", label, kind, tolerance, PanelStart::Smoother));
     }
     let is_held = session.document().attempt.on_surface;
     if !is_held {

@@ -1,10 +1,11 @@
 //! A copy of the open model, and trials on it: the forecast of what a press would move, the cost of
-//! exactness, improvements, and edits that may help if constraints are not met.
+//! exactness, improvements, edits that may help if constraints are not met, and presses for panels that
+//! end better.
 
 use crate::scene::{Forecast, MeshRemedy};
 use crate::session::{
-    Error, ExactOffer, ExactShape, ExactTrial, FileReader, OpenedFile, Remedies, Remedy, Session,
-    Variations,
+    BetterPress, BetterPresses, Error, ExactOffer, ExactShape, ExactTrial, FileReader, OpenedFile,
+    Remedies, Remedy, Session, Variations,
 };
 use crate::solve::clock;
 use crate::web::values::{Js, flat, plain, plains};
@@ -26,6 +27,7 @@ pub struct ModelCopy {
 enum Trial {
     Exact(Box<ExactTrial>),
     Remedies(Box<Remedies>),
+    Presses(Box<BetterPresses>),
 }
 
 /// How far making panels of one shape will move the mesh.
@@ -33,13 +35,19 @@ enum Trial {
 #[tsify(missing_as_null)]
 pub struct ForecastWords {
     words: String,
+    /// The id of the kind to recommend.
+    recommended: &'static str,
     /// A change of the mesh that would reduce the move.
     remedy: Option<MeshRemedy>,
 }
 
 impl ForecastWords {
-    fn of(forecast: &Forecast) -> ForecastWords {
-        ForecastWords { words: forecast.words(), remedy: forecast.remedy() }
+    fn of(forecast: &Forecast, session: &Session) -> ForecastWords {
+        ForecastWords {
+            words: forecast.words(&session.document().units),
+            recommended: forecast.recommended(),
+            remedy: forecast.remedy(),
+        }
     }
 }
 
@@ -61,7 +69,10 @@ impl ModelCopy {
     /// Returns in words how far making panels of one shape will move the mesh, and a change of the
     /// mesh that would reduce it; undefined if no shape is offered.
     pub fn forecast(&self) -> Result<Option<Js<ForecastWords>>, JsValue> {
-        self.session.forecast().map(|forecast| plain(&ForecastWords::of(&forecast))).transpose()
+        self.session
+            .forecast()
+            .map(|forecast| plain(&ForecastWords::of(&forecast, &self.session)))
+            .transpose()
     }
 
     /// Begins a trial, from the current shape, to meet exactly what is met within a distance.
@@ -88,6 +99,14 @@ impl ModelCopy {
         Ok(())
     }
 
+    /// Begins to try presses for panels that end better than the last one, which was for panels within
+    /// `tolerance`, in the unit of the mesh.
+    #[wasm_bindgen(js_name = tryPresses)]
+    pub fn try_presses(&mut self, tolerance: f64) {
+        let presses = BetterPresses::new(&mut self.session, tolerance);
+        self.trial = presses.map(|presses| Trial::Presses(Box::new(presses)));
+    }
+
     /// Continues the trial for about the given time; returns whether there is more to do.
     pub fn advance(&mut self, milliseconds: f64) -> Result<bool, JsValue> {
         let ModelCopy { session, trial, .. } = self;
@@ -95,6 +114,7 @@ impl ModelCopy {
             match trial {
                 Some(Trial::Exact(trial)) => trial.step(session),
                 Some(Trial::Remedies(remedies)) => remedies.step(),
+                Some(Trial::Presses(presses)) => presses.step(),
                 None => Ok(false),
             }
         };
@@ -119,6 +139,15 @@ impl ModelCopy {
     /// Returns the positions of that shape, `#V by 3`; empty without one.
     pub fn positions(&self) -> Float64Array {
         flat(&self.exact().map(ExactTrial::positions).unwrap_or_default())
+    }
+
+    /// Returns the presses that end better.
+    #[wasm_bindgen(js_name = betterPresses)]
+    pub fn better_presses(&self) -> Result<Vec<Js<BetterPress>>, JsValue> {
+        match &self.trial {
+            Some(Trial::Presses(presses)) => plains(presses.found()),
+            _ => Ok(Vec::new()),
+        }
     }
 
     /// Returns the edits that help, the most effective first.

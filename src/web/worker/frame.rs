@@ -17,6 +17,8 @@ use wasm_bindgen::prelude::*;
 pub struct Frame {
     iteration: u32,
     converged: bool,
+    /// What the run tries to meet its hard constraints; none before that.
+    attempt: Option<&'static str>,
     /// How the run is described if it ends here.
     ended: EndWords,
     /// How the shape has collapsed, if it has.
@@ -65,6 +67,7 @@ impl Frame {
         Frame {
             iteration: session.iteration(),
             converged: session.converged(),
+            attempt: session.attempt_words(),
             ended: EndWords::after(session.iteration()),
             collapse: session.collapse().map(|collapse| collapse.to_string()),
             halfway: session.halfway(),

@@ -47,6 +47,7 @@ export function panelButtons(
       {
         disabled: Boolean(reason),
         title: reason || kind.summary,
+        'data-kind': kind.id,
         style: `--chip: rgb(${kind.colour.join(' ')})`,
         ...(reason && { 'aria-describedby': id }),
         onclick: () => press(kind),

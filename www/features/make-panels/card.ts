@@ -13,7 +13,7 @@ import { showElements } from '../../viewport/reveal-elements.ts';
 import { isMeshLocked, panelButtons } from './buttons.ts';
 import { openEdit } from './open-edit.ts';
 import { addButtons } from './refine-buttons.ts';
-import type { KindInfo, PanelStart, PanelVerdict } from '../../solver/types.ts';
+import type { BetterPress, KindInfo, PanelStart, PanelVerdict } from '../../solver/types.ts';
 import type { MeshRemedy } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
 
@@ -47,13 +47,15 @@ export class MakePanels {
     'aria-haspopup': 'dialog',
   });
   #showFolds = button('Show the folds', () => this.#app.actions.begin(this.#showFolded()));
-  #avoidFolds = button('Avoid them', () => this.#makeAgain('original'), {
-    title: 'Makes the panels again from the original, smoother or within a larger tolerance',
-  });
-  #smoother = button('Smoother', () => this.#makeAgain('smoother'), {
-    title: 'Makes the panels again from the original, with more smoothness; they will move farther',
-  });
-  #changes = element('div.changes', this.#showFolds, this.#avoidFolds, this.#smoother);
+  /** Makes the panels again, within another tolerance. */
+  #again = button('', () => this.#makeAgain());
+  /** Presses that end better, and what is said while they are looked for. */
+  #better = element('div.better', { role: 'group', 'aria-label': 'Better choices' });
+  #changes = element('div.changes', this.#showFolds, this.#again, this.#better);
+  /** The generation for which better presses were looked for. */
+  #triedFor: unknown = null;
+  /** The press whose result is shown, in words; empty for one of the panel buttons. */
+  #choice = '';
   /** The id of the kind of the verdict. */
   #kind = '';
   #verdicts = latestOnly(() => this.#renewVerdict());
@@ -96,8 +98,9 @@ export class MakePanels {
   /**
    * Makes all panels of this kind, with a transition.
    * @param from the shape to start from
+   * @param within the tolerance, if other than the displayed one
    */
-  async #make(kind: KindInfo, from: PanelStart = 'now') {
+  async #make(kind: KindInfo, from: PanelStart = 'now', within?: number) {
     const { store, viewport, actions, files } = this.#app;
     if (files.openings.coming && !(await this.#nextTakes(kind.id))) return;
     const { model, display } = store.get();
@@ -107,7 +110,7 @@ export class MakePanels {
     const show = (shapes: boolean) => actions.display({ shapes });
     // The fitted shapes are those of the final shape.
     if (arrived) show(false);
-    if ((await actions.makePanels(kind.id, undefined, from)) === undefined) {
+    if ((await actions.makePanels(kind.id, within, from)) === undefined) {
       this.#underWay = null;
       viewport.endTransition();
       return show(display.shapes);
@@ -159,7 +162,10 @@ export class MakePanels {
     else this.#turnTo(rows === 0 && !example ? 'offer' : 'nothing');
 
     const here = this.#shows === 'offer' ? this.#card : this.#panel;
-    const press = (kind: KindInfo) => this.#make(kind);
+    const press = (kind: KindInfo) => {
+      this.#choice = '';
+      return this.#make(kind);
+    };
     const change = (operation: string) => this.#change(operation);
     const { buttons, reasons } = panelButtons(state, 'make-panels-reason', press, change);
     this.#panel.hidden = !offers || here !== this.#panel;
@@ -195,6 +201,9 @@ export class MakePanels {
     this.#remedy = forecast?.remedy ?? null;
     this.#remedyButton.hidden = !this.#canChangeMesh();
     setText(this.#remedyButton, this.#remedy?.label ?? '');
+    for (const one of this.#card.querySelectorAll<HTMLElement>('[data-kind]')) {
+      one.classList.toggle('recommended', one.dataset.kind === forecast?.recommended);
+    }
     this.#cover();
   }
 
@@ -260,7 +269,11 @@ export class MakePanels {
     const { running, numbers } = store.get();
     if (!verdict || store.get().model !== model || this.#shows !== 'verdict') return;
     const isOver = !running && !this.#isUnderWay();
-    const text = isOver ? verdict.words.full : verdict.words.progress;
+    const attempt = numbers?.attempt ?? '';
+    const choice = this.#choice && `${this.#choice}: `;
+    const text = isOver
+      ? `${choice}${verdict.words.full}`
+      : `${attempt} ${verdict.words.progress}`.trim();
     setText(this.#text, text);
     this.#kind = verdict.kind;
     this.#showChanges(isOver ? verdict : null);
@@ -273,13 +286,60 @@ export class MakePanels {
 
   /** Offers ways to a better shape, if the final `verdict` asks for it. */
   #showChanges(verdict: PanelVerdict | null) {
-    const change = verdict?.bend.change ?? null;
-    const isFolded = Boolean(verdict?.folded);
-    this.#showFolds.hidden = this.#avoidFolds.hidden = !isFolded;
-    this.#smoother.hidden = change !== 'rougher';
-    this.#remedyButton.hidden = !change || !this.#canChangeMesh();
+    this.#card.dataset.level = verdict?.level ?? '';
+    const isGood = !verdict || verdict.level === 'good';
+    this.#showFolds.hidden = !verdict?.folded;
+    const again = verdict?.words.again ?? null;
+    this.#again.hidden = again === null;
+    setText(this.#again, again ?? '');
+    this.#remedyButton.hidden = isGood || !this.#canChangeMesh();
+    if (isGood) this.#showBetter([]);
+    else void this.#findBetter(verdict);
+    this.#showIfAny();
+    this.#card.classList.toggle('warning', !isGood);
+  }
+
+  #showIfAny() {
     this.#changes.hidden = !this.#changes.querySelector(':scope > :not([hidden])');
-    this.#card.classList.toggle('warning', isFolded || change !== null);
+    this.#cover();
+  }
+
+  /** Looks for presses that end better than the `verdict`; once for each shape. */
+  async #findBetter(verdict: PanelVerdict) {
+    const { solver, actions } = this.#app;
+    const shape = solver.geometry?.generation;
+    if (this.#triedFor === shape || verdict.required === null) return;
+    this.#triedFor = shape;
+    this.#showBetter([], 'Looking for better choices …');
+    const found: BetterPress[] = [];
+    const show = (presses: BetterPress[], words = 'Looking for better choices …') => {
+      found.splice(0, found.length, ...presses);
+      if (this.#triedFor === shape) this.#showBetter(found, words);
+    };
+    const ended = await actions.trials.betterPresses(verdict.tolerance, show).catch(() => null);
+    if (ended === false) this.#triedFor = null;
+    show(found, '');
+  }
+
+  #showBetter(presses: BetterPress[], words = '') {
+    const buttons = presses.map((press) =>
+      button(`${press.label}: ${press.words}`, () => this.#press(press), { class: 'bordered' }),
+    );
+    buttons[0]?.classList.add('recommended');
+    this.#better.replaceChildren(...buttons, ...(words ? [element('p.quiet', words)] : []));
+    this.#better.hidden = buttons.length === 0 && !words;
+    this.#showIfAny();
+  }
+
+  /** Makes the panels by a better press. */
+  async #press({ kind: id, within, from, label }: BetterPress) {
+    const { store, actions } = this.#app;
+    const { kinds, tolerance, model } = store.get();
+    const kind = kinds.find((one) => one.id === id);
+    if (!kind) return;
+    if (within !== (tolerance ?? model?.tolerance)) actions.setTolerance(within);
+    this.#choice = label;
+    await this.#make(kind, from, within);
   }
 
   /** Selects the folded faces and brings them into view. */
@@ -289,10 +349,11 @@ export class MakePanels {
     if (found) showElements(this.#app, found);
   }
 
-  /** Makes the panels again. */
-  async #makeAgain(from: PanelStart) {
+  /** Makes the panels again from the original, within the tolerance that is shown. */
+  async #makeAgain() {
     const kind = this.#app.store.get().kinds.find(({ id }) => id === this.#kind);
-    if (kind) await this.#make(kind, from);
+    this.#choice = '';
+    if (kind) await this.#make(kind, 'original');
   }
 
   /** Frames the model in the area above the card. */

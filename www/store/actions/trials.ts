@@ -6,8 +6,10 @@
 
 import type { JobsClient } from '../../solver/jobs-client.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
-import type { ExactFound, Remedy, Snapshot } from '../../solver/types.ts';
+import type { BetterPress, ExactFound, Remedy, Snapshot } from '../../solver/types.ts';
 
+/** Time limit of the search for better presses, in milliseconds. */
+const MOST_PRESSES_MS = 20_000;
 /** Time limit of the search for remedies, in milliseconds. */
 const MOST_REMEDIES_MS = 4000;
 
@@ -34,18 +36,24 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
   /**
    * Tries until all is done.
    * @param goesOn whether to continue
+   * @param after a slice, while it is the current trial
    * @returns whether it is still the current trial; null without a model
    */
   async function run(
     begin: (model: Snapshot) => Promise<unknown>,
     goesOn: () => boolean = () => true,
+    after: () => Promise<unknown> = () => Promise.resolve(),
   ): Promise<boolean | null> {
     const model = solver.copy();
     if (!model) return null;
     end();
     const mine = turn;
     await begin(model);
-    while (mine === turn && goesOn() && (await ask.advance()));
+    let more = true;
+    while (more && mine === turn && goesOn()) {
+      more = await ask.advance();
+      if (mine === turn) await after();
+    }
     return mine === turn;
   }
 
@@ -73,6 +81,23 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
      */
     improvement: async (goesOn: () => boolean): Promise<ExactFound | null> =>
       (await run(ask.tryImprovement, goesOn)) ? ask.found() : null,
+
+    /**
+     * Presses for panels that end better than the last one.
+     * @param tolerance of its panels
+     * @param found is called with those found so far, whenever there is another one
+     */
+    async betterPresses(tolerance: number, found: (presses: BetterPress[]) => void) {
+      const until = performance.now() + MOST_PRESSES_MS;
+      let count = 0;
+      const tell = async () => {
+        const presses = await ask.betterPresses();
+        if (presses.length !== count) found(presses);
+        count = presses.length;
+      };
+      const begin = (model: Snapshot) => ask.tryPresses(model, tolerance);
+      return run(begin, () => performance.now() < until, tell);
+    },
 
     /** Changes that lower the worst distance; those found before something changes. */
     async remedies(): Promise<Remedy[]> {

@@ -44,6 +44,8 @@ export const onCopy = {
   tryImprovement: (model: Snapshot) => copyOf(model).tryImprovement(),
   /** Begins to try changes that lower the worst distance. */
   tryRemedies: (model: Snapshot) => copyOf(model).tryRemedies(),
+  /** Begins to try presses for panels that end better than the last one, within `tolerance`. */
+  tryPresses: (model: Snapshot, tolerance: number) => copyOf(model).tryPresses(tolerance),
   /**
    * Continues what was begun last, for a slice.
    * @returns whether there is more to do
@@ -55,6 +57,8 @@ export const onCopy = {
     const [offer, shape] = [copy.offer(), copy.shape()];
     return offer && shape ? { offer, shape, positions: copy.positions() } : null;
   },
+  /** The presses that end better, as far as they were tried. */
+  betterPresses: () => current().betterPresses(),
   /** The changes found so far, most effective first. */
   remedies: () => current().remedies(),
 
