@@ -1,12 +1,12 @@
 // Meshes for the page tests, small enough to be solved in an instant.
 
-/** The OBJ text of a grid of n by n unit quads with these heights. */
-function gridText(n: number, height: (x: number, y: number) => number) {
+/** The OBJ text of a grid of n by m unit quads with these heights. */
+function gridText(n: number, height: (x: number, y: number) => number, m = n) {
   const lines: string[] = [];
-  for (let y = 0; y <= n; y++) {
+  for (let y = 0; y <= m; y++) {
     for (let x = 0; x <= n; x++) lines.push(`v ${x} ${y} ${height(x, y).toFixed(6)}`);
   }
-  for (let y = 0; y < n; y++) {
+  for (let y = 0; y < m; y++) {
     for (let x = 0; x < n; x++) {
       const corner = y * (n + 1) + x + 1;
       lines.push(`f ${corner} ${corner + 1} ${corner + n + 2} ${corner + n + 1}`);
@@ -25,6 +25,14 @@ export const bumpyGrid = (n: number) =>
 
 /** A grid of steps that cannot be flat without folds. */
 export const steppedGrid = (n: number) => gridText(n, (x, y) => 0.3 * ((x * y) % 5));
+
+/** A roof of 40 by 24 panels that comes down to eight columns. */
+export function columns() {
+  const feet = [6, 15, 25, 34].flatMap((x) => [7, 17].map((y) => [x, y] as const));
+  const depth = (x: number, y: number) =>
+    Math.max(...feet.map(([a, b]) => 2.6 * Math.exp(-((x - a) ** 2 + (y - b) ** 2) / 5)));
+  return gridText(40, (x, y) => 5 - depth(x, y), 24);
+}
 
 /**
  * The OBJ text of a tube of 12 by 4 quads, open at both ends.

@@ -22,6 +22,7 @@ mod regions;
 mod remedies;
 mod remesh;
 mod replacing;
+mod search;
 mod selecting;
 mod shown;
 mod stories;

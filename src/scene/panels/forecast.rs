@@ -257,7 +257,8 @@ fn moves(kinds: &[ForecastOfKind], far: Option<&dyn Fn(&ForecastOfKind) -> Strin
         };
         words += &[joint, words_of, " for ", &adjectives.join(" or "), " ", panels].concat();
         if let Some(far) = far.filter(|_| how_far != HowFar::Nothing) {
-            let lengths: Vec<String> = kinds.iter().map(|kind| far(kind)).collect();
+            let mut lengths: Vec<String> = kinds.iter().map(|kind| far(kind)).collect();
+            lengths.dedup();
             words += &format!(" (about {})", lengths.join(" or "));
         }
     }

@@ -10,9 +10,6 @@ use serde::Serialize;
 /// From this part of the tolerance on, the distance of the worst panel says no more than it.
 const SAYS_NO_MORE: f64 = 0.99;
 
-/// Vertices slide if one moved by more than this multiple of the move of the surface.
-const SLIDES: f64 = 1.2;
-
 /// The verdict in words.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
@@ -48,14 +45,20 @@ impl Verdict {
             false if folds.is_empty() => [String::new(), folds],
             false => [String::new(), format!("But {folds}")],
         };
+        let why = why.unwrap_or_default();
+        // That panels have a larger tolerance is the graver reason, and is said with their number.
+        let [first, second] = match self.eased {
+            None => [why, String::new()],
+            Some(_) => [String::new(), why],
+        };
         let sentences = [
-            why.unwrap_or_default(),
+            first,
             before,
             self.reached(units),
+            second,
             after,
             if is_told { String::new() } else { format!("Worst {worst}.") },
             match moved(self.moved.max, self.moved.mean, units, scale.size) {
-                _ if self.flaws.first() == Some(&Flaw::Away) && !self.slides() => String::new(),
                 Some(far) => format!("Your mesh moved by {far}."),
                 None => "Your mesh did not move.".to_owned(),
             },
@@ -68,37 +71,22 @@ impl Verdict {
         VerdictWords { progress, full: told.join(" "), again: again.map(label) }
     }
 
-    /// Whether vertices moved clearly farther than the surface did.
-    fn slides(&self) -> bool {
-        self.moved.max > SLIDES * self.surface.max
-    }
-
     /// Says what is not good about the shape; empty if the rest of the verdict says it.
     fn why(&self, flaw: Flaw, scale: &Scale<'_>) -> String {
-        let far = |far: f64| length(far, scale.units);
         let edges = |far: f64| format!("{} of an edge", part(far / scale.edge));
         match flaw {
             Flaw::Eased => String::new(),
             Flaw::Rougher | Flaw::Flatter => self.bend.words(),
             Flaw::Away => {
-                let SurfaceDistance { max, .. } = self.surface;
-                format!("The surface moved by up to {}, {}.", far(max), edges(max))
+                format!("The surface moved by up to {}.", edges(self.surface.max))
             }
-            Flaw::Moved => {
-                let [slid, away] = [self.moved.mean, self.surface.max];
-                let within = far(away);
-                format!(
-                    "Panels slid by {} on average, {}; the surface stays within {within}.",
-                    far(slid),
-                    edges(slid)
-                )
-            }
+            Flaw::Moved => format!(
+                "Panels slid by {} on average; the surface stays within {}.",
+                edges(self.moved.mean),
+                length(self.surface.max, scale.units)
+            ),
             Flaw::OffBoundary => {
-                format!(
-                    "The boundary moved by up to {}, {}.",
-                    far(self.boundary),
-                    edges(self.boundary)
-                )
+                format!("The boundary moved by up to {}.", edges(self.boundary))
             }
             Flaw::Short => {
                 format!("An edge has {} of its length.", part(self.shortest_edge))
@@ -252,12 +240,12 @@ mod tests {
         let with =
             |flaw| full(&Verdict { surface, boundary: 0.11, flaws: vec![flaw], ..verdict() });
         for (flaw, words) in [
-            (Flaw::Away, "The surface moved by up to 0.980 m, 196 % of an edge. All 800 "),
+            (Flaw::Away, "The surface moved by up to 196 % of an edge. All 800 "),
             (
                 Flaw::Moved,
-                "Panels slid by 51.2 mm on average, 10 % of an edge; the surface stays within 0.980 m. ",
+                "Panels slid by 10 % of an edge on average; the surface stays within 0.980 m. ",
             ),
-            (Flaw::OffBoundary, "The boundary moved by up to 0.110 m, 22 % of an edge. All "),
+            (Flaw::OffBoundary, "The boundary moved by up to 22 % of an edge. All "),
             (Flaw::Short, "An edge has 80 % of its length. All "),
             (Flaw::Eased, "All 800 "),
         ] {

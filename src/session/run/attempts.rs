@@ -112,7 +112,7 @@ impl Attempt {
     /// Maximum number of iterations of the approach.
     pub(crate) fn iterations(&self) -> u32 {
         match self {
-            Attempt::FromSoft => Requirements::ITERATIONS,
+            Attempt::FromSoft | Attempt::OnSurface => Requirements::ITERATIONS,
             Attempt::Eased(_) => MOST_EASED_ITERATIONS,
             _ => MOST_ITERATIONS,
         }

@@ -2,7 +2,7 @@
 
 import type { Page } from '@playwright/test';
 import { downloaded, openText, showPanel, tool } from '../actions.ts';
-import { bumpyGrid, quadScene, steppedGrid, triangleScene, wavyGrid } from '../meshes.ts';
+import { bumpyGrid, columns, quadScene, steppedGrid, triangleScene, wavyGrid } from '../meshes.ts';
 import { boxOf, expect, openPage, screenOf, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
@@ -11,7 +11,7 @@ const N = 6;
 const VERTICES = (N + 1) ** 2;
 const VERDICT = (adjective: string) =>
   new RegExp(
-    `^(All|\\d+ of) ${N * N} panels are ${adjective} within 1 mm\\. Worst .+\\. ` +
+    `^(The surface moved .+ edge\\. )?(All|\\d+ of) ${N * N} panels are ${adjective} within 1 mm\\. Worst .+\\. ` +
       'Your mesh moved by at most .+, .+ on average\\.$',
   );
 
@@ -25,7 +25,8 @@ test('one press makes an opened mesh circular, and a verdict shows how far it mo
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
   // The cost is shown before the press.
-  const forecast = 'This mesh will move a little for flat or circular panels.';
+  const forecast =
+    /^This mesh will move a little for flat or circular panels \(about [\d.]+ m\)\.$/;
   await expect(offer(page).getByText(forecast)).toBeVisible();
   // Each button exists only once.
   await press(page, 'circular').click();
@@ -101,13 +102,38 @@ test('panels that fold at every tolerance are reported and shown', async ({ page
   await openText(page, 'steps.obj', steppedGrid(8), 81);
   await press(page, 'flat').click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
-  await expect(offer(page).getByText(/But \d+ faces are folded or dented\./)).toBeVisible();
+  await expect(offer(page).getByText(/^\d+ faces are folded or dented\. All 64 /)).toBeVisible();
   await offer(page).getByRole('button', { name: 'Show the folds' }).click();
   await waitForState(page, (now) => now.selection.faces.length > 0);
-  // Another attempt ends like the first.
-  await offer(page).getByRole('button', { name: 'Avoid them' }).click();
+  // What would end no better is not offered.
+  await expect(offer(page).getByText('Looking for better choices …')).toBeHidden();
+  await expect(offer(page).getByRole('button', { name: /Avoid|Smoother/ })).toBeHidden();
+});
+
+test('a surface that moves far is said to, and what ends better is a button with its number', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'columns.obj', columns(), 1025);
+  await press(page, 'circular').click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
-  await expect(offer(page).getByText(/But \d+ faces are folded or dented\./)).toBeVisible();
+  const moved =
+    /^The surface moved by up to \d+ % of an edge\. All 960 panels are circular/;
+  await expect(offer(page).getByText(moved)).toBeVisible();
+  const better = offer(page).getByRole('button', {
+    name: /^Within 50 mm: the surface moves by [\d.]+ m instead of [\d.]+ m$/,
+  });
+  await better.click();
+  // It says what was chosen; the tolerance is that of the choice.
+  await expect(
+    offer(page).getByText(/^Within 50 mm: .*All 960 panels are circular within 50 mm\./),
+  ).toBeVisible();
+  await expect(page.getByLabel('Tolerance')).toHaveValue('50');
+  // Another tolerance can be solved for.
+  await page.getByLabel('Tolerance').fill('25');
+  await page.getByLabel('Tolerance').press('Enter');
+  await offer(page).getByRole('button', { name: 'Solve again within 25 mm' }).click();
+  await expect(offer(page).getByText(/All 960 panels are circular within 25 mm\./)).toBeVisible();
 });
 
 for (const [device, width, height] of [

@@ -20,13 +20,14 @@ function trials(during: (solver: Fake) => void) {
   const begun: unknown[] = [];
   const begin = async (model: unknown) => void begun.push(model);
   const ask = {
-    ...{ tryExact: begin, tryImprovement: begin, tryRemedies: begin },
+    ...{ tryExact: begin, tryImprovement: begin, tryRemedies: begin, tryPresses: begin },
     async advance() {
       if (++steps === 1) during(solver);
       return steps < 9;
     },
     found: async () => 'the shape',
     remedies: async () => ['smooth less'],
+    betterPresses: async () => (steps > 3 ? ['within 50 mm'] : []),
   };
   const made = createTrials(solver as unknown as SolverClient, { ask } as unknown as JobsClient);
   solver.emit('scene', { generation: 5 });
@@ -76,4 +77,19 @@ test('an improvement that is stopped keeps what it has', async () => {
   const { made, steps } = trials(() => (isStopped = true));
   assert.equal(await made.improvement(() => !isStopped), 'the shape');
   assert.equal(steps(), 1);
+});
+
+test('better presses let other trials go first, and begin again after them', async () => {
+  const { made, begun, steps } = trials(() => {});
+  const heard: unknown[] = [];
+  const pressed = made.betterPresses(0.001, (presses) => heard.push(...presses));
+  assert.equal(await made.exactOffer(() => true), 'the shape');
+  assert.equal(await pressed, true);
+  assert.ok(begun.length >= 2 && steps() >= 9);
+  assert.deepEqual(new Set(heard), new Set(['within 50 mm']));
+});
+
+test('an edit ends the search for better presses', async () => {
+  const { made } = trials((solver) => solver.emit('scene', { generation: 6 }));
+  assert.equal(await made.betterPresses(0.001, () => {}), false);
 });

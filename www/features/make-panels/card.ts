@@ -308,7 +308,7 @@ export class MakePanels {
   async #findBetter(verdict: PanelVerdict) {
     const { solver, actions } = this.#app;
     const shape = solver.geometry?.generation;
-    if (this.#triedFor === shape || verdict.required === null) return;
+    if (this.#triedFor === shape || !verdict.required) return;
     this.#triedFor = shape;
     this.#showBetter([], 'Looking for better choices …');
     const found: BetterPress[] = [];

@@ -14,13 +14,16 @@ const MOST_PRESSES_MS = 20_000;
 const MOST_REMEDIES_MS = 4000;
 
 export function createTrials(solver: SolverClient, { ask }: JobsClient) {
-  /** Number of the current trial. */
-  let turn = 0;
+  /** Number of the current trial, and of changes that end every trial. */
+  let [turn, changes] = [0, 0];
+  /** Settled when the last trial has ended. */
+  let last: Promise<unknown> = Promise.resolve();
   /** Generations of the problem and of the shape as last known. */
   let [problem, shape]: (number | undefined)[] = [];
 
   const end = () => {
     turn += 1;
+    changes += 1;
   };
   solver.on('model', end);
   solver.on('scene', ({ generation }) => {
@@ -46,15 +49,19 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
   ): Promise<boolean | null> {
     const model = solver.copy();
     if (!model) return null;
-    end();
+    turn += 1;
     const mine = turn;
-    await begin(model);
-    let more = true;
-    while (more && mine === turn && goesOn()) {
-      more = await ask.advance();
-      if (mine === turn) await after();
-    }
-    return mine === turn;
+    const trial = (async () => {
+      await begin(model);
+      let more = true;
+      while (more && mine === turn && goesOn()) {
+        more = await ask.advance();
+        if (mine === turn) await after();
+      }
+      return mine === turn;
+    })();
+    last = trial.catch(() => null);
+    return trial;
   }
 
   return {
@@ -85,6 +92,7 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
     /**
      * Presses for panels that end better than the last one.
      * @param tolerance of its panels
+     * It lets other trials go first.
      * @param found is called with those found so far, whenever there is another one
      */
     async betterPresses(tolerance: number, found: (presses: BetterPress[]) => void) {
@@ -96,7 +104,15 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
         count = presses.length;
       };
       const begin = (model: Snapshot) => ask.tryPresses(model, tolerance);
-      return run(begin, () => performance.now() < until, tell);
+      const asked = changes;
+      for (;;) {
+        const before = last;
+        await before;
+        if (asked !== changes) return false;
+        if (last !== before) continue;
+        const done = await run(begin, () => performance.now() < until, tell);
+        if (done !== false || asked !== changes) return done;
+      }
     },
 
     /** Changes that lower the worst distance; those found before something changes. */

@@ -1,0 +1,200 @@
+//! The search of a press for panels: it finds the shape where there is one, says what is not good
+//! about it, and every host gets the same from the scene that it leaves.
+
+use crate::support::shared;
+use shape_up::mesh::{Mesh, Point};
+use shape_up::scene::{AttemptStart, Scene};
+use shape_up::session::{Edit, Level, PanelStart, Session, Verdict};
+
+/// Opens a mesh as one that somebody chooses.
+fn opened(mesh: Mesh) -> Session {
+    Session::open(Scene::opened("own.obj"), mesh).expect("it fits")
+}
+
+fn press(session: &mut Session, kind: &str) -> Verdict {
+    let tolerance = session.tolerance();
+    session.make_panels(kind, tolerance, PanelStart::Now).expect("it has quads");
+    while !session.step().expect("it stays finite").ended {}
+    session.end_run();
+    session.verdict(tolerance).expect("panels were asked for")
+}
+
+/// A grid of `n` by `n` quads over a surface, sheared and tapered in the plane.
+fn sheared(n: usize, height: fn(f64, f64) -> f64, shear: f64, taper: f64) -> Mesh {
+    let mut mesh = Mesh::default();
+    for j in 0..=n {
+        for i in 0..=n {
+            let [u, v] = [i, j].map(|k| 2.0 * k as f64 / n as f64 - 1.0);
+            let (x, y) = (u * (1.0 + taper * v) + shear * v, v);
+            mesh.positions.push([5.0 * x, 5.0 * y, 5.0 * height(x, y)]);
+        }
+    }
+    for j in 0..n {
+        for i in 0..n {
+            let corner = (j * (n + 1) + i) as u32;
+            let up = n as u32 + 1;
+            mesh.faces.push(&[corner, corner + 1, corner + up + 1, corner + up]);
+        }
+    }
+    mesh
+}
+
+fn saddle(x: f64, y: f64) -> f64 {
+    0.25 * (x * x - y * y)
+}
+
+fn cylinder(x: f64, _: f64) -> f64 {
+    -0.3 * x * x
+}
+
+fn dome(x: f64, y: f64) -> f64 {
+    -0.25 * (x * x + y * y)
+}
+
+const SURFACES: [(&str, fn(f64, f64) -> f64); 3] =
+    [("saddle", saddle), ("cylinder", cylinder), ("dome", dome)];
+
+#[test]
+fn sheared_and_tapered_grids_are_met_without_folds() {
+    // A soft solution that collapsed used to end the press: 70 of 324 such grids stopped so.
+    let is_long = std::env::var_os("LONG").is_some();
+    let sizes: &[usize] = if is_long { &[6, 8, 10, 12, 16, 24] } else { &[8] };
+    let turns: &[f64] = if is_long { &[0.0, 0.2, 0.4, 0.6, 0.8, 1.0] } else { &[0.4, 0.8] };
+    let mut unmet = Vec::new();
+    let mut count = 0;
+    for &n in sizes {
+        for (name, height) in SURFACES {
+            for &shear in turns {
+                for taper in [0.0, 0.3, 0.5] {
+                    let mut session = opened(sheared(n, height, shear, taper));
+                    let Verdict { level, within, of, folded, .. } = press(&mut session, "circle");
+                    count += 1;
+                    if level == Level::Poor {
+                        unmet.push(format!("{name} {n} {shear} {taper}: {within}/{of}, {folded}"));
+                    }
+                }
+            }
+        }
+    }
+    assert!(unmet.len() * 50 <= count, "{} of {count}: {unmet:#?}", unmet.len());
+}
+
+/// Opens the scene that a session leaves, from its start, and solves it as another host would.
+fn solved_again(session: &Session) -> Vec<Point> {
+    let text = session.scene().to_json(session.mesh());
+    let mut scene = Scene::from_json(&text).expect("its own");
+    scene.current = None;
+    let mut again = Session::open(scene, session.mesh().clone()).expect("it fits");
+    again.solve(false).expect("it can be solved");
+    again.positions()
+}
+
+#[test]
+fn the_scene_that_a_press_leaves_gives_the_same_shape_everywhere() {
+    // A flat roof differed by 74 mm after a link, since a press eased and a run did not.
+    let mut starts = Vec::new();
+    for (name, kind) in [
+        ("M2_eq_quad2.obj", "circle"),
+        ("compas_hypar.obj", "plane"),
+        ("halftunnel.off", "circle"),
+        ("chebyshev_sphere.obj", "circle"),
+        ("ggg_GGGPerf.obj", "plane"),
+    ] {
+        let Some(mesh) = shared::mesh(name) else { continue };
+        let mut session = opened(mesh);
+        let verdict = press(&mut session, kind);
+        let attempt = session.document().attempt;
+        println!("{name} {kind}: {} {attempt:?}", verdict.chosen);
+        starts.push(attempt);
+        let shape = session.positions();
+        assert_eq!(solved_again(&session), shape, "{name} {kind}: {attempt:?}");
+        // So does the page, after Reset.
+        session.edit(Edit::Reset).expect("nothing is locked");
+        session.begin_run();
+        while !session.step().expect("it stays finite").ended {}
+        session.end_run();
+        assert_eq!(session.positions(), shape, "{name} {kind}: {attempt:?}");
+    }
+    if !starts.is_empty() {
+        assert!(starts.iter().any(|it| it.from == AttemptStart::Eased), "{starts:?}");
+        assert!(starts.iter().any(|it| it.smoother > 1.0), "{starts:?}");
+        assert!(starts.iter().any(|it| it.on_surface), "{starts:?}");
+    }
+}
+
+#[test]
+fn another_press_begins_with_the_settings_before_the_last_one() {
+    let Some(mesh) = shared::mesh("M2_eq_quad2.obj") else { return };
+    let mut session = opened(mesh);
+    let before = session.document().weights;
+    press(&mut session, "circle");
+    assert!(session.document().weights.smooth > before.smooth);
+    session.edit(Edit::Reset).expect("nothing is locked");
+    let shape = |session: &mut Session| {
+        press(session, "plane");
+        session.positions()
+    };
+    let after_another = shape(&mut session);
+    let mut fresh = opened(session.mesh().clone());
+    assert_eq!(after_another, shape(&mut fresh));
+}
+
+#[test]
+fn a_run_has_as_many_iterations_as_the_scene_allows() {
+    // The page went on to 475 instead of 200.
+    let mut scene = Scene::opened("own.obj");
+    (scene.solver.iterations, scene.solver.tolerance) = (20, 0.0);
+    let mut session = Session::open(scene, sheared(8, saddle, 0.3, 0.2)).expect("it fits");
+    session.make_panels("plane", f64::INFINITY, PanelStart::Now).expect("it has quads");
+    while !session.step().expect("it stays finite").ended {}
+    session.end_run();
+    assert_eq!(session.iteration(), 20);
+    assert!(!session.converged());
+    // The next run has as many again.
+    session.begin_run();
+    while !session.step().expect("it stays finite").ended {}
+    session.end_run();
+    assert_eq!(session.iteration(), 40);
+}
+
+#[test]
+fn noise_order_and_position_do_not_change_what_is_chosen() {
+    let n = 8;
+    let mesh = sheared(n, saddle, 0.4, 0.3);
+    let chosen = |mesh: Mesh| {
+        let mut session = opened(mesh);
+        let verdict = press(&mut session, "circle");
+        (verdict.chosen, verdict.level, session.positions())
+    };
+    let (name, level, shape) = chosen(mesh.clone());
+    let moved = |by: &dyn Fn(Point) -> Point| Mesh {
+        positions: mesh.positions.iter().map(|&p| by(p)).collect(),
+        ..mesh.clone()
+    };
+    let noise = {
+        let mut k = 0_u64;
+        let mut positions = mesh.positions.clone();
+        for x in positions.as_flattened_mut() {
+            k = k.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            *x += 1e-6 * ((k >> 33) as f64 / f64::from(u32::MAX) - 0.25);
+        }
+        Mesh { positions, ..mesh.clone() }
+    };
+    let rolled = Mesh {
+        faces: mesh.faces.iter().map(|face| [&face[1..], &face[..1]].concat()).collect(),
+        ..mesh.clone()
+    };
+    let [c, s] = [0.8, 0.6];
+    for (what, other) in [
+        ("noise", noise),
+        ("rolled", rolled),
+        ("mirror", moved(&|[x, y, z]| [-x, y, z])),
+        ("turned", moved(&|[x, y, z]| [c * x - s * y, s * x + c * y, z])),
+        ("far", moved(&|[x, y, z]| [x + 1e6, y - 1e6, z])),
+        ("large", moved(&|p| p.map(|x| 1000.0 * x))),
+    ] {
+        let (other_name, other_level, _) = chosen(other);
+        assert_eq!((&other_name, other_level), (&name, level), "{what}");
+    }
+    assert!(!shape.is_empty());
+}
