@@ -113,6 +113,7 @@ impl Session {
     }
 
     fn iterate_all(&mut self, trace: bool) -> Result<(), Error> {
+        self.search = self.search_of_scene();
         if trace {
             self.progress.record_all(self.scene.solver().energy());
         }

@@ -1,7 +1,7 @@
 //! The verdict on the panels in words, during a run and after it.
 
 use super::verdict::Verdict;
-use crate::session::run::{Bend, BendChange, Flaw, SurfaceDistance};
+use crate::session::run::{Bend, BendChange, Flaw};
 use crate::words::{
     count, group_digits, length, length_like, limit_like, moved, part, rough_degrees,
 };
@@ -160,7 +160,7 @@ impl Bend {
 mod tests {
     use super::*;
     use crate::session::EasedPanels;
-    use crate::session::run::Level;
+    use crate::session::run::{Level, SurfaceDistance};
     use crate::solve::Moved;
 
     fn verdict() -> Verdict {
