@@ -1,4 +1,4 @@
-/** Menu of the examples, with their pictures. Loaded after the page itself. */
+/** Menu of the examples, with their pictures. */
 
 import { messageOf } from '../solver/errors.ts';
 import { element } from '../ui/dom.ts';

@@ -6,6 +6,7 @@
 import { count } from '../ui/format.ts';
 import { Cancelled, messageOf } from '../solver/errors.ts';
 import { createTrials } from './actions/trials.ts';
+import { halfStepWords } from './half-step.ts';
 import type { Edit, PanelStart, Handle } from '../solver/types.ts';
 import { verticesOf } from './selection.ts';
 import { isHard, type Store } from './state.ts';
@@ -184,10 +185,8 @@ export function createActions(
 
     /** Performs the local step, or the global step after it. */
     async halfStep() {
-      const words = reportErrors(import('./half-step/half-step-words.ts'));
       const done = await reportErrors(solver.change.halfStep());
-      const loaded = await words;
-      if (done && loaded) setStatus(loaded.halfStepWords(done));
+      if (done) setStatus(halfStepWords(done));
     },
 
     async reset() {

@@ -6,6 +6,7 @@
 import { itemByKey } from '../../ui/controls/arrow-keys.ts';
 import { byId, element, icon } from '../../ui/dom.ts';
 import { placeMenu } from '../../ui/controls/menu.ts';
+import { oneTabStop } from '../../ui/controls/toolbar.ts';
 import type { Store } from '../../store/state.ts';
 
 const PHONE = matchMedia('(max-width: 699px)');
@@ -40,11 +41,7 @@ export function arrangeForWidth(store: Store) {
   }
   PHONE.addEventListener('change', arrange);
   arrange();
-  // Without it each control is its own tab stop.
-  import('../../ui/controls/toolbar.ts').then(
-    ({ oneTabStop }) => [tools, bar, byId('select-bar')].forEach(oneTabStop),
-    () => {},
-  );
+  [tools, bar, byId('select-bar')].forEach(oneTabStop);
   more.addEventListener('click', (event) => {
     const inside = event.target instanceof Element && event.target.closest('button');
     if (inside && !inside.hasAttribute('popovertarget')) more.hidePopover();

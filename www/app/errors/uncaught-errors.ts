@@ -1,6 +1,7 @@
 /** Shows uncaught errors, and offers to copy a report. */
 
 import { messageOf } from '../../solver/errors.ts';
+import { copyReport, crashReport } from './crash-report.ts';
 import type { Alerts } from '../../ui/controls/alerts.ts';
 import type { Store } from '../../store/state.ts';
 
@@ -20,9 +21,6 @@ export function reportUncaughtErrors(alerts: Alerts, store: Store) {
 
 /** Returns the button of an error message that copies a report for the developers. */
 export function offerReport(message: string, store: Store, alerts: Alerts) {
-  const action = async () => {
-    const { crashReport, copyReport } = await import('./crash-report.ts');
-    await copyReport(crashReport(message, store.get()), store, alerts);
-  };
+  const action = () => copyReport(crashReport(message, store.get()), store, alerts);
   return { label: 'Copy report', action };
 }

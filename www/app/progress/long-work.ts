@@ -1,4 +1,4 @@
-/** Offers to cancel long work of a worker. Loaded when such work occurs. */
+/** Offers to cancel long work of a worker. */
 
 import '../../ui/styles/waiting.css';
 import { byId, element, removeKeepingFocus } from '../../ui/dom.ts';

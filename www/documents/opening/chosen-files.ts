@@ -1,8 +1,9 @@
-/** Opens a model from a file input or a drop, and lists the files left out. Loaded on demand. */
+/** Opens a model from a file input or a drop, and lists the files left out. */
 
 import { messageOf } from '../../solver/errors.ts';
 import type { NamedBytes, Loaded } from '../../solver/types.ts';
 import { isReadable, worthReading } from '../../solver/opened-files.ts';
+import { openLarge } from './large-file-import.ts';
 import { namedBytes } from './named-bytes.ts';
 import type { Opening } from './openings.ts';
 import type { AppContext } from '../../app/context.ts';
@@ -48,7 +49,6 @@ async function read(
     cancelled,
   ) => files.open(given, {}, { opening, cancelled }).catch(() => null);
   if (chosen.some(({ size }) => size > LARGE)) {
-    const { openLarge } = await import('./large-file-import.ts');
     return openLarge(chosen, { actions, solver, alerts, open });
   }
   try {

@@ -1,5 +1,7 @@
 /** Files dropped on the window: opened, or used as the reference surface. */
 
+import { openChosen } from './chosen-files.ts';
+import { fitTo } from './fit-to.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** Below this fraction of the window's height, a drop sets the open model's reference surface. */
@@ -26,17 +28,16 @@ export function acceptDrops(overlay: HTMLElement, app: AppContext) {
     // A folder looks like an unreadable file.
     const [file] = files;
     if (store.get().document && event.clientY > FIT_FROM * window.innerHeight && file) {
-      void actions.reportErrors(import('./fit-to.ts').then((it) => it.fitTo(file, actions)));
+      void actions.reportErrors(fitTo(file, actions));
       return;
     }
     const folders = [...items]
       .map((item) => item.webkitGetAsEntry())
       .flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));
     const chosen = [...files].filter(({ name }) => !folders.includes(name));
-    const opened = app.files.openings.begin(async (opening) => {
-      const { openChosen } = await import('./chosen-files.ts');
-      await openChosen(app, opening, chosen, folders);
-    });
+    const opened = app.files.openings.begin((opening) =>
+      openChosen(app, opening, chosen, folders),
+    );
     void actions.reportErrors(opened);
   });
 }

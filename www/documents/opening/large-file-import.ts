@@ -1,6 +1,6 @@
 /**
  * Opening of large files: a progress display, a cancel button, and a question before a mesh that is
- * too large for interactive work is loaded. Loaded on demand.
+ * too large for interactive work is loaded.
  */
 
 import '../../ui/styles/waiting.css';

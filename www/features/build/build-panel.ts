@@ -1,6 +1,7 @@
 /** The docked panel of parts: settings, the build check, the sheets and their files. */
 
 import './build-panel.css';
+import { askRhino } from '../../documents/rhino/rhino-client.ts';
 import { docked } from '../../docked/docked.ts';
 import { button, closeButton } from '../../ui/controls/fields.ts';
 import { element } from '../../ui/dom.ts';
@@ -156,7 +157,6 @@ async function buildPanel(app: AppContext) {
 
   /** Saves a 3DM file, loading its large writer. */
   async function saveForRhino() {
-    const { askRhino } = await import('../../documents/rhino/rhino-client.ts');
     const [parts, { symbol }] = [await live.spatialParts(), live.unit()];
     const bytes = await askRhino((rhino) => rhino.writeParts(parts, symbol));
     files.save('-parts.3dm', bytes, 'model/vnd.3dm');

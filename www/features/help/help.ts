@@ -4,8 +4,8 @@ import './help.css';
 import { keyName } from '../../ui/keys.ts';
 import { dialogHead } from '../../ui/controls/dialog.ts';
 import { element } from '../../ui/dom.ts';
-import { oneAtATime } from '../../ui/once.ts';
 import { singleKeys } from '../../ui/single-keys.ts';
+import { showCitation } from './cite.ts';
 import type { Command } from '../../app/context.ts';
 
 /** Actions of the pointer; see `pointer.ts`. */
@@ -60,7 +60,7 @@ export function showHelp(dialog: HTMLDialogElement, commands: Command[]) {
       'Everything is computed in this browser; nothing is uploaded. After “Shape-Up: Shaping Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012. ',
       element('a', { href: './licences.html', target: '_blank' }, 'Licences'),
       ' ',
-      element('button.bordered', { onclick: cite, 'aria-haspopup': 'dialog' }, 'Cite'),
+      element('button.bordered', { onclick: showCitation, 'aria-haspopup': 'dialog' }, 'Cite'),
     ),
   );
   dialog.onclick = (event) => {
@@ -68,8 +68,6 @@ export function showHelp(dialog: HTMLDialogElement, commands: Command[]) {
   };
   dialog.showModal();
 }
-
-const cite = oneAtATime(() => import('./cite.ts').then((it) => it.showCitation()));
 
 function keysOf({ keys, label }: Command): [(Node | string)[], string] {
   return keyRow(keys.map(keyName), label);

@@ -6,17 +6,16 @@
 import './lesson.css';
 import { RENEW_MS, byId, element, icon, setText, throttled } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
-import { oneAtATime } from '../../ui/once.ts';
 import { movedInWords } from '../../store/colours/measures.ts';
 import { goalInWords, nowInWords } from './goal.ts';
+import { handIn } from './hand-in.ts';
 import { lockedPlaces, locksInWords } from './locks.ts';
 import type { AppContext } from '../../app/context.ts';
 
 const MARKS = { met: '✓', missed: '✗' };
 
 export function lessonPanel(app: AppContext) {
-  const { store, actions } = app;
-  const open = oneAtATime(() => import('./hand-in.ts').then((it) => it.handIn(app)));
+  const { store } = app;
   const text = element('p.lesson-text');
   const list = element('ul', { 'aria-label': 'Goals' });
   const locked = element('p.quiet');
@@ -34,7 +33,7 @@ export function lessonPanel(app: AppContext) {
     cost,
     element(
       'button.bordered',
-      { 'aria-haspopup': 'dialog', onclick: () => actions.reportErrors(open()) },
+      { 'aria-haspopup': 'dialog', onclick: () => handIn(app) },
       'Results for hand-in',
     ),
   );

@@ -11,8 +11,8 @@ import { RENEW_MS, byId, element, removeKeepingFocus, setText, throttled } from 
 import { cover } from '../../viewport/covered.ts';
 import { showElements } from '../../viewport/reveal-elements.ts';
 import { isMeshLocked, panelButtons } from './buttons.ts';
-import { openEdit } from './open-edit.ts';
 import { addButtons } from './refine-buttons.ts';
+import { openEdit } from './refine-operation.ts';
 import type { BetterPress, KindInfo, PanelStart, PanelVerdict } from '../../solver/types.ts';
 import type { MeshRemedy } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';

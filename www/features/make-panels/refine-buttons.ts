@@ -2,19 +2,16 @@
 
 import { button } from '../../ui/controls/fields.ts';
 import { byId } from '../../ui/dom.ts';
-import { oneAtATime } from '../../ui/once.ts';
 import { isMeshLocked } from './buttons.ts';
-import { openEdit } from './open-edit.ts';
+import { openRefine } from './refine-dialog.ts';
+import { openEdit } from './refine-operation.ts';
 import type { AppContext } from '../../app/context.ts';
 
 export function addButtons(app: AppContext) {
   const { store, actions } = app;
   const offer = (label: string, open: () => unknown) =>
     button(label, () => actions.reportErrors(open()), { 'aria-haspopup': 'dialog' });
-  const openRefine = oneAtATime(() =>
-    import('./refine-dialog.ts').then((it) => it.openRefine(app)),
-  );
-  const buttons = [offer('Refine', openRefine), offer('Edit mesh', () => openEdit(app))];
+  const buttons = [offer('Refine', () => openRefine(app)), offer('Edit mesh', () => openEdit(app))];
   byId('mesh-tools').prepend(...buttons);
   store.subscribe(['model', 'document'], (state) => {
     const { model, document: scene } = state;

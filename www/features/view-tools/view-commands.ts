@@ -1,9 +1,10 @@
 /**
  * The commands of the view: directions, projection, ghost, ground grid, section plane and measuring
- * tape. Their implementation is loaded with `view-tools.ts` on first use.
+ * tape.
  */
 
-import { placeMenu } from '../../ui/controls/menu.ts';
+import { turnSlowly } from './turntable.ts';
+import { ViewTools } from './view-tools.ts';
 import type { AppContext, Command } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
 
@@ -18,24 +19,17 @@ const VIEWS = [
   ['isometric', 'Numpad0'],
 ];
 
-const load = () => import('./view-tools.ts');
-
 export function viewCommands(app: AppContext): Command[] {
   const { store, actions } = app;
-  const tools = async () => (await load()).ViewTools.of(app);
+  const tools = new ViewTools(app);
   const enabled = ({ renderer }: State) => renderer !== 'none';
-  store.subscribe(['display', 'parallel', 'tape', 'section'], (state) => {
-    const { display, parallel, tape, section } = state;
-    if (display.ghost || display.ground || parallel || tape || section)
-      void actions.reportErrors(tools());
-  });
   return [
     ...VIEWS.map(([name, ...keys], i) => ({
       id: `view-${name}`,
       group: 'View',
       label: `View: ${name}`,
       keys: [`Shift+${i + 1}`, ...keys],
-      action: () => tools().then((it) => it.flyTo(name)),
+      action: () => tools.flyTo(name),
       enabled,
     })),
     {
@@ -88,26 +82,9 @@ export function viewCommands(app: AppContext): Command[] {
       group: 'View',
       label: 'Turn slowly, until the view is touched',
       keys: [],
-      action: () => load().then((it) => it.turnSlowly(app.viewport)),
+      action: () => turnSlowly(app.viewport),
       needsModel: true,
       enabled,
     },
   ];
-}
-
-/** Binds the menu of the views, which is built when first opened. */
-export function bindViewMenu(
-  menu: HTMLElement,
-  button: HTMLElement,
-  commands: Command[],
-  app: AppContext,
-) {
-  placeMenu(menu, () => button);
-  const build = async () => {
-    (await load()).buildViewMenu(menu, commands, app);
-    // Reopened because it has its size only now.
-    menu.hidePopover();
-    menu.showPopover();
-  };
-  menu.addEventListener('beforetoggle', build, { once: true });
 }

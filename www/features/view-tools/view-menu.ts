@@ -1,13 +1,18 @@
 /** The menu of the view: directions, projection, and what is drawn besides the model. */
 
 import { isEnabled, press } from '../../store/press.ts';
+import { placeMenu } from '../../ui/controls/menu.ts';
 import { element } from '../../ui/dom.ts';
 import { keyName } from '../../ui/keys.ts';
 import { keptViews } from './kept-views.ts';
-import type { AppContext, Command } from '../../app/context.ts';
+import type { AppContext } from '../../app/context.ts';
 
-export function buildViewMenu(menu: HTMLElement, commands: Command[], app: AppContext) {
-  const { store } = app;
+/**
+ * Fills the menu.
+ * @param opener the button that opens it
+ */
+export function viewMenu(menu: HTMLElement, opener: HTMLElement, app: AppContext) {
+  const { store, commands } = app;
   const button = (id: string, label: string, closes = false) => {
     const command = commands.find((known) => known.id === id);
     if (!command) throw new Error(`no command is called ${id}`);
@@ -48,4 +53,5 @@ export function buildViewMenu(menu: HTMLElement, commands: Command[], app: AppCo
     button('turn-slowly', 'Turn slowly', true),
     keptViews(app),
   );
+  placeMenu(menu, () => opener);
 }

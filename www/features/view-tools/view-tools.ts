@@ -1,21 +1,17 @@
 /**
  * The view tools: flights to named views, the original for the ghost and the ground grid, the
- * scale, the section card, the measuring tape and the menu. Loaded on first use.
+ * scale, the section card and the measuring tape.
  */
 
 import './view-tools.css';
 import { element, setText } from '../../ui/dom.ts';
 import { lengthUnit } from '../../ui/format.ts';
-import { once } from '../../ui/once.ts';
 import { fly } from '../../viewport/flight.ts';
 import { SectionCard } from './section-card.ts';
 import { Tape } from './tape.ts';
 import { newestOnly } from '../../store/newest-only.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { Label } from '../../viewport/viewport.ts';
-
-export { turnSlowly } from './turntable.ts';
-export { buildViewMenu } from './view-menu.ts';
 
 /** Maximum length of the scale bar in CSS pixels. */
 const BAR = 120;
@@ -34,9 +30,6 @@ export class ViewTools {
   #rest: Float64Array | null = null;
 
   #newest = newestOnly(() => this.#store.get().model);
-
-  /** The only instance of the page. */
-  static of = once((app: AppContext) => new ViewTools(app));
 
   constructor({ store, actions, viewport }: AppContext) {
     this.#store = store;

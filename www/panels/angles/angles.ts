@@ -1,6 +1,6 @@
 /**
  * Histogram of the angles at the corners of the faces (Fig. 7 of the paper): bars for the current
- * shape, over the outline of the original. Loaded when it is first shown.
+ * shape, over the outline of the original.
  */
 
 import { button } from '../../ui/controls/fields.ts';

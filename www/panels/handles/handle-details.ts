@@ -1,6 +1,4 @@
-/**
- * Fields for the selected handles: target, kind and weight. Loaded with the first selected handle.
- */
+/** Fields for the selected handles: target, kind and weight. */
 
 import './handle-details.css';
 import { RENEW_MS, element, setText, throttled } from '../../ui/dom.ts';

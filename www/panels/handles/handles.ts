@@ -4,6 +4,7 @@ import { areHandlesLocked, draggableInWords } from '../../store/handles.ts';
 import { element } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
+import { handleDetails } from './handle-details.ts';
 import type { SceneDocument } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
@@ -21,15 +22,7 @@ export function handlesPanel(place: HTMLElement, { store, actions }: AppContext)
     actions.releaseSelected(),
   );
   const row = element('div.handles-row', add, fix, remove);
-  place.replaceChildren(summary, row);
-  /** The fields for the selected handles, once loaded. */
-  let details: HTMLElement | null = null;
-  /** The selection for which they were last requested. */
-  let requestedFor: object | null = null;
-  const loadDetails = async () => {
-    const { handleDetails } = await import('./handle-details.ts');
-    if (!details) place.append((details = handleDetails(store, actions)));
-  };
+  place.replaceChildren(summary, row, handleDetails(store, actions));
 
   store.subscribe(['document', 'selection'], ({ document, selection }) => {
     const handles = document?.handles ?? [];
@@ -45,10 +38,6 @@ export function handlesPanel(place: HTMLElement, { store, actions }: AppContext)
     remove.disabled = !handles.some(({ vertex }) => vertices.has(vertex));
     // Hidden if no button could do anything.
     row.hidden = !chosen && handles.length === 0;
-    // If loading fails, the next selection tries again.
-    if (remove.disabled || details || selection === requestedFor) return;
-    requestedFor = selection;
-    void actions.reportErrors(loadDetails());
   });
 }
 

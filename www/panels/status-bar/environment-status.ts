@@ -1,4 +1,4 @@
-/** The environment in the status bar: offline, software rendering. Loaded after the page starts. */
+/** The environment in the status bar: offline, software rendering. */
 
 import { element } from '../../ui/dom.ts';
 import { isDrawn } from '../../store/state.ts';

@@ -1,4 +1,4 @@
-/** Actions on the hardness of constraints. Loaded on first use. */
+/** Actions on the hardness of constraints. */
 
 import type { ExactFound, Require } from '../../solver/types.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';

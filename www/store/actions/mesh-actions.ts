@@ -1,4 +1,4 @@
-/** Actions on the mesh itself. Loaded on first use. */
+/** Actions on the mesh itself. */
 
 import { count } from '../../ui/format.ts';
 import type { Remeshing } from '../../pkg/engine/shape_up.js';

@@ -1,4 +1,4 @@
-/** Actions on the steps of a presentation. Loaded on first use. */
+/** Actions on the steps of a presentation. */
 
 import type { Slide } from '../../solver/types.ts';
 import { newestOnly } from '../newest-only.ts';

@@ -1,13 +1,13 @@
 /** The commands of the Select tool: box, lasso and brush, and selecting hidden elements. */
 
-import type { AppContext, Command, Feature } from '../../app/context.ts';
+import type { AppContext, Command } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
 
 /** Factor of the brush keys; minimum and maximum radius of the brush in CSS pixels. */
 const BRUSH_FACTOR = 1.25;
 const BRUSH = [4, 120];
 
-function commands({ store, actions }: AppContext): Command[] {
+export function selectCommands({ store, actions }: AppContext): Command[] {
   const shape = (id: State['shape'], label: string, key: string) => ({
     id: `shape-${id}`,
     group: 'Select',
@@ -40,5 +40,3 @@ function commands({ store, actions }: AppContext): Command[] {
     },
   ];
 }
-
-export default { commands } satisfies Feature;
