@@ -18,7 +18,7 @@ import { halfStepTitle } from '../store/half-step.ts';
 import { inTurn, once, oneAtATime } from '../ui/once.ts';
 import { isDrawn } from '../store/state.ts';
 import { fly } from '../viewport/flight.ts';
-import { toggleTheme } from './theme.ts';
+import { toggleTheme } from './appearance.ts';
 import type { AppContext, Command } from './context.ts';
 import type { PointerInput } from '../viewport/input/pointer.ts';
 

@@ -5,10 +5,10 @@
  * development.
  */
 
-import { isEmbedded } from '../../ui/embedded.ts';
-import type { Alerts } from '../../ui/controls/alerts.ts';
-import type { Startup } from '../startup.ts';
-import type { Viewport } from '../../viewport/viewport.ts';
+import { isEmbedded } from '../ui/embedded.ts';
+import type { Alerts } from '../ui/controls/alerts.ts';
+import type { Startup } from './startup.ts';
+import type { Viewport } from '../viewport/viewport.ts';
 
 /**
  * Registers the service worker. Call this after the first picture is drawn, and again if the view

@@ -3,11 +3,11 @@
  * the bottom sheet, and moving the groups of the toolbar.
  */
 
-import { itemByKey } from '../../ui/controls/arrow-keys.ts';
-import { byId, element, icon } from '../../ui/dom.ts';
-import { placeMenu } from '../../ui/controls/menu.ts';
-import { oneTabStop } from '../../ui/controls/toolbar.ts';
-import type { Store } from '../../store/state.ts';
+import { itemByKey } from '../ui/controls/arrow-keys.ts';
+import { byId, element, icon } from '../ui/dom.ts';
+import { placeMenu } from '../ui/controls/menu.ts';
+import { oneTabStop } from '../ui/controls/toolbar.ts';
+import type { Store } from '../store/state.ts';
 
 const PHONE = matchMedia('(max-width: 699px)');
 /** Groups of the toolbar that move to the bottom bar or its menu on a phone; others stay. */
