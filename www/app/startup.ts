@@ -3,25 +3,19 @@
  * starts autosave.
  */
 
+import '../ui/styles/waiting.css';
 import { messageOf } from '../solver/errors.ts';
 import { saveFile } from '../ui/save-file.ts';
 import { isEmbedded } from '../ui/embedded.ts';
 import { getItem } from '../ui/safe-storage.ts';
-import type { Files } from '../documents/files.ts';
-import type { Opening } from '../documents/opening/openings.ts';
-import {
-  Autosave,
-  Unreadable,
-  lastWork,
-  markUnreadable,
-  release,
-  take,
-  type Taken,
-} from '../documents/autosave.ts';
-import { showNothingOpen } from '../documents/nothing-open.ts';
+import { Autosave, Unreadable, lastWork, markUnreadable, release, take, type Taken } from '../documents/autosave.ts';
 import { recentDocuments, type Work } from '../documents/recent-documents.ts';
 import { readLink } from '../documents/share-link.ts';
 import { restoreView, type ViewContext } from '../viewport/saved-view.ts';
+import { byId, element } from '../ui/dom.ts';
+import { removeFirstPicture } from '../viewport/first-picture.ts';
+import type { Files } from '../documents/files.ts';
+import type { Opening } from '../documents/openings.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Loaded } from '../solver/types.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
@@ -233,3 +227,24 @@ function sceneFile(name: string, text: string) {
 
 /** Whether any work was ever stored in this browser. */
 const hasStoredWork = () => getItem('shape-up.works') !== null;
+
+const FILES = 'a mesh (.obj, .off, .mesh, .3dm) or a scene (.json)';
+
+/**
+ * Shows what can be opened where not even the first example could be fetched, until a model is opened.
+ * @param again opens the first example
+ */
+function showNothingOpen(files: Files, again: () => Promise<void>) {
+  removeFirstPicture();
+  byId('hint-card').hidden = true;
+  byId('model').replaceChildren(element('p.quiet', 'Nothing is open.'));
+  const card = element(
+    'div',
+    { id: 'nothing-open' },
+    element('p.with-drop', `Drop ${FILES} here.`),
+    element('p.without-drop', `Open ${FILES}.`),
+    element('button.bordered', { onclick: again }, 'Open an example'),
+  );
+  byId('main').append(card);
+  files.once('opened', () => card.remove());
+}

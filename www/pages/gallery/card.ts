@@ -1,11 +1,10 @@
 /** A card of the gallery: pictures of start and end, a summary, and the measured results. */
 
 import { element } from '../../ui/dom.ts';
-import { linkTo } from '../../documents/example-links.ts';
+import { linkToExample, withSymbols } from '../../documents/examples.ts';
 import { number as energyInWords } from '../../ui/format.ts';
 import { goalInWords } from '../../features/lesson/goal.ts';
 import { angleHistogram } from './angles.ts';
-import { withSymbols } from '../../ui/symbols.ts';
 import type { Example } from '../../solver/examples.ts';
 
 /** An entry of `pictures/results.json`. */
@@ -44,7 +43,7 @@ export function card(example: Example, result: Result | undefined) {
       picture('start', 'at the start'),
       picture('end', isMap ? 'as a flat map' : 'solved'),
     ),
-    element('h3', { id: `${id}-title` }, element('a', { href: `./${linkTo(id)}` }, title)),
+    element('h3', { id: `${id}-title` }, element('a', { href: `./${linkToExample(id)}` }, title)),
     element('p', summary),
     element('p.statement', element('strong', 'Measured: '), ...withSymbols(statement)),
     result?.angles && angleHistogram(result.angles),

@@ -1,8 +1,7 @@
 /** Note on the open example: its figure, what to look for, and links to its neighbours. */
 
 import { element } from '../../ui/dom.ts';
-import { linkTo } from '../../documents/example-links.ts';
-import { withSymbols } from '../../ui/symbols.ts';
+import { linkToExample, withSymbols } from '../../documents/examples.ts';
 import type { Example } from '../../solver/examples.ts';
 import type { AppContext } from '../../app/context.ts';
 
@@ -16,11 +15,11 @@ export function exampleNote(
     if (!to) return [];
     const onclick = (event: Event) => {
       // A link to the current address would do nothing.
-      if (location.hash !== linkTo(to.id)) return;
+      if (location.hash !== linkToExample(to.id)) return;
       event.preventDefault();
       void actions.reportErrors(files.openExample(to));
     };
-    return [element('a', { href: linkTo(to.id), title: to.title, onclick }, text)];
+    return [element('a', { href: linkToExample(to.id), title: to.title, onclick }, text)];
   };
 
   async function showNote() {

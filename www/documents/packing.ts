@@ -1,4 +1,4 @@
-/** Compression by DEFLATE, with a limit on the unpacked size. */
+/** Packing of bytes for links: DEFLATE with a limit on the unpacked size, and a checksum. */
 
 /** Largest size in bytes to which data may unpack. */
 export const MOST_BYTES = 32 << 20;
@@ -8,6 +8,7 @@ const PIECE = 768;
 const TURN = 1 << 20;
 const FORMAT = 'deflate-raw';
 
+/** Compresses. */
 export async function deflate(content: string | Uint8Array<ArrayBuffer> | Blob) {
   const packed = new Blob([content]).stream().pipeThrough(new CompressionStream(FORMAT));
   return new Uint8Array(await new Response(packed).arrayBuffer());
@@ -45,4 +46,18 @@ function inPieces(bytes: Uint8Array): ReadableStream<Uint8Array<ArrayBuffer>> {
     },
   };
   return new ReadableStream(source, { highWaterMark: 0 });
+}
+
+/** The remainder of each byte in the checksum. */
+const REMAINDERS = Uint32Array.from({ length: 256 }, (_, byte) => {
+  let left = byte;
+  for (let bit = 0; bit < 8; bit++) left = left & 1 ? 0xedb88320 ^ (left >>> 1) : left >>> 1;
+  return left;
+});
+
+/** The CRC-32 of IEEE 802.3, which detects burst errors up to 32 bits. */
+export function crc32(bytes: Uint8Array) {
+  let left = -1;
+  for (const byte of bytes) left = REMAINDERS[(left ^ byte) & 255] ^ (left >>> 8);
+  return ~left >>> 0;
 }

@@ -1,4 +1,4 @@
-/** Menu of the examples, with their pictures. */
+/** The examples: their menu with pictures, their links, and their statements. */
 
 import { messageOf } from '../solver/errors.ts';
 import { element } from '../ui/dom.ts';
@@ -54,4 +54,14 @@ export async function examplesMenu(menu: HTMLElement, { files, alerts, commands 
 
 function entry(title: string, text: string) {
   return element('span.entry', element('strong', title), element('span', text));
+}
+
+/** Returns the permanent fragment of an example, see `share-link.ts`. */
+export const linkToExample = (id: string) => `#example=${id}`;
+
+/** Sets `e_c` and `e_p` in a text as in the paper. */
+export function withSymbols(text: string): (Node | string)[] {
+  return text
+    .split(/\be_([cp])\b/)
+    .map((part, k) => (k % 2 === 0 ? part : element('var', 'e', element('sub', part))));
 }

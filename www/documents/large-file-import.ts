@@ -3,15 +3,15 @@
  * too large for interactive work is loaded.
  */
 
-import '../../ui/styles/waiting.css';
-import { button } from '../../ui/controls/fields.ts';
-import { byId, element, removeKeepingFocus, setText } from '../../ui/dom.ts';
-import { groupDigits } from '../../ui/format.ts';
-import { messageOf } from '../../solver/errors.ts';
-import type { NamedBytes, Loaded } from '../../solver/types.ts';
-import type { Actions } from '../../store/actions.ts';
-import type { SolverClient } from '../../solver/solver-client.ts';
-import type { Alerts } from '../../ui/controls/alerts.ts';
+import '../ui/styles/waiting.css';
+import { button } from '../ui/controls/fields.ts';
+import { byId, element, removeKeepingFocus, setText } from '../ui/dom.ts';
+import { groupDigits } from '../ui/format.ts';
+import { messageOf } from '../solver/errors.ts';
+import type { NamedBytes, Loaded } from '../solver/types.ts';
+import type { Actions } from '../store/actions.ts';
+import type { SolverClient } from '../solver/solver-client.ts';
+import type { Alerts } from '../ui/controls/alerts.ts';
 
 const MB = 1_000_000;
 const [LF, CR, SPACE, TAB, F] = [10, 13, 32, 9, 102];
