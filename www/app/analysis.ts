@@ -1,11 +1,11 @@
 /** The analysis region: a tab for each plot and table, which is made when it is first shown. */
 
-import { itemByKey } from '../ui/controls/arrow-keys.ts';
+import { itemByKey } from '../ui/controls/navigation.ts';
 import { byId, element } from '../ui/dom.ts';
-import { anglesPanel } from '../panels/angles/angles.ts';
-import { Convergence } from '../panels/convergence/convergence.ts';
-import { logOf } from '../panels/log/log.ts';
-import { worstElements } from '../panels/worst/worst.ts';
+import { anglesPanel } from '../panels/angles.ts';
+import { Convergence } from '../panels/convergence.ts';
+import { logOf } from '../panels/log.ts';
+import { worstElements } from '../panels/worst.ts';
 import type { AppContext } from './context.ts';
 
 interface Tab {

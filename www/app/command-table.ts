@@ -17,7 +17,7 @@ import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
 import { inTurn, once, oneAtATime } from '../ui/once.ts';
 import { isDrawn } from '../store/state.ts';
-import { fly } from '../viewport/flight.ts';
+import { fly } from '../viewport/camera.ts';
 import { toggleTheme } from './appearance.ts';
 import type { AppContext, Command } from './context.ts';
 import type { PointerInput } from '../viewport/input/pointer.ts';

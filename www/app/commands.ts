@@ -2,8 +2,7 @@
 
 import { isEnabled, press } from '../store/press.ts';
 import { setText } from '../ui/dom.ts';
-import { chordOf, digitOf, isTyping, keyName } from '../ui/keys.ts';
-import { isSwitchedOff } from '../ui/single-keys.ts';
+import { chordOf, digitOf, isTyping, keyName, isSwitchedOff } from '../ui/keys.ts';
 import type { Command } from './context.ts';
 import type { Store } from '../store/state.ts';
 

@@ -3,10 +3,8 @@
  * the bottom sheet, and moving the groups of the toolbar.
  */
 
-import { itemByKey } from '../ui/controls/arrow-keys.ts';
+import { itemByKey, placeMenu, oneTabStop } from '../ui/controls/navigation.ts';
 import { byId, element, icon } from '../ui/dom.ts';
-import { placeMenu } from '../ui/controls/menu.ts';
-import { oneTabStop } from '../ui/controls/toolbar.ts';
 import type { Store } from '../store/state.ts';
 
 const PHONE = matchMedia('(max-width: 699px)');

@@ -2,12 +2,12 @@
 
 import { count, groupDigits, length } from '../ui/format.ts';
 import { listOfExamples, type Example } from '../solver/examples.ts';
-import { removeFirstPicture } from '../viewport/first-picture.ts';
+import { removeFirstPicture } from '../viewport/placeholder.ts';
 import { Emitter } from '../solver/emitter.ts';
 import { messageOf } from '../solver/errors.ts';
 import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
 import { isReadable, mainOf } from '../solver/opened-files.ts';
-import { saveFile } from '../ui/save-file.ts';
+import { saveFile } from '../ui/output.ts';
 import { askToExport } from './collapse.ts';
 import { offersToChoose } from './chosen-files.ts';
 import { Openings, type Opening } from './openings.ts';

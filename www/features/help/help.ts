@@ -1,11 +1,10 @@
 /** The help: all actions of keys and mouse, from the table that binds them, and how to cite. */
 
 import './help.css';
-import { keyName } from '../../ui/keys.ts';
+import { keyName, singleKeys } from '../../ui/keys.ts';
 import { dialogHead, openDialog } from '../../ui/controls/dialog.ts';
 import { element, setText } from '../../ui/dom.ts';
-import { singleKeys } from '../../ui/single-keys.ts';
-import { copyText } from '../../ui/copy-text.ts';
+import { copyText } from '../../ui/output.ts';
 import type { Command } from '../../app/context.ts';
 
 /** Actions of the pointer; see `pointer.ts`. */

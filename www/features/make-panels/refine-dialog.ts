@@ -8,7 +8,7 @@ import { button, choice, setOptions } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { count, length } from '../../ui/format.ts';
 import { oneAtATime } from '../../ui/once.ts';
-import { meshActions } from '../../store/actions/mesh-actions.ts';
+import { meshActions } from '../../store/mesh-actions.ts';
 import type { AppContext } from '../../app/context.ts';
 
 const SCHEMES: [string, string][] = [

@@ -2,7 +2,7 @@
 
 import './refine.css';
 import { messageOf } from '../../solver/errors.ts';
-import { meshActions } from '../../store/actions/mesh-actions.ts';
+import { meshActions } from '../../store/mesh-actions.ts';
 import { newestOnly } from '../../store/newest-only.ts';
 import { openDialog } from '../../ui/controls/dialog.ts';
 import { button, choice } from '../../ui/controls/fields.ts';

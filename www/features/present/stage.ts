@@ -3,7 +3,7 @@
 import './present.css';
 import { button } from '../../ui/controls/fields.ts';
 import { byId, element, setText } from '../../ui/dom.ts';
-import { presentActions } from '../../store/actions/present-actions.ts';
+import { presentActions } from '../../store/present-actions.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { Slide } from '../../solver/types.ts';
 

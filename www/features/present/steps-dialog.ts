@@ -5,7 +5,7 @@ import { openDialog } from '../../ui/controls/dialog.ts';
 import { button, checkbox, choice, closeButton } from '../../ui/controls/fields.ts';
 import { byId, element, setText } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
-import { presentActions } from '../../store/actions/present-actions.ts';
+import { presentActions } from '../../store/present-actions.ts';
 import { present } from './stage.ts';
 import { drawShape } from '../../ui/plot/thumbnail.ts';
 import type { Slide } from '../../solver/types.ts';

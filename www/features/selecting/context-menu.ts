@@ -5,7 +5,7 @@
 
 import { isEnabled, press } from '../../store/press.ts';
 import { byId, element } from '../../ui/dom.ts';
-import { placeMenu } from '../../ui/controls/menu.ts';
+import { placeMenu } from '../../ui/controls/navigation.ts';
 import { once } from '../../ui/once.ts';
 import type { AppContext } from '../../app/context.ts';
 

@@ -5,7 +5,7 @@
 
 import './share.css';
 import { openDialog } from '../../ui/controls/dialog.ts';
-import { copyText } from '../../ui/copy-text.ts';
+import { copyText } from '../../ui/output.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { groupDigits, limit } from '../../ui/format.ts';
 import { linkTo } from '../../documents/share-link.ts';

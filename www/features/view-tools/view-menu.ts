@@ -4,11 +4,11 @@
  */
 
 import { isEnabled, press } from '../../store/press.ts';
-import { placeMenu } from '../../ui/controls/menu.ts';
+import { placeMenu } from '../../ui/controls/navigation.ts';
 import { element } from '../../ui/dom.ts';
 import { keyName } from '../../ui/keys.ts';
 import { closeButton } from '../../ui/controls/fields.ts';
-import { fly } from '../../viewport/flight.ts';
+import { fly } from '../../viewport/camera.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /**

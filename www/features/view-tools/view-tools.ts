@@ -6,7 +6,7 @@
 import './view-tools.css';
 import { element, setText } from '../../ui/dom.ts';
 import { lengthUnit } from '../../ui/format.ts';
-import { fly } from '../../viewport/flight.ts';
+import { fly } from '../../viewport/camera.ts';
 import { Tape } from './tape.ts';
 import { newestOnly } from '../../store/newest-only.ts';
 import { button, choice, closeButton } from '../../ui/controls/fields.ts';

@@ -10,7 +10,7 @@ import { element, setText } from '../../ui/dom.ts';
 import { count, length } from '../../ui/format.ts';
 import { isHard } from '../../store/state.ts';
 import { showExactVerdict } from './exact-verdict.ts';
-import { showElements } from '../../viewport/reveal-elements.ts';
+import { showElements } from '../../viewport/camera.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { Edit } from '../../solver/types.ts';
 

@@ -9,14 +9,13 @@ import { groupDigits, length, limit, part } from '../../ui/format.ts';
 import { movedInWords } from '../../store/colours/measures.ts';
 import { valueInWords } from '../../ui/kinds/parameter-forms.ts';
 import { energyOrZero, lengthOrZero } from '../../ui/rounding.ts';
-import { detailsOf } from './details.ts';
-import { editName } from './rename.ts';
+import { detailsOf, editName } from './details.ts';
 import type { ConstraintRow, ParamInfo } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 const NONE = new Uint32Array(0);
 
-export function constraintsPanel(place: HTMLElement, { store, actions, solver }: AppContext) {
+export function constraintsPanel(place: HTMLElement, { store, actions }: AppContext) {
   /** Cells with values of the iteration, per row. */
   let cells: { worst: HTMLElement; within: HTMLElement; share: HTMLElement }[] = [];
   const moved = element('p.quiet', {
@@ -81,7 +80,7 @@ export function constraintsPanel(place: HTMLElement, { store, actions, solver }:
     });
     const fill = () => {
       const own = { select: () => actions.begin(selectMembers(row)), rename: () => rename() };
-      details.replaceChildren(...detailsOf(row, name, store, actions, solver, own));
+      details.replaceChildren(...detailsOf(row, name, store, actions, own));
     };
     if (open.has(key)) fill();
     const toggleDetails = () => {

@@ -6,7 +6,7 @@
 import './select-bar.css';
 import { closeButton } from '../../ui/controls/fields.ts';
 import { element, icon, setText } from '../../ui/dom.ts';
-import { placeMenu } from '../../ui/controls/menu.ts';
+import { placeMenu } from '../../ui/controls/navigation.ts';
 import { describe, sizeOfSelection } from '../../store/selection.ts';
 import { fillSelectMenu } from './select-menu.ts';
 import type { State } from '../../store/state.ts';

@@ -1,12 +1,12 @@
 /** The log: a report on the file, and the messages since the page was opened. */
 
-import '../../ui/styles/lists.css';
-import { button } from '../../ui/controls/fields.ts';
-import { element, setText } from '../../ui/dom.ts';
-import { count } from '../../ui/format.ts';
-import { showElements } from '../../viewport/reveal-elements.ts';
-import type { AppContext } from '../../app/context.ts';
-import type { Loaded } from '../../solver/types.ts';
+import '../ui/styles/lists.css';
+import { button } from '../ui/controls/fields.ts';
+import { element, setText } from '../ui/dom.ts';
+import { count } from '../ui/format.ts';
+import { showElements } from '../viewport/camera.ts';
+import type { AppContext } from '../app/context.ts';
+import type { Loaded } from '../solver/types.ts';
 
 const FORMATS = { z: 'z-up', y: 'y-up' };
 const NAMES = { error: 'Error', notice: 'Notice', status: '' };

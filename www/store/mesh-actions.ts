@@ -1,11 +1,11 @@
 /** Actions on the mesh itself. */
 
-import { count } from '../../ui/format.ts';
-import type { Remeshing } from '../../pkg/engine/shape_up.js';
-import type { Edit } from '../../solver/types.ts';
-import type { Store } from '../state.ts';
-import type { SolverClient } from '../../solver/solver-client.ts';
-import type { Actions } from '../actions.ts';
+import { count } from '../ui/format.ts';
+import type { Remeshing } from '../pkg/engine/shape_up.js';
+import type { Edit } from '../solver/types.ts';
+import type { Store } from './state.ts';
+import type { SolverClient } from '../solver/solver-client.ts';
+import type { Actions } from './actions.ts';
 
 type Refinement = Extract<Edit, { refine: unknown }>['refine'];
 

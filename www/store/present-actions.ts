@@ -1,9 +1,9 @@
 /** Actions on the steps of a presentation. */
 
-import type { Slide } from '../../solver/types.ts';
-import { newestOnly } from '../newest-only.ts';
-import type { Store } from '../state.ts';
-import type { Actions } from '../actions.ts';
+import type { Slide } from '../solver/types.ts';
+import { newestOnly } from './newest-only.ts';
+import type { Store } from './state.ts';
+import type { Actions } from './actions.ts';
 
 export function presentActions(store: Store, actions: Actions) {
   const newest = newestOnly();

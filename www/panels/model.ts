@@ -1,11 +1,11 @@
 /** The model: its name, its contents, and the problems of its file. */
 
-import { button } from '../../ui/controls/fields.ts';
-import { element } from '../../ui/dom.ts';
-import { count, groupDigits } from '../../ui/format.ts';
-import { frameFields } from '../../documents/units-prompt.ts';
-import type { AppContext } from '../../app/context.ts';
-import type { Loaded } from '../../solver/types.ts';
+import { button } from '../ui/controls/fields.ts';
+import { element } from '../ui/dom.ts';
+import { count, groupDigits } from '../ui/format.ts';
+import { frameFields } from '../documents/units-prompt.ts';
+import type { AppContext } from '../app/context.ts';
+import type { Loaded } from '../solver/types.ts';
 
 /** @param showLog opens the log, with the details of each problem */
 export function modelPanel(

@@ -3,11 +3,11 @@
  * queried while the table is visible, a few times a second during a run.
  */
 
-import '../../ui/styles/lists.css';
-import { itemByKey } from '../../ui/controls/arrow-keys.ts';
-import { choice, setOptions } from '../../ui/controls/fields.ts';
-import { element, setText, throttled } from '../../ui/dom.ts';
-import { length } from '../../ui/format.ts';
+import '../ui/styles/lists.css';
+import { itemByKey } from '../ui/controls/navigation.ts';
+import { choice, setOptions } from '../ui/controls/fields.ts';
+import { element, setText, throttled } from '../ui/dom.ts';
+import { length } from '../ui/format.ts';
 import {
   declared,
   measureOfScene,
@@ -15,12 +15,12 @@ import {
   roundingOf,
   toleranceOf,
   valueInWords,
-} from '../../store/colours/measures.ts';
-import { newestOnly } from '../../store/newest-only.ts';
-import { lengthOrZero } from '../../ui/rounding.ts';
-import { showElements } from '../../viewport/reveal-elements.ts';
-import type { FaceMeasure, WorstElement } from '../../solver/types.ts';
-import type { AppContext } from '../../app/context.ts';
+} from '../store/colours/measures.ts';
+import { newestOnly } from '../store/newest-only.ts';
+import { lengthOrZero } from '../ui/rounding.ts';
+import { showElements } from '../viewport/camera.ts';
+import type { FaceMeasure, WorstElement } from '../solver/types.ts';
+import type { AppContext } from '../app/context.ts';
 
 const ROWS = 20;
 const ASK_EVERY_MS = 300;

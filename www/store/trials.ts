@@ -4,9 +4,9 @@
  * solver refuses it for another one.
  */
 
-import type { JobsClient } from '../../solver/jobs-client.ts';
-import type { SolverClient } from '../../solver/solver-client.ts';
-import type { BetterPress, ExactFound, Remedy, Snapshot } from '../../solver/types.ts';
+import type { JobsClient } from '../solver/jobs-client.ts';
+import type { SolverClient } from '../solver/solver-client.ts';
+import type { BetterPress, ExactFound, Remedy, Snapshot } from '../solver/types.ts';
 
 /** Time limit of the search for better presses, in milliseconds. */
 const MOST_PRESSES_MS = 20_000;

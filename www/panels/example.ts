@@ -1,9 +1,9 @@
 /** Note on the open example: its figure, what to look for, and links to its neighbours. */
 
-import { element } from '../../ui/dom.ts';
-import { linkToExample, withSymbols } from '../../documents/examples.ts';
-import type { Example } from '../../solver/examples.ts';
-import type { AppContext } from '../../app/context.ts';
+import { element } from '../ui/dom.ts';
+import { linkToExample, withSymbols } from '../documents/examples.ts';
+import type { Example } from '../solver/examples.ts';
+import type { AppContext } from '../app/context.ts';
 
 /** @param place a section, hidden while no example is open */
 export function exampleNote(
@@ -41,7 +41,7 @@ export function exampleNote(
         'nav.beside',
         { 'aria-label': 'Examples one by one' },
         ...link('Previous', all[at - 1]),
-        element('a', { href: './gallery.html' }, 'Gallery'),
+        element('a', { href: './example/gallery.html' }, 'Gallery'),
         ...link('Next', all[at + 1]),
       ),
     );

@@ -3,11 +3,11 @@
  * plotting library is loaded with the first iteration, not with the page.
  */
 
-import { element, throttled } from '../../ui/dom.ts';
-import { messageOf } from '../../solver/errors.ts';
-import { energyOrZero } from '../../ui/rounding.ts';
-import type { EnergyPlot } from '../../ui/plot/plot.ts';
-import type { AppContext } from '../../app/context.ts';
+import { element, throttled } from '../ui/dom.ts';
+import { messageOf } from '../solver/errors.ts';
+import { energyOrZero } from '../ui/rounding.ts';
+import type { EnergyPlot } from '../ui/plot/plot.ts';
+import type { AppContext } from '../app/context.ts';
 
 /** Numbers per iteration in a trace. */
 const TRACE_WIDTH = 6;
@@ -76,7 +76,7 @@ export class Convergence {
 
   async #load() {
     try {
-      const { EnergyPlot } = await import('../../ui/plot/plot.ts');
+      const { EnergyPlot } = await import('../ui/plot/plot.ts');
       this.#place.replaceChildren();
       return new EnergyPlot(this.#place);
     } catch (error) {

@@ -1,8 +1,8 @@
 /** Display settings: the measure that colours the faces, and toggles of drawn items. */
 
-import { checkbox, choice, setOptions } from '../../ui/controls/fields.ts';
-import { byId, element } from '../../ui/dom.ts';
-import type { AppContext } from '../../app/context.ts';
+import { checkbox, choice, setOptions } from '../ui/controls/fields.ts';
+import { byId, element } from '../ui/dom.ts';
+import type { AppContext } from '../app/context.ts';
 
 /** Labels of the toggles, in the order of display. */
 const TOGGLES = {

@@ -3,13 +3,13 @@
  * shape, over the outline of the original.
  */
 
-import { button } from '../../ui/controls/fields.ts';
-import { element, setText, throttled } from '../../ui/dom.ts';
-import { newestOnly } from '../../store/newest-only.ts';
-import { groupDigits } from '../../ui/format.ts';
-import { drawOutline, outline } from '../../ui/plot/histogram-svg.ts';
+import { button } from '../ui/controls/fields.ts';
+import { element, setText, throttled } from '../ui/dom.ts';
+import { newestOnly } from '../store/newest-only.ts';
+import { groupDigits } from '../ui/format.ts';
+import { drawOutline, outline } from '../ui/plot/histogram-svg.ts';
 import './angles.css';
-import type { AppContext } from '../../app/context.ts';
+import type { AppContext } from '../app/context.ts';
 
 const EVERY_MS = 150;
 const HALF_TURN = 180;

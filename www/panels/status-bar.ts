@@ -1,27 +1,22 @@
-/** The status bar: status message, hint, and numbers of the iteration. */
+/** The status bar: status message, hint, numbers of the iteration, and the environment. */
 
-import { RENEW_MS, element, setAttribute, setText, throttled } from '../../ui/dom.ts';
-import { duration, groupDigits, number } from '../../ui/format.ts';
-import {
-  declared,
-  measureOfScene,
-  movedInWords,
-  roundingOf,
-  toleranceOf,
-  valueInWords,
-  worstOf,
-} from '../../store/colours/measures.ts';
-import { areHandlesLocked, draggableInWords } from '../../store/handles.ts';
-import { energyOrZero } from '../../ui/rounding.ts';
-import { sizeOfSelection } from '../../store/selection.ts';
-import type { State, Store } from '../../store/state.ts';
+import { RENEW_MS, element, setAttribute, setText, throttled } from '../ui/dom.ts';
+import { duration, groupDigits, number } from '../ui/format.ts';
+import { declared, measureOfScene, movedInWords, roundingOf, toleranceOf, valueInWords, worstOf } from '../store/colours/measures.ts';
+import { areHandlesLocked, draggableInWords } from '../store/handles.ts';
+import { energyOrZero } from '../ui/rounding.ts';
+import { sizeOfSelection } from '../store/selection.ts';
+import { isDrawn, type State } from '../store/state.ts';
+import type { AppContext } from '../app/context.ts';
+import type { Actions } from '../store/actions.ts';
 
 const RENDERERS = { webgpu: 'WebGPU', webgl2: 'WebGL2', none: 'no 3D', starting: '' };
 
 export function statusBar(
   places: { status: HTMLElement; hint: HTMLElement; numbers: HTMLElement },
-  store: Store,
+  app: AppContext,
 ) {
+  const { store } = app;
   const cells = new Map();
   for (const [key, name, style] of [
     ['iteration', 'iteration', 'narrow-hidden advanced'],
@@ -107,6 +102,7 @@ export function statusBar(
     ],
     (state) => setText(places.hint, hintOf(state)),
   );
+  environmentStatus(places.numbers, app);
 }
 
 /** Hints for the Select tool, by shape of the drag. */
@@ -140,4 +136,51 @@ function hintOf(state: State) {
   if (isLocked) return 'Next: Build · drag to orbit, wheel to zoom';
   if (!one) return 'Next: Build · or double-click a vertex and drag it · drag elsewhere to orbit';
   return `Drag ${one} · drag elsewhere to orbit, wheel to zoom`;
+}
+
+/** Names of software renderers. */
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+const SLOW = 'Software rendering is slow. Turn on graphics acceleration in the browser settings.';
+
+/**
+ * The environment: offline, software rendering.
+ * @param numbers the list of the status bar
+ */
+function environmentStatus(numbers: HTMLElement, { store, actions }: AppContext) {
+  const offline = element('div', { hidden: true }, element('dd', 'Offline'));
+  const software = element(
+    'div.wide.narrow-hidden',
+    { title: SLOW, hidden: true },
+    element('dd', 'Software rendering'),
+  );
+  numbers.append(software, offline);
+  networkStatus(offline, actions);
+  store.subscribe(['renderer'], (state) => {
+    software.hidden = !(isDrawn(state) && drawsInSoftware());
+  });
+}
+
+/** Shows that the browser is offline, while it is. */
+function networkStatus(place: HTMLElement, actions: Actions) {
+  const update = () => {
+    const offline = !navigator.onLine;
+    if (offline === !place.hidden) return;
+    const kept = Boolean(navigator.serviceWorker?.controller);
+    const words = `Offline: ${kept ? 'everything still works' : 'what is loaded still works'}`;
+    place.hidden = !offline;
+    place.title = words;
+    actions.setStatus(offline ? words : 'Online again');
+  };
+  window.addEventListener('online', update);
+  window.addEventListener('offline', update);
+  update();
+}
+
+/** Whether WebGL is rendered in software. */
+function drawsInSoftware() {
+  const context = document.createElement('canvas').getContext('webgl2');
+  const names = context?.getExtension('WEBGL_debug_renderer_info');
+  const name = names && context?.getParameter(names.UNMASKED_RENDERER_WEBGL);
+  context?.getExtension('WEBGL_lose_context')?.loseContext();
+  return SOFTWARE.test(String(name));
 }
