@@ -60,7 +60,7 @@ import { SolverClient } from '../solver/solver-client.ts';
 import { runEarlyPresses } from '../store/press.ts';
 import { createStore } from '../store/state.ts';
 import { viewMenu } from '../features/view-tools/view-menu.ts';
-import { bindViewKeys } from '../viewport/input/moving.ts';
+import { bindViewKeys } from '../viewport/input/gestures.ts';
 import { offerReport, reportUncaughtErrors } from './errors.ts';
 import { Viewport } from '../viewport/viewport.ts';
 import type { AppContext } from './context.ts';

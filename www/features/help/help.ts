@@ -25,7 +25,7 @@ const POINTER: [string, string][] = [
   ['Two fingers', 'pan and zoom'],
   ['Hold Reset', 'show the original as long as it is held'],
 ];
-/** Keys of the view itself; see `view-keys.ts`, `handle-keys.ts` and `pointer.ts`. */
+/** Keys of the view itself; see `gestures.ts`, `handle-keys.ts` and `pointer.ts`. */
 const VIEW_KEYS: [string, string][] = [
   ['Arrows', 'orbit, while the view has the focus'],
   ['PgUp PgDn', 'zoom'],

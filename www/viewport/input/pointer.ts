@@ -16,9 +16,8 @@
  */
 
 import { HandleDrag, leaveHandle, makeHandle, HANDLES_LOCKED, areHandlesLocked } from '../../store/handles.ts';
-import { near, clickTolerance } from './hit-tolerance.ts';
+import { near, clickTolerance, pair, wheelFactor } from './gestures.ts';
 import { combineOf, select } from '../../store/selection.ts';
-import { pair, wheelFactor } from './moving.ts';
 import type { Mode, Store } from '../../store/state.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
 import type { Viewport } from '../viewport.ts';

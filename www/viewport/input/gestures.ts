@@ -1,4 +1,4 @@
-/** Moving and zooming a picture: by keys while it has the focus, by the wheel and by two fingers. */
+/** What keys, wheel and fingers do to a picture, and how accurate a pointer is. */
 
 import { ARROWS } from '../../ui/keys.ts';
 import type { Viewport } from '../viewport.ts';
@@ -63,4 +63,18 @@ export function pair(a: [number, number], b: [number, number]) {
     y: (a[1] + b[1]) / 2,
     apart: Math.hypot(a[0] - b[0], a[1] - b[1]),
   };
+}
+
+/** Distance within which a pointer hits a dot. */
+const NEAR = { mouse: 12, pen: 14, touch: 24 };
+/** A press that moves less than this is a click. */
+const CLICK_SLOP = { mouse: 4, pen: 6, touch: 10 };
+
+export const near = (event: MouseEvent) => NEAR[typeOf(event)] ?? NEAR.mouse;
+
+export const clickTolerance = (event: MouseEvent) => CLICK_SLOP[typeOf(event)] ?? CLICK_SLOP.mouse;
+
+function typeOf(event: MouseEvent) {
+  const type = event instanceof PointerEvent ? event.pointerType : 'mouse';
+  return type as keyof typeof NEAR;
 }
