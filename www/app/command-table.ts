@@ -1,6 +1,5 @@
 /** The table of commands: label, keys, action, and when each is enabled. */
 
-import { byId } from '../ui/dom.ts';
 import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.ts';
 import { toggleBuild } from '../features/build/build-panel.ts';
 import { toggle as toggleCurvature } from '../features/curvature/curvature-card.ts';
@@ -15,12 +14,13 @@ import { selectCommands } from '../features/selecting/select-commands.ts';
 import { share } from '../features/share/dialog-share.ts';
 import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
-import { inTurn, once, oneAtATime } from '../ui/once.ts';
 import { isDrawn } from '../store/state.ts';
+import { byId } from '../ui/dom.ts';
+import { inTurn, once, oneAtATime } from '../ui/once.ts';
 import { fly } from '../viewport/camera.ts';
 import { toggleTheme } from './appearance.ts';
-import type { AppContext, Command } from './context.ts';
 import type { PointerInput } from '../viewport/input/pointer.ts';
+import type { AppContext, Command } from './context.ts';
 
 export function commandTable(
   app: AppContext,

@@ -4,16 +4,16 @@
  */
 
 import '../ui/styles/waiting.css';
-import { messageOf } from '../solver/errors.ts';
-import { saveFile } from '../ui/output.ts';
-import { isEmbedded } from '../ui/embedded.ts';
-import { getItem } from '../ui/safe-storage.ts';
 import { Autosave, Unreadable, lastWork, markUnreadable, release, take, type Taken } from '../documents/autosave.ts';
 import { recentDocuments, type Work } from '../documents/recent-documents.ts';
 import { readLink } from '../documents/share-link.ts';
-import { restoreView, type ViewContext } from '../viewport/saved-view.ts';
+import { messageOf } from '../solver/errors.ts';
 import { byId, element } from '../ui/dom.ts';
+import { isEmbedded } from '../ui/embedded.ts';
+import { saveFile } from '../ui/output.ts';
+import { getItem } from '../ui/safe-storage.ts';
 import { removeFirstPicture } from '../viewport/placeholder.ts';
+import { restoreView, type ViewContext } from '../viewport/saved-view.ts';
 import type { Files } from '../documents/files.ts';
 import type { Opening } from '../documents/openings.ts';
 import type { SolverClient } from '../solver/solver-client.ts';

@@ -5,14 +5,14 @@
 
 import { messageOf } from '../solver/errors.ts';
 import { isReadable, worthReading } from '../solver/opened-files.ts';
-import { openLarge } from './large-file-import.ts';
 import { element } from '../ui/dom.ts';
-import type { NamedBytes, Loaded } from '../solver/types.ts';
-import type { Opening } from './openings.ts';
+import { openLarge } from './large-file-import.ts';
 import type { AppContext } from '../app/context.ts';
+import type { NamedBytes, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
-import type { Files, Origin } from './files.ts';
 import type { Offer } from '../ui/controls/alerts.ts';
+import type { Files, Origin } from './files.ts';
+import type { Opening } from './openings.ts';
 
 /** Size in bytes from which a progress display is shown. */
 const LARGE = 2_000_000;

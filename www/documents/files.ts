@@ -1,22 +1,22 @@
 /** File input and output: open, examples, save, export. Emits `opened` after each opened model. */
 
-import { count, groupDigits, length } from '../ui/format.ts';
-import { listOfExamples, type Example } from '../solver/examples.ts';
-import { removeFirstPicture } from '../viewport/placeholder.ts';
 import { Emitter } from '../solver/emitter.ts';
 import { messageOf } from '../solver/errors.ts';
-import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
+import { listOfExamples, type Example } from '../solver/examples.ts';
 import { isReadable, mainOf } from '../solver/opened-files.ts';
+import { count, groupDigits, length } from '../ui/format.ts';
 import { saveFile } from '../ui/output.ts';
-import { askToExport } from './collapse.ts';
+import { removeFirstPicture } from '../viewport/placeholder.ts';
 import { offersToChoose } from './chosen-files.ts';
+import { askToExport } from './collapse.ts';
 import { Openings, type Opening } from './openings.ts';
 import { askRhino } from './rhino/rhino-client.ts';
 import { rememberedFrame } from './units-prompt.ts';
-import type { Store } from '../store/state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
-import type { Alerts } from '../ui/controls/alerts.ts';
+import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
+import type { Store } from '../store/state.ts';
+import type { Alerts } from '../ui/controls/alerts.ts';
 export type { Example } from '../solver/examples.ts';
 
 /** Source of a model. */

@@ -1,15 +1,15 @@
 /** The handles: their number, and buttons and fields for the selected ones. */
 
 import './handles.css';
+import { messageOf } from '../solver/errors.ts';
 import { areHandlesLocked, draggableInWords, handlesNow } from '../store/handles.ts';
+import { sizeOfSelection } from '../store/selection.ts';
 import { element, RENEW_MS, setText, throttled } from '../ui/dom.ts';
 import { count, coordinate, decimalsFor, readLength } from '../ui/format.ts';
-import { sizeOfSelection } from '../store/selection.ts';
-import { messageOf } from '../solver/errors.ts';
-import type { SceneDocument, Handle } from '../solver/types.ts';
 import type { AppContext } from '../app/context.ts';
-import type { Store } from '../store/state.ts';
+import type { SceneDocument, Handle } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
+import type { Store } from '../store/state.ts';
 
 export function handlesPanel(place: HTMLElement, { store, actions }: AppContext) {
   const summary = element('p.quiet');

@@ -4,11 +4,11 @@
  */
 
 import './lesson.css';
+import { movedInWords } from '../../store/colours/measures.ts';
+import { openDialog } from '../../ui/controls/dialog.ts';
 import { RENEW_MS, byId, element, icon, setText, throttled } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
-import { movedInWords } from '../../store/colours/measures.ts';
 import { goalInWords, nowInWords } from './goal.ts';
-import { openDialog } from '../../ui/controls/dialog.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { LessonWords } from '../../solver/types.ts';
 

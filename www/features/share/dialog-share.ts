@@ -4,12 +4,12 @@
  */
 
 import './share.css';
+import { encode } from 'uqr';
+import { linkTo } from '../../documents/share-link.ts';
 import { openDialog } from '../../ui/controls/dialog.ts';
-import { copyText } from '../../ui/output.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { groupDigits, limit } from '../../ui/format.ts';
-import { linkTo } from '../../documents/share-link.ts';
-import { encode } from 'uqr';
+import { copyText } from '../../ui/output.ts';
 import { svgElement } from '../../ui/svg.ts';
 import type { AppContext } from '../../app/context.ts';
 

@@ -4,10 +4,10 @@
  */
 
 import { isEnabled, press } from '../../store/press.ts';
+import { closeButton } from '../../ui/controls/fields.ts';
 import { placeMenu } from '../../ui/controls/navigation.ts';
 import { element } from '../../ui/dom.ts';
 import { keyName } from '../../ui/keys.ts';
-import { closeButton } from '../../ui/controls/fields.ts';
 import { fly } from '../../viewport/camera.ts';
 import type { AppContext } from '../../app/context.ts';
 

@@ -4,16 +4,16 @@
  */
 
 import './view-tools.css';
+import { newestOnly } from '../../store/newest-only.ts';
+import { button, choice, closeButton } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { lengthUnit } from '../../ui/format.ts';
 import { fly } from '../../viewport/camera.ts';
 import { Tape } from './tape.ts';
-import { newestOnly } from '../../store/newest-only.ts';
-import { button, choice, closeButton } from '../../ui/controls/fields.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { Label, Viewport } from '../../viewport/viewport.ts';
-import type { Section, Store } from '../../store/state.ts';
 import type { Actions } from '../../store/actions.ts';
+import type { Section, Store } from '../../store/state.ts';
+import type { Label, Viewport } from '../../viewport/viewport.ts';
 
 /** Maximum length of the scale bar in CSS pixels. */
 const BAR = 120;

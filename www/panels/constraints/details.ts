@@ -6,12 +6,12 @@
 import '../../ui/styles/lists.css';
 import { button, amountField, choice } from '../../ui/controls/fields.ts';
 import { element } from '../../ui/dom.ts';
+import { count, length as lengthText, lengthUnit } from '../../ui/format.ts';
 import { Parameters } from '../../ui/kinds/parameters.ts';
 import { sketch } from '../../ui/kinds/sketch.ts';
-import { count, length as lengthText, lengthUnit } from '../../ui/format.ts';
 import type { ConstraintRow, Require } from '../../solver/types.ts';
-import type { Store } from '../../store/state.ts';
 import type { Actions } from '../../store/actions.ts';
+import type { Store } from '../../store/state.ts';
 
 /** @param own actions of the list */
 export function detailsOf(
