@@ -116,7 +116,11 @@ test('the linter refuses code that breaks the rules of the rooms', async () => {
     ['features/hints.ts', "import './help/help.ts';", imports],
     ['features/lesson/dialog.ts', "import('../share/dialog-share.ts');", later],
     ['viewport/viewport.ts', "import('../features/split/split.ts');", later],
-    ['panels/constraints/constraints.ts', "import '../../store/state.ts'; import './details.ts';", []],
+    [
+      'panels/constraints/constraints.ts',
+      "import '../../store/state.ts'; import './details.ts';",
+      [],
+    ],
     ['app/main.ts', "import('../features/hints.ts');", []],
     ['panels/model.ts', 'export const f = (store: any) => store.set({});', later],
     ['panels/model.ts', 'export const f = (it) => it.solver.tell.pause();', later],

@@ -4,7 +4,15 @@
  */
 
 import '../ui/styles/waiting.css';
-import { Autosave, Unreadable, lastWork, markUnreadable, release, take, type Taken } from '../documents/autosave.ts';
+import {
+  Autosave,
+  Unreadable,
+  lastWork,
+  markUnreadable,
+  release,
+  take,
+  type Taken,
+} from '../documents/autosave.ts';
 import { recentDocuments, type Work } from '../documents/recent-documents.ts';
 import { readLink } from '../documents/share-link.ts';
 import { messageOf } from '../solver/errors.ts';

@@ -8,7 +8,19 @@
 
 import { viewOf, type ViewContext } from '../viewport/saved-view.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
-import { recoverUnsaved, forgetUnsaved, storeUnsaved, LOCK_PREFIX, contentsOf, keep, openWorks, pruneOldest, recentDocuments, type Work, type Contents } from './recent-documents.ts';
+import {
+  recoverUnsaved,
+  forgetUnsaved,
+  storeUnsaved,
+  LOCK_PREFIX,
+  contentsOf,
+  keep,
+  openWorks,
+  pruneOldest,
+  recentDocuments,
+  type Work,
+  type Contents,
+} from './recent-documents.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Files } from './files.ts';
 import type { Saved } from '../solver/types.ts';

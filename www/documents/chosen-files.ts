@@ -117,9 +117,7 @@ export function acceptDrops(overlay: HTMLElement, app: AppContext) {
       .map((item) => item.webkitGetAsEntry())
       .flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));
     const chosen = [...files].filter(({ name }) => !folders.includes(name));
-    const opened = app.files.openings.begin((opening) =>
-      openChosen(app, opening, chosen, folders),
-    );
+    const opened = app.files.openings.begin((opening) => openChosen(app, opening, chosen, folders));
     void actions.reportErrors(opened);
   });
 }

@@ -2,7 +2,15 @@
 
 import { RENEW_MS, element, setAttribute, setText, throttled } from '../ui/dom.ts';
 import { duration, groupDigits, number } from '../ui/format.ts';
-import { declared, measureOfScene, movedInWords, roundingOf, toleranceOf, valueInWords, worstOf } from '../store/colours/measures.ts';
+import {
+  declared,
+  measureOfScene,
+  movedInWords,
+  roundingOf,
+  toleranceOf,
+  valueInWords,
+  worstOf,
+} from '../store/colours/measures.ts';
 import { areHandlesLocked, draggableInWords } from '../store/handles.ts';
 import { energyOrZero } from '../ui/rounding.ts';
 import { sizeOfSelection } from '../store/selection.ts';

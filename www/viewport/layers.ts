@@ -121,9 +121,6 @@ function showFlatMap(view: View, { flatMap }: { flatMap: FlatMap | null }) {
 }
 
 /** Returns the values that colour the model's faces while its map is shown, and their range. */
-function modelErrors({
-  found,
-  onModel,
-}: FlatMap): [Float32Array | undefined, number, number] {
+function modelErrors({ found, onModel }: FlatMap): [Float32Array | undefined, number, number] {
   return [onModel === 'errors' ? found.faceErrors : undefined, 1, found.high];
 }

@@ -48,9 +48,7 @@ test('a Rhino file is written at the next press', async ({ page, complaints }) =
   const dialog = page.getByRole('dialog', { name: 'Export' });
   const format = dialog.getByRole('button', { name: /^3DM/ });
   await format.click();
-  await expect(dialog).toContainText(
-    'The .3dm converter could not be loaded. Check the network.',
-  );
+  await expect(dialog).toContainText('The .3dm converter could not be loaded. Check the network.');
   await page.unroute(part);
   const saved = await downloaded(page, () => format.click());
   expect(saved.name).toBe('grid.3dm');

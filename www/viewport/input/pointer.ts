@@ -15,7 +15,13 @@
  * | touch | one finger as left, two pan and zoom | same |
  */
 
-import { HandleDrag, leaveHandle, makeHandle, HANDLES_LOCKED, areHandlesLocked } from '../../store/handles.ts';
+import {
+  HandleDrag,
+  leaveHandle,
+  makeHandle,
+  HANDLES_LOCKED,
+  areHandlesLocked,
+} from '../../store/handles.ts';
 import { near, clickTolerance, pair, wheelFactor } from './gestures.ts';
 import { combineOf, select } from '../../store/selection.ts';
 import type { Mode, Store } from '../../store/state.ts';
