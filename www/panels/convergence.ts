@@ -18,7 +18,7 @@ const TRACE_WIDTH = 6;
 const PLOT_EVERY_MS = 250;
 
 export class Convergence {
-  /** Null without iterations, and if it could not be loaded. */
+  /** Null without iterations; of null if it could not be loaded. */
   #plot: Promise<EnergyPlot | null> | null = null;
   #place;
   #store;
@@ -83,8 +83,6 @@ export class Convergence {
       this.#place.replaceChildren(
         element('p', `The plot could not be loaded: ${messageOf(error)}`),
       );
-      // The next iteration tries again.
-      this.#plot = null;
       return null;
     }
   }
