@@ -7,7 +7,7 @@ import { minify, transformWithOxc } from 'vite';
 import { at } from './project.mjs';
 import { filesUnder } from './stamp.mjs';
 
-const SOURCE = at('www', 'app', 'offline', 'service-worker.ts');
+const SOURCE = at('www', 'app', 'service-worker.ts');
 const NAMED = ['icon.svg', 'manifest.webmanifest'];
 const WORKER = 'service-worker.js';
 /**

@@ -104,7 +104,7 @@ const documents = pages.map((page) => at('www', `${page}.html`));
 /**
  * Returns the name of the first-visit chunk of a module, if any: `workbench` for modules that only
  * the workbench starts with, `common` for those that another page starts with as well. Modules
- * shared with later chunks would otherwise be separate files, which compress worse.
+ * shared with other pages would otherwise be several files, which compress worse.
  * @param {string} id
  * @param {{ getModuleInfo(id: string): { importedIds: readonly string[] } | null }} graph
  */
@@ -132,7 +132,7 @@ const engineBytes = statSync(at('www', 'pkg', 'engine', 'shape_up_bg.wasm')).siz
 
 // wasm-bindgen gives the files of all modules the same names: use the module's folder name.
 const moduleOf = (path) => /\/?pkg\/([\w-]+)\//.exec(path ?? '')?.[1] ?? '[name]';
-// Short hashes: the first visit names a hundred files, and hashes do not compress.
+// Short hashes, as hashes do not compress.
 const output = {
   entryFileNames: 'assets/[name]-[hash:7].js',
   chunkFileNames: ({ facadeModuleId }) => `assets/${moduleOf(facadeModuleId)}-[hash:7].js`,

@@ -31,7 +31,7 @@ const named = (file, pattern) =>
 /** The room of a file, and its part if the parts of the room are separate. */
 function placeOf(file) {
   const [room, part] = file.split('/');
-  return { room, part: APART.includes(room) ? part : '' };
+  return { room, part: APART.includes(room) ? part.replace(/\.\w+$/, '') : '' };
 }
 
 const isOfRoom = (file) => ROOM_NAMES.includes(placeOf(file).room);
@@ -111,15 +111,19 @@ test('the linter refuses code that breaks the rules of the rooms', async () => {
   for (const [file, code, broken] of [
     ['ui/dom.ts', "import '../store/state.ts';", imports],
     ['store/state.ts', "import '../app/main.ts';", imports],
-    ['panels/model/model.ts', "import '../legend/legend.ts';", imports],
-    ['panels/model/model.ts', "import '../../features/hints.ts';", imports],
+    ['panels/constraints/constraints.ts', "import '../legend/legend.ts';", imports],
+    ['panels/model.ts', "import '../features/hints.ts';", imports],
     ['features/hints.ts', "import './help/help.ts';", imports],
     ['features/lesson/dialog.ts', "import('../share/dialog-share.ts');", later],
     ['viewport/viewport.ts', "import('../features/split/split.ts');", later],
-    ['panels/model/model.ts', "import '../../store/state.ts'; import './model.ts';", []],
+    [
+      'panels/constraints/constraints.ts',
+      "import '../../store/state.ts'; import './details.ts';",
+      [],
+    ],
     ['app/main.ts', "import('../features/hints.ts');", []],
-    ['panels/model/model.ts', 'export const f = (store: any) => store.set({});', later],
-    ['panels/model/model.ts', 'export const f = (it) => it.solver.tell.pause();', later],
+    ['panels/model.ts', 'export const f = (store: any) => store.set({});', later],
+    ['panels/model.ts', 'export const f = (it) => it.solver.tell.pause();', later],
     ['store/actions.ts', 'export const f = (solver) => solver.change.undo();', []],
   ])
     assert.deepEqual(await rulesBroken(file, code), broken, `${file}: ${code}`);

@@ -1,11 +1,11 @@
-/**
- * The analysis region: a tab for each plot and table. The code of a tab is loaded when it is first
- * shown.
- */
+/** The analysis region: a tab for each plot and table, which is made when it is first shown. */
 
-import { itemByKey } from '../ui/controls/arrow-keys.ts';
+import { itemByKey } from '../ui/controls/navigation.ts';
 import { byId, element } from '../ui/dom.ts';
-import { messageOf } from '../solver/errors.ts';
+import { anglesPanel } from '../panels/angles.ts';
+import { Convergence } from '../panels/convergence.ts';
+import { logOf } from '../panels/log.ts';
+import { worstElements } from '../panels/worst.ts';
 import type { AppContext } from './context.ts';
 
 interface Tab {
@@ -20,26 +20,11 @@ const TABS: Tab[] = [
   {
     id: 'convergence',
     label: 'Convergence',
-    make: async (panel, app) =>
-      new (await import('../panels/convergence/convergence.ts')).Convergence(panel, app),
+    make: (panel, app) => new Convergence(panel, app),
   },
-  {
-    id: 'angles',
-    label: 'Angles',
-    make: async (panel, app) =>
-      (await import('../panels/angles/angles.ts')).anglesPanel(panel, app),
-  },
-  {
-    id: 'worst',
-    label: 'Worst',
-    make: async (panel, app) =>
-      (await import('../panels/worst/worst.ts')).worstElements(panel, app),
-  },
-  {
-    id: 'log',
-    label: 'Log',
-    make: async (panel, app) => (await import('../panels/log/log.ts')).logOf(panel, app),
-  },
+  { id: 'angles', label: 'Angles', make: anglesPanel },
+  { id: 'worst', label: 'Worst', make: worstElements },
+  { id: 'log', label: 'Log', make: logOf },
 ];
 
 /**
@@ -74,22 +59,11 @@ export function analysisRegion(
     next?.click();
   });
 
-  async function fill(entry: (typeof entries)[number]) {
-    if (entry.isMade) return;
-    entry.isMade = true;
-    try {
-      await entry.make(entry.panel, app);
-    } catch (error) {
-      entry.isMade = false;
-      app.alerts.error(messageOf(error));
-    }
-  }
-
   let shown = '';
 
   function show(id: string) {
     const entry = entries.find((one) => one.id === id);
-    if (!entry) return undefined;
+    if (!entry) return;
     shown = id;
     for (const { id: other, panel, button } of entries) {
       const isShown = other === id;
@@ -97,19 +71,19 @@ export function analysisRegion(
       button.setAttribute('aria-selected', String(isShown));
       button.tabIndex = isShown ? 0 : -1;
     }
-    return fill(entry);
+    if (!entry.isMade) entry.make(entry.panel, app);
+    entry.isMade = true;
   }
-  void show(TABS[0].id);
+  show(TABS[0].id);
   return {
     show,
     shown: () => shown,
     async bring(id) {
-      const filled = show(id);
+      show(id);
       app.store.set({ advanced: true });
       await Promise.resolve();
       // In a narrow window the panel may be behind another panel or closed.
       if (place.offsetParent === null) byId('tab-inspector').click();
-      await filled;
       place.scrollIntoView({ block: 'nearest' });
     },
   };

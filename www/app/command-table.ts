@@ -1,13 +1,26 @@
 /** The table of commands: label, keys, action, and when each is enabled. */
 
-import { byId } from '../ui/dom.ts';
-import { halfStepTitle } from '../store/half-step/half-step.ts';
-import { featureCommands } from './features.ts';
+import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.ts';
+import { toggleBuild } from '../features/build/build-panel.ts';
+import { toggle as toggleCurvature } from '../features/curvature/curvature-card.ts';
+import { showExport } from '../features/export/dialog-export.ts';
+import { FlatMapController } from '../features/flat-map/flat-map-controller.ts';
+import { showHelp } from '../features/help/help.ts';
+import { write as writeLesson } from '../features/lesson/dialog.ts';
+import { openEdit } from '../features/make-panels/refine-operation.ts';
+import { newMesh } from '../features/new-mesh/dialog-new-mesh.ts';
+import { openSteps } from '../features/present/steps-dialog.ts';
+import { selectCommands } from '../features/selecting/select-commands.ts';
+import { share } from '../features/share/dialog-share.ts';
+import { viewCommands } from '../features/view-tools/view-commands.ts';
+import { halfStepTitle } from '../store/half-step.ts';
 import { isDrawn } from '../store/state.ts';
-import { fly } from '../viewport/flight.ts';
-import { toggleTheme } from './theme.ts';
-import type { AppContext, Command } from './context.ts';
+import { byId } from '../ui/dom.ts';
+import { inTurn, once, oneAtATime } from '../ui/once.ts';
+import { fly } from '../viewport/camera.ts';
+import { toggleTheme } from './appearance.ts';
 import type { PointerInput } from '../viewport/input/pointer.ts';
+import type { AppContext, Command } from './context.ts';
 
 export function commandTable(
   app: AppContext,
@@ -33,6 +46,18 @@ export function commandTable(
     alerts.clear();
     actions.selectNothing();
   }
+
+  const flatMap = once(() => new FlatMapController(app));
+  /** Opens something: a second press while it is being prepared has no effect. Errors are shown. */
+  const opens = (open: () => unknown) => {
+    const begin = oneAtATime(async () => open());
+    return () => actions.reportErrors(begin());
+  };
+  /** Opens and closes something: a second press meanwhile closes what the first one opens. */
+  const toggles = (toggle: () => unknown) => {
+    const begin = inTurn(toggle);
+    return () => actions.reportErrors(begin());
+  };
 
   return [
     {
@@ -201,7 +226,100 @@ export function commandTable(
         store.set({ display: { ...display, edges: !display.edges } });
       },
     },
-    ...featureCommands(app),
+    {
+      id: 'add-constraint',
+      group: 'Edit',
+      label: 'Add constraint',
+      keys: [],
+      action: () => toggleAddConstraint(app),
+      needsModel: true,
+    },
+    {
+      id: 'build',
+      group: 'File',
+      label: 'Parts on sheets',
+      keys: [],
+      action: toggles(() => toggleBuild(app)),
+      needsModel: true,
+      pressed: ({ build }) => build !== null,
+    },
+    {
+      id: 'curvature',
+      group: 'View',
+      label: 'Curvature',
+      keys: [],
+      action: () => toggleCurvature(app),
+      needsModel: true,
+      enabled: ({ model, renderer }) => Boolean(model?.faces) && renderer !== 'none',
+    },
+    {
+      id: 'export-as',
+      group: 'File',
+      label: 'More formats: Rhino, tables, pictures',
+      keys: ['Ctrl+Shift+E'],
+      action: opens(() => showExport(app)),
+      needsModel: true,
+    },
+    {
+      id: 'parametrize',
+      group: 'View',
+      label: 'Flatten: a flat map beside the model',
+      keys: ['U'],
+      action: toggles(() => flatMap().toggle()),
+      needsModel: true,
+      enabled: ({ model }) => Boolean(model?.faces),
+      pressed: (state) => state.flatMap !== null,
+    },
+    {
+      id: 'help',
+      group: 'Page',
+      label: 'This list',
+      keys: ['?', 'F1'],
+      action: opens(() => showHelp(byId('help'), app.commands)),
+      title: () => 'Mouse and keys',
+    },
+    {
+      id: 'lesson',
+      group: 'File',
+      label: 'Write a lesson: a text, and goals that are checked',
+      keys: [],
+      action: opens(() => writeLesson(app)),
+      needsModel: true,
+    },
+    {
+      id: 'edit-mesh',
+      group: 'Edit',
+      label: 'Edit mesh',
+      keys: [],
+      enabled: ({ model, document }) =>
+        Boolean(model?.faces && !model.tets && !document?.lesson?.lock.includes('mesh')),
+      action: opens(() => openEdit(app)),
+    },
+    {
+      id: 'new-mesh',
+      group: 'File',
+      label: 'New mesh',
+      keys: [],
+      action: opens(() => newMesh(app)),
+    },
+    {
+      id: 'present',
+      group: 'View',
+      label: 'Present: a full-screen sequence of views',
+      keys: [],
+      needsModel: true,
+      action: opens(() => openSteps(app)),
+    },
+    ...selectCommands(app),
+    {
+      id: 'share',
+      group: 'File',
+      label: 'Share a link to the scene',
+      keys: [],
+      action: opens(() => share(app)),
+      needsModel: true,
+    },
+    ...viewCommands(app),
     {
       id: 'open',
       group: 'File',

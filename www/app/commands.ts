@@ -2,9 +2,7 @@
 
 import { isEnabled, press } from '../store/press.ts';
 import { setText } from '../ui/dom.ts';
-import { commitTyping } from '../ui/controls/commit-typing.ts';
-import { chordOf, digitOf, isTyping, keyName } from '../ui/keys.ts';
-import { isSwitchedOff } from '../ui/single-keys.ts';
+import { chordOf, digitOf, isTyping, keyName, isSwitchedOff } from '../ui/keys.ts';
 import type { Command } from './context.ts';
 import type { Store } from '../store/state.ts';
 
@@ -61,4 +59,15 @@ export function bindRunButton(button: HTMLButtonElement, store: Store) {
     if (label) setText(label, pauses ? 'Pause' : 'Run');
     use?.setAttribute('href', pauses ? '#icon-pause' : '#icon-run');
   });
+}
+
+/**
+ * Commits what is being typed, as leaving its field does: browsers tell of a change only then, and a
+ * key that saves or undoes acts on what the user sees. The field keeps the focus.
+ */
+function commitTyping() {
+  const field = document.activeElement;
+  if (!(field instanceof HTMLInputElement || field instanceof HTMLTextAreaElement)) return;
+  field.blur();
+  if (field.isConnected) field.focus({ preventScroll: true });
 }

@@ -22,7 +22,6 @@ export interface Command {
   label: string;
   /** such as "Ctrl+Shift+Z"; letters are the characters printed on the keys */
   keys: string[];
-  /** may load its implementation */
   action: () => unknown;
   /** whether a press waits until the first model is loaded */
   needsModel?: boolean;
@@ -50,20 +49,6 @@ export interface AppContext {
   script: ReturnType<typeof import('./script-api.ts').scriptApi>;
   /** commands of selection operations are added later */
   commands: Command[];
-}
-
-/** Declaration of a folder of `features/` or `panels/`, exported by its `feature.ts`. */
-export interface Feature {
-  commands?: (app: AppContext) => Command[];
-  /** each is loaded when it is first needed */
-  parts?: Part[];
-}
-
-export interface Part {
-  /** the state that `isNeeded` depends on */
-  keys: (keyof State)[];
-  isNeeded: (state: Readonly<State>) => boolean;
-  load: (app: AppContext) => Promise<unknown>;
 }
 
 export {};

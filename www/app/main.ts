@@ -3,44 +3,66 @@
  * module start concurrently; neither waits for the other.
  */
 
-import { createActions } from '../store/actions.ts';
-import { Alerts } from '../ui/controls/alerts.ts';
-import { analysisRegion } from './analysis.ts';
-import { colourFaces } from '../store/colours/colour-scale.ts';
-import { commandTable } from './command-table.ts';
-import { bindButtons, bindKeys, bindRunButton } from './commands.ts';
-import { byId } from '../ui/dom.ts';
-import { acceptDrops } from '../documents/opening/drop-zone.ts';
+import { openChosen, acceptDrops } from '../documents/chosen-files.ts';
+import { reportCollapse } from '../documents/collapse.ts';
+import { examplesMenu } from '../documents/examples.ts';
 import { Files } from '../documents/files.ts';
-import { loadFeatures, loadWhenNeeded } from './features.ts';
+import { showRecent } from '../documents/recent-menu.ts';
+import { buildGoals } from '../features/build/build-goals.ts';
+import { embeddedView } from '../features/embed/embedded-view.ts';
 import { firstHints } from '../features/hints.ts';
-import { arrangeForWidth } from './arrangement/layout.ts';
-import { messageOf } from '../solver/errors.ts';
-import { constraintsPanel } from '../panels/constraints/constraints.ts';
-import { energiesPanel } from '../panels/energies/energies.ts';
-import { Startup } from './startup.ts';
-import { handlesPanel } from '../panels/handles/handles.ts';
-import { bindHalfStepSwitches } from '../store/half-step/half-step.ts';
 import { HoldOriginal } from '../features/hold-original.ts';
-import { modelPanel } from '../panels/model/model.ts';
-import { statusBar } from '../panels/status-bar/status-bar.ts';
-import { PointerInput } from '../viewport/input/pointer.ts';
-import { RegionSelection } from '../viewport/input/region-selection.ts';
-import { colourRows } from '../store/colours/constraint-colours.ts';
-import { sizeOf } from '../ui/rounding.ts';
-import { scriptApi } from './script-api.ts';
-import { Selecting } from '../store/mesh-queries.ts';
-import { NOTHING } from '../store/selection.ts';
+import { lessonPanel } from '../features/lesson/panel.ts';
+import { MakePanels } from '../features/make-panels/card.ts';
+import { offerPresentation } from '../features/present/steps-dialog.ts';
+import { showContextMenu } from '../features/selecting/context-menu.ts';
+import { offerVariations } from '../features/variations/variations-panel.ts';
+import { viewMenu } from '../features/view-tools/view-menu.ts';
+import { watchFreeVertices, watchUnpaired } from '../features/warnings/free-vertices.ts';
+import { watchConditions } from '../features/warnings/warnings.ts';
+import { constraintsPanel } from '../panels/constraints/constraints.ts';
+import { displayPanel } from '../panels/display.ts';
+import { energiesPanel } from '../panels/energies/energies.ts';
+import { exampleNote } from '../panels/example.ts';
+import { handlesPanel } from '../panels/handles.ts';
+import { legend } from '../panels/legend/legend.ts';
+import { modelPanel } from '../panels/model.ts';
+import { selectBar } from '../panels/select-bar/select-bar.ts';
+import { statusBar } from '../panels/status-bar.ts';
+import { messageOf } from '../solver/errors.ts';
 import { JobsClient } from '../solver/jobs-client.ts';
 import { SolverClient } from '../solver/solver-client.ts';
+import { createActions } from '../store/actions.ts';
+import { colourFaces } from '../store/colours/colour-scale.ts';
+import { colourRows } from '../store/colours/constraint-colours.ts';
+import { bindHalfStepSwitches } from '../store/half-step.ts';
+import { Selecting } from '../store/mesh-queries.ts';
 import { runEarlyPresses } from '../store/press.ts';
+import { NOTHING } from '../store/selection.ts';
 import { createStore } from '../store/state.ts';
-import { followAdvanced } from './arrangement/advanced.ts';
-import { followTheme } from './theme.ts';
-import { bindViewMenu } from '../features/view-tools/view-commands.ts';
-import { bindViewKeys } from '../viewport/input/view-keys.ts';
-import { offerReport, reportUncaughtErrors } from './errors/uncaught-errors.ts';
+import { Alerts } from '../ui/controls/alerts.ts';
+import { tooltips } from '../ui/controls/tooltips.ts';
+import { byId } from '../ui/dom.ts';
+import { isEmbedded } from '../ui/embedded.ts';
+import { once } from '../ui/once.ts';
+import { sizeOf } from '../ui/rounding.ts';
+import { showMoved } from '../viewport/input/drag-label.ts';
+import { bindViewKeys } from '../viewport/input/gestures.ts';
+import { bindHandleKeys } from '../viewport/input/handle-keys.ts';
+import { PointerInput } from '../viewport/input/pointer.ts';
+import { RegionSelection } from '../viewport/input/region-selection.ts';
+import { explainNoPicture } from '../viewport/placeholder.ts';
 import { Viewport } from '../viewport/viewport.ts';
+import { analysisRegion } from './analysis.ts';
+import { followNextStep, followAdvanced, followTheme } from './appearance.ts';
+import { commandTable } from './command-table.ts';
+import { bindButtons, bindKeys, bindRunButton } from './commands.ts';
+import { offerReport, reportUncaughtErrors } from './errors.ts';
+import { arrangeForWidth } from './layout.ts';
+import { stayOffline } from './offline.ts';
+import { offerCancel, showLoading } from './progress.ts';
+import { scriptApi } from './script-api.ts';
+import { Startup } from './startup.ts';
 import type { AppContext } from './context.ts';
 
 const store = createStore();
@@ -60,13 +82,11 @@ const selecting = new Selecting(store, solver, actions);
 const pointer = new PointerInput(store, solver, viewport, region, actions, {
   addHandles: (vertices) => actions.addHandles(vertices, false),
   selectedHandles: actions.selectedHandles,
-  showMenu: (at) =>
-    actions.reportErrors(
-      import('../features/selecting/context-menu.ts').then((it) => it.showContextMenu(at, app)),
-    ),
+  showMenu: (at) => showContextMenu(at, app),
   fitAll: () => viewport.with((view) => view.fit()),
   doubleClick: (...what) => selecting.doubleClick(...what),
 });
+bindHandleKeys(viewport, store, solver, actions);
 bindViewKeys(viewport);
 const { fit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
@@ -76,49 +96,43 @@ const app: AppContext = {
   ...{ store, solver, jobs, viewport, files, actions, selecting, alerts, hold, commands: [] },
   script: scriptApi(store, solver, viewport, files),
 };
-viewport.once('ready', showLegend);
+viewport.once('ready', () => legend(byId('legend'), app, fit));
 modelPanel(byId('model'), app, () => analysis.bring('log'));
 constraintsPanel(byId('constraints'), app);
 handlesPanel(byId('handles'), app);
 energiesPanel(byId('energies'), app);
-void actions.reportErrors(
-  import('../panels/display/display.ts').then((it) => it.displayPanel(byId('display'), app)),
-);
+displayPanel(byId('display'), app);
+selectBar(byId('select-bar'), byId('select-menu'), app);
 const analysis = analysisRegion(byId('analysis'), app);
-loadWhenNeeded(app, {
-  keys: ['example'],
-  isNeeded: ({ example }) => example !== null,
-  load: () =>
-    import('../panels/example/example.ts').then((it) =>
-      it.exampleNote(byId('example-note'), app, (plot) => analysis.bring(plot)),
-    ),
-});
+exampleNote(byId('example-note'), app, (plot) => analysis.bring(plot));
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
-loadFeatures(app);
-loadWhenNeeded(app, {
-  keys: ['moved'],
-  isNeeded: ({ moved }) => moved !== null,
-  load: () => import('../viewport/input/drag-label.ts').then((it) => it.showMoved(viewport, store)),
+if (isEmbedded) embeddedView(app);
+lessonPanel(app);
+new MakePanels(app);
+offerPresentation(app);
+offerVariations(app);
+watchConditions(app);
+watchUnpaired(app);
+watchFreeVertices(app);
+/** Goals on the parts are measured in the second worker, which few scenes need. */
+const measureParts = once(() => actions.reportErrors(buildGoals(app)));
+store.subscribe(['document'], ({ document: scene }) => {
+  if (scene?.lesson?.goals.some(({ build }) => build)) void measureParts();
 });
-solver.on('collapsed', ({ collapse }) =>
-  actions.reportErrors(
-    import('../documents/collapse.ts').then((it) => it.reportCollapse(app, collapse)),
-  ),
-);
-statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
+showMoved(viewport, store);
+solver.on('collapsed', ({ collapse }) => reportCollapse(app, collapse));
+statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, app);
 firstHints(byId('hint-card'), store);
 arrangeForWidth(store);
+followNextStep(store);
+tooltips();
 
 const fileInput: HTMLInputElement = byId('file');
 fileInput.addEventListener('change', async () => {
   const chosen = [...(fileInput.files ?? [])];
   // Allows the same file to be opened again after it changed on disk.
   fileInput.value = '';
-  const opened = files.openings.begin(async (opening) => {
-    const { openChosen } = await import('../documents/opening/chosen-files.ts');
-    await openChosen(app, opening, chosen);
-  });
-  await actions.reportErrors(opened);
+  await actions.reportErrors(files.openings.begin((opening) => openChosen(app, opening, chosen)));
 });
 acceptDrops(byId('drop-overlay'), app);
 
@@ -134,62 +148,22 @@ bindHalfStepSwitches(store);
 const early: Window & { earlyPresses?: string[] } = window;
 runEarlyPresses(commands, store, early.earlyPresses ?? []);
 delete early.earlyPresses;
-bindViewMenu(byId('view-menu'), byId('view-menu-button'), commands, app);
+viewMenu(byId('view-menu'), byId('view-menu-button'), app);
 selecting.bindKeys(commands);
 
-viewport.on('none', (why) => {
-  void actions.reportErrors(
-    import('../viewport/no-picture.ts').then((it) => it.explainNoPicture(why)),
-  );
-});
+viewport.on('none', explainNoPicture);
 
 Object.assign(window, { shapeUp: app.script });
 
 const startup = new Startup(solver, files, alerts, { store, actions, analysis });
 byId('recent-button').addEventListener('click', () =>
-  actions.reportErrors(
-    import('../documents/recent-menu.ts').then((it) => it.showRecent(byId('recent'), startup)),
-  ),
+  actions.reportErrors(showRecent(byId('recent'), startup)),
 );
 startup.begin().catch((error) => alerts.error(messageOf(error)));
-void actions.reportErrors(
-  import('../documents/examples-menu.ts').then((it) => it.examplesMenu(byId('examples'), app)),
-);
-const offline = () =>
-  import('./offline/offline.ts').then(
-    (it) => it.stayOffline(alerts, startup, viewport),
-    () => {},
-  );
+void actions.reportErrors(examplesMenu(byId('examples'), app));
+const offline = () => stayOffline(alerts, startup, viewport);
 viewport.on('ready', offline);
 viewport.on('none', offline);
-void actions.reportErrors(import('../ui/controls/tooltips.ts').then((it) => it.tooltips()));
-void actions.reportErrors(
-  import('../viewport/input/handle-keys.ts').then((it) =>
-    it.bindHandleKeys(viewport, store, solver, actions),
-  ),
-);
-void actions.reportErrors(
-  import('./arrangement/next-step.ts').then((it) => it.followNextStep(store)),
-);
-void actions.reportErrors(
-  import('../panels/status-bar/environment-status.ts').then((it) =>
-    it.environmentStatus(byId('numbers'), app),
-  ),
-);
-
-/** Loads and shows the legend. */
-function showLegend() {
-  const legend = import('../panels/legend/legend.ts');
-  void actions.reportErrors(legend.then(({ legend }) => legend(byId('legend'), app, fit)));
-}
-
-/** Offers to cancel what takes long. */
-function offerCancel(worker: string, busy: boolean, cancel: () => void) {
-  import('./progress/long-work.ts').then(
-    (it) => it.offerCancel(worker, busy, cancel),
-    () => {},
-  );
-}
 
 /** Writes the messages of the solver to the store. */
 function bindSolver(client: SolverClient) {
@@ -218,13 +192,7 @@ function bindSolver(client: SolverClient) {
       section: null,
     }),
   );
-  client.on('loading', ({ bytes, all }) => {
-    // Without it only the progress is not shown.
-    import('./progress/solver-loading.ts').then(
-      ({ showLoading }) => showLoading(store, bytes, all),
-      () => {},
-    );
-  });
+  client.on('loading', ({ bytes, all }) => showLoading(store, bytes, all));
   client.on('document', ({ document }) => store.set({ document }));
   client.on('frame', ({ numbers, answers }) =>
     store.set({

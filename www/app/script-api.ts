@@ -3,6 +3,8 @@
  * report of the command line.
  */
 
+import { pictureOf } from '../features/export/picture.ts';
+import { turntableVideo } from '../features/export/turntable-video.ts';
 import { handlesNow } from '../store/handles.ts';
 import type { Store } from '../store/state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
@@ -163,7 +165,6 @@ export function scriptApi(store: Store, solver: SolverClient, viewport: Viewport
       ground?: 'view' | 'white' | 'none';
       legend?: boolean;
     } = {}): Promise<Blob> {
-      const { pictureOf } = await import('../features/export/picture.ts');
       const scale = (width ?? viewport.width) / viewport.width;
       return pictureOf(viewport, store.get(), { scale, ground, legend });
     },
@@ -177,7 +178,6 @@ export function scriptApi(store: Store, solver: SolverClient, viewport: Viewport
      * @returns rejects if the browser cannot record
      */
     async turntable(seconds?: number): Promise<Blob> {
-      const { turntableVideo } = await import('../features/export/turntable-video.ts');
       return turntableVideo(viewport, seconds);
     },
 

@@ -1,20 +1,32 @@
 /**
  * Opens the first document of the page (that of a link, the last work, or the first example) and
- * starts autosave. All other code is loaded when it is needed.
+ * starts autosave.
  */
 
+import '../ui/styles/waiting.css';
+import {
+  Autosave,
+  Unreadable,
+  lastWork,
+  markUnreadable,
+  release,
+  take,
+  type Taken,
+} from '../documents/autosave.ts';
+import { recentDocuments, type Work } from '../documents/recent-documents.ts';
+import { readLink } from '../documents/share-link.ts';
 import { messageOf } from '../solver/errors.ts';
-import { saveFile } from '../ui/save-file.ts';
+import { byId, element } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
+import { saveFile } from '../ui/output.ts';
 import { getItem } from '../ui/safe-storage.ts';
+import { removeFirstPicture } from '../viewport/placeholder.ts';
+import { restoreView, type ViewContext } from '../viewport/saved-view.ts';
 import type { Files } from '../documents/files.ts';
-import type { Opening } from '../documents/opening/openings.ts';
-import type { Autosave, Taken } from '../documents/autosave.ts';
+import type { Opening } from '../documents/openings.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Loaded } from '../solver/types.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
-import type { ViewContext } from '../viewport/saved-view.ts';
-import type { Work } from '../documents/recent-documents.ts';
 
 export class Startup {
   #store;
@@ -22,7 +34,7 @@ export class Startup {
   #solver;
   #files;
   #alerts;
-  #autosave: Promise<Autosave> | null = null;
+  #autosave: Autosave | null = null;
 
   constructor(solver: SolverClient, files: Files, alerts: Alerts, viewContext: ViewContext) {
     this.#store = viewContext.store;
@@ -70,7 +82,6 @@ export class Startup {
       if (!(await opening.isWanted())) return;
       this.#alerts.error(messageOf(error));
       if (this.#solver.isAbsent) return;
-      const { showNothingOpen } = await import('../documents/nothing-open.ts');
       showNothingOpen(this.#files, async () => {
         await this.#viewContext.actions.reportErrors(this.#startFresh());
       });
@@ -91,13 +102,12 @@ export class Startup {
   /** Saves all unsaved changes. */
   async saveNow() {
     await this.#viewContext.actions.settled();
-    await (await this.#autosave)?.save();
+    await this.#autosave?.save();
   }
 
   /** Returns the works stored in this browser, except the current one. */
   async recent() {
-    const { recentDocuments } = await import('../documents/recent-documents.ts');
-    const current = (await this.#autosave)?.id;
+    const current = this.#autosave?.id;
     return (await recentDocuments()).filter(({ id }) => id !== current);
   }
 
@@ -110,7 +120,6 @@ export class Startup {
     const { title } = work;
     try {
       await this.saveNow();
-      const { take } = await import('../documents/autosave.ts');
       const taken = await take(work);
       if (!taken) throw new Error(`${title} is open in another tab of this browser.`);
       const loaded = await this.#openWork(taken, opening);
@@ -140,11 +149,7 @@ export class Startup {
 
   #startAutosave() {
     if (isEmbedded) return;
-    const [solver, files, viewContext] = [this.#solver, this.#files, this.#viewContext];
-    this.#autosave ??= import('../documents/autosave.ts').then(
-      ({ Autosave }) => new Autosave(solver, files, viewContext),
-    );
-    this.#autosave.catch(() => this.#store.set({ saved: 'Autosave is off: use Save scene' }));
+    this.#autosave ??= new Autosave(this.#solver, this.#files, this.#viewContext);
   }
 
   /**
@@ -153,12 +158,10 @@ export class Startup {
    */
   async #restored(opening: Opening): Promise<boolean> {
     if (!hasStoredWork()) return false;
-    const { lastWork } = await import('../documents/autosave.ts');
     const last = await lastWork();
     if (!last) return false;
     // Autosave must be running before the user can edit the work and close the page.
     this.#startAutosave();
-    await this.#autosave;
     const loaded = await this.#openWork(last, opening);
     if (!loaded) return true;
     const { undoLost } = loaded;
@@ -182,7 +185,6 @@ export class Startup {
     const { id, title } = work;
     const origin = { example, work: id, title, saved, text };
     const files = [{ name: `${work.name}.shapeup.json`, bytes }];
-    const { Unreadable, markUnreadable, release } = await import('../documents/autosave.ts');
     const loaded = await this.#files.open(files, origin, { opening }).catch(async (error) => {
       await markUnreadable(work);
       throw new Unreadable(work, text, messageOf(error));
@@ -191,7 +193,6 @@ export class Startup {
       release(work);
       return null;
     }
-    const { restoreView } = await import('../viewport/saved-view.ts');
     restoreView(work.view, this.#viewContext);
     return loaded;
   }
@@ -202,7 +203,6 @@ export class Startup {
    */
   async #openLink(opening: Opening): Promise<boolean> {
     if (location.hash.length < 2) return false;
-    const { readLink } = await import('../documents/share-link.ts');
     const link = await readLink(location.hash);
     if (!link) return false;
     const { example, text, run } = link;
@@ -235,3 +235,24 @@ function sceneFile(name: string, text: string) {
 
 /** Whether any work was ever stored in this browser. */
 const hasStoredWork = () => getItem('shape-up.works') !== null;
+
+const FILES = 'a mesh (.obj, .off, .mesh, .3dm) or a scene (.json)';
+
+/**
+ * Shows what can be opened where not even the first example could be fetched, until a model is opened.
+ * @param again opens the first example
+ */
+function showNothingOpen(files: Files, again: () => Promise<void>) {
+  removeFirstPicture();
+  byId('hint-card').hidden = true;
+  byId('model').replaceChildren(element('p.quiet', 'Nothing is open.'));
+  const card = element(
+    'div',
+    { id: 'nothing-open' },
+    element('p.with-drop', `Drop ${FILES} here.`),
+    element('p.without-drop', `Open ${FILES}.`),
+    element('button.bordered', { onclick: again }, 'Open an example'),
+  );
+  byId('main').append(card);
+  files.once('opened', () => card.remove());
+}

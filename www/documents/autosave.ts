@@ -8,8 +8,10 @@
 
 import { viewOf, type ViewContext } from '../viewport/saved-view.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
-import { recoverUnsaved, forgetUnsaved, storeUnsaved } from './last-moment.ts';
 import {
+  recoverUnsaved,
+  forgetUnsaved,
+  storeUnsaved,
   LOCK_PREFIX,
   contentsOf,
   keep,

@@ -6,6 +6,7 @@
 import { openDialog } from '../ui/controls/dialog.ts';
 import { button } from '../ui/controls/fields.ts';
 import { element } from '../ui/dom.ts';
+import { oneAtATime } from '../ui/once.ts';
 import type { AppContext } from '../app/context.ts';
 
 /**
@@ -39,11 +40,11 @@ export function reportCollapse({ store, alerts, actions }: AppContext, collapse:
   });
 }
 
-/**
- * Asks whether to export a collapsed shape.
- * @param collapse description, as the end of a sentence
- */
-export function askToExport(collapse: string): Promise<boolean> {
+/** Asks whether to export a collapsed shape, unless the question is open already. */
+export const askToExport = oneAtATime(askOnce);
+
+/** @param collapse description, as the end of a sentence */
+function askOnce(collapse: string): Promise<boolean> {
   const answer = (value: string) => () => dialog.close(value);
   const dialog = openDialog(
     { id: 'export-anyway', title: 'Export this shape?' },

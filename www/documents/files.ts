@@ -1,20 +1,22 @@
 /** File input and output: open, examples, save, export. Emits `opened` after each opened model. */
 
-import { count, groupDigits, length } from '../ui/format.ts';
-import { listOfExamples, type Example } from '../solver/examples.ts';
-import { removeFirstPicture } from '../viewport/first-picture.ts';
 import { Emitter } from '../solver/emitter.ts';
 import { messageOf } from '../solver/errors.ts';
-import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
+import { listOfExamples, type Example } from '../solver/examples.ts';
 import { isReadable, mainOf } from '../solver/opened-files.ts';
-import { oneAtATime } from '../ui/once.ts';
-import { saveFile } from '../ui/save-file.ts';
-import { Openings, type Opening } from './opening/openings.ts';
+import { count, groupDigits, length } from '../ui/format.ts';
+import { saveFile } from '../ui/output.ts';
+import { removeFirstPicture } from '../viewport/placeholder.ts';
+import { offersToChoose } from './chosen-files.ts';
+import { askToExport } from './collapse.ts';
+import { Openings, type Opening } from './openings.ts';
+import { askRhino } from './rhino/rhino-client.ts';
 import { rememberedFrame } from './units-prompt.ts';
-import type { Store } from '../store/state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
-import type { Alerts } from '../ui/controls/alerts.ts';
+import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
+import type { Store } from '../store/state.ts';
+import type { Alerts } from '../ui/controls/alerts.ts';
 export type { Example } from '../solver/examples.ts';
 
 /** Source of a model. */
@@ -132,11 +134,7 @@ export class Files extends Emitter<{ opened: void }> {
     } catch (error) {
       if (!(await opening.isWanted())) return null;
       this.#actions.setStatus('');
-      // Without the offers the error is still shown.
-      const offers = await import('./opening/missing-files.ts').then(
-        (it) => it.offersToChoose(given, this.#actions, this, origin),
-        () => [],
-      );
+      const offers = await offersToChoose(given, this.#actions, this, origin);
       this.#alerts.error(messageOf(error), ...offers);
       throw error;
     }
@@ -241,16 +239,7 @@ export class Files extends Emitter<{ opened: void }> {
   }
 }
 
-/** Asks whether to export a shape that has collapsed. */
-const askToExport = oneAtATime((collapse: string) =>
-  import('./collapse.ts').then((it) => it.askToExport(collapse)),
-);
-
-/**
- * Converts a Rhino file to OBJ, with a converter loaded on demand; returns other files unchanged.
- */
+/** Converts a Rhino file to OBJ; returns other files unchanged. */
 async function asMesh(file: NamedBytes, cancelled?: AbortSignal): Promise<NamedBytes> {
-  if (!IS_RHINO.test(file.name)) return file;
-  const { askRhino } = await import('./rhino/rhino-client.ts');
-  return askRhino((rhino) => rhino.read(file), cancelled);
+  return IS_RHINO.test(file.name) ? askRhino((rhino) => rhino.read(file), cancelled) : file;
 }

@@ -6,8 +6,7 @@
  * the positions of the mesh and of its handles are rounded to at most a hundredth of the tolerance.
  */
 
-import { crc32 } from './crc32.ts';
-import { MOST_BYTES, deflate, inflate } from './deflate.ts';
+import { crc32, MOST_BYTES, deflate, inflate } from './packing.ts';
 
 /** Codes of earlier versions began with a smaller number. */
 const VERSION = 8;

@@ -5,8 +5,9 @@
 
 import { count } from '../ui/format.ts';
 import { Cancelled, messageOf } from '../solver/errors.ts';
-import { createTrials } from './actions/trials.ts';
-import type { Edit, PanelStart, Handle } from '../solver/types.ts';
+import { createTrials } from './trials.ts';
+import { halfStepWords } from './half-step.ts';
+import type { Edit, ExactFound, Handle, PanelStart, Require } from '../solver/types.ts';
 import { verticesOf } from './selection.ts';
 import { isHard, type Store } from './state.ts';
 import { createViewActions } from './view-actions.ts';
@@ -139,6 +140,19 @@ export function createActions(
       leave: () => reportErrors(solver.change.leaveVariation()),
     },
 
+    exact: {
+      /** Sets the hardness of a row and runs, as one step of undo. */
+      require: (index: number, require: Require) =>
+        reportErrors(solver.change.editAndRun({ setConstraint: { index, require } })),
+
+      /**
+       * Applies a shape that was found, if it belongs to the current one.
+       * @param joins merges it into the last step of undo
+       */
+      accept: ({ shape, positions }: ExactFound, joins: boolean) =>
+        reportErrors(solver.change.makeExact(shape, positions, joins)),
+    },
+
     /** Passes numbers of the build, by id, to the session; goals of a lesson may bound them. */
     setBuildNumbers: (numbers: [string, number][]) =>
       solver.change.setBuildNumbers(
@@ -184,10 +198,8 @@ export function createActions(
 
     /** Performs the local step, or the global step after it. */
     async halfStep() {
-      const words = reportErrors(import('./half-step/half-step-words.ts'));
       const done = await reportErrors(solver.change.halfStep());
-      const loaded = await words;
-      if (done && loaded) setStatus(loaded.halfStepWords(done));
+      if (done) setStatus(halfStepWords(done));
     },
 
     async reset() {

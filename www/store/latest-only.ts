@@ -32,3 +32,6 @@ export function latestOnly<Question = void>(answer: (question: Question) => unkn
     hasNext: () => next !== null,
   };
 }
+
+/** Features that compute much for each shape follow larger meshes only at rest. */
+export const MOST_LIVE_VERTICES = 3000;

@@ -1,5 +1,5 @@
 /**
- * Formatting of the numbers that are shown while a shape moves. Finished sentences come from the
+ * Formatting of the numbers that are shown while a shape moves, and reading of typed lengths. Finished sentences come from the
  * engine, whose room `src/words` writes numbers in the same way: both read `tests/data/words.json`.
  */
 
@@ -99,4 +99,46 @@ export function count(value: number, noun: string, plural: string = `${noun}s`):
 export function groupDigits(value: number): string {
   const digits = String(value);
   return digits.length < 5 ? digits : digits.replace(/\B(?=(\d{3})+$)/g, '\u2009');
+}
+
+/** Digits as they are typed. */
+const TYPED = '(?:\\d+[.,]?\\d*|[.,]\\d+)';
+/** Sign of a relative entry, number, divisor, unit. */
+const ENTRY = new RegExp(`^(\\+?)\\s*(-?${TYPED})(?:\\s*/\\s*(${TYPED}))?\\s*([a-z]*)$`, 'i');
+
+/**
+ * Reads a typed length: 1.5, 1/3, 20cm; or a relative one, +0.5 or +-0.5.
+ * @param units of the model; empty when not known
+ * @returns `by`: relative to the current value
+ * @throws if it is no length; the message says what is expected
+ */
+export function readLength(text: string, units: string): { by: boolean; length: number } {
+  const [, sign, number = '', divisor = '1', unit = ''] = ENTRY.exec(text.trim()) ?? [];
+  const factor = unit === '' ? 1 : METRES[unit.toLowerCase()] / METRES[units];
+  const length = (valueOf(number) / valueOf(divisor)) * factor;
+  if (number === '' || !Number.isFinite(length)) {
+    throw new Error(`“${text}” is not a length. Expected 1.5, 1/3 or +0.5.`);
+  }
+  return { by: sign === '+', length };
+}
+
+const valueOf = (digits: string) => Number(digits.replace(',', '.'));
+
+/** Resolution of coordinates relative to the model: millimetres for a building of some 100 m. */
+const STEPS = 2e5;
+const MOST_DECIMALS = 12;
+
+/**
+ * Returns the number of decimals for coordinates.
+ * @param size of the model, in its unit
+ */
+export function decimalsFor(size: number) {
+  if (!(size > 0)) return 3;
+  return Math.min(Math.max(Math.floor(Math.log10(STEPS / size)), 0), MOST_DECIMALS);
+}
+
+/** Formats a coordinate, without negative zero. */
+export function coordinate(value: number, decimals: number) {
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? text.replace('-', '') : text;
 }

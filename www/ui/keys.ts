@@ -1,5 +1,7 @@
 /** Keys: the chords of the table of commands, and their display names. */
 
+import { getItem, setItem } from './safe-storage.ts';
+
 /** Keys that activate a focused button or list. */
 const ACTIVATING = new Set([' ', 'Enter']);
 const NOT_TYPED_INTO = '[type="checkbox"], [type="radio"], [type="file"], [type="range"]';
@@ -54,3 +56,21 @@ export function keyName(chord: string) {
     .replace(/ $/, 'Space')
     .replace('Escape', 'Esc');
 }
+
+/** Storage key of the switch. */
+const KEY = 'shape-up.single-keys';
+
+/** Whether a chord of the table of commands is switched off. */
+export const isSwitchedOff = (chord: string) => !singleKeys.on && /^(Shift\+)?[^ ]$/u.test(chord);
+
+/**
+ * Switch for shortcuts of single printable keys, required by WCAG 2.1.4: users of speech input, or
+ * with a tremor, trigger them by accident. The switch is in the help.
+ */
+export const singleKeys = {
+  on: getItem(KEY) !== 'off',
+  set(on: boolean) {
+    singleKeys.on = on;
+    setItem(KEY, on ? 'on' : 'off');
+  },
+};

@@ -10,7 +10,7 @@ export function once<Arguments extends unknown[], Made>(
 
 /**
  * Returns the action so that each call begins after the one before has ended: a second press on what
- * opens and closes something closes it, although its code was still being loaded.
+ * opens and closes something closes it, although it was still being prepared.
  */
 export function inTurn(action: () => unknown): () => unknown {
   let last: Promise<unknown> | null = null;
@@ -27,8 +27,8 @@ export function inTurn(action: () => unknown): () => unknown {
 }
 
 /**
- * Returns the action without effect while its last promise is pending: what loads a dialog and opens
- * it would open a second one at a second press.
+ * Returns the action without effect while its last promise is pending: what prepares a dialog and
+ * opens it would open a second one at a second press.
  */
 export function oneAtATime<Arguments extends unknown[], Made>(
   action: (...values: Arguments) => Made,

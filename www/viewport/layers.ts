@@ -1,11 +1,12 @@
 /** Functions that transfer parts of the state to the view: colours, handles, selection etc. */
 
 import { areHandlesLocked, handlesNow } from '../store/handles.ts';
-import type { State } from '../store/state.ts';
 import { declared, toleranceOf } from '../store/colours/measures.ts';
-import { modelErrors, showFlatMap } from './flat-map-layer.ts';
+import type { State, FlatMap } from '../store/state.ts';
 import type { View } from '../pkg/view-webgl2/shape_up.js';
 import type { Geometry } from '../solver/solver-client.ts';
+import type { Parametrization } from '../solver/types.ts';
+
 export type { View } from '../pkg/view-webgl2/shape_up.js';
 
 const NONE = new Uint32Array(0);
@@ -101,4 +102,25 @@ function showTint(view: View, { tint }: State) {
 function showRowColours(view: View, { rowColours, flatMap }: State) {
   const { faces, vertices, palette } = (!flatMap && rowColours) || NO_COLOURS;
   view.setRowColours(faces, vertices, palette);
+}
+
+/** Flat map of each view. */
+const shown: WeakMap<View, Parametrization> = new WeakMap();
+
+function showFlatMap(view: View, { flatMap }: { flatMap: FlatMap | null }) {
+  if (!flatMap) {
+    view.clearMap();
+    shown.delete(view);
+    return;
+  }
+  const { found, onModel, onMap, squares } = flatMap;
+  if (shown.get(view) !== found) view.setMap(found.uv, found.flippedFaces);
+  shown.set(view, found);
+  const values = onMap === 'errors' ? found.faceErrors : undefined;
+  view.setMapLooks(squares, onModel === 'checks', onMap === 'checks', values, 1, found.high);
+}
+
+/** Returns the values that colour the model's faces while its map is shown, and their range. */
+function modelErrors({ found, onModel }: FlatMap): [Float32Array | undefined, number, number] {
+  return [onModel === 'errors' ? found.faceErrors : undefined, 1, found.high];
 }

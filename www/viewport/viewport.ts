@@ -5,7 +5,7 @@
  */
 
 import { Backend, isBlank, openView } from './backend.ts';
-import { isFirstPictureShown, removeFirstPicture } from './first-picture.ts';
+import { isFirstPictureShown, removeFirstPicture } from './placeholder.ts';
 import { Refinement } from './refinement.ts';
 import { ShapeTransition } from './shape-transition.ts';
 import { Emitter } from '../solver/emitter.ts';
@@ -15,7 +15,7 @@ import type { View } from '../pkg/view-webgl2/shape_up.js';
 import type { State, Store } from '../store/state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Actions } from '../store/actions.ts';
-import type { MoveConstraint } from '../store/handle-drag.ts';
+import type { MoveConstraint } from '../store/handles.ts';
 
 /** Label over the picture, in CSS pixels, with a bar of length `bar` below it. */
 export type Label = { text: string; x: number; y: number; align: 'center' | 'right'; bar: number };

@@ -1,4 +1,4 @@
-// Two quick presses on a control open one dialog, although its code is loaded first.
+// Two quick presses on a control open one dialog, although some are prepared first.
 
 import { openText } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';

@@ -262,15 +262,3 @@ test('a missing graphics card is noted quietly; going offline and online is each
   });
   expect(words).toEqual([expect.stringMatching(/^Offline: /), 'Online again']);
 });
-
-test('a part that cannot be fetched is reported in plain words', async ({ page, complaints }) => {
-  await openPage(page);
-  await waitForState(page, (now) => now.renderer.startsWith('web'));
-  await page.route('**/help-*', (route) => route.abort());
-  await page.getByRole('application', { name: '3D view' }).focus();
-  await page.keyboard.press('?');
-  const words = 'A part of the page could not be fetched. Check the network.';
-  await expect(page.getByRole('alert')).toHaveText(words);
-  expect(complaints.filter((text) => !text.includes('net::ERR_FAILED'))).toEqual([]);
-  complaints.length = 0;
-});

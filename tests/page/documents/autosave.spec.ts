@@ -88,16 +88,22 @@ test('two tabs do not overwrite each other', async ({ page, context }) => {
   }
 });
 
-test('the autosave module is requested before there is anything to edit', async ({ page }) => {
-  // It used to be requested after the first example: on a busy machine an edit followed quickly by
-  // a reload was lost.
-  const asked = page.waitForRequest(/\/autosave-[^/]*\.js$/);
+test('autosave is on before the first example is there', async ({ page }) => {
+  // It used to start after the first example: on a busy machine an edit followed quickly by a
+  // reload was lost.
+  let goOn = () => {};
+  const held = new Promise<void>((done) => (goOn = done));
   await page.route('**/examples/index.json', async (route) => {
-    await asked;
+    await held;
     await route.continue();
   });
-  await visit(page);
-  expect((await state(page)).vertices).toBeGreaterThan(25);
+  await page.goto('./');
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await kept(page);
+  const list = page.waitForResponse('**/examples/index.json');
+  goOn();
+  await list;
+  expect((await state(page)).vertices).toBe(25);
 });
 
 /** Changes a weight, and reloads or leaves as soon as the solver has answered. */

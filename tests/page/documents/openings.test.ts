@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Openings, type Opening } from '../../../www/documents/opening/openings.ts';
+import { Openings, type Opening } from '../../../www/documents/openings.ts';
 
 /** Openings whose files arrive when the test says so. */
 function slowly() {

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
 import { locks, records } from './storage.ts';
-import { recoverUnsaved, storeUnsaved } from '../../../www/documents/last-moment.ts';
+import { recoverUnsaved, storeUnsaved } from '../../../www/documents/recent-documents.ts';
 import {
   LOCK_PREFIX,
   contentsOf,

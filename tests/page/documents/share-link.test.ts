@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
-import { crc32 } from '../../../www/documents/crc32.ts';
-import { MOST_BYTES } from '../../../www/documents/deflate.ts';
+import { crc32 } from '../../../www/documents/packing.ts';
+import { MOST_BYTES } from '../../../www/documents/packing.ts';
 import { linkTo, readLink, writeLink } from '../../../www/documents/share-link.ts';
 import type { AppContext } from '../../../www/app/context.ts';
 import type { Example } from '../../../www/documents/files.ts';

@@ -1,17 +1,15 @@
-// Parts of the page that cannot be fetched at first: an error is shown, and they load at the next
-// attempt.
+// Parts of the page that are fetched when they are first needed, and cannot be fetched: an error is
+// shown in plain words, and Rhino's worker is fetched at the next attempt.
 
-import type { Page } from '@playwright/test';
-import { addConstraint, hidePanels, openText, showPanel } from '../actions.ts';
+import { addConstraint, downloaded, hidePanels, openText, showPanel, tool } from '../actions.ts';
 import { file, wavyGrid } from '../meshes.ts';
 import { dragVertex, expect, openPage, screenOf, test, waitForState } from '../support.ts';
+
+test.use({ fresh: true });
 
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 const MIDDLE = (VERTICES - 1) / 2;
-const WORDS = 'A part of the page could not be fetched. Check the network.';
-
-const alert = (page: Page) => page.getByRole('alert');
 
 test.beforeEach(async ({ page }) => {
   await openPage(page);
@@ -25,76 +23,49 @@ function expectOnlyAborted(complaints: string[]) {
   complaints.length = 0;
 }
 
-test('the fields of a handle load at the next selection', async ({ page, complaints }) => {
-  const part = '**/handle-details-*.js';
-  await page.route(part, (route) => route.abort());
-  await hidePanels(page);
-  await page.mouse.click(...(await screenOf(page, MIDDLE)));
-  await page.keyboard.press('h');
-  await expect(alert(page)).toHaveText(WORDS);
-  await page.unroute(part);
-  await page.keyboard.press('Escape');
-  await waitForState(page, (now) => now.selection.vertices.length === 0);
-  await page.keyboard.press('g');
-  await showPanel(page, 'Model');
-  await expect(page.getByRole('group', { name: 'Selected handles' })).toBeVisible();
-  expectOnlyAborted(complaints);
-});
-
-test('a constraint is renamed at the next attempt', async ({ page, complaints }) => {
-  const part = '**/rename-*.js';
+test('a plot that cannot be fetched is reported in plain words', async ({ page, complaints }) => {
+  const part = '**/plot-*.js';
   await page.route(part, (route) => route.abort());
   await addConstraint(page, 'Plane', 'each face');
-  await showPanel(page, 'Model');
-  const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
-  const field = page.getByRole('textbox', { name: 'Name of the constraint' });
-  await row.getByRole('button', { name: /parameters/ }).focus();
-  await page.keyboard.press('F2');
-  await expect(alert(page)).toHaveText(WORDS);
-  await page.unroute(part);
-  await page.keyboard.press('F2');
-  await expect(field).toBeFocused();
-  expectOnlyAborted(complaints);
-});
-
-test('more settings load when they are opened again', async ({ page, complaints }) => {
-  const part = '**/settings-*.js';
-  await page.route(part, (route) => route.abort());
   await showPanel(page, 'Energies and display');
-  await page.getByText('More settings').click();
-  await expect(alert(page)).toHaveText(WORDS);
-  await page.unroute(part);
-  await page.getByText('More settings').click();
-  await page.getByText('More settings').click();
-  await expect(page.getByRole('group', { name: 'Closeness of the selection' })).toBeVisible();
+  const plot = page.getByRole('tabpanel', { name: 'Convergence' });
+  await plot.scrollIntoViewIfNeeded();
+  await page.keyboard.press('.');
+  await expect(plot).toHaveText(
+    'The plot could not be loaded: A part of the page could not be fetched. Check the network.',
+  );
   expectOnlyAborted(complaints);
 });
 
-test('a file is refused with its reason, even without the offer of other files', async ({
-  page,
-  complaints,
-}) => {
-  await page.route('**/missing-files-*.js', (route) => route.abort());
-  await page.getByLabel('Open file').setInputFiles(file('bad.obj', 'hello\n'));
-  await expect(alert(page)).toContainText('bad.obj');
-  expectOnlyAborted(complaints);
-});
-
-test('the label of a drag comes at the next drag', async ({ page, complaints }) => {
-  const part = '**/drag-label-*.js';
+test('a Rhino file is written at the next press', async ({ page, complaints }) => {
+  const part = '**/rhino-worker-*.js';
   await page.route(part, (route) => route.abort());
+  await tool(page, 'More formats');
+  const dialog = page.getByRole('dialog', { name: 'Export' });
+  const format = dialog.getByRole('button', { name: /^3DM/ });
+  await format.click();
+  await expect(dialog).toContainText('The .3dm converter could not be loaded. Check the network.');
+  await page.unroute(part);
+  const saved = await downloaded(page, () => format.click());
+  expect(saved.name).toBe('grid.3dm');
+  expectOnlyAborted(complaints);
+});
+
+test('a file is refused with its reason', async ({ page }) => {
+  await page.getByLabel('Open file').setInputFiles(file('bad.obj', 'hello\n'));
+  await expect(page.getByRole('alert')).toContainText('bad.obj');
+});
+
+test('a handle that is dragged has a label with its way', async ({ page }) => {
   await hidePanels(page);
   await page.mouse.click(...(await screenOf(page, MIDDLE)));
   await page.keyboard.press('h');
   await waitForState(page, (now) => now.handles.length === 1);
   await dragVertex(page, MIDDLE, [60, 0]);
-  await expect(alert(page)).toHaveText(WORDS);
-  await page.unroute(part);
   const [x, y] = await screenOf(page, MIDDLE);
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x - 60, y, { steps: 5 });
   await expect(page.locator('#moved')).toHaveText(/ m$/);
   await page.mouse.up();
-  expectOnlyAborted(complaints);
 });

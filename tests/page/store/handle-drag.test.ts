@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.ts';
-import { HandleDrag } from '../../../www/store/handle-drag.ts';
+import { HandleDrag } from '../../../www/store/handles.ts';
 import { handlesNow } from '../../../www/store/handles.ts';
 import { createStore } from '../../../www/store/state.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.ts';
-import { meshActions } from '../../../www/store/actions/mesh-actions.ts';
+import { meshActions } from '../../../www/store/mesh-actions.ts';
 import { createStore, type Store } from '../../../www/store/state.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 import type { Actions } from '../../../www/store/actions.ts';

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { presentActions } from '../../../www/store/actions/present-actions.ts';
+import { presentActions } from '../../../www/store/present-actions.ts';
 import type { Actions } from '../../../www/store/actions.ts';
 import type { Store } from '../../../www/store/state.ts';
 

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createTrials } from '../../../www/store/actions/trials.ts';
+import { createTrials } from '../../../www/store/trials.ts';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import type { JobsClient } from '../../../www/solver/jobs-client.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';

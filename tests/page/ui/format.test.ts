@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import cases from '../../data/words.json' with { type: 'json' };
 import { count, duration, length, limit, number, part, ratio } from '../../../www/ui/format.ts';
-import { coordinate, decimalsFor, readLength } from '../../../www/ui/number-entry.ts';
+import { coordinate, decimalsFor, readLength } from '../../../www/ui/format.ts';
 import { chordOf, digitOf, keyName } from '../../../www/ui/keys.ts';
 
 test('numbers are worded as by the engine, whose test reads the same cases', () => {

@@ -1,13 +1,13 @@
 /** The docked panel of parts: settings, the build check, the sheets and their files. */
 
 import './build-panel.css';
+import { askRhino } from '../../documents/rhino/rhino-client.ts';
 import { docked } from '../../docked/docked.ts';
 import { button, closeButton } from '../../ui/controls/fields.ts';
 import { element } from '../../ui/dom.ts';
 import { oneAtATime } from '../../ui/once.ts';
-import { latestOnly } from '../../store/latest-only.ts';
-import { MOST_LIVE_VERTICES } from '../../store/live-shape.ts';
-import { showElements } from '../../viewport/reveal-elements.ts';
+import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
+import { showElements } from '../../viewport/camera.ts';
 import { checkCard } from './check-card.ts';
 import { showReport } from './report/dialog-report.ts';
 import { LiveBuild, MOST_SHEETS } from './live-build.ts';
@@ -156,7 +156,6 @@ async function buildPanel(app: AppContext) {
 
   /** Saves a 3DM file, loading its large writer. */
   async function saveForRhino() {
-    const { askRhino } = await import('../../documents/rhino/rhino-client.ts');
     const [parts, { symbol }] = [await live.spatialParts(), live.unit()];
     const bytes = await askRhino((rhino) => rhino.writeParts(parts, symbol));
     files.save('-parts.3dm', bytes, 'model/vnd.3dm');

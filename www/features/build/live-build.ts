@@ -2,8 +2,7 @@
 
 import { messageOf } from '../../solver/errors.ts';
 import type { Asker, BuildSettings, Built, Reshaped } from '../../solver/types.ts';
-import { latestOnly } from '../../store/latest-only.ts';
-import { MOST_LIVE_VERTICES } from '../../store/live-shape.ts';
+import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
 import { UNITS } from '../../ui/units.ts';
 import type { AppContext } from '../../app/context.ts';
 

@@ -1,7 +1,6 @@
 /** Draws lines on the current shape: one request at a time, always for the latest state. */
 
-import { latestOnly } from '../../store/latest-only.ts';
-import { MOST_LIVE_VERTICES } from '../../store/live-shape.ts';
+import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
 import { messageOf } from '../../solver/errors.ts';
 import type { Lines, LinesQuestion } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';

@@ -18,7 +18,7 @@ import { linkTo } from '../../documents/share-link.ts';
 import { PRESSED } from '../../ui/embedded.ts';
 import type { AppContext } from '../../app/context.ts';
 
-export async function embeddedView(app: AppContext) {
+export function embeddedView(app: AppContext) {
   const asked = new URLSearchParams(location.search);
   document.documentElement.dataset.panel = asked.get('panel') ?? '';
   document.body.append(bar(app));

@@ -1,5 +1,6 @@
 /** The Export dialog: the file formats, grouped by purpose. */
 
+import { askRhino } from '../../documents/rhino/rhino-client.ts';
 import { openDialog } from '../../ui/controls/dialog.ts';
 import { checkbox } from '../../ui/controls/fields.ts';
 import { element, setText, type Child } from '../../ui/dom.ts';
@@ -148,7 +149,6 @@ export function showExport(app: AppContext) {
 /** Saves a 3DM file, loading its large writer. */
 async function saveForRhino({ actions, files }: AppContext) {
   if (!(await files.mayExport())) return;
-  const { askRhino } = await import('../../documents/rhino/rhino-client.ts');
   const scene = await actions.ask.scene();
   const errors = await actions.ask.table('errors');
   files.save('.3dm', await askRhino((rhino) => rhino.write(scene, errors)), 'model/vnd.3dm');

@@ -1,13 +1,12 @@
 /**
  * Requests a flat map of the model with the last chosen options, and owns its panel and its region
- * of the canvas. Loaded on first use.
+ * of the canvas.
  */
 
 import './flat-map.css';
 import { byId } from '../../ui/dom.ts';
 import { newestOnly } from '../../store/newest-only.ts';
 import { duration } from '../../ui/format.ts';
-import { once } from '../../ui/once.ts';
 import { FlatMapRegion } from './flat-map-region.ts';
 import { flatMapPanel } from './flat-map-panel.ts';
 import type { MapNorm, MapWeights } from '../../solver/types.ts';
@@ -33,9 +32,6 @@ export class FlatMapController {
   };
 
   #newest = newestOnly(() => this.#store.get().model);
-
-  /** The only instance of the page. */
-  static of = once((app: AppContext) => new FlatMapController(app));
 
   constructor({ store, viewport, actions, jobs }: AppContext) {
     this.#store = store;

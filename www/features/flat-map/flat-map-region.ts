@@ -5,8 +5,7 @@
 
 import { element, setText } from '../../ui/dom.ts';
 import { count, ratio } from '../../ui/format.ts';
-import { bindMoveKeys } from '../../viewport/input/view-keys.ts';
-import { pair, wheelFactor } from '../../viewport/input/zooming.ts';
+import { bindMoveKeys, pair, wheelFactor } from '../../viewport/input/gestures.ts';
 import type { Store } from '../../store/state.ts';
 import type { Viewport } from '../../viewport/viewport.ts';
 import type { Parametrization } from '../../solver/types.ts';

@@ -1,11 +1,10 @@
-/** The help: all actions of keys and mouse, from the table that binds them. */
+/** The help: all actions of keys and mouse, from the table that binds them, and how to cite. */
 
 import './help.css';
-import { keyName } from '../../ui/keys.ts';
-import { dialogHead } from '../../ui/controls/dialog.ts';
-import { element } from '../../ui/dom.ts';
-import { oneAtATime } from '../../ui/once.ts';
-import { singleKeys } from '../../ui/single-keys.ts';
+import { keyName, singleKeys } from '../../ui/keys.ts';
+import { dialogHead, openDialog } from '../../ui/controls/dialog.ts';
+import { element, setText } from '../../ui/dom.ts';
+import { copyText } from '../../ui/output.ts';
 import type { Command } from '../../app/context.ts';
 
 /** Actions of the pointer; see `pointer.ts`. */
@@ -26,7 +25,7 @@ const POINTER: [string, string][] = [
   ['Two fingers', 'pan and zoom'],
   ['Hold Reset', 'show the original as long as it is held'],
 ];
-/** Keys of the view itself; see `view-keys.ts`, `handle-keys.ts` and `pointer.ts`. */
+/** Keys of the view itself; see `gestures.ts`, `handle-keys.ts` and `pointer.ts`. */
 const VIEW_KEYS: [string, string][] = [
   ['Arrows', 'orbit, while the view has the focus'],
   ['PgUp PgDn', 'zoom'],
@@ -60,7 +59,7 @@ export function showHelp(dialog: HTMLDialogElement, commands: Command[]) {
       'Everything is computed in this browser; nothing is uploaded. After “Shape-Up: Shaping Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012. ',
       element('a', { href: './licences.html', target: '_blank' }, 'Licences'),
       ' ',
-      element('button.bordered', { onclick: cite, 'aria-haspopup': 'dialog' }, 'Cite'),
+      element('button.bordered', { onclick: showCitation, 'aria-haspopup': 'dialog' }, 'Cite'),
     ),
   );
   dialog.onclick = (event) => {
@@ -68,8 +67,6 @@ export function showHelp(dialog: HTMLDialogElement, commands: Command[]) {
   };
   dialog.showModal();
 }
-
-const cite = oneAtATime(() => import('./cite.ts').then((it) => it.showCitation()));
 
 function keysOf({ keys, label }: Command): [(Node | string)[], string] {
   return keyRow(keys.map(keyName), label);
@@ -96,4 +93,53 @@ function singleKeysSwitch() {
   const box = element('input', { type: 'checkbox', checked: singleKeys.on, onchange });
   const words = element('span', 'Enable single-key shortcuts');
   return element('label.single-keys', box, words);
+}
+
+/** The paper as BibTeX. */
+const PAPER = `@article{bouaziz2012shapeup,
+  author  = {Bouaziz, Sofien and Deuss, Mario and Schwartzburg, Yuliy and Weise, Thibaut and Pauly, Mark},
+  title   = {Shape-Up: Shaping Discrete Geometry with Projections},
+  journal = {Computer Graphics Forum},
+  volume  = {31},
+  number  = {5},
+  pages   = {1657--1667},
+  year    = {2012},
+  doi     = {10.1111/j.1467-8659.2012.03171.x},
+  note    = {Proceedings of the Symposium on Geometry Processing}
+}`;
+
+/**
+ * This program as BibTeX.
+ * @param address of the page
+ */
+const program = (address: string) => `@software{shapeup,
+  author  = {{The Shape-Up authors}},
+  title   = {Shape-Up: shaping discrete geometry with projections, in a browser tab},
+  year    = {2026},
+  url     = {${address}}
+}`;
+
+/** Shows how to cite the paper and this program. */
+function showCitation() {
+  const address = new URL('./', location.href.split(/[?#]/)[0]).href;
+  openDialog(
+    { id: 'cite', title: 'Cite', light: true },
+    element(
+      'div.dialog-body',
+      entry('The paper, for the method', PAPER),
+      entry('This program, for numbers and pictures made with it', program(address)),
+    ),
+  );
+}
+
+function entry(title: string, text: string) {
+  const said = element('span.quiet', { 'aria-live': 'polite' });
+  const code = element('pre', { tabindex: '0', 'aria-label': `BibTeX: ${title}` }, text);
+  const copy = async () => setText(said, await copyText(text));
+  return element(
+    'section',
+    element('h3', title),
+    code,
+    element('p', element('button.bordered', { onclick: copy }, 'Copy'), said),
+  );
 }

@@ -7,7 +7,7 @@ import { element, setText } from '../../ui/dom.ts';
 import { declared, measureOfScene, toleranceOf, unitOf } from '../../store/colours/measures.ts';
 import { length, lengthUnit } from '../../ui/format.ts';
 import { messageOf } from '../../solver/errors.ts';
-import { LOCKS } from './locks.ts';
+import { LOCKS } from './panel.ts';
 import type { AppContext } from '../../app/context.ts';
 
 const ERROR_AT = /^lesson\.goals\[(\d+)\]/;

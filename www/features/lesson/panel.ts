@@ -4,19 +4,19 @@
  */
 
 import './lesson.css';
+import { movedInWords } from '../../store/colours/measures.ts';
+import { openDialog } from '../../ui/controls/dialog.ts';
 import { RENEW_MS, byId, element, icon, setText, throttled } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
-import { oneAtATime } from '../../ui/once.ts';
-import { movedInWords } from '../../store/colours/measures.ts';
 import { goalInWords, nowInWords } from './goal.ts';
-import { lockedPlaces, locksInWords } from './locks.ts';
 import type { AppContext } from '../../app/context.ts';
+import type { LessonWords } from '../../solver/types.ts';
 
 const MARKS = { met: '✓', missed: '✗' };
 
+/** Adds the panel and the line, which are hidden while the scene has no lesson. */
 export function lessonPanel(app: AppContext) {
-  const { store, actions } = app;
-  const open = oneAtATime(() => import('./hand-in.ts').then((it) => it.handIn(app)));
+  const { store } = app;
   const text = element('p.lesson-text');
   const list = element('ul', { 'aria-label': 'Goals' });
   const locked = element('p.quiet');
@@ -34,7 +34,7 @@ export function lessonPanel(app: AppContext) {
     cost,
     element(
       'button.bordered',
-      { 'aria-haspopup': 'dialog', onclick: () => actions.reportErrors(open()) },
+      { 'aria-haspopup': 'dialog', onclick: () => handIn(app) },
       'Results for hand-in',
     ),
   );
@@ -113,4 +113,90 @@ export function lessonPanel(app: AppContext) {
     showNumbers();
   });
   store.subscribe(['numbers'], showNumbers);
+}
+
+/** Opens the dialog that saves a student's results for hand-in. */
+function handIn({ store, files, actions }: AppContext) {
+  const name = element('input', {
+    type: 'text',
+    id: 'student',
+    autocomplete: 'name',
+    maxlength: '120',
+    required: true,
+  });
+  const goals = store.get().numbers?.goals ?? [];
+  const met = goals.filter((goal) => goal.met).length;
+  const form = element(
+    'form.dialog-body',
+    { method: 'dialog', onsubmit: save },
+    element('label.line', 'Your name', name),
+    element(
+      'p',
+      `${met} of ${goals.length} goals are met now. The file contains the shape, the goals with their values, each step that you made, and the time.`,
+    ),
+    element(
+      'p.quiet',
+      'The file is saved only on this computer: send it in as you send other work. The recipient can measure the shape again.',
+    ),
+    element('div.dialog-buttons', element('button.primary', { type: 'submit' }, 'Save the file')),
+  );
+  openDialog({ id: 'hand-in', title: 'Results for hand-in' }, form);
+  name.focus();
+
+  async function save() {
+    const student = name.value.trim();
+    const time = new Date().toISOString();
+    const text = await actions.reportErrors(actions.ask.results(student, time));
+    if (text) files.save('.results.json', text, 'application/json');
+  }
+}
+
+type Lock = LessonWords['lock'][number];
+
+/** Lockable parts of the page. */
+const PLACES: { lock: Lock; id: string; words: string }[] = [
+  { lock: 'mesh', id: 'model', words: 'the mesh stays as it is' },
+  { lock: 'weights', id: 'energies', words: 'the weights stay as they are' },
+  { lock: 'constraints', id: 'add-constraint-button', words: '' },
+  { lock: 'constraints', id: 'constraints', words: 'the constraints stay as they are' },
+  { lock: 'constraints', id: 'make-panels', words: '' },
+  { lock: 'constraints', id: 'make-panels-card', words: '' },
+  { lock: 'handles', id: 'handles', words: 'the handles stay as they are' },
+];
+
+/** The locks in display order. */
+export const LOCKS: [Lock, string][] = [
+  ['mesh', 'Mesh'],
+  ['constraints', 'Constraints'],
+  ['weights', 'Weights'],
+  ['handles', 'Handles'],
+];
+
+const locksInWords = (lock: readonly Lock[]) =>
+  LOCKS.filter(([id]) => lock.includes(id))
+    .map(([, label]) => label.toLowerCase())
+    .join(', ');
+
+/**
+ * Returns a function that disables what a lesson locks, and shows the reason. The session also refuses
+ * such edits.
+ */
+function lockedPlaces() {
+  const places = PLACES.map(({ lock, id, words }) => {
+    const place = byId(id);
+    const note = element('p.locked-note.quiet', { id: `${id}-locked`, hidden: true });
+    note.textContent = words && `Locked by the lesson: ${words}.`;
+    // A fieldset also disables controls that are added later.
+    const set = element('fieldset.locked', words && { 'aria-describedby': note.id });
+    place.before(...(words ? [note, set] : [set]));
+    set.append(place);
+    return { lock, note, set };
+  });
+  return (locked: readonly Lock[]) => {
+    for (const { lock, note, set } of places) {
+      set.disabled = locked.includes(lock);
+      set.title = set.disabled ? 'Locked by the lesson' : '';
+      note.hidden = !set.disabled || !note.textContent;
+    }
+  };
 }

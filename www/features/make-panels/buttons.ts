@@ -1,13 +1,16 @@
 /**
- * Buttons that make all panels one shape; a disabled one gives the reason. If a change of the mesh is
- * needed first, there is a button for that instead.
+ * Buttons that make all panels one shape, and those that change the mesh. A disabled one gives the
+ * reason; if a change of the mesh is needed first, there is a button for that instead.
  */
 
 import { button } from '../../ui/controls/fields.ts';
-import { element } from '../../ui/dom.ts';
+import { element, byId } from '../../ui/dom.ts';
 import { sketch } from '../../ui/kinds/sketch.ts';
+import { openRefine } from './refine-dialog.ts';
+import { openEdit } from './refine-operation.ts';
 import type { KindInfo } from '../../solver/types.ts';
 import type { State } from '../../store/state.ts';
+import type { AppContext } from '../../app/context.ts';
 
 /** Whether a lesson locks the mesh. */
 export const isMeshLocked = ({ document }: Readonly<State>) =>
@@ -62,4 +65,21 @@ export function panelButtons(
     buttons,
     reasons: words ? [element('p.quiet', { id }, words)] : [],
   };
+}
+
+/** Adds the buttons that change the mesh to the mesh tools. */
+export function addButtons(app: AppContext) {
+  const { store, actions } = app;
+  const offer = (label: string, open: () => unknown) =>
+    button(label, () => actions.reportErrors(open()), { 'aria-haspopup': 'dialog' });
+  const buttons = [offer('Refine', () => openRefine(app)), offer('Edit mesh', () => openEdit(app))];
+  byId('mesh-tools').prepend(...buttons);
+  store.subscribe(['model', 'document'], (state) => {
+    const { model, document: scene } = state;
+    const locked = isMeshLocked(state);
+    for (const one of buttons) {
+      one.disabled = !model?.faces || model.tets > 0 || !scene || locked;
+      one.title = locked ? 'Locked by the lesson' : '';
+    }
+  });
 }

@@ -7,7 +7,8 @@ import type { Refinement } from '../../pkg/engine/shape_up.js';
 import { button, choice, setOptions } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { count, length } from '../../ui/format.ts';
-import { meshActions } from '../../store/actions/mesh-actions.ts';
+import { oneAtATime } from '../../ui/once.ts';
+import { meshActions } from '../../store/mesh-actions.ts';
 import type { AppContext } from '../../app/context.ts';
 
 const SCHEMES: [string, string][] = [
@@ -28,7 +29,10 @@ const OFTEN = ['Once', 'Twice', 'Three times', 'Four times', 'Five times'];
 /** Default angle in degrees above which creases and corners stay sharp. */
 const KEEP = 75;
 
-export function openRefine({ store, solver, actions, alerts }: AppContext) {
+/** Opens the dialog. */
+export const openRefine = oneAtATime(open);
+
+async function open({ store, solver, actions, alerts }: AppContext) {
   const refining = meshActions(store, solver, actions);
   const { geometry } = solver;
   const offsets = geometry?.connectivity.faceOffsets ?? new Uint32Array(1);

@@ -2,21 +2,28 @@
 
 import './refine.css';
 import { messageOf } from '../../solver/errors.ts';
-import { meshActions } from '../../store/actions/mesh-actions.ts';
+import { meshActions } from '../../store/mesh-actions.ts';
 import { newestOnly } from '../../store/newest-only.ts';
 import { openDialog } from '../../ui/controls/dialog.ts';
 import { button, choice } from '../../ui/controls/fields.ts';
 import { sizeField } from '../../ui/controls/size-field.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
+import { oneAtATime } from '../../ui/once.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { RemeshingPreview } from '../../pkg/engine/shape_up.js';
 
 /** The last operation, suggested for the next time. */
 let last = '';
 
-/** @param suggested the operation to begin with */
-export async function openEdit({ store, solver, actions, alerts }: AppContext, suggested?: string) {
+/**
+ * Opens the dialog.
+ * @param suggested the operation to begin with
+ */
+export const openEdit: (app: AppContext, suggested?: string) => Promise<void> | undefined =
+  oneAtATime(open);
+
+async function open({ store, solver, actions, alerts }: AppContext, suggested?: string) {
   const mesh = meshActions(store, solver, actions);
   const operations = await actions.ask.meshOperations();
   const { selection, document: scene } = store.get();

@@ -3,13 +3,20 @@
 import './present.css';
 import { openDialog } from '../../ui/controls/dialog.ts';
 import { button, checkbox, choice, closeButton } from '../../ui/controls/fields.ts';
-import { element, setText } from '../../ui/dom.ts';
+import { byId, element, setText } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
-import { presentActions } from '../../store/actions/present-actions.ts';
+import { presentActions } from '../../store/present-actions.ts';
 import { present } from './stage.ts';
-import { stepPictures } from './step-pictures.ts';
+import { drawShape } from '../../ui/plot/thumbnail.ts';
 import type { Slide } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
+
+/** Shows the button of the dialog also among the essentials once a scene has steps. */
+export function offerPresentation({ store }: AppContext) {
+  store.subscribe(['document'], ({ document: scene }) => {
+    if (scene?.steps.length) byId('present-button').classList.remove('advanced');
+  });
+}
 
 export function openSteps(app: AppContext) {
   const { store, actions } = app;
@@ -176,4 +183,32 @@ export function openSteps(app: AppContext) {
     element('div.dialog-body', said, list, element('div.dialog-buttons', start, withNotes, add)),
   );
   show();
+}
+
+/** Indices of turn and tilt in the array of a camera. */
+const [TURN, TILT] = [4, 5];
+
+/**
+ * Thumbnails of the steps: the shape of each, from its camera.
+ * @returns draws a step into a canvas
+ */
+function stepPictures({
+  store,
+  solver,
+}: Pick<AppContext, 'store' | 'solver'>): (canvas: HTMLCanvasElement, step: Slide) => void {
+  const { mesh, variants } = JSON.parse(solver.sceneText ?? '{}');
+  const { document: scene } = store.get();
+  const shapeOf = ({ original, variant }: Slide) => {
+    const kept = variant === undefined ? undefined : variants?.kept[variant]?.positions;
+    const rows = original ? mesh?.positions : kept;
+    return rows?.flat() ?? solver.geometry?.positions;
+  };
+  return (canvas, step) => {
+    const { connectivity } = solver.geometry ?? {};
+    const positions = shapeOf(step);
+    if (!connectivity || !scene || !positions) return;
+    const { camera } = step;
+    const from = camera && { turn: camera[TURN], above: camera[TILT] };
+    drawShape(canvas, connectivity, positions, { up: scene.up, from });
+  };
 }

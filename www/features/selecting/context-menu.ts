@@ -1,37 +1,43 @@
 /**
  * The context menu of the view: right click, long press or menu key. It acts on the selection, to
- * which the element under the pointer has been added. Loaded on first use.
+ * which the element under the pointer has been added.
  */
 
 import { isEnabled, press } from '../../store/press.ts';
 import { byId, element } from '../../ui/dom.ts';
-import { placeMenu } from '../../ui/controls/menu.ts';
+import { placeMenu } from '../../ui/controls/navigation.ts';
+import { once } from '../../ui/once.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** The anchor of the menu, in CSS pixels of the page. */
 let place = new DOMRect();
 
-const menu = element('div.menu', {
-  id: 'context-menu',
-  popover: 'manual',
-  role: 'menu',
-  'aria-label': 'What is here',
-});
-byId('menus').append(menu);
-placeMenu(menu, () => ({ getBoundingClientRect: () => place }) as HTMLElement);
-// An automatic popover would close when the finger of the long press is lifted.
-const leave = (event: Event) => {
-  if (!(event.target instanceof Node && menu.contains(event.target))) menu.hidePopover();
-};
-menu.addEventListener('toggle', (event) => {
-  const isOpen = event.newState === 'open';
-  const change = isOpen ? window.addEventListener : window.removeEventListener;
-  for (const name of ['pointerdown', 'wheel', 'resize']) change(name, leave, true);
+/** The only one of the page. */
+const theMenu = once(() => {
+  const menu = element('div.menu', {
+    id: 'context-menu',
+    popover: 'manual',
+    role: 'menu',
+    'aria-label': 'What is here',
+  });
+  byId('menus').append(menu);
+  placeMenu(menu, () => ({ getBoundingClientRect: () => place }) as HTMLElement);
+  // An automatic popover would close when the finger of the long press is lifted.
+  const leave = (event: Event) => {
+    if (!(event.target instanceof Node && menu.contains(event.target))) menu.hidePopover();
+  };
+  menu.addEventListener('toggle', (event) => {
+    const isOpen = event.newState === 'open';
+    const change = isOpen ? window.addEventListener : window.removeEventListener;
+    for (const name of ['pointerdown', 'wheel', 'resize']) change(name, leave, true);
+  });
+  return menu;
 });
 
 /** @param at in CSS pixels of the page */
 export function showContextMenu(at: [number, number], app: AppContext) {
   const { store, viewport, actions } = app;
+  const menu = theMenu();
   place = new DOMRect(...at, 0, 0);
   menu.replaceChildren(
     ...sectionsOf(app).map(([heading, items]) =>

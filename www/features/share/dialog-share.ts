@@ -4,13 +4,13 @@
  */
 
 import './share.css';
+import { encode } from 'uqr';
+import { linkTo } from '../../documents/share-link.ts';
 import { openDialog } from '../../ui/controls/dialog.ts';
-import { copyText } from '../../ui/copy-text.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { groupDigits, limit } from '../../ui/format.ts';
-import { linkTo } from '../../documents/share-link.ts';
-import { frameLine } from './frame-line.ts';
-import { MOST_SCANNED, qrCode } from './qr-code.ts';
+import { copyText } from '../../ui/output.ts';
+import { svgElement } from '../../ui/svg.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** Maximum lengths of a link, in characters, with advice for links up to each length. */
@@ -151,4 +151,44 @@ async function copy(link: string, dialog: HTMLDialogElement, refused?: string) {
   const place = dialog.querySelector('#share-copied');
   const said = await copyText(link, refused);
   if (place) setText(place, said);
+}
+
+/** Escapes in a quoted HTML attribute. */
+const ESCAPES = {
+  '&': '&amp;',
+  '"': '&quot;',
+  '<': '&lt;',
+} as Record<string, string>;
+
+/**
+ * The line of HTML that embeds a model in another page.
+ * @param link to the scene
+ * @param title of the model
+ */
+function frameLine(link: string, title: string) {
+  const address = new URL(link);
+  address.pathname = address.pathname.replace(/[^/]*$/, 'embed.html');
+  const [plain, hash] = address.href.split('#');
+  const source = escaped(`${plain.split('?')[0]}?embed#${hash}`);
+  return `<iframe src="${source}" title="${escaped(title)}, in Shape-Up" width="720" height="480" loading="lazy" style="border: 0"></iframe>`;
+}
+
+const escaped = (text: string) => text.replaceAll(/[&"<]/g, (character) => ESCAPES[character]);
+
+/** Maximum number of characters of a QR code: with more, the modules are too small to scan from a screen. */
+const MOST_SCANNED = 1_000;
+/** Width of the quiet zone in modules, as the QR standard requires. */
+const BORDER = 4;
+
+/** A link as a QR code, to scan from the screen or from paper. */
+function qrCode(text: string, label: string) {
+  const { data, size } = encode(text, { ecc: 'L', border: BORDER });
+  const rows = data.map((row, y) =>
+    row.map((isDark, x) => (isDark ? `M${x} ${y}h1v1h-1z` : '')).join(''),
+  );
+  const attributes = {
+    ...{ class: 'qr-code', role: 'img', 'aria-label': label },
+    ...{ viewBox: `0 0 ${size} ${size}`, 'shape-rendering': 'crispEdges' },
+  };
+  return svgElement('svg', attributes, svgElement('path', { d: rows.join('') }));
 }

@@ -1,10 +1,14 @@
-/** The docked panel of variations, which keep the shape exact, and of the kept shapes. */
+/**
+ * The docked panel of variations, which keep the shape exact, and of the kept shapes, and the button
+ * that opens it, in the mesh tools.
+ */
 
 import './variations.css';
 import { docked } from '../../docked/docked.ts';
 import { button, closeButton } from '../../ui/controls/fields.ts';
 import { messageOf } from '../../solver/errors.ts';
-import { element, setText } from '../../ui/dom.ts';
+import { isHard } from '../../store/state.ts';
+import { byId, element, setText } from '../../ui/dom.ts';
 import { once } from '../../ui/once.ts';
 import { latestOnly } from '../../store/latest-only.ts';
 import { keptStrip } from './kept-strip.ts';
@@ -16,7 +20,19 @@ const HINT = 'Move the sliders; their effects add up. The line under each shows 
 
 const thePanel = once(variationsPanel);
 
-export const toggleVariations = (app: AppContext) => thePanel(app).toggle();
+/** Adds the button. */
+export function offerVariations(app: AppContext) {
+  const open = button('Variations', () => thePanel(app).toggle());
+  byId('mesh-tools').prepend(open);
+  const { store } = app;
+  store.subscribe(['document', 'numbers', 'running'], ({ document: scene, numbers, running }) => {
+    open.hidden = !scene?.constraints.some(isHard) && !scene?.variants.length;
+    open.disabled = running || !(numbers?.exact?.met || scene?.variants.length);
+    open.title = open.disabled
+      ? 'Available once the exact constraints are met'
+      : 'Other shapes that are as exact as this one';
+  });
+}
 
 function variationsPanel(app: AppContext) {
   const { store, solver, actions } = app;

@@ -1,11 +1,12 @@
 /**
  * The commands of the view: directions, projection, ghost, ground grid, section plane and measuring
- * tape. Their implementation is loaded with `view-tools.ts` on first use.
+ * tape.
  */
 
-import { placeMenu } from '../../ui/controls/menu.ts';
+import { ViewTools } from './view-tools.ts';
 import type { AppContext, Command } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
+import type { Viewport } from '../../viewport/viewport.ts';
 
 /** Name of the view, and for some a numpad key; all also have Shift + digit. */
 const VIEWS = [
@@ -18,24 +19,17 @@ const VIEWS = [
   ['isometric', 'Numpad0'],
 ];
 
-const load = () => import('./view-tools.ts');
-
 export function viewCommands(app: AppContext): Command[] {
   const { store, actions } = app;
-  const tools = async () => (await load()).ViewTools.of(app);
+  const tools = new ViewTools(app);
   const enabled = ({ renderer }: State) => renderer !== 'none';
-  store.subscribe(['display', 'parallel', 'tape', 'section'], (state) => {
-    const { display, parallel, tape, section } = state;
-    if (display.ghost || display.ground || parallel || tape || section)
-      void actions.reportErrors(tools());
-  });
   return [
     ...VIEWS.map(([name, ...keys], i) => ({
       id: `view-${name}`,
       group: 'View',
       label: `View: ${name}`,
       keys: [`Shift+${i + 1}`, ...keys],
-      action: () => tools().then((it) => it.flyTo(name)),
+      action: () => tools.flyTo(name),
       enabled,
     })),
     {
@@ -88,26 +82,44 @@ export function viewCommands(app: AppContext): Command[] {
       group: 'View',
       label: 'Turn slowly, until the view is touched',
       keys: [],
-      action: () => load().then((it) => it.turnSlowly(app.viewport)),
+      action: () => turnSlowly(app.viewport),
       needsModel: true,
       enabled,
     },
   ];
 }
 
-/** Binds the menu of the views, which is built when first opened. */
-export function bindViewMenu(
-  menu: HTMLElement,
-  button: HTMLElement,
-  commands: Command[],
-  app: AppContext,
-) {
-  placeMenu(menu, () => button);
-  const build = async () => {
-    (await load()).buildViewMenu(menu, commands, app);
-    // Reopened because it has its size only now.
-    menu.hidePopover();
-    menu.showPopover();
+/** Seconds per turn of the turntable. */
+const TURN = 24;
+/** What ends turning. */
+const EVENTS = ['pointerdown', 'wheel', 'keydown'] as const;
+
+/** Stops the current turning. */
+let end: (() => void) | null = null;
+
+/** Turns the model slowly, as on a turntable, until the user touches the view; or stops that. */
+function turnSlowly(viewport: Viewport) {
+  if (end) return end();
+  let last = performance.now();
+  let request = requestAnimationFrame(turn);
+  const listening = new AbortController();
+  end = () => {
+    cancelAnimationFrame(request);
+    listening.abort();
+    end = null;
   };
-  menu.addEventListener('beforetoggle', build, { once: true });
+  for (const event of EVENTS)
+    viewport.element.addEventListener(event, end, {
+      capture: true,
+      passive: true,
+      signal: listening.signal,
+    });
+
+  function turn(now: number) {
+    // A page that was hidden continues from the same angle.
+    const passed = Math.min(Math.max(now - last, 0), 100);
+    last = now;
+    viewport.unmeasured((view) => view.spin((2 * Math.PI * passed) / 1000 / TURN));
+    request = requestAnimationFrame(turn);
+  }
 }

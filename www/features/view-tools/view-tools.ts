@@ -1,21 +1,19 @@
 /**
  * The view tools: flights to named views, the original for the ghost and the ground grid, the
- * scale, the section card, the measuring tape and the menu. Loaded on first use.
+ * scale, the section card and the measuring tape.
  */
 
 import './view-tools.css';
+import { newestOnly } from '../../store/newest-only.ts';
+import { button, choice, closeButton } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { lengthUnit } from '../../ui/format.ts';
-import { once } from '../../ui/once.ts';
-import { fly } from '../../viewport/flight.ts';
-import { SectionCard } from './section-card.ts';
+import { fly } from '../../viewport/camera.ts';
 import { Tape } from './tape.ts';
-import { newestOnly } from '../../store/newest-only.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { Label } from '../../viewport/viewport.ts';
-
-export { turnSlowly } from './turntable.ts';
-export { buildViewMenu } from './view-menu.ts';
+import type { Actions } from '../../store/actions.ts';
+import type { Section, Store } from '../../store/state.ts';
+import type { Label, Viewport } from '../../viewport/viewport.ts';
 
 /** Maximum length of the scale bar in CSS pixels. */
 const BAR = 120;
@@ -34,9 +32,6 @@ export class ViewTools {
   #rest: Float64Array | null = null;
 
   #newest = newestOnly(() => this.#store.get().model);
-
-  /** The only instance of the page. */
-  static of = once((app: AppContext) => new ViewTools(app));
 
   constructor({ store, actions, viewport }: AppContext) {
     this.#store = store;
@@ -118,4 +113,51 @@ export class ViewTools {
 function roundLength(value: number, units: string) {
   const { unit, factor } = lengthUnit(value, units);
   return `${Number((value * factor).toPrecision(3))} ${unit}`.trim();
+}
+
+const AXES = ['x', 'y', 'z'];
+
+/**
+ * The card of the section plane: its axis, its position and the side that stays visible. Shown while
+ * there is a section.
+ */
+class SectionCard {
+  #card;
+  #axis;
+  #at;
+  #turn;
+
+  constructor(store: Store, viewport: Viewport, actions: Actions) {
+    const set = (change: Partial<Section>) => {
+      const { section } = store.get();
+      if (section) actions.look({ section: { ...section, ...change } });
+    };
+    this.#axis = choice(
+      { 'aria-label': 'Section across' },
+      (axis) => set({ axis: Number(axis) }),
+      AXES.map((axis, i) => [`${i}`, axis] as const),
+    );
+    this.#at = element('input', {
+      ...{ type: 'range', min: '0', max: '1', step: '0.005' },
+      'aria-label': 'Position of the section',
+      oninput: () => set({ at: this.#at.valueAsNumber }),
+    });
+    this.#turn = button('Other side', () => set({ turned: !store.get().section?.turned }));
+    this.#card = element(
+      'div.card',
+      { id: 'section', role: 'group', 'aria-label': 'Section', hidden: true },
+      element('label', 'Section ', this.#axis),
+      this.#at,
+      this.#turn,
+      closeButton('End the section', () => actions.look({ section: null })),
+    );
+    viewport.element.after(this.#card);
+    store.subscribe(['section'], ({ section }) => {
+      this.#card.hidden = !section;
+      if (!section) return;
+      this.#axis.value = `${section.axis}`;
+      this.#at.valueAsNumber = section.at;
+      this.#turn.setAttribute('aria-pressed', `${section.turned}`);
+    });
+  }
 }

@@ -5,9 +5,8 @@
 
 import './exact-verdict.css';
 import { element } from '../../ui/dom.ts';
-import { exactActions } from '../../store/actions/exact-actions.ts';
 import { isHard } from '../../store/state.ts';
-import { showElements } from '../../viewport/reveal-elements.ts';
+import { showElements } from '../../viewport/camera.ts';
 import type { AppContext as App } from '../../app/context.ts';
 import type { ExactReport, ExactWords, TrialWords } from '../../solver/types.ts';
 
@@ -58,9 +57,8 @@ const improveButton = (app: App, output: Output) =>
 
 /** Improves the shape until stopped; reports the gain. */
 async function improve(app: App, output: Output) {
-  const { solver, actions } = app;
+  const { actions } = app;
   const { showMessage, offer } = output;
-  const exact = exactActions(solver, actions);
   let isStopped = false;
   const stop = offer('Stop', () => (isStopped = true), 'Keeps the improvement so far');
   const group = showMessage(
@@ -77,17 +75,16 @@ async function improve(app: App, output: Output) {
     showMessage(words.offered);
     return;
   }
-  if (!(await exact.accept(found, false))) return group.remove();
+  if (!(await actions.exact.accept(found, false))) return group.remove();
   showMessage(words.taken).append(table(words, 'Improved'));
 }
 
 /** Reports the cost of exactness. */
 async function showCost(app: App, output: Output, words: ExactWords) {
-  const { store, solver, actions } = app;
+  const { store, actions } = app;
   const { showMessage, offer } = output;
   const { model, tolerance } = store.get();
   if (!model) return;
-  const exact = exactActions(solver, actions);
   const say = (next: string, ...buttons: HTMLElement[]) =>
     showMessage(`${saidIn(words, output)} ${next}`.trim(), ...buttons);
   const group = say('Checking how far an exact shape would move …');
@@ -96,7 +93,7 @@ async function showCost(app: App, output: Output, words: ExactWords) {
   const { offer: cost } = found;
   const allowed = tolerance ?? model.tolerance;
   if (cost.met && cost.moved.max <= allowed && cost.folded === 0) {
-    if (!(await exact.accept(found, true))) return group.remove();
+    if (!(await actions.exact.accept(found, true))) return group.remove();
     say(cost.words.taken, improveButton(app, output));
     return;
   }
@@ -105,7 +102,7 @@ async function showCost(app: App, output: Output, words: ExactWords) {
     return;
   }
   const take = async () => {
-    if (!(await exact.accept(found, false))) return;
+    if (!(await actions.exact.accept(found, false))) return;
     const { document: taken } = store.get();
     const exactly = await actions.ask.exactWords().catch(() => null);
     if (exactly && store.get().document === taken) showMet(app, output, exactly);
@@ -137,8 +134,7 @@ function table(words: TrialWords, then: string) {
 
 /** Selects and colours the constraints that cannot be met together, and offers remedies. */
 function showUnmet(app: App, output: Output, { worst }: ExactReport, words: ExactWords) {
-  const { solver, actions } = app;
-  const { require } = exactActions(solver, actions);
+  const { actions } = app;
   const elements = elementsOf(
     app,
     worst.map(({ vertices }) => vertices),
@@ -148,7 +144,7 @@ function showUnmet(app: App, output: Output, { worst }: ExactReport, words: Exac
     actions.tint({ ...elements, colour: UNMET });
   };
   const remedies = words.remedies.map(({ label, index, within }) =>
-    output.offer(label, () => require(index, within === null ? 'soft' : { within })),
+    output.offer(label, () => actions.exact.require(index, within === null ? 'soft' : { within })),
   );
   output.showMessage(saidIn(words, output), output.offer('Show them', show), ...remedies);
   show();

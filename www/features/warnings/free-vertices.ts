@@ -1,6 +1,6 @@
 /**
- * Reports and marks vertices that no constraint acts on, which stay in place while the rest moves.
- * The message offers to let them follow or to fix them.
+ * Reports vertices on which a constraint does not act: those that none acts on, which stay in place
+ * while the rest moves, and those of a constraint on pairs, such as a symmetry, that have no partner.
  */
 
 import { newestOnly } from '../../store/newest-only.ts';
@@ -14,6 +14,7 @@ import type { Tint } from '../../store/state.ts';
 const COLOUR: [number, number, number] = [214, 132, 24];
 const SMALL = { class: 'small bordered' };
 
+/** Marks vertices that no constraint acts on, and offers to let them follow or to fix them. */
 export function watchFreeVertices({ store, actions }: AppContext) {
   const place = element('div', { 'aria-live': 'polite' });
   document.getElementById('messages')?.append(place);
@@ -67,4 +68,30 @@ export function watchFreeVertices({ store, actions }: AppContext) {
       closeButton('Close', clear),
     );
   }
+}
+
+/** Reports how many vertices have no partner. They are free; if none has one, the constraint does nothing. */
+export function watchUnpaired({ store }: AppContext) {
+  const place = element('div', { 'aria-live': 'polite' });
+  document.getElementById('messages')?.append(place);
+  /** The last message, also if it was closed. */
+  let said = '';
+
+  store.subscribe(['document'], (state) => {
+    const words = state.document?.unpaired ?? [];
+    if (words.join() === said) return;
+    said = words.join();
+    place.replaceChildren(
+      ...(words.length > 0
+        ? [
+            element(
+              'div.message.notice',
+              { role: 'group', 'aria-label': 'Vertices without an image' },
+              element('p', words.join(' ')),
+              closeButton('Close', () => place.replaceChildren()),
+            ),
+          ]
+        : []),
+    );
+  });
 }

@@ -9,7 +9,8 @@ import { button, closeButton } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { count, length } from '../../ui/format.ts';
 import { isHard } from '../../store/state.ts';
-import { showElements } from '../../viewport/reveal-elements.ts';
+import { showExactVerdict } from './exact-verdict.ts';
+import { showElements } from '../../viewport/camera.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { Edit } from '../../solver/types.ts';
 
@@ -56,7 +57,6 @@ export function watchConditions(app: AppContext) {
     if (!scene || !numbers || !model) return;
     const allowed = tolerance ?? model.tolerance;
     if (numbers.exact && scene.constraints.some(isHard)) {
-      const { showExactVerdict } = await import('./exact-verdict.ts');
       return showExactVerdict(app, {
         showMessage,
         offer,
@@ -155,5 +155,4 @@ export function watchConditions(app: AppContext) {
   });
   store.subscribe(['document', 'tolerance'], clear);
   files.on('opened', showProblems);
-  showProblems();
 }

@@ -5,7 +5,6 @@ import { listOfExamples, type Example } from '../../solver/examples.ts';
 import { count } from '../../ui/format.ts';
 import { messageOf } from '../../solver/errors.ts';
 import { card, type Result } from './card.ts';
-import { LESSONS, headingOf } from './figures.ts';
 
 type Entry = { example: Example; words: string; card: HTMLElement; section: HTMLElement };
 
@@ -14,6 +13,22 @@ const RESULTS = new URL(/* @vite-ignore */ 'pictures/results.json', document.bas
 const query: HTMLInputElement = byId('query');
 const figure: HTMLSelectElement = byId('figure');
 const kind: HTMLSelectElement = byId('kind');
+
+/** Headings of the figures. */
+const TITLES: Record<number, string> = {
+  1: 'one solver, many geometries',
+  4: 'local and global step',
+  5: 'planar and circular panels',
+  6: 'shape exploration',
+  7: 'mesh quality',
+  8: 'deformation',
+  9: 'conformal parametrisation',
+  10: 'convergence',
+  11: 'collapsing edges',
+};
+
+/** The heading of the lessons. */
+const LESSONS = 'Lessons';
 
 try {
   const [examples, results] = await Promise.all([listOfExamples(), measured()]);
@@ -108,4 +123,16 @@ function figuresOf(examples: Example[]): [string, string][] {
 function kindsOf(examples: Example[]): [string, string][] {
   const labels = new Map(examples.flatMap((one) => one.kinds).map(({ id, label }) => [id, label]));
   return [...labels].sort(([, a], [, b]) => a.localeCompare(b));
+}
+
+/** @param after kind of the preceding section */
+function headingOf(figure: number | null, after: 'first' | 'figure' | 'lesson') {
+  if (figure === null)
+    return {
+      first: 'To begin with',
+      figure: 'Curves and points',
+      lesson: 'Limits and other uses',
+    }[after];
+  const title = TITLES[figure];
+  return title ? `Figure ${figure}: ${title}` : `Figure ${figure}`;
 }

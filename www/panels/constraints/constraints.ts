@@ -9,13 +9,13 @@ import { groupDigits, length, limit, part } from '../../ui/format.ts';
 import { movedInWords } from '../../store/colours/measures.ts';
 import { valueInWords } from '../../ui/kinds/parameter-forms.ts';
 import { energyOrZero, lengthOrZero } from '../../ui/rounding.ts';
+import { detailsOf, editName } from './details.ts';
 import type { ConstraintRow, ParamInfo } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 const NONE = new Uint32Array(0);
-const renaming = () => import('./rename.ts');
 
-export function constraintsPanel(place: HTMLElement, { store, actions, solver }: AppContext) {
+export function constraintsPanel(place: HTMLElement, { store, actions }: AppContext) {
   /** Cells with values of the iteration, per row. */
   let cells: { worst: HTMLElement; within: HTMLElement; share: HTMLElement }[] = [];
   const moved = element('p.quiet', {
@@ -28,9 +28,6 @@ export function constraintsPanel(place: HTMLElement, { store, actions, solver }:
   /** The open rows, by key: an index would change with preceding rows. */
   const open: Set<string> = new Set();
 
-  /** The module of the details, loaded when a row is first opened. */
-  let rowDetails: typeof import('./details.ts') | null = null;
-  const loadDetails = async () => (rowDetails ??= await import('./details.ts'));
   const untint = () => actions.tint(null);
 
   /** Tints the members of a constraint. */
@@ -83,30 +80,22 @@ export function constraintsPanel(place: HTMLElement, { store, actions, solver }:
     });
     const fill = () => {
       const own = { select: () => actions.begin(selectMembers(row)), rename: () => rename() };
-      details.replaceChildren(
-        ...(rowDetails?.detailsOf(row, name, store, actions, solver, own) ?? []),
-      );
+      details.replaceChildren(...detailsOf(row, name, store, actions, own));
     };
     if (open.has(key)) fill();
-    const show = async () => {
-      await loadDetails();
-      fill();
-      details.scrollIntoView({ block: 'nearest' });
-    };
     const toggleDetails = () => {
       if (!open.delete(key)) open.add(key);
       details.hidden = !open.has(key);
       opener.setAttribute('aria-expanded', String(open.has(key)));
-      if (open.has(key)) void actions.reportErrors(show());
+      if (!open.has(key)) return;
+      fill();
+      details.scrollIntoView({ block: 'nearest' });
     };
-    const openRename = async () => {
-      const { editName } = await renaming();
+    const rename = () =>
       editName(opener, row.name, kind?.label ?? '', (name) => {
         renamed = row.index;
         void actions.edit({ renameConstraint: { index: row.index, name } });
       });
-    };
-    const rename = () => actions.reportErrors(openRename());
     const opener = element(
       'button.name',
       {
@@ -130,11 +119,7 @@ export function constraintsPanel(place: HTMLElement, { store, actions, solver }:
           if (event.pointerType !== 'touch') void tint(row);
         },
         onpointerleave: untint,
-        onfocusin: () => {
-          void tint(row);
-          // Preloaded, so that it is ready before the user types; renaming reports errors.
-          renaming().catch(() => {});
-        },
+        onfocusin: () => tint(row),
         onfocusout: untint,
       },
       element('span.chip'),

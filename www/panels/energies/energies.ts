@@ -4,6 +4,7 @@ import { amountField } from '../../ui/controls/fields.ts';
 import { RENEW_MS, element, setText, throttled } from '../../ui/dom.ts';
 import { number } from '../../ui/format.ts';
 import { energyOrZero } from '../../ui/rounding.ts';
+import { settingsPanel } from './settings.ts';
 import { weightPresets } from './weight-presets.ts';
 import type { Energy, SceneDocument } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
@@ -69,18 +70,14 @@ export function energiesPanel(place: HTMLElement, { store, actions }: AppContext
   );
 }
 
-/** Settings for experts, loaded when first opened. */
+/** Settings for experts, made when first opened. */
 function moreSettings(store: Store, actions: Actions) {
   const inside = element('div.settings');
-  const fill = async () => {
-    const { settingsPanel } = await import('./settings.ts');
-    if (!inside.hasChildNodes()) settingsPanel(inside, store, actions);
-  };
   const details = element(
     'details.more-settings',
     {
       ontoggle: () => {
-        if (details.open && !inside.hasChildNodes()) void actions.reportErrors(fill());
+        if (details.open && !inside.hasChildNodes()) settingsPanel(inside, store, actions);
       },
     },
     element('summary', 'More settings'),

@@ -3,7 +3,7 @@
  * range, the number of faces within the tolerance, and the displacement of the mesh.
  */
 
-import { cover } from '../../viewport/covered.ts';
+import { cover } from '../../viewport/camera.ts';
 import { rampOf } from '../../viewport/ramp.ts';
 import { checkbox, choice, setOptions } from '../../ui/controls/fields.ts';
 import { element, setAttribute, setText } from '../../ui/dom.ts';

@@ -6,9 +6,9 @@
 import './select-bar.css';
 import { closeButton } from '../../ui/controls/fields.ts';
 import { element, icon, setText } from '../../ui/dom.ts';
-import { placeMenu } from '../../ui/controls/menu.ts';
-import { messageOf } from '../../solver/errors.ts';
+import { placeMenu } from '../../ui/controls/navigation.ts';
 import { describe, sizeOfSelection } from '../../store/selection.ts';
+import { fillSelectMenu } from './select-menu.ts';
 import type { State } from '../../store/state.ts';
 import type { AppContext } from '../../app/context.ts';
 
@@ -28,7 +28,7 @@ const SHAPES: { id: Shape; label: string; key: string; title: string }[] = [
 export function selectBar(
   bar: HTMLElement,
   menu: HTMLElement,
-  { store, actions, selecting, alerts }: AppContext,
+  { store, actions, selecting }: AppContext,
 ) {
   const shapes = SHAPES.map(({ id, label, key, title }) =>
     element(
@@ -95,17 +95,7 @@ export function selectBar(
   });
 
   placeMenu(menu, () => opener);
-  /** The module of the menu, loaded on first use. */
-  let contents: typeof import('./select-menu.ts') | null = null;
-  menu.addEventListener('beforetoggle', async (event) => {
-    if (event.newState !== 'open') return;
-    if (contents) return contents.fillSelectMenu(menu, store, actions, selecting);
-    event.preventDefault();
-    try {
-      contents = await import('./select-menu.ts');
-      menu.showPopover();
-    } catch (error) {
-      alerts.error(messageOf(error));
-    }
+  menu.addEventListener('beforetoggle', ({ newState }) => {
+    if (newState === 'open') fillSelectMenu(menu, store, actions, selecting);
   });
 }

@@ -4,8 +4,7 @@
  * Enter drops them, Escape puts them back.
  */
 
-import { HandleDrag } from '../../store/handle-drag.ts';
-import { HANDLES_LOCKED, areHandlesLocked } from '../../store/handles.ts';
+import { HandleDrag, HANDLES_LOCKED, areHandlesLocked } from '../../store/handles.ts';
 import { ARROWS } from '../../ui/keys.ts';
 import type { Viewport } from '../viewport.ts';
 import type { Store } from '../../store/state.ts';

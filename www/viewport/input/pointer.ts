@@ -15,11 +15,15 @@
  * | touch | one finger as left, two pan and zoom | same |
  */
 
-import { HandleDrag, leaveHandle, makeHandle } from '../../store/handle-drag.ts';
-import { HANDLES_LOCKED, areHandlesLocked } from '../../store/handles.ts';
-import { near, clickTolerance } from './hit-tolerance.ts';
+import {
+  HandleDrag,
+  leaveHandle,
+  makeHandle,
+  HANDLES_LOCKED,
+  areHandlesLocked,
+} from '../../store/handles.ts';
+import { near, clickTolerance, pair, wheelFactor } from './gestures.ts';
 import { combineOf, select } from '../../store/selection.ts';
-import { pair, wheelFactor } from './zooming.ts';
 import type { Mode, Store } from '../../store/state.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
 import type { Viewport } from '../viewport.ts';

@@ -1,0 +1,71 @@
+/**
+ * Attributes of the page for the style sheets: the theme, the essential controls or all of them, the
+ * next step (`shape`, `run` or `build`), whose button is filled, and whether the model moves, which
+ * hides the overlays in small windows.
+ */
+
+import './next-step.css';
+import { setItem, removeItem } from '../ui/safe-storage.ts';
+import type { Store } from '../store/state.ts';
+
+/** Storage key of the theme; every page reads it before its first paint. */
+const THEME = 'shape-up.theme';
+/** Storage key of the controls; `index.html` reads it before the first paint. */
+const ADVANCED = 'shape-up.advanced';
+const { dataset } = document.documentElement;
+const system = matchMedia('(prefers-color-scheme: dark)');
+
+/** Light or dark: follows the system until the user chooses one. */
+export function followTheme(store: Store) {
+  const show = () => store.set({ dark: isDark() });
+  system.addEventListener('change', show);
+  show();
+}
+
+/** Chooses the other theme. */
+export function toggleTheme(store: Store) {
+  const theme = isDark() ? 'light' : 'dark';
+  dataset.theme = theme;
+  setItem(THEME, theme);
+  store.set({ dark: theme === 'dark' });
+}
+
+function isDark() {
+  const { theme } = dataset;
+  return theme ? theme === 'dark' : system.matches;
+}
+
+/** Shows the essential controls or all of them, and stores the choice. */
+export function followAdvanced(store: Store) {
+  store.set({ advanced: dataset.advanced !== undefined });
+  store.subscribe(['advanced'], ({ advanced }) => {
+    if (advanced === (dataset.advanced !== undefined)) return;
+    if (advanced) {
+      dataset.advanced = '';
+      setItem(ADVANCED, 'shown');
+    } else {
+      delete dataset.advanced;
+      removeItem(ADVANCED);
+    }
+  });
+  // The controls of the flat map are among the advanced ones.
+  store.subscribe(['flatMap'], ({ flatMap }) => flatMap && store.set({ advanced: true }));
+}
+
+/** `data-next` and `data-moves` of the body. */
+export function followNextStep(store: Store) {
+  const { dataset } = document.body;
+  store.subscribe(
+    ['document', 'model', 'running', 'converged', 'numbers', 'dragged'],
+    ({ document: scene, model, running, converged, numbers, dragged }) => {
+      const moves = String(running || dragged.length > 0);
+      if (dataset.moves !== moves) dataset.moves = moves;
+      const isConstrained = scene?.constraints.some(({ enabled }) => enabled) ?? false;
+      const isMet = converged && numbers?.exact?.met !== false;
+      let next = 'run';
+      if (!isConstrained && model?.panels.some(({ reason }) => !reason)) next = 'shape';
+      else if (!running && isConstrained && isMet && model?.faces) next = 'build';
+      if (dataset.next !== next) dataset.next = next;
+    },
+  );
+}

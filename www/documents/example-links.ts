@@ -1,2 +1,0 @@
-/** Returns the permanent fragment of an example, see `share-link.ts`. */
-export const linkTo = (id: string) => `#example=${id}`;

@@ -1,0 +1,42 @@
+/** The commands of the Select tool: box, lasso and brush, and selecting hidden elements. */
+
+import type { AppContext, Command } from '../../app/context.ts';
+import type { State } from '../../store/state.ts';
+
+/** Factor of the brush keys; minimum and maximum radius of the brush in CSS pixels. */
+const BRUSH_FACTOR = 1.25;
+const BRUSH = [4, 120];
+
+export function selectCommands({ store, actions }: AppContext): Command[] {
+  const shape = (id: State['shape'], label: string, key: string) => ({
+    id: `shape-${id}`,
+    group: 'Select',
+    label,
+    keys: [key],
+    action: () => actions.useTool({ tool: 'select', shape: id }),
+  });
+  const brush = (id: string, label: string, key: string, factor: number) => ({
+    id,
+    group: 'Select',
+    label,
+    keys: [key],
+    action: () => {
+      const radius = Math.round(store.get().brush * factor);
+      actions.useTool({ brush: Math.min(Math.max(radius, BRUSH[0]), BRUSH[1]) });
+    },
+  });
+  return [
+    shape('box', 'Select with a box', 'B'),
+    shape('lasso', 'Select with a lasso', 'L'),
+    shape('paint', 'Select with a brush', 'P'),
+    brush('brush-smaller', 'Smaller brush', '[', 1 / BRUSH_FACTOR),
+    brush('brush-larger', 'Larger brush', ']', BRUSH_FACTOR),
+    {
+      id: 'through',
+      group: 'Select',
+      label: 'Also select hidden elements',
+      keys: ['T'],
+      action: () => actions.useTool({ through: !store.get().through }),
+    },
+  ];
+}

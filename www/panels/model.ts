@@ -1,0 +1,74 @@
+/** The model: its name, its contents, and the problems of its file. */
+
+import { button } from '../ui/controls/fields.ts';
+import { element } from '../ui/dom.ts';
+import { count, groupDigits } from '../ui/format.ts';
+import { frameFields } from '../documents/units-prompt.ts';
+import type { AppContext } from '../app/context.ts';
+import type { Loaded } from '../solver/types.ts';
+
+/** @param showLog opens the log, with the details of each problem */
+export function modelPanel(
+  place: HTMLElement,
+  { store, actions }: AppContext,
+  showLog: () => void,
+) {
+  const frame = frameFields(store, actions);
+  store.subscribe(['model', 'fileName'], ({ model, fileName }) => {
+    if (!model) return;
+    place.replaceChildren(
+      element('p.model-name', model.title || fileName),
+      facts([
+        ['Vertices', groupDigits(model.vertices)],
+        ['Faces', groupDigits(model.faces)],
+        ...optional('Curves', model.curves),
+        ...optional('Tetrahedra', model.tets),
+        ...optional('Groups', model.groups.length),
+      ]),
+      frame,
+      ...groups(model),
+      ...report(model, showLog),
+    );
+  });
+}
+
+function optional(name: string, value: number): [string, string][] {
+  return value > 0 ? [[name, groupDigits(value)]] : [];
+}
+
+function facts(rows: [string, string][]) {
+  return element(
+    'dl.facts',
+    ...rows.flatMap(([name, value]) => [element('dt', name), element('dd', value)]),
+  );
+}
+
+function groups(model: Loaded) {
+  if (model.groups.length === 0) return [];
+  const rows = model.groups.map((group) =>
+    element('li', `${group.name}: ${count(group.faces, 'face')}`),
+  );
+  const shown = details(count(model.groups.length, 'group'), rows, false);
+  shown.classList.add('advanced');
+  return [shown];
+}
+
+/** The import report. */
+function report(model: Loaded, showLog: () => void) {
+  const problems = model.problems.map((problem) => element('li', problem.message));
+  const notes = model.notes.map((note) => element('li.quiet', note));
+  if (problems.length + notes.length === 0) return [];
+  const title =
+    problems.length > 0
+      ? `${count(problems.length, 'problem')} in the file`
+      : count(notes.length, 'note');
+  const more = button('Details', showLog, { class: 'small bordered' });
+  const shown = details(title, [...problems, ...notes], problems.length > 0);
+  shown.classList.toggle('advanced', problems.length === 0);
+  shown.append(more);
+  return [shown];
+}
+
+function details(title: string, rows: HTMLElement[], open: boolean) {
+  return element('details.report', { open }, element('summary', title), element('ul', ...rows));
+}

@@ -1,0 +1,42 @@
+/** The two halves of an iteration (Fig. 4 of the paper): the toggle between them, and their words. */
+
+import { groupDigits } from '../ui/format.ts';
+import type { Half } from '../solver/types.ts';
+import type { Store } from './state.ts';
+
+export function halfStepTitle({ halfway }: { halfway: boolean }) {
+  return halfway
+    ? 'Global step: move all vertices to the least-squares solution'
+    : 'Local step: fit a shape to each constraint; nothing moves yet';
+}
+
+/** The switches in the toolbar and in the phone's menu are on between the two halves. */
+export function bindHalfStepSwitches(store: Store) {
+  const switches = [...document.querySelectorAll('[data-command="half-step"]')];
+  store.subscribe(['halfway'], ({ halfway }) => {
+    for (const one of switches) {
+      one.setAttribute('aria-checked', String(halfway));
+      one.querySelector('use')?.setAttribute('href', halfway ? '#icon-global' : '#icon-local');
+    }
+  });
+}
+
+/** Describes a half step and the next. */
+export function halfStepWords(done: Half) {
+  if (done.half === 'local') {
+    const all = done.fitted.reduce((sum, { count }) => sum + count, 0);
+    const one = done.fitted.length === 1;
+    const kinds = done.fitted.map(
+      ({ label, count }) => `${one ? '' : `${groupDigits(count)} `}${label.toLowerCase()}`,
+    );
+    const fitted =
+      all > 0
+        ? `${groupDigits(all)} ${all === 1 ? 'shape' : 'shapes'} fitted (${kinds.join(', ')})`
+        : 'nothing to fit';
+    return `Local step done: ${fitted}; next: global step`;
+  }
+  const where = done.accelerated ? 'beyond the' : 'to the';
+  const why = done.accelerated ? ', because steps are accelerated' : '';
+  const next = done.converged ? 'converged' : 'next: local step';
+  return `Global step done: moved ${where} least-squares solution${why}; ${next}`;
+}

@@ -1,0 +1,87 @@
+/** Where the camera looks: flights, elements that cover the view, and elements to reveal. */
+
+import { cornersOf, verticesOf } from '../store/selection.ts';
+import type { Viewport } from './viewport.ts';
+import type { View } from './layers.ts';
+import type { AppContext } from '../app/context.ts';
+import type { Connectivity } from '../solver/types.ts';
+
+const FLIGHT_MS = 320;
+const still = matchMedia('(prefers-reduced-motion: reduce)');
+
+/** Moves the camera as `change` does: animated, or at once if the user prefers reduced motion. */
+export function fly(viewport: Viewport, change: (view: View) => void) {
+  if (still.matches) return void viewport.with(change);
+  viewport.with((view) => {
+    view.planFlight();
+    change(view);
+    view.takeOff();
+  });
+  const started = performance.now();
+  const on = () => {
+    const part = Math.min(1, (performance.now() - started) / FLIGHT_MS);
+    if (viewport.unmeasured((view) => view.fly(part))) requestAnimationFrame(on);
+  };
+  requestAnimationFrame(on);
+}
+
+/** Gap between the model and the elements that cover the view, in CSS pixels. */
+const GAP = 14;
+
+/** Height of the view covered by each element, in CSS pixels. */
+const heights: Map<HTMLElement, number> = new Map();
+
+/**
+ * Records how much of the view an element covers.
+ * @param isAlong whether it lies along the lower edge when visible
+ * @returns covered height, in CSS pixels
+ */
+export function cover(viewport: Viewport, element: HTMLElement, isAlong: boolean = true): number {
+  const { hidden, offsetTop, offsetParent } = element;
+  const height = offsetParent?.clientHeight ?? 0;
+  const covered = !isAlong || hidden || !height ? 0 : height - offsetTop + GAP;
+  heights.set(element, covered);
+  viewport.with((view) => view.cover(Math.max(...heights.values())));
+  return covered;
+}
+
+type Elements = {
+  vertices: ArrayLike<number>;
+  edges?: ArrayLike<number>;
+  faces: ArrayLike<number>;
+};
+
+/** Rings of faces around the elements to include in the picture, for orientation. */
+const RINGS = 2;
+
+/**
+ * Selects elements and moves the camera to them.
+ * @param elements their vertices, edges and faces
+ */
+export function showElements(
+  { actions, solver, viewport }: AppContext,
+  { vertices, edges = [], faces }: Elements,
+) {
+  const { geometry } = solver;
+  if (!geometry) return;
+  const { connectivity } = geometry;
+  const all = {
+    vertices: Array.from(vertices),
+    edges: Array.from(edges),
+    faces: Array.from(faces),
+  };
+  actions.select(all);
+  let around = new Set(verticesOf(all, connectivity));
+  for (let ring = 0; ring < RINGS; ring++) around = withNeighbours(connectivity, around);
+  if (around.size > 0) viewport.with((view) => view.fitVertices(Uint32Array.from(around)));
+}
+
+/** Returns the vertices together with those of all faces incident to them. */
+function withNeighbours(connectivity: Connectivity, vertices: Set<number>) {
+  const all = new Set(vertices);
+  for (let face = 0; face + 1 < connectivity.faceOffsets.length; face++) {
+    const own = cornersOf(connectivity, face);
+    if (own.some((vertex) => vertices.has(vertex))) own.forEach((vertex) => all.add(vertex));
+  }
+  return all;
+}
