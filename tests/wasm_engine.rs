@@ -297,7 +297,7 @@ fn a_field_that_an_edit_does_not_have_is_refused_and_nothing_is_done() {
     let exact = r#"{ "addConstraint": { "kind": "plane", "on": "faces", "weight": 1, "require": "exact" } }"#;
     let error = message(solver.edit(object(exact)).expect_err("there is no such field"));
     assert!(error.contains("unknown key `require`, known here: kind, on"), "{error}");
-    let named = r#"{ "setLesson": { "lesson": { "text": "", "goals": [], "hint": "" } } }"#;
+    let named = r#"{ "setLesson": { "lesson": { "text": "", "goals": [{ "measure": "planarity", "at_most": 1 }], "hint": "" } } }"#;
     let error = solver.edit(object(named)).expect_err("there is no such field");
     assert_eq!(get(&error, "path").as_string().as_deref(), Some("lesson"));
     let request = r#"{ "operation": "grow", "mode": "faces", "surplus": 1 }"#;
