@@ -293,12 +293,11 @@ fn a_parameter_is_changed_and_a_wrong_one_is_told_with_its_place() {
 
 #[wasm_bindgen_test]
 fn a_field_that_an_edit_does_not_have_is_refused_and_nothing_is_done() {
-    // serde-wasm-bindgen asks an object for known fields only.
     let mut solver = loaded();
     let exact = r#"{ "addConstraint": { "kind": "plane", "on": "faces", "weight": 1, "require": "exact" } }"#;
     let error = message(solver.edit(object(exact)).expect_err("there is no such field"));
     assert!(error.contains("unknown key `require`, known here: kind, on"), "{error}");
-    let named = r#"{ "setLesson": { "lesson": { "text": "", "goals": [], "hint": "" } } }"#;
+    let named = r#"{ "setLesson": { "lesson": { "text": "", "goals": [{ "measure": "planarity", "at_most": 1 }], "hint": "" } } }"#;
     let error = solver.edit(object(named)).expect_err("there is no such field");
     assert_eq!(get(&error, "path").as_string().as_deref(), Some("lesson"));
     let request = r#"{ "operation": "grow", "mode": "faces", "surplus": 1 }"#;
@@ -307,6 +306,12 @@ fn a_field_that_an_edit_does_not_have_is_refused_and_nothing_is_done() {
     let document = solver.document().expect("a model is open");
     assert_eq!(number(&document, "constraints.length"), 0.0);
     assert!(get(&document, "undo").is_null());
+    // A field that is there without a value is as good as absent.
+    let steps: JsValue = object(r#"{ "setSteps": { "steps": [{ "title": "First" }] } }"#);
+    let step = get(&steps, "setSteps.steps.0");
+    Reflect::set(&step, &"variant".into(), &JsValue::UNDEFINED).expect("it is an object");
+    solver.edit(steps.unchecked_into()).expect("the step has no variant");
+    assert!(solver.edit(JsValue::UNDEFINED.unchecked_into()).is_err());
 }
 
 #[wasm_bindgen_test]

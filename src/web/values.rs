@@ -5,11 +5,11 @@
 //! the compiler.
 
 use super::thrown;
-use crate::json::from_value;
+use crate::json::from_text;
 use crate::mesh::Point;
 use crate::scene::SceneError;
 use crate::session::Error;
-use js_sys::{Float32Array, Float64Array, Uint32Array};
+use js_sys::{Float32Array, Float64Array, JSON, Uint32Array};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use tsify::Tsify;
@@ -29,14 +29,20 @@ pub(super) fn plains<T: Tsify + Serialize>(values: &[T]) -> Result<Vec<Js<T>>, J
     values.iter().map(plain).collect()
 }
 
-/// Reads a plain object. It is first read as a tree: serde-wasm-bindgen asks an object for the
-/// fields of a type only, and would not see others.
+/// Reads a plain object of the page, by its JSON. serde-wasm-bindgen would ask the object for the
+/// fields of the type only, so that others were ignored, and takes undefined for null.
 ///
 /// # Errors
 /// A value that does not fit, with its path, as in a scene file.
 pub(super) fn read<T: Tsify + DeserializeOwned>(given: Js<T>) -> Result<T, JsValue> {
-    let tree = serde_wasm_bindgen::from_value(given.into()).map_err(thrown)?;
-    from_value(tree).map_err(|error| thrown_at(&error.into()))
+    let text: JsValue = JSON::stringify(&given.into())?.into();
+    // Undefined has no text.
+    from_text(&text.as_string().unwrap_or_default()).map_err(|error| thrown_at(&error.into()))
+}
+
+/// Reads a plain object that [`plain`] has made, with all of its numbers.
+pub(super) fn read_back<T: Tsify + DeserializeOwned>(made: Js<T>) -> Result<T, JsValue> {
+    serde_wasm_bindgen::from_value(made.into()).map_err(thrown)
 }
 
 /// A typed array in an object: it is passed on as it is.

@@ -50,7 +50,7 @@ pub struct NumbersById(Vec<(&'static str, f64)>);
 
 /// A file to be saved by the page.
 #[derive(Serialize, Tsify)]
-pub struct BuildFile {
+pub struct NamedFile {
     name: String,
     text: String,
 }
@@ -188,10 +188,10 @@ impl Builder {
     }
 
     /// Returns all files: `name` and `text`; `z_up` if the up axis is z, else y.
-    pub fn files(&self, z_up: bool) -> Result<Vec<Js<BuildFile>>, JsValue> {
+    pub fn files(&self, z_up: bool) -> Result<Vec<Js<NamedFile>>, JsValue> {
         let files = self.build.files(z_up).into_iter();
         plains(
-            &files.map(|file| BuildFile { name: file.name, text: file.text }).collect::<Vec<_>>(),
+            &files.map(|file| NamedFile { name: file.name, text: file.text }).collect::<Vec<_>>(),
         )
     }
 }

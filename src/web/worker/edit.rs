@@ -5,7 +5,7 @@ use super::solver::Solver;
 use crate::mesh::Point;
 use crate::session::{Edit, ExactReport, ExactShape, PanelStart};
 use crate::web::thrown;
-use crate::web::values::{Js, read, refused};
+use crate::web::values::{Js, read, read_back, refused};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -54,7 +54,7 @@ impl Solver {
         positions: &[f64],
         joins: bool,
     ) -> Result<bool, JsValue> {
-        let shape: ExactShape = read(shape)?;
+        let shape: ExactShape = read_back(shape)?;
         self.open_mut()?.make_exact(shape, points(positions), joins).map_err(thrown)
     }
 
@@ -68,7 +68,7 @@ impl Solver {
         positions: &[f64],
         report: Option<Js<ExactReport>>,
     ) -> Result<bool, JsValue> {
-        let report = report.map(read).transpose()?;
+        let report = report.map(read_back).transpose()?;
         Ok(self.open_mut()?.show_variation(generation, points(positions), report))
     }
 

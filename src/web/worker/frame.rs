@@ -14,7 +14,7 @@ use wasm_bindgen::prelude::*;
 #[derive(Serialize, Tsify)]
 #[tsify(missing_as_null)]
 #[serde(rename_all = "camelCase")]
-pub struct Frame {
+pub struct FrameNumbers {
     iteration: u32,
     converged: bool,
     /// What the run tries to meet its hard constraints; none before that.
@@ -53,7 +53,7 @@ fn exact(session: &Session) -> Option<ExactReport> {
     Some(exact)
 }
 
-impl Frame {
+impl FrameNumbers {
     /// Creates the frame of `session`, after a step of `step_ms`; see [`Session::recent_measures`].
     fn new(session: &mut Session, step_ms: f64, iterating: bool) -> Self {
         let goals = GoalNumbers::of(session);
@@ -64,7 +64,7 @@ impl Frame {
         let energy = session.solver().energy();
         let whole = session.document().weights.shape / energy.total;
         let share = |row: &LocalStep| if energy.total > 0.0 { row.energy * whole } else { 0.0 };
-        Frame {
+        FrameNumbers {
             iteration: session.iteration(),
             converged: session.converged(),
             attempt: session.attempt_words(),
@@ -104,8 +104,8 @@ impl GoalNumbers {
 impl Solver {
     /// Returns the numbers of the current state. While `iterating`, planarity and circularity may
     /// be half a second old.
-    pub fn frame(&mut self, iterating: bool) -> Result<Js<Frame>, JsValue> {
+    pub fn frame(&mut self, iterating: bool) -> Result<Js<FrameNumbers>, JsValue> {
         let step_ms = self.step_ms;
-        plain(&Frame::new(self.open_mut()?, step_ms, iterating))
+        plain(&FrameNumbers::new(self.open_mut()?, step_ms, iterating))
     }
 }

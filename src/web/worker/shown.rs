@@ -28,7 +28,7 @@ pub struct DrawnProjections {
 
 /// The colour of the row of constraints that acts on each face and each vertex.
 #[derive(Serialize, Tsify)]
-pub struct RowColours {
+pub struct DrawnRowColours {
     /// `#F`: 0 for none, else an index in `palette` plus one.
     faces: AsIs<Uint8Array>,
     /// `#V`: the same for constraints that cover no whole face.
@@ -136,7 +136,7 @@ impl Solver {
 
     /// Returns the colour of the row of constraints that acts on each face and each vertex.
     #[wasm_bindgen(js_name = rowColours)]
-    pub fn row_colours(&self) -> Result<Js<RowColours>, JsValue> {
+    pub fn row_colours(&self) -> Result<Js<DrawnRowColours>, JsValue> {
         let session = self.open()?;
         let acting = session.acting_rows();
         let row_palette = session.row_palette();
@@ -145,7 +145,7 @@ impl Solver {
                 of.iter().map(|row| row.map_or(0, |row| row_palette.of_row[row as usize]));
             AsIs(Uint8Array::from(&colours.collect::<Vec<u8>>()[..]))
         };
-        plain(&RowColours {
+        plain(&DrawnRowColours {
             faces: of_rows(&acting.faces),
             vertices: of_rows(&acting.vertices),
             palette: palette(&row_palette),

@@ -144,7 +144,10 @@ test('steps that may take seconds are announced as work, so that the worker is n
       time.pass(SLICE_MS);
       return before.push(sent.at(-1)) === 5;
     },
-    endRun: () => ended(),
+    endRun() {
+      ended();
+      return undefined;
+    },
   });
   const scheduler = new Scheduler(solver, post, died);
   scheduler.begin(false);
