@@ -150,14 +150,8 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "Diameter of holes along edges and at the ends of fins; 0 for none.",
     )
     .of(FLAT),
-    setting(
-        Offset,
-        "kind",
-        "Keep the distance of",
-        KINDS,
-        "What keeps its distance in the offset.",
-    )
-    .or("the kind with the smallest errors"),
+    setting(Offset, "kind", "Measured at", KINDS, "What keeps its distance in the offset.")
+        .or("the kind with the smallest errors"),
     setting(
         Offset,
         "distance",
@@ -232,19 +226,13 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     setting(
         Files,
         "material",
-        "Written on sheets",
+        "Sheet label",
         BuildForm::Text,
         "The name of the material, in the title of the sheets.",
     ),
     setting(Files, "names", "Names", NAMES, "Rows and columns: if the mesh is one grid of quads."),
     setting(Files, "dxf", "Drawings", DXF, "The version of the DXF files."),
-    setting(
-        Files,
-        "page",
-        "Pages of the PDF",
-        PAGES,
-        "Larger sheets are printed on several pages.",
-    ),
+    setting(Files, "page", "PDF pages", PAGES, "Larger sheets are printed on several pages."),
     setting(
         Files,
         "outlines_only",
