@@ -256,6 +256,8 @@ fn settings_of_the_workshop_are_used_and_listed_in_the_summary() {
         assert!(summary.contains(&format!("\r\n{line}\r\n")), "{line}: {summary}");
     }
     assert!(folder.read("parts/sheet-01.dxf").contains("AC1009"));
+    let words = folder.run(&["build", "roof.obj", "--product=paper", "--kerf=0.2"]).done();
+    assert!(words.contains("note: of no effect on paper: --kerf\n"), "{words}");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use shape_up::fabricate::{
     LengthInMetres, PRESENTATION, PaperReport, ReportView,
 };
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BUILD_SETTINGS, BuildSettings, Scene, UNITS, Up};
+use shape_up::scene::{BUILD_SETTINGS, BuildSetting, BuildSettings, Scene, UNITS, Up};
 use shape_up::words;
 use std::path::{Path, PathBuf};
 
@@ -17,6 +17,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let at = |message: String| Failure::Input(format!("{}: {message}", asked.input.display()));
     scene.validate(&mesh).map_err(|error| at(error.to_string()))?;
     let settings = settings(asked, &scene).map_err(at)?;
+    remarks.extend(without_effect(asked, &settings));
     let mesh = Mesh { positions: scene.start(&mesh).to_vec(), ..mesh };
     let unit = UNITS.iter().find(|unit| unit.symbol == scene.units).unwrap_or_else(|| {
         let what = match &*scene.units {
@@ -72,10 +73,22 @@ fn left_over(folder: &Path, written: &[(PathBuf, Vec<u8>)]) -> Option<String> {
     })
 }
 
+/// Names the options that the product does not use.
+fn without_effect(asked: &arguments::Build, settings: &BuildSettings) -> Option<String> {
+    let product = settings.product;
+    let given = asked.settings.iter().filter_map(|(id, _)| declared(id));
+    let unused = given.filter(|setting| !setting.products.contains(&product));
+    let names: Vec<String> = unused.filter_map(BuildSetting::option).collect();
+    (!names.is_empty()).then(|| format!("of no effect on {}: {}", product.id(), names.join(", ")))
+}
+
+fn declared(id: &str) -> Option<&'static BuildSetting> {
+    BUILD_SETTINGS.iter().find(|setting| setting.id == id)
+}
+
 /// Returns the settings of the scene, overridden by the options.
 fn settings(asked: &arguments::Build, scene: &Scene) -> Result<BuildSettings, String> {
     let own = scene.build.as_deref().cloned().unwrap_or_default();
-    let declared = |id: &str| BUILD_SETTINGS.iter().find(|setting| setting.id == id);
     asked.settings.iter().try_fold(own, |own, (id, value)| match declared(id) {
         Some(setting) => {
             own.with(setting, value.clone()).map_err(|fault| format!("build.{id}: {fault}"))
