@@ -280,7 +280,7 @@ export const walks: Record<string, State[]> = {
       reach: async (page) => {
         await openText(page, 'roof.obj', wavyGrid(6), 49);
         await showPanel(page, 'Model');
-        await expect(page.getByRole('button', { name: 'Looks right' })).toBeVisible();
+        await expect(page.getByRole('button', { name: 'Yes', exact: true })).toBeVisible();
       },
       leave: hidePanels,
     },

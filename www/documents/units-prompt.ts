@@ -79,7 +79,7 @@ export function frameFields(store: Store, actions: Actions): HTMLElement {
       'button.small.bordered',
       // Confirms the guess: nothing changes, but the file is remembered.
       { onclick: () => removeKeepingFocus(note, () => change({})) },
-      'Looks right',
+      'Yes',
     ),
   );
   function showGuess() {
@@ -110,9 +110,10 @@ export function frameFields(store: Store, actions: Actions): HTMLElement {
 }
 
 /**
- * Names the unit or axis that was guessed because the file has none; empty if nothing was guessed.
+ * Asks about the unit or axis that was guessed because the file has none; empty if nothing was.
  */
-function guessInWords({ name, guessed }: Loaded) {
-  const missing = [guessed.units && 'units', guessed.up && 'up axis'].filter(Boolean).join(' or ');
-  return missing && `${name} has no ${missing}. Our guess:`;
+function guessInWords({ guessed }: Loaded) {
+  if (guessed.units && guessed.up) return 'Unit and up axis are not in the file. Are these right?';
+  if (guessed.units) return 'The unit is not in the file. Is this right?';
+  return guessed.up ? 'The up axis is not in the file. Is this right?' : '';
 }

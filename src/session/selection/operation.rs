@@ -107,7 +107,7 @@ pub const OPERATIONS: &[Operation] = &[
     },
     Operation {
         id: "to-edges",
-        label: "Its edges",
+        label: "Edges of the selection",
         summary: "The edges all of whose vertices are selected.",
         needs_selection: true,
         modes: &[Mode::Vertices, Mode::Faces],
@@ -116,7 +116,7 @@ pub const OPERATIONS: &[Operation] = &[
     },
     Operation {
         id: "to-faces",
-        label: "Its faces",
+        label: "Faces of the selection",
         summary: "The faces all of whose vertices are selected.",
         needs_selection: true,
         modes: &[Mode::Vertices, Mode::Edges],

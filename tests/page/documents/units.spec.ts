@@ -16,8 +16,9 @@ import {
 
 test.use({ sameDocument: true });
 
-const guess = (page: Page) => page.getByText(/ has no units or up axis\. Our guess:$/);
-const looksRight = (page: Page) => page.getByRole('button', { name: 'Looks right' });
+const guess = (page: Page) =>
+  page.getByText('Unit and up axis are not in the file. Are these right?');
+const looksRight = (page: Page) => page.getByRole('button', { name: 'Yes', exact: true });
 const upOf = (page: Page) => page.evaluate(() => window.shapeUp.scene().up ?? 'z');
 
 test('the guess is shown in the panel, covers nothing, and is written into saved files', async ({

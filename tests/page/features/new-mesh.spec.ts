@@ -24,10 +24,10 @@ test('a new mesh follows its sizes, is kept, and is constrained', async ({ page 
   await dialog.getByLabel('Unit').selectOption('mm');
   await expect(first).toHaveValue(String(1000 * length));
   await first.fill('-1');
-  await expect(dialog.getByRole('button', { name: 'Begin with this' })).toBeDisabled();
+  await expect(dialog.getByRole('button', { name: 'Create mesh' })).toBeDisabled();
   await first.fill(String(2000 * length));
   await expect(dialog.getByText(/faces, .* vertices\./)).toBeVisible();
-  await dialog.getByRole('button', { name: 'Begin with this' }).click();
+  await dialog.getByRole('button', { name: 'Create mesh' }).click();
   await expect(dialog).toBeHidden();
   const scene = await sceneOf(page);
   expect(scene.units).toBe('mm');
@@ -72,7 +72,7 @@ test('Undo restores the model before a new mesh, with its undo history', async (
   const title = await undo.getAttribute('title');
   const dialog = await openNewMesh(page);
   await waitForState(page, (now) => now.vertices !== 25);
-  await dialog.getByRole('button', { name: 'Begin with this' }).click();
+  await dialog.getByRole('button', { name: 'Create mesh' }).click();
   await expect(undo).toHaveAttribute('title', 'Undo: New mesh (Ctrl+Z)');
   await undo.click();
   await waitForState(page, (now) => now.vertices === 25);
@@ -99,7 +99,7 @@ test('a surface is made between two curves of the model, or inside a boundary', 
   await expect(dialog.getByText('None of the curves is closed.')).toBeVisible();
   await dialog.getByLabel('Made').selectOption('Between two curves');
   await waitForState(page, (now) => now.faces === 20);
-  await dialog.getByRole('button', { name: 'Begin with this' }).click();
+  await dialog.getByRole('button', { name: 'Create mesh' }).click();
   await expect(dialog).toBeHidden();
   const again = await openNewMesh(page);
   await again.getByLabel('Shape').selectOption({ label: 'Between curves' });

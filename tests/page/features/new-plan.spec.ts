@@ -67,7 +67,7 @@ test('a drawn plan becomes a roof of exactly circular panels', async ({ page }) 
   await dialog.getByRole('button', { name: 'Undo' }).click();
   await expect.poll(farthest).toBeCloseTo(20, 9);
 
-  await dialog.getByRole('button', { name: 'Begin with this' }).click();
+  await dialog.getByRole('button', { name: 'Create mesh' }).click();
   await expect(dialog).toBeHidden();
   await page.getByRole('button', { name: 'Make panels circular', exact: true }).click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
@@ -98,7 +98,7 @@ test('an outline and a hole are drawn, panels are cut to them, and mistakes are 
   await expect(point(dialog, 6)).toBeVisible();
   await waitForState(page, (now) => now.faces !== 160);
   const whole = await state(page);
-  await expect(dialog.getByRole('button', { name: 'Begin with this' })).toBeEnabled();
+  await expect(dialog.getByRole('button', { name: 'Create mesh' })).toBeEnabled();
 
   await dialog.getByRole('button', { name: 'Draw a hole' }).click();
   const hole = [
@@ -116,9 +116,9 @@ test('an outline and a hole are drawn, panels are cut to them, and mistakes are 
   await dialog.getByLabel('y', { exact: true }).fill('100');
   await dialog.getByLabel('y', { exact: true }).press('Enter');
   await expect(dialog.getByText(/side \d of the outline .* cross or touch/)).toBeVisible();
-  await expect(dialog.getByRole('button', { name: 'Begin with this' })).toBeDisabled();
+  await expect(dialog.getByRole('button', { name: 'Create mesh' })).toBeDisabled();
   await dialog.getByRole('button', { name: 'Undo' }).click();
-  await expect(dialog.getByRole('button', { name: 'Begin with this' })).toBeEnabled();
+  await expect(dialog.getByRole('button', { name: 'Create mesh' })).toBeEnabled();
 
   // Esc ends the drawing, not the dialog.
   await dialog.getByRole('button', { name: 'Draw the outline' }).click();
@@ -153,7 +153,7 @@ test('points are moved, added and removed by keys, and a number typed last is in
   // Typed: `fill` reports the number at once.
   await dialog.getByLabel('x', { exact: true }).press('Control+A');
   await page.keyboard.type('24');
-  await dialog.getByRole('button', { name: 'Begin with this' }).click();
+  await dialog.getByRole('button', { name: 'Create mesh' }).click();
   await expect(dialog).toBeHidden();
   const { mesh } = await sceneOf(page);
   expect(Math.max(...mesh.positions.map(([x]: number[]) => x))).toBe(24);
@@ -173,11 +173,11 @@ test('crossing sides are marked in the drawing, and the plan is there the next t
   await y.press('Enter');
   await expect(dialog.getByText(/cross or touch/)).toBeVisible();
   await expect(crossing).toHaveCount(2);
-  await expect(dialog.getByRole('button', { name: 'Begin with this' })).toBeDisabled();
+  await expect(dialog.getByRole('button', { name: 'Create mesh' })).toBeDisabled();
   await x.fill('26');
   await x.press('Enter');
   await expect(crossing).toHaveCount(0);
-  await dialog.getByRole('button', { name: 'Begin with this' }).click();
+  await dialog.getByRole('button', { name: 'Create mesh' }).click();
   await expect(dialog).toBeHidden();
   // The next time, in another unit, the dialog shows the plan as it was left.
   await page.getByRole('button', { name: 'Examples' }).click();

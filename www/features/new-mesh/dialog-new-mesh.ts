@@ -57,7 +57,7 @@ export async function newMesh({ store, solver, files, actions, alerts }: AppCont
   let form: Pick<ReturnType<typeof planForm>, 'element' | 'show' | 'made' | 'convert'> & {
     kept?: () => void;
   };
-  const keep = button('Begin with this', keepIt, { class: 'primary' });
+  const keep = button('Create mesh', keepIt, { class: 'primary' });
 
   /** The open document with its undo history, which belongs to the solver's last scene text. */
   async function whatIsOpen() {

@@ -119,7 +119,7 @@ export function openSteps(app: AppContext) {
         'div',
         shapeOf(step, index),
         run.label,
-        button('Take this view', () => take(index), {
+        button('Replace by this view', () => take(index), {
           class: 'bordered small',
           title: 'The view, the measure and the weights as they are now',
         }),
@@ -173,7 +173,7 @@ export function openSteps(app: AppContext) {
     setText(
       said,
       steps.length === 0
-        ? 'Turn the model, choose a measure, then add the view. Each step also keeps the weights.'
+        ? 'No steps yet. A step keeps the view, the measure and the weights as they are when it is added.'
         : `${count(steps.length, 'step')}, saved in the scene. Keys: → and ← or a presenter, B darkens, Space runs, Esc ends.`,
     );
   }

@@ -15,7 +15,7 @@ readLink(hash).then(
   (link) =>
     link?.example
       ? showExample(link.example, link.run || link.text ? 'start' : 'end')
-      : setText(byId('title'), 'A mesh to shape'),
+      : setText(byId('title'), 'A model in Shape-Up'),
   (error) => setText(byId('trouble'), messageOf(error)),
 );
 
