@@ -200,6 +200,29 @@ test('settings are saved in the scene and can be undone; parts and panels are se
   expect((await state(page)).build).toBe(null);
 });
 
+test('every declared setting has a field with its unit, in its group', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  await openBuild(page);
+  for (const group of ['Cutting', 'Limits of the check'])
+    await panel(page).locator('summary', { hasText: group }).click();
+  await setField(page, 'Kerf, mm', 0.2);
+  await setField(page, 'Flatness, mm', 60);
+  // Both sides of a sheet are one value of the scene.
+  await setField(page, 'Sheet width, mm', 300);
+  await setField(page, 'Sheet height, mm', 200);
+  const { check } = reportOf(
+    await waitForState(page, (now) => now.build?.sheet_mm.join() === '300,200'),
+  );
+  expect(check.find(({ id }) => id === 'panel_flatness')?.limit).toBe(60);
+  const { build } = await sceneOf(page);
+  expect(build).toMatchObject({ kerf: 0.2, sheet: [300, 200], limits: { flatness: 60 } });
+  await expect(panel(page).getByLabel('Joint, m')).toBeVisible();
+  await panel(page).getByLabel('Make').selectOption('paper');
+  await expect(panel(page).getByLabel('Kerf')).toBeHidden();
+  await expect(panel(page).getByLabel('Tabs, mm')).toBeVisible();
+});
+
 test('fins and a paper model are made of the same shape and saved', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
