@@ -131,11 +131,19 @@ async function buildPanel(app: AppContext) {
     save.disabled = rhino.disabled = report.disabled = true;
   }
 
+  /** What was sent and is not in the scene yet, and the number of edits that this takes. */
+  let sent: Partial<BuildSettings> = {};
+  let pending = 0;
+
   function change(own: Partial<BuildSettings>) {
-    const build = { ...store.get().document?.build, ...own };
+    sent = { ...sent, ...own };
+    pending += 1;
+    const build = { ...store.get().document?.build, ...sent };
     void actions.edit({ setBuild: { build } }).then((edited) => {
-      // What was refused is shown no longer.
+      pending -= 1;
+      // What was refused is neither sent again nor shown any longer.
       if (edited === undefined) form.show(live.settings(), live.unit().symbol);
+      if (!pending || edited === undefined) sent = {};
     });
   }
 
