@@ -9,6 +9,7 @@ import { latestOnly } from '../../store/latest-only.ts';
 import { newestOnly } from '../../store/newest-only.ts';
 import { RENEW_MS, byId, element, removeKeepingFocus, setText, throttled } from '../../ui/dom.ts';
 import { cover, showElements } from '../../viewport/camera.ts';
+import { BetterChoices } from './better-choices.ts';
 import { isMeshLocked, panelButtons, addButtons } from './buttons.ts';
 import { openEdit } from './refine-operation.ts';
 import type { BetterPress, KindInfo, PanelStart, PanelVerdict } from '../../solver/types.ts';
@@ -47,11 +48,8 @@ export class MakePanels {
   #showFolds = button('Show the folds', () => this.#app.actions.begin(this.#showFolded()));
   /** Makes the panels again, within another tolerance. */
   #again = button('', () => this.#makeAgain());
-  /** Presses that end better, and what is said while they are looked for. */
-  #better = element('div.better', { role: 'group', 'aria-label': 'Better choices' });
-  #changes = element('div.changes', this.#showFolds, this.#again, this.#better);
-  /** The generation for which better presses were looked for. */
-  #triedFor: unknown = null;
+  #better: BetterChoices;
+  #changes: HTMLElement;
   /** The press whose result is shown, in words; empty for one of the panel buttons. */
   #choice = '';
   /** The id of the kind of the verdict. */
@@ -65,6 +63,13 @@ export class MakePanels {
 
   constructor(app: AppContext) {
     this.#app = app;
+    this.#better = new BetterChoices(
+      app,
+      (press) => this.#press(press),
+      () => this.#showIfAny(),
+    );
+    const { group } = this.#better;
+    this.#changes = element('div.changes', this.#showFolds, this.#again, group);
     addButtons(app);
     const { store, solver } = app;
     store.subscribe(['model', 'kinds', 'document', 'example', 'flatMap'], () => this.#show());
@@ -291,8 +296,8 @@ export class MakePanels {
     this.#again.hidden = again === null;
     setText(this.#again, again ?? '');
     this.#remedyButton.hidden = isGood || !this.#canChangeMesh();
-    if (isGood) this.#showBetter([]);
-    else void this.#findBetter(verdict);
+    if (isGood) this.#better.clear();
+    else void this.#better.find(verdict);
     this.#showIfAny();
     this.#card.classList.toggle('warning', !isGood);
   }
@@ -300,33 +305,6 @@ export class MakePanels {
   #showIfAny() {
     this.#changes.hidden = !this.#changes.querySelector(':scope > :not([hidden])');
     this.#cover();
-  }
-
-  /** Looks for presses that end better than the `verdict`; once for each shape. */
-  async #findBetter(verdict: PanelVerdict) {
-    const { solver, actions } = this.#app;
-    const shape = solver.geometry?.generation;
-    if (this.#triedFor === shape || !verdict.required) return;
-    this.#triedFor = shape;
-    this.#showBetter([], 'Looking for better choices …');
-    const found: BetterPress[] = [];
-    const show = (presses: BetterPress[], words = 'Looking for better choices …') => {
-      found.splice(0, found.length, ...presses);
-      if (this.#triedFor === shape) this.#showBetter(found, words);
-    };
-    const ended = await actions.trials.betterPresses(verdict.tolerance, show).catch(() => null);
-    if (ended === false) this.#triedFor = null;
-    show(found, '');
-  }
-
-  #showBetter(presses: BetterPress[], words = '') {
-    const buttons = presses.map((press) =>
-      button(`${press.label}: ${press.words}`, () => this.#press(press), { class: 'bordered' }),
-    );
-    buttons[0]?.classList.add('recommended');
-    this.#better.replaceChildren(...buttons, ...(words ? [element('p.quiet', words)] : []));
-    this.#better.hidden = buttons.length === 0 && !words;
-    this.#showIfAny();
   }
 
   /** Makes the panels by a better press. */
