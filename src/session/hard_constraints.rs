@@ -142,7 +142,8 @@ impl Session {
             },
             _ => (Vec::new(), None),
         };
-        if self.search != Search::Off {
+        // A search that is interrupted has chosen nothing: the next run begins it anew.
+        if self.search != Search::Off && is_whole {
             parts.push(self.choice(&attempt));
         }
         parts.retain(|part| !part.is_in(self.document()));

@@ -2,6 +2,7 @@
 
 use super::Session;
 use super::run::{HalfStep, Step, fitted};
+use crate::scene::SolverSettings;
 use crate::session::Error;
 
 impl Session {
@@ -52,10 +53,11 @@ impl Session {
         Ok(Step { converged: self.converged(), ended })
     }
 
-    /// Whether the run has had as many iterations as the scene allows.
+    /// Whether the run has had as many iterations as the scene allows. With a tolerance of 0 it goes on
+    /// until it is ended.
     fn is_run_long(&self) -> bool {
-        let run = self.transaction.as_ref().filter(|transaction| transaction.is_run());
-        let most = self.document().solver.iterations;
+        let SolverSettings { iterations: most, tolerance, .. } = self.document().solver;
+        let run = self.transaction.as_ref().filter(|run| run.is_run() && tolerance > 0.0);
         run.is_some_and(|run| self.iteration().saturating_sub(run.back().iteration) >= most)
     }
 

@@ -143,7 +143,7 @@ fn another_press_begins_with_the_settings_before_the_last_one() {
 fn a_run_has_as_many_iterations_as_the_scene_allows() {
     // The page went on to 475 instead of 200.
     let mut scene = Scene::opened("own.obj");
-    (scene.solver.iterations, scene.solver.tolerance) = (20, 0.0);
+    (scene.solver.iterations, scene.solver.tolerance) = (20, 1e-30);
     let mut session = Session::open(scene, sheared(8, saddle, 0.3, 0.2)).expect("it fits");
     session.make_panels("plane", f64::INFINITY, PanelStart::Now).expect("it has quads");
     while !session.step().expect("it stays finite").ended {}
@@ -197,4 +197,42 @@ fn noise_order_and_position_do_not_change_what_is_chosen() {
         assert_eq!((&other_name, other_level), (&name, level), "{what}");
     }
     assert!(!shape.is_empty());
+}
+
+#[test]
+fn what_the_user_sets_after_a_press_is_not_taken_back_by_the_next_one() {
+    let Some(mesh) = shared::mesh("M2_eq_quad2.obj") else { return };
+    let mut session = opened(mesh);
+    press(&mut session, "circle");
+    assert!(session.document().attempt.smoother > 1.0);
+    let edit = Edit::from_json(r#"{ "setWeights": { "smooth": 5 } }"#).expect("an edit");
+    session.edit(edit).expect("nothing is locked");
+    assert_eq!(session.document().attempt.smoother, 1.0);
+    session.undo().expect("solvable");
+    assert!(session.document().attempt.smoother > 1.0);
+}
+
+#[test]
+fn a_press_that_is_paused_begins_anew() {
+    let n = 10;
+    let whole = {
+        let mut session = opened(sheared(n, saddle, 0.8, 0.3));
+        let before = session.document().weights;
+        press(&mut session, "circle");
+        (session.positions(), before)
+    };
+    let mut session = opened(sheared(n, saddle, 0.8, 0.3));
+    let tolerance = session.tolerance();
+    session.make_panels("circle", tolerance, PanelStart::Now).expect("it has quads");
+    // In the second attempt or later.
+    while !session.attempt_words().is_some_and(|words| words.starts_with("Trying")) {
+        assert!(!session.step().expect("it stays finite").ended, "it needs one attempt only");
+    }
+    session.end_run();
+    assert_eq!(session.document().weights, whole.1);
+    session.edit(Edit::Reset).expect("nothing is locked");
+    session.begin_run();
+    while !session.step().expect("it stays finite").ended {}
+    session.end_run();
+    assert_eq!(session.positions(), whole.0);
 }

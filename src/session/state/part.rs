@@ -120,6 +120,18 @@ impl Settings {
         self
     }
 
+    /// Returns the attempt that the settings `now` name: what the user has changed is not the search's.
+    pub(crate) fn attempt_beside(&self, now: &Settings) -> ChosenAttempt {
+        let mut attempt = now.attempt;
+        if self.weights.smooth != now.weights.smooth {
+            attempt.smoother = 1.0;
+        }
+        if (self.to, self.boundary) != (now.to, now.boundary) {
+            attempt.on_surface = false;
+        }
+        attempt
+    }
+
     /// Returns the settings with closeness to the surface, and to its boundary.
     pub(crate) fn on_surface(self) -> Settings {
         let boundary = Some(BoundaryCloseness::default());

@@ -102,6 +102,7 @@ impl Draft<'_> {
     ) -> Result<T, SceneError> {
         let before = Settings::of(self.document);
         let done = set(self.document)?;
+        self.document.attempt = before.attempt_beside(&Settings::of(self.document));
         self.change.parts.push(Part::Settings(before));
         Ok(done)
     }

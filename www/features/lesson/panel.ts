@@ -39,7 +39,7 @@ export function lessonPanel(app: AppContext) {
     ),
   );
   byId('model-panel').prepend(place);
-  const line = element('span');
+  const line = element('span', 'Goals');
   const card = element(
     'div',
     { id: 'lesson-card', 'aria-live': 'polite', hidden: true },

@@ -50,8 +50,8 @@ export class MakePanels {
   #again = button('', () => this.#makeAgain());
   #better: BetterChoices;
   #changes: HTMLElement;
-  /** The press whose result is shown, in words; empty for one of the panel buttons. */
-  #choice = '';
+  /** The better choice that was pressed last, and the generation of the shape that it led to. */
+  #choice: { label: string; shape?: number } | null = null;
   /** The id of the kind of the verdict. */
   #kind = '';
   #verdicts = latestOnly(() => this.#renewVerdict());
@@ -166,7 +166,7 @@ export class MakePanels {
 
     const here = this.#shows === 'offer' ? this.#card : this.#panel;
     const press = (kind: KindInfo) => {
-      this.#choice = '';
+      this.#choice = null;
       return this.#make(kind);
     };
     const change = (operation: string) => this.#change(operation);
@@ -273,9 +273,8 @@ export class MakePanels {
     if (!verdict || store.get().model !== model || this.#shows !== 'verdict') return;
     const isOver = !running && !this.#isUnderWay();
     const attempt = numbers?.attempt ?? '';
-    const choice = this.#choice && `${this.#choice}: `;
     const text = isOver
-      ? `${choice}${verdict.words.full}`
+      ? `${this.#chosen(atEnd)}${verdict.words.full}`
       : `${attempt} ${verdict.words.progress}`.trim();
     setText(this.#text, text);
     this.#kind = verdict.kind;
@@ -285,6 +284,13 @@ export class MakePanels {
     if (running || numbers?.collapse || !(atEnd || isSaid)) return;
     this.#said = text;
     actions.setStatus(text);
+  }
+
+  /** The better choice that led to the shape, to begin a verdict with; empty for another shape. */
+  #chosen(atEnd: boolean) {
+    const shape = this.#app.solver.geometry?.generation;
+    if (this.#choice && atEnd && shape !== undefined) this.#choice.shape ??= shape;
+    return this.#choice?.shape === shape && this.#choice ? `${this.#choice.label}: ` : '';
   }
 
   /** Offers ways to a better shape, if the final `verdict` asks for it. */
@@ -314,7 +320,7 @@ export class MakePanels {
     const kind = kinds.find((one) => one.id === id);
     if (!kind) return;
     if (within !== (tolerance ?? model?.tolerance)) actions.setTolerance(within);
-    this.#choice = label;
+    this.#choice = { label };
     await this.#make(kind, from, within);
   }
 
@@ -328,7 +334,7 @@ export class MakePanels {
   /** Makes the panels again from the original, within the tolerance that is shown. */
   async #makeAgain() {
     const kind = this.#app.store.get().kinds.find(({ id }) => id === this.#kind);
-    this.#choice = '';
+    this.#choice = null;
     if (kind) await this.#make(kind, 'original');
   }
 
