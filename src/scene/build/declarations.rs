@@ -270,6 +270,19 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     ),
 ];
 
+impl BuildSettings {
+    /// Checks that every number is finite and in its declared range.
+    pub(super) fn check_numbers(&self) -> Result<(), (&'static str, String)> {
+        for setting in BUILD_SETTINGS {
+            let BuildForm::Number { value, .. } = setting.form else { continue };
+            if let Some(fault) = value(self).and_then(|number| setting.fault(number)) {
+                return Err((setting.id, fault));
+            }
+        }
+        Ok(())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -152,17 +152,6 @@ impl BuildSetting {
 }
 
 impl BuildSettings {
-    /// Checks that every number is finite and in its declared range.
-    pub(super) fn check_numbers(&self) -> Result<(), (&'static str, String)> {
-        for setting in super::BUILD_SETTINGS {
-            let BuildForm::Number { value, .. } = setting.form else { continue };
-            if let Some(fault) = value(self).and_then(|number| setting.fault(number)) {
-                return Err((setting.id, fault));
-            }
-        }
-        Ok(())
-    }
-
     /// Returns the value of a setting, as in a scene.
     pub fn value(&self, setting: &BuildSetting) -> Value {
         let own = serde_json::to_value(self).unwrap_or_default();
