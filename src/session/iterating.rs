@@ -1,6 +1,7 @@
 //! Iterations, whole and in halves.
 
 use super::Session;
+use super::edit::PanelStart;
 use super::run::{HalfStep, Step, fitted};
 use crate::scene::SolverSettings;
 use crate::session::Error;
@@ -54,10 +55,13 @@ impl Session {
     }
 
     /// Whether the run has had as many iterations as the scene allows. With a tolerance of 0 it goes on
-    /// until it is ended.
+    /// until it is ended, unless hard constraints are to be met after it.
     fn is_run_long(&self) -> bool {
         let SolverSettings { iterations: most, tolerance, .. } = self.document().solver;
-        let run = self.transaction.as_ref().filter(|run| run.is_run() && tolerance > 0.0);
+        let run = self.transaction.as_ref().filter(|run| run.is_run());
+        if tolerance == 0.0 && !self.has_hard_rows() {
+            return false;
+        }
         run.is_some_and(|run| self.iteration().saturating_sub(run.back().iteration) >= most)
     }
 
@@ -101,14 +105,26 @@ impl Session {
         self.meet(true)
     }
 
-    /// As a press for panels in the page: a search for a shape that meets the hard constraints, by all
-    /// attempts, and with tolerances above this required one for some panels at last (unit of the
-    /// mesh).
+    /// As a press for panels of this `kind` in the page: a search for a shape within `tolerance` (unit
+    /// of the mesh), by all attempts, and with larger tolerances for some panels at last. Without a
+    /// kind, of the constraints that there are. With `trace` the energies of all iterations are
+    /// recorded.
     ///
     /// # Errors
-    /// As [`Session::step`].
-    pub fn solve_as_pressed(&mut self, tolerance: f64) -> Result<(), Error> {
-        self.begin_search(tolerance);
+    /// As [`Session::make_panels`] and [`Session::step`].
+    pub fn solve_as_pressed(
+        &mut self,
+        kind: Option<&str>,
+        tolerance: f64,
+        trace: bool,
+    ) -> Result<(), Error> {
+        if trace {
+            self.progress.record_all(self.scene.solver().energy());
+        }
+        match kind {
+            Some(kind) => self.make_panels(kind, tolerance, PanelStart::Now)?,
+            None => self.begin_search(tolerance),
+        }
         while !self.step()?.ended {}
         self.end_run();
         Ok(())

@@ -112,9 +112,16 @@ impl Session {
     /// Returns how many panels have the shape required by the last enabled row on single faces,
     /// with distances up to `tolerance`. None if no row constrains panels.
     pub fn verdict(&mut self, tolerance: f64) -> Option<Verdict> {
+        let edge = self.edge_of_design();
         let met = self.met.as_ref().filter(|met| met.is_of(&self.scene));
         let Session { rest, scene, measured: cache, .. } = self;
-        Verdict::of(&mut Measuring { rest, scene, cache }, tolerance, met)
+        Verdict::of(&mut Measuring { rest, scene, cache }, tolerance, edge, met)
+    }
+
+    /// Says how many panels have the shape required of them so far, with distances up to `tolerance`.
+    /// None if no row constrains panels.
+    pub fn panel_progress(&mut self, tolerance: f64) -> Option<String> {
+        report::panel_progress(&mut self.measuring(), tolerance)
     }
 
     /// Returns the verdict for the report; if `tries`, with better choices if the shape is not good.

@@ -1,13 +1,15 @@
 //! The search for a shape that meets the hard constraints: the attempts of a run, as exact solvers.
 
 use super::Session;
+use super::edit::check_lock;
 use super::report::ConstraintCoverage;
 use super::requirements::Required;
 use super::run::{Attempt, Attempts, Eased, Meeting, Outcome, Search, ShapeMeasure, Tolerances};
 use super::state::{Part, RowValues, Settings};
+use crate::math::Vec3;
 use crate::mesh::Point;
 use crate::scene::{
-    AttemptStart, ClosenessTo, ConstraintSpec, EasedFaces, SmoothnessOf, all_faces,
+    AttemptStart, ClosenessTo, ConstraintSpec, EasedFaces, Lock, SmoothnessOf, all_faces,
 };
 use crate::session::Error;
 use crate::solve::{Exact, ExactAnswer, Require, Solver};
@@ -34,9 +36,28 @@ impl Session {
             document.weights.smooth > 0.0 && document.smoothness.of == SmoothnessOf::Displacement;
         let closeness = &document.closeness;
         let is_held = closeness.to == ClosenessTo::Rest && closeness.boundary.is_none();
-        let can = [is_smooth, is_held && document.weights.close > 0.0];
-        let (faces, edge) = (self.mesh().faces.len(), self.rest.mean_edge());
-        Attempts::new(self.search, document.attempt.from, can, faces, edge)
+        let is_locked = check_lock(Lock::Weights, document).is_err();
+        let can = [is_smooth, is_held && document.weights.close > 0.0].map(|can| can && !is_locked);
+        let (faces, edge) = (self.mesh().faces.len(), self.edge_of_design());
+        Attempts::new(self.search, document.attempt, can, faces, [self.rest.mean_edge(), edge])
+    }
+
+    /// Whether a handle is to move a vertex from its rest position.
+    fn is_pulled(&self) -> bool {
+        let least = self.tolerance();
+        self.scene.handles().iter().any(|handle| {
+            let rest = self.rest.positions()[handle.vertex as usize];
+            (Vec3::from(handle.target) - Vec3::from(rest)).length() > least
+        })
+    }
+
+    /// The mean edge at rest, by which the place of a shape is judged; infinite if the shape is meant to
+    /// be elsewhere than the original.
+    pub(super) fn edge_of_design(&self) -> f64 {
+        let is_kept =
+            matches!(self.document().closeness.to, ClosenessTo::Rest | ClosenessTo::Surface)
+                && self.document().variants.design_positions().is_none();
+        if is_kept && !self.is_pulled() { self.rest.mean_edge() } else { f64::INFINITY }
     }
 
     /// Whether the first attempt of a run does not begin at the soft solution.
@@ -65,10 +86,13 @@ impl Session {
             work: u64::from(iterations) * positions.len() as u64,
         };
         let rest = &self.rest;
+        let meeting_start = meeting.start().to_vec();
         let next = meeting.next(&outcome, &|faces| rest.faces_around(faces));
         let Some((attempt, start)) = next else { return Ok(false) };
         let start = match start {
             Some(whole) => self.eased_start(&attempt, whole, &positions),
+            // Within their tolerances at rest, handles and closeness would not be heard.
+            None if self.is_pulled() => meeting_start,
             None => self.rest.positions().to_vec(),
         };
         if attempt == Attempt::OnSurface {

@@ -35,8 +35,8 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
   /** The verdict on the panels, for the status line. */
   async function verdict() {
     const { tolerance, model } = store.get();
-    const found = await actions.ask.verdict(tolerance ?? model?.tolerance ?? 0);
-    return found ? `. ${found.words.progress}` : '';
+    const found = await actions.ask.panelProgress(tolerance ?? model?.tolerance ?? 0);
+    return found ? `. ${found}` : '';
   }
 
   return {

@@ -90,9 +90,8 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
       (await run(ask.tryImprovement, goesOn)) ? ask.found() : null,
 
     /**
-     * Presses for panels that end better than the last one.
+     * Presses for panels that end better than the last one. Other trials go first.
      * @param tolerance of its panels
-     * It lets other trials go first.
      * @param found is called with those found so far, whenever there is another one
      */
     async betterPresses(tolerance: number, found: (presses: BetterPress[]) => void) {

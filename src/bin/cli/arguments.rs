@@ -248,6 +248,11 @@ fn solve(mut words: Words) -> Result<Command, String> {
         }
     }
     solve.input = input.ok_or("solve needs a scene or a mesh file")?;
+    if solve.improve && solve.require == Some(Required::Auto) {
+        return Err(
+            "solve takes --improve with --exact or --within LENGTH, not with auto".to_owned()
+        );
+    }
     apart(&solve.input, &[("--out", &solve.out), ("--report", &solve.report)])?;
     Ok(Command::Solve(solve))
 }

@@ -25,13 +25,14 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         };
         Failure::Input(format!("{}: {message}", command.input.display()))
     };
-    if let Some(kind) = command.panels {
+    let is_press = command.require == Some(Required::Auto);
+    if let Some(kind) = command.panels.filter(|_| !is_press) {
         scene.request_panels(kind, Require::Soft, &mesh).map_err(|error| at_input(error.into()))?;
     }
-    let press = (command.require == Some(Required::Auto)).then(|| tolerance_of(&mesh));
+    let press = is_press.then(|| tolerance_of(&mesh));
     let require = match command.require {
         Some(Required::Is(require)) => Some(require),
-        _ => press.map(Require::Within),
+        _ => press.map(Require::Within).filter(|_| command.panels.is_none()),
     };
     if let Some(require) = require {
         for row in &mut scene.constraints {
@@ -57,7 +58,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         );
     }
     if let Some(tolerance) = press {
-        session.solve_as_pressed(tolerance).map_err(at_input)?;
+        session.solve_as_pressed(command.panels, tolerance, command.trace).map_err(at_input)?;
     } else if command.improve {
         session.solve_and_improve(command.trace).map_err(at_input)?;
     } else {

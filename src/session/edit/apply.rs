@@ -11,7 +11,8 @@ use super::shapes::{
 use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{Read, read};
 use crate::scene::{
-    ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose, SceneError, Target, Variants,
+    ChosenAttempt, ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose, SceneError,
+    Target, Variants,
 };
 use crate::session::report::{check_lesson, check_presentation};
 use crate::session::state::{Draft, Part, RowValues, Settings};
@@ -38,9 +39,11 @@ pub(crate) fn apply(
             }
             // What an earlier search chose is no choice of the user.
             let settings = Settings::of(draft.document()).before_attempt();
+            let by =
+                |smoother, on_surface| ChosenAttempt { smoother, on_surface, ..Default::default() };
             draft.put(Part::Settings(match from {
-                PanelStart::Smoother => settings.smoother(PanelStart::SMOOTHER),
-                PanelStart::Surface => settings.on_surface(),
+                PanelStart::Smoother => settings.by_attempt(by(PanelStart::SMOOTHER, false)),
+                PanelStart::Surface => settings.by_attempt(by(1.0, true)),
                 PanelStart::Boundary => settings.on_boundary(),
                 PanelStart::Now | PanelStart::Original => settings,
             }));

@@ -324,4 +324,9 @@ pub enum PanelStart {
 impl PanelStart {
     /// The factor of the smoothness weight.
     pub(super) const SMOOTHER: f64 = 10.0;
+
+    /// Whether it changes weights, closeness or smoothness.
+    pub(crate) fn changes_settings(self) -> bool {
+        matches!(self, PanelStart::Smoother | PanelStart::Surface | PanelStart::Boundary)
+    }
 }

@@ -45,6 +45,9 @@ fn locked(part: Lock) -> SceneError {
 /// Returns the lockable parts that an edit changes.
 fn changed_by(edit: &Edit, document: &Scene) -> &'static [Lock] {
     match edit {
+        Edit::MakePanels { from, .. } if from.changes_settings() => {
+            &[Lock::Weights, Lock::Constraints]
+        }
         Edit::AddConstraint(_)
         | Edit::MakePanels { .. }
         | Edit::RemoveConstraint { .. }

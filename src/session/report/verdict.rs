@@ -4,9 +4,11 @@
 use super::face_measure::face_values;
 use super::inspect::{members, required_measure};
 use super::measuring::{Measuring, Shape};
+use crate::constraint::Info;
 use crate::mesh::{BoundingSphere, Mesh, Topology};
 use crate::session::run::{Bend, Flaw, Level, Met, SurfaceDistance, Tried};
 use crate::solve::{Moved, Require};
+use crate::words::{group_digits, limit};
 use serde::Serialize;
 
 /// How many panels have the required shape, and what became of the design. Lengths are in the unit of
@@ -69,49 +71,80 @@ pub struct EasedPanels {
     pub within: f64,
 }
 
-impl Verdict {
-    /// Returns how many panels have the shape required by the last enabled row on single faces,
-    /// with distances up to `tolerance`. None if no row constrains panels.
-    /// `search` met its hard constraints, if that is so.
-    pub(crate) fn of(
-        model: &mut Measuring<'_>,
-        tolerance: f64,
-        search: Option<&Met>,
-    ) -> Option<Verdict> {
+/// The panels that are asked to have one shape.
+struct Panels {
+    /// The index of the row that asks for it.
+    row: usize,
+    kind: &'static Info,
+    adjective: &'static str,
+    /// The panels, ascending.
+    faces: Vec<u32>,
+    /// The distance of the worst vertex of each face of the mesh, `#F`.
+    distances: Vec<f64>,
+}
+
+impl Panels {
+    /// Returns those of the last enabled row on single faces; none if no row constrains panels.
+    fn of(model: &mut Measuring<'_>) -> Option<Panels> {
         let document = model.scene.document();
         let rows = document.constraints.iter().enumerate().rev();
         let mut asking = rows.filter(|(_, row)| row.enabled);
-        let (row, info, adjective) = asking.find_map(|(index, row)| {
+        let (row, kind, adjective) = asking.find_map(|(index, row)| {
             let info = row.kind.info();
             let adjective = info.panels.filter(|_| required_measure(document, index).is_some())?;
             Some((index, info, adjective))
         })?;
         let [faces, _] = members(model.scene.rows().get(row), model.rest);
-        let eased = document.constraints[row].eased.clone();
-        let required = match document.constraints[row].require {
+        let distances = face_values(model, kind.measure?, Shape::Now)?;
+        (!faces.is_empty()).then_some(Panels { row, kind, adjective, faces, distances })
+    }
+
+    fn distance(&self, face: u32) -> f64 {
+        self.distances[face as usize]
+    }
+
+    /// Number of panels whose worst vertex is within `tolerance`.
+    fn within(&self, tolerance: f64) -> usize {
+        self.faces.iter().filter(|&&face| self.distance(face) <= tolerance).count()
+    }
+}
+
+impl Verdict {
+    /// Returns how many panels have the shape required by the last enabled row on single faces,
+    /// with distances up to `tolerance`. None if no row constrains panels.
+    /// Its place is judged by `edge`, the mean edge or infinity, and `search` met its hard constraints,
+    /// if that is so.
+    pub(crate) fn of(
+        model: &mut Measuring<'_>,
+        tolerance: f64,
+        edge: f64,
+        search: Option<&Met>,
+    ) -> Option<Verdict> {
+        let panels = Panels::of(model)?;
+        let Panels { row, kind, adjective, faces, .. } = &panels;
+        let distance = |face: u32| panels.distance(face);
+        let worst_face =
+            faces.iter().copied().max_by(|&a, &b| distance(a).total_cmp(&distance(b)))?;
+        let within = panels.within(tolerance);
+        let spec = &model.scene.document().constraints[*row];
+        let required = match spec.require {
             Require::Within(length) => Some(length),
             Require::Soft | Require::Exact => None,
         };
-        let distances = face_values(model, info.measure?, Shape::Now)?;
-        let distance = |face: u32| distances[face as usize];
-        let worst_face =
-            faces.iter().copied().max_by(|&a, &b| distance(a).total_cmp(&distance(b)))?;
-        let is_within = |face: &u32| distance(*face) <= tolerance;
-        let within = faces.iter().filter(|face| is_within(face)).count();
-        let eased = eased.as_ref().and_then(|eased| {
-            let beyond = |face: &&u32| faces.binary_search(face).is_ok() && !is_within(face);
-            let panels = eased.faces.iter().filter(beyond);
-            let panels = panels.filter(|&&face| distance(face) <= eased.within).count();
-            (panels > 0).then_some(EasedPanels { panels, within: eased.within })
+        let eased = spec.eased.as_ref().and_then(|eased| {
+            let is_one = |face: &&u32| faces.binary_search(face).is_ok();
+            let beyond = eased.faces.iter().filter(is_one).map(|&face| distance(face));
+            let beyond = beyond.filter(|&far| far > tolerance && far <= eased.within).count();
+            (beyond > 0).then_some(EasedPanels { panels: beyond, within: eased.within })
         });
         let measure = model.cache.shape_measure(model.scene, model.rest);
         let (level, flaws) = match within + eased.map_or(0, |eased| eased.panels) == faces.len() {
-            true => measure.level(eased.is_some(), model.rest.mean_edge()),
+            true => measure.level(eased.is_some(), edge),
             false => (Level::Poor, Vec::new()),
         };
         let chosen = search.and_then(|met| met.tried.get(met.chosen?));
         Some(Verdict {
-            kind: info.id,
+            kind: kind.id,
             adjective,
             level,
             flaws,
@@ -132,6 +165,26 @@ impl Verdict {
             attempts: search.map_or_else(Vec::new, |met| met.tried.clone()),
             chosen: chosen.map_or_else(String::new, |tried| tried.name.clone()),
         })
+    }
+}
+
+/// Says how many panels are within `tolerance` so far; none if no row constrains panels. It takes no
+/// longer than an iteration, unlike the whole verdict.
+pub(crate) fn panel_progress(model: &mut Measuring<'_>, tolerance: f64) -> Option<String> {
+    let panels = Panels::of(model)?;
+    let (within, of) = (panels.within(tolerance), panels.faces.len());
+    let tolerance = limit(tolerance, &model.scene.document().units);
+    Some(count_in_words(panels.adjective, within, of, &tolerance))
+}
+
+/// Says that `within` of all panels have their shape within a tolerance, given in words.
+pub(super) fn count_in_words(adjective: &str, within: usize, of: usize, tolerance: &str) -> String {
+    let shape = format!("{adjective} within {tolerance}");
+    let all = group_digits(of);
+    match of {
+        _ if within < of => format!("{} of {all} panels are {shape}.", group_digits(within)),
+        1 => format!("The panel is {shape}."),
+        _ => format!("All {all} panels are {shape}."),
     }
 }
 

@@ -1,6 +1,6 @@
-//! The verdict on the panels in words, during a run and after it.
+//! The verdict on the panels in words.
 
-use super::verdict::Verdict;
+use super::verdict::{Verdict, count_in_words};
 use crate::session::run::{Bend, BendChange, Flaw};
 use crate::words::{
     count, group_digits, length, length_like, limit_like, moved, part, rough_degrees,
@@ -14,8 +14,6 @@ const SAYS_NO_MORE: f64 = 0.99;
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct VerdictWords {
-    /// The number of panels within the tolerance, for a run that goes on.
-    pub progress: String,
     /// All of it, with the worst panel and how far the mesh moved.
     pub full: String,
     /// The label of a button that makes the panels again, within the tolerance of the verdict, if they
@@ -64,11 +62,10 @@ impl Verdict {
             },
         ];
         let told: Vec<String> = sentences.into_iter().filter(|words| !words.is_empty()).collect();
-        let progress = self.met(self.within, self.tolerance, units);
         let again = self.required.filter(|&required| required != self.tolerance);
         let label =
             |_| format!("Solve again within {}", limit_like(self.tolerance, units, self.tolerance));
-        VerdictWords { progress, full: told.join(" "), again: again.map(label) }
+        VerdictWords { full: told.join(" "), again: again.map(label) }
     }
 
     /// Says what is not good about the shape; empty if the rest of the verdict says it.
@@ -97,16 +94,8 @@ impl Verdict {
 
     /// Says that `within` panels have their shape within `tolerance`.
     fn met(&self, within: usize, tolerance: f64, units: &str) -> String {
-        let flat =
-            format!("{} within {}", self.adjective, limit_like(tolerance, units, self.tolerance));
-        let all = group_digits(self.of);
-        match self.of {
-            panels if within < panels => {
-                format!("{} of {all} panels are {flat}.", group_digits(within))
-            }
-            1 => format!("The panel is {flat}."),
-            _ => format!("All {all} panels are {flat}."),
-        }
+        let tolerance = limit_like(tolerance, units, self.tolerance);
+        count_in_words(self.adjective, within, self.of, &tolerance)
     }
 
     /// The same, with the panels that are within a larger tolerance only, because they would fold.
@@ -203,10 +192,8 @@ mod tests {
         let first = "1 face is folded or dented. All 800 panels are flat within 1 mm. Worst ";
         assert!(full(&folded).starts_with(first), "{}", full(&folded));
         let bad = Verdict { within: 12, worst: 1.787, folded: 1, ..verdict() };
-        let words = bad.words("m", 10.0, 0.5);
-        assert_eq!(words.progress, "12 of 800 panels are flat within 1 mm.");
-        let rest = " But 1 face is folded or dented. Worst 1787 mm. Your mesh ";
-        assert!(words.full.starts_with(&(words.progress + rest)), "{}", words.full);
+        let words = "12 of 800 panels are flat within 1 mm. But 1 face is folded or dented. Worst 1787 mm. Your mesh ";
+        assert!(full(&bad).starts_with(words), "{}", full(&bad));
     }
 
     #[test]

@@ -45,7 +45,7 @@ const BETTER: f64 = 0.8;
 const FEW: f64 = 0.01;
 
 /// Iterations times vertices of all attempts after which none begins: some seconds in a browser.
-const MOST_WORK: u64 = 6_000_000;
+const MOST_WORK: u64 = 10_000_000;
 
 /// Maximum number of iterations of attempts after the first, and within a larger tolerance: if more,
 /// the shape resists.
@@ -174,30 +174,30 @@ pub(crate) struct Attempts {
 impl Attempts {
     /// Begins with the attempt that the scene names, or at the soft solution. `can_be_smoother` is
     /// whether displacements are smoothed, `can_slide` whether vertices are held at their places. The
-    /// mesh has this number of faces and this mean edge at rest (unit of the mesh).
+    /// mesh has this number of faces. The edges are the mean one at rest (unit of the mesh), and that by
+    /// which the place of a shape is judged, infinite if it is not.
     pub(crate) fn new(
         search: Search,
-        from: AttemptStart,
+        named: ChosenAttempt,
         [can_be_smoother, can_slide]: [bool; 2],
         faces: usize,
-        edge: f64,
+        [mean_edge, edge]: [f64; 2],
     ) -> Attempts {
         let is_on = search != Search::Off;
         let asked = if let Search::Panels(asked) = search { Some(asked) } else { None };
-        let now = match from {
+        let now = match named.from {
             AttemptStart::Rest if is_on => Attempt::FromRest,
             AttemptStart::Exact if is_on => Attempt::Exact,
             _ => Attempt::FromSoft,
         };
         let mut others = Vec::new();
-        // What the scene says was eased, was so after all others had failed.
-        if is_on && from != AttemptStart::Eased {
+        // What the scene names was chosen after the others had been tried.
+        if is_on && named == ChosenAttempt::default() {
             others.extend((asked.is_some() && can_slide).then_some(Attempt::OnSurface));
             others.push(Attempt::FromRest);
             let smoother = SMOOTHER.iter().rev().map(|&times| Attempt::Smoother(times));
             others.extend(smoother.filter(|_| can_be_smoother));
             others.extend(asked.is_some().then_some(Attempt::Exact));
-            others.retain(|other| *other != now);
         }
         Attempts {
             search,
@@ -211,7 +211,7 @@ impl Attempts {
             faces,
             edge,
             others,
-            easing: asked.and_then(|asked| Easing::new(asked, edge)),
+            easing: asked.and_then(|asked| Easing::new(asked, mean_edge)),
             work: 0,
         }
     }
@@ -274,6 +274,10 @@ impl Attempts {
         let is_eased = matches!(self.now, Attempt::Eased(_));
         let name = self.now.name();
         if is_eased && self.tried.last().is_some_and(|last| last.name == name) {
+            // Of the steps within larger tolerances, the last that can be built counts.
+            if !outcome.is_whole() {
+                return;
+            }
             self.tried.pop();
         }
         self.tried.push(Tried {
@@ -309,7 +313,11 @@ impl Attempts {
             (true, true) => match [new, best].map(Outcome::keeps_design) {
                 [true, false] => is_near(),
                 [false, true] => false,
-                _ => change(new) <= BETTER * change(best),
+                _ => match [new, best].map(|of| of.level(false, self.edge)) {
+                    [Level::Good, Level::Fair] => true,
+                    [Level::Fair, Level::Good] => false,
+                    _ => change(new) <= BETTER * change(best),
+                },
             },
         }
     }
@@ -398,7 +406,8 @@ mod tests {
 
     /// The attempts that follow these `outcomes`, and whether each was the best so far.
     fn follow(search: Search, outcomes: &[Outcome]) -> Vec<(bool, Option<Attempt>)> {
-        let mut attempts = Attempts::new(search, AttemptStart::Soft, [true; 2], 1000, EDGE);
+        let mut attempts =
+            Attempts::new(search, ChosenAttempt::default(), [true; 2], 1000, [EDGE; 2]);
         let each = outcomes.iter().map(|outcome| {
             let next = attempts.after(outcome, &|faces| faces.to_vec());
             let is_best = attempts.is_best();
@@ -516,16 +525,29 @@ mod tests {
 
     #[test]
     fn a_scene_is_run_as_it_was_solved() {
-        let first = |from, search| Attempts::new(search, from, [true; 2], 1000, EDGE).now;
+        let named = |from| ChosenAttempt { from, ..ChosenAttempt::default() };
+        let first =
+            |from, search| Attempts::new(search, named(from), [true; 2], 1000, [EDGE; 2]).now;
         let press = Search::Panels(4e-4);
         assert_eq!(first(AttemptStart::Rest, Search::Scene), Attempt::FromRest);
         assert_eq!(first(AttemptStart::Exact, Search::Scene), Attempt::Exact);
         assert_eq!(first(AttemptStart::Rest, Search::Off), Attempt::FromSoft);
         // The tolerance was eased because the first attempt folded.
-        let mut attempts = Attempts::new(press, AttemptStart::Eased, [true; 2], 1000, EDGE);
+        let mut attempts =
+            Attempts::new(press, named(AttemptStart::Eased), [true; 2], 1000, [EDGE; 2]);
         assert_eq!(attempts.now, Attempt::FromSoft);
         let next = attempts.after(&folds(3), &|faces| faces.to_vec());
         assert!(matches!(next, Some(Attempt::Eased(_))), "{next:?}");
+        // The settings of the attempt are those of the scene: nothing is added to them.
+        let mut attempts =
+            Attempts::new(Search::Scene, named(AttemptStart::Rest), [true; 2], 1000, [EDGE; 2]);
+        assert_eq!(attempts.after(&folds(3), &|faces| faces.to_vec()), None);
+    }
+
+    #[test]
+    fn a_good_shape_is_taken_before_a_fair_one() {
+        let found = press(&[away(0.21), away(0.205), away(0.19)]);
+        assert_eq!(found, [(true, REST), (false, SURFACE), (true, None)]);
     }
 
     #[test]

@@ -34,6 +34,10 @@ pub(crate) struct Meeting {
     exact: Exact,
     softening: Option<Box<Softening>>,
     attempts: Attempts,
+    /// The last shape without folds within a larger tolerance, `#V by 3`.
+    eased: Option<Vec<Point>>,
+    /// The shape at the beginning, `#V by 3`.
+    start: Vec<Point>,
     /// The best attempt that has ended.
     best: Option<(Exact, Attempt)>,
     shown: f64,
@@ -60,7 +64,17 @@ pub(crate) struct MeetingEnd {
 impl Meeting {
     /// Begins at the end of iterations that have `converged` or not.
     pub(crate) fn new(exact: Exact, attempts: Attempts, converged: bool) -> Meeting {
-        Meeting { exact, softening: None, attempts, best: None, shown: clock::now(), converged }
+        let start = exact.positions();
+        Meeting {
+            exact,
+            softening: None,
+            eased: None,
+            start,
+            attempts,
+            best: None,
+            shown: clock::now(),
+            converged,
+        }
     }
 
     /// Runs one iteration or step of the current attempt.
@@ -99,24 +113,29 @@ impl Meeting {
         self.softening.as_ref().map_or(self.attempts.now(), |softening| &softening.attempt)
     }
 
+    /// The shape at the beginning, `#V by 3`.
+    pub(crate) fn start(&self) -> &[Point] {
+        &self.start
+    }
+
     /// The energy of the soft terms at the current positions of the attempt.
     pub(crate) fn energy(&mut self) -> f64 {
         self.exact.energy().total
     }
 
     /// Returns the next attempt, if any, and its start, `#V by 3`: the last shape within a larger
-    /// tolerance, or none for the rest shape. `outcome` is of this attempt; see
+    /// tolerance, or none before there is one. `outcome` is of this attempt; see
     /// [`Attempts::after`].
     pub(crate) fn next(
         &mut self,
         outcome: &Outcome,
         around: &dyn Fn(&[u32]) -> Vec<u32>,
     ) -> Option<(Attempt, Option<Vec<Point>>)> {
+        if matches!(self.attempts.now(), Attempt::Eased(_)) && outcome.is_whole() {
+            self.eased = Some(self.exact.positions());
+        }
         let next = self.attempts.after(outcome, around)?;
-        let was_eased = matches!(self.attempts.now(), Attempt::Eased(_));
-        let best = self.best.as_ref().filter(|_| !self.attempts.is_best());
-        let exact = best.map_or(&self.exact, |(exact, _)| exact);
-        Some((next, was_eased.then(|| exact.positions())))
+        Some((next, self.eased.clone()))
     }
 
     /// Proceeds to the exact solver of the next attempt.

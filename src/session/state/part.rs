@@ -114,12 +114,6 @@ impl Settings {
         self
     }
 
-    /// Returns the settings with another smoothness weight.
-    pub(crate) fn smoother(mut self, times: f64) -> Settings {
-        self.weights.smooth *= times;
-        self
-    }
-
     /// Returns the attempt that the settings `now` name: what the user has changed is not the search's.
     pub(crate) fn attempt_beside(&self, now: &Settings) -> ChosenAttempt {
         let mut attempt = now.attempt;
@@ -238,9 +232,11 @@ impl Part {
             },
             Part::Settings(before) => {
                 let now = Settings::of(scene);
-                if *before == now {
+                // The solver does not know how hard constraints were met.
+                let before = Settings { attempt: now.attempt, ..before.clone() };
+                if before == now {
                     Effect::Nothing
-                } else if before.clone().with_weights(now.weights) == now {
+                } else if before.with_weights(now.weights) == now {
                     Effect::Weights
                 } else {
                     Effect::Problem

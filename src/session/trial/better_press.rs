@@ -2,11 +2,11 @@
 //! only those that help are offered, with what they would come to.
 
 use crate::mesh::Mesh;
-use crate::scene::{Scene, panel_adjective, panel_offers};
+use crate::scene::{ClosenessTo, Scene, panel_adjective, panel_offers};
 use crate::session::edit::PanelStart;
 use crate::session::run::{BendChange, Flaw, Level};
 use crate::session::{Error, Session, Verdict};
-use crate::words::{length, limit_like};
+use crate::words::{group_digits, length, limit_like};
 use serde::Serialize;
 
 /// Larger tolerances to try, as multiples of the required one, and the largest relative to the mean
@@ -134,7 +134,7 @@ impl BetterPresses {
     /// Begins the next trial.
     fn begin_next(&mut self) -> Result<bool, Error> {
         let Some(press) = self.untried.pop() else { return Ok(false) };
-        // A smaller tolerance that helps is enough.
+        // The first that helps of its sort is enough: the smaller tolerance.
         if self.found.iter().any(|found| found.id == press.id) {
             return Ok(!self.untried.is_empty());
         }
@@ -151,6 +151,13 @@ impl BetterPresses {
     fn offer(&self, press: Press, after: &Verdict) -> Option<BetterPress> {
         let before = &self.before;
         let is_nearer = after.surface.max <= NEARER * before.surface.max;
+        // What is mended may not be paid for by another flaw.
+        let eases = after.eased.is_some() && before.eased.is_none() && before.level == Level::Fair;
+        let roughens =
+            after.flaws.contains(&Flaw::Rougher) && !before.flaws.contains(&Flaw::Rougher);
+        if eases || roughens {
+            return None;
+        }
         let is_better = after.level < before.level
             || (after.level == before.level && is_nearer && after.level != Level::Poor);
         let Press { id, label, kind, within, from } = press;
@@ -171,10 +178,21 @@ impl BetterPresses {
         let units = &self.scene.units;
         let far = length(after.surface.max, units);
         let instead = length(self.before.surface.max, units);
-        match (id, self.before.level) {
-            ("surface", _) => format!("panels slide, the surface stays within {far}"),
-            (_, Level::Poor) => format!("all panels without folds, the surface moves by {far}"),
-            _ => format!("the surface moves by {far} instead of {instead}"),
+        let moves = match id {
+            "surface" => format!("panels slide, the surface stays within {far}"),
+            _ if after.surface.max < self.before.surface.max => {
+                format!("the surface moves by {far} instead of {instead}")
+            }
+            _ => format!("the surface moves by {far}"),
+        };
+        let [within, of] = [after.within, after.of].map(group_digits);
+        match (after.eased, self.before.level) {
+            (Some(eased), _) => {
+                let larger = limit_like(eased.within, units, after.tolerance);
+                format!("{within} of {of} panels, the others within {larger}; {moves}")
+            }
+            (None, Level::Poor) => format!("all panels without folds; {moves}"),
+            _ => moves,
         }
     }
 }
@@ -195,12 +213,12 @@ fn presses(session: &Session, before: &Verdict) -> Vec<Press> {
         let label = "Smoother".to_owned();
         presses.push(press("smoother", label, kind, tolerance, PanelStart::Smoother));
     }
-    let is_held = session.document().attempt.on_surface;
-    if !is_held {
+    if session.document().closeness.to == ClosenessTo::Rest {
         let label = "Along the surface".to_owned();
         presses.push(press("surface", label, kind, tolerance, PanelStart::Surface));
     }
-    if before.flaws.contains(&Flaw::OffBoundary) || before.level == Level::Poor {
+    let has_boundary = !session.topology().boundary_loops().is_empty();
+    if has_boundary && (before.flaws.contains(&Flaw::OffBoundary) || before.level == Level::Poor) {
         let label = "Keep the boundary".to_owned();
         presses.push(press("boundary", label, kind, tolerance, PanelStart::Boundary));
     }

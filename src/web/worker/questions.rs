@@ -78,6 +78,13 @@ impl Solver {
         verdict.map(|verdict| plain(&PanelVerdict::of(session, verdict))).transpose()
     }
 
+    /// Says how many panels meet their requirement within a tolerance (units of the mesh) so far;
+    /// undefined if no row requires a shape of the panels.
+    #[wasm_bindgen(js_name = panelProgress)]
+    pub fn panel_progress(&mut self, tolerance: f64) -> Result<Option<String>, JsValue> {
+        Ok(self.open_mut()?.panel_progress(tolerance))
+    }
+
     /// Returns whether the constraints are met within a tolerance (units of the mesh), after a run
     /// without hard constraints; undefined if no constraint has a weight.
     #[wasm_bindgen(js_name = runVerdict)]

@@ -266,19 +266,24 @@ export class MakePanels {
     const { store, actions } = this.#app;
     const { model } = store.get();
     const tolerance = store.get().tolerance ?? model?.tolerance ?? 0;
+    const goesOn = () => store.get().running || this.#isUnderWay();
+    const isShown = () => store.get().model === model && this.#shows === 'verdict';
+    if (goesOn()) {
+      const progress = await actions.ask.panelProgress(tolerance).catch(() => '');
+      if (!progress || !isShown() || !goesOn()) return;
+      setText(this.#text, `${store.get().numbers?.attempt ?? ''} ${progress}`.trim());
+      return this.#showChanges(null);
+    }
     const atEnd = this.#isAtEnd;
     this.#isAtEnd = false;
     const verdict = await actions.ask.verdict(tolerance).catch(() => null);
+    // Where a run has begun meanwhile, its progress comes next.
+    if (!verdict || !isShown() || goesOn()) return;
     const { running, numbers } = store.get();
-    if (!verdict || store.get().model !== model || this.#shows !== 'verdict') return;
-    const isOver = !running && !this.#isUnderWay();
-    const attempt = numbers?.attempt ?? '';
-    const text = isOver
-      ? `${this.#chosen(atEnd)}${verdict.words.full}`
-      : `${attempt} ${verdict.words.progress}`.trim();
+    const text = `${this.#chosen(atEnd)}${verdict.words.full}`;
     setText(this.#text, text);
     this.#kind = verdict.kind;
-    this.#showChanges(isOver ? verdict : null);
+    this.#showChanges(verdict);
     // A verdict in the status line is renewed with that on the card.
     const isSaid = this.#said !== '' && store.get().status === this.#said;
     if (running || numbers?.collapse || !(atEnd || isSaid)) return;
