@@ -132,7 +132,7 @@ fn of_data(text: &str) -> JsonError {
     } else if let Some((word, known)) =
         after("unknown variant `").and_then(|rest| rest.split_once("`, expected "))
     {
-        format!("found {}, expected {}", shortened(&format!("{word:?}")), known.replace('`', "\""))
+        format!("found `{}`, expected {known}", shortened(word))
     } else if let Some(rest) = after("missing field `") {
         return JsonError::missing_key(rest.trim_end_matches('`'));
     } else if let Some(rest) = after("duplicate field `") {

@@ -109,8 +109,8 @@ fn a_constraint_is_added_on_a_set_that_has_no_name_yet() {
 #[test]
 fn what_has_no_meaning_is_refused_where_it_stands() {
     for (text, path, part) in [
-        (json!("explode"), "", "found \"explode\", expected one of \"addConstraint\""),
-        (json!({ "index": 1 }), "", "found \"index\", expected one of \"addConstraint\""),
+        (json!("explode"), "", "found `explode`, expected one of `addConstraint`"),
+        (json!({ "index": 1 }), "", "found `index`, expected one of `addConstraint`"),
         (json!({ "removeConstraint": {} }), "", "`index` is missing"),
         (json!({ "removeHandles": { "vertices": [0, -1] } }), "vertices[1]", "found -1"),
         (json!({ "holdClose": { "weight": "much" } }), "weight", "found \"much\""),

@@ -314,7 +314,8 @@ impl Attempts {
                 [true, false] => is_near(),
                 [false, true] => false,
                 _ => match [new, best].map(|of| of.level(false, self.edge)) {
-                    [Level::Good, Level::Fair] => true,
+                    // At the limit of a good shape, neither is better.
+                    [Level::Good, Level::Fair] if BETTER * change(best) > 1.0 => true,
                     [Level::Fair, Level::Good] => false,
                     _ => change(new) <= BETTER * change(best),
                 },
@@ -546,8 +547,11 @@ mod tests {
 
     #[test]
     fn a_good_shape_is_taken_before_a_fair_one() {
-        let found = press(&[away(0.21), away(0.205), away(0.19)]);
+        let found = press(&[away(0.26), away(0.255), away(0.199)]);
         assert_eq!(found, [(true, REST), (false, SURFACE), (true, None)]);
+        // At the limit, shapes that are alike do not change the choice.
+        let found = press(&[away(0.21), away(0.205), away(0.19)]);
+        assert_eq!(found, [(true, REST), (false, SURFACE), (false, None)]);
     }
 
     #[test]
