@@ -89,7 +89,6 @@ test('every other command ends the half step', async ({ page }) => {
   await isHalfway(true);
   await tool(page, 'Run');
   await isHalfway(false);
-  await tool(page, 'Pause');
 });
 
 test('angles before and after are plotted and saved', async ({ page }) => {

@@ -135,7 +135,7 @@ function others(link: string, title: string) {
       : element('p.quiet.no-code', 'The link is too long for a QR code: save the scene instead.'),
     element(
       'div.embed',
-      element('label', { for: 'share-line' }, 'To show it in your own web page'),
+      element('label', { for: 'share-line' }, 'To embed it in your own web page'),
       line,
       element(
         'p.quiet',
