@@ -19,8 +19,11 @@ fn press(session: &mut Session, kind: &str) -> Verdict {
     session.verdict(tolerance).expect("panels were asked for")
 }
 
+/// The height of a surface over a point of the plane.
+type Height = fn(f64, f64) -> f64;
+
 /// A grid of `n` by `n` quads over a surface, sheared and tapered in the plane.
-fn sheared(n: usize, height: fn(f64, f64) -> f64, shear: f64, taper: f64) -> Mesh {
+fn sheared(n: usize, height: Height, shear: f64, taper: f64) -> Mesh {
     let mut mesh = Mesh::default();
     for j in 0..=n {
         for i in 0..=n {
@@ -51,8 +54,7 @@ fn dome(x: f64, y: f64) -> f64 {
     -0.25 * (x * x + y * y)
 }
 
-const SURFACES: [(&str, fn(f64, f64) -> f64); 3] =
-    [("saddle", saddle), ("cylinder", cylinder), ("dome", dome)];
+const SURFACES: [(&str, Height); 3] = [("saddle", saddle), ("cylinder", cylinder), ("dome", dome)];
 
 #[test]
 fn sheared_and_tapered_grids_are_met_without_folds() {
