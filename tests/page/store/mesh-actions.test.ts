@@ -53,7 +53,7 @@ class RunningSolver extends Emitter<{ activity: Activity }> {
 function refineDuringRun() {
   const store = createStore();
   const solver = new RunningSolver(store);
-  const actions = { setStatus() {}, ask: { verdict: async () => null } };
+  const actions = { setStatus() {}, ask: { panelProgress: async () => undefined } };
   const given = [store, solver as unknown as SolverClient, actions as unknown as Actions] as const;
   const how = { scheme: 'catmull-clark' as const, levels: 1, keep: 75 };
   return { store, solver, ended: meshActions(...given).refine(how, true) };
