@@ -182,7 +182,7 @@ fn a_drag_that_makes_no_sense_is_refused_and_moves_nothing() {
         number(&solver.document().expect("a model is open"), "handles.0.target.2")
     };
     for (vertices, targets, phase, words) in [
-        (&[4][..], &[2.0, 0.0, 9.0][..], "shove", "found \"shove\", expected one of \"make\""),
+        (&[4][..], &[2.0, 0.0, 9.0][..], "shove", "found `shove`, expected one of `make`"),
         (&[4], &[2.0, 0.0, 9.0, 1.0], "move", "found 4 coordinates, expected three per target"),
         (&[4, 5], &[2.0, 0.0, 9.0], "move", "found 1 targets, expected one for each of the 2"),
         (&[4], &[2.0, 0.0, f64::NAN], "move", "the target of vertex 4 is not finite"),

@@ -37,6 +37,8 @@ impl Session {
         }
         let dragging = self.is_dragging();
         if meets && self.is_running() && self.needs_no_soft_solution() && self.begin_meeting()? {
+            // It may lead back to the rest shape at once: that can be undone.
+            self.progress.count();
             return Ok(Step { converged: false, ended: false });
         }
         if !dragging {

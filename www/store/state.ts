@@ -20,6 +20,7 @@ import type {
   RowColours,
   SceneDocument,
   SettingInfo,
+  PanelVerdict,
 } from '../solver/types.ts';
 import type { Example } from '../solver/examples.ts';
 import type { Spread } from '../ui/plot/histogram.ts';
@@ -121,6 +122,8 @@ export interface State {
   tape: number[] | null;
   /** shown beside the model */
   flatMap: FlatMap | null;
+  /** on the panels, and the generation of the shape that it is on */
+  verdict: { shape: number | undefined; report: PanelVerdict } | null;
   /** null without fabrication panel */
   build: BuildReport | null;
   /** shown instead of the current shape, on request */
@@ -243,6 +246,7 @@ const INITIAL: State = {
   views: [],
   tape: null,
   flatMap: null,
+  verdict: null,
   heldOriginal: null,
   build: null,
   advanced: false,

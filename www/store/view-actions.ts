@@ -18,6 +18,9 @@ export function createViewActions(store: Store) {
     setRange: (change: Partial<State['ownRange']>) =>
       store.set({ ownRange: { ...store.get().ownRange, top: null, ...change } }),
 
+    /** Sets the verdict on the panels. */
+    judge: (verdict: State['verdict']) => store.set({ verdict }),
+
     /** Sets the tolerance of lengths, in the unit of the mesh. */
     setTolerance: (tolerance: number | null) => store.set({ tolerance }),
 

@@ -3,14 +3,14 @@
 //!
 //! The first attempt has the required tolerances and starts at the soft solution, which approximates
 //! the shapes themselves; a soft solution within the tolerances needs no more. The others differ in
-//! one thing: they start at the rest shape, keep the vertices on the surface instead of at their
-//! places, make panels with a tolerance exact (the approach then ends earlier, and the polish moves
-//! little, which may avoid a few folds), or smooth displacements more. None is left out because an
-//! earlier one collapsed or was not met. If all fold faces, and the tolerance may be eased, it is:
-//! see [`Easing`].
+//! one thing: panels with a tolerance become exact (the approach then ends earlier, and the polish
+//! moves little, which may avoid a few folds), displacements are smoothed more, the start is the rest
+//! shape, or vertices are kept on the surface instead of at their places. None is left out because an
+//! earlier one collapsed or was not met, but none begins after [`MOST_WORK`]. If all fold faces, and
+//! the tolerance may be eased, it is: see [`Easing`].
 //!
 //! Of two shapes one is taken for better only if it is so by a margin: results within rounding of
-//! each other do not change the choice.
+//! each other do not change the choice. A scene that names an attempt is solved by that one alone.
 
 use super::easing::{Easing, Tolerances};
 use super::outcome::{Flaw, Level, Outcome};

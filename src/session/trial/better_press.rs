@@ -51,6 +51,7 @@ struct Press {
 
 /// The verdict in a report, with its words, and with what would end better.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct VerdictReport {
     /// The numbers.
     #[serde(flatten)]

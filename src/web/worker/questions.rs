@@ -6,7 +6,7 @@ use crate::mesh::Scheme;
 use crate::session::{
     ConstraintTarget, ExactWords, OfferedOperation, Preview, Refinement, Remeshing,
     RemeshingPreview, Report, RunVerdict, SelectRequest, Session, Shape, VariantRow, Verdict,
-    VerdictWords, WorstElement,
+    VerdictReport, VerdictWords, WorstElement,
 };
 use crate::web::thrown;
 use crate::web::values::{AsIs, Js, indices, plain, plains, read, refused, thrown_at};
@@ -23,15 +23,17 @@ pub struct WholeReport(Report);
 /// The verdict on the panels, in numbers and in words.
 #[derive(Serialize, Tsify)]
 pub struct PanelVerdict {
+    /// As in the report of the command line; better choices are tried elsewhere.
     #[serde(flatten)]
-    numbers: Verdict,
-    words: VerdictWords,
+    report: VerdictReport,
+    /// The label of a button that makes the panels again; see [`VerdictWords::again`].
+    again: Option<String>,
 }
 
 impl PanelVerdict {
     fn of(session: &Session, numbers: Verdict) -> PanelVerdict {
-        let words = session.verdict_words(&numbers);
-        PanelVerdict { numbers, words }
+        let VerdictWords { full, again } = session.verdict_words(&numbers);
+        PanelVerdict { report: VerdictReport::new(numbers, full, Vec::new()), again }
     }
 }
 

@@ -16,8 +16,8 @@ export class BetterChoices {
   #app;
   #press;
   #changed;
-  /** The generation of the shape for which they were looked for. */
-  #triedFor: number | undefined;
+  /** The shape and the tolerance for which they were looked for. */
+  #triedFor = '';
 
   /**
    * @param press what a button does
@@ -33,26 +33,28 @@ export class BetterChoices {
   async find(verdict: PanelVerdict) {
     const { solver, actions } = this.#app;
     const shape = solver.geometry?.generation;
-    if (this.#triedFor === shape || !verdict.required) return;
-    this.#triedFor = shape;
+    const asked = `${shape} ${verdict.tolerance} ${verdict.required}`;
+    if (this.#triedFor === asked || !verdict.required) return;
+    this.#triedFor = asked;
     let found: BetterPress[] = [];
     const show = (words: string) => {
-      if (this.#triedFor === shape) this.#show(found, words);
+      if (this.#triedFor === asked) this.#show(found, words);
     };
     show(LOOKING);
     const take = (presses: BetterPress[]) => {
       found = presses;
       show(LOOKING);
+      actions.judge({ shape, report: { ...verdict, suggestions: presses } });
     };
     const ended = await actions.trials.betterPresses(verdict.tolerance, take).catch(() => null);
     show('');
     // Something has changed meanwhile: the next verdict asks again.
-    if (ended === false && this.#triedFor === shape) this.#triedFor = undefined;
+    if (ended === false && this.#triedFor === asked) this.#triedFor = '';
   }
 
   /** Shows none. */
   clear() {
-    this.#triedFor = undefined;
+    this.#triedFor = '';
     this.#show([], '');
   }
 

@@ -280,7 +280,8 @@ export class MakePanels {
     // Where a run has begun meanwhile, its progress comes next.
     if (!verdict || !isShown() || goesOn()) return;
     const { running, numbers } = store.get();
-    const text = `${this.#chosen(atEnd)}${verdict.words.full}`;
+    const text = `${this.#chosen(atEnd)}${verdict.words}`;
+    actions.judge({ shape: this.#app.solver.geometry?.generation, report: verdict });
     setText(this.#text, text);
     this.#kind = verdict.kind;
     this.#showChanges(verdict);
@@ -303,7 +304,7 @@ export class MakePanels {
     this.#card.dataset.level = verdict?.level ?? '';
     const isGood = !verdict || verdict.level === 'good';
     this.#showFolds.hidden = !verdict?.folded;
-    const again = verdict?.words.again ?? null;
+    const again = verdict?.again ?? null;
     this.#again.hidden = again === null;
     setText(this.#again, again ?? '');
     this.#remedyButton.hidden = isGood || !this.#canChangeMesh();
