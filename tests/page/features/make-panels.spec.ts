@@ -3,7 +3,7 @@
 import type { Page } from '@playwright/test';
 import { downloaded, openText, showPanel, tool } from '../actions.ts';
 import { bumpyGrid, columns, quadScene, steppedGrid, triangleScene, wavyGrid } from '../meshes.ts';
-import { boxOf, expect, openPage, screenOf, test, waitForState } from '../support.ts';
+import { boxOf, expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -122,6 +122,11 @@ test('a surface that moves far is said to, and what ends better is a button with
   const better = offer(page).getByRole('button', {
     name: /^Within 50 mm: the surface moves by [\d.]+ m instead of [\d.]+ m$/,
   });
+  await expect(better).toBeVisible();
+  // Scripts read the same.
+  const { verdict } = await state(page);
+  expect(verdict).toMatchObject({ level: 'fair', within: 960, of: 960, folded: 0, eased: 0 });
+  expect(verdict?.suggestions.map(({ id }) => id)).toContain('tolerance');
   await better.click();
   // It says what was chosen; the tolerance is that of the choice.
   await expect(
