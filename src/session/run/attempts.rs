@@ -44,8 +44,10 @@ const BETTER: f64 = 0.8;
 /// Exact panels are tried if the first attempt folds at most this fraction of the faces.
 const FEW: f64 = 0.01;
 
-/// Iterations times vertices of all attempts after which none begins: some seconds in a browser.
+/// Iterations times vertices of all attempts after which none begins: some seconds in a browser, and
+/// less where a shape has been found that can be built.
 const MOST_WORK: u64 = 10_000_000;
+const MOST_WORK_ONCE_WHOLE: u64 = 4_000_000;
 
 /// Maximum number of iterations of attempts after the first, and within a larger tolerance: if more,
 /// the shape resists.
@@ -336,7 +338,8 @@ impl Attempts {
     /// Whether an attempt may find a better shape than the best so far.
     fn may_help(&self, next: &Attempt) -> bool {
         let (Some(first), Some((_, best))) = (&self.first, &self.best) else { return true };
-        if self.work > MOST_WORK {
+        let most = if best.is_whole() { MOST_WORK_ONCE_WHOLE } else { MOST_WORK };
+        if self.work > most {
             return false;
         }
         let flaws = best.measure.flaws(false, self.edge);
