@@ -1,6 +1,7 @@
 //! Meeting hard constraints in a run.
 
-use super::attempts::{Attempt, Attempts, Tried};
+use super::attempt::Attempt;
+use super::attempts::{Attempts, Tried};
 use super::outcome::Outcome;
 use crate::mesh::Point;
 use crate::solve::{Exact, SolveError, Solver, Stage, clock};

@@ -9,12 +9,14 @@
 //! | `collapse_guard` | the guard against a collapse outside drags |
 //! | `interactive_size` | the largest mesh that can be dragged smoothly |
 //! | `meeting` | meeting hard constraints in a run |
+//! | `attempt` | one way to meet hard constraints |
 //! | `attempts` | the search: the attempts one after another |
 //! | `easing` | a larger tolerance for as few panels as possible |
 //! | `shape_measure` | the measure of a shape against its original |
 //! | `outcome` | the outcome of an attempt, and its level |
 //! | `met` | how well hard constraints were met, and for which shape |
 
+mod attempt;
 mod attempts;
 mod collapse;
 mod collapse_guard;
@@ -28,8 +30,9 @@ mod progress;
 mod shape_measure;
 mod trace;
 
+pub(crate) use attempt::{Attempt, Search};
+pub(crate) use attempts::Attempts;
 pub use attempts::Tried;
-pub(crate) use attempts::{Attempt, Attempts, Search};
 pub(crate) use collapse::Start;
 pub use collapse::{Collapse, CollapseReason};
 pub(crate) use collapse_guard::CollapseGuard;

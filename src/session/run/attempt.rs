@@ -1,0 +1,101 @@
+//! One way to meet hard constraints, and which ways a search may take.
+
+use super::easing::Tolerances;
+use crate::scene::{AttemptStart, BoundaryCloseness, ChosenAttempt, ClosenessTo};
+use crate::solve::{Problem, Requirements};
+
+/// What the search may do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Search {
+    /// Only the first attempt: the shape follows a drag.
+    Off,
+    /// The attempts that keep the settings of the scene but for its smoothness.
+    Scene,
+    /// All of them, with tolerances above this required one for some panels at last (unit of the
+    /// mesh).
+    Panels(f64),
+}
+
+/// Maximum number of iterations of attempts after the first, and within a larger tolerance: if more,
+/// the shape resists.
+const MOST_ITERATIONS: u32 = 900;
+const MOST_EASED_ITERATIONS: u32 = 600;
+
+/// One way to meet hard constraints.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Attempt {
+    /// With the requirements of the scene, from the soft solution.
+    FromSoft,
+    /// The same, starting at the rest shape.
+    FromRest,
+    /// With exact panels.
+    Exact,
+    /// Vertices may slide over the surface, and those of the boundary along it; from the soft solution
+    /// with this closeness.
+    OnSurface,
+    /// With the smoothness weight multiplied by this factor.
+    Smoother(f64),
+    /// With the panels within these tolerances, in few iterations.
+    Eased(Tolerances),
+}
+
+impl Attempt {
+    /// Its name in reports.
+    pub(crate) fn name(&self) -> String {
+        match self {
+            Attempt::FromSoft => "soft".to_owned(),
+            Attempt::FromRest => "rest".to_owned(),
+            Attempt::Exact => "exact".to_owned(),
+            Attempt::OnSurface => "surface".to_owned(),
+            Attempt::Smoother(times) => format!("smoother {times}"),
+            Attempt::Eased(_) => "eased".to_owned(),
+        }
+    }
+
+    /// What the run does meanwhile, in words.
+    pub(crate) fn words(&self) -> &'static str {
+        match self {
+            Attempt::FromSoft => "Meeting the tolerance …",
+            Attempt::FromRest => "Trying from the original shape …",
+            Attempt::Exact => "Trying exact panels …",
+            Attempt::OnSurface => "Trying panels that slide along the surface …",
+            Attempt::Smoother(_) => "Trying smoother panels …",
+            Attempt::Eased(_) => "Trying larger tolerances …",
+        }
+    }
+
+    /// The factor of the smoothness weight.
+    pub(crate) fn smoother(&self) -> f64 {
+        if let Attempt::Smoother(times) = self { *times } else { 1.0 }
+    }
+
+    /// Sets what it changes in the problem of the scene.
+    pub(crate) fn set_in(&self, problem: &mut Problem<'_>) {
+        problem.weights.smooth *= self.smoother();
+        if *self == Attempt::OnSurface {
+            problem.closeness_to = ClosenessTo::Surface;
+            problem.boundary_closeness = Some(BoundaryCloseness::default());
+        }
+    }
+
+    /// Maximum number of iterations of the approach.
+    pub(crate) fn iterations(&self) -> u32 {
+        match self {
+            Attempt::FromSoft | Attempt::OnSurface => Requirements::ITERATIONS,
+            Attempt::Eased(_) => MOST_EASED_ITERATIONS,
+            _ => MOST_ITERATIONS,
+        }
+    }
+
+    /// How the scene says that this attempt was chosen.
+    pub(crate) fn chosen(&self) -> ChosenAttempt {
+        let from = match self {
+            Attempt::FromSoft | Attempt::OnSurface => AttemptStart::Soft,
+            Attempt::FromRest | Attempt::Smoother(_) => AttemptStart::Rest,
+            Attempt::Exact => AttemptStart::Exact,
+            Attempt::Eased(_) => AttemptStart::Eased,
+        };
+        let on_surface = *self == Attempt::OnSurface;
+        ChosenAttempt { from, smoother: self.smoother(), on_surface }
+    }
+}
