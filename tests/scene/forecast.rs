@@ -150,7 +150,7 @@ fn diagonal_quads_are_named_where_they_follow_the_lines_of_curvature() {
     let found = forecast(&hypar());
     assert_eq!(
         found.words("m"),
-        "This mesh will move a lot for flat or circular panels (about 0.7 m): its edges are 44° off the lines of curvature on \
+        "This mesh will move a lot for flat or circular panels (about 0.7 m on average): its edges are 44° off the lines of curvature on \
          average. Diagonal quads follow them: the mesh will then move a little for circular panels and not at all \
          for flat ones."
     );

@@ -242,7 +242,7 @@ fn diagonal(
 }
 
 /// Describes the moves for these kinds, with their mean lengths if `far` gives them: "move a lot for
-/// circular panels (about 0.3 m) and a little for flat ones (about 20 mm)".
+/// circular panels (about 0.3 m on average) and a little for flat ones (about 20 mm on average)".
 fn moves(kinds: &[ForecastOfKind], far: Option<&dyn Fn(&ForecastOfKind) -> String>) -> String {
     let mut words = String::new();
     for how_far in HowFar::FARTHEST_FIRST {
@@ -259,7 +259,7 @@ fn moves(kinds: &[ForecastOfKind], far: Option<&dyn Fn(&ForecastOfKind) -> Strin
         if let Some(far) = far.filter(|_| how_far != HowFar::Nothing) {
             let mut lengths: Vec<String> = kinds.iter().map(|kind| far(kind)).collect();
             lengths.dedup();
-            words += &format!(" (about {})", lengths.join(" or "));
+            words += &format!(" (about {} on average)", lengths.join(" or "));
         }
     }
     words

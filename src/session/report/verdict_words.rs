@@ -3,12 +3,16 @@
 use super::verdict::{Verdict, count_in_words};
 use crate::session::run::{Bend, BendChange, Flaw};
 use crate::words::{
-    count, group_digits, length, length_like, limit_like, moved, part, rough_degrees,
+    brief, count, group_digits, length, length_like, limit_like, moved, part, rough_degrees,
+    rounded,
 };
 use serde::Serialize;
 
 /// From this part of the tolerance on, the distance of the worst panel says no more than it.
 const SAYS_NO_MORE: f64 = 0.99;
+
+/// From this multiple of the mean edge on, a length is said in edges, not in percent of one.
+const MANY_EDGES: f64 = 1.5;
 
 /// The verdict in words.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -70,7 +74,7 @@ impl Verdict {
 
     /// Says what is not good about the shape; empty if the rest of the verdict says it.
     fn why(&self, flaw: Flaw, scale: &Scale<'_>) -> String {
-        let edges = |far: f64| format!("{} of an edge", part(far / scale.edge));
+        let edges = |far: f64| edges(far / scale.edge);
         match flaw {
             Flaw::Eased => String::new(),
             Flaw::Rougher | Flaw::Flatter => self.bend.words(),
@@ -130,11 +134,20 @@ impl Verdict {
     }
 }
 
+/// Says a length relative to the mean edge.
+fn edges(far: f64) -> String {
+    match far < MANY_EDGES {
+        true => format!("{} of an edge", part(far)),
+        false => format!("{} edges", brief(rounded(far, 2))),
+    }
+}
+
 impl Bend {
     /// Describes a change of the surface as a whole; empty if there is none.
     fn words(&self) -> String {
         let change = match self.change {
             Some(BendChange::Rougher) => "rougher",
+            Some(BendChange::Flatter) if self.is_flat() => "flat",
             Some(BendChange::Flatter) => "flatter",
             None => return String::new(),
         };
@@ -213,6 +226,16 @@ mod tests {
     }
 
     #[test]
+    fn a_surface_that_lost_all_its_curvature_is_called_flat() {
+        let bend = |now| Bend { rest: 7.6, now, change: Some(BendChange::Flatter) };
+        let said =
+            |now| full(&Verdict { bend: bend(now), flaws: vec![Flaw::Flatter], ..verdict() });
+        assert!(said(3.0).starts_with("The surface became flatter: "), "{}", said(3.0));
+        let words = "The surface became flat: neighbours meet at 0.1° on average instead of 7.6°. ";
+        assert!(said(0.13).starts_with(words), "{}", said(0.13));
+    }
+
+    #[test]
     fn another_tolerance_than_the_required_one_can_be_solved_for() {
         let again = |verdict: Verdict| verdict.words("m", 10.0, 0.5).again;
         assert_eq!(again(verdict()), None);
@@ -227,7 +250,7 @@ mod tests {
         let with =
             |flaw| full(&Verdict { surface, boundary: 0.11, flaws: vec![flaw], ..verdict() });
         for (flaw, words) in [
-            (Flaw::Away, "The surface moved by up to 196 % of an edge. All 800 "),
+            (Flaw::Away, "The surface moved by up to 2 edges. All 800 "),
             (
                 Flaw::Moved,
                 "Panels slid by 10 % of an edge on average; the surface stays within 0.980 m. ",

@@ -12,7 +12,8 @@ pub enum Level {
     Good,
     /// It can be built, but the design has changed, or some panels have a larger tolerance.
     Fair,
-    /// It cannot be built: requirements are not met, or faces are folded.
+    /// It cannot be built, because requirements are not met or faces are folded; or a curved surface
+    /// became flat.
     Poor,
 }
 
@@ -58,6 +59,9 @@ impl ShapeMeasure {
             return (Level::Poor, Vec::new());
         }
         let flaws = self.flaws(is_eased, edge);
+        if flaws.contains(&Flaw::Away) && self.bend.is_flat() {
+            return (Level::Poor, flaws);
+        }
         (if flaws.is_empty() { Level::Good } else { Level::Fair }, flaws)
     }
 

@@ -111,26 +111,35 @@ fn lost(before: f64, now: f64) -> f64 {
 const ROUGH: f64 = 1.25;
 /// and this many degrees more: less is hardly visible.
 const HARDLY_ROUGH: f64 = 1.0;
-/// It has become flat if this angle is below this fraction of the angle at rest.
-const FLAT: f64 = 0.5;
+/// It has become flatter if this angle is below this fraction of the angle at rest,
+const FLATTER: f64 = 0.5;
+/// and flat if it is below this fraction.
+const FLAT: f64 = 0.1;
 
 impl Bend {
     fn of(now: &[Point], rest: &RestMesh) -> Bend {
         let (rest, now) = (rest.bend(), rest.bend_at(now));
         let change = match now {
             _ if now > ROUGH * rest + HARDLY_ROUGH => Some(BendChange::Rougher),
-            _ if now < FLAT * rest => Some(BendChange::Flatter),
+            _ if now < FLATTER * rest => Some(BendChange::Flatter),
             _ => None,
         };
         Bend { rest, now, change }
     }
 
-    /// The angle relative to that at which the surface is rough, or flat: 1 at the limit.
+    /// Whether a curved surface became flat.
+    pub(crate) fn is_flat(&self) -> bool {
+        self.now < FLAT * self.rest
+    }
+
+    /// The angle relative to that at which the surface is rough, or flatter: 1 at the limit.
     pub(crate) fn relative(&self) -> f64 {
         let rough = self.now / (ROUGH * self.rest + HARDLY_ROUGH);
-        let flat =
-            if self.rest > 0.0 { FLAT * self.rest / self.now.max(f64::MIN_POSITIVE) } else { 0.0 };
-        rough.max(flat)
+        let flatter = match self.rest > 0.0 {
+            true => FLATTER * self.rest / self.now.max(f64::MIN_POSITIVE),
+            false => 0.0,
+        };
+        rough.max(flatter)
     }
 }
 

@@ -14,8 +14,14 @@ use serde::Serialize;
 const LARGER: [f64; 2] = [10.0, 50.0];
 const LARGEST: f64 = 0.15;
 
-/// A choice of the same level is offered if the surface moves at most this fraction of the distance.
+/// A choice of the same level is offered if the surface moves at most this fraction of the distance,
 const NEARER: f64 = 0.6;
+
+/// and if at least this fraction of the panels within the tolerance stays so.
+const AS_MANY: f64 = 0.9;
+
+/// A surface that moves at most this fraction of the mean edge is said to stay.
+const STAYS: f64 = 1e-3;
 
 /// A press for panels that ends better.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -87,6 +93,8 @@ pub struct BetterPresses {
     mesh: Mesh,
     /// The verdict to be bettered.
     before: Verdict,
+    /// The mean edge at rest, in the unit of the mesh.
+    edge: f64,
     /// Presses still to be tried, the next one last.
     untried: Vec<Press>,
     current: Option<(Press, Box<Session>)>,
@@ -104,7 +112,8 @@ impl BetterPresses {
         let mut untried = presses(session, &before);
         untried.reverse();
         let (scene, mesh) = (session.scene(), session.mesh().clone());
-        Some(BetterPresses { scene, mesh, before, untried, current: None, found: Vec::new() })
+        let edge = session.mean_edge();
+        Some(BetterPresses { scene, mesh, before, edge, untried, current: None, found: Vec::new() })
     }
 
     /// Runs one iteration; returns whether there is more to try.
@@ -159,8 +168,12 @@ impl BetterPresses {
         if eases || roughens {
             return None;
         }
+        let is_as_many = after.within as f64 >= AS_MANY * before.within as f64;
         let is_better = after.level < before.level
-            || (after.level == before.level && is_nearer && after.level != Level::Poor);
+            || (after.level == before.level
+                && is_nearer
+                && is_as_many
+                && after.level != Level::Poor);
         let Press { id, label, kind, within, from } = press;
         is_better.then(|| BetterPress {
             id,
@@ -179,7 +192,9 @@ impl BetterPresses {
         let units = &self.scene.units;
         let far = length(after.surface.max, units);
         let instead = length(self.before.surface.max, units);
+        let stays = after.surface.max <= STAYS * self.edge;
         let moves = match id {
+            _ if stays => "the surface stays as it is".to_owned(),
             "surface" => format!("panels slide, the surface stays within {far}"),
             _ if after.surface.max < self.before.surface.max => {
                 format!("the surface moves by {far} instead of {instead}")
