@@ -102,7 +102,7 @@ impl Verdict {
         count_in_words(self.adjective, within, self.of, &tolerance)
     }
 
-    /// The same, with the panels that are within a larger tolerance only, because they would fold.
+    /// The same, with the panels that are within a larger tolerance only, so that no face folds.
     fn reached(&self, units: &str) -> String {
         let Some(eased) = self.eased else { return self.met(self.within, self.tolerance, units) };
         let larger = limit_like(eased.within, units, self.tolerance);
@@ -116,14 +116,12 @@ impl Verdict {
             }
             false => self.met(self.within, self.tolerance, units),
         };
-        match (eased.panels, self.of - self.within - eased.panels) {
-            (1, 0) => format!("{met} The other one would fold, so it is within {larger}."),
-            (others, 0) => format!(
-                "{met} The other {} would fold, so they are within {larger}.",
-                group_digits(others)
-            ),
-            (some, _) => format!("{met} {} more are within {larger}.", group_digits(some)),
-        }
+        let others = match (eased.panels, self.of - self.within - eased.panels) {
+            (1, 0) => "the other one".to_owned(),
+            (others, 0) => format!("the other {}", group_digits(others)),
+            (some, _) => format!("{} more", group_digits(some)),
+        };
+        format!("{}, {others} within {larger}, so that none folds.", met.trim_end_matches('.'))
     }
 
     fn folds(&self) -> String {
@@ -269,9 +267,9 @@ mod tests {
             let eased = Some(EasedPanels { panels, within: 0.12 });
             full(&Verdict { within, eased, ..verdict() })
         };
-        let some = "798 of 800 panels are flat within 1 mm. The other 2 would fold, so they are within 120 mm. ";
+        let some = "798 of 800 panels are flat within 1 mm, the other 2 within 120 mm, so that none folds. ";
         assert!(eased(2, 798).starts_with(some), "{}", eased(2, 798));
-        let one = "799 of 800 panels are flat within 1 mm. The other one would fold, so it is within 120 mm. ";
+        let one = "799 of 800 panels are flat within 1 mm, the other one within 120 mm, so that none folds. ";
         assert!(eased(1, 799).starts_with(one), "{}", eased(1, 799));
         let all = "All 800 panels are flat within 120 mm. Within 1 mm, faces would fold. ";
         assert!(eased(800, 3).starts_with(all), "{}", eased(800, 3));

@@ -79,7 +79,7 @@ test.describe('with every row closed', () => {
     expect(exact?.eased?.folded).toBeGreaterThan(0);
     expect(exact?.tolerance).toBeGreaterThan(exact?.eased?.asked ?? NaN);
     const words =
-      /^(\d+) of 144 panels are flat within 1 mm\. The other (\d+) would fold, so they are within [\d.]+ m+\./;
+      /^(\d+) of 144 panels are flat within 1 mm, the other (\d+) within [\d.]+ m+, so that none folds\./;
     await expect(offer(page).getByText(words)).toBeVisible();
     await expect(page.getByRole('status')).toHaveText(words);
     await expect(offer(page).getByText(/folded or dented/)).toBeHidden();
@@ -89,7 +89,7 @@ test.describe('with every row closed', () => {
     const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
     await row.getByRole('button', { name: /parameters/ }).click();
     await expect(
-      row.getByText(/^\d+ panels only within .+: any closer, they would fold\.$/),
+      row.getByText(/^\d+ panels only within .+, so that no face folds\.$/),
     ).toBeVisible();
     // All of this is one undo step.
     await tool(page, 'Undo');

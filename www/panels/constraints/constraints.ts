@@ -69,9 +69,10 @@ export function constraintsPanel(place: HTMLElement, { store, actions }: AppCont
     const worst = element('span.worst.figure', {
       title: 'The largest distance of a vertex from the shape of this constraint',
     });
-    const share = element('span.share.figure', { title: 'Its share of the total energy' });
+    const share = element('span.share.figure.advanced', { title: 'Its share of the total energy' });
     const within = element('span');
     cells.push({ worst, within, share });
+    const count = row.count > 1 ? ` (${groupDigits(row.count)})` : '';
     const skipped = row.skipped > 0 ? `, ${groupDigits(row.skipped)} skipped` : '';
     const params = paramsInWords(row, kind?.params ?? [], document?.units ?? '');
     const details = element('div.details', {
@@ -133,7 +134,7 @@ export function constraintsPanel(place: HTMLElement, { store, actions }: AppCont
         'span.on',
         element(
           'span',
-          `${row.name && `${kind?.label}, `}${row.on} · ${groupDigits(row.count)}${skipped}${params}`,
+          `${row.name && `${kind?.label}, `}${row.on}${count}${skipped}${params}`,
         ),
         share,
       ),
@@ -202,7 +203,8 @@ function paramsInWords(row: ConstraintRow, params: ParamInfo[], units: string) {
   const words = changed.map(
     (param) => `${param.label.toLowerCase()} ${valueInWords(param, row.params[param.id], units)}`,
   );
-  if (row.require !== 'soft') words.unshift(row.require === 'exact' ? 'exact' : 'within');
+  if (row.require === 'exact') words.unshift('exact');
+  else if (row.require !== 'soft') words.unshift(`within ${limit(row.require.within, units)}`);
   return words.map((one) => ` · ${one}`).join('');
 }
 

@@ -101,7 +101,7 @@ function requirementOf(
 function easedOf(eased: ConstraintRow['eased'], units: string) {
   if (!eased) return [];
   const within = lengthText(eased.within, units);
-  const words = `${count(eased.panels, 'panel')} only within ${within}: any closer, they would fold.`;
+  const words = `${count(eased.panels, 'panel')} only within ${within}, so that no face folds.`;
   return [element('p.quiet', words)];
 }
 
