@@ -28,7 +28,7 @@ pub(in crate::quads) struct Node {
     pub(in crate::quads) position: Vec3<f64>,
     /// Coordinates in the triangle of `place`, or in the first of the fan. A coordinate that is not
     /// integral, where a grid line crosses the boundary, is rounded.
-    pub(super) point: GridPoint,
+    pub(in crate::quads) point: GridPoint,
     /// Whether it lies on the boundary of the surface.
     pub(in crate::quads) boundary: bool,
     /// Whether the boundary turns sharply here.
