@@ -6,11 +6,21 @@
 //! | `grid_map` | the triangulated surface and the integer-grid map, in fixed point |
 //! | `options` | settings, stages, observer |
 //! | `error` | why a surface cannot be remeshed |
+//! | `system` | sparse systems with some unknowns given |
+//! | `surface` | the input prepared: refined, with features |
+//! | `field` | the cross field and its cut |
+//! | `map` | the seamless map and its rounding |
 
 mod error;
+mod field;
 mod grid_map;
+mod map;
 mod options;
+mod surface;
+mod system;
 
 pub use error::RemeshError;
 pub use grid_map::{FRACTION_BITS, GridMap, Side, Transition, Triangulation, UNIT};
+pub use map::{MapNotes, grid_map};
 pub use options::{Boundary, MapOptions, PanelSize, RemeshObserver, RemeshStage};
+pub use surface::{InputSurface, PrepareNotes, Prepared};

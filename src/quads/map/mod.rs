@@ -1,0 +1,23 @@
+//! The seamless map along a cross field, and its rounding to the integer grid.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `elimination` | linear equations in integers |
+//! | `seams` | unknowns of the map, equations over cuts and along features |
+//! | `energy` | the energy of a map |
+//! | `seamless` | the map without integers |
+//! | `rounding` | greedy rounding on a dense matrix |
+//! | `integer` | maps with integers |
+//! | `snap` | fixed point |
+//! | `levels` | all of it, with retries |
+
+mod elimination;
+mod energy;
+mod integer;
+mod levels;
+mod rounding;
+mod seamless;
+mod seams;
+mod snap;
+
+pub use levels::{MapNotes, grid_map};
