@@ -1,5 +1,6 @@
 //! Why a surface cannot be remeshed, with the place.
 
+use super::fault::Fault;
 use crate::math::Vec3;
 use std::fmt;
 
@@ -42,6 +43,13 @@ pub enum RemeshError {
     Numerical,
     /// The map exceeds the range of fixed-point coordinates.
     OutOfRange,
+    /// No attempt gave a surface like the input.
+    NotFollowed {
+        /// What was wrong with the first attempt.
+        fault: Fault,
+        /// A point of the part.
+        at: Vec3<f64>,
+    },
     /// The observer asked to stop.
     Cancelled,
 }
@@ -71,6 +79,9 @@ impl fmt::Display for RemeshError {
             }
             RemeshError::OutOfRange => {
                 write!(f, "the surface is too large for panels of this size")
+            }
+            RemeshError::NotFollowed { fault, .. } => {
+                write!(f, "panels of this size cannot follow the surface ({fault}): try smaller ones")
             }
             RemeshError::Cancelled => write!(f, "cancelled"),
         }

@@ -5,22 +5,34 @@
 //! |---|---|
 //! | `grid_map` | the triangulated surface and the integer-grid map, in fixed point |
 //! | `options` | settings, stages, observer |
-//! | `error` | why a surface cannot be remeshed |
+//! | `error`, `fault` | why a surface cannot be remeshed, and what is wrong with a result |
 //! | `system` | sparse systems with some unknowns given |
 //! | `surface` | the input prepared: refined, with features |
 //! | `field` | the cross field and its cut |
 //! | `map` | the seamless map and its rounding |
+//! | `extract` | the exact extraction of the grid |
+//! | `repair` | faces that are not quads, replaced |
+//! | `result` | checks and measures of the result |
+//! | `remesh` | all of it |
 
 mod error;
+mod extract;
+mod fault;
 mod field;
 mod grid_map;
 mod map;
 mod options;
+mod remesh;
+mod repair;
+mod result;
 mod surface;
 mod system;
 
 pub use error::RemeshError;
+pub use fault::Fault;
 pub use grid_map::{FRACTION_BITS, GridMap, Side, Transition, Triangulation, UNIT};
 pub use map::{MapNotes, grid_map};
 pub use options::{Boundary, MapOptions, PanelSize, RemeshObserver, RemeshStage};
+pub use remesh::{RemeshNote, Remeshed, remesh};
+pub use result::{AngleToCurvature, EdgeLengths, Irregular, LargestDistances, RemeshMeasures};
 pub use surface::{InputSurface, PrepareNotes, Prepared};

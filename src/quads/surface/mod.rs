@@ -22,4 +22,5 @@ mod refine;
 
 pub(super) use edges::Edges;
 pub use input::InputSurface;
+pub(super) use input::Tensor;
 pub use prepare::{PrepareNotes, Prepared};
