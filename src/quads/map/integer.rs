@@ -5,6 +5,7 @@ use super::energy::Energy;
 use super::rounding::Inverse;
 use super::seamless::{NO_AREA, Seamless, doubled_areas, stiffen};
 use super::seams::Seams;
+use super::separation::Separation;
 use crate::quads::RemeshError;
 use crate::quads::surface::Prepared;
 use crate::quads::system::TOGETHER;
@@ -76,9 +77,17 @@ impl<'a> Integers<'a> {
         Ok(Integers { prepared, seams, areas, seamless, unknowns, inverse, right })
     }
 
-    /// The integers by greedy rounding of the map scaled by `scale`.
-    pub(super) fn round(&self, scale: f64) -> Vec<f64> {
-        self.inverse.as_ref().map_or_else(Vec::new, |inverse| inverse.round(&self.free(scale)))
+    /// The integers by greedy rounding of the map scaled by `scale`, with separations.
+    pub(super) fn round(&self, scale: f64, separations: &[Separation]) -> Vec<f64> {
+        let Some(inverse) = &self.inverse else { return Vec::new() };
+        // Pinned unknowns are zero.
+        let local =
+            |&(k, c): &(u32, f64)| Some((self.unknowns.binary_search(&(k as usize)).ok()?, c));
+        let given: Vec<(Vec<(usize, f64)>, f64)> = separations
+            .iter()
+            .map(|one| (one.row.iter().filter_map(local).collect(), one.value))
+            .collect();
+        inverse.round(&self.free(scale), &given)
     }
 
     /// The integer unknowns of the scaled seamless map.

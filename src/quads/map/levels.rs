@@ -3,9 +3,11 @@
 
 use super::energy::Energy;
 use super::integer::{Integers, Rounded};
-use super::seamless::{doubled_areas, seamless_map};
+use super::seamless::{NO_AREA, doubled_areas, seamless_map};
 use super::seams::Seams;
+use super::separation::{Separation, separations};
 use super::snap::snap;
+use super::untangle::Untangling;
 use crate::quads::field::{Combed, Frames, Steering, cross_field, cut_sides};
 use crate::quads::surface::Prepared;
 use crate::quads::{GridMap, MapOptions, RemeshError, RemeshObserver, RemeshStage};
@@ -112,14 +114,38 @@ fn at_level(
             return Err(RemeshError::Cancelled);
         }
         let scale = scale * factor;
-        let values = integers.round(scale);
-        let mut rounded = integers.solve(&mut energy, scale, &values);
-        if rounded.flips > 0 && rounded.flips < HOPELESS {
-            rounded = integers.stiffened(&mut energy, scale, &values, rounded, ROUNDS)?;
-            integers.restore(&mut energy)?;
-        }
-        if best.as_ref().is_none_or(|best| rounded.flips < best.1.flips) {
-            best = Some((factor, rounded));
+        let untangling = Untangling::new(surface, frames, &seams, prepared.size / scale);
+        let free: Vec<f64> = seamless.values.iter().map(|value| scale * value).collect();
+        let mut given: Vec<Separation> = Vec::new();
+        for again in 0..8 {
+            let values = integers.round(scale, &given);
+            let mut rounded = integers.solve(&mut energy, scale, &values);
+            let f0 = rounded.flips;
+            let t = std::time::Instant::now();
+            untangling.untangle(&mut rounded.values, &mut rounded.doubled);
+            rounded.flips = rounded.doubled.iter().filter(|&&a| a <= NO_AREA).count();
+            eprintln!(
+                "level {level} factor {factor} again {again} given {} flips {f0} -> {} in {:?}",
+                given.len(),
+                rounded.flips,
+                t.elapsed()
+            );
+            let flipped: Vec<usize> =
+                (0..areas.len()).filter(|&t| rounded.doubled[t] <= NO_AREA).collect();
+            let t = std::time::Instant::now();
+            let more = if flipped.is_empty() {
+                Vec::new()
+            } else {
+                separations(prepared, &seams, &flipped, &free, &rounded.values)
+            };
+            eprintln!("   {} separations in {:?}", more.len(), t.elapsed());
+            if best.as_ref().is_none_or(|best: &(f64, Rounded)| rounded.flips < best.1.flips) {
+                best = Some((factor, rounded));
+            }
+            if more.is_empty() {
+                break;
+            }
+            given.extend(more);
         }
         if best.as_ref().is_some_and(|best| best.1.flips == 0) {
             break;

@@ -8,16 +8,22 @@
 //! | `seamless` | the map without integers |
 //! | `rounding` | greedy rounding on a dense matrix |
 //! | `integer` | maps with integers |
+//! | `separation` | integers between points that rounding throws together |
+//! | `lbfgs` | minimisation of a smooth function |
+//! | `untangle` | flipped triangles turned back, patch by patch |
 //! | `snap` | fixed point |
 //! | `levels` | all of it, with retries |
 
 mod elimination;
 mod energy;
 mod integer;
+mod lbfgs;
 mod levels;
 mod rounding;
 mod seamless;
 mod seams;
+mod separation;
 mod snap;
+mod untangle;
 
 pub use levels::{MapNotes, grid_map};

@@ -26,9 +26,22 @@ impl Inverse {
     /// Rounds the unknowns one by one, that nearest to an integer first; of equal ones all at once if
     /// none then moves another away from its integer, else the first. Symmetric inputs so stay
     /// symmetric.
-    pub(super) fn round(&self, unknowns: &[f64]) -> Vec<f64> {
+    ///
+    /// Before, each sum of unknowns in `given` takes its value.
+    pub(super) fn round(&self, unknowns: &[f64], given: &[(Vec<(usize, f64)>, f64)]) -> Vec<f64> {
         let mut x = DVector::from_column_slice(unknowns);
         let mut g = self.matrix.clone();
+        for (row, value) in given {
+            let mut along = DVector::zeros(x.len());
+            row.iter().for_each(|&(j, c)| along.axpy(c, &g.column(j), 1.0));
+            let sum = |v: &DVector<f64>| row.iter().map(|&(j, c)| c * v[j]).sum::<f64>();
+            let variance = sum(&along);
+            let before: f64 = row.iter().map(|&(j, c)| c * c * self.matrix[(j, j)]).sum();
+            if variance > DETERMINED * before {
+                x.axpy((value - sum(&x)) / variance, &along, 1.0);
+                g.ger(-1.0 / variance, &along, &along.clone(), 1.0);
+            }
+        }
         let mut left: Vec<usize> = (0..x.len()).collect();
         while !left.is_empty() {
             let distance = |j: usize| (x[j] - nearest(x[j])).abs();
@@ -101,7 +114,7 @@ mod tests {
         let right = DVector::from_column_slice(&numbers(n)) * 30.0;
         let start = normal.clone().cholesky().unwrap().solve(&right);
         let inverse = Inverse::new(normal.clone().cholesky().unwrap().inverse()).unwrap();
-        let found = inverse.round(start.as_slice());
+        let found = inverse.round(start.as_slice(), &[]);
         // The slow way: minimise with all unknowns rounded so far given, each time anew.
         let mut given: Vec<Option<f64>> = vec![None; n];
         for _ in 0..n {
@@ -130,6 +143,8 @@ mod tests {
         // Two unknowns that are mirror images of each other.
         let coupled = DMatrix::from_row_slice(2, 2, &[1.0, -0.3, -0.3, 1.0]);
         let inverse = Inverse::new(coupled).unwrap();
-        assert_eq!(inverse.round(&[2.3, -2.3]), [2.0, -2.0]);
+        assert_eq!(inverse.round(&[2.3, -2.3], &[]), [2.0, -2.0]);
+        // Three apart, and as near as that allows.
+        assert_eq!(inverse.round(&[2.3, 2.2], &[(vec![(0, 1.0), (1, -1.0)], 3.0)]), [4.0, 1.0]);
     }
 }

@@ -105,6 +105,7 @@ impl Seams {
                 }
                 *unknown = number[v];
             }
+            row.sort_by_key(|&(unknown, _)| unknown);
             sums.push(row);
         }
         // How the two translations of the plane move each free unknown: a coordinate, since
@@ -123,6 +124,11 @@ impl Seams {
         let is_integer: Vec<bool> = free.iter().map(|&v| elimination.is_integer(v)).collect();
         let pinned = pins(&moves, &is_integer);
         Seams { classes, sums, is_integer, cut, quarter_turns, pinned }
+    }
+
+    /// A coordinate of a corner, counted modulo three, as a sum of free unknowns.
+    pub(super) fn corner(&self, triangle: usize, corner: usize, axis: usize) -> &[(u32, f64)] {
+        &self.sums[2 * self.classes[triangle][corner % 3] as usize + axis]
     }
 }
 
