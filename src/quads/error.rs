@@ -2,6 +2,7 @@
 
 use super::fault::Fault;
 use crate::math::Vec3;
+use crate::words;
 use std::fmt;
 
 /// A surface that cannot be remeshed. Nothing is changed then.
@@ -47,11 +48,22 @@ pub enum RemeshError {
     NotFollowed {
         /// What was wrong with the first attempt.
         fault: Fault,
-        /// A point of the part.
-        at: Vec3<f64>,
     },
     /// The observer asked to stop.
     Cancelled,
+}
+
+impl RemeshError {
+    /// The place of the fault, in the unit of the mesh.
+    pub fn place(&self) -> Option<Vec3<f64>> {
+        match *self {
+            RemeshError::TooFewTriangles { at }
+            | RemeshError::BranchingEdge { at, .. }
+            | RemeshError::OneSided { at }
+            | RemeshError::SizeTooLarge { at, .. } => Some(at),
+            _ => None,
+        }
+    }
 }
 
 impl fmt::Display for RemeshError {
@@ -70,9 +82,16 @@ impl fmt::Display for RemeshError {
             RemeshError::OneSided { .. } => {
                 write!(f, "a part of the surface has one side only: cut it open")
             }
-            RemeshError::SizeTooSmall { .. } => write!(f, "the panel size is too small"),
-            RemeshError::SizeTooLarge { .. } => {
-                write!(f, "the panel size is too large for a boundary of the surface")
+            RemeshError::SizeTooSmall { least } => {
+                let least = words::brief(words::rounded(*least, 2));
+                write!(f, "panels of this size are more than 100 000, expected {least} or more")
+            }
+            RemeshError::SizeTooLarge { greatest, .. } => {
+                let greatest = words::brief(words::rounded(*greatest, 2));
+                write!(
+                    f,
+                    "panels of this size are too large for the surface, expected {greatest} or less"
+                )
             }
             RemeshError::Numerical => {
                 write!(f, "the coordinates of the surface are out of proportion")
@@ -80,8 +99,11 @@ impl fmt::Display for RemeshError {
             RemeshError::OutOfRange => {
                 write!(f, "the surface is too large for panels of this size")
             }
-            RemeshError::NotFollowed { fault, .. } => {
-                write!(f, "panels of this size cannot follow the surface ({fault}): try smaller ones")
+            RemeshError::NotFollowed { fault } => {
+                write!(
+                    f,
+                    "panels of this size cannot follow the surface ({fault}): try smaller ones"
+                )
             }
             RemeshError::Cancelled => write!(f, "cancelled"),
         }

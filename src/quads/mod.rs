@@ -14,6 +14,7 @@
 //! | `repair` | faces that are not quads, replaced |
 //! | `result` | checks and measures of the result |
 //! | `remesh` | all of it |
+//! | `sliders` | the choices of users |
 
 mod error;
 mod extract;
@@ -25,6 +26,7 @@ mod options;
 mod remesh;
 mod repair;
 mod result;
+mod sliders;
 mod surface;
 mod system;
 
@@ -35,4 +37,5 @@ pub use map::{MapNotes, grid_map};
 pub use options::{Boundary, MapOptions, PanelSize, RemeshObserver, RemeshStage};
 pub use remesh::{RemeshNote, Remeshed, remesh};
 pub use result::{AngleToCurvature, EdgeLengths, Irregular, LargestDistances, RemeshMeasures};
+pub use sliders::{direction_weight, follow_weight};
 pub use surface::{InputSurface, PrepareNotes, Prepared};

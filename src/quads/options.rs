@@ -10,6 +10,16 @@ pub enum Boundary {
     Cut,
 }
 
+impl Boundary {
+    /// The word of the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Boundary::Followed => "follow",
+            Boundary::Cut => "cut",
+        }
+    }
+}
+
 /// The size of panels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PanelSize {

@@ -1,14 +1,12 @@
 //! The whole way from a mesh to quads along its lines of curvature: part by part, checked, measured
 //! and put into words.
 
-use super::fault::Fault;
 use super::extract::{Extraction, Node, Place, extract};
+use super::fault::Fault;
 use super::grid_map::Triangulation;
 use super::map::{MapNotes, grid_map};
 use super::repair::{Repaired, repair};
-use super::result::{
-    Distances, RemeshMeasures, Samples, Shape, Tally, places, verify,
-};
+use super::result::{Distances, RemeshMeasures, Samples, Shape, Tally, places, verify};
 use super::surface::{InputSurface, Prepared};
 use super::{Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, RemeshStage};
 use crate::math::{Vec3, twice_vector_area};
@@ -114,7 +112,8 @@ fn part(
             let extraction = extract(&prepared.surface, &map, careful);
             let (part, boundary) = finish(mesh, &prepared, extraction, &notes, options.boundary);
             let fits = |face: &[usize]| {
-                let trimmed = options.boundary == Boundary::Cut && face.iter().any(|&v| boundary[v]);
+                let trimmed =
+                    options.boundary == Boundary::Cut && face.iter().any(|&v| boundary[v]);
                 face.len() == 4 || trimmed && (3..=5).contains(&face.len())
             };
             let (shape, faults) = verify(&part.faces, expected, fits);
@@ -125,7 +124,7 @@ fn part(
         }
     }
     let fault = first.expect("an attempt failed");
-    Err(RemeshError::NotFollowed { fault, at: prepared.surface.positions[0] })
+    Err(RemeshError::NotFollowed { fault })
 }
 
 /// Repairs what was extracted, and numbers the vertices that are left; whether each is on the
@@ -138,9 +137,8 @@ fn finish(
     boundary: Boundary,
 ) -> (Part, Vec<bool>) {
     let is_boundary: Vec<bool> = nodes.iter().map(|node| node.boundary).collect();
-    let is_trimmed = |face: &[usize]| {
-        boundary == Boundary::Cut && face.iter().any(|&node| is_boundary[node])
-    };
+    let is_trimmed =
+        |face: &[usize]| boundary == Boundary::Cut && face.iter().any(|&node| is_boundary[node]);
     let Repaired { mut faces, replaced } = repair(&mut nodes, cells.faces, is_trimmed);
     let middle = |face: &[usize]| {
         let sum = face.iter().fold(Vec3::zero(), |sum, &node| sum + nodes[node].position);
@@ -162,7 +160,10 @@ fn finish(
     used.iter().enumerate().for_each(|(k, &node)| number[node] = k);
     faces.iter_mut().flatten().for_each(|node| *node = number[*node]);
     let part = Part {
-        positions: used.iter().map(|&node| position(mesh, &prepared.surface, &nodes[node])).collect(),
+        positions: used
+            .iter()
+            .map(|&node| position(mesh, &prepared.surface, &nodes[node]))
+            .collect(),
         faces,
         samples: Samples {
             normals: used.iter().map(|&node| samples.normals[node]).collect(),
@@ -238,9 +239,8 @@ fn not_followed(
 
 /// The size of panels along which the surface near some places turns by no more than [`TURN`].
 fn follows(part: &Part, places: &[Vec3<f64>]) -> f64 {
-    let is_near = |point: Vec3<f64>| {
-        places.iter().any(|&place| (place - point).length() < NEAR * part.size)
-    };
+    let is_near =
+        |point: Vec3<f64>| places.iter().any(|&place| (place - point).length() < NEAR * part.size);
     let curvature = part.positions.iter().zip(&part.samples.tensors).map(|(&point, tensor)| {
         let [xx, yy, zz, xy, xz, yz] = *tensor;
         let square = xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + xz * xz + yz * yz);

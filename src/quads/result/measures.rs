@@ -45,6 +45,7 @@ pub struct RemeshMeasures {
     /// Irregular vertices.
     pub irregular: Irregular,
     /// Angles of the edges to the lines of curvature; none where the surface has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub angle: Option<AngleToCurvature>,
     /// Lengths of edges.
     pub edge: EdgeLengths,
@@ -94,7 +95,8 @@ impl Tally {
             for k in 0..count {
                 let (a, b) = (face[k], face[(k + 1) % count]);
                 edges.push([a.min(b), a.max(b)]);
-                let [next, last] = [b, face[(k + count - 1) % count]].map(|v| positions[v] - positions[a]);
+                let [next, last] =
+                    [b, face[(k + count - 1) % count]].map(|v| positions[v] - positions[a]);
                 let corner = angle(next.dot(last), next.cross(last).length());
                 turns[a] += if corner.is_nan() { 1.0 } else { corner / FRAC_PI_2 };
                 panels[a] += 1.0;

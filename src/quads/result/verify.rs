@@ -91,10 +91,7 @@ fn examine<F: AsRef<[usize]>>(faces: &[F]) -> Found {
             wrong_vertices += 1;
         }
     }
-    let shape = Shape {
-        euler: vertices - edges + faces.len() as i64,
-        loops: loops(outer),
-    };
+    let shape = Shape { euler: vertices - edges + faces.len() as i64, loops: loops(outer) };
     Found { shape, edges: wrong_edges, vertices: wrong_vertices }
 }
 
@@ -150,14 +147,8 @@ mod tests {
 
     #[test]
     fn a_cube_and_a_cube_without_lid_are_surfaces() {
-        let cube = [
-            [0, 3, 2, 1],
-            [4, 5, 6, 7],
-            [0, 1, 5, 4],
-            [1, 2, 6, 5],
-            [2, 3, 7, 6],
-            [3, 0, 4, 7],
-        ];
+        let cube =
+            [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
         let closed = Shape { euler: 2, loops: 0 };
         assert_eq!(verify(&cube, closed, is_quad), (closed, Vec::new()));
         let open = Shape { euler: 1, loops: 1 };
