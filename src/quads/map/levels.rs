@@ -1,25 +1,26 @@
 //! The whole way from a prepared surface to an integer-grid map, with retries (sections 4.3 to 4.8 of
-//! the study): when triangles stay flipped at all scales, the field follows less of the curvature.
+//! the study): creases nearer to each other than a panel are given up, and when triangles stay flipped
+//! at all scales, the field follows less of the curvature.
 
 use super::energy::Energy;
 use super::integer::{Integers, Rounded};
-use super::seamless::{NO_AREA, doubled_areas, seamless_map};
+use super::seamless::{Seamless, doubled_areas, seamless_map};
 use super::seams::Seams;
 use super::separation::{Separation, separations};
 use super::snap::snap;
 use super::untangle::Untangling;
 use crate::quads::field::{Combed, Frames, Steering, cross_field, cut_sides};
 use crate::quads::surface::Prepared;
-use crate::quads::{GridMap, MapOptions, RemeshError, RemeshObserver, RemeshStage};
+use crate::quads::{GridMap, MapOptions, RemeshError, RemeshObserver, RemeshStage, Side};
 
 /// Number of levels.
 const LEVELS: u32 = 4;
 /// Factors of the scale, tried in turn: the integers fall differently.
-const SCALES: [f64; 7] = [1.0, 0.94, 1.06, 0.88, 1.12, 0.8, 1.25];
-/// Most factorisations with integers held, for each scale.
-const ROUNDS: usize = 5;
-/// Maps with more flipped triangles are not worth stiffening.
-const HOPELESS: usize = 60;
+const SCALES: [f64; 5] = [1.0, 0.94, 1.06, 0.88, 1.12];
+/// Most roundings at one scale, each with more separations.
+const ROUNDINGS: usize = 8;
+/// How often creases are given up.
+const ABANDONINGS: usize = 3;
 
 /// How a map came about.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -38,6 +39,10 @@ pub struct MapNotes {
     pub scale: f64,
     /// Number of integer unknowns that were rounded.
     pub integers: usize,
+    /// Number of pairs of points and lines that rounding would have put together.
+    pub separations: usize,
+    /// Crease edges given up because they are nearer to each other than a panel.
+    pub abandoned_creases: usize,
     /// Number of cut edges.
     pub cut: usize,
     /// Flipped triangles of the map without integers, by rounds of stiffening.
@@ -57,18 +62,32 @@ pub fn grid_map(
     observer: &mut RemeshObserver<'_>,
 ) -> Result<(GridMap, MapNotes), RemeshError> {
     let frames = Frames::new(&prepared.surface);
+    let target = wanted.unwrap_or(prepared.surface.area() / (prepared.size * prepared.size));
     let mut best: Option<(GridMap, MapNotes)> = None;
-    for level in 0..LEVELS {
-        let found = at_level(prepared, &frames, options, wanted, level, observer)?;
+    let mut fewer: Option<Prepared> = None;
+    let mut abandonings = 0;
+    let mut level = 0;
+    while level < LEVELS {
+        let current = fewer.as_ref().unwrap_or(prepared);
+        let stages = Stages::new(current, &frames, options, level, observer)?;
+        let (found, creases) = stages.round(target, abandonings < ABANDONINGS, observer)?;
+        if !creases.is_empty() {
+            fewer = Some(current.without_creases(&creases));
+            abandonings += 1;
+            continue;
+        }
         let flips = |found: &(GridMap, MapNotes)| found.1.flipped.len();
-        if best.as_ref().is_none_or(|best| flips(&found) < flips(best)) {
+        if let Some(found) = found
+            && best.as_ref().is_none_or(|best| flips(&found) < flips(best))
+        {
             best = Some(found);
         }
         if best.as_ref().is_some_and(|best| flips(best) == 0) {
             break;
         }
+        level += 1;
     }
-    Ok(best.expect("there is a level"))
+    Ok(best.expect("the last level finds a map"))
 }
 
 /// The field's settings of a level: lambda, smoothing and step.
@@ -81,88 +100,125 @@ fn steering(level: u32, follow: f64) -> Steering {
     }
 }
 
-fn at_level(
-    prepared: &Prepared,
-    frames: &Frames,
-    options: &MapOptions,
-    wanted: Option<f64>,
+/// The field and the map without integers, from which maps of any scale are rounded.
+struct Stages<'a> {
+    prepared: &'a Prepared,
+    frames: &'a Frames,
     level: u32,
-    observer: &mut RemeshObserver<'_>,
-) -> Result<(GridMap, MapNotes), RemeshError> {
-    let surface = &prepared.surface;
-    let steering = steering(level, options.follow);
-    let cross =
-        cross_field(prepared, frames, steering, &mut |part| observer(RemeshStage::Field, part))?;
-    let combed = Combed::new(surface, frames, &cross.crosses);
-    let cut = cut_sides(surface, &combed);
-    let seams = Seams::new(prepared, frames, &combed, cut);
-    let mut energy = Energy::new(prepared, frames, &combed, &cross, &seams, options.direction);
-    let areas = &frames.area;
-    let seamless = seamless_map(prepared, &seams, &mut energy, areas, &mut |part| {
-        observer(RemeshStage::Map, part)
-    })?;
-    let predicted = 0.5 * doubled_areas(&seams, &seamless.values).iter().sum::<f64>();
-    let target = wanted.unwrap_or_else(|| surface.area() / (prepared.size * prepared.size));
-    let scale = (target / predicted).sqrt();
-    if !(scale.is_finite() && predicted > 0.0) {
-        return Err(RemeshError::Numerical);
+    combed: Combed,
+    seams: Seams,
+    energy: Energy,
+    seamless: Seamless,
+}
+
+impl<'a> Stages<'a> {
+    fn new(
+        prepared: &'a Prepared,
+        frames: &'a Frames,
+        options: &MapOptions,
+        level: u32,
+        observer: &mut RemeshObserver<'_>,
+    ) -> Result<Stages<'a>, RemeshError> {
+        let surface = &prepared.surface;
+        let steering = steering(level, options.follow);
+        let cross = cross_field(prepared, frames, steering, &mut |part| {
+            observer(RemeshStage::Field, part)
+        })?;
+        let combed = Combed::new(surface, frames, &cross.crosses);
+        let cut = cut_sides(surface, &combed);
+        let seams = Seams::new(prepared, frames, &combed, cut);
+        let mut energy = Energy::new(prepared, frames, &combed, &cross, &seams, options.direction);
+        let seamless = seamless_map(prepared, &seams, &mut energy, &frames.area, &mut |part| {
+            observer(RemeshStage::Map, part)
+        })?;
+        Ok(Stages { prepared, frames, level, combed, seams, energy, seamless })
     }
-    let integers = Integers::new(prepared, &seams, areas, &mut energy, &seamless)?;
-    let mut best: Option<(f64, Rounded)> = None;
-    for (tried, factor) in SCALES.into_iter().enumerate() {
-        if !observer(RemeshStage::Round, tried as f64 / SCALES.len() as f64) {
-            return Err(RemeshError::Cancelled);
+
+    /// Rounds for a number of quads, at one scale after another until no triangle is flipped. If
+    /// creases are in each other's way, and `may_abandon`, these are returned instead of a map.
+    #[expect(clippy::type_complexity, reason = "a map or creases")]
+    fn round(
+        self,
+        target: f64,
+        may_abandon: bool,
+        observer: &mut RemeshObserver<'_>,
+    ) -> Result<(Option<(GridMap, MapNotes)>, Vec<Side>), RemeshError> {
+        let Stages { prepared, frames, level, combed, seams, mut energy, seamless } = self;
+        let (seams, seamless) = (&seams, &seamless);
+        let energy = &mut energy;
+        let predicted = 0.5 * doubled_areas(seams, &seamless.values).iter().sum::<f64>();
+        let scale = (target / predicted).sqrt();
+        if !(scale.is_finite() && predicted > 0.0) {
+            return Err(RemeshError::Numerical);
         }
-        let scale = scale * factor;
-        let untangling = Untangling::new(surface, frames, &seams, prepared.size / scale);
-        let free: Vec<f64> = seamless.values.iter().map(|value| scale * value).collect();
-        let mut given: Vec<Separation> = Vec::new();
-        for again in 0..8 {
-            let values = integers.round(scale, &given);
-            let mut rounded = integers.solve(&mut energy, scale, &values);
-            let f0 = rounded.flips;
-            let t = std::time::Instant::now();
-            untangling.untangle(&mut rounded.values, &mut rounded.doubled);
-            rounded.flips = rounded.doubled.iter().filter(|&&a| a <= NO_AREA).count();
-            eprintln!(
-                "level {level} factor {factor} again {again} given {} flips {f0} -> {} in {:?}",
-                given.len(),
-                rounded.flips,
-                t.elapsed()
-            );
-            let flipped: Vec<usize> =
-                (0..areas.len()).filter(|&t| rounded.doubled[t] <= NO_AREA).collect();
-            let t = std::time::Instant::now();
-            let more = if flipped.is_empty() {
-                Vec::new()
-            } else {
-                separations(prepared, &seams, &flipped, &free, &rounded.values)
-            };
-            eprintln!("   {} separations in {:?}", more.len(), t.elapsed());
-            if best.as_ref().is_none_or(|best: &(f64, Rounded)| rounded.flips < best.1.flips) {
-                best = Some((factor, rounded));
+        let integers = Integers::new(seams, energy, seamless)?;
+        let mut best: Option<Found> = None;
+        for (tried, factor) in SCALES.into_iter().enumerate() {
+            let scale = scale * factor;
+            let free: Vec<f64> = seamless.values.iter().map(|value| scale * value).collect();
+            let size = prepared.size / scale;
+            let untangling = Untangling::new(&prepared.surface, frames, seams, size);
+            let mut given: Vec<Separation> = Vec::new();
+            for _ in 0..ROUNDINGS {
+                if !observer(RemeshStage::Round, tried as f64 / SCALES.len() as f64) {
+                    return Err(RemeshError::Cancelled);
+                }
+                let mut rounded = integers.solve(energy, scale, &integers.round(scale, &given));
+                let pairs = |rounded: &Rounded| {
+                    let flipped = rounded.flipped();
+                    separations(prepared, seams, &flipped, &free, &rounded.values)
+                };
+                let mut more = pairs(&rounded);
+                more.retain(|one| !given.contains(one));
+                if more.is_empty() {
+                    untangling.untangle(&mut rounded.values, &mut rounded.doubled);
+                }
+                let creases: Vec<Side> = more.iter().flat_map(|one| one.creases.clone()).collect();
+                if may_abandon && !creases.is_empty() {
+                    return Ok((None, creases));
+                }
+                let is_last = more.is_empty();
+                let found = Found {
+                    factor,
+                    flips: rounded.flipped().len(),
+                    rounded,
+                    separations: given.len(),
+                };
+                given.extend(more);
+                if best.as_ref().is_none_or(|best| found.flips < best.flips) {
+                    best = Some(found);
+                }
+                if is_last {
+                    break;
+                }
             }
-            if more.is_empty() {
+            if best.as_ref().is_some_and(|best| best.flips == 0) {
                 break;
             }
-            given.extend(more);
         }
-        if best.as_ref().is_some_and(|best| best.1.flips == 0) {
-            break;
-        }
+        let found = best.expect("there is a scale");
+        let map = snap(seams, &found.rounded.values)?;
+        let flipped = (0..map.corners.len()).filter(|&t| map.doubled_area(t) <= 0).collect();
+        let notes = MapNotes {
+            flipped,
+            level,
+            singularities: combed.singularities(),
+            quads: 0.5 * found.rounded.doubled.iter().sum::<f64>(),
+            scale: found.factor,
+            integers: integers.unknowns.len(),
+            separations: found.separations,
+            abandoned_creases: prepared.notes.abandoned,
+            cut: seams.cut.len(),
+            seamless_flips: seamless.flips.clone(),
+        };
+        Ok((Some((map, notes)), Vec::new()))
     }
-    let (factor, rounded) = best.expect("there is a scale");
-    let map = snap(&seams, &rounded.values)?;
-    let flipped: Vec<usize> = (0..areas.len()).filter(|&t| map.doubled_area(t) <= 0).collect();
-    let notes = MapNotes {
-        flipped,
-        level,
-        singularities: combed.singularities(),
-        quads: 0.5 * rounded.doubled.iter().sum::<f64>(),
-        scale: factor,
-        integers: integers.unknowns.len(),
-        cut: seams.cut.len(),
-        seamless_flips: seamless.flips.clone(),
-    };
-    Ok((map, notes))
+}
+
+/// A rounded map with the way to it.
+struct Found {
+    factor: f64,
+    flips: usize,
+    rounded: Rounded,
+    separations: usize,
 }

@@ -80,11 +80,6 @@ impl Inverse {
         );
         self.factor.solve(&difference).iter().copied().collect()
     }
-
-    /// The curvature of the energy in each unknown, the others held: the diagonal of `G^-1`.
-    pub(super) fn stiffness(&self) -> Vec<f64> {
-        self.factor.inverse().diagonal().iter().copied().collect()
-    }
 }
 
 /// The nearest integer; of two the greater.

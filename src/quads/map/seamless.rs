@@ -9,8 +9,6 @@ use crate::quads::{RemeshError, Triangulation};
 const ROUNDS: usize = 10;
 /// Triangles that are mapped to less than this fraction of their area are stiffened.
 const SMALL: f64 = 0.02;
-/// An area in squares of panels that counts as none.
-pub(super) const NO_AREA: f64 = 1e-9;
 
 /// A map as values of the free unknowns of the seams.
 pub(crate) struct Seamless {

@@ -21,6 +21,9 @@ pub(crate) struct Seams {
     pub cut: Vec<[Side; 2]>,
     /// The quarter turns from the first to the second triangle of each cut edge.
     pub quarter_turns: Vec<u8>,
+    /// `#T by 3`: for feature sides the quarter turns from the first axis of the map to their
+    /// direction.
+    pub runs: Vec<[Option<u8>; 3]>,
     /// A pair of free unknowns that, given, takes the two translations away that leave the map as
     /// it is; fewer if nothing is free.
     pub pinned: Vec<u32>,
@@ -45,13 +48,15 @@ impl Seams {
         };
         let mut is_integer = vec![false; 2 * count];
         // A feature runs along one axis; the other coordinate is the same integer along it.
+        let mut runs = vec![[None; 3]; n];
         let aligned: Vec<(Side, usize)> = surface
             .sides()
             .filter(|&side| surface.is_feature(side))
             .map(|side| {
                 let turn = argument(frames.tangent(prepared, side)) - combed.angles[side.triangle];
-                let axis = (turn / FRAC_PI_2 + 0.5).floor() as i64;
-                (side, if axis.rem_euclid(2) == 0 { 1 } else { 0 })
+                let quarters = ((turn / FRAC_PI_2 + 0.5).floor() as i64).rem_euclid(4);
+                runs[side.triangle][side.side] = Some(quarters as u8);
+                (side, if quarters % 2 == 0 { 1 } else { 0 })
             })
             .collect();
         for &(Side { triangle, side }, axis) in &aligned {
@@ -123,7 +128,7 @@ impl Seams {
         let moves: Vec<[f64; 2]> = free.iter().map(of_free).collect();
         let is_integer: Vec<bool> = free.iter().map(|&v| elimination.is_integer(v)).collect();
         let pinned = pins(&moves, &is_integer);
-        Seams { classes, sums, is_integer, cut, quarter_turns, pinned }
+        Seams { classes, sums, is_integer, cut, quarter_turns, runs, pinned }
     }
 
     /// A coordinate of a corner, counted modulo three, as a sum of free unknowns.

@@ -10,14 +10,16 @@ use std::collections::{BTreeMap, VecDeque};
 
 /// Pairs farther apart than this many panels are not looked at.
 const REACH: f64 = 1.5;
-/// A line is in front of a point if the map puts it at this part of its distance at least.
-const IN_FRONT: f64 = 0.5;
+/// Of a point and a line, and of two lines.
+const REACH_OF_LINES: f64 = 1.0;
 
 /// A sum of free unknowns of the seams, all integers, that must have a value.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Separation {
     pub row: Vec<(u32, f64)>,
     pub value: f64,
+    /// The sides of creases on which one of the two lies.
+    pub creases: Vec<Side>,
     /// Distance of the two, in the unit of the mesh; near pairs go first.
     distance: f64,
 }
@@ -51,14 +53,16 @@ pub(super) fn separations(
     };
     // Integer points within reach of flipped triangles.
     let mut sources = BTreeMap::new();
+    let mut found: Vec<Separation> = Vec::new();
     for &t in flipped {
-        for (near, _) in finder.near(t, surface.at(t, 0)) {
+        let near = finder.near(t, surface.at(t, 0));
+        for &(near, _) in &near {
             for corner in (0..3).filter(|&corner| finder.is_integer_point(near, corner)) {
                 sources.entry(surface.triangles[near][corner]).or_insert((near, corner));
             }
         }
+        finder.of_lines(&near, &mut found);
     }
-    let mut found: Vec<Separation> = Vec::new();
     for (t, corner) in sources.into_values() {
         finder.of_point(t, corner, &mut found);
     }
@@ -162,47 +166,106 @@ impl Finder<'_> {
         let at = self.surface.at(t, corner);
         let vertex = self.surface.triangles[t][corner];
         let own = [0, 1].map(|axis| self.seams.corner(t, corner, axis));
-        for (near, chart) in self.near(t, at) {
+        let near = self.near(t, at);
+        for &(near, ref chart) in &near {
             for k in (0..3).filter(|&k| self.surface.triangles[near][k] != vertex) {
                 let distance = (self.surface.at(near, k) - at).length();
                 if distance > self.reach || !self.is_integer_point(near, k) {
                     continue;
                 }
-                let apart = [0, 1]
-                    .map(|axis| sum(&self.coordinate(&chart, near, k, axis), own[axis], -1.0));
+                let apart =
+                    [0, 1].map(|axis| sum(&self.coordinate(chart, near, k, axis), own[axis], -1.0));
                 let [u, v] = [0, 1].map(|axis| value(&apart[axis], self.free));
                 if apart.iter().any(|row| value(row, self.rounded).abs() > 0.5) {
                     continue;
                 }
                 let first = usize::from(v.abs() > u.abs());
                 let axis = if apart[first].is_empty() { 1 - first } else { first };
-                self.add(&apart[axis], distance, found);
+                let row = apart[axis].clone();
+                if !row.is_empty() {
+                    let value = value(&row, self.free).signum();
+                    found.push(Separation { row, value, creases: Vec::new(), distance });
+                }
             }
-            for side in (0..3).filter(|&side| self.surface.feature[near][side]) {
-                let ends = [side, side + 1].map(|k| self.surface.at(near, k));
-                let distance = distance_to_segment(at, ends);
-                for axis in 0..2 {
-                    let [a, b] = [side, side + 1].map(|k| self.coordinate(&chart, near, k, axis));
-                    if distance > self.reach || a != b || !self.is_integer(&a) {
-                        continue;
-                    }
-                    let apart = sum(&a, own[axis], -1.0);
-                    let before = value(&apart, self.free);
-                    let in_front = before.abs() * self.size >= IN_FRONT * distance;
-                    if in_front && value(&apart, self.rounded) * before.signum() < 0.5 {
-                        self.add(&apart, distance, found);
-                    }
+        }
+        for line in self.lines(&near) {
+            let (distance, foot) = distance_to_segment(at, line.ends);
+            let apart = sum(&own[line.axis], &line.row, -1.0);
+            if foot && distance < REACH_OF_LINES * self.size {
+                self.add_ahead(apart, line.inward, distance, &[line.side], found);
+            }
+        }
+    }
+
+    /// Finds pairs of lines that face each other.
+    fn of_lines(&self, near: &[(usize, Chart)], found: &mut Vec<Separation>) {
+        let lines = self.lines(near);
+        for (k, a) in lines.iter().enumerate() {
+            for b in &lines[..k] {
+                if a.axis != b.axis || a.inward != -b.inward || a.row == b.row {
+                    continue;
+                }
+                let middle = (b.ends[0] + b.ends[1]) * 0.5;
+                let (distance, foot) = distance_to_segment(middle, a.ends);
+                if foot && distance < REACH_OF_LINES * self.size {
+                    let apart = sum(&b.row, &a.row, -1.0);
+                    self.add_ahead(apart, a.inward, distance, &[a.side, b.side], found);
                 }
             }
         }
     }
 
-    fn add(&self, apart: &[(u32, f64)], distance: f64, found: &mut Vec<Separation>) {
-        if !apart.is_empty() && self.is_integer(apart) {
-            let value = value(apart, self.free).signum();
-            found.push(Separation { row: apart.to_vec(), value, distance });
+    /// The feature sides of triangles, as lines of the chart.
+    fn lines(&self, near: &[(usize, Chart)]) -> Vec<FeatureLine> {
+        let mut lines = Vec::new();
+        for (triangle, chart) in near {
+            for side in (0..3).map(|side| Side { triangle: *triangle, side }) {
+                let Some(run) = self.seams.runs[side.triangle][side.side] else { continue };
+                // The surface lies to the left of its sides.
+                let [x, y] = turned_unit((run + 1 + chart.turns) % 4);
+                let (axis, inward) = if x == 0.0 { (1, y) } else { (0, x) };
+                let row = self.coordinate(chart, side.triangle, side.side, axis);
+                if self.is_integer(&row) {
+                    let ends =
+                        [side.side, side.side + 1].map(|k| self.surface.at(side.triangle, k));
+                    lines.push(FeatureLine { side, axis, inward, row, ends });
+                }
+            }
+        }
+        lines
+    }
+
+    /// Adds that `apart` must be on the side `inward` of zero, if it is not.
+    fn add_ahead(
+        &self,
+        apart: Vec<(u32, f64)>,
+        inward: f64,
+        distance: f64,
+        sides: &[Side],
+        found: &mut Vec<Separation>,
+    ) {
+        let behind = value(&apart, self.rounded) * inward < 0.5;
+        if behind && !apart.is_empty() && self.is_integer(&apart) {
+            let is_crease = |side: &&Side| self.surface.across(**side).is_some();
+            let creases = sides.iter().filter(is_crease).copied().collect();
+            found.push(Separation { row: apart, value: inward, creases, distance });
         }
     }
+}
+
+/// A feature side in a chart: the coordinate `axis` is the sum `row` on it, and the surface lies in
+/// the direction `inward` along that axis.
+struct FeatureLine {
+    side: Side,
+    axis: usize,
+    inward: f64,
+    row: Vec<(u32, f64)>,
+    ends: [Vec3<f64>; 2],
+}
+
+/// The first axis turned by quarters.
+fn turned_unit(quarter_turns: u8) -> [f64; 2] {
+    [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][quarter_turns as usize]
 }
 
 /// The sum `a + factor b` of two sums.
@@ -218,10 +281,12 @@ fn value(row: &[(u32, f64)], values: &[f64]) -> f64 {
     row.iter().map(|&(k, c)| c * values[k as usize]).sum()
 }
 
-fn distance_to_segment(p: Vec3<f64>, [a, b]: [Vec3<f64>; 2]) -> f64 {
+/// The distance of a point from a segment, and whether its foot lies well between
+/// the ends.
+fn distance_to_segment(p: Vec3<f64>, [a, b]: [Vec3<f64>; 2]) -> (f64, bool) {
     let along = b - a;
     let t = (p - a).dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
-    (a + along * t.clamp(0.0, 1.0) - p).length()
+    ((a + along * t.clamp(0.0, 1.0) - p).length(), (0.01..=0.99).contains(&t))
 }
 
 #[cfg(test)]

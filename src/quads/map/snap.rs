@@ -9,6 +9,12 @@ const BITS: u32 = 18;
 /// Free unknowns are less than this, so that determinants of coordinates fit 128 bits by far.
 const MOST: f64 = 1e7;
 
+/// The nearest number that fixed point has for a free unknown.
+pub(super) fn snapped(value: f64) -> f64 {
+    let scale = f64::from(1u32 << BITS);
+    (value * scale + 0.5).floor() / scale
+}
+
 /// Rounds a map, in which integer unknowns are integers.
 ///
 /// # Errors

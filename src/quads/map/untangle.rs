@@ -10,8 +10,8 @@
 //! rises to zero.
 
 use super::lbfgs::minimise;
-use super::seamless::NO_AREA;
 use super::seams::Seams;
+use super::snap::snapped;
 use crate::quads::Triangulation;
 use crate::quads::field::Frames;
 
@@ -21,6 +21,11 @@ const RINGS: [usize; 2] = [4, 9];
 const ROUNDS: usize = 30;
 /// Most steps of a minimisation.
 const STEPS: usize = 60;
+/// Minimisations go on as long as every few of them raise the least determinant.
+const PATIENCE: usize = 6;
+/// Twice the area in squares of panels below which a triangle counts as flipped while untangling;
+/// far above the steps of fixed point.
+const MARGIN: f64 = 1e-8;
 /// Triangles of less than this height over their longest side are replaced by regular ones.
 const THIN: f64 = 1e-3;
 
@@ -88,7 +93,7 @@ impl<'a> Untangling<'a> {
         for rings in RINGS {
             let mut seen = vec![false; doubled.len()];
             for first in 0..doubled.len() {
-                if doubled[first] > NO_AREA || seen[first] {
+                if doubled[first] > 0.0 || seen[first] {
                     continue;
                 }
                 let patch = self.grow(first, rings, doubled);
@@ -108,7 +113,7 @@ impl<'a> Untangling<'a> {
                 continue;
             }
             for next in self.surface.neighbours[t].iter().flatten() {
-                let here = if doubled[next.triangle] <= NO_AREA { rings } else { rest - 1 };
+                let here = if doubled[next.triangle] <= 0.0 { rings } else { rest - 1 };
                 if left.get(&next.triangle).is_none_or(|&known| known < here) {
                     left.insert(next.triangle, here);
                     queue.push_back(next.triangle);
@@ -153,18 +158,23 @@ impl<'a> Untangling<'a> {
             .collect();
         let problem = Patch { untangling: self, patch, corners };
         let mut x: Vec<f64> = unknowns.iter().map(|&k| values[k as usize]).collect();
-        let (before, _) = problem.determinants(&x);
+        let before = patch.iter().filter(|&&t| doubled[t] <= 0.0).count();
         let mut eps = 1.0;
+        let mut record = (f64::NEG_INFINITY, 0);
         for round in 0..ROUNDS {
             let (flips, least) = problem.determinants(&x);
-            if flips == 0 && round > 0 {
+            if least > 0.8 * record.0 || round == 0 {
+                record = (least, round);
+            }
+            if (flips == 0 && round > 0) || round > record.1 + PATIENCE {
                 break;
             }
             let regular = (1e-12 + 0.04 * least.min(0.0) * least.min(0.0)).sqrt();
             eps = if round == 0 { regular } else { regular.min(eps) };
             minimise(&mut x, STEPS, |x, gradient| problem.energy(x, eps, gradient));
         }
-        let (flips, _) = problem.determinants(&x);
+        x.iter_mut().for_each(|value| *value = snapped(*value));
+        let flips = problem.corners.iter().filter(|corners| cross(corners, &x) <= 0.0).count();
         if flips < before {
             unknowns.iter().zip(&x).for_each(|(&k, &value)| values[k as usize] = value);
             for (&t, corners) in patch.iter().zip(&problem.corners) {
@@ -201,7 +211,7 @@ impl Patch<'_> {
         let mut least = f64::INFINITY;
         for (&t, corners) in self.patch.iter().zip(&self.corners) {
             let doubled = cross(corners, x);
-            flips += usize::from(doubled <= NO_AREA);
+            flips += usize::from(doubled <= MARGIN);
             let [[p, q], [r, s]] = self.untangling.rest[t];
             least = least.min(doubled * (p * s - q * r));
         }

@@ -40,7 +40,7 @@ impl<'a> Chains<'a> {
             edges.ends[e].iter().for_each(|&v| at_vertex[v].push(e));
         }
         let mut used = vec![false; is_feature.len()];
-        let mut follow = |first: usize, edge: usize, used: &mut Vec<bool>| {
+        let follow = |first: usize, edge: usize, used: &mut Vec<bool>| {
             let (mut vertices, mut chain) = (vec![first], Vec::new());
             let (mut v, mut e) = (first, edge);
             loop {

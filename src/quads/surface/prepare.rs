@@ -8,7 +8,7 @@ use super::features;
 use super::input::{InputSurface, Tensor};
 use super::refine::{Line, Refined};
 use crate::math::Vec3;
-use crate::quads::{Boundary, MapOptions, RemeshError, Triangulation};
+use crate::quads::{Boundary, MapOptions, RemeshError, Side, Triangulation};
 
 /// Connected creases shorter than this many panels are noise.
 const SHORTEST_CREASE: f64 = 6.0;
@@ -34,6 +34,68 @@ pub struct Prepared {
     pub notes: PrepareNotes,
 }
 
+impl Prepared {
+    /// Follows the features that the surface marks: tangents, wedges, and creases that are released
+    /// beside other features.
+    fn with_features(mut surface: Triangulation, tensors: Vec<Tensor>, size: f64) -> Prepared {
+        let edges = Edges::new(&surface.triangles);
+        let (cones, wedges) = cones(&surface, size);
+        let mut is_feature: Vec<bool> =
+            edges.sides.iter().map(|sides| surface.is_feature(sides[0])).collect();
+        let is_crease = |e: usize| edges.sides[e].len() == 2;
+        let mut tangents = vec![Vec3::zero(); edges.ends.len()];
+        let chains = Chains::new(&surface.positions, &edges, &is_feature);
+        let corners = chains.tangents(&edges, size, &mut tangents);
+        let released = chains.too_close(size, is_crease);
+        drop(chains);
+        for &e in &released {
+            is_feature[e] = false;
+            edges.sides[e].iter().for_each(|s| surface.feature[s.triangle][s.side] = false);
+        }
+        let creases = (0..is_feature.len()).filter(|&e| is_feature[e] && is_crease(e)).count();
+        let released = released.len();
+        let notes = PrepareNotes { corners, creases, released, wedges, ..PrepareNotes::default() };
+        let of_side = |t: usize| {
+            [0, 1, 2].map(|k| {
+                let e = edges.of_side[t][k];
+                let ascends = surface.triangles[t][k] == edges.ends[e][0];
+                if ascends { tangents[e] } else { -tangents[e] }
+            })
+        };
+        let tangents = (0..surface.triangles.len()).map(of_side).collect();
+        Prepared { surface, size, tensors, tangents, cones, notes }
+    }
+
+    /// The same surface without the connected creases on which these sides lie: the grid cannot
+    /// follow them with panels of this size.
+    pub(crate) fn without_creases(&self, sides: &[Side]) -> Prepared {
+        let edges = Edges::new(&self.surface.triangles);
+        let is_crease =
+            |e: usize| edges.sides[e].len() == 2 && self.surface.is_feature(edges.sides[e][0]);
+        let mut at_vertex: Vec<Vec<usize>> = vec![Vec::new(); self.surface.positions.len()];
+        for e in (0..edges.ends.len()).filter(|&e| is_crease(e)) {
+            edges.ends[e].iter().for_each(|&v| at_vertex[v].push(e));
+        }
+        let mut surface = self.surface.clone();
+        let mut queue: Vec<usize> =
+            sides.iter().map(|side| edges.of_side[side.triangle][side.side]).collect();
+        let mut abandoned = 0;
+        while let Some(e) = queue.pop() {
+            let own = &edges.sides[e];
+            if !is_crease(e) || !surface.is_feature(own[0]) {
+                continue;
+            }
+            abandoned += 1;
+            own.iter().for_each(|s| surface.feature[s.triangle][s.side] = false);
+            queue.extend(edges.ends[e].iter().flat_map(|&v| &at_vertex[v]));
+        }
+        let mut prepared = Prepared::with_features(surface, self.tensors.clone(), self.size);
+        prepared.notes.dropped_creases = self.notes.dropped_creases;
+        prepared.notes.abandoned = self.notes.abandoned + abandoned;
+        prepared
+    }
+}
+
 /// Counts of what was found in a surface.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PrepareNotes {
@@ -45,6 +107,8 @@ pub struct PrepareNotes {
     pub creases: usize,
     /// Edges of creases released beside another chain.
     pub released: usize,
+    /// Crease edges of the surface given up because they are nearer to each other than a panel.
+    pub abandoned: usize,
     /// Sharp wedges.
     pub wedges: usize,
 }
@@ -75,48 +139,17 @@ impl InputSurface {
         refined.split_long(size);
         refined.separate(on_feature);
         let Refined { positions, tensors, vertices, triangles, lines, faces } = refined;
-        let edges = Edges::new(&triangles);
-        let mut surface = Triangulation {
-            neighbours: edges.neighbours(),
+        let surface = Triangulation {
+            neighbours: Edges::new(&triangles).neighbours(),
             feature: lines.iter().map(|sides| sides.map(on_feature)).collect(),
             positions,
             triangles,
             faces,
             vertices,
         };
-        let (cones, wedges) = cones(&surface, size);
-        let line = |e: usize| {
-            let side = edges.sides[e][0];
-            lines[side.triangle][side.side]
-        };
-        let mut is_feature: Vec<bool> =
-            (0..edges.ends.len()).map(|e| on_feature(line(e))).collect();
-        let mut tangents = vec![Vec3::zero(); edges.ends.len()];
-        let chains = Chains::new(&surface.positions, &edges, &is_feature);
-        let corners = chains.tangents(&edges, size, &mut tangents);
-        let released = chains.too_close(size, |e| line(e) == Line::Crease);
-        drop(chains);
-        for &e in &released {
-            is_feature[e] = false;
-            edges.sides[e].iter().for_each(|s| surface.feature[s.triangle][s.side] = false);
-        }
-        let creases = (0..is_feature.len()).filter(|&e| is_feature[e] && line(e) == Line::Crease);
-        let notes = PrepareNotes {
-            corners,
-            dropped_creases: dropped,
-            creases: creases.count(),
-            released: released.len(),
-            wedges,
-        };
-        let of_side = |t: usize| {
-            [0, 1, 2].map(|k| {
-                let e = edges.of_side[t][k];
-                let ascends = surface.triangles[t][k] == edges.ends[e][0];
-                if ascends { tangents[e] } else { -tangents[e] }
-            })
-        };
-        let tangents = (0..surface.triangles.len()).map(of_side).collect();
-        Ok(Prepared { surface, size, tensors, tangents, cones, notes })
+        let mut prepared = Prepared::with_features(surface, tensors, size);
+        prepared.notes.dropped_creases = dropped;
+        Ok(prepared)
     }
 
     /// Checks the size against the area and the boundary.
