@@ -33,7 +33,7 @@ mod system;
 pub use error::RemeshError;
 pub use fault::Fault;
 pub use grid_map::{FRACTION_BITS, GridMap, Side, Transition, Triangulation, UNIT};
-pub use map::{MapNotes, grid_map};
+pub use map::{GridMapper, MapNotes, grid_map};
 pub use options::{Boundary, MapOptions, PanelSize, RemeshObserver, RemeshStage};
 pub use remesh::{RemeshNote, Remeshed, remesh};
 pub use result::{AngleToCurvature, EdgeLengths, Irregular, LargestDistances, RemeshMeasures};

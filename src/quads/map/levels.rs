@@ -2,23 +2,20 @@
 //! the study): creases nearer to each other than a panel are given up, and when triangles stay flipped
 //! at all scales, the field follows less of the curvature.
 
-use super::energy::Energy;
-use super::integer::{Integers, Rounded};
-use super::seamless::{Seamless, doubled_areas, seamless_map};
-use super::seams::Seams;
-use super::separation::{Separation, separations};
+use super::relaxed::{Attempt, Field, Found, Relaxed};
 use super::snap::snap;
-use super::untangle::Untangling;
-use crate::quads::field::{Combed, Frames, Steering, cross_field, cut_sides};
+use crate::quads::field::{Frames, Steering};
 use crate::quads::surface::Prepared;
 use crate::quads::{GridMap, MapOptions, RemeshError, RemeshObserver, RemeshStage, Side};
 
 /// Number of levels.
-const LEVELS: u32 = 4;
+const LEVELS: usize = 4;
 /// Factors of the scale, tried in turn: the integers fall differently.
 const SCALES: [f64; 5] = [1.0, 0.94, 1.06, 0.88, 1.12];
-/// Most roundings at one scale, each with more separations.
-const ROUNDINGS: usize = 8;
+/// A number of quads farther from the wanted one by this ratio is corrected.
+const OFF: f64 = 1.07;
+/// Most corrections.
+const CORRECTIONS: usize = 3;
 /// How often creases are given up.
 const ABANDONINGS: usize = 3;
 
@@ -49,9 +46,164 @@ pub struct MapNotes {
     pub seamless_flips: Vec<usize>,
 }
 
-/// Computes an integer-grid map of a prepared surface. `wanted` is the number of quads to aim at; by
-/// default panels have the size for which the surface was prepared. If triangles are flipped at all
-/// levels, the map is that with the fewest, and the notes name them.
+/// Maps of one prepared surface. Fields and seamless maps are kept, so that another number of quads
+/// takes a rounding only, and another weight of directions a map.
+pub struct GridMapper {
+    prepared: Prepared,
+    frames: Frames,
+    abandonings: usize,
+    /// By level.
+    fields: Vec<Field>,
+    /// By level.
+    relaxed: Vec<Relaxed>,
+}
+
+impl GridMapper {
+    /// Maps of a surface.
+    pub fn new(prepared: Prepared) -> GridMapper {
+        let frames = Frames::new(&prepared.surface);
+        let (fields, relaxed) = (Vec::new(), Vec::new());
+        GridMapper { prepared, frames, abandonings: 0, fields, relaxed }
+    }
+
+    /// The surface; its features are those that the last map follows.
+    pub fn prepared(&self) -> &Prepared {
+        &self.prepared
+    }
+
+    /// Computes an integer-grid map with about `wanted` quads, for the weights `follow` of curvature
+    /// and `direction` of directions (see [`crate::quads::MapOptions`]). If triangles are flipped at
+    /// all levels, the map is that with the fewest, and the notes name them.
+    ///
+    /// # Errors
+    /// If the observer says no, or numbers are out of proportion.
+    pub fn map(
+        &mut self,
+        follow: f64,
+        direction: f64,
+        wanted: f64,
+        observer: &mut RemeshObserver<'_>,
+    ) -> Result<(GridMap, MapNotes), RemeshError> {
+        let mut best: Option<(usize, Found)> = None;
+        let mut level = 0;
+        while level < LEVELS {
+            self.relax(level, follow, direction, observer)?;
+            let found = match self.round(level, wanted, observer)? {
+                Attempt::Map(found) => found,
+                Attempt::Creases(sides) => {
+                    self.abandon(&sides);
+                    best = None;
+                    level = 0;
+                    continue;
+                }
+            };
+            let fewest = best.as_ref().map_or(usize::MAX, |(_, best)| best.flipped.len());
+            if found.flipped.len() < fewest {
+                best = Some((level, found));
+            }
+            if best.as_ref().is_some_and(|(_, best)| best.flipped.is_empty()) {
+                break;
+            }
+            level += 1;
+        }
+        let (level, found) = best.expect("the last level finds a map");
+        let Field { combed, seams, .. } = &self.fields[level];
+        let map = snap(seams, &found.rounded.values)?;
+        let notes = MapNotes {
+            flipped: (0..map.corners.len()).filter(|&t| map.doubled_area(t) <= 0).collect(),
+            level: level as u32,
+            singularities: combed.singularities(),
+            quads: found.quads,
+            scale: found.factor,
+            integers: self.relaxed[level].integers.count(),
+            separations: found.separations,
+            abandoned_creases: self.prepared.notes.abandoned,
+            cut: seams.cut.len(),
+            seamless_flips: self.relaxed[level].seamless.flips.clone(),
+        };
+        Ok((map, notes))
+    }
+
+    /// Makes sure that the field and the map without integers of a level are those of the weights.
+    fn relax(
+        &mut self,
+        level: usize,
+        follow: f64,
+        direction: f64,
+        observer: &mut RemeshObserver<'_>,
+    ) -> Result<(), RemeshError> {
+        let steering = steering(level, follow);
+        let GridMapper { prepared, frames, fields, relaxed, .. } = self;
+        if fields.get(level).is_none_or(|field| field.steering != steering) {
+            fields.truncate(level);
+            relaxed.truncate(level);
+            fields.push(Field::new(prepared, frames, steering, observer)?);
+        }
+        if relaxed.get(level).is_none_or(|relaxed| relaxed.direction != direction) {
+            relaxed.truncate(level);
+            let field = &fields[level];
+            relaxed.push(Relaxed::new(prepared, frames, field, direction, observer)?);
+        }
+        Ok(())
+    }
+
+    /// Rounds at one scale after another until no triangle is flipped, then corrects the scale where
+    /// the number of quads is off.
+    fn round(
+        &mut self,
+        level: usize,
+        wanted: f64,
+        observer: &mut RemeshObserver<'_>,
+    ) -> Result<Attempt, RemeshError> {
+        let GridMapper { prepared, frames, fields, relaxed, .. } = self;
+        let (field, relaxed) = (&fields[level], &mut relaxed[level]);
+        let may_abandon = self.abandonings < ABANDONINGS;
+        let mut at = |factor: f64, part: f64| {
+            if !observer(RemeshStage::Round, part) {
+                return Err(RemeshError::Cancelled);
+            }
+            Ok(relaxed.round(prepared, frames, field, [wanted, factor], may_abandon))
+        };
+        let mut best: Option<Found> = None;
+        for (k, factor) in SCALES.into_iter().enumerate() {
+            let found = match at(factor, k as f64 / SCALES.len() as f64)? {
+                Attempt::Map(found) => found,
+                creases => return Ok(creases),
+            };
+            if best.as_ref().is_none_or(|best| found.flipped.len() < best.flipped.len()) {
+                best = Some(found);
+            }
+            if best.as_ref().is_some_and(|best| best.flipped.is_empty()) {
+                break;
+            }
+        }
+        let mut best = best.expect("there is a scale");
+        let off = |found: &Found| (found.quads / wanted).max(wanted / found.quads);
+        let mut factor = best.factor;
+        for _ in 0..CORRECTIONS {
+            if !best.flipped.is_empty() || off(&best) <= OFF {
+                break;
+            }
+            factor *= (wanted / best.quads).sqrt();
+            let Attempt::Map(found) = at(factor, 1.0)? else { break };
+            if !found.flipped.is_empty() || off(&found) >= off(&best) {
+                break;
+            }
+            best = found;
+        }
+        Ok(Attempt::Map(best))
+    }
+
+    fn abandon(&mut self, creases: &[Side]) {
+        self.prepared = self.prepared.without_creases(creases);
+        self.abandonings += 1;
+        self.fields.clear();
+        self.relaxed.clear();
+    }
+}
+
+/// Computes one map; see [`GridMapper::map`]. Without a `wanted` number of quads, panels have the size
+/// for which the surface was prepared.
 ///
 /// # Errors
 /// If the observer says no, or numbers are out of proportion.
@@ -61,164 +213,17 @@ pub fn grid_map(
     wanted: Option<f64>,
     observer: &mut RemeshObserver<'_>,
 ) -> Result<(GridMap, MapNotes), RemeshError> {
-    let frames = Frames::new(&prepared.surface);
-    let target = wanted.unwrap_or(prepared.surface.area() / (prepared.size * prepared.size));
-    let mut best: Option<(GridMap, MapNotes)> = None;
-    let mut fewer: Option<Prepared> = None;
-    let mut abandonings = 0;
-    let mut level = 0;
-    while level < LEVELS {
-        let current = fewer.as_ref().unwrap_or(prepared);
-        let stages = Stages::new(current, &frames, options, level, observer)?;
-        let (found, creases) = stages.round(target, abandonings < ABANDONINGS, observer)?;
-        if !creases.is_empty() {
-            fewer = Some(current.without_creases(&creases));
-            abandonings += 1;
-            continue;
-        }
-        let flips = |found: &(GridMap, MapNotes)| found.1.flipped.len();
-        if let Some(found) = found
-            && best.as_ref().is_none_or(|best| flips(&found) < flips(best))
-        {
-            best = Some(found);
-        }
-        if best.as_ref().is_some_and(|best| flips(best) == 0) {
-            break;
-        }
-        level += 1;
-    }
-    Ok(best.expect("the last level finds a map"))
+    let wanted = wanted.unwrap_or(prepared.surface.area() / (prepared.size * prepared.size));
+    let mut mapper = GridMapper::new(prepared.clone());
+    mapper.map(options.follow, options.direction, wanted, observer)
 }
 
 /// The field's settings of a level: lambda, smoothing and step.
-fn steering(level: u32, follow: f64) -> Steering {
+fn steering(level: usize, follow: f64) -> Steering {
     let times = f64::from(1u32 << level);
     Steering {
         follow: if level + 1 < LEVELS { follow / (times * times) } else { 0.0 },
         smoothing: 0.5 * times,
         step: times * times,
     }
-}
-
-/// The field and the map without integers, from which maps of any scale are rounded.
-struct Stages<'a> {
-    prepared: &'a Prepared,
-    frames: &'a Frames,
-    level: u32,
-    combed: Combed,
-    seams: Seams,
-    energy: Energy,
-    seamless: Seamless,
-}
-
-impl<'a> Stages<'a> {
-    fn new(
-        prepared: &'a Prepared,
-        frames: &'a Frames,
-        options: &MapOptions,
-        level: u32,
-        observer: &mut RemeshObserver<'_>,
-    ) -> Result<Stages<'a>, RemeshError> {
-        let surface = &prepared.surface;
-        let steering = steering(level, options.follow);
-        let cross = cross_field(prepared, frames, steering, &mut |part| {
-            observer(RemeshStage::Field, part)
-        })?;
-        let combed = Combed::new(surface, frames, &cross.crosses);
-        let cut = cut_sides(surface, &combed);
-        let seams = Seams::new(prepared, frames, &combed, cut);
-        let mut energy = Energy::new(prepared, frames, &combed, &cross, &seams, options.direction);
-        let seamless = seamless_map(prepared, &seams, &mut energy, &frames.area, &mut |part| {
-            observer(RemeshStage::Map, part)
-        })?;
-        Ok(Stages { prepared, frames, level, combed, seams, energy, seamless })
-    }
-
-    /// Rounds for a number of quads, at one scale after another until no triangle is flipped. If
-    /// creases are in each other's way, and `may_abandon`, these are returned instead of a map.
-    #[expect(clippy::type_complexity, reason = "a map or creases")]
-    fn round(
-        self,
-        target: f64,
-        may_abandon: bool,
-        observer: &mut RemeshObserver<'_>,
-    ) -> Result<(Option<(GridMap, MapNotes)>, Vec<Side>), RemeshError> {
-        let Stages { prepared, frames, level, combed, seams, mut energy, seamless } = self;
-        let (seams, seamless) = (&seams, &seamless);
-        let energy = &mut energy;
-        let predicted = 0.5 * doubled_areas(seams, &seamless.values).iter().sum::<f64>();
-        let scale = (target / predicted).sqrt();
-        if !(scale.is_finite() && predicted > 0.0) {
-            return Err(RemeshError::Numerical);
-        }
-        let integers = Integers::new(seams, energy, seamless)?;
-        let mut best: Option<Found> = None;
-        for (tried, factor) in SCALES.into_iter().enumerate() {
-            let scale = scale * factor;
-            let free: Vec<f64> = seamless.values.iter().map(|value| scale * value).collect();
-            let size = prepared.size / scale;
-            let untangling = Untangling::new(&prepared.surface, frames, seams, size);
-            let mut given: Vec<Separation> = Vec::new();
-            for _ in 0..ROUNDINGS {
-                if !observer(RemeshStage::Round, tried as f64 / SCALES.len() as f64) {
-                    return Err(RemeshError::Cancelled);
-                }
-                let mut rounded = integers.solve(energy, scale, &integers.round(scale, &given));
-                let pairs = |rounded: &Rounded| {
-                    let flipped = rounded.flipped();
-                    separations(prepared, seams, &flipped, &free, &rounded.values)
-                };
-                let mut more = pairs(&rounded);
-                more.retain(|one| !given.contains(one));
-                if more.is_empty() {
-                    untangling.untangle(&mut rounded.values, &mut rounded.doubled);
-                }
-                let creases: Vec<Side> = more.iter().flat_map(|one| one.creases.clone()).collect();
-                if may_abandon && !creases.is_empty() {
-                    return Ok((None, creases));
-                }
-                let is_last = more.is_empty();
-                let found = Found {
-                    factor,
-                    flips: rounded.flipped().len(),
-                    rounded,
-                    separations: given.len(),
-                };
-                given.extend(more);
-                if best.as_ref().is_none_or(|best| found.flips < best.flips) {
-                    best = Some(found);
-                }
-                if is_last {
-                    break;
-                }
-            }
-            if best.as_ref().is_some_and(|best| best.flips == 0) {
-                break;
-            }
-        }
-        let found = best.expect("there is a scale");
-        let map = snap(seams, &found.rounded.values)?;
-        let flipped = (0..map.corners.len()).filter(|&t| map.doubled_area(t) <= 0).collect();
-        let notes = MapNotes {
-            flipped,
-            level,
-            singularities: combed.singularities(),
-            quads: 0.5 * found.rounded.doubled.iter().sum::<f64>(),
-            scale: found.factor,
-            integers: integers.unknowns.len(),
-            separations: found.separations,
-            abandoned_creases: prepared.notes.abandoned,
-            cut: seams.cut.len(),
-            seamless_flips: seamless.flips.clone(),
-        };
-        Ok((Some((map, notes)), Vec::new()))
-    }
-}
-
-/// A rounded map with the way to it.
-struct Found {
-    factor: f64,
-    flips: usize,
-    rounded: Rounded,
-    separations: usize,
 }

@@ -12,6 +12,7 @@
 //! | `lbfgs` | minimisation of a smooth function |
 //! | `untangle` | flipped triangles turned back, patch by patch |
 //! | `snap` | fixed point |
+//! | `relaxed` | a field with its seamless map and the maps rounded from it |
 //! | `levels` | all of it, with retries |
 
 mod elimination;
@@ -19,6 +20,7 @@ mod energy;
 mod integer;
 mod lbfgs;
 mod levels;
+mod relaxed;
 mod rounding;
 mod seamless;
 mod seams;
@@ -26,4 +28,4 @@ mod separation;
 mod snap;
 mod untangle;
 
-pub use levels::{MapNotes, grid_map};
+pub use levels::{GridMapper, MapNotes, grid_map};

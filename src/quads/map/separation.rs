@@ -189,9 +189,9 @@ impl Finder<'_> {
             }
         }
         for line in self.lines(&near) {
-            let (distance, foot) = distance_to_segment(at, line.ends);
+            let (distance, end) = distance_to_segment(at, line.ends);
             let apart = sum(&own[line.axis], &line.row, -1.0);
-            if foot && distance < REACH_OF_LINES * self.size {
+            if self.faces(&line, end) && distance < REACH_OF_LINES * self.size {
                 self.add_ahead(apart, line.inward, distance, &[line.side], found);
             }
         }
@@ -206,8 +206,8 @@ impl Finder<'_> {
                     continue;
                 }
                 let middle = (b.ends[0] + b.ends[1]) * 0.5;
-                let (distance, foot) = distance_to_segment(middle, a.ends);
-                if foot && distance < REACH_OF_LINES * self.size {
+                let (distance, end) = distance_to_segment(middle, a.ends);
+                if self.faces(a, end) && distance < REACH_OF_LINES * self.size {
                     let apart = sum(&b.row, &a.row, -1.0);
                     self.add_ahead(apart, a.inward, distance, &[a.side, b.side], found);
                 }
@@ -233,6 +233,13 @@ impl Finder<'_> {
             }
         }
         lines
+    }
+
+    /// Whether a line lies in front of a point whose foot is at one of its ends, or between them: it
+    /// goes on beyond an end unless it has a corner there.
+    fn faces(&self, line: &FeatureLine, end: Option<usize>) -> bool {
+        let Side { triangle, side } = line.side;
+        end.is_none_or(|end| !self.is_integer_point(triangle, side + end))
     }
 
     /// Adds that `apart` must be on the side `inward` of zero, if it is not.
@@ -281,12 +288,18 @@ fn value(row: &[(u32, f64)], values: &[f64]) -> f64 {
     row.iter().map(|&(k, c)| c * values[k as usize]).sum()
 }
 
-/// The distance of a point from a segment, and whether its foot lies well between
-/// the ends.
-fn distance_to_segment(p: Vec3<f64>, [a, b]: [Vec3<f64>; 2]) -> (f64, bool) {
+/// The distance of a point from a segment, and the end at which its foot lies, if it does.
+fn distance_to_segment(p: Vec3<f64>, [a, b]: [Vec3<f64>; 2]) -> (f64, Option<usize>) {
     let along = b - a;
     let t = (p - a).dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
-    ((a + along * t.clamp(0.0, 1.0) - p).length(), (0.01..=0.99).contains(&t))
+    let end = if t < 0.01 {
+        Some(0)
+    } else if t > 0.99 {
+        Some(1)
+    } else {
+        None
+    };
+    ((a + along * t.clamp(0.0, 1.0) - p).length(), end)
 }
 
 #[cfg(test)]
