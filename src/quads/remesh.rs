@@ -5,7 +5,7 @@ use super::extract::{Extraction, Node, Place, extract};
 use super::fault::Fault;
 use super::grid_map::Triangulation;
 use super::map::{MapNotes, grid_map};
-use super::repair::{Repaired, repair};
+use super::repair::{Repaired, repair, trim};
 use super::result::{Distances, RemeshMeasures, Samples, Shape, Tally, places, verify};
 use super::surface::{InputSurface, Prepared};
 use super::{Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, RemeshStage};
@@ -78,7 +78,7 @@ pub fn remesh(
     if !observer(RemeshStage::Verify, 1.0) {
         return Err(RemeshError::Cancelled);
     }
-    Ok(together(mesh, parts, units))
+    Ok(together(mesh, parts, options.boundary == Boundary::Cut, units))
 }
 
 /// Divisors of the weight of alignment, tried in turn if a result is not a surface like its input.
@@ -139,7 +139,11 @@ fn finish(
     let is_boundary: Vec<bool> = nodes.iter().map(|node| node.boundary).collect();
     let is_trimmed =
         |face: &[usize]| boundary == Boundary::Cut && face.iter().any(|&node| is_boundary[node]);
-    let Repaired { mut faces, replaced } = repair(&mut nodes, cells.faces, is_trimmed);
+    let cells = match boundary {
+        Boundary::Followed => cells.faces,
+        Boundary::Cut => trim(&nodes, cells.faces, prepared.size),
+    };
+    let Repaired { mut faces, replaced } = repair(&mut nodes, cells, is_trimmed);
     let middle = |face: &[usize]| {
         let sum = face.iter().fold(Vec3::zero(), |sum, &node| sum + nodes[node].position);
         sum * (1.0 / face.len().max(1) as f64)
@@ -187,7 +191,7 @@ fn position(mesh: &Mesh, surface: &Triangulation, node: &Node) -> Vec3<f64> {
 }
 
 /// One mesh of all parts, measured and described.
-fn together(input: &Mesh, parts: Vec<Part>, units: &str) -> Remeshed {
+fn together(input: &Mesh, parts: Vec<Part>, cuts: bool, units: &str) -> Remeshed {
     let mut mesh = Mesh::default();
     let mut tally = Tally::default();
     for part in &parts {
@@ -197,7 +201,7 @@ fn together(input: &Mesh, parts: Vec<Part>, units: &str) -> Remeshed {
             let face: Vec<u32> = face.iter().map(|&v| (first + v) as u32).collect();
             mesh.faces.push(&face);
         }
-        tally.add(&part.positions, &part.faces, &part.samples, part.size);
+        tally.add(&part.positions, &part.faces, &part.samples, part.size, cuts);
     }
     let distances = Distances::between(&mesh, input);
     let mut notes = Vec::new();

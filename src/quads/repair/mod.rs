@@ -8,11 +8,13 @@
 mod joined;
 mod panels;
 mod quadrangulate;
+mod trim;
 
 use super::extract::Node;
 use joined::join_odd;
 use panels::Panels;
 use quadrangulate::quadrangulate;
+pub(super) use trim::trim;
 
 /// Faces after repair.
 #[derive(Clone, Debug, Default)]

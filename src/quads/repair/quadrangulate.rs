@@ -78,7 +78,7 @@ pub(super) fn quadrangulate(
 }
 
 /// Sum over the corners of a quad of the squared difference of their angle from a right one.
-fn deviation(corners: [Vec3<f64>; 4], normal: Vec3<f64>) -> f64 {
+pub(super) fn deviation(corners: [Vec3<f64>; 4], normal: Vec3<f64>) -> f64 {
     let of_corner = |k: usize| {
         let to_next = corners[(k + 1) % 4] - corners[k];
         let to_last = corners[(k + 3) % 4] - corners[k];

@@ -12,7 +12,8 @@ use std::f64::consts::FRAC_PI_2;
 pub struct Irregular {
     /// Inner vertices of other than four edges.
     pub inside: usize,
-    /// Boundary vertices with another number of panels than the angle of the boundary asks for.
+    /// Boundary vertices with another number of panels than the angle of the boundary asks for; none
+    /// of a boundary that cuts its panels.
     pub boundary: usize,
 }
 
@@ -77,13 +78,14 @@ pub(in crate::quads) struct Tally {
 
 impl Tally {
     /// Counts the faces of one part, with corners at `positions`; those of `samples` describe the
-    /// surface there. `size` is the side of a panel.
+    /// surface there. `size` is the side of a panel; `cuts` says whether the boundary cuts panels.
     pub(in crate::quads) fn add(
         &mut self,
         positions: &[Vec3<f64>],
         faces: &[Vec<usize>],
         samples: &Samples,
         size: f64,
+        cuts: bool,
     ) {
         self.quads += faces.iter().filter(|face| face.len() == 4).count();
         self.other_faces += faces.iter().filter(|face| face.len() != 4).count();
@@ -118,7 +120,7 @@ impl Tally {
         for v in (0..positions.len()).filter(|&v| valence[v] > 0) {
             if boundary[v] {
                 let difference: f64 = turns[v] - panels[v];
-                self.irregular.boundary += usize::from(difference.abs() > OFF);
+                self.irregular.boundary += usize::from(!cuts && difference.abs() > OFF);
             } else {
                 self.irregular.inside += usize::from(valence[v] != 4);
             }
