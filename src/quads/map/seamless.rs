@@ -6,7 +6,7 @@ use crate::quads::surface::Prepared;
 use crate::quads::{RemeshError, Triangulation};
 
 /// Most rounds of stiffening.
-const ROUNDS: usize = 10;
+const ROUNDS: usize = 4;
 /// Triangles that are mapped to less than this fraction of their area are stiffened.
 const SMALL: f64 = 0.02;
 
